@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+# dermis_module(NAME SOURCES ... DEPENDS modules ... LINKS libraries ...)
+#   One static library dermis_NAME for the folder src/NAME. DEPENDS names other rooms of the house (public);
+#   LINKS names outside libraries (private). The pairs are written to build/house.txt, against which the
+#   include check of tests/house holds every #include.
+# dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs])
+#   One GoogleTest executable test_NAME, registered as ONE ctest entry (its cases share a process, so fixtures load once).
+
+set_property(GLOBAL PROPERTY DERMIS_HOUSE "")
+
+function(dermis_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+  if(DERMIS_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(DERMIS_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+  endif()
+endfunction()
+
+function(dermis_module name)
+  cmake_parse_arguments(M "" "" "SOURCES;DEPENDS;LINKS" ${ARGN})
+  add_library(dermis_${name} STATIC ${M_SOURCES})
+  target_include_directories(dermis_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+  dermis_compile_options(dermis_${name})
+  foreach(dep IN LISTS M_DEPENDS)
+    target_link_libraries(dermis_${name} PUBLIC dermis_${dep})
+  endforeach()
+  target_link_libraries(dermis_${name} PRIVATE ${M_LINKS})
+  list(JOIN M_DEPENDS " " deps)
+  set_property(GLOBAL APPEND_STRING PROPERTY DERMIS_HOUSE "${name}: ${deps}\n")
+endfunction()
+
+function(dermis_test name)
+  cmake_parse_arguments(T "" "LABEL" "SOURCES;DEPENDS;LINKS" ${ARGN})
+  add_executable(test_${name} ${T_SOURCES})
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  dermis_compile_options(test_${name})
+  foreach(dep IN LISTS T_DEPENDS)
+    target_link_libraries(test_${name} PRIVATE dermis_${dep})
+  endforeach()
+  target_link_libraries(test_${name} PRIVATE ${T_LINKS} GTest::gtest GTest::gtest_main)
+  target_compile_definitions(test_${name} PRIVATE DERMIS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  if(NOT T_LABEL)
+    set(T_LABEL unit)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS ${T_LABEL} TIMEOUT 1200)
+endfunction()

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "core/file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "core/error.h"
+
+namespace dermis {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Close {
+  void operator()(std::FILE* f) const { std::fclose(f); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+}  // namespace
+
+std::vector<std::byte> read_file(const fs::path& path, std::uint64_t limit_bytes, bool allow_empty) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw input_error(path.string(), "no such file");
+  if (fs::is_directory(status)) throw input_error(path.string(), "is a directory, expected a file");
+  if (!fs::is_regular_file(status)) throw input_error(path.string(), "is not a regular file");
+  const std::uint64_t size = fs::file_size(path, error);
+  if (error) throw input_error(path.string(), "cannot be read: {}", error.message());
+  if (size > limit_bytes) throw input_error(path.string(), "has {} bytes, the limit is {}", size, limit_bytes);
+  if (size == 0 && !allow_empty) throw input_error(path.string(), "is empty");
+  const File file(std::fopen(path.c_str(), "rb"));
+  if (!file) throw input_error(path.string(), "cannot be opened: {}", std::strerror(errno));
+  std::vector<std::byte> bytes(size);
+  if (size != 0 && std::fread(bytes.data(), 1, size, file.get()) != size) throw input_error(path.string(), "cannot be read to its end");
+  return bytes;
+}
+
+void check_writable(const fs::path& path) {
+  if (path.empty() || !path.has_filename()) throw input_error(path.string(), "is not the name of a file to write");
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw input_error(path.string(), "is a directory, expected the name of a file to write");
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, error)) throw input_error(path.string(), "folder '{}' does not exist", folder.string());
+  if (::access(folder.c_str(), W_OK) != 0) throw input_error(path.string(), "folder '{}' cannot be written", folder.string());
+}
+
+void write_file(const fs::path& path, std::span<const std::byte> bytes) {
+  check_writable(path);
+  // The process id keeps two runs that write the same name apart.
+  fs::path part = path;
+  part += fmt::format(".{}.part", ::getpid());
+  std::error_code ignored;
+  {
+    File file(std::fopen(part.c_str(), "wb"));
+    if (!file) throw input_error(path.string(), "cannot be written: {}", std::strerror(errno));
+    const bool written = bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+    if (!written || std::fflush(file.get()) != 0) {
+      const int reason = errno;
+      file.reset();
+      fs::remove(part, ignored);
+      throw input_error(path.string(), "cannot be written: {}", std::strerror(reason));
+    }
+  }
+  std::error_code error;
+  fs::rename(part, path, error);
+  if (error) {
+    fs::remove(part, ignored);
+    throw input_error(path.string(), "cannot be written: {}", error.message());
+  }
+}
+
+void write_file(const fs::path& path, std::string_view text) { write_file(path, std::as_bytes(std::span(text.data(), text.size()))); }
+
+}  // namespace dermis

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The profile file: JSON with name, variances_mm2 [k], weights [k][3], and optionally error_percent, total_reflectance,
+// mean_free_path_mm, diffuse_mean_free_path_mm, each [3].
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "gaussians/sum.h"
+
+namespace dermis::gaussians {
+
+/// Terms are sorted narrow to wide. InputError: a key that is not known (lists the known ones), a variance <= 0, equal variances, a
+/// negative weight, weights that do not sum to 1 within 1e-3 per channel (unless normalise: they are divided by their sum), 0 or more than 8 terms.
+SumOfGaussians parse_json(std::string_view text, const std::string& where, bool normalise = false);
+SumOfGaussians load_json(const std::filesystem::path& path, bool normalise = false);
+std::string to_json(const SumOfGaussians& sum);
+
+/// A published name, else a file. InputError lists the known names when it is neither.
+SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise = false);
+
+}  // namespace dermis::gaussians

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Published sums of Gaussians, each with its source.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "gaussians/sum.h"
+
+namespace dermis::gaussians {
+
+/// The six-Gaussian skin set of [DLE07] (GPU Gems 3, ch. 14, table 14-1), weights normalised to white. The default of every command.
+SumOfGaussians skin_six();
+
+/// Names that known() takes, in the order in which errors list them.
+std::vector<std::string_view> known_names();
+/// A published sum by name ("skin", ...); InputError lists the names when there is none such.
+SumOfGaussians known(std::string_view name);
+
+}  // namespace dermis::gaussians

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A diffusion profile as a sum of Gaussians, the form that the GPU can blur.
+//   R(r) = sum_i w_i G(v_i, r),  G(v, r) = exp(-r^2 / (2 v)) / (2 pi v)   [1/mm^2]
+// Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 4; [JG08] eq. 2.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dermis::gaussians {
+
+using Rgb = std::array<double, 3>;
+
+/// One term. variance_mm2 > 0; each weight >= 0.
+struct Gaussian {
+  double variance_mm2 = 0;
+  Rgb weight{};
+};
+
+/// Narrow to wide. Weights sum to 1 per channel; what the skin reflects in all is kept beside them.
+struct SumOfGaussians {
+  std::string name;
+  std::vector<Gaussian> terms;               ///< 1 to 8, variances strictly increasing
+  Rgb total_reflectance{1, 1, 1};            ///< 0..1, the integral of R over the plane before the weights were normalised
+  Rgb error_percent{};                       ///< 100 sqrt(int r (R-S)^2 dr / int r R^2 dr) against the profile it was fitted to; 0 if published
+  Rgb mean_free_path_mm{};                   ///< 1 / sigma_t'; 0 if unknown
+  Rgb diffuse_mean_free_path_mm{};           ///< 1 / sigma_tr; 0 if unknown
+
+  double max_variance_mm2() const { return terms.empty() ? 0 : terms.back().variance_mm2; }
+};
+
+inline constexpr int max_terms = 8;
+
+}  // namespace dermis::gaussians

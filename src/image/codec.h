@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Decoding and encoding of picture files. Every limit is checked before memory is taken, so a hostile file ends in InputError.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "image/image.h"
+
+namespace dermis::image {
+
+struct DecodeLimits {
+  int max_side = 16384;                 ///< pixels
+  std::size_t max_pixels = 1u << 28;    ///< width * height
+};
+
+/// PNG or JPEG, told apart by their first bytes, to RGBA8 (grey is spread, a missing alpha is 255; 16-bit PNG is rounded to 8 bits).
+/// `where` names the picture in errors. InputError: unknown format (KTX2 and WebP are named), truncated, damaged, over the limits.
+Image8 decode_image8(std::span<const std::byte> bytes, const std::string& where, const DecodeLimits& limits = {});
+
+/// Radiance .hdr or OpenEXR, told apart by their first bytes, to 3-channel linear floats (EXR: R, G, B or Y of the first part;
+/// data window cropped to the display window). NaN and infinite pixels become 0 with one warning.
+ImageF decode_image_f(std::span<const std::byte> bytes, const std::string& where, const DecodeLimits& limits = {});
+
+/// Reads a file and decodes it: PNG, JPEG.
+Image8 load_image8(const std::filesystem::path& path, const DecodeLimits& limits = {});
+/// Reads a file and decodes it: HDR, EXR.
+ImageF load_image_f(const std::filesystem::path& path, const DecodeLimits& limits = {});
+
+/// Writes RGBA8 as PNG (alpha kept when keep_alpha, else RGB), atomically. No date or other metadata: equal pixels give equal bytes.
+void save_png(const std::filesystem::path& path, const Image8& picture, bool keep_alpha = false);
+/// Writes 3 or 4 float channels as OpenEXR (ZIP; half if half_float, else 32-bit float), atomically and without a date.
+void save_exr(const std::filesystem::path& path, const ImageF& picture, bool half_float = false);
+
+}  // namespace dermis::image
