@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// A thin recorder over a VkCommandBuffer, ours or an engine's. It creates nothing and submits nothing.
+#pragma once
+
+#include <volk.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "gpu/pipelines.h"
+#include "gpu/resources.h"
+
+namespace dermis::gpu {
+
+/// One resource for one binding, in the order of the shader's binding numbers.
+struct SampledBinding {
+  const Texture* texture = nullptr;
+  VkSampler sampler = VK_NULL_HANDLE;
+  VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+};
+struct StorageImageBinding {
+  const Texture* texture = nullptr;
+};
+struct BufferBinding {
+  const Buffer* buffer = nullptr;
+  std::uint64_t offset = 0;
+  std::uint64_t bytes = VK_WHOLE_SIZE;
+};
+using Binding = std::variant<SampledBinding, StorageImageBinding, BufferBinding>;
+
+struct ColourTarget {
+  const Texture* texture = nullptr;
+  std::uint32_t layer = 0;
+  std::optional<std::array<float, 4>> clear;         ///< none: load
+  const Texture* resolve = nullptr;                  ///< average of samples, written at the end
+};
+struct DepthTarget {
+  const Texture* texture = nullptr;
+  std::uint32_t layer = 0;
+  std::optional<float> clear;                        ///< none: load
+  bool store = true;
+};
+
+class Cmd {
+ public:
+  Cmd(Device& device, VkCommandBuffer handle);
+  VkCommandBuffer handle() const { return handle_; }
+  Device& device() const { return *device_; }
+
+  void bind(const Pipeline& pipeline, std::span<const Binding> bindings);   ///< asserts number and kind against reflection
+  template <class Push>
+  void push(const Pipeline& pipeline, const Push& values) {
+    push_bytes(pipeline, std::as_bytes(std::span(&values, 1)));
+  }
+  void push_bytes(const Pipeline& pipeline, std::span<const std::byte> values);   ///< asserts the size against reflection
+  void dispatch(std::uint32_t groups_x, std::uint32_t groups_y, std::uint32_t groups_z = 1);
+  void dispatch_over(const Pipeline& pipeline, std::uint32_t threads_x, std::uint32_t threads_y, std::uint32_t threads_z = 1);   ///< rounds up to workgroups
+  void dispatch_indirect(const Buffer& arguments, std::uint64_t offset);
+
+  /// Full-target viewport with +Y up (negative height) unless y_down; set_viewport changes it.
+  void begin_rendering(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth, VkExtent2D extent, bool y_down = false);
+  void set_viewport(VkRect2D area, bool y_down);     ///< viewport and scissor
+  void end_rendering();
+  void draw(std::uint32_t vertices, std::uint32_t instances = 1);
+  void draw_indexed(const Buffer& indices, std::uint32_t count, std::uint32_t first = 0);   ///< 32-bit indices
+  void draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint32_t draws);
+
+  void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
+  void copy(const Texture& from, const Buffer& to, std::uint32_t layer = 0);      ///< mip 0, tightly packed; from in TRANSFER_SRC layout
+  void fill(const Buffer& to, std::uint32_t value);
+  void clear(const Texture& to, std::array<float, 4> colour);                     ///< in TRANSFER_DST layout
+  void barrier(const VkDependencyInfo& dependencies);
+
+ private:
+  Device* device_;
+  VkCommandBuffer handle_;
+};
+
+}  // namespace dermis::gpu

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// A Vulkan 1.3 device, ours or an engine's. Nothing here owns more than it made: an external device keeps its instance, queue and
+// function pointers; ours are per device (a VolkDeviceTable), never global.
+#pragma once
+
+#include <volk.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dermis::gpu {
+
+/// What this library needs of a device, published so that an engine can create one that serves. Chain `features` into VkDeviceCreateInfo.
+/// Not copyable: the structures point at each other.
+struct RequiredFeatures {
+  RequiredFeatures();
+  RequiredFeatures(const RequiredFeatures&) = delete;
+  RequiredFeatures& operator=(const RequiredFeatures&) = delete;
+  static constexpr std::uint32_t api_version = VK_API_VERSION_1_3;
+  static std::span<const char* const> extensions();   ///< VK_KHR_push_descriptor
+  VkPhysicalDeviceFeatures2 features{};                ///< head of the chain
+  VkPhysicalDeviceVulkan11Features features11{};
+  VkPhysicalDeviceVulkan12Features features12{};       ///< scalarBlockLayout, timelineSemaphore, ...
+  VkPhysicalDeviceVulkan13Features features13{};       ///< dynamicRendering, synchronization2
+};
+
+/// One physical device as `dermis info` shows it.
+struct DeviceSummary {
+  std::string name, driver, type;         ///< type: discrete, integrated, virtual, software, other
+  std::string api;                        ///< "1.3.230"
+  std::uint64_t memory_bytes = 0;         ///< largest device-local heap
+  std::vector<std::string> missing;       ///< one sentence for each requirement it does not meet; empty = usable
+};
+
+/// All devices, best first (discrete, integrated, virtual, software; unusable ones last). Empty if there is no driver or no loader.
+std::vector<DeviceSummary> list_devices();
+
+struct DeviceLimits {
+  std::uint32_t max_image_side = 0;       ///< texels, 2D
+  std::uint32_t max_array_layers = 0;
+  std::uint64_t max_storage_buffer_bytes = 0;
+  std::uint32_t max_push_bytes = 0;
+  std::uint32_t max_clip_distances = 0;
+  float timestamp_period_ns = 1;
+  bool timestamps = false;
+  bool software = false;                  ///< timestamps between raster passes cannot be trusted there
+};
+
+class Buffer;
+class Texture;
+struct BufferDesc;
+struct TextureDesc;
+class MemoryPool;
+
+/// Device, queue, memory, and the list of objects waiting for the GPU. One thread records and submits at a time.
+class Device {
+ public:
+  struct Options {
+    std::string select = "best";          ///< best, an index of list_devices(), or a part of a name (case-insensitive)
+    bool validate = false;                ///< validation layer with synchronization validation; messages are counted and kept
+  };
+  /// An engine's device. It must have been made with RequiredFeatures. All handles outlive this object.
+  struct External {
+    PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
+    VkInstance instance = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_device = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;
+    std::uint32_t queue_family = 0;
+  };
+
+  /// DeviceError: no driver, no such device (lists them), a requirement is missing (says which), validation layer not installed.
+  explicit Device(const Options& options);
+  explicit Device(const External& external);
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+  ~Device();                              ///< waits for what was submitted here
+
+  VkDevice handle() const;
+  const VolkDeviceTable& vk() const;
+  const DeviceSummary& summary() const;
+  const DeviceLimits& limits() const;
+  bool format_supports(VkFormat format, VkFormatFeatureFlags features) const;   ///< optimal tiling
+
+  /// Starts a primary command buffer for one use.
+  VkCommandBuffer begin();
+  /// Ends and submits it; returns the serial that wait() takes.
+  std::uint64_t submit(VkCommandBuffer commands);
+  void wait(std::uint64_t serial);        ///< DeviceError if the device is lost
+  /// begin, record, submit, wait.
+  void run(const std::function<void(VkCommandBuffer)>& record);
+
+  /// With an external queue: tells that everything recorded so far has completed, so that retired objects are freed.
+  void collect();
+  /// Frees something once all work recorded so far has completed (now, if nothing is in flight).
+  void retire(std::function<void()> free);
+
+  MemoryPool& memory();
+  std::uint64_t image_bytes() const;      ///< now allocated for textures
+  std::uint64_t buffer_bytes() const;
+  std::uint64_t peak_bytes() const;
+
+  /// What the validation layer said since the start (errors and warnings), in order. Empty if not validating.
+  const std::vector<std::string>& validation_messages() const;
+
+  void set_name(VkObjectType type, std::uint64_t handle, const std::string& name) const;   ///< nothing if debug utils are off
+  void begin_label(VkCommandBuffer commands, const std::string& name) const;
+  void end_label(VkCommandBuffer commands) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Throws DeviceError that names the call and the result ("vkCreateImage: out of device memory; needed ...").
+void check(VkResult result, std::string_view what);
+
+}  // namespace dermis::gpu

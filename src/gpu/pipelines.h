@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Pipelines from SPIR-V. Bindings, push-constant size, workgroup size and specialisation constants are read from the shader; the host
+// says only what it must. Descriptor set 0, pushed at record time (VK_KHR_push_descriptor).
+#pragma once
+
+#include <volk.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gpu/resources.h"
+
+namespace dermis::gpu {
+
+class Device;
+
+enum class BindingKind : std::uint8_t { storage_buffer, uniform_buffer, sampled_image, storage_image };   ///< sampled = combined with a sampler
+
+struct BindingSlot {
+  std::uint32_t binding = 0;
+  BindingKind kind{};
+  std::uint32_t count = 1;
+  std::string name;
+};
+
+/// What reflection finds in one or two stages together.
+struct ShaderInterface {
+  std::vector<BindingSlot> bindings;                 ///< by binding number
+  std::uint32_t push_bytes = 0;
+  std::array<std::uint32_t, 3> workgroup{1, 1, 1};
+  std::vector<std::pair<std::string, std::uint32_t>> constants;   ///< specialisation constants: name, constant_id
+};
+ShaderInterface reflect(std::span<const std::uint32_t> spirv, const std::string& name);
+
+/// Named specialisation constants; a name that the shader does not declare is our bug (assertion). bool and int are given as 32 bits.
+using Constants = std::vector<std::pair<std::string, std::uint32_t>>;
+
+enum class Blend : std::uint8_t { none, over };      ///< over: premultiplied alpha
+enum class Cull : std::uint8_t { none, back, front };
+
+struct GraphicsDesc {
+  std::string vertex;                                ///< shader names; vertices are pulled from storage buffers
+  std::string fragment;                              ///< empty: depth only
+  Constants constants;                               ///< for both stages; each stage takes those that it declares
+  std::vector<VkFormat> colour_formats;
+  VkFormat depth_format = VK_FORMAT_UNDEFINED;
+  std::uint32_t samples = 1;
+  Blend blend = Blend::none;
+  Cull cull = Cull::none;                            ///< front = counter-clockwise as seen (viewport with negative height, as glTF)
+  bool depth_test = false, depth_write = false;
+  VkCompareOp depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;   ///< reversed Z
+  bool depth_clamp = false;
+  float depth_bias = 0, depth_bias_slope = 0;
+  bool alpha_to_coverage = false;
+};
+
+class Pipeline {
+ public:
+  VkPipeline handle = VK_NULL_HANDLE;
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  VkPipelineBindPoint bind_point = VK_PIPELINE_BIND_POINT_COMPUTE;
+  VkShaderStageFlags push_stages = 0;
+  ShaderInterface interface;
+  std::string name;
+};
+
+/// SPIR-V by name ("blur.comp"); empty span when there is none.
+using ShaderSource = std::function<std::span<const std::uint32_t>(std::string_view name)>;
+
+/// Makes each pipeline once and keeps it. With a cache file, driver code is kept between runs; a file that is missing, damaged or from
+/// another driver is ignored and rewritten (atomically) by save_cache(); failing to write it is a warning, never an error.
+class PipelineLibrary {
+ public:
+  PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file = {});
+  PipelineLibrary(const PipelineLibrary&) = delete;
+  PipelineLibrary& operator=(const PipelineLibrary&) = delete;
+  ~PipelineLibrary();
+
+  /// References stay valid as long as the library.
+  const Pipeline& compute(const std::string& shader, const Constants& constants = {});
+  const Pipeline& graphics(const GraphicsDesc& desc);
+  VkSampler sampler(const SamplerDesc& desc);
+  void save_cache() const;
+  double creation_ms() const;                        ///< time spent in making pipelines so far
+  Device& device();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// $XDG_CACHE_HOME or ~/.cache, then dermis/pipelines.bin; empty if neither is set.
+std::filesystem::path default_pipeline_cache();
+
+}  // namespace dermis::gpu

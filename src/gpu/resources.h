@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Move-only buffers and textures. The name given at creation serves debug label, validation message and memory report. Destructors hand
+// the object to Device::retire, so it lives as long as the GPU needs it.
+#pragma once
+
+#include <volk.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dermis::gpu {
+
+class Device;
+
+enum class BufferPlace : std::uint8_t { device, upload, readback };   ///< upload and readback are mapped
+
+struct BufferDesc {
+  std::uint64_t bytes = 0;                ///< > 0
+  VkBufferUsageFlags usage = 0;           ///< transfer bits are added
+  BufferPlace place = BufferPlace::device;
+  bool operator==(const BufferDesc&) const = default;
+};
+
+class Buffer {
+ public:
+  Buffer() = default;
+  Buffer(Device& device, std::string name, const BufferDesc& desc);   ///< DeviceError: no memory (says how much was needed)
+  Buffer(Buffer&&) noexcept;
+  Buffer& operator=(Buffer&&) noexcept;
+  ~Buffer();
+  explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
+  VkBuffer handle() const { return handle_; }
+  const BufferDesc& desc() const { return desc_; }
+  const std::string& name() const { return name_; }
+  std::span<std::byte> mapped() const;    ///< upload, readback only; coherent
+
+ private:
+  void release();
+  Device* device_ = nullptr;
+  std::string name_;
+  BufferDesc desc_;
+  VkBuffer handle_ = VK_NULL_HANDLE;
+  void* allocation_ = nullptr;            ///< owned by the device's MemoryPool
+};
+
+struct TextureDesc {
+  std::uint32_t width = 0, height = 0;    ///< texels, > 0
+  std::uint32_t layers = 1;
+  std::uint32_t mips = 1;
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  std::uint32_t samples = 1;              ///< 1 or 4
+  VkImageUsageFlags usage = 0;
+  bool array = false;                     ///< view type 2D_ARRAY even with one layer
+  bool operator==(const TextureDesc&) const = default;
+};
+
+std::uint64_t bytes_of(const TextureDesc& desc);   ///< all mips, layers and samples, without padding
+VkImageAspectFlags aspect_of(VkFormat format);
+
+class Texture {
+ public:
+  Texture() = default;
+  Texture(Device& device, std::string name, const TextureDesc& desc);   ///< DeviceError: over the device's limit, no memory
+  Texture(Texture&&) noexcept;
+  Texture& operator=(Texture&&) noexcept;
+  ~Texture();
+  explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
+  VkImage handle() const { return handle_; }
+  VkImageView view() const { return view_; }                    ///< all layers and mips
+  VkImageView layer_view(std::uint32_t layer) const;            ///< one layer, mip 0, 2D: a render target
+  const TextureDesc& desc() const { return desc_; }
+  const std::string& name() const { return name_; }
+
+ private:
+  void release();
+  Device* device_ = nullptr;
+  std::string name_;
+  TextureDesc desc_;
+  VkImage handle_ = VK_NULL_HANDLE;
+  VkImageView view_ = VK_NULL_HANDLE;
+  std::vector<VkImageView> layer_views_;
+  void* allocation_ = nullptr;
+};
+
+/// Fills a buffer or texture from host memory through a staging buffer; waits until done. Texture data: mips one after the other, each
+/// tightly packed (layers inside); the texture ends in SHADER_READ_ONLY_OPTIMAL.
+void upload(Device& device, const Buffer& to, std::span<const std::byte> bytes);
+void upload(Device& device, const Texture& to, std::span<const std::byte> bytes);
+/// Mip 0, one layer, tightly packed. The texture must be in `layout` and returns to it.
+std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLayout layout, std::uint32_t layer = 0);
+std::vector<std::byte> read_back(Device& device, const Buffer& from);
+
+/// A device buffer filled with the bytes of `data`.
+template <class T>
+Buffer make_buffer(Device& device, std::string name, std::span<const T> data, VkBufferUsageFlags usage) {
+  Buffer buffer(device, std::move(name), {.bytes = std::max<std::uint64_t>(data.size_bytes(), sizeof(T)), .usage = usage});
+  if (!data.empty()) upload(device, buffer, std::as_bytes(data));
+  return buffer;
+}
+
+enum class Filter : std::uint8_t { nearest, linear };
+enum class Address : std::uint8_t { repeat, clamp, mirror };
+struct SamplerDesc {
+  Filter filter = Filter::linear;         ///< mip filter is the same
+  Address u = Address::clamp, v = Address::clamp;
+  bool compare_greater = false;           ///< reversed-Z shadow comparison (GREATER_OR_EQUAL)
+  float max_anisotropy = 1;               ///< clamped to what the device has
+  bool operator==(const SamplerDesc&) const = default;
+};
+
+}  // namespace dermis::gpu
