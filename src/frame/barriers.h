@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// From consecutive uses to barriers. Pure data: tested without a device.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "frame/plan.h"
+
+namespace dermis::frame {
+
+/// The stages, accesses and layout that one use stands for.
+struct AccessScope {
+  VkPipelineStageFlags2 stages = 0;
+  VkAccessFlags2 access = 0;
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;   ///< textures only
+};
+AccessScope scope_of(Access access, PassKind kind);
+
+struct Barrier {
+  bool is_texture = true;
+  std::uint32_t index = 0;
+  VkPipelineStageFlags2 source_stages = 0, target_stages = 0;
+  VkAccessFlags2 source_access = 0, target_access = 0;
+  VkImageLayout old_layout = VK_IMAGE_LAYOUT_UNDEFINED, new_layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  bool first_use = false;   ///< of the frame: its source is the last use of the frame before
+};
+
+/// barriers[p] stand before pass p. The plan is taken as repeated frame after frame on one queue, so the first use of a resource waits
+/// for its last use of the frame before (transient contents are discarded: old layout undefined; persistent ones keep their layout).
+std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan);
+
+/// The layout in which a texture is left by the last pass that uses it; undefined if none does.
+VkImageLayout final_layout(const FramePlan& plan, TextureId id);
+
+}  // namespace dermis::frame

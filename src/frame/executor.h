@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Gives a plan its memory and pipelines, and records it. Recording creates nothing and submits nothing, so an engine can pass its own
+// command buffer; run() submits and waits for those who have none.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frame/barriers.h"
+#include "frame/plan.h"
+#include "gpu/cmd.h"
+#include "gpu/device.h"
+#include "gpu/timer.h"
+
+namespace dermis::frame {
+
+/// What a recording pass looks its handles up in.
+class Resources {
+ public:
+  const gpu::Texture& texture(TextureId id) const;
+  const gpu::Buffer& buffer(BufferId id) const;
+  /// The texture in the layout that sampling passes see it in.
+  gpu::SampledBinding sampled(TextureId id, VkSampler sampler) const { return {&texture(id), sampler}; }
+
+ private:
+  friend class Executor;
+  std::vector<gpu::Texture> textures_;
+  std::vector<gpu::Buffer> buffers_;
+};
+
+struct PassTime {
+  std::string name;
+  double ms = 0;
+};
+
+struct FrameTime {
+  double total_ms = 0;
+  std::vector<PassTime> passes;         ///< in plan order; empty unless timed
+};
+
+class Executor {
+ public:
+  /// Makes pipelines and resources. DeviceError if memory does not suffice.
+  Executor(gpu::PipelineLibrary& library, FramePlan plan);
+
+  /// Records one frame with a debug label and (if timer) a time stamp pair around each pass.
+  void record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer = nullptr);
+
+  /// Records, submits and waits, timing each pass. Where time stamps between passes cannot be trusted (software devices), each pass is
+  /// its own submission and is timed on the host: see separate_submissions().
+  FrameTime run(const FrameData& frame);
+  bool separate_submissions() const { return separate_; }
+
+  const FramePlan& plan() const { return plan_; }
+  const Resources& resources() const { return resources_; }
+  gpu::Device& device() const { return library_->device(); }
+
+ private:
+  void record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame);
+
+  gpu::PipelineLibrary* library_;
+  FramePlan plan_;
+  std::vector<std::vector<Barrier>> barriers_;
+  Resources resources_;
+  bool first_frame_ = true;
+  bool separate_ = false;
+};
+
+}  // namespace dermis::frame

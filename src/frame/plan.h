@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// A frame as data: which pass reads and writes what, in call order. Declaring does no GPU work and needs no device; a plan can be printed
+// and its barriers tested anywhere. frame/executor.h gives it memory and records it.
+#pragma once
+
+#include <volk.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/assert.h"
+#include "gpu/pipelines.h"
+#include "gpu/resources.h"
+
+namespace dermis::gpu {
+class Cmd;
+}
+
+namespace dermis::frame {
+
+/// What changes per frame (cameras, lights, geometry). Defined by the passes; the frame only hands it through.
+struct FrameData;
+class Resources;
+
+struct TextureId {
+  std::uint32_t index = ~0u;
+  bool valid() const { return index != ~0u; }
+  bool operator==(const TextureId&) const = default;
+};
+struct BufferId {
+  std::uint32_t index = ~0u;
+  bool valid() const { return index != ~0u; }
+  bool operator==(const BufferId&) const = default;
+};
+
+/// How a pass touches a resource. Each stands for one set of stages, access flags and (for textures) one layout: see barriers.cpp.
+enum class Access : std::uint8_t {
+  sampled,            ///< texture read through a sampler
+  storage_read,       ///< storage buffer or image, read only
+  storage_write,      ///< storage buffer or image, written or read and written
+  colour_target,      ///< rendered to, cleared or loaded
+  depth_target,       ///< tested and written
+  copy_source,
+  copy_target,
+  indirect_arguments, ///< buffer
+};
+bool writes(Access access);
+
+enum class PassKind : std::uint8_t { compute, raster, copy };
+/// transient: contents are lost after the frame. persistent: kept from frame to frame (undefined in the first).
+enum class Lifetime : std::uint8_t { transient, persistent };
+
+struct TextureNode {
+  std::string name;
+  gpu::TextureDesc desc;              ///< usage is collected from the accesses
+  Lifetime lifetime = Lifetime::transient;
+};
+struct BufferNode {
+  std::string name;
+  gpu::BufferDesc desc;
+  Lifetime lifetime = Lifetime::transient;
+};
+
+struct Use {
+  bool is_texture = true;
+  std::uint32_t index = 0;            ///< of the texture or buffer
+  Access access{};
+};
+
+struct PassNode {
+  std::string name;                   ///< timer, debug label, row of the statistics
+  PassKind kind{};
+  std::vector<Use> uses;
+  std::function<void(gpu::PipelineLibrary&)> prepare;   ///< makes pipelines; may be empty
+  std::function<void(gpu::Cmd&, const Resources&, const FrameData&)> record;
+};
+
+class FramePlan;
+
+/// What a pass sees while it declares: it creates its outputs and states each use. The order of calls does not matter within a pass.
+class Declare {
+ public:
+  Declare(FramePlan& plan, PassNode& pass) : plan_(&plan), pass_(&pass) {}
+  void kind(PassKind kind) { pass_->kind = kind; }
+
+  TextureId create(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
+  BufferId create(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);
+  const gpu::TextureDesc& desc(TextureId id) const;
+
+  void sample(TextureId id) { use(id, Access::sampled); }
+  void read(TextureId id) { use(id, Access::storage_read); }
+  void write(TextureId id) { use(id, Access::storage_write); }
+  void colour(TextureId id) { use(id, Access::colour_target); }
+  void depth(TextureId id) { use(id, Access::depth_target); }
+  void copy_from(TextureId id) { use(id, Access::copy_source); }
+  void copy_to(TextureId id) { use(id, Access::copy_target); }
+  void read(BufferId id) { use(id, Access::storage_read); }
+  void write(BufferId id) { use(id, Access::storage_write); }
+  void indirect(BufferId id) { use(id, Access::indirect_arguments); }
+  void copy_from(BufferId id) { use(id, Access::copy_source); }
+  void copy_to(BufferId id) { use(id, Access::copy_target); }
+
+ private:
+  void use(TextureId id, Access access);
+  void use(BufferId id, Access access);
+  FramePlan* plan_;
+  PassNode* pass_;
+};
+
+/// Passes in order, with the resources that connect them.
+class FramePlan {
+ public:
+  /// A resource that no pass of this plan creates before its first use (a persistent target, a read-back buffer).
+  TextureId texture(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
+  BufferId buffer(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);
+
+  /// Constructs the pass, lets it declare, and keeps it. A pass has:
+  ///   Settings, In, Out; Pass(Settings); Out declare(Declare&, const In&); void prepare(gpu::PipelineLibrary&);
+  ///   void record(gpu::Cmd&, const Resources&, const FrameData&) const.
+  template <class Pass>
+  typename Pass::Out add(const std::string& name, const typename Pass::In& in, const typename Pass::Settings& settings = {}) {
+    auto pass = std::make_shared<Pass>(settings);
+    PassNode node{.name = name};
+    Declare declare(*this, node);
+    typename Pass::Out out = pass->declare(declare, in);
+    node.prepare = [pass](gpu::PipelineLibrary& library) { pass->prepare(library); };
+    node.record = [pass](gpu::Cmd& cmd, const Resources& resources, const FrameData& frame) { pass->record(cmd, resources, frame); };
+    passes_.push_back(std::move(node));
+    return out;
+  }
+
+  const std::vector<TextureNode>& textures() const { return textures_; }
+  const std::vector<BufferNode>& buffers() const { return buffers_; }
+  const std::vector<PassNode>& passes() const { return passes_; }
+
+ private:
+  friend class Declare;
+  std::vector<TextureNode> textures_;
+  std::vector<BufferNode> buffers_;
+  std::vector<PassNode> passes_;
+};
+
+/// One line a pass with what it reads and writes, then the resources with sizes.
+std::string print_text(const FramePlan& plan);
+/// Graphviz.
+std::string print_dot(const FramePlan& plan);
+
+}  // namespace dermis::frame

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "passes/gpu_scene.h"
+
+#include <cmath>
+
+#include "image/resize.h"
+
+namespace dermis::passes {
+namespace {
+
+constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+
+io::MapIo map_io(const scene::MapRef& map) {
+  return {.u_axis = map.transform[0],
+          .v_axis = map.transform[1],
+          .offset = map.transform[2],
+          .uv_set = static_cast<std::uint32_t>(map.uv_set),
+          .channel = static_cast<std::uint32_t>(map.channel),
+          .scale = map.scale,
+          .present = map.present() ? 1u : 0u};
+}
+
+gpu::Address address(scene::Wrap wrap) {
+  return wrap == scene::Wrap::repeat ? gpu::Address::repeat : wrap == scene::Wrap::clamp ? gpu::Address::clamp : gpu::Address::mirror;
+}
+
+std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
+  std::array<scene::MapRef, MAP_COUNT> maps;
+  maps[MAP_BASE_COLOUR] = m.base_colour_map;
+  maps[MAP_NORMAL] = m.normal_map;
+  maps[MAP_ROUGHNESS] = m.metallic_roughness_map;
+  maps[MAP_OCCLUSION] = m.occlusion_map;
+  maps[MAP_SPECULAR] = m.specular_map;
+  maps[MAP_EMISSIVE] = m.emissive_map;
+  maps[MAP_SPECULAR_COLOUR] = m.specular_colour_map;
+  if (m.skin) {
+    maps[MAP_SPECULAR] = m.skin_settings.specular;
+    maps[MAP_ROUGHNESS] = m.skin_settings.roughness;
+    // glTF's metallic-roughness map serves where the skin names no map of its own: roughness in G, times the factor.
+    if (!maps[MAP_ROUGHNESS].present() && m.metallic_roughness_map.present()) {
+      maps[MAP_ROUGHNESS] = m.metallic_roughness_map;
+      maps[MAP_ROUGHNESS].channel = 1;
+      maps[MAP_ROUGHNESS].scale = m.roughness;
+    }
+  }
+  return maps;
+}
+
+io::MaterialIo material_io(const scene::Material& m, const std::array<scene::MapRef, MAP_COUNT>& maps) {
+  io::MaterialIo c{};
+  c.base_colour = m.base_colour;
+  c.emissive = m.emissive;
+  c.metallic = m.metallic;
+  c.roughness = m.roughness;
+  c.ior = m.ior;
+  c.specular = m.specular;
+  c.alpha_cutoff = m.alpha_cutoff;
+  c.specular_colour = m.specular_colour;
+  c.flags = (m.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) | (m.unlit ? MATERIAL_UNLIT : 0u) |
+            (m.alpha_mode == scene::AlphaMode::mask ? MATERIAL_ALPHA_MASK : 0u) | (m.alpha_mode == scene::AlphaMode::blend ? MATERIAL_ALPHA_BLEND : 0u);
+  c.mix_before = m.skin_settings.mix.value_or(0.5f);
+  c.rho_s = 0.18f;   // [DLE07] GPU Gems 3, ch. 14.3
+  const auto& lobes = m.skin_settings.lobes;
+  c.lobe_factor_0 = lobes.empty() ? 1.0f : lobes[0].roughness_factor;
+  c.lobe_weight_0 = lobes.empty() ? 1.0f : lobes[0].weight;
+  c.lobe_factor_1 = lobes.size() > 1 ? lobes[1].roughness_factor : 1.0f;
+  c.lobe_weight_1 = lobes.size() > 1 ? lobes[1].weight : 0.0f;
+  for (int i = 0; i < MAP_COUNT; ++i) c.maps[i] = map_io(maps[static_cast<std::size_t>(i)]);
+  return c;
+}
+
+io::VertexIo vertex_io(const scene::Vertex& v) {
+  return {.position_m = v.position_m, .normal = v.normal, .tangent = v.tangent, .uv0 = v.uv0, .uv1 = v.uv1, .colour = v.colour, .unwrap = {}, .metric_mm2 = {}};
+}
+
+gpu::Texture single_texel(gpu::Device& device, const char* name, std::array<std::uint8_t, 4> rgba) {
+  gpu::Texture texture(device, name, {.width = 1, .height = 1, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  gpu::upload(device, texture, std::as_bytes(std::span(rgba)));
+  return texture;
+}
+
+GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vector<io::VertexIo>& vertices, const std::vector<std::uint32_t>& indices) {
+  GpuMesh mesh;
+  mesh.name = name;
+  glm::vec3 low(INFINITY), high(-INFINITY);
+  for (const io::VertexIo& v : vertices) low = min(low, v.position_m), high = max(high, v.position_m);
+  mesh.centre_m = (low + high) * 0.5f;
+  mesh.vertices = gpu::make_buffer(device, name + " vertices", std::span<const io::VertexIo>(vertices), storage);
+  mesh.indices = gpu::make_buffer(device, name + " indices", std::span<const std::uint32_t>(indices), storage);
+  return mesh;
+}
+
+GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_t number) {
+  std::vector<io::VertexIo> vertices;
+  vertices.reserve(skin.vertices.size());
+  for (std::size_t i = 0; i < skin.vertices.size(); ++i) {
+    vertices.push_back(vertex_io(skin.vertices[i]));
+    vertices.back().unwrap = skin.unwrap[i];
+    vertices.back().metric_mm2 = skin.metric[i];
+  }
+  GpuMesh mesh = upload_mesh(device, fmt::format("skin {}", number), vertices, skin.indices);
+  const std::vector<std::uint32_t> charts(skin.triangle_chart.begin(), skin.triangle_chart.end());
+  mesh.charts = gpu::make_buffer(device, mesh.name + " charts", std::span<const std::uint32_t>(charts), storage);
+  for (std::uint32_t t = 0; t < skin.triangle_material.size(); ++t) {
+    const int material = skin.triangle_material[t];
+    if (mesh.draws.empty() || mesh.draws.back().material != material) mesh.draws.push_back({.first_index = 3 * t, .index_count = 0, .material = material});
+    mesh.draws.back().index_count += 3;
+  }
+  return mesh;
+}
+
+}  // namespace
+
+void GpuMaterial::offer(Bindings& bindings) const {
+  bindings.add("Material", constants)
+      .add("map_base_colour", maps[MAP_BASE_COLOUR])
+      .add("map_normal", maps[MAP_NORMAL])
+      .add("map_roughness", maps[MAP_ROUGHNESS])
+      .add("map_occlusion", maps[MAP_OCCLUSION])
+      .add("map_specular", maps[MAP_SPECULAR])
+      .add("map_emissive", maps[MAP_EMISSIVE])
+      .add("map_specular_colour", maps[MAP_SPECULAR_COLOUR]);
+}
+
+void GpuMesh::offer(Bindings& bindings) const {
+  bindings.add("Vertices", vertices).add("Indices", indices);
+  if (charts) bindings.add("Charts", charts);
+}
+
+GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin_meshes) {
+  gpu::Device& device = library.device();
+  white_ = single_texel(device, "white", {255, 255, 255, 255});
+  flat_normal_ = single_texel(device, "flat normal", {128, 128, 255, 255});
+  for (const scene::Material& m : scene.materials) {
+    GpuMaterial material;
+    material.name = m.name;
+    material.skin = m.skin;
+    material.double_sided = m.double_sided;
+    material.alpha_mode = m.alpha_mode;
+    const auto maps = maps_of(m);
+    const io::MaterialIo constants = material_io(m, maps);
+    material.constants = gpu::make_buffer(device, "material " + m.name, std::span(&constants, 1), storage);
+    for (int i = 0; i < MAP_COUNT; ++i) {
+      const scene::MapRef& map = maps[static_cast<std::size_t>(i)];
+      const bool srgb = i == MAP_BASE_COLOUR || i == MAP_EMISSIVE || i == MAP_SPECULAR_COLOUR;
+      const gpu::Texture& none = i == MAP_NORMAL ? flat_normal_ : white_;
+      const VkSampler sampler = library.sampler({.filter = map.nearest ? gpu::Filter::nearest : gpu::Filter::linear,
+                                                 .u = address(map.wrap_u),
+                                                 .v = address(map.wrap_v),
+                                                 .max_anisotropy = map.nearest || device.limits().software ? 1.0f : 8.0f});
+      material.maps[static_cast<std::size_t>(i)] = {map.present() ? &texture(library, scene, map.image, srgb) : &none, sampler};
+    }
+    materials.push_back(std::move(material));
+  }
+  for (std::size_t i = 0; i < skin_meshes.size(); ++i) skin.push_back(upload_skin(device, skin_meshes[i], i));
+  for (const scene::Primitive& p : scene.primitives) {
+    // Skin without texture coordinates cannot be unwrapped: it is drawn as any other material (the unwrap has warned).
+    if (scene.materials[static_cast<std::size_t>(p.material)].skin && p.has_uv) continue;
+    std::vector<io::VertexIo> vertices;
+    vertices.reserve(p.vertices.size());
+    for (const scene::Vertex& v : p.vertices) vertices.push_back(vertex_io(v));
+    surfaces.push_back(upload_mesh(device, p.name, vertices, p.indices));
+    surfaces.back().draws = {{.first_index = 0, .index_count = static_cast<std::uint32_t>(p.indices.size()), .material = p.material}};
+  }
+}
+
+const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb) {
+  for (const Loaded& loaded : textures_)
+    if (loaded.image == image && loaded.srgb == srgb) return *loaded.texture;
+  const scene::MapImage& map = scene.images[static_cast<std::size_t>(image)];
+  const std::vector<image::Image8> mips = image::mip_chain(*map.pixels, srgb);
+  std::vector<std::uint8_t> bytes;
+  for (const image::Image8& mip : mips) bytes.insert(bytes.end(), mip.rgba.begin(), mip.rgba.end());
+  auto made = std::make_unique<gpu::Texture>(library.device(), "map " + map.name,
+                                             gpu::TextureDesc{.width = static_cast<std::uint32_t>(map.pixels->width),
+                                                              .height = static_cast<std::uint32_t>(map.pixels->height),
+                                                              .mips = static_cast<std::uint32_t>(mips.size()),
+                                                              .format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
+                                                              .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  gpu::upload(library.device(), *made, std::as_bytes(std::span(bytes)));
+  textures_.push_back({image, srgb, std::move(made)});
+  return *textures_.back().texture;
+}
+
+}  // namespace dermis::passes

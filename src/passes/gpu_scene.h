@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A scene on the device: meshes, materials and maps, uploaded once and shared by all heads that show it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/pipelines.h"
+#include "gpu/resources.h"
+#include "passes/bindings.h"
+#include "scene/gutters.h"
+#include "scene/scene.h"
+#include "scene/unwrap.h"
+#include "shared/scene_io.h"
+
+namespace dermis::passes {
+
+struct GpuMaterial {
+  std::string name;
+  gpu::Buffer constants;                                 ///< MaterialIo
+  std::array<gpu::SampledBinding, MAP_COUNT> maps{};     ///< a white or flat texel where the material has none
+  bool skin = false;
+  bool double_sided = false;
+  scene::AlphaMode alpha_mode = scene::AlphaMode::opaque;
+
+  void offer(Bindings& bindings) const;                  ///< "Material", "map_base_colour", ...
+};
+
+struct GpuDraw {
+  std::uint32_t first_index = 0, index_count = 0;
+  int material = 0;
+};
+
+struct GpuMesh {
+  std::string name;
+  gpu::Buffer vertices;                                  ///< VertexIo[]
+  gpu::Buffer indices;                                   ///< uint[]
+  gpu::Buffer charts;                                    ///< uint per triangle; skin only
+  std::vector<GpuDraw> draws;
+  glm::vec3 centre_m{0};
+
+  void offer(Bindings& bindings) const;                  ///< "Vertices", "Indices", "Charts"
+};
+
+class GpuScene {
+ public:
+  /// Uploads. DeviceError: a map or buffer over the device's limits, no memory.
+  GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin);
+
+  std::vector<GpuMesh> skin;                             ///< one a SkinMesh
+  std::vector<GpuMesh> surfaces;                         ///< everything else, one a primitive
+  std::vector<GpuMaterial> materials;
+  gpu::Texture attenuation;                              ///< RG16F, see skin/attenuation.h
+
+ private:
+  const gpu::Texture& texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb);
+  struct Loaded {
+    int image;
+    bool srgb;
+    std::unique_ptr<gpu::Texture> texture;
+  };
+  std::vector<Loaded> textures_;
+  gpu::Texture white_, flat_normal_;
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What every lit pass binds: camera, lights, shadow maps, attenuation table.
+#pragma once
+
+#include "passes/bindings.h"
+#include "passes/frame_data.h"
+
+namespace dermis::passes {
+
+class LightingSamplers {
+ public:
+  LightingSamplers() = default;
+  explicit LightingSamplers(gpu::PipelineLibrary& library)
+      : shadow_(library.sampler({.filter = gpu::Filter::linear, .compare_greater = true})), table_(library.sampler({.filter = gpu::Filter::linear})) {}
+
+  void offer(Bindings& bindings, const frame::FrameData& frame, const frame::Instance& instance, const gpu::Texture& shadow) const {
+    bindings.add("Frame", frame.frame_io)
+        .add("Lights", instance.lights)
+        .add("ShadowMatrices", instance.shadow_matrices)
+        .add("shadow_maps", gpu::SampledBinding{&shadow, shadow_})
+        .add("attenuation", gpu::SampledBinding{&frame.scene->attenuation, table_});
+  }
+
+ private:
+  VkSampler shadow_ = VK_NULL_HANDLE, table_ = VK_NULL_HANDLE;
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "passes/stretch/stretch.h"
+
+#include "frame/executor.h"
+
+namespace dermis::passes {
+
+Stretch::Out Stretch::declare(frame::Declare& d, const In& in) {
+  d.kind(frame::PassKind::raster);
+  in_ = in;
+  d.colour(in.stretch);
+  return {in.stretch};
+}
+
+void Stretch::prepare(gpu::PipelineLibrary& library) {
+  pipeline_ = &library.graphics({.vertex = "stretch.vert", .fragment = "stretch.frag", .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
+}
+
+void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+  const gpu::Texture& target = resources.texture(in_.stretch);
+  const GpuMesh& mesh = frame.scene->skin[settings_.mesh];
+  const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
+  cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
+  Bindings bindings;
+  mesh.offer(bindings);
+  bindings.bind(cmd, *pipeline_);
+  for (const GpuDraw& draw : mesh.draws) cmd.draw(draw.index_count, 1, draw.first_index);
+  cmd.end_rendering();
+}
+
+}  // namespace dermis::passes

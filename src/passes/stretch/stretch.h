@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+/// The metric of the unwrap in texture space: how far a millimetre of skin reaches in texture coordinates.
+/// Based on: [DLE07] GPU Gems 3, ch. 14.4.2 (stretch map); two lengths there, here the whole metric, because real unwraps are sheared.
+#pragma once
+
+#include "frame/plan.h"
+#include "passes/frame_data.h"
+
+namespace dermis::passes {
+
+class Stretch {
+ public:
+  struct Settings {
+    std::uint32_t mesh = 0;
+  };
+  struct In {
+    frame::TextureId stretch;     ///< RGBA16F, T x T: (a, b, c) of the Cholesky factor per metre, chart number (0 = no skin)
+  };
+  struct Out {
+    frame::TextureId stretch;
+  };
+  explicit Stretch(const Settings& settings) : settings_(settings) {}
+  Out declare(frame::Declare& d, const In& in);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+
+ private:
+  Settings settings_;
+  In in_;
+  const gpu::Pipeline* pipeline_ = nullptr;
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Light that arrives at a point, with its shadow. Needs: buffers `lights` (LightIo[]), `shadow_matrices` (mat4[]), sampler2DArrayShadow `shadow_maps`.
+
+struct Arriving {
+  vec3 irradiance;       // on a surface that faces the light, unshadowed
+  vec3 to_light;         // unit
+  float distance_m;
+};
+
+// KHR_lights_punctual: inverse square, range window, smooth cone.
+Arriving arriving_light(LightIo light, vec3 p) {
+  Arriving a;
+  if (light.type == LIGHT_DIRECTIONAL) {
+    a.irradiance = light.colour;
+    a.to_light = -light.direction;
+    a.distance_m = 0.0;
+    return a;
+  }
+  const vec3 d = light.position_m - p;
+  const float d2 = max(dot(d, d), 1e-8);
+  a.distance_m = sqrt(d2);
+  a.to_light = d / a.distance_m;
+  a.irradiance = light.colour / d2;
+  if (light.range_m > 0.0) {
+    const float x = a.distance_m / light.range_m;
+    a.irradiance *= clamp(1.0 - x * x * x * x, 0.0, 1.0);
+  }
+  if (light.type == LIGHT_SPOT) {
+    const float c = clamp((dot(light.direction, -a.to_light) - light.cos_outer) / max(light.cos_inner - light.cos_outer, 1e-4), 0.0, 1.0);
+    a.irradiance *= c * c;
+  }
+  return a;
+}
+
+// Which of the six layers of an omnidirectional map a direction falls on: +x -x +y -y +z -z.
+uint cube_face(vec3 d) {
+  const vec3 a = abs(d);
+  if (a.x >= a.y && a.x >= a.z) return d.x > 0.0 ? 0u : 1u;
+  if (a.y >= a.z) return d.y > 0.0 ? 2u : 3u;
+  return d.z > 0.0 ? 4u : 5u;
+}
+
+// Percentage-closer filtering over 3 x 3 bilinear comparisons, tent weights: a stable soft edge about three texels wide. The receiver is moved along its
+// geometric normal by the filter's radius (so a plane never shadows itself, whatever its slope) and a texel towards the light.
+float shadow_at(LightIo light, Arriving a, vec3 p, vec3 n_geometric) {
+  if (light.shadow_layers == 0u) return 1.0;
+  const float texel = light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
+  const float cosine = dot(n_geometric, a.to_light);
+  const float sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
+  const vec3 q = p + n_geometric * (sign(cosine) * 2.5 * texel * sine) + a.to_light * texel;
+  const uint layer = light.shadow_layer + (light.shadow_layers == 6u ? cube_face(q - light.position_m) : 0u);
+  const vec4 clip = shadow_matrices[layer] * vec4(q, 1.0);
+  if (clip.w <= 0.0) return 1.0;
+  const vec3 ndc = clip.xyz / clip.w;
+  const vec2 uv = ndc.xy * 0.5 + 0.5;
+  if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return 1.0;
+  const vec2 size = vec2(textureSize(shadow_maps, 0).xy);
+  float lit = 0.0;
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      const float weight = float((2 - abs(x)) * (2 - abs(y))) / 16.0;
+      lit += weight * texture(shadow_maps, vec4(uv + vec2(x, y) / size, float(layer), ndc.z));
+    }
+  return lit;
+}

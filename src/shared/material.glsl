@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Reading a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour ... (scene_io.h).
+
+struct SurfacePoint {
+  vec3 position_m;
+  vec3 normal;           // interpolated, unit
+  vec4 tangent;
+  vec2 uv0, uv1;
+  vec4 colour;
+};
+
+vec2 map_uv(MapIo map, SurfacePoint s) {
+  const vec2 uv = map.uv_set == 0u ? s.uv0 : s.uv1;
+  return map.u_axis * uv.x + map.v_axis * uv.y + map.offset;
+}
+
+vec3 mapped_normal(MapIo map, sampler2D normal_map, SurfacePoint s) {
+  if (map.present == 0u) return s.normal;
+  vec3 t = texture(normal_map, map_uv(map, s)).xyz * 2.0 - 1.0;
+  t.xy *= map.scale;
+  // MikkTSpace: the bitangent is derived at the pixel and the tangent frame is used as interpolated.
+  const vec3 bitangent = cross(s.normal, s.tangent.xyz) * s.tangent.w;
+  const vec3 n = s.tangent.xyz * t.x + bitangent * t.y + s.normal * t.z;
+  const float length2 = dot(n, n);
+  return length2 > 1e-12 ? n * inversesqrt(length2) : s.normal;
+}

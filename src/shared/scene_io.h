@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The scene as shaders read it: vertices, materials, lights, camera.
+#ifndef DERMIS_SHARED_SCENE_IO_H
+#define DERMIS_SHARED_SCENE_IO_H
+#include "shared/types.h"
+
+DERMIS_IO_BEGIN
+
+struct VertexIo {
+  vec3 position_m;
+  vec3 normal;
+  vec4 tangent;          // w = handedness
+  vec2 uv0;
+  vec2 uv1;
+  vec4 colour;
+  vec2 unwrap;           // texture coordinates of the light maps, 0..1, v down; 0 for parts that are not skin
+  vec3 metric_mm2;       // g_uu, g_uv, g_vv: mm^2 per unit of unwrap squared
+};
+
+struct MapIo {
+  vec2 u_axis, v_axis, offset;   // uv' = u_axis * u + v_axis * v + offset
+  uint uv_set;
+  uint channel;
+  float scale;
+  uint present;
+};
+
+// Indices into MaterialIo::maps and the order of the texture bindings.
+#define MAP_BASE_COLOUR 0
+#define MAP_NORMAL 1
+#define MAP_ROUGHNESS 2      // skin: roughness; others: metallic-roughness (G, B)
+#define MAP_OCCLUSION 3
+#define MAP_SPECULAR 4
+#define MAP_EMISSIVE 5       // not on skin
+#define MAP_SPECULAR_COLOUR 6
+#define MAP_COUNT 7
+
+#define MATERIAL_DOUBLE_SIDED 1u
+#define MATERIAL_UNLIT 2u
+#define MATERIAL_ALPHA_MASK 4u
+#define MATERIAL_ALPHA_BLEND 8u
+
+struct MaterialIo {
+  vec4 base_colour;
+  vec3 emissive;
+  float metallic;
+  float roughness;       // glTF; m = roughness^2
+  float ior;
+  float specular;
+  float alpha_cutoff;
+  vec3 specular_colour;
+  uint flags;
+  float mix_before;      // part of the albedo (as an exponent) that is applied before the light scatters
+  float rho_s;           // scale of the specular of skin
+  float lobe_factor_0, lobe_weight_0;
+  float lobe_factor_1, lobe_weight_1;
+  MapIo maps[MAP_COUNT];
+};
+
+#define LIGHT_DIRECTIONAL 0u
+#define LIGHT_SPOT 1u
+#define LIGHT_POINT 2u
+
+struct LightIo {
+  vec3 colour;           // intensity included: irradiance facing the light is colour (directional) or colour / d^2
+  uint type;
+  vec3 position_m;
+  float range_m;         // 0 = unlimited
+  vec3 direction;        // the way the light travels
+  float cos_inner;
+  float cos_outer;
+  uint shadow_layer;     // first layer in the shadow map
+  uint shadow_layers;    // 0 = casts none, 1, or 6 for a point light inside the scene
+  float shadow_texel;    // side of a shadow texel: m (directional) or m per m of distance
+};
+
+struct FrameIo {
+  mat4 clip_from_world;
+  vec3 eye_m;
+  float radiance_scale;  // 2^EV, applied before anything is stored in half floats
+  vec3 view_direction;   // used if orthographic
+  uint orthographic;
+  vec3 ambient;          // uniform radiance from everywhere
+  uint light_count;
+  uint specular_on;
+  uint white_albedo;     // tests: every albedo is 1
+};
+
+DERMIS_IO_END
+
+#ifdef __cplusplus
+static_assert(sizeof(dermis::io::VertexIo) == 23 * 4);
+static_assert(sizeof(dermis::io::MapIo) == 40);
+static_assert(sizeof(dermis::io::LightIo) == 64);
+#endif
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What a point of skin is made of, and the light that enters there: shared by the map in texture space and by direct shading per pixel,
+// so that both show the same skin.
+layout(binding = 2, scalar) readonly buffer Material { MaterialIo material; };
+layout(binding = 3, scalar) readonly buffer Frame { FrameIo frame; };
+layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
+layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
+layout(binding = 6) uniform sampler2DArrayShadow shadow_maps;
+layout(binding = 7) uniform sampler2D attenuation;
+layout(binding = 8) uniform sampler2D map_base_colour;
+layout(binding = 9) uniform sampler2D map_normal;
+layout(binding = 10) uniform sampler2D map_roughness;
+layout(binding = 11) uniform sampler2D map_occlusion;
+layout(binding = 12) uniform sampler2D map_specular;
+
+#include "shared/specular.glsl"
+#include "shared/lights.glsl"
+#include "shared/material.glsl"
+
+vec3 skin_albedo(SurfacePoint s) {
+  if (frame.white_albedo != 0u) return vec3(1.0);
+  vec3 albedo = material.base_colour.rgb * s.colour.rgb;
+  const MapIo map = material.maps[MAP_BASE_COLOUR];
+  if (map.present != 0u) albedo *= texture(map_base_colour, map_uv(map, s)).rgb;
+  return max(albedo, vec3(0.0));
+}
+
+// x^mix: [DLE07] sec. 3.4 splits the albedo before and after the scattering; mix 0.5 is an absorbing sheet crossed twice.
+vec3 albedo_power(vec3 albedo, float exponent) {
+  if (exponent <= 0.0) return vec3(1.0);
+  return pow(max(albedo, vec3(1e-6)), vec3(exponent));
+}
+
+SkinSpecular skin_specular(SurfacePoint s) {
+  SkinSpecular spec;
+  spec.rho_s = frame.specular_on != 0u ? material.rho_s : 0.0;
+  const MapIo specular_map = material.maps[MAP_SPECULAR];
+  if (specular_map.present != 0u) spec.rho_s *= specular_map.scale * texture(map_specular, map_uv(specular_map, s))[specular_map.channel];
+  float roughness = material.roughness;
+  const MapIo roughness_map = material.maps[MAP_ROUGHNESS];
+  if (roughness_map.present != 0u) roughness = roughness_map.scale * texture(map_roughness, map_uv(roughness_map, s))[roughness_map.channel];
+  const float m = clamp(roughness * roughness, 0.02, 1.0);
+  spec.f0 = f0_of_ior(material.ior);
+  spec.m = clamp(m * vec2(material.lobe_factor_0, material.lobe_factor_1), vec2(0.02), vec2(1.0));
+  spec.weight = vec2(material.lobe_weight_0, material.lobe_weight_1);
+  return spec;
+}
+
+float skin_occlusion(SurfacePoint s) {
+  const MapIo map = material.maps[MAP_OCCLUSION];
+  return map.present != 0u ? 1.0 + map.scale * (texture(map_occlusion, map_uv(map, s)).r - 1.0) : 1.0;
+}
+
+// Irradiance that enters the skin, sum over the lights. What the surface reflects does not enter; dividing by the mean over all directions
+// here, where the light enters, keeps a white furnace white with maps that vary: (1-rho(L)) (1-rho(V)) / (1-rho_mean), DESIGN of the house sec. 3.
+vec3 entering_irradiance(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
+  const float kept_mean = 1.0 - specular_albedo_mean(attenuation, spec);
+  vec3 e = vec3(0.0);
+  for (uint i = 0u; i < frame.light_count; ++i) {
+    const LightIo light = lights[i];
+    const Arriving a = arriving_light(light, s.position_m);
+    const float cosine = dot(n, a.to_light);
+    if (cosine <= 0.0 || dot(n_geometric, a.to_light) <= 0.0) continue;
+    const float kept = 1.0 - specular_albedo(attenuation, spec, cosine);
+    e += a.irradiance * (cosine * kept * shadow_at(light, a, s.position_m, n_geometric));
+  }
+  return e / kept_mean + frame.ambient * (pi * skin_occlusion(s));
+}
