@@ -82,7 +82,7 @@ AccessScope scope_of(Access access, PassKind kind) {
   return {};
 }
 
-std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan) {
+std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool counting) {
   std::vector<State> textures(plan.textures().size()), buffers(plan.buffers().size());
   std::vector<std::vector<Barrier>> result(plan.passes().size());
   // Two walks: the first finds how a frame leaves each resource, the second starts from there.
@@ -90,6 +90,7 @@ std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan) {
     std::vector<bool> seen_texture(textures.size()), seen_buffer(buffers.size());
     for (std::size_t p = 0; p < plan.passes().size(); ++p) {
       const PassNode& pass = plan.passes()[p];
+      if (pass.only_when_counting && !counting) continue;
       for (const Use& use : pass.uses) {
         State& state = use.is_texture ? textures[use.index] : buffers[use.index];
         AccessScope scope = scope_of(use.access, pass.kind);
@@ -115,11 +116,11 @@ std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan) {
   return result;
 }
 
-VkImageLayout final_layout(const FramePlan& plan, TextureId id) {
+VkImageLayout final_layout(const FramePlan& plan, TextureId id, bool counting) {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   for (const PassNode& pass : plan.passes())
     for (const Use& use : pass.uses)
-      if (use.is_texture && use.index == id.index) layout = scope_of(use.access, pass.kind).layout;
+      if ((counting || !pass.only_when_counting) && use.is_texture && use.index == id.index) layout = scope_of(use.access, pass.kind).layout;
   return layout;
 }
 

@@ -23,17 +23,17 @@ const gpu::Buffer& Resources::buffer(BufferId id) const {
 }
 
 Executor::Executor(gpu::PipelineLibrary& library, FramePlan plan)
-    : library_(&library), plan_(std::move(plan)), barriers_(derive_barriers(plan_)), separate_(library.device().limits().software || !library.device().limits().timestamps) {
+    : library_(&library), plan_(std::move(plan)), barriers_{derive_barriers(plan_, false), derive_barriers(plan_, true)}, separate_(library.device().limits().software || !library.device().limits().timestamps) {
   for (const TextureNode& node : plan_.textures()) resources_.textures_.emplace_back(library.device(), node.name, node.desc);
   for (const BufferNode& node : plan_.buffers()) resources_.buffers_.emplace_back(library.device(), node.name, node.desc);
   for (const PassNode& pass : plan_.passes())
     if (pass.prepare) pass.prepare(library);
 }
 
-void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame) {
+void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool counting) {
   std::vector<VkImageMemoryBarrier2> images;
   std::vector<VkBufferMemoryBarrier2> buffers;
-  for (const Barrier& b : barriers_[index]) {
+  for (const Barrier& b : barriers_[counting ? 1 : 0][index]) {
     if (b.is_texture) {
       const gpu::Texture& texture = resources_.textures_[b.index];
       VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
@@ -66,14 +66,15 @@ void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& fr
   plan_.passes()[index].record(cmd, resources_, frame);
 }
 
-void Executor::record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer) {
+void Executor::record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer, bool counting) {
   gpu::Cmd cmd(device(), commands);
   if (timer) timer->reset(commands);
   for (std::size_t p = 0; p < plan_.passes().size(); ++p) {
+    if (plan_.passes()[p].only_when_counting && !counting) continue;
     const std::string& name = plan_.passes()[p].name;
     device().begin_label(commands, name);
     if (timer) timer->begin(commands, name);
-    record_pass(cmd, p, frame);
+    record_pass(cmd, p, frame, counting);
     if (timer) timer->end(commands);
     device().end_label(commands);
   }
@@ -84,10 +85,11 @@ FrameTime Executor::run(const FrameData& frame) {
   FrameTime time;
   if (separate_) {
     for (std::size_t p = 0; p < plan_.passes().size(); ++p) {
+      if (plan_.passes()[p].only_when_counting) continue;
       const auto start = Clock::now();
       device().run([&](VkCommandBuffer commands) {
         gpu::Cmd cmd(device(), commands);
-        record_pass(cmd, p, frame);
+        record_pass(cmd, p, frame, false);
       });
       time.passes.push_back({plan_.passes()[p].name, ms_since(start)});
       time.total_ms += time.passes.back().ms;
@@ -102,6 +104,10 @@ FrameTime Executor::run(const FrameData& frame) {
     time.total_ms += pass.ms;
   }
   return time;
+}
+
+void Executor::run_counting(const FrameData& frame) {
+  device().run([&](VkCommandBuffer commands) { record(commands, frame, nullptr, true); });
 }
 
 }  // namespace dermis::frame

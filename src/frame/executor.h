@@ -43,12 +43,14 @@ class Executor {
   /// Makes pipelines and resources. DeviceError if memory does not suffice.
   Executor(gpu::PipelineLibrary& library, FramePlan plan);
 
-  /// Records one frame with a debug label and (if timer) a time stamp pair around each pass.
-  void record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer = nullptr);
+  /// Records one frame (without the passes that only count, unless counting) with a debug label and (if timer) a time stamp pair around each pass.
+  void record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer = nullptr, bool counting = false);
 
   /// Records, submits and waits, timing each pass. Where time stamps between passes cannot be trusted (software devices), each pass is
   /// its own submission and is timed on the host: see separate_submissions().
   FrameTime run(const FrameData& frame);
+  /// The same with the passes that only count, untimed.
+  void run_counting(const FrameData& frame);
   bool separate_submissions() const { return separate_; }
 
   const FramePlan& plan() const { return plan_; }
@@ -56,11 +58,11 @@ class Executor {
   gpu::Device& device() const { return library_->device(); }
 
  private:
-  void record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame);
+  void record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool counting);
 
   gpu::PipelineLibrary* library_;
   FramePlan plan_;
-  std::vector<std::vector<Barrier>> barriers_;
+  std::vector<std::vector<Barrier>> barriers_[2];   // without and with the passes that only count
   Resources resources_;
   bool first_frame_ = true;
   bool separate_ = false;

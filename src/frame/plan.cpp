@@ -53,6 +53,11 @@ BufferId FramePlan::buffer(std::string name, const gpu::BufferDesc& desc, Lifeti
   return {static_cast<std::uint32_t>(buffers_.size() - 1)};
 }
 
+void FramePlan::read_back(TextureId id) {
+  DERMIS_ASSERT_LT(id.index, textures_.size());
+  textures_[id.index].desc.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+}
+
 TextureId Declare::create(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime) {
   return plan_->texture(std::move(name), desc, lifetime);
 }

@@ -75,6 +75,7 @@ struct PassNode {
   std::string name;                   ///< timer, debug label, row of the statistics
   PassKind kind{};
   std::vector<Use> uses;
+  bool only_when_counting = false;    ///< work for the statistics: left out of timed frames
   std::function<void(gpu::PipelineLibrary&)> prepare;   ///< makes pipelines; may be empty
   std::function<void(gpu::Cmd&, const Resources&, const FrameData&)> record;
 };
@@ -86,6 +87,7 @@ class Declare {
  public:
   Declare(FramePlan& plan, PassNode& pass) : plan_(&plan), pass_(&pass) {}
   void kind(PassKind kind) { pass_->kind = kind; }
+  void only_when_counting() { pass_->only_when_counting = true; }
 
   TextureId create(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
   BufferId create(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);
@@ -117,6 +119,9 @@ class FramePlan {
   /// A resource that no pass of this plan creates before its first use (a persistent target, a read-back buffer).
   TextureId texture(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
   BufferId buffer(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);
+
+  /// The contents are copied out after the frame (gpu::read_back with final_layout()).
+  void read_back(TextureId id);
 
   /// Constructs the pass, lets it declare, and keeps it. A pass has:
   ///   Settings, In, Out; Pass(Settings); Out declare(Declare&, const In&); void prepare(gpu::PipelineLibrary&);

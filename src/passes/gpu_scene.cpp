@@ -3,7 +3,10 @@
 
 #include <cmath>
 
+#include "image/colour.h"
 #include "image/resize.h"
+#include "passes/gutters/gutters_io.h"
+#include "passes/skin/attenuation.h"
 
 namespace dermis::passes {
 namespace {
@@ -46,7 +49,7 @@ std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
   return maps;
 }
 
-io::MaterialIo material_io(const scene::Material& m, const std::array<scene::MapRef, MAP_COUNT>& maps) {
+io::MaterialIo material_io(const scene::Material& m, const std::array<scene::MapRef, MAP_COUNT>& maps, std::optional<float> mix) {
   io::MaterialIo c{};
   c.base_colour = m.base_colour;
   c.emissive = m.emissive;
@@ -58,7 +61,7 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   c.specular_colour = m.specular_colour;
   c.flags = (m.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) | (m.unlit ? MATERIAL_UNLIT : 0u) |
             (m.alpha_mode == scene::AlphaMode::mask ? MATERIAL_ALPHA_MASK : 0u) | (m.alpha_mode == scene::AlphaMode::blend ? MATERIAL_ALPHA_BLEND : 0u);
-  c.mix_before = m.skin_settings.mix.value_or(0.5f);
+  c.mix_before = mix.value_or(m.skin_settings.mix.value_or(0.5f));
   c.rho_s = 0.18f;   // [DLE07] GPU Gems 3, ch. 14.3
   const auto& lobes = m.skin_settings.lobes;
   c.lobe_factor_0 = lobes.empty() ? 1.0f : lobes[0].roughness_factor;
@@ -88,6 +91,26 @@ GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vec
   mesh.vertices = gpu::make_buffer(device, name + " vertices", std::span<const io::VertexIo>(vertices), storage);
   mesh.indices = gpu::make_buffer(device, name + " indices", std::span<const std::uint32_t>(indices), storage);
   return mesh;
+}
+
+void upload_gutters(gpu::Device& device, GpuMesh& mesh, const scene::SkinMesh& skin, int map_size, int width_texels) {
+  std::vector<io::GutterIo> list;
+  for (const scene::GutterTexel& g : scene::build_gutters(skin, map_size, width_texels))
+    list.push_back({.texel = g.x | static_cast<std::uint32_t>(g.y) << 16,
+                    .own = g.own_x | static_cast<std::uint32_t>(g.own_y) << 16,
+                    .source = {g.source_x, g.source_y},
+                    .chart = g.chart});
+  mesh.gutter_count = static_cast<std::uint32_t>(list.size());
+  if (!list.empty()) mesh.gutters = gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
+}
+
+// RG16F: bytes of the attenuation table as half floats.
+gpu::Texture upload_attenuation(gpu::Device& device) {
+  std::vector<std::uint16_t> halves;
+  for (const float value : attenuation_table()) halves.push_back(image::to_half(value));
+  gpu::Texture texture(device, "attenuation", {.width = attenuation_columns + 2, .height = attenuation_rows, .format = VK_FORMAT_R16G16_SFLOAT, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  gpu::upload(device, texture, std::as_bytes(std::span(halves)));
+  return texture;
 }
 
 GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_t number) {
@@ -127,7 +150,7 @@ void GpuMesh::offer(Bindings& bindings) const {
   if (charts) bindings.add("Charts", charts);
 }
 
-GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin_meshes) {
+GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin_meshes, const GpuSceneSettings& settings) {
   gpu::Device& device = library.device();
   white_ = single_texel(device, "white", {255, 255, 255, 255});
   flat_normal_ = single_texel(device, "flat normal", {128, 128, 255, 255});
@@ -138,7 +161,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
     material.double_sided = m.double_sided;
     material.alpha_mode = m.alpha_mode;
     const auto maps = maps_of(m);
-    const io::MaterialIo constants = material_io(m, maps);
+    const io::MaterialIo constants = material_io(m, maps, settings.mix);
     material.constants = gpu::make_buffer(device, "material " + m.name, std::span(&constants, 1), storage);
     for (int i = 0; i < MAP_COUNT; ++i) {
       const scene::MapRef& map = maps[static_cast<std::size_t>(i)];
@@ -152,7 +175,11 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
     }
     materials.push_back(std::move(material));
   }
-  for (std::size_t i = 0; i < skin_meshes.size(); ++i) skin.push_back(upload_skin(device, skin_meshes[i], i));
+  attenuation = upload_attenuation(device);
+  for (std::size_t i = 0; i < skin_meshes.size(); ++i) {
+    skin.push_back(upload_skin(device, skin_meshes[i], i));
+    if (i < settings.gutter_texels.size()) upload_gutters(device, skin.back(), skin_meshes[i], settings.map_size, settings.gutter_texels[i]);
+  }
   for (const scene::Primitive& p : scene.primitives) {
     // Skin without texture coordinates cannot be unwrapped: it is drawn as any other material (the unwrap has warned).
     if (scene.materials[static_cast<std::size_t>(p.material)].skin && p.has_uv) continue;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+/// Scenes: heads with their maps, lights and cameras. A Scene is a cheap handle; copies share what they hold and never change it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace dermis {
+
+namespace scene {
+struct Scene;
+}
+
+struct SceneOptions {
+  double unit_scale = 1;          ///< multiplies every length of the file; glTF says metres
+  std::string skin_material;      ///< this material is skin; empty: extras.dermis, else the name contains "skin", else the only one
+};
+
+class Scene {
+ public:
+  /// glTF 2.0, .gltf or .glb. InputError: one line with file and place. Doubtful things are warnings on stderr.
+  static Scene load(const std::filesystem::path& path, const SceneOptions& options = {});
+  /// The head that is built into the library; no file needed.
+  static Scene built_in();
+  /// A scene made by other means.
+  explicit Scene(std::shared_ptr<const scene::Scene> data) : data_(std::move(data)) {}
+
+  const std::string& name() const;
+  const scene::Scene& data() const { return *data_; }
+
+ private:
+  std::shared_ptr<const scene::Scene> data_;
+};
+
+}  // namespace dermis

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+/// From a frame that has run to what the caller gets: pixels, pictures of intermediate maps, statistics.
+#pragma once
+
+#include <span>
+
+#include "api/setup.h"
+#include "dermis/renderer.h"
+#include "frame/executor.h"
+#include "passes/gpu_scene.h"
+
+namespace dermis::api {
+
+/// InputError: a size over what the device can do, with both numbers.
+void check_device_limits(const RenderSettings& settings, const gpu::DeviceLimits& limits);
+
+passes::GpuSceneSettings upload_settings(const RenderSettings& settings, const FrameSetup& setup);
+
+/// `counters` as read back from FrameOutputs::counters.
+void fill_counts(Statistics& statistics, const scene::Scene& scene, const RenderSettings& settings, const FrameSetup& setup,
+                 const techniques::FrameOutputs& out, std::span<const std::byte> counters);
+
+/// The picture, or the map that settings.show names. InputError lists what there is.
+void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out, const RenderSettings& settings);
+
+}  // namespace dermis::api

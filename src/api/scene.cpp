@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "dermis/scene.h"
+
+#include "scene/builtin_head.h"
+#include "scene/load.h"
+#include "scene/scene.h"
+
+namespace dermis {
+
+Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options) {
+  scene::LoadOptions load;
+  load.unit_scale = options.unit_scale;
+  load.skin_material = options.skin_material;
+  return Scene(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)));
+}
+
+Scene Scene::built_in() { return Scene(std::make_shared<const scene::Scene>(scene::builtin_head())); }
+
+const std::string& Scene::name() const { return data_->name; }
+
+}  // namespace dermis

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "dermis/renderer.h"
+
+namespace dermis {
+
+std::string Statistics::json() const {
+  nlohmann::ordered_json j;
+  j["dermis"] = DERMIS_VERSION;
+  j["device"] = device;
+  j["driver"] = driver;
+  j["api"] = api;
+  j["technique"] = technique;
+  j["size"] = {width, height};
+  j["map_size"] = map_size;
+  j["heads"] = heads;
+  j["distance"] = distance ? nlohmann::ordered_json(*distance) : nlohmann::ordered_json(nullptr);
+  j["lights"] = lights;
+  j["gaussians"] = gaussians;
+  j["frame_ms"] = {{"median", frame_ms_median}, {"min", frame_ms_min}, {"max", frame_ms_max}, {"frames", frames}};
+  j["passes"] = nlohmann::ordered_json::array();
+  for (const PassStatistics& pass : passes) j["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
+  j["load_ms"] = load_ms;
+  j["upload_ms"] = upload_ms;
+  j["pipeline_ms"] = pipeline_ms;
+  j["timing"] = timing;
+  j["skin_materials"] = skin_materials;
+  j["skin_pixels"] = skin_pixels;
+  j["d_ref"] = d_ref;
+  j["texels"] = {{"irradiance", irradiance_texels}, {"convolved", convolved_texels}, {"launched", launched}, {"used_size", used_size}};
+  j["memory_bytes"] = {{"images", image_bytes}, {"buffers", buffer_bytes}, {"peak", peak_bytes}};
+  return j.dump(2) + "\n";
+}
+
+}  // namespace dermis

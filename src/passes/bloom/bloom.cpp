@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "passes/bloom/bloom.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "frame/executor.h"
+#include "passes/bindings.h"
+#include "passes/bloom/bloom_io.h"
+
+namespace dermis::passes {
+namespace {
+
+// [DLE07]: weights and variances of the two Gaussians for d = 1; as a filter of unit weight they are divided by their sum.
+constexpr float narrow_weight = 0.0174f, wide_weight = 0.192f, narrow_variance = 0.008f, wide_variance = 0.0576f;
+
+}  // namespace
+
+BloomStep::Out BloomStep::declare(frame::Declare& d, const In& in) {
+  d.kind(frame::PassKind::compute);
+  in_ = in;
+  gpu::TextureDesc desc = d.desc(in.picture);
+  desc.usage = 0;
+  if (settings_.mode == Mode::halve) desc.width = (desc.width + 1) / 2, desc.height = (desc.height + 1) / 2;
+  target_ = d.create("bloom", desc);
+  d.sample(in.picture);
+  if (in.narrow.valid()) d.sample(in.narrow);
+  if (in.wide.valid()) d.sample(in.wide);
+  d.write(target_);
+  return {target_};
+}
+
+void BloomStep::prepare(gpu::PipelineLibrary& library) {
+  pipeline_ = &library.compute("bloom.comp");
+  sampler_ = library.sampler({.filter = gpu::Filter::linear});
+}
+
+void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
+  const gpu::Texture& target = resources.texture(target_);
+  const auto or_picture = [&](frame::TextureId id) { return resources.sampled(id.valid() ? id : in_.picture, sampler_); };
+  Bindings()
+      .add("picture", resources.sampled(in_.picture, sampler_))
+      .add("narrow", or_picture(in_.narrow))
+      .add("wide", or_picture(in_.wide))
+      .add("target", gpu::StorageImageBinding{&target})
+      .bind(cmd, *pipeline_);
+  constexpr float total = narrow_weight + wide_weight;
+  cmd.push(*pipeline_, io::BloomIo{.mode = static_cast<std::uint32_t>(settings_.mode),
+                                   .sigma = settings_.sigma,
+                                   .weight_narrow = narrow_weight / total,
+                                   .weight_wide = wide_weight / total,
+                                   .amount = settings_.amount});
+  cmd.dispatch_over(*pipeline_, target.desc().width, target.desc().height);
+}
+
+frame::TextureId add_bloom(frame::FramePlan& plan, frame::TextureId picture, float amount) {
+  using Mode = BloomStep::Mode;
+  const float d = static_cast<float>(plan.textures()[picture.index].desc.height) / 12 / 2;   // half-size pixels
+  const frame::TextureId half = plan.add<BloomStep>("bloom halve", {picture, {}, {}}, {.mode = Mode::halve}).picture;
+  const auto blurred = [&](const char* name, float variance) {
+    const float sigma = std::max(std::sqrt(variance) * d, 0.3f);
+    const auto x = plan.add<BloomStep>(std::string(name) + " x", {half, {}, {}}, {.mode = Mode::along_x, .sigma = sigma});
+    return plan.add<BloomStep>(std::string(name) + " y", {x.picture, {}, {}}, {.mode = Mode::along_y, .sigma = sigma}).picture;
+  };
+  const frame::TextureId narrow = blurred("bloom narrow", narrow_variance);
+  const frame::TextureId wide = blurred("bloom wide", wide_variance);
+  return plan.add<BloomStep>("bloom combine", {picture, narrow, wide}, {.mode = Mode::combine, .amount = amount}).picture;
+}
+
+}  // namespace dermis::passes

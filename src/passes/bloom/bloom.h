@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// Light spread by the optics of a camera and an eye: part of the picture is replaced by itself filtered with (1 - r/d)^4.
+/// Based on: [DLE07] GPU Gems 3, ch. 14.3.4: for d = 1, 0.0174 G(0.008) + 0.192 G(0.0576); total 0.2094. Blurred at half size.
+#pragma once
+
+#include "frame/plan.h"
+#include "passes/frame_data.h"
+
+namespace dermis::passes {
+
+/// One step; add_bloom() strings them together.
+class BloomStep {
+ public:
+  enum class Mode : std::uint32_t { halve, along_x, along_y, combine };
+  struct Settings {
+    Mode mode = Mode::halve;
+    float sigma = 1;                 ///< pixels of the half-size picture
+    float amount = 0;                ///< combine: 0..1
+  };
+  struct In {
+    frame::TextureId picture;
+    frame::TextureId narrow, wide;   ///< combine only
+  };
+  struct Out {
+    frame::TextureId picture;
+  };
+  explicit BloomStep(const Settings& settings) : settings_(settings) {}
+  Out declare(frame::Declare& d, const In& in);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+
+ private:
+  Settings settings_;
+  In in_;
+  frame::TextureId target_;
+  const gpu::Pipeline* pipeline_ = nullptr;
+  VkSampler sampler_ = VK_NULL_HANDLE;
+};
+
+/// amount 0..1 of the picture's light; the filter's radius d is a twelfth of the picture's height.
+frame::TextureId add_bloom(frame::FramePlan& plan, frame::TextureId picture, float amount);
+
+}  // namespace dermis::passes

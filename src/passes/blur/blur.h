@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+/// Spreads the light stored on the skin by one Gaussian, one axis a pass.
+/// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the one before); departures are named in kernels.h and blur.comp.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "frame/plan.h"
+#include "gaussians/sum.h"
+#include "passes/frame_data.h"
+
+namespace dermis::passes {
+
+class Blur {
+ public:
+  struct Settings {
+    double variance_mm2 = 0;         ///< of this step
+    std::uint32_t axis = 0;          ///< 0, then 1
+    bool texel_averaged = false;     ///< the first step: its input is constant over each texel
+  };
+  struct In {
+    frame::TextureId light, stretch;
+    frame::TextureId target;         ///< same size; valid: written there, else one is created
+  };
+  struct Out {
+    frame::TextureId light;
+  };
+  explicit Blur(const Settings& settings) : settings_(settings) {}
+  Out declare(frame::Declare& d, const In& in);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+
+ private:
+  Settings settings_;
+  In in_;
+  const gpu::Pipeline* pipeline_ = nullptr;
+  VkSampler sampler_ = VK_NULL_HANDLE;
+  gpu::Buffer kernels_;
+};
+
+/// One step of the cascade.
+struct BlurStep {
+  double variance_mm2 = 0;           ///< added by this step
+  bool ends_term = false;            ///< the light after this step is a term of the sum
+};
+
+/// The steps that blur by each variance in turn (narrow to wide). Sigma at most doubles a step, so that 13 taps suffice, and the first
+/// is at most kernel_max_sigma texels where the map is densest (max_texels_per_mm): extra steps are put in where the terms are further apart.
+std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm);
+std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
+
+/// Texels beside a seam that the widest step reads: three sigma; at most 96.
+int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
+
+}  // namespace dermis::passes

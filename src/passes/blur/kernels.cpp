@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "passes/blur/kernels.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace dermis::passes {
+namespace {
+
+HalfKernel normalised(HalfKernel k) {
+  double sum = k[0];
+  for (int i = 1; i <= kernel_radius; ++i) sum += 2 * k[static_cast<std::size_t>(i)];
+  for (double& w : k) w /= sum;
+  return k;
+}
+
+HalfKernel sampled(double s) {
+  HalfKernel k{};
+  for (int i = 0; i <= kernel_radius; ++i) k[static_cast<std::size_t>(i)] = s > 0 ? std::exp(-0.5 * i * i / (s * s)) : (i == 0 ? 1.0 : 0.0);
+  return normalised(k);
+}
+
+// Second antiderivative of the unit-sigma normal density scaled to sigma: int int G.
+double second_integral(double x, double sigma) {
+  const double z = x / sigma;
+  const double density = std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi);
+  const double cumulative = 0.5 * std::erfc(-z / std::numbers::sqrt2);
+  return sigma * (z * cumulative + density);
+}
+
+}  // namespace
+
+double variance(const HalfKernel& kernel) {
+  double v = 0;
+  for (int i = 1; i <= kernel_radius; ++i) v += 2.0 * i * i * kernel[static_cast<std::size_t>(i)];
+  return v;
+}
+
+HalfKernel discrete_gaussian(double sigma) {
+  if (sigma <= 0) return sampled(0);
+  // Sampling narrows a narrow Gaussian and truncation a wide one: find the parameter that gives the variance asked for.
+  double low = 0, high = 4 * kernel_max_sigma;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    (variance(sampled(middle)) < sigma * sigma ? low : high) = middle;
+  }
+  return sampled(0.5 * (low + high));
+}
+
+HalfKernel texel_averaged_gaussian(double sigma) {
+  if (sigma <= 0) return sampled(0);
+  // tri * G at integer offsets: the second difference of the second integral.
+  HalfKernel k{};
+  for (int i = 0; i <= kernel_radius; ++i)
+    k[static_cast<std::size_t>(i)] = second_integral(i + 1, sigma) - 2 * second_integral(i, sigma) + second_integral(i - 1, sigma);
+  return normalised(k);
+}
+
+std::vector<float> kernel_table() {
+  std::vector<float> table;
+  for (const bool averaged : {false, true})
+    for (int row = 0; row < kernel_rows; ++row) {
+      const double sigma = kernel_max_sigma * row / (kernel_rows - 1);
+      const HalfKernel kernel = averaged ? texel_averaged_gaussian(sigma) : discrete_gaussian(sigma);
+      for (const double w : kernel) table.push_back(static_cast<float>(w));
+      table.push_back(static_cast<float>(variance(kernel)));
+    }
+  return table;
+}
+
+}  // namespace dermis::passes

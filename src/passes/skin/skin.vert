@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#include "shared/scene_io.h"
+#include "shared/vertex_pull.glsl"
+#include "passes/skin/skin_io.h"
+layout(push_constant, scalar) uniform Push { SkinIo io; };
+layout(binding = 3, scalar) readonly buffer Frame { FrameIo frame; };
+layout(location = 0) out vec3 out_position_m;
+layout(location = 1) out vec3 out_normal;
+layout(location = 2) out vec4 out_tangent;
+layout(location = 3) out vec4 out_uv;
+layout(location = 4) out vec4 out_colour;
+layout(location = 5) out vec2 out_unwrap;
+void main() {
+  const VertexIo v = pulled_vertex();
+  out_position_m = v.position_m + io.offset_m;
+  out_normal = v.normal;
+  out_tangent = v.tangent;
+  out_uv = vec4(v.uv0, v.uv1);
+  out_colour = v.colour;
+  out_unwrap = v.unwrap;
+  gl_Position = frame.clip_from_world * vec4(out_position_m, 1.0);
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#ifndef DERMIS_PASSES_SKIN_IO_H
+#define DERMIS_PASSES_SKIN_IO_H
+#include "shared/types.h"
+DERMIS_IO_BEGIN
+struct SkinIo {
+  vec3 offset_m;           // of this head
+  vec3 weights[8];         // of the profile, narrow to wide; a channel sums to 1
+};
+DERMIS_IO_END
+#ifdef __cplusplus
+static_assert(sizeof(dermis::io::SkinIo) == 108);
+#endif
+#endif

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and height-correlated Smith.
+// The uniform surroundings are reflected by the split-sum fit of Karis, "Physically Based Shading on Mobile", 2014.
+#version 460
+#include "shared/scene_io.h"
+#include "shared/half.glsl"
+#include "passes/surface/surface_io.h"
+layout(binding = 2, scalar) readonly buffer Material { MaterialIo material; };
+layout(binding = 3, scalar) readonly buffer Frame { FrameIo frame; };
+layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
+layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
+layout(binding = 6) uniform sampler2DArrayShadow shadow_maps;
+layout(binding = 8) uniform sampler2D map_base_colour;
+layout(binding = 9) uniform sampler2D map_normal;
+layout(binding = 10) uniform sampler2D map_roughness;
+layout(binding = 11) uniform sampler2D map_occlusion;
+layout(binding = 12) uniform sampler2D map_specular;
+layout(binding = 13) uniform sampler2D map_emissive;
+layout(binding = 14) uniform sampler2D map_specular_colour;
+#include "shared/lights.glsl"
+#include "shared/material.glsl"
+layout(location = 0) in vec3 in_position_m;
+layout(location = 1) in vec3 in_normal;
+layout(location = 2) in vec4 in_tangent;
+layout(location = 3) in vec4 in_uv;
+layout(location = 4) in vec4 in_colour;
+layout(location = 0) out vec4 out_radiance;
+const float pi = 3.14159265358979;
+
+struct Look {
+  vec3 albedo, f0;
+  float f90, alpha, roughness;
+};
+
+Look look_at(SurfacePoint s, vec3 base) {
+  float metallic = material.metallic, roughness = material.roughness;
+  const MapIo mr = material.maps[MAP_ROUGHNESS];
+  if (mr.present != 0u) {
+    const vec4 t = texture(map_roughness, map_uv(mr, s));
+    roughness *= t.g;
+    metallic *= t.b;
+  }
+  float specular = material.specular;
+  const MapIo sm = material.maps[MAP_SPECULAR];
+  if (sm.present != 0u) specular *= texture(map_specular, map_uv(sm, s)).a;
+  vec3 tint = material.specular_colour;
+  const MapIo sc = material.maps[MAP_SPECULAR_COLOUR];
+  if (sc.present != 0u) tint *= texture(map_specular_colour, map_uv(sc, s)).rgb;
+  const float r = (material.ior - 1.0) / (material.ior + 1.0);
+  const vec3 dielectric = min(r * r * tint, vec3(1.0)) * specular;
+  Look look;
+  look.f0 = mix(dielectric, base, metallic);
+  look.f90 = mix(specular, 1.0, metallic);
+  look.albedo = base * (1.0 - metallic);
+  look.roughness = clamp(roughness, 0.045, 1.0);
+  look.alpha = look.roughness * look.roughness;
+  return look;
+}
+
+vec3 brdf_times_cosine(Look look, vec3 n, vec3 v, vec3 l) {
+  const vec3 h = normalize(v + l);
+  const float n_l = max(dot(n, l), 0.0), n_v = max(dot(n, v), 1e-3), n_h = max(dot(n, h), 0.0), v_h = max(dot(v, h), 0.0);
+  const float a2 = look.alpha * look.alpha;
+  const float d = n_h * n_h * (a2 - 1.0) + 1.0;
+  const float distribution = a2 / (pi * d * d);
+  const float visibility = 0.5 / max(n_l * sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * sqrt(n_l * n_l * (1.0 - a2) + a2), 1e-5);
+  const vec3 fresnel = look.f0 + (look.f90 - look.f0) * pow(1.0 - v_h, 5.0);
+  const float kept = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
+  vec3 sum = look.albedo * (kept / pi);
+  if (frame.specular_on != 0u) sum += fresnel * (distribution * visibility);
+  return sum * n_l;
+}
+
+vec3 reflected_surroundings(Look look, float n_v) {
+  const vec4 c0 = vec4(-1.0, -0.0275, -0.572, 0.022), c1 = vec4(1.0, 0.0425, 1.04, -0.04);
+  const vec4 r = look.roughness * c0 + c1;
+  const float a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
+  return max(look.f0 * (-1.04 * a + r.z) + look.f90 * (1.04 * a + r.w), vec3(0.0));
+}
+
+void main() {
+  const vec3 v = frame.orthographic != 0u ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
+  const vec3 n_geometric = gl_FrontFacing ? normalize(in_normal) : -normalize(in_normal);
+  const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
+  vec4 base = material.base_colour * in_colour;
+  const MapIo bc = material.maps[MAP_BASE_COLOUR];
+  if (bc.present != 0u) base *= texture(map_base_colour, map_uv(bc, s));
+  if (frame.white_albedo != 0u) base.rgb = vec3(1.0);
+  if ((material.flags & MATERIAL_ALPHA_MASK) != 0u && base.a < material.alpha_cutoff) discard;
+  const float alpha = (material.flags & MATERIAL_ALPHA_BLEND) != 0u ? clamp(base.a, 0.0, 1.0) : 1.0;
+  if ((material.flags & MATERIAL_UNLIT) != 0u) {
+    out_radiance = vec4(storable(base.rgb * alpha * frame.radiance_scale), 0.0);
+    out_radiance.a = (material.flags & MATERIAL_ALPHA_BLEND) != 0u ? alpha : 0.0;
+    return;
+  }
+  const Look look = look_at(s, base.rgb);
+  const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
+  vec3 radiance = vec3(0.0);
+  for (uint i = 0u; i < frame.light_count; ++i) {
+    const LightIo light = lights[i];
+    const Arriving a = arriving_light(light, s.position_m);
+    if (dot(n, a.to_light) <= 0.0) continue;
+    radiance += a.irradiance * brdf_times_cosine(look, n, v, a.to_light) * shadow_at(light, a, s.position_m, n_geometric);
+  }
+  const MapIo oc = material.maps[MAP_OCCLUSION];
+  const float occlusion = oc.present != 0u ? 1.0 + oc.scale * (texture(map_occlusion, map_uv(oc, s)).r - 1.0) : 1.0;
+  const vec3 mirrored = frame.specular_on != 0u ? reflected_surroundings(look, max(dot(n, v), 0.0)) : vec3(0.0);
+  radiance += frame.ambient * occlusion * (look.albedo * (1.0 - max(mirrored.x, max(mirrored.y, mirrored.z))) + mirrored);
+  vec3 emitted = material.emissive;
+  const MapIo em = material.maps[MAP_EMISSIVE];
+  if (em.present != 0u) emitted *= texture(map_emissive, map_uv(em, s)).rgb;
+  radiance += emitted;
+  // Colour is premultiplied. Alpha of the target marks skin: opaque parts write 0, blended ones cover it in proportion.
+  out_radiance = vec4(storable(radiance * alpha * frame.radiance_scale), 0.0);
+  if ((material.flags & MATERIAL_ALPHA_BLEND) != 0u) out_radiance.a = alpha;
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+/// Everything that is not skin, as glTF metallic-roughness: opaque and cut-out parts, or the blended ones from far to near.
+#pragma once
+
+#include <map>
+
+#include "frame/plan.h"
+#include "passes/frame_data.h"
+#include "passes/lighting.h"
+
+namespace dermis::passes {
+
+class Surface {
+ public:
+  struct Settings {
+    std::uint32_t instance = 0;
+    std::uint32_t samples = 1;
+    bool clear = false;              ///< the first to draw into the targets
+    bool blended = false;            ///< draws only the blended parts, over what is there
+  };
+  struct In {
+    frame::TextureId shadow, colour, depth;
+  };
+  struct Out {
+    frame::TextureId colour, depth;
+  };
+  explicit Surface(const Settings& settings) : settings_(settings) {}
+  Out declare(frame::Declare& d, const In& in);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+
+ private:
+  Settings settings_;
+  In in_;
+  const gpu::Pipeline* single_sided_ = nullptr;
+  const gpu::Pipeline* double_sided_ = nullptr;
+  LightingSamplers samplers_;
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "core/error.h"
+#include "techniques/lambert/lambert.h"
+#include "techniques/technique.h"
+#include "techniques/texture_space/texture_space.h"
+
+namespace dermis::techniques {
+namespace {
+
+constexpr std::array all{
+    Technique{"texture-space", "light blurred in the head's texture by a sum of Gaussians (d'Eon et al. 2007)", true, build_texture_space},
+    Technique{"lambert", "the same lights and specular without scattering", false, build_lambert},
+};
+
+}  // namespace
+
+std::span<const Technique> techniques() { return all; }
+
+const Technique& find_technique(std::string_view name) {
+  std::string names;
+  for (const Technique& t : all) {
+    if (t.name == name) return t;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", t.name);
+  }
+  throw input_error("technique", "'{}' is not known; there are: {}", name, names);
+}
+
+}  // namespace dermis::techniques

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+/// Skin as an opaque surface: what scattering is compared with, and the floor of what a frame costs.
+#pragma once
+
+#include "techniques/technique.h"
+
+namespace dermis::techniques {
+
+FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings);
+
+}  // namespace dermis::techniques

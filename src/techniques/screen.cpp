@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/screen.h"
+
+#include <algorithm>
+
+#include "passes/bloom/bloom.h"
+#include "passes/count/count.h"
+#include "passes/shadow/shadow.h"
+#include "passes/surface/surface.h"
+#include "passes/view/view.h"
+
+namespace dermis::techniques {
+
+std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head, std::uint32_t mesh) {
+  std::string text(what);
+  if (settings.heads > 1) text += fmt::format(" head {}", head);
+  if (settings.skin.size() > 1) text += fmt::format(" part {}", mesh);
+  return text;
+}
+
+Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&plan), settings_(settings) {
+  const gpu::TextureDesc screen{.width = settings.width, .height = settings.height, .samples = settings.samples};
+  gpu::TextureDesc colour = screen, depth = screen;
+  colour.format = VK_FORMAT_R16G16B16A16_SFLOAT;
+  depth.format = VK_FORMAT_D32_SFLOAT;
+  colour_ = plan.texture("colour", colour);
+  depth_ = plan.texture("depth", depth);
+  shadow_ = plan.texture("shadow maps", {.width = settings.shadow_size,
+                                         .height = settings.shadow_size,
+                                         .layers = std::max(settings.shadow_layers, 1u),
+                                         .format = VK_FORMAT_D32_SFLOAT,
+                                         .array = true});
+  counters_ = plan.buffer("counters", {.bytes = counter_count * sizeof(std::uint32_t)});
+  plan.add<passes::ClearCounters>("clear counters", {counters_});
+}
+
+bool Screen::take_clear() { return !std::exchange(cleared_, true); }
+
+void Screen::add_shadow(std::uint32_t head) {
+  FrameSettings one_part = settings_;
+  one_part.skin.resize(1);
+  plan_->add<passes::Shadow>(label("shadow", one_part, head, 0), {shadow_}, {.instance = head});
+}
+
+void Screen::add_surfaces(std::uint32_t head) {
+  FrameSettings one_part = settings_;
+  one_part.skin.resize(1);
+  const passes::Surface::In in{shadow_, colour_, depth_};
+  const bool clear = !cleared_;
+  // A scene without any skin still needs its targets cleared.
+  if (settings_.has_surfaces || clear)
+    plan_->add<passes::Surface>(label("surfaces", one_part, head, 0), in, {.instance = head, .samples = settings_.samples, .clear = take_clear()});
+  if (settings_.has_blended)
+    plan_->add<passes::Surface>(label("blended surfaces", one_part, head, 0), in, {.instance = head, .samples = settings_.samples, .blended = true});
+}
+
+FrameOutputs Screen::finish() {
+  FrameOutputs out;
+  out.picture = settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour_}).picture : colour_;
+  plan_->add<passes::Count>("count skin pixels", {out.picture, counters_}, {.slot = counter_skin_pixels, .threshold = 0.5f});
+  if (settings_.bloom > 0) out.picture = passes::add_bloom(*plan_, out.picture, settings_.bloom);
+  out.display = plan_->add<passes::View>("view", {out.picture}, {settings_.view}).display;
+  out.counters = counters_;
+  plan_->read_back(out.picture);
+  plan_->read_back(out.display);
+  plan_->read_back(shadow_);
+  for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer) out.shows[fmt::format("shadow:{}", layer)] = shadow_;
+  return out;
+}
+
+}  // namespace dermis::techniques

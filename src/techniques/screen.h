@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+/// What all techniques share: the targets on the screen, the parts that are not skin, and how a frame ends.
+#pragma once
+
+#include "techniques/technique.h"
+
+namespace dermis::techniques {
+
+class Screen {
+ public:
+  Screen(frame::FramePlan& plan, const FrameSettings& settings);
+
+  frame::TextureId colour() const { return colour_; }
+  frame::TextureId depth() const { return depth_; }
+  frame::TextureId shadow() const { return shadow_; }
+  frame::BufferId counters() const { return counters_; }
+  bool take_clear();                                       ///< true once: for the pass that draws first
+
+  void add_shadow(std::uint32_t head);
+  void add_surfaces(std::uint32_t head);                   ///< opaque, then blended
+  FrameOutputs finish();                                   ///< resolve, bloom, view transform
+
+ private:
+  frame::FramePlan* plan_;
+  FrameSettings settings_;
+  frame::TextureId colour_, depth_, shadow_;
+  frame::BufferId counters_;
+  bool cleared_ = false;
+};
+
+/// "irradiance" for one head, "irradiance 3" in a crowd.
+std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head, std::uint32_t mesh);
+
+}  // namespace dermis::techniques
