@@ -20,20 +20,33 @@ struct SourceFile {
 /// What breaks a rule: "path:line: sentence", or "path: sentence" when it is about the whole file.
 using Violations = std::vector<std::string>;
 
-/// Room -> rooms it may include, itself and the indirect ones too.
+/// Room -> other rooms it may include, the indirect ones too (itself goes without saying).
 using Rules = std::map<std::string, std::set<std::string>>;
 
 /// Text files below root, sorted by path. Left out: build/, out/, folders whose name starts with a dot (but .ci), binary files.
 std::vector<SourceFile> read_tree(const std::filesystem::path& root);
 
-/// Reads build/house.txt ("room: room room" a line, written by dermis_module) and closes it over indirect dependencies. A target such as
-/// passes_blur counts as its folder, passes. `rooms` are the folders of src/. Throws std::runtime_error on a line it does not understand.
-Rules read_rules(std::string_view text, const std::set<std::string>& rooms);
+/// One room and what its DEPENDS name.
+struct Dependencies {
+  std::string room;
+  std::set<std::string> on;
+};
+
+/// Reads build/house.txt ("room: room room" a line, written by dermis_module), in its order. A target such as passes_blur counts as its
+/// folder, passes. `rooms` are the folders of src/. Throws std::runtime_error on a line it does not understand.
+std::vector<Dependencies> read_dependencies(std::string_view text, const std::set<std::string>& rooms);
+
+/// Closes them over indirect dependencies.
+Rules close_over(const std::vector<Dependencies>& dependencies);
+
+/// As ARCHITECTURE.md shows them.
+std::string dependency_table(const std::vector<Dependencies>& dependencies);
 
 /// The folders of src/ that hold a file.
 std::set<std::string> rooms_of(const std::vector<SourceFile>& tree);
 
-/// Every quoted #include of src/ and include/ goes along the rules; a pass never includes another pass; include/ never includes src/.
+/// Every quoted #include of src/ and include/ goes along the rules; a pass is included by its own folder alone; include/ never
+/// includes src/.
 /// Shaders count too: they share headers with C++.
 Violations check_includes(const std::vector<SourceFile>& tree, const Rules& rules);
 
