@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# shellcheck shell=bash
 # Sourced by the script tests: a temporary folder that goes away, and expectations that count.
 set -uo pipefail
 root=$1
