@@ -1,15 +1,30 @@
 # SPDX-License-Identifier: MIT
 # dermis_module(NAME SOURCES ... DEPENDS modules ... LINKS libraries ...)
 #   One static library dermis_NAME for the folder src/NAME. DEPENDS names other rooms of the house (public);
-#   LINKS names outside libraries (private). The pairs are written to build/house.txt, against which the
+#   LINKS names outside libraries (private). A folder of headers alone has no SOURCES. The pairs are written to build/house.txt, against which the
 #   include check of tests/house holds every #include.
 # dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs])
 #   One GoogleTest executable test_NAME, registered as ONE ctest entry (its cases share a process, so fixtures load once).
+# dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs])
+#   A bash script as one ctest entry, given the source folder as its argument; it ends with a status other than 0 on failure.
+# The target unit_tests builds what the label unit needs and nothing else: the sanitizer run needs no more.
 
 set_property(GLOBAL PROPERTY DERMIS_HOUSE "")
+add_custom_target(unit_tests)
+
+# Deferred to the end of the configuration, when every room has said what it depends on.
+function(dermis_write_house)
+  get_property(house GLOBAL PROPERTY DERMIS_HOUSE)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/house.txt CONTENT "${house}")
+endfunction()
+cmake_language(DEFER DIRECTORY ${PROJECT_SOURCE_DIR} CALL dermis_write_house)
 
 function(dermis_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # g++ 12 invents overlaps in "text" + std::string once it has inlined it: https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105651
+    target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
   if(DERMIS_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
@@ -21,14 +36,21 @@ endfunction()
 
 function(dermis_module name)
   cmake_parse_arguments(M "" "" "SOURCES;DEPENDS;LINKS" ${ARGN})
-  add_library(dermis_${name} STATIC ${M_SOURCES})
-  target_include_directories(dermis_${name} PUBLIC
+  if(M_SOURCES)
+    set(public PUBLIC)
+    add_library(dermis_${name} STATIC ${M_SOURCES})
+    dermis_compile_options(dermis_${name})
+    target_link_libraries(dermis_${name} PRIVATE ${M_LINKS})
+  else()
+    set(public INTERFACE)
+    add_library(dermis_${name} INTERFACE)
+    target_link_libraries(dermis_${name} INTERFACE ${M_LINKS})
+  endif()
+  target_include_directories(dermis_${name} ${public}
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
-  dermis_compile_options(dermis_${name})
   foreach(dep IN LISTS M_DEPENDS)
-    target_link_libraries(dermis_${name} PUBLIC dermis_${dep})
+    target_link_libraries(dermis_${name} ${public} dermis_${dep})
   endforeach()
-  target_link_libraries(dermis_${name} PRIVATE ${M_LINKS})
   list(JOIN M_DEPENDS " " deps)
   set_property(GLOBAL APPEND_STRING PROPERTY DERMIS_HOUSE "${name}: ${deps}\n")
 endfunction()
@@ -48,4 +70,17 @@ function(dermis_test name)
     set(T_LABEL unit)
   endif()
   set_tests_properties(${name} PROPERTIES LABELS ${T_LABEL} TIMEOUT 1200)
+  if(T_LABEL STREQUAL "unit")
+    add_dependencies(unit_tests test_${name})
+  endif()
+endfunction()
+
+function(dermis_script_test name)
+  cmake_parse_arguments(T "" "SCRIPT;LABEL" "" ${ARGN})
+  add_test(NAME ${name} COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/${T_SCRIPT} ${PROJECT_SOURCE_DIR}
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  if(NOT T_LABEL)
+    set(T_LABEL unit)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS ${T_LABEL} TIMEOUT 300)
 endfunction()

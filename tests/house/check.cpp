@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "house/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace house {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array shader_endings{".comp", ".vert", ".frag", ".glsl"};
+constexpr std::array code_endings{".cpp", ".c", ".h", ".hpp"};
+constexpr std::array script_endings{".sh", ".cmake", ".py", ".ci/run"};
+
+bool ends_with_any(std::string_view path, const auto& endings) {
+  return std::any_of(endings.begin(), endings.end(), [&](std::string_view ending) { return path.ends_with(ending); });
+}
+
+/// "src/gpu/device.h", 1 -> "gpu"; nothing when there is no folder of that depth.
+std::optional<std::string> folder_at(std::string_view path, int depth) {
+  std::size_t begin = 0;
+  for (int i = 0; i < depth; ++i) {
+    begin = path.find('/', begin);
+    if (begin == std::string_view::npos) return std::nullopt;
+    ++begin;
+  }
+  const std::size_t end = path.find('/', begin);
+  if (end == std::string_view::npos) return std::nullopt;
+  return std::string(path.substr(begin, end - begin));
+}
+
+std::optional<std::string> room_of(std::string_view path) {
+  if (!path.starts_with("src/")) return std::nullopt;
+  return folder_at(path, 1);
+}
+
+/// What stands between the quotes of an #include line.
+std::optional<std::string> quoted_include(std::string_view line) {
+  const std::size_t hash = line.find_first_not_of(" \t");
+  if (hash == std::string_view::npos || line[hash] != '#') return std::nullopt;
+  const std::size_t word = line.find_first_not_of(" \t", hash + 1);
+  if (word == std::string_view::npos || !line.substr(word).starts_with("include")) return std::nullopt;
+  const std::size_t open = line.find('"', word);
+  if (open == std::string_view::npos) return std::nullopt;
+  const std::size_t close = line.find('"', open + 1);
+  if (close == std::string_view::npos) return std::nullopt;
+  return std::string(line.substr(open + 1, close - open - 1));
+}
+
+/// The file of the tree that an include means: beside the file, in src/ or in include/. Unknown ones (libraries, generated files) are
+/// judged by their first folder when that is a room.
+std::string resolve(const SourceFile& from, const std::string& include, const std::set<std::string>& paths, const Rules& rules) {
+  const std::string beside = (fs::path(from.path).parent_path() / include).lexically_normal().generic_string();
+  for (const std::string& candidate : {beside, "src/" + include, "include/" + include}) {
+    if (paths.contains(candidate)) return candidate;
+  }
+  const auto first = folder_at(include, 0);
+  return first && rules.contains(*first) ? "src/" + include : include;
+}
+
+std::string judge_include(const SourceFile& file, const std::string& target, const Rules& rules) {
+  const auto to = room_of(target);
+  if (!to) return {};
+  const auto from = room_of(file.path);
+  if (!from) return "a public header includes a file of src/";
+  if (*from == *to) {
+    // What lies in src/passes itself is shared by the passes; a folder there is one pass, and only its own files may know it.
+    const bool another = *to == "passes" && folder_at(target, 2) && folder_at(file.path, 2) != folder_at(target, 2);
+    return another ? "a pass is included from outside its folder" : "";
+  }
+  const auto rule = rules.find(*from);
+  if (rule == rules.end() || rule->second.contains(*to)) return {};
+  return fmt::format("'{}' may not include '{}' (its DEPENDS do not reach it)", *from, *to);
+}
+
+/// Lower-case words of a line: a snake_case or CamelCase identifier is split into its parts.
+std::vector<std::string> words_of(std::string_view line) {
+  std::vector<std::string> words;
+  std::string word;
+  const auto flush = [&] {
+    if (!word.empty()) words.push_back(std::exchange(word, {}));
+  };
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const auto c = static_cast<unsigned char>(line[i]);
+    if (std::isalpha(c) == 0) {
+      flush();
+      continue;
+    }
+    if (std::isupper(c) != 0 && i > 0 && std::islower(static_cast<unsigned char>(line[i - 1])) != 0) flush();
+    word += static_cast<char>(std::tolower(c));
+  }
+  flush();
+  return words;
+}
+
+bool has_spdx(const SourceFile& file) {
+  const std::size_t line = !file.lines.empty() && file.lines[0].starts_with("#!") ? 1 : 0;
+  const std::string text =
+      "SPDX-License-Identifier: "
+      "MIT";
+  return file.lines.size() > line && file.lines[line].find(text) != std::string::npos;
+}
+
+}  // namespace
+
+bool is_shader(std::string_view path) { return ends_with_any(path, shader_endings); }
+bool is_code(std::string_view path) { return is_shader(path) || ends_with_any(path, code_endings); }
+
+std::vector<SourceFile> read_tree(const fs::path& root) {
+  std::vector<SourceFile> tree;
+  for (auto it = fs::recursive_directory_iterator(root); it != fs::recursive_directory_iterator(); ++it) {
+    const std::string name = it->path().filename().string();
+    if (it->is_directory()) {
+      const bool hidden = name.starts_with('.') && name != ".ci";
+      if (hidden || (it.depth() == 0 && (name.starts_with("build") || name == "out"))) it.disable_recursion_pending();
+      continue;
+    }
+    if (!it->is_regular_file() || name == ".git") continue;
+    std::ifstream in(it->path(), std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (text.find('\0') != std::string::npos) continue;
+    SourceFile file{fs::relative(it->path(), root).generic_string(), {}};
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) file.lines.push_back(line);
+    tree.push_back(std::move(file));
+  }
+  std::sort(tree.begin(), tree.end(), [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+  return tree;
+}
+
+std::set<std::string> rooms_of(const std::vector<SourceFile>& tree) {
+  std::set<std::string> rooms;
+  for (const SourceFile& file : tree) {
+    if (const auto room = room_of(file.path)) rooms.insert(*room);
+  }
+  return rooms;
+}
+
+std::vector<Dependencies> read_dependencies(std::string_view text, const std::set<std::string>& rooms) {
+  const auto room_of_target = [&](const std::string& target) {
+    const std::string folder = target.substr(0, target.find('_'));
+    return rooms.contains(target) || !rooms.contains(folder) ? target : folder;
+  };
+  std::vector<Dependencies> all;
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) continue;
+    const std::size_t colon = line.find(':');
+    if (colon == std::string::npos || colon == 0) throw std::runtime_error("house.txt: expected 'room: rooms', got '" + line + "'");
+    const std::string room = room_of_target(line.substr(0, colon));
+    auto entry = std::find_if(all.begin(), all.end(), [&](const Dependencies& d) { return d.room == room; });
+    if (entry == all.end()) entry = all.insert(entry, {room, {}});
+    std::istringstream names(line.substr(colon + 1));
+    for (std::string name; names >> name;) {
+      if (const std::string other = room_of_target(name); other != room || name == room) entry->on.insert(other);
+    }
+  }
+  return all;
+}
+
+Rules close_over(const std::vector<Dependencies>& dependencies) {
+  Rules rules;
+  for (const Dependencies& d : dependencies) rules[d.room] = d.on;
+  for (bool grew = true; grew;) {  // what my neighbours may include, I may include
+    grew = false;
+    for (auto& [room, allowed] : rules) {
+      const std::size_t before = allowed.size();
+      for (const std::string& neighbour : std::set<std::string>(allowed)) {
+        if (const auto rule = rules.find(neighbour); rule != rules.end()) allowed.insert(rule->second.begin(), rule->second.end());
+      }
+      grew = grew || allowed.size() > before;
+    }
+  }
+  return rules;
+}
+
+std::string dependency_table(const std::vector<Dependencies>& dependencies) {
+  std::string table = "```\n";
+  for (const Dependencies& d : dependencies) {
+    table += d.on.empty() ? d.room + "\n" : fmt::format("{:<10} -> {}\n", d.room, fmt::join(d.on, ", "));
+  }
+  return table + "```\n";
+}
+
+Violations check_includes(const std::vector<SourceFile>& tree, const Rules& rules) {
+  std::set<std::string> paths;
+  for (const SourceFile& file : tree) paths.insert(file.path);
+  Violations violations;
+  for (const std::string& room : rooms_of(tree)) {
+    if (!rules.contains(room))
+      violations.push_back(fmt::format("src/{}: no dermis_module of this name, so its includes cannot be judged", room));
+  }
+  for (const SourceFile& file : tree) {
+    if (!is_code(file.path) || !(file.path.starts_with("src/") || file.path.starts_with("include/"))) continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const auto include = quoted_include(file.lines[i]);
+      if (!include) continue;
+      const std::string broken = judge_include(file, resolve(file, *include, paths, rules), rules);
+      if (!broken.empty()) violations.push_back(fmt::format("{}:{}: \"{}\": {}", file.path, i + 1, *include, broken));
+    }
+  }
+  return violations;
+}
+
+Violations check_rules(const Rules& rules) {
+  const std::set<std::string> skin_side{"optics", "profile", "gaussians", "scene", "passes", "techniques", "reference", "api"};
+  const Rules never{
+      {"gpu", skin_side}, {"frame", skin_side}, {"scene", {"gpu", "frame"}}, {"reference", {"gpu", "frame", "passes", "techniques"}}};
+  Violations violations;
+  for (const auto& [room, allowed] : rules) {
+    if (allowed.contains(room)) violations.push_back(fmt::format("house.txt: '{}' depends on itself, in a circle", room));
+    const auto rule = never.find(room);
+    if (rule == never.end()) continue;
+    for (const std::string& other : rule->second) {
+      if (allowed.contains(other)) violations.push_back(fmt::format("house.txt: '{}' must never depend on '{}'", room, other));
+    }
+  }
+  return violations;
+}
+
+Violations check_words(const std::vector<SourceFile>& tree) {
+  const std::set<std::string> forbidden{"skin",  "irradiance",  "gaussian",  "profile",  "head",
+                                        "skins", "irradiances", "gaussians", "profiles", "heads"};
+  Violations violations;
+  for (const SourceFile& file : tree) {
+    if (!file.path.starts_with("src/gpu/") && !file.path.starts_with("src/frame/")) continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      for (const std::string& word : words_of(file.lines[i])) {
+        if (forbidden.contains(word))
+          violations.push_back(fmt::format("{}:{}: the word '{}' does not belong here", file.path, i + 1, word));
+      }
+    }
+  }
+  return violations;
+}
+
+Violations check_licence(const std::vector<SourceFile>& tree) {
+  Violations violations;
+  for (const SourceFile& file : tree) {
+    const bool needs = is_code(file.path) || ends_with_any(file.path, script_endings) || file.path == "run";
+    if (needs && !has_spdx(file)) violations.push_back(file.path + ": the first line has no SPDX licence identifier");
+  }
+  return violations;
+}
+
+Violations check_machine_paths(const std::vector<SourceFile>& tree) {
+  // In two parts, so that this file does not break its own rule.
+  const std::vector<std::string> roots{std::string("/") + "work/", std::string("/") + "tmp/", std::string("/") + "root/",
+                                       std::string("/") + "home/"};
+  const auto continues_a_path = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("._-/$}>*").find(c) != std::string_view::npos;
+  };
+  Violations violations;
+  for (const SourceFile& file : tree) {
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      for (const std::string& root : roots) {
+        const std::size_t at = file.lines[i].find(root);
+        if (at == std::string::npos || (at > 0 && continues_a_path(file.lines[i][at - 1]))) continue;
+        violations.push_back(fmt::format("{}:{}: a path of some machine: {}", file.path, i + 1, root));
+      }
+    }
+  }
+  return violations;
+}
+
+}  // namespace house

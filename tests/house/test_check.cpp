@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Made-up trees that break one rule each: a check that notices nothing would pass on the real tree for ever.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "house/check.h"
+#include "house/measure.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A source tree in a temporary folder, gone at the end of the test.
+class MadeUpTree {
+ public:
+  MadeUpTree() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    root_ = fs::path(::testing::TempDir()) / (std::string("dermis_house_") + test->name());
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+  }
+  ~MadeUpTree() {
+    std::error_code ignored;
+    fs::remove_all(root_, ignored);
+  }
+  MadeUpTree(const MadeUpTree&) = delete;
+  MadeUpTree& operator=(const MadeUpTree&) = delete;
+
+  MadeUpTree& add(const std::string& path, const std::string& text) {
+    fs::create_directories((root_ / path).parent_path());
+    std::ofstream(root_ / path, std::ios::binary) << text;
+    return *this;
+  }
+  std::vector<house::SourceFile> read() const { return house::read_tree(root_); }
+
+ private:
+  fs::path root_;
+};
+
+constexpr const char* house_txt = "core: \ngpu: core\nframe: gpu\nscene: core\npasses: frame\npasses_blur: scene\n";
+
+house::Rules rules_of(const std::string& text, const std::set<std::string>& rooms) {
+  return house::close_over(house::read_dependencies(text, rooms));
+}
+
+house::Violations includes(const MadeUpTree& tree) {
+  const auto files = tree.read();
+  auto rooms = house::rooms_of(files);
+  rooms.insert({"core", "gpu", "frame", "scene", "passes"});
+  return house::check_includes(files, rules_of(house_txt, rooms));
+}
+
+testing::AssertionResult one_about(const house::Violations& violations, const std::string& part) {
+  if (violations.size() == 1 && violations[0].find(part) != std::string::npos) return testing::AssertionSuccess();
+  auto result = testing::AssertionFailure() << violations.size() << " violations";
+  for (const auto& violation : violations) result << "\n" << violation;
+  return result;
+}
+
+TEST(HouseCheck, RulesReachThroughNeighbours) {
+  const auto rules = rules_of(house_txt, {"core", "gpu", "frame", "scene", "passes"});
+  EXPECT_EQ(rules.at("frame"), (std::set<std::string>{"core", "gpu"}));
+  EXPECT_EQ(rules.at("passes"), (std::set<std::string>{"core", "frame", "gpu", "scene"}));
+  EXPECT_THROW(rules_of("no colon here\n", {}), std::runtime_error);
+}
+
+TEST(HouseCheck, AllowedIncludesPass) {
+  MadeUpTree tree;
+  tree.add("src/core/a.h", "")
+      .add("src/gpu/b.h", "#include \"core/a.h\"\n#include \"c.h\"\n#include \"dermis/error.h\"\n")
+      .add("src/gpu/c.h", "");
+  tree.add("include/dermis/error.h", "#include <string>\n")
+      .add("src/passes/blur/blur.cpp", "#include \"blur.h\"\n#include \"frame/plan.h\"\n");
+  tree.add("src/passes/blur/blur.h", "#include \"scene/scene.h\"\n").add("tests/unit/t.cpp", "#include \"gpu/b.h\"\n");
+  EXPECT_EQ(includes(tree), house::Violations{});
+}
+
+TEST(HouseCheck, FindsAnIncludeAgainstTheDirection) {
+  MadeUpTree tree;
+  tree.add("src/core/a.h", "// one\n  #  include \"gpu/b.h\"\n").add("src/gpu/b.h", "");
+  EXPECT_TRUE(one_about(includes(tree), "src/core/a.h:2: \"gpu/b.h\": 'core' may not include 'gpu'"));
+}
+
+TEST(HouseCheck, FindsAnIncludeByRelativePath) {
+  MadeUpTree tree;
+  tree.add("src/core/a.h", "#include \"../gpu/b.h\"\n").add("src/gpu/b.h", "");
+  EXPECT_TRUE(one_about(includes(tree), "'core' may not include 'gpu'"));
+}
+
+TEST(HouseCheck, FindsAnIncludeInAShader) {
+  MadeUpTree tree;
+  tree.add("src/gpu/clear.comp", "#include \"scene/light.h\"\n");
+  EXPECT_TRUE(one_about(includes(tree), "'gpu' may not include 'scene'"));
+}
+
+TEST(HouseCheck, FindsAPassThatIncludesAnother) {
+  MadeUpTree tree;
+  tree.add("src/passes/blur/blur.cpp", "#include \"passes/shadow/shadow.h\"\n").add("src/passes/shadow/shadow.h", "");
+  EXPECT_TRUE(one_about(includes(tree), "a pass is included from outside its folder"));
+}
+
+TEST(HouseCheck, FindsASharedPassHeaderThatIncludesAPass) {
+  MadeUpTree tree;
+  tree.add("src/passes/shared.h", "#include \"shadow/shadow.h\"\n").add("src/passes/shadow/shadow.h", "#include \"passes/bindings.h\"\n");
+  tree.add("src/passes/bindings.h", "");
+  EXPECT_TRUE(one_about(includes(tree), "src/passes/shared.h:1: \"shadow/shadow.h\": a pass is included from outside its folder"));
+}
+
+TEST(HouseCheck, WritesTheDependencyTable) {
+  const auto dependencies = house::read_dependencies(house_txt, {"core", "gpu", "frame", "scene", "passes"});
+  EXPECT_EQ(house::dependency_table(dependencies),
+            "```\ncore\ngpu        -> core\nframe      -> gpu\nscene      -> core\npasses     -> frame, scene\n```\n");
+}
+
+TEST(HouseCheck, FindsAPublicHeaderThatIncludesTheInside) {
+  MadeUpTree tree;
+  tree.add("include/dermis/scene.h", "#include \"scene/scene.h\"\n").add("src/scene/scene.h", "");
+  EXPECT_TRUE(one_about(includes(tree), "a public header includes a file of src/"));
+}
+
+TEST(HouseCheck, FindsARoomWithoutATarget) {
+  MadeUpTree tree;
+  tree.add("src/attic/a.cpp", "#include \"core/a.h\"\n").add("src/core/a.h", "");
+  EXPECT_TRUE(one_about(includes(tree), "src/attic: no dermis_module"));
+}
+
+TEST(HouseCheck, FindsForbiddenDependenciesAndCircles) {
+  const std::set<std::string> rooms{"core", "gpu", "frame", "scene", "passes", "reference"};
+  EXPECT_EQ(house::check_rules(rules_of(house_txt, rooms)), house::Violations{});
+  EXPECT_TRUE(one_about(house::check_rules(rules_of("gpu: scene\n", rooms)), "'gpu' must never depend on 'scene'"));
+  EXPECT_TRUE(one_about(house::check_rules(rules_of("core:\nreference: core gpu\n", rooms)), "'reference' must never depend on 'gpu'"));
+  EXPECT_EQ(house::check_rules(rules_of("core: gpu\ngpu: core\n", rooms)).size(), 2u);
+}
+
+TEST(HouseCheck, FindsWordsAboutSkin) {
+  MadeUpTree tree;
+  tree.add("src/gpu/a.h", "// header, overhead, profiler, ahead\nint skin_count;\n")
+      .add("src/frame/b.cpp", "drawHead();\n")
+      .add("src/scene/c.h", "// skin\n");
+  const auto violations = house::check_words(tree.read());
+  ASSERT_EQ(violations.size(), 2u);
+  EXPECT_EQ(violations[0], "src/frame/b.cpp:1: the word 'head' does not belong here");
+  EXPECT_EQ(violations[1], "src/gpu/a.h:2: the word 'skin' does not belong here");
+}
+
+TEST(HouseCheck, FindsAMissingLicence) {
+  const std::string spdx = std::string("SPDX-License-Identifier: ") + "MIT\n";
+  MadeUpTree tree;
+  tree.add("src/gpu/a.h", "// " + spdx)
+      .add("tools/b.sh", "#!/bin/sh\n# " + spdx)
+      .add("c.md", "words\n")
+      .add("src/gpu/d.comp", "\n// " + spdx);
+  EXPECT_TRUE(one_about(house::check_licence(tree.read()), "src/gpu/d.comp"));
+}
+
+TEST(HouseCheck, FindsAMachinePath) {
+  MadeUpTree tree;
+  tree.add("docs/a.md", std::string("see https://example.org/") + "home/x and src/" + "work/y\n")
+      .add("docs/b.md", std::string("see /") + "home/me/x\n");
+  EXPECT_TRUE(one_about(house::check_machine_paths(tree.read()), "docs/b.md:1"));
+}
+
+TEST(HouseCheck, LeavesOutWhatIsNotSource) {
+  MadeUpTree tree;
+  tree.add("build/release/a.h", "")
+      .add("out/b.h", "")
+      .add(".git/c.h", "")
+      .add("src/core/d.h", "")
+      .add("assets/e.bin", std::string(3, '\0'));
+  const auto files = tree.read();
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_EQ(files[0].path, "src/core/d.h");
+}
+
+TEST(HouseCheck, MeasuresFilesAndFunctions) {
+  MadeUpTree tree;
+  tree.add("src/core/a.cpp",
+           "namespace n {\n\nint f() {\n  if (x) {\n  }\n  return 1;\n}\n\nvoid g(int a,\n       int b) {\n}\nstruct S {\n};\n}\n");
+  const auto files = house::file_lengths(tree.read());
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_EQ(files[0].lines, 14);
+  const auto functions = house::function_lengths(tree.read());
+  ASSERT_EQ(functions.size(), 2u);
+  EXPECT_EQ(functions[0].lines, 5);
+  EXPECT_EQ(functions[0].where, "src/core/a.cpp:3 int f() {");
+  EXPECT_EQ(functions[1].lines, 3);
+  EXPECT_EQ(functions[1].where, "src/core/a.cpp:9 void g(int a,");
+}
+
+}  // namespace

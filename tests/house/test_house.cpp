@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The rules of the house, held against this source tree. test_check.cpp shows that each rule notices what breaks it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "house/check.h"
+#include "house/measure.h"
+
+namespace {
+
+constexpr int longest_file = 500;     // lines
+constexpr int longest_shader = 200;   // lines; a shader is one step
+constexpr int longest_function = 80;  // lines
+
+const std::vector<house::SourceFile>& tree() {
+  static const auto files = house::read_tree(DERMIS_SOURCE_DIR);
+  return files;
+}
+
+const std::vector<house::Dependencies>& dependencies() {
+  static const auto all = [] {
+    std::ifstream in(DERMIS_HOUSE_FILE);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    return house::read_dependencies(text, house::rooms_of(tree()));
+  }();
+  return all;
+}
+
+void expect_none(const house::Violations& violations) {
+  for (const std::string& violation : violations) ADD_FAILURE() << violation;
+}
+
+TEST(House, IncludesGoAlongTheDependencies) {
+  ASSERT_FALSE(dependencies().empty()) << DERMIS_HOUSE_FILE << " is written when CMake configures";
+  const house::Rules rules = house::close_over(dependencies());
+  expect_none(house::check_includes(tree(), rules));
+  expect_none(house::check_rules(rules));
+}
+
+/// The table of ARCHITECTURE.md is what the CMake files say. With DERMIS_UPDATE=1 in the environment it is written anew.
+TEST(House, ArchitectureShowsTheDependencies) {
+  const std::string path = std::string(DERMIS_SOURCE_DIR) + "/ARCHITECTURE.md";
+  const std::string begin = "<!-- dependencies: written by DERMIS_UPDATE=1 build/release/tests/house/test_house -->\n";
+  std::ifstream in(path);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t from = text.find(begin);
+  ASSERT_NE(from, std::string::npos) << path << " has lost its line " << begin;
+  const std::size_t to = text.find("<!-- end -->", from);
+  ASSERT_NE(to, std::string::npos);
+  const std::string table = house::dependency_table(dependencies());
+  if (std::getenv("DERMIS_UPDATE") != nullptr) {
+    text.replace(from + begin.size(), to - from - begin.size(), table);
+    std::ofstream(path) << text;
+    return;
+  }
+  EXPECT_EQ(text.substr(from + begin.size(), to - from - begin.size()), table);
+}
+
+TEST(House, GpuAndFrameKnowNothingOfSkin) { expect_none(house::check_words(tree())); }
+
+TEST(House, EveryFileNamesItsLicence) { expect_none(house::check_licence(tree())); }
+
+TEST(House, NoPathOfAMachine) { expect_none(house::check_machine_paths(tree())); }
+
+TEST(House, FilesAndFunctionsAreShort) {
+  const auto files = house::file_lengths(tree());
+  const auto functions = house::function_lengths(tree());
+  std::fputs(house::table("longest files (lines)", files, 10).c_str(), stdout);
+  std::fputs(house::table("longest functions (lines)", functions, 10).c_str(), stdout);
+  ASSERT_FALSE(files.empty());
+  ASSERT_FALSE(functions.empty());
+  for (const house::Length& file : files) {
+    const int limit = house::is_shader(file.where) ? longest_shader : longest_file;
+    EXPECT_LE(file.lines, limit) << file.where;
+  }
+  for (const house::Length& function : functions) EXPECT_LE(function.lines, longest_function) << function.where;
+}
+
+}  // namespace
