@@ -70,11 +70,11 @@ Bytes::Shared Bytes::file_bytes(const std::filesystem::path& path) {
 }
 
 std::span<const std::byte> Bytes::buffer_bytes(const Buffer& buffer, std::size_t number, const Container& container) {
-  if (buffer.fallback) return {};
+  if (!buffer.uri && !buffer.is_chunk) return {};
   const std::string where = fmt::format("{}: buffers[{}]", document_.file, number);
   std::span<const std::byte> bytes;
   if (!buffer.uri) {
-    bytes = *container.binary;  // read_buffers has seen that it is there
+    bytes = *container.binary;
     if (bytes.size() > buffer.byte_length + glb_padding_bytes)
       throw input_error(where, "byteLength is {}, the binary chunk has {} bytes", buffer.byte_length, bytes.size());
   } else if (auto data = data_uri(*buffer.uri, where)) {
@@ -88,13 +88,19 @@ std::span<const std::byte> Bytes::buffer_bytes(const Buffer& buffer, std::size_t
   return bytes.first(buffer.byte_length);
 }
 
+std::span<const std::byte> Bytes::part(int buffer, std::uint64_t offset, std::uint64_t length) const {
+  // Ranges were checked against byteLength, which bytes have unless there are none at all.
+  if (buffers_[buffer].empty()) throw input_error(document_.file, "buffers[{}]: is used, but has neither a uri nor a binary chunk", buffer);
+  return buffers_[buffer].subspan(offset, length);
+}
+
 std::span<const std::byte> Bytes::view(int index) {
   const BufferView& view = document_.views[index];
-  if (!view.meshopt) return buffers_[view.buffer].subspan(view.offset, view.length);
+  if (!view.meshopt) return part(view.buffer, view.offset, view.length);
   const auto [entry, is_new] = decompressed_.try_emplace(index);
   if (is_new) {
     const MeshoptView& meshopt = *view.meshopt;
-    entry->second = decode_meshopt(meshopt, buffers_[meshopt.buffer].subspan(meshopt.offset, meshopt.length),
+    entry->second = decode_meshopt(meshopt, part(meshopt.buffer, meshopt.offset, meshopt.length),
                                    fmt::format("{}: bufferViews[{}]", document_.file, index));
   }
   return entry->second;

@@ -28,6 +28,7 @@ class Bytes {
  private:
   using Shared = std::shared_ptr<const std::vector<std::byte>>;
   std::span<const std::byte> buffer_bytes(const Buffer& buffer, std::size_t number, const Container& container);
+  std::span<const std::byte> part(int buffer, std::uint64_t offset, std::uint64_t length) const;
   Shared file_bytes(const std::filesystem::path& path);
   template <class T>
   std::vector<T> elements(int accessor);

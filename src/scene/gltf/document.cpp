@@ -39,6 +39,21 @@ std::vector<std::string> names_in(const Value& root, const char* key) {
   return names;
 }
 
+/// What all objects of all collections have in common: `name` is a string, `extensions` holds objects.
+void check_common(const Value& object) {
+  if (const auto name = object.find("name")) name->text();
+  const auto extensions = object.find("extensions");
+  if (!extensions) return;
+  for (const std::string& key : extensions->keys()) extensions->at(key.c_str()).object();
+}
+
+void check_collections(const Value& root) {
+  check_common(root);
+  for (const char* collection : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images", "materials", "meshes", "nodes", "samplers",
+                                 "scenes", "skins", "textures"})
+    root.for_each(collection, check_common);
+}
+
 }  // namespace
 
 void read_header(Document& document, const Value& root) {
@@ -71,6 +86,7 @@ Document read_document(const Value& root, const Container& container, const std:
   document.file = path.string();
   document.folder = path.parent_path();
   read_header(document, root);
+  check_collections(root);
   read_buffers(document, root, container.binary.has_value());
   read_accessors(document, root);
   read_textures(document, root);

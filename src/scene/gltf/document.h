@@ -28,6 +28,7 @@ struct Container {
 struct Buffer {
   std::uint64_t byte_length = 0;
   std::optional<std::string> uri;
+  bool is_chunk = false;  ///< the binary chunk of the .glb
   bool fallback = false;  ///< EXT_meshopt_compression: has no bytes, its views are compressed elsewhere
 };
 

@@ -12,6 +12,7 @@ namespace dermis::scene::gltf {
 namespace {
 
 constexpr double largest_position_m = 1e6;  // far beyond any head; keeps squares and sums of float positions finite
+constexpr float largest_uv = 1e5f;            // more repeats of a map than any picture shows
 constexpr std::uint64_t morph_passes = 2;   // limit on work: vertices times active morph targets, per vertex limit
 
 /// The local mesh with the node's morph targets applied (glTF 2.0, 3.7.2.2).
@@ -31,12 +32,12 @@ void apply_morphs(Bytes& bytes, const MeshPrimitive& primitive, const std::vecto
   }
 }
 
-bool usable_tangents(const LocalMesh& mesh) {
+/// Whether the file's tangents can be used as placed: next to normals, with a direction, with a handedness.
+bool usable_tangents(const LocalMesh& mesh, const std::vector<Vertex>& placed) {
   if (mesh.tangents.empty() || mesh.normals.empty()) return false;
-  for (std::size_t i = 0; i < mesh.vertices; ++i) {
-    const float* t = &mesh.tangents[i * 4];
-    const float length = std::hypot(t[0], t[1], t[2]);
-    if (!(length > 0.5f && length < 2) || !(std::abs(std::abs(t[3]) - 1) < 0.01f)) return false;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const bool has_sign = std::abs(std::abs(mesh.tangents[i * 4 + 3]) - 1) < 0.01f;
+    if (!has_sign || placed[i].normal == glm::vec3(0) || glm::vec3(placed[i].tangent) == glm::vec3(0)) return false;
   }
   return true;
 }
@@ -62,15 +63,18 @@ Vertex place_vertex(const LocalMesh& mesh, std::size_t i, const Frame& frame) {
   }
   if (!mesh.uvs[0].empty()) v.uv0 = {mesh.uvs[0][i * 2], mesh.uvs[0][i * 2 + 1]};
   if (!mesh.uvs[1].empty()) v.uv1 = {mesh.uvs[1][i * 2], mesh.uvs[1][i * 2 + 1]};
-  if (!mesh.colours.empty()) v.colour = {mesh.colours[i * 4], mesh.colours[i * 4 + 1], mesh.colours[i * 4 + 2], mesh.colours[i * 4 + 3]};
+  for (int c = 0; c < 4 && !mesh.colours.empty(); ++c) v.colour[c] = std::clamp(mesh.colours[i * 4 + c], 0.0f, 1.0f);
   return v;
 }
 
-void check_position(const Document& document, const MeshPrimitive& primitive, const Vertex& v, std::size_t i) {
+void check_vertex(const Document& document, const MeshPrimitive& primitive, const Vertex& v, std::size_t i) {
   const glm::vec3 p = glm::abs(v.position_m);
   if (!(p.x <= largest_position_m && p.y <= largest_position_m && p.z <= largest_position_m))
     throw input_error(document.file, "{}: vertex {} lies at ({}, {}, {}) m, more than {} m from the origin", primitive.place, i,
                       v.position_m.x, v.position_m.y, v.position_m.z, largest_position_m);
+  for (const glm::vec2& uv : {v.uv0, v.uv1})
+    if (std::abs(uv.x) > largest_uv || std::abs(uv.y) > largest_uv)
+      throw input_error(document.file, "{}: texture coordinates ({}, {}) of vertex {} are out of range", primitive.place, uv.x, uv.y, i);
 }
 
 Primitive place(const Document& document, const MeshPrimitive& source, const LocalMesh& mesh, const Frames& frames, int node) {
@@ -86,7 +90,7 @@ Primitive place(const Document& document, const MeshPrimitive& source, const Loc
     const Frame frame = frames.at(mesh, i);
     mirrored += frame.mirrored ? 1 : 0;
     out.vertices[i] = place_vertex(mesh, i, frame);
-    check_position(document, source, out.vertices[i], i);
+    check_vertex(document, source, out.vertices[i], i);
   }
   out.indices = mesh.indices;
   if (mirrored * 2 > mesh.vertices)  // a mirrored mesh is turned inside out: wind it back
@@ -171,8 +175,8 @@ Placed place_meshes(const Document& document, Bytes& bytes, const LoadOptions& o
       if (local.indices.empty()) continue;
       apply_morphs(bytes, primitive, node.weights.empty() ? mesh.weights : node.weights, local);
       frames.check_joints(local, primitive);
-      placed.file_tangents.push_back(usable_tangents(local));
       placed.primitives.push_back(place(document, primitive, local, frames, n));
+      placed.file_tangents.push_back(usable_tangents(local, placed.primitives.back().vertices));
     }
   }
   if (placed.primitives.empty()) throw input_error(document.file, "there are no triangles to draw");

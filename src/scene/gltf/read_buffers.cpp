@@ -203,8 +203,8 @@ void read_buffers(Document& document, const Value& root, bool has_binary) {
     if (const std::optional<Value> uri = value.find("uri")) buffer.uri = uri->text();
     const std::optional<Value> meshopt = value.extension("EXT_meshopt_compression");
     buffer.fallback = meshopt && meshopt->boolean_or("fallback", false) && !buffer.uri;
-    const bool is_chunk = document.buffers.empty() && has_binary;
-    if (!buffer.uri && !buffer.fallback && !is_chunk) value.fail("has neither a uri nor a binary chunk");
+    // A buffer without bytes is legal as long as nothing is read from it.
+    buffer.is_chunk = document.buffers.empty() && has_binary && !buffer.uri && !buffer.fallback;
     document.buffers.push_back(std::move(buffer));
   });
   root.for_each("bufferViews", [&](const Value& value) { document.views.push_back(read_view(document, value)); });
