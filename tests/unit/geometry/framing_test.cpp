@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "scene/framing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "dermis/error.h"
+#include "scan.h"
+#include "scene/primitives.h"
+
+namespace dermis::scene {
+namespace {
+
+constexpr double degrees = 3.14159265358979323846 / 180;
+const BoundingSphere head{{0.1f, 0.2f, -0.3f}, 0.15f};
+
+glm::dvec3 eye_of(const Camera& c) { return glm::dvec3(c.world_from_camera[3]); }
+
+TEST(BoundingSphere, KnownSets) {
+  EXPECT_EQ(bounding_sphere({}).radius_m, 0);
+  const std::vector<glm::vec3> one{{1, 2, 3}};
+  EXPECT_EQ(bounding_sphere(one).centre_m, glm::vec3(1, 2, 3));
+  const std::vector<glm::vec3> triangle{{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}};  // box centre (0, 1, 0)
+  EXPECT_EQ(bounding_sphere(triangle).centre_m, glm::vec3(0, 1, 0));
+  EXPECT_NEAR(bounding_sphere(triangle).radius_m, std::sqrt(2.0), 1e-5);
+}
+
+TEST(BoundingSphere, HoldsAllAndTouchesOne) {
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal;
+  std::vector<glm::vec3> points;
+  for (int i = 0; i < 500; ++i) points.emplace_back(normal(random), 2 * normal(random), 0.5f * normal(random));
+  const BoundingSphere sphere = bounding_sphere(points);
+  double farthest = 0;
+  for (const glm::vec3& p : points) farthest = std::max(farthest, glm::distance(glm::dvec3(p), glm::dvec3(sphere.centre_m)));
+  EXPECT_LE(farthest, sphere.radius_m);
+  EXPECT_NEAR(farthest / sphere.radius_m, 1, 1e-5);
+}
+
+TEST(BoundingSphere, Scan) {
+  DERMIS_NEED_SCAN(scan);
+  EXPECT_NEAR(skin_sphere(*scan).radius_m, 0.293, 0.0005);
+}
+
+TEST(SkinSphere, LooksOnlyAtSkinIfThereIsAny) {
+  Scene scene = sphere(0.1, 8);
+  Primitive far_away = scene.primitives[0];
+  for (Vertex& v : far_away.vertices) v.position_m += glm::vec3(5, 0, 0);
+  far_away.material = 1;
+  scene.materials.push_back(test::material("cloth", false));
+  scene.primitives.push_back(far_away);
+  EXPECT_NEAR(skin_sphere(scene).radius_m, 0.1, 1e-5);
+  scene.materials[0].skin = false;
+  EXPECT_NEAR(skin_sphere(scene).radius_m, 2.6, 1e-4);
+}
+
+TEST(Framing, OutlineFillsTheSmallerSide) {
+  for (const double aspect : {0.5, 1.0, 16.0 / 9})
+    for (const double azimuth : {0.0, 40.0, -135.0}) {
+      const Camera camera = framing_camera(head, aspect, azimuth, 15, 20);
+      const glm::dvec3 to = eye_of(camera) - glm::dvec3(head.centre_m);
+      const double tangent = std::tan(std::asin(head.radius_m / glm::length(to)));  // of the outline's half angle
+      EXPECT_NEAR(tangent / (std::tan(10 * degrees) * std::min(1.0, aspect)), 0.95, 1e-5);
+      EXPECT_NEAR(std::atan2(to.x, to.z) / degrees, azimuth, 1e-3);
+      EXPECT_NEAR(std::asin(to.y / glm::length(to)) / degrees, 15, 1e-3);
+      // The centre projects to the middle of the picture.
+      const glm::dvec4 seen = glm::inverse(glm::dmat4(camera.world_from_camera)) * glm::dvec4(glm::dvec3(head.centre_m), 1);
+      EXPECT_NEAR(seen.x, 0, 1e-6);
+      EXPECT_NEAR(seen.y, 0, 1e-6);
+      EXPECT_LT(seen.z, 0);
+      EXPECT_LT(camera.znear_m, glm::length(to) - head.radius_m);
+    }
+}
+
+TEST(Framing, StaysRigidStraightAbove) {
+  for (const double elevation : {0.0, 90.0, -90.0}) {
+    const glm::dmat3 r(framing_camera(head, 1, 30, elevation).world_from_camera);
+    EXPECT_NEAR(glm::determinant(r), 1, 1e-6);
+    const glm::dmat3 product = glm::transpose(r) * r;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) EXPECT_NEAR(product[i][j], i == j, 1e-6);
+  }
+  EXPECT_NEAR(framing_camera(head, 1, 0, 0).world_from_camera[1].y, 1, 1e-6) << "up is +Y from the front";
+}
+
+TEST(Framing, RefusesNonsense) {
+  EXPECT_THROW(framing_camera({{}, 0}, 1), InputError);
+  EXPECT_THROW(framing_camera(head, 0), InputError);
+  EXPECT_THROW(framing_camera(head, 1, 0, 0, 180), InputError);
+  EXPECT_THROW(distance_camera(head, 0), InputError);
+  EXPECT_THROW(distance_camera(head, std::nan("")), InputError);
+  EXPECT_THROW(head_row_offsets(0, 1), InputError);
+  EXPECT_THROW(light_rig(head, -1), InputError);
+}
+
+TEST(PaperTest, DistanceInRadiiAndRowOfHeads) {
+  const Camera camera = distance_camera(head, 4.5);
+  const glm::dvec3 expected = glm::dvec3(head.centre_m) + glm::dvec3(0, 0, 4.5 * head.radius_m);
+  EXPECT_LT(glm::distance(eye_of(camera), expected), 1e-6);
+  EXPECT_NEAR(camera.fov_y_rad / degrees, 20, 1e-4);
+  for (const int heads : {1, 2, 3, 4, 5}) {
+    const std::vector<glm::vec3> offsets = head_row_offsets(heads, 0.15);
+    ASSERT_EQ(offsets.size(), static_cast<std::size_t>(heads));
+    EXPECT_EQ(offsets[static_cast<std::size_t>(heads / 2)], glm::vec3(0));
+    for (std::size_t i = 1; i < offsets.size(); ++i) EXPECT_NEAR(offsets[i].x - offsets[i - 1].x, 0.24, 1e-6);
+  }
+}
+
+TEST(LightRig, DirectionsAndIrradianceAtTheCentre) {
+  struct Expected {
+    double azimuth, elevation;
+    glm::dvec3 irradiance;
+  };
+  const std::vector<Expected> table{
+      {45, 35, {3, 2.88, 2.7}}, {-60, 10, {0.68, 0.736, 0.8}}, {160, 25, {2, 2, 2}}, {195, 20, {1, 1, 1}}, {375, 20, {1, 1, 1}}};
+  const std::vector<Light> lights = light_rig(head, 5);
+  ASSERT_EQ(lights.size(), table.size());
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Light& light = lights[i];
+    EXPECT_EQ(light.type, LightType::spot);
+    const glm::dvec3 to = glm::dvec3(light.position_m) - glm::dvec3(head.centre_m);
+    EXPECT_NEAR(glm::length(to), 4 * head.radius_m, 1e-5);
+    EXPECT_LT(glm::distance(glm::normalize(to), head_direction(table[i].azimuth, table[i].elevation)), 1e-5) << i;
+    EXPECT_LT(glm::distance(glm::normalize(to), -glm::dvec3(light.direction)), 1e-5);
+    EXPECT_LT(glm::distance(glm::dvec3(light.colour) / glm::dot(to, to), table[i].irradiance), 1e-4) << i;
+    EXPECT_NEAR(light.inner_cone_rad, std::asin(0.25), 1e-5);
+    EXPECT_GT(light.outer_cone_rad, light.inner_cone_rad);
+  }
+  EXPECT_GT(lights[0].position_m.x, head.centre_m.x) << "the key stands at the head's left, +X";
+  EXPECT_TRUE(light_rig(head, 0).empty());
+  EXPECT_EQ(light_rig(head, 2).size(), 2u);
+}
+
+TEST(LightRig, ConesHoldTheWholeRow) {
+  const std::vector<glm::vec3> offsets = head_row_offsets(5, head.radius_m);
+  for (const Light& light : light_rig(head, 4, offsets)) {
+    for (const glm::vec3& offset : offsets) {
+      const glm::dvec3 to = glm::dvec3(head.centre_m) + glm::dvec3(offset) - glm::dvec3(light.position_m);
+      const double half = std::acos(std::min(1.0, glm::dot(glm::normalize(to), glm::dvec3(light.direction)))) +
+                          std::asin(std::min(1.0, head.radius_m / glm::length(to)));
+      EXPECT_LE(std::min(half, 83 * degrees), light.inner_cone_rad + 1e-4) << light.name;
+    }
+    EXPECT_LT(light.outer_cone_rad, 1.5708f);
+  }
+}
+
+}  // namespace
+}  // namespace dermis::scene
