@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The bytes behind a document: buffers from chunk, data uris and files, bufferViews (meshopt undone), accessors as floats or integers.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "scene/gltf/document.h"
+
+namespace dermis::scene::gltf {
+
+class Bytes {
+ public:
+  /// Reads every buffer. InputError: a file is missing or shorter than its byteLength says, 4 GiB in all. Both arguments must outlive this.
+  Bytes(const Document& document, const Container& container);
+
+  /// The bytes of a bufferView, decompressed if need be; valid as long as this.
+  std::span<const std::byte> view(int index);
+  /// All elements of an accessor, `components()` numbers each, normalised integers as glTF says, sparse values in place. Finite or not.
+  std::vector<float> floats(int accessor);
+  /// The same for an accessor of unsigned integers with one component.
+  std::vector<std::uint32_t> integers(int accessor);
+  /// The encoded bytes of an image, from its bufferView, data uri or file.
+  std::vector<std::byte> image(int index);
+
+ private:
+  using Shared = std::shared_ptr<const std::vector<std::byte>>;
+  std::span<const std::byte> buffer_bytes(const Buffer& buffer, std::size_t number, const Container& container);
+  std::span<const std::byte> part(int buffer, std::uint64_t offset, std::uint64_t length) const;
+  Shared file_bytes(const std::filesystem::path& path);
+  template <class T>
+  std::vector<T> elements(int accessor);
+
+  const Document& document_;
+  std::vector<std::span<const std::byte>> buffers_;
+  std::vector<Shared> embedded_;
+  std::map<std::filesystem::path, Shared> files_;        ///< many buffers may share one file
+  std::map<int, std::vector<std::byte>> decompressed_;   ///< by bufferView
+  std::uint64_t budget_bytes_ = std::uint64_t{4} << 30;  ///< what may still be read
+};
+
+/// Undoes EXT_meshopt_compression. InputError (where): damaged, or a size that the compressed bytes cannot hold.
+std::vector<std::byte> decode_meshopt(const MeshoptView& view, std::span<const std::byte> compressed, const std::string& where);
+
+}  // namespace dermis::scene::gltf

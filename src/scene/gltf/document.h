@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// A glTF file after reading: plain structs whose references are resolved and in range (-1 = none). No vertex data has been touched yet.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/gltf/value.h"
+#include "scene/scene.h"
+
+namespace dermis::scene::gltf {
+
+/// The file's bytes taken apart: the JSON text and, of a .glb, its binary chunk. Both point into `bytes`.
+struct Container {
+  std::vector<std::byte> bytes;
+  std::string_view json;
+  std::optional<std::span<const std::byte>> binary;
+};
+
+struct Buffer {
+  std::uint64_t byte_length = 0;
+  std::optional<std::string> uri;
+  bool is_chunk = false;  ///< the binary chunk of the .glb
+  bool fallback = false;  ///< EXT_meshopt_compression: has no bytes, its views are compressed elsewhere
+};
+
+enum class MeshoptMode : std::uint8_t { attributes, triangles, indices };
+enum class MeshoptFilter : std::uint8_t { none, octahedral, quaternion, exponential };
+struct MeshoptView {
+  int buffer = 0;
+  std::uint64_t offset = 0, length = 0;
+  std::uint64_t stride = 0, count = 0;
+  MeshoptMode mode = MeshoptMode::attributes;
+  MeshoptFilter filter = MeshoptFilter::none;
+};
+struct BufferView {
+  int buffer = 0;
+  std::uint64_t offset = 0, length = 0;
+  std::uint64_t stride = 0;  ///< bytes, 0 = packed
+  std::optional<MeshoptView> meshopt;
+};
+
+enum class Component : std::uint16_t { int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125, float32 = 5126 };
+std::uint64_t size_of(Component component);  ///< bytes
+const char* name_of(Component component);
+
+struct Sparse {
+  std::uint64_t count = 0;
+  int indices_view = 0, values_view = 0;
+  std::uint64_t indices_offset = 0, values_offset = 0;
+  Component indices_component = Component::uint32;
+};
+struct Accessor {
+  int view = -1;  ///< -1: zeros (or Draco)
+  std::uint64_t offset = 0, count = 0;
+  Component component = Component::float32;
+  bool normalized = false;
+  int columns = 1, rows = 1;  ///< VEC3: 1 x 3, MAT4: 4 x 4
+  std::optional<Sparse> sparse;
+  std::string place;  ///< for messages
+  int components() const { return columns * rows; }
+};
+
+struct ImageSource {
+  std::string name;  ///< for messages
+  std::optional<std::string> uri;
+  int view = -1;
+};
+struct Texture {
+  int image = -1;  ///< -1: only an extension that is not read has one
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  bool nearest = false;
+};
+
+std::uint64_t column_bytes(const Accessor& accessor);                          ///< from one column to the next
+std::uint64_t element_bytes(const Accessor& accessor);                         ///< of one element, without padding at its end
+std::uint64_t stride_bytes(const Accessor& accessor, const BufferView& view);  ///< from one element to the next
+
+using Attributes = std::map<std::string, int>;  ///< semantic -> accessor
+struct DracoData {
+  int view = 0;
+  std::map<std::string, std::uint32_t> attributes;  ///< semantic -> id in the compressed data
+};
+struct MeshPrimitive {
+  int mode = 4;
+  int material = -1;
+  int indices = -1;
+  Attributes attributes;
+  std::vector<Attributes> targets;
+  std::optional<DracoData> draco;
+  std::string place;
+};
+struct Mesh {
+  std::string name;
+  std::vector<MeshPrimitive> primitives;
+  std::vector<double> weights;
+};
+
+struct Node {
+  std::string name;
+  glm::dmat4 local{1};
+  int mesh = -1, skin = -1, camera = -1, light = -1;
+  int parent = -1;
+  std::vector<int> children;
+  std::vector<double> weights;
+  std::string place;
+};
+struct Skin {
+  int inverse_bind = -1;  ///< accessor
+  std::vector<int> joints;
+};
+
+/// A material as read; the map's `image` is still an index into Document::images.
+struct MaterialSource {
+  Material material;
+  std::optional<bool> says_skin;  ///< extras.dermis: its `skin`, or true if it does not say
+  bool has_ior = false;
+};
+
+struct Document {
+  std::string file;              ///< for messages
+  std::filesystem::path folder;  ///< external files are relative to it
+  bool quantized = false;        ///< KHR_mesh_quantization is used
+  std::vector<Buffer> buffers;
+  std::vector<BufferView> views;
+  std::vector<Accessor> accessors;
+  std::vector<ImageSource> images;
+  std::vector<Texture> textures;
+  std::vector<MaterialSource> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Node> nodes;
+  std::vector<Skin> skins;
+  std::vector<Camera> cameras;               ///< without a place in the world
+  std::vector<std::optional<Light>> lights;  ///< likewise; none: of a type we do not know
+  std::vector<int> roots;                    ///< of the scene that is shown
+};
+
+/// Splits a .glb or .gltf. InputError: chunk framing, empty parts.
+Container open_container(const std::filesystem::path& path);
+
+/// Reads and checks the whole JSON. InputError: version, required extensions, types, ranges, references, loops.
+Document read_document(const Value& root, const Container& container, const std::filesystem::path& path);
+
+// The parts of read_document, one file each.
+void read_header(Document& document, const Value& root);
+void read_buffers(Document& document, const Value& root, bool has_binary);
+void read_accessors(Document& document, const Value& root);
+void read_textures(Document& document, const Value& root);
+void read_materials(Document& document, const Value& root);
+void read_meshes(Document& document, const Value& root);
+void read_nodes(Document& document, const Value& root);
+void read_cameras(Document& document, const Value& root);
+void read_lights(Document& document, const Value& root);
+void check_animations(const Document& document, const Value& root);
+
+/// A textureInfo object (index, texCoord, KHR_texture_transform, and `scale_key` if not null) as a map.
+MapRef read_texture_info(const Document& document, const Value& info, const char* scale_key = nullptr);
+/// The map of a texture with given coordinates' set and transform.
+MapRef map_of_texture(const Document& document, int texture, const Value& where);
+/// extras.dermis of a material. `shared` gives coordinates to maps that are named by number only.
+void read_dermis_extras(const Document& document, const Value& extras, const MapRef& shared, MaterialSource& into);
+
+}  // namespace dermis::scene::gltf

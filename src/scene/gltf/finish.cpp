@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf/finish.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "core/log.h"
+#include "core/parallel.h"
+#include "image/codec.h"
+
+namespace dermis::scene::gltf {
+
+namespace {
+
+constexpr float skin_ior = 1.4f;  // DESIGN: F0 of skin
+
+bool says_skin(const std::string& name) {
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower.find("skin") != std::string::npos;
+}
+
+std::string quoted_names(const std::vector<MaterialSource>& materials) {
+  std::vector<std::string> names;
+  for (const MaterialSource& m : materials) names.push_back("'" + m.material.name + "'");
+  if (names.size() > 20) names.resize(20);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Every map of a material, so that no list of them has to be kept twice.
+template <class Body>
+void for_each_map(Material& m, const Body& body) {
+  for (MapRef* map : {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.emissive_map, &m.specular_map,
+                      &m.specular_colour_map})
+    if (map->present()) body(*map);
+  for (MapRef* map : {&m.skin_settings.specular, &m.skin_settings.roughness, &m.skin_settings.displacement})
+    if (map->present()) body(*map);
+}
+
+/// The rotation of a node without its scale, looking along -Z.
+glm::dmat3 rotation_of(const glm::dmat4& world) {
+  const glm::dvec3 z(world[2]), y(world[1]);
+  const glm::dvec3 back = glm::length(z) > 0 ? glm::normalize(z) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 side = glm::cross(y, back);
+  const glm::dvec3 any = std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 right = glm::normalize(glm::length(side) > 1e-9 * glm::length(y) ? side : glm::cross(any, back));
+  return {right, glm::cross(back, right), back};
+}
+
+Camera place_camera(Camera camera, const Node& node, const glm::dmat4& world, double unit_scale) {
+  if (camera.name.empty()) camera.name = node.name;
+  camera.world_from_camera = glm::mat4(glm::dmat4(rotation_of(world)));
+  camera.world_from_camera[3] = glm::vec4(glm::vec3(world[3]), 1);
+  const auto scale = static_cast<float>(unit_scale);
+  camera.znear_m *= scale;
+  camera.ymag_m *= scale;
+  if (camera.zfar_m) *camera.zfar_m *= scale;
+  return camera;
+}
+
+Light place_light(Light light, const Node& node, const glm::dmat4& world, double unit_scale) {
+  if (light.name.empty()) light.name = node.name;
+  const auto scale = static_cast<float>(unit_scale);
+  light.position_m = glm::vec3(world[3]);
+  light.direction = glm::vec3(-rotation_of(world)[2]);
+  light.range_m *= scale;
+  // The distance in colour / d^2 is scaled, so the intensity is too: a change of units must not change how bright the head is.
+  if (light.type != LightType::directional) light.colour *= scale * scale;
+  return light;
+}
+
+}  // namespace
+
+std::vector<MaterialSource> used_materials(const Document& document, std::vector<Primitive>& primitives) {
+  std::map<int, int> number;
+  for (const Primitive& p : primitives) number[p.material] = 0;
+  std::vector<MaterialSource> used;
+  for (auto& [source, target] : number) {
+    if (source < 0) continue;  // the default material goes last, so that the file's keep their order
+    target = static_cast<int>(used.size());
+    used.push_back(document.materials[source]);
+  }
+  if (number.contains(-1)) {
+    number[-1] = static_cast<int>(used.size());
+    used.emplace_back().material.name = "default";
+  }
+  for (Primitive& p : primitives) p.material = number[p.material];
+  return used;
+}
+
+void choose_skin(const Document& document, const std::string& skin_material, std::vector<MaterialSource>& materials) {
+  bool any = false;
+  const auto choose = [&](const auto& is_skin) {
+    for (MaterialSource& m : materials) {
+      m.material.skin = is_skin(m);
+      any |= m.material.skin;
+    }
+  };
+  // A material that says "skin": false stays what it is under every rule but --skin.
+  const auto may_be = [](const MaterialSource& m) { return m.says_skin.value_or(true); };
+  if (!skin_material.empty()) {
+    choose([&](const MaterialSource& m) { return m.material.name == skin_material; });
+    if (!any) throw input_error(document.file, "no material is called '{}'; there are: {}", skin_material, quoted_names(materials));
+  }
+  if (!any) choose([](const MaterialSource& m) { return m.says_skin.value_or(false); });
+  if (!any) choose([&](const MaterialSource& m) { return may_be(m) && says_skin(m.material.name); });
+  if (!any && materials.size() == 1) choose(may_be);
+  if (!any) warn("{}: no material is skin; name one with --skin: {}", document.file, quoted_names(materials));
+  for (MaterialSource& m : materials) {
+    if (m.material.skin && !m.has_ior) m.material.ior = skin_ior;
+    if (!m.material.skin) m.material.skin_settings = {};
+  }
+}
+
+void decode_images(const Document& document, Bytes& bytes, int max_map_side, Scene& scene) {
+  std::set<int> used;
+  for (Material& m : scene.materials) for_each_map(m, [&](const MapRef& map) { used.insert(map.image); });
+  const std::vector<int> sources(used.begin(), used.end());
+  std::vector<std::vector<std::byte>> encoded;  // files are read one by one, pictures decoded side by side
+  for (const int source : sources) encoded.push_back(bytes.image(source));
+  scene.images.resize(sources.size());
+  parallel_for(sources.size(), [&](std::size_t i) {
+    const std::string& name = document.images[sources[i]].name;
+    image::DecodeLimits limits;
+    limits.max_side = max_map_side;
+    const std::string where = fmt::format("{}: image '{}'", document.file, name.substr(0, 120));
+    auto pixels = std::make_shared<const image::Image8>(image::decode_image8(encoded[i], where, limits));
+    encoded[i] = {};
+    scene.images[i] = {name, std::move(pixels)};
+  });
+  for (Material& m : scene.materials)
+    for_each_map(m, [&](MapRef& map) {
+      map.image = static_cast<int>(std::lower_bound(sources.begin(), sources.end(), map.image) - sources.begin());
+    });
+}
+
+void place_lights_and_cameras(const Document& document, double unit_scale, Scene& scene) {
+  const std::vector<glm::dmat4> world = world_matrices(document, unit_scale);
+  for (const int n : shown_nodes(document)) {
+    const Node& node = document.nodes[n];
+    if (node.camera >= 0) scene.cameras.push_back(place_camera(document.cameras[node.camera], node, world[n], unit_scale));
+    if (node.light >= 0 && document.lights[node.light])
+      scene.lights.push_back(place_light(*document.lights[node.light], node, world[n], unit_scale));
+  }
+}
+
+}  // namespace dermis::scene::gltf

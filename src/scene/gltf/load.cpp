@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "scene/load.h"
+
+#include <cmath>
+#include <new>
+
+#include "core/log.h"
+#include "scene/gltf/finish.h"
+#include "scene/tangents.h"
+
+namespace dermis::scene {
+
+namespace {
+
+using namespace gltf;
+
+constexpr float least_height_m = 0.10f, most_height_m = 0.60f;
+
+/// Texture coordinates that some map of the material wants and the primitive lacks: drawn as if they were all (0, 0).
+void warn_of_missing_uv(const Document& document, const Primitive& primitive, const Material& material) {
+  if (primitive.has_uv || (!material.skin && !material.base_colour_map.present() && !material.normal_map.present())) return;
+  warn("{}: '{}' has no texture coordinates{}", document.file, primitive.name,
+       material.skin ? ", which skin is rendered in" : ", its maps show one texel");
+}
+
+void complete_surface(const Document& document, Primitive& primitive, const Material& material, bool file_tangents) {
+  make_missing_normals(primitive);
+  warn_of_missing_uv(document, primitive, material);
+  const MapRef& normal = material.normal_map;
+  const bool plain = normal.transform == MapRef{}.transform;
+  if (file_tangents && plain) return;
+  // Fine normals of a displacement map use the tangents too; with both, the normal map rules.
+  const MapRef& map = normal.present() ? normal : material.skin_settings.displacement;
+  make_tangents(primitive, map.transform, map.uv_set);
+}
+
+void warn_of_size(const Scene& scene) {
+  float low = 0, high = 0;
+  bool any = false;
+  for (const Primitive& p : scene.primitives) {
+    if (!scene.materials[p.material].skin) continue;
+    for (const Vertex& v : p.vertices) {
+      low = any ? std::min(low, v.position_m.y) : v.position_m.y;
+      high = any ? std::max(high, v.position_m.y) : v.position_m.y;
+      any = true;
+    }
+  }
+  const float height = high - low;
+  if (any && (height < least_height_m || height > most_height_m))
+    warn("{}: the skin is {:.4g} m high, a head has 0.1 to 0.6 m; light spreads by mm, so give the right size with --unit-scale",
+         scene.name, height);
+}
+
+Scene load(const std::filesystem::path& path, const LoadOptions& options) {
+  const Container container = open_container(path);
+  const JsonText json(container.json, path.string());
+  const Document document = read_document(json.root(), container, path);
+  Bytes bytes(document, container);
+  Placed placed = place_meshes(document, bytes, options);
+  Scene scene;
+  scene.name = path.filename().string();
+  scene.primitives = std::move(placed.primitives);
+  std::vector<MaterialSource> materials = used_materials(document, scene.primitives);
+  choose_skin(document, options.skin_material, materials);
+  for (MaterialSource& m : materials) scene.materials.push_back(std::move(m.material));
+  for (std::size_t i = 0; i < scene.primitives.size(); ++i)
+    complete_surface(document, scene.primitives[i], scene.materials[scene.primitives[i].material], placed.file_tangents[i]);
+  place_lights_and_cameras(document, options.unit_scale, scene);
+  decode_images(document, bytes, options.max_map_side, scene);
+  warn_of_size(scene);
+  return scene;
+}
+
+}  // namespace
+
+Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
+  if (!(options.unit_scale > 0 && options.unit_scale <= 1e6))
+    throw input_error("--unit-scale", "must be over 0, got {}", options.unit_scale);
+  try {
+    return load(path, options);
+  } catch (const std::bad_alloc&) {
+    throw input_error(path.string(), "needs more memory than there is");
+  } catch (const std::length_error&) { throw input_error(path.string(), "needs more memory than there is"); }
+}
+
+}  // namespace dermis::scene

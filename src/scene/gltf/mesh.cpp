@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf/mesh.h"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace dermis::scene::gltf {
+
+namespace {
+
+constexpr int mode_triangles = 4, mode_strip = 5, mode_fan = 6;
+
+std::uint64_t claimed_corners(const Document& document, const MeshPrimitive& primitive) {
+  if (primitive.indices >= 0) return document.accessors[primitive.indices].count;
+  return claimed_vertices(document, primitive);
+}
+
+/// Strips and fans as single triangles, all wound alike (glTF 2.0, 3.7.2.1).
+std::vector<std::uint32_t> as_triangles(std::vector<std::uint32_t> corners, int mode) {
+  if (mode == mode_triangles) {
+    corners.resize(corners.size() / 3 * 3);
+    return corners;
+  }
+  std::vector<std::uint32_t> triangles;
+  for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+    if (mode == mode_fan)
+      triangles.insert(triangles.end(), {corners[i + 1], corners[i + 2], corners[0]});
+    else
+      triangles.insert(triangles.end(), {corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]});
+  }
+  return triangles;
+}
+
+void check_indices(const Document& document, const MeshPrimitive& primitive, const std::vector<std::uint32_t>& indices,
+                   std::size_t vertices) {
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (indices[i] >= vertices)
+      throw input_error(document.file, "{}: index {} is {}, there are {} vertices", primitive.place, i, indices[i], vertices);
+}
+
+void check_finite(const Document& document, const MeshPrimitive& primitive, const char* name, const std::vector<float>& values,
+                  int components) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isfinite(values[i]))
+      throw input_error(document.file, "{}: {} of vertex {} is not finite", primitive.place, name, i / components);
+}
+
+/// The vertices that some triangle uses, in their order; empty if all are. Indices are renumbered.
+std::vector<std::uint32_t> drop_unused(std::vector<std::uint32_t>& indices, std::size_t vertices) {
+  constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(vertices, unused);
+  for (const std::uint32_t i : indices) number[i] = 0;
+  std::vector<std::uint32_t> kept;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    if (number[i] == unused) continue;
+    number[i] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (kept.size() == vertices) return {};
+  for (std::uint32_t& i : indices) i = number[i];
+  return kept;
+}
+
+/// Where a primitive's attributes come from: Draco data for those it names, accessors for the rest.
+class Source {
+ public:
+  Source(const Document& document, Bytes& bytes, const MeshPrimitive& primitive)
+      : document_(document), bytes_(bytes), primitive_(primitive) {
+    if (primitive.draco) draco_ = decode_draco(document, bytes, primitive);
+  }
+  std::vector<std::uint32_t> corners() {
+    if (primitive_.draco) return std::move(draco_.indices);
+    if (primitive_.indices >= 0) return bytes_.integers(primitive_.indices);
+    std::vector<std::uint32_t> all(claimed_vertices(document_, primitive_));
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+  }
+  std::vector<float> attribute(const std::string& name, int components, const std::vector<std::uint32_t>& order) {
+    const auto found = primitive_.attributes.find(name);
+    if (found == primitive_.attributes.end()) return {};
+    const auto compressed = draco_.attributes.find(name);
+    if (compressed != draco_.attributes.end()) return gather(std::move(compressed->second), components, order);
+    return gather(bytes_.floats(found->second), components, order);
+  }
+  std::vector<float> finite(const std::string& name, int components, const std::vector<std::uint32_t>& order) {
+    std::vector<float> values = attribute(name, components, order);
+    check_finite(document_, primitive_, name.c_str(), values, components);
+    return values;
+  }
+
+ private:
+  const Document& document_;
+  Bytes& bytes_;
+  const MeshPrimitive& primitive_;
+  DracoMesh draco_;
+};
+
+/// COLOR_0 may come without alpha.
+std::vector<float> with_alpha(const std::vector<float>& rgb) {
+  std::vector<float> rgba;
+  rgba.reserve(rgb.size() / 3 * 4);
+  for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) rgba.insert(rgba.end(), {rgb[i], rgb[i + 1], rgb[i + 2], 1.0f});
+  return rgba;
+}
+
+}  // namespace
+
+std::uint64_t claimed_vertices(const Document& document, const MeshPrimitive& primitive) {
+  const auto position = primitive.attributes.find("POSITION");
+  return position == primitive.attributes.end() ? 0 : document.accessors[position->second].count;
+}
+
+std::uint64_t claimed_triangles(const Document& document, const MeshPrimitive& primitive) {
+  if (primitive.mode < mode_triangles || claimed_vertices(document, primitive) == 0) return 0;
+  const std::uint64_t corners = claimed_corners(document, primitive);
+  if (primitive.mode == mode_triangles) return corners / 3;
+  return corners < 3 ? 0 : corners - 2;
+}
+
+std::vector<float> gather(std::vector<float> values, int components, const std::vector<std::uint32_t>& order) {
+  if (order.empty()) return values;
+  std::vector<float> out(order.size() * components);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (int c = 0; c < components; ++c) out[i * components + c] = values[std::size_t{order[i]} * components + c];
+  return out;
+}
+
+LocalMesh read_mesh(const Document& document, Bytes& bytes, const MeshPrimitive& primitive) {
+  Source source(document, bytes, primitive);
+  LocalMesh mesh;
+  const std::size_t vertices = claimed_vertices(document, primitive);
+  mesh.indices = source.corners();
+  check_indices(document, primitive, mesh.indices, vertices);
+  // Draco data holds single triangles whatever the mode says.
+  mesh.indices = as_triangles(std::move(mesh.indices), primitive.draco ? mode_triangles : primitive.mode);
+  mesh.original = drop_unused(mesh.indices, vertices);
+  mesh.vertices = mesh.original.empty() && !mesh.indices.empty() ? vertices : mesh.original.size();
+  if (mesh.indices.empty()) return mesh;
+  const std::vector<std::uint32_t>& order = mesh.original;
+  mesh.positions = source.finite("POSITION", 3, order);
+  mesh.normals = source.attribute("NORMAL", 3, order);
+  mesh.tangents = source.attribute("TANGENT", 4, order);
+  for (int set = 0; set < 2; ++set) {
+    mesh.uvs[set] = source.finite(fmt::format("TEXCOORD_{}", set), 2, order);
+    mesh.joints[set] = source.finite(fmt::format("JOINTS_{}", set), 4, order);
+    mesh.weights[set] = source.finite(fmt::format("WEIGHTS_{}", set), 4, order);
+  }
+  if (const auto colour = primitive.attributes.find("COLOR_0"); colour != primitive.attributes.end()) {
+    const int components = document.accessors[colour->second].rows;
+    mesh.colours = source.finite("COLOR_0", components, order);
+    if (components == 3) mesh.colours = with_alpha(mesh.colours);
+  }
+  return mesh;
+}
+
+}  // namespace dermis::scene::gltf

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// One primitive of a mesh in its own coordinates: triangles and attributes as float arrays, before nodes, skins and morph targets.
+#pragma once
+
+#include "scene/gltf/bytes.h"
+
+namespace dermis::scene::gltf {
+
+/// Arrays hold `vertices` times their number of components; an absent attribute is empty. Every index is below `vertices`, every vertex is
+/// used, and all numbers but normals and tangents are finite.
+struct LocalMesh {
+  std::size_t vertices = 0;
+  std::vector<std::uint32_t> indices;                 ///< triangles
+  std::vector<std::uint32_t> original;                ///< which element of the accessors each vertex was; empty: the same
+  std::vector<float> positions, normals, tangents;    ///< 3, 3, 4 each
+  std::array<std::vector<float>, 2> uvs;              ///< 2 each
+  std::vector<float> colours;                         ///< 4 each
+  std::array<std::vector<float>, 2> joints, weights;  ///< 4 each
+};
+
+/// How many triangles and vertices a primitive claims; 0 triangles for points and lines.
+std::uint64_t claimed_triangles(const Document& document, const MeshPrimitive& primitive);
+std::uint64_t claimed_vertices(const Document& document, const MeshPrimitive& primitive);
+
+/// InputError: indices out of range, numbers that are not finite, damaged Draco data.
+LocalMesh read_mesh(const Document& document, Bytes& bytes, const MeshPrimitive& primitive);
+
+/// Keeps the elements named by `order`, `components` numbers each; an empty order keeps all.
+std::vector<float> gather(std::vector<float> values, int components, const std::vector<std::uint32_t>& order);
+
+struct DracoMesh {
+  std::size_t vertices = 0;
+  std::vector<std::uint32_t> indices;
+  std::map<std::string, std::vector<float>> attributes;
+};
+/// Decodes KHR_draco_mesh_compression. InputError: damaged, or not what the primitive's accessors say.
+DracoMesh decode_draco(const Document& document, Bytes& bytes, const MeshPrimitive& primitive);
+
+}  // namespace dermis::scene::gltf

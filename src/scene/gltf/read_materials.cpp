@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// images, samplers, textures and materials with the extensions we know.
+#include <cmath>
+
+#include "core/log.h"
+#include "scene/gltf/document.h"
+
+namespace dermis::scene::gltf {
+
+namespace {
+
+Wrap read_wrap(const Value& sampler, const char* key) {
+  switch (sampler.count_or(key, 10497)) {
+    case 10497: return Wrap::repeat;
+    case 33071: return Wrap::clamp;
+    case 33648: return Wrap::mirror;
+    default: sampler.at(key).fail("must be 10497 (repeat), 33071 (clamp to edge) or 33648 (mirrored repeat)");
+  }
+}
+
+Texture read_sampler(const Value& value) {
+  Texture sampler;
+  sampler.wrap_u = read_wrap(value, "wrapS");
+  sampler.wrap_v = read_wrap(value, "wrapT");
+  const std::uint64_t magnification = value.count_or("magFilter", 9729), minification = value.count_or("minFilter", 9987);
+  if (magnification != 9728 && magnification != 9729) value.at("magFilter").fail("must be 9728 (nearest) or 9729 (linear)");
+  if (minification != 9728 && minification != 9729 && (minification < 9984 || minification > 9987))
+    value.at("minFilter").fail("must be 9728, 9729 or 9984 to 9987");
+  sampler.nearest = magnification == 9728;
+  return sampler;
+}
+
+ImageSource read_image(const Document& document, const Value& value) {
+  ImageSource image;
+  if (const std::optional<Value> uri = value.find("uri")) image.uri = uri->text();
+  image.view = value.index_or_none("bufferView", document.views.size(), "bufferView");
+  if (image.uri.has_value() == (image.view >= 0)) value.fail("must have either a uri or a bufferView");
+  const std::string mime = value.text_or("mimeType", "");
+  if (image.view >= 0 && mime.empty()) value.fail("has a bufferView but no mimeType");
+  if (image.view >= 0 && document.views[image.view].stride != 0) value.fail("its bufferView has a byteStride");
+  const bool is_file = image.uri && !image.uri->starts_with("data:");
+  image.name = value.text_or("name", is_file ? *image.uri : value.place());
+  return image;
+}
+
+/// uv' = translation * rotation * scale * uv
+glm::mat3x2 read_texture_transform(const Value& value) {
+  const std::vector<double> offset = value.numbers("offset", 2), scale = value.numbers("scale", 2);
+  const double rotation = value.number_or("rotation", 0);
+  const double su = scale.empty() ? 1 : scale[0], sv = scale.empty() ? 1 : scale[1];
+  const double c = std::cos(rotation), s = std::sin(rotation);
+  // The extension's text turns counter-clockwise in a picture whose v points down; its GLSL excerpt has the sine's signs the other way
+  // round. Its test model, three.js and the Khronos viewer agree on these.
+  return {glm::vec2(su * c, -su * s), glm::vec2(sv * s, sv * c), offset.empty() ? glm::vec2(0) : glm::vec2(offset[0], offset[1])};
+}
+
+MapRef map_member(const Document& document, const Value& value, const char* key, const char* scale_key = nullptr) {
+  const std::optional<Value> info = value.find(key);
+  return info ? read_texture_info(document, *info, scale_key) : MapRef{};
+}
+
+glm::vec3 colour_member(const Value& value, const char* key, const glm::vec3& otherwise, float most) {
+  const std::vector<double> c = value.numbers(key, 3);
+  if (c.empty()) return otherwise;
+  for (const double x : c)
+    if (x < 0 || x > most) value.at(key).fail("must be 0 to {}, is {}", most, x);
+  return {c[0], c[1], c[2]};
+}
+
+float factor(const Value& value, const char* key, double otherwise, double most = 1) {
+  return static_cast<float>(value.number_or(key, otherwise, 0, most));
+}
+
+void read_metallic_roughness(const Document& document, const Value& value, Material& material) {
+  const std::vector<double> colour = value.numbers("baseColorFactor", 4);
+  for (int i = 0; i < 4 && !colour.empty(); ++i) {
+    if (colour[i] < 0 || colour[i] > 1) value.at("baseColorFactor").fail("must be 0 to 1, is {}", colour[i]);
+    material.base_colour[i] = static_cast<float>(colour[i]);
+  }
+  material.base_colour_map = map_member(document, value, "baseColorTexture");
+  material.metallic = factor(value, "metallicFactor", 1);
+  material.roughness = factor(value, "roughnessFactor", 1);
+  material.metallic_roughness_map = map_member(document, value, "metallicRoughnessTexture");
+}
+
+void read_material_extensions(const Document& document, const Value& value, MaterialSource& source) {
+  constexpr float largest = 1e6f;  // radiance that half floats will not hold in any case
+  Material& material = source.material;
+  if (const auto strength = value.extension("KHR_materials_emissive_strength"))
+    material.emissive *= factor(*strength, "emissiveStrength", 1, largest);
+  if (const auto ior = value.extension("KHR_materials_ior")) {
+    source.has_ior = true;
+    material.ior = factor(*ior, "ior", 1.5, 100);
+    // 0 is the extension's way of saying "Fresnel of 1 everywhere", as an infinite index has it
+    if (material.ior == 0) material.ior = 100;
+    if (material.ior < 1) ior->fail("ior must be 0 or at least 1, is {}", material.ior);
+  }
+  if (const auto specular = value.extension("KHR_materials_specular")) {
+    material.specular = factor(*specular, "specularFactor", 1);
+    material.specular_map = map_member(document, *specular, "specularTexture");
+    material.specular_map.channel = 3;
+    material.specular_colour = colour_member(*specular, "specularColorFactor", glm::vec3(1), largest);
+    material.specular_colour_map = map_member(document, *specular, "specularColorTexture");
+  }
+  material.unlit = value.extension("KHR_materials_unlit").has_value();
+}
+
+AlphaMode read_alpha_mode(const Value& value) {
+  const std::string mode = value.text_or("alphaMode", "OPAQUE");
+  if (mode == "OPAQUE") return AlphaMode::opaque;
+  if (mode == "MASK") return AlphaMode::mask;
+  if (mode == "BLEND") return AlphaMode::blend;
+  value.at("alphaMode").fail("must be OPAQUE, MASK or BLEND, is '{}'", mode.substr(0, 40));
+}
+
+MaterialSource read_material(const Document& document, const Value& value) {
+  MaterialSource source;
+  Material& material = source.material;
+  material.name = value.text_or("name", "");
+  if (const std::optional<Value> pbr = value.find("pbrMetallicRoughness")) read_metallic_roughness(document, *pbr, material);
+  material.normal_map = map_member(document, value, "normalTexture", "scale");
+  material.occlusion_map = map_member(document, value, "occlusionTexture", "strength");
+  material.emissive = colour_member(value, "emissiveFactor", glm::vec3(0), 1);
+  material.emissive_map = map_member(document, value, "emissiveTexture");
+  material.alpha_mode = read_alpha_mode(value);
+  material.alpha_cutoff = factor(value, "alphaCutoff", 0.5, 1e6);
+  material.double_sided = value.boolean_or("doubleSided", false);
+  read_material_extensions(document, value, source);
+  const std::optional<Value> extras = value.find("extras");
+  if (extras && extras->is_object() && extras->has("dermis")) {
+    const MapRef& shared = material.base_colour_map.present() ? material.base_colour_map : material.normal_map;
+    read_dermis_extras(document, extras->at("dermis"), shared, source);
+  }
+  return source;
+}
+
+}  // namespace
+
+MapRef map_of_texture(const Document& document, int texture, const Value& where) {
+  const Texture& t = document.textures[texture];
+  MapRef map;
+  map.image = t.image;
+  map.wrap_u = t.wrap_u;
+  map.wrap_v = t.wrap_v;
+  map.nearest = t.nearest;
+  if (t.image < 0) warn("{}: {}: texture {} has no PNG or JPEG picture, the map is left out", document.file, where.place(), texture);
+  return map;
+}
+
+MapRef read_texture_info(const Document& document, const Value& info, const char* scale_key) {
+  MapRef map = map_of_texture(document, info.index("index", document.textures.size(), "texture"), info);
+  std::uint64_t set = info.count_or("texCoord", 0, 0, 1000);
+  if (scale_key != nullptr) map.scale = static_cast<float>(info.number_or(scale_key, 1));
+  if (const auto transform = info.extension("KHR_texture_transform")) {
+    map.transform = read_texture_transform(*transform);
+    set = transform->count_or("texCoord", set, 0, 1000);
+  }
+  if (set > 1) {
+    warn("{}: {}: uses TEXCOORD_{}; only sets 0 and 1 are read, the map is left out", document.file, info.place(), set);
+    return {};
+  }
+  map.uv_set = static_cast<int>(set);
+  return map;
+}
+
+void read_textures(Document& document, const Value& root) {
+  root.for_each("images", [&](const Value& value) { document.images.push_back(read_image(document, value)); });
+  std::vector<Texture> samplers;
+  root.for_each("samplers", [&](const Value& value) { samplers.push_back(read_sampler(value)); });
+  root.for_each("textures", [&](const Value& value) {
+    const int sampler = value.index_or_none("sampler", samplers.size(), "sampler");
+    Texture texture = sampler >= 0 ? samplers[sampler] : Texture{};
+    // KTX2 and WebP pictures of an extension are not read: the plain source beside them is, if there is one.
+    texture.image = value.index_or_none("source", document.images.size(), "image");
+    document.textures.push_back(texture);
+  });
+}
+
+void read_materials(Document& document, const Value& root) {
+  root.for_each("materials", [&](const Value& value) { document.materials.push_back(read_material(document, value)); });
+}
+
+}  // namespace dermis::scene::gltf

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf/skinning.h"
+
+#include <cmath>
+
+namespace dermis::scene::gltf {
+
+namespace {
+
+Frame frame_of(const glm::dmat4& matrix) {
+  // Cofactors: |M| M^-T without dividing by |M|; its sign is taken out so that normals keep pointing outwards under a mirror.
+  const glm::dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
+  const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+  const bool mirrored = glm::dot(x, cofactors[0]) < 0;
+  return {matrix, mirrored ? -cofactors : cofactors, mirrored};
+}
+
+}  // namespace
+
+const std::vector<glm::dmat4>& JointMatrices::of(int node) {
+  const int number = document_.nodes[node].skin;
+  const auto [entry, is_new] = by_skin_.try_emplace(number);
+  if (number < 0 || !is_new) return entry->second;
+  const Skin& skin = document_.skins[number];
+  const std::vector<float> inverse_bind = skin.inverse_bind >= 0 ? bytes_.floats(skin.inverse_bind) : std::vector<float>{};
+  for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+    glm::dmat4 bind(1);
+    for (int k = 0; k < 16 && !inverse_bind.empty(); ++k) {
+      bind[k / 4][k % 4] = inverse_bind[j * 16 + k];
+      if (!std::isfinite(bind[k / 4][k % 4]))
+        throw input_error(document_.file, "skins[{}]: inverse bind matrix {} is not finite", number, j);
+    }
+    entry->second.push_back(world_[skin.joints[j]] * bind);
+  }
+  return entry->second;
+}
+
+Frames::Frames(const Document& document, const glm::dmat4& node_world, const std::vector<glm::dmat4>& joints)
+    : document_(document), rigid_(frame_of(node_world)), joints_(joints) {}
+
+void Frames::check_joints(const LocalMesh& mesh, const MeshPrimitive& primitive) const {
+  if (joints_.empty()) return;
+  for (int set = 0; set < 2; ++set)
+    for (std::size_t i = 0; i < mesh.joints[set].size(); ++i)
+      if (mesh.weights[set][i] != 0 && static_cast<std::size_t>(mesh.joints[set][i]) >= joints_.size())
+        throw input_error(document_.file, "{}: vertex {} hangs on joint {}, the skin has {}", primitive.place, i / 4, mesh.joints[set][i],
+                          joints_.size());
+}
+
+Frame Frames::at(const LocalMesh& mesh, std::size_t i) const {
+  if (joints_.empty()) return rigid_;
+  glm::dmat4 blended(0);
+  double sum = 0;
+  for (int set = 0; set < 2; ++set)
+    for (std::size_t k = i * 4; k < i * 4 + 4 && k < mesh.joints[set].size(); ++k) {
+      const double weight = mesh.weights[set][k];
+      if (weight == 0) continue;
+      blended += weight * joints_[static_cast<std::size_t>(mesh.joints[set][k])];
+      sum += weight;
+    }
+  // Weights that do not sum to 1 would pull the vertex towards the origin; without any weight the node itself carries it.
+  if (!(sum > 1e-6)) return rigid_;
+  return frame_of(blended / sum);
+}
+
+}  // namespace dermis::scene::gltf
