@@ -16,7 +16,7 @@ std::vector<float> floats_of_halves(std::span<const std::byte> bytes) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::uint16_t half = 0;
     std::memcpy(&half, bytes.data() + 2 * i, 2);
-    values[i] = image::from_half(half);
+    values[i] = image::half_to_float(half);
   }
   return values;
 }

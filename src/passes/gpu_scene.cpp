@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/error.h"
+#include "gpu/device.h"
 #include "image/colour.h"
 #include "image/resize.h"
 #include "passes/gutters/gutters_io.h"
@@ -107,7 +109,7 @@ void upload_gutters(gpu::Device& device, GpuMesh& mesh, const scene::SkinMesh& s
 // RG16F: bytes of the attenuation table as half floats.
 gpu::Texture upload_attenuation(gpu::Device& device) {
   std::vector<std::uint16_t> halves;
-  for (const float value : attenuation_table()) halves.push_back(image::to_half(value));
+  for (const float value : attenuation_table()) halves.push_back(image::float_to_half(value));
   gpu::Texture texture(device, "attenuation", {.width = attenuation_columns + 2, .height = attenuation_rows, .format = VK_FORMAT_R16G16_SFLOAT, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   gpu::upload(device, texture, std::as_bytes(std::span(halves)));
   return texture;

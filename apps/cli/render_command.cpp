@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "cli/command.h"
+#include "core/error.h"
+#include "core/file.h"
+
+namespace dermis::cli {
+namespace {
+
+struct RenderArguments : SceneArguments {
+  std::string output, stats, device = "best";
+  bool validate = false;
+};
+
+void check_output(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending != ".png" && ending != ".exr") throw InputError(path, "pictures are written as .png or .exr, not as '" + ending + "'");
+  check_writable(path);
+}
+
+std::string summary(const Statistics& s) {
+  std::string text = fmt::format("{} ({}, Vulkan {})\n{}, {}x{}, {} light{}\n", s.device, s.driver, s.api, s.technique, s.width, s.height, s.lights, s.lights == 1 ? "" : "s");
+  for (const PassStatistics& pass : s.passes) text += fmt::format("  {:<32} {:9.2f} ms\n", pass.name, pass.ms);
+  text += fmt::format("  {:<32} {:9.2f} ms  (median of {})\n", "frame", s.frame_ms_median, s.frames);
+  text += fmt::format("loading {:.0f} ms, upload {:.0f} ms, pipelines {:.0f} ms, peak device memory {:.0f} MB\n", s.load_ms, s.upload_ms, s.pipeline_ms,
+                      static_cast<double>(s.peak_bytes) / 1e6);
+  return text;
+}
+
+// Progress on a terminal only: one line that is rewritten.
+void progress(const char* what) {
+  if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K{}", what);
+}
+
+void render(const RenderArguments& a, int& exit_status) {
+  check_output(a.output);
+  if (!a.stats.empty() && a.stats != "-") check_writable(a.stats);
+  Renderer renderer({.device = a.device, .validate = a.validate});
+  progress("loading");
+  const auto start = std::chrono::steady_clock::now();
+  const Scene scene = open_scene(a);
+  const double load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  progress("rendering");
+  Picture picture = renderer.render(scene, a.settings);
+  progress("");
+  picture.statistics.load_ms = load_ms;
+  const std::vector<std::string> messages = renderer.validation_messages();
+  for (const std::string& message : messages) fmt::print(stderr, "dermis: validation: {}\n", message);
+  if (!messages.empty()) {
+    fmt::print(stderr, "dermis: {} validation message{}\n", messages.size(), messages.size() == 1 ? "" : "s");
+    exit_status = 1;
+    return;
+  }
+  picture.save(a.output);
+  if (!a.stats.empty()) write_text(a.stats, picture.statistics.json());
+  if (a.stats != "-") fmt::print("{}", summary(picture.statistics));
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, int& exit_status) {
+  CLI::App* command = app.add_subcommand("render", "render a scene to a picture");
+  auto arguments = std::make_shared<RenderArguments>();
+  add_scene_arguments(*command, *arguments);
+  command->add_option("-o,--output", arguments->output, "picture to write: .png (display values) or .exr (linear)")->required();
+  command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output");
+  command->add_option("--frames", arguments->settings.frames, "timed frames after one warm-up");
+  command->add_option("--show", arguments->settings.show, "picture, irradiance, stretch, texel-density, blur:K, shadow:K");
+  command->add_option("--device", arguments->device, "best, an index or a part of a name of `dermis info`");
+  command->add_flag("--validate", arguments->validate, "run under the Vulkan validation layer; its messages end the run with exit status 1");
+  command->callback([arguments, &exit_status] { render(*arguments, exit_status); });
+}
+
+}  // namespace dermis::cli
