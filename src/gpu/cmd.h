@@ -4,6 +4,7 @@
 
 #include <volk.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -32,16 +33,20 @@ struct BufferBinding {
 };
 using Binding = std::variant<SampledBinding, StorageImageBinding, BufferBinding>;
 
+/// Layouts in which targets (and what they resolve to) must be when rendering begins.
+inline constexpr VkImageLayout colour_target_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+inline constexpr VkImageLayout depth_target_layout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+
 struct ColourTarget {
   const Texture* texture = nullptr;
   std::uint32_t layer = 0;
-  std::optional<std::array<float, 4>> clear;         ///< none: load
+  std::optional<std::array<float, 4>> clear = std::nullopt;         ///< none: load
   const Texture* resolve = nullptr;                  ///< average of samples, written at the end
 };
 struct DepthTarget {
   const Texture* texture = nullptr;
   std::uint32_t layer = 0;
-  std::optional<float> clear;                        ///< none: load
+  std::optional<float> clear = std::nullopt;                        ///< none: load
   bool store = true;
 };
 

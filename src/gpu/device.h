@@ -5,10 +5,12 @@
 
 #include <volk.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,7 +46,11 @@ std::vector<DeviceSummary> list_devices();
 struct DeviceLimits {
   std::uint32_t max_image_side = 0;       ///< texels, 2D
   std::uint32_t max_array_layers = 0;
+  std::uint64_t max_buffer_bytes = 0;
   std::uint64_t max_storage_buffer_bytes = 0;
+  std::array<std::uint32_t, 3> max_workgroups{};   ///< of one dispatch, per axis
+  std::uint32_t max_workgroup_threads = 0;
+  float max_anisotropy = 1;               ///< 1: none
   std::uint32_t max_push_bytes = 0;
   std::uint32_t max_clip_distances = 0;
   float timestamp_period_ns = 1;
@@ -73,6 +79,7 @@ class Device {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
+    bool sampler_anisotropy = false;      ///< made with this feature too; optional, without it samplers are isotropic
   };
 
   /// DeviceError: no driver, no such device (lists them), a requirement is missing (says which), validation layer not installed.
@@ -87,11 +94,16 @@ class Device {
   const DeviceSummary& summary() const;
   const DeviceLimits& limits() const;
   bool format_supports(VkFormat format, VkFormatFeatureFlags features) const;   ///< optimal tiling
+  /// Sizes and sample counts that a 2D image may have; none: this format cannot be used so.
+  std::optional<VkImageFormatProperties> image_format_properties(VkFormat format, VkImageUsageFlags usage) const;
+  const VkPhysicalDeviceProperties& properties() const;
 
   /// Starts a primary command buffer for one use.
   VkCommandBuffer begin();
   /// Ends and submits it; returns the serial that wait() takes.
   std::uint64_t submit(VkCommandBuffer commands);
+  /// Gives back commands that will not be submitted (recording them failed).
+  void discard(VkCommandBuffer commands);
   void wait(std::uint64_t serial);        ///< DeviceError if the device is lost
   /// begin, record, submit, wait.
   void run(const std::function<void(VkCommandBuffer)>& record);

@@ -35,7 +35,9 @@ struct BindingSlot {
 struct ShaderInterface {
   std::vector<BindingSlot> bindings;                 ///< by binding number
   std::uint32_t push_bytes = 0;
-  std::array<std::uint32_t, 3> workgroup{1, 1, 1};
+  std::array<std::uint32_t, 3> workgroup{1, 1, 1};   ///< in a Pipeline: with its constants applied
+  static constexpr std::uint32_t fixed = 0xffffffff;
+  std::array<std::uint32_t, 3> workgroup_constants{fixed, fixed, fixed};   ///< constant_id that sets each size, or fixed
   std::vector<std::pair<std::string, std::uint32_t>> constants;   ///< specialisation constants: name, constant_id
 };
 ShaderInterface reflect(std::span<const std::uint32_t> spirv, const std::string& name);

@@ -5,6 +5,7 @@
 
 #include <volk.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>

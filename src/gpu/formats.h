@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The formats that textures of this library may have.
+#pragma once
+
+#include <volk.h>
+
+#include <cstdint>
+
+namespace dermis::gpu {
+
+/// Bytes of one texel (one sample). Asserts that the format is one we know.
+std::uint32_t texel_bytes(VkFormat format);
+const char* format_name(VkFormat format);       ///< "R8G8B8A8_SRGB"; "unknown format"
+
+}  // namespace dermis::gpu

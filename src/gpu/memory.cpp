@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/memory.h"
+
+#include <algorithm>
+
+#include "core/assert.h"
+#include "core/error.h"
+#include "gpu/device.h"
+
+namespace dermis::gpu {
+
+struct MemoryPool::Block {
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+  std::uint32_t type = 0;
+  std::uint64_t bytes = 0;
+  std::byte* mapped = nullptr;
+  bool image = false;
+  bool dedicated = false;
+  std::map<std::uint64_t, std::uint64_t> free;   ///< offset -> bytes; neighbours are always merged
+};
+
+struct MemoryPool::Request {
+  std::string name;
+  VkMemoryRequirements needs{};
+  BufferPlace place = BufferPlace::device;
+  bool dedicated = false;
+  VkImage image = VK_NULL_HANDLE;
+  VkBuffer buffer = VK_NULL_HANDLE;
+};
+
+namespace {
+
+double mib(std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
+
+std::uint64_t align_up(std::uint64_t offset, std::uint64_t alignment) { return (offset + alignment - 1) / alignment * alignment; }
+
+}  // namespace
+
+MemoryPool::MemoryPool(const VolkDeviceTable& vk, VkDevice device, const VkPhysicalDeviceMemoryProperties& properties,
+                       std::uint64_t max_allocation_bytes)
+    : vk_(&vk), device_(device), properties_(properties), max_allocation_bytes_(max_allocation_bytes) {}
+
+MemoryPool::~MemoryPool() {
+  DERMIS_ASSERT_EQ(live_, 0u);
+  while (!blocks_.empty()) release(blocks_.back().get());
+}
+
+std::uint64_t MemoryPool::reserved_bytes() const {
+  std::uint64_t sum = 0;
+  for (const auto& block : blocks_) sum += block->bytes;
+  return sum;
+}
+
+std::vector<std::uint32_t> MemoryPool::types_for(std::uint32_t allowed, BufferPlace place) const {
+  constexpr VkMemoryPropertyFlags coherent = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  // Staging stays out of device memory, of which only a part may be visible; reading uncached memory is slow.
+  struct Wish {
+    VkMemoryPropertyFlags with, without;
+  };
+  std::vector<Wish> wishes;
+  switch (place) {
+    case BufferPlace::device: wishes = {{VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0}, {0, VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT}}; break;
+    case BufferPlace::upload: wishes = {{coherent, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT}, {coherent, 0}}; break;
+    case BufferPlace::readback: wishes = {{coherent | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, 0}, {coherent, 0}}; break;
+  }
+  for (const Wish& wish : wishes) {
+    std::vector<std::uint32_t> types;
+    for (std::uint32_t i = 0; i < properties_.memoryTypeCount; ++i) {
+      const VkMemoryPropertyFlags flags = properties_.memoryTypes[i].propertyFlags;
+      if ((allowed >> i & 1u) && (flags & wish.with) == wish.with && !(flags & wish.without)) types.push_back(i);
+    }
+    if (!types.empty()) return types;
+  }
+  return {};
+}
+
+void MemoryPool::map(Block& block) {
+  if (block.mapped) return;
+  void* address = nullptr;
+  check(vk_->vkMapMemory(device_, block.memory, 0, VK_WHOLE_SIZE, 0, &address), "vkMapMemory");
+  block.mapped = static_cast<std::byte*>(address);
+}
+
+MemoryPool::Block* MemoryPool::new_block(const Request& request, std::uint32_t type, std::uint64_t bytes, bool dedicated) {
+  const std::uint32_t heap = properties_.memoryTypes[type].heapIndex;
+  if (bytes > max_allocation_bytes_ || heap_used_[heap] + bytes > properties_.memoryHeaps[heap].size) return nullptr;
+  VkMemoryDedicatedAllocateInfo alone{};
+  alone.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO;
+  alone.image = request.image;
+  alone.buffer = request.buffer;
+  VkMemoryAllocateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+  info.pNext = dedicated ? &alone : nullptr;
+  info.allocationSize = bytes;
+  info.memoryTypeIndex = type;
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+  const VkResult result = vk_->vkAllocateMemory(device_, &info, nullptr, &memory);
+  if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) return nullptr;
+  check(result, "vkAllocateMemory");
+  auto block = std::make_unique<Block>();
+  block->memory = memory;
+  block->type = type;
+  block->bytes = bytes;
+  block->image = request.image != VK_NULL_HANDLE;
+  block->dedicated = dedicated;
+  block->free[0] = bytes;
+  heap_used_[heap] += bytes;
+  return blocks_.emplace_back(std::move(block)).get();
+}
+
+MemoryPool::Allocation* MemoryPool::place_in(Block& block, const Request& request) {
+  for (auto range = block.free.begin(); range != block.free.end(); ++range) {
+    const auto [start, bytes] = *range;
+    const std::uint64_t offset = align_up(start, request.needs.alignment);
+    const std::uint64_t end = offset + request.needs.size;
+    if (end > start + bytes) continue;
+    if (request.place != BufferPlace::device) map(block);
+    block.free.erase(range);
+    if (offset > start) block.free[start] = offset - start;
+    if (end < start + bytes) block.free[end] = start + bytes - end;
+    return new Allocation{.memory = block.memory,
+                          .offset = offset,
+                          .bytes = request.needs.size,
+                          .mapped = request.place == BufferPlace::device ? nullptr : block.mapped + offset,
+                          .image = block.image,
+                          .block = &block};
+  }
+  return nullptr;
+}
+
+MemoryPool::Allocation* MemoryPool::allocate(const Request& request) {
+  const bool image = request.image != VK_NULL_HANDLE;
+  const std::uint64_t bytes = request.needs.size;
+  const std::vector<std::uint32_t> types = types_for(request.needs.memoryTypeBits, request.place);
+  Allocation* made = nullptr;
+  for (const std::uint32_t type : types) {
+    const std::uint64_t heap_bytes = properties_.memoryHeaps[properties_.memoryTypes[type].heapIndex].size;
+    const std::uint64_t usual = std::min(block_bytes, heap_bytes / 8);
+    const bool dedicated = request.dedicated || bytes > usual / 2;
+    for (const auto& block : blocks_)
+      if (!made && !dedicated && !block->dedicated && block->type == type && block->image == image) made = place_in(*block, request);
+    if (made) break;
+    Block* block = new_block(request, type, dedicated ? bytes : usual, dedicated);
+    // A full heap may still have room for this one resource.
+    if (!block && !dedicated) block = new_block(request, type, bytes, true);
+    if (block) made = place_in(*block, request);
+    if (made) break;
+  }
+  if (!made) {
+    const std::uint32_t heap = types.empty() ? 0 : properties_.memoryTypes[types.front()].heapIndex;
+    throw device_error("no device memory for '{}': needed {:.1f} MiB; the heap has {:.1f} MiB, of which this program holds {:.1f} MiB; try "
+                       "smaller maps or a smaller picture",
+                       request.name, mib(bytes), mib(properties_.memoryHeaps[heap].size), mib(heap_used_[heap]));
+  }
+  ++live_;
+  (image ? image_bytes_ : buffer_bytes_) += bytes;
+  peak_bytes_ = std::max(peak_bytes_, image_bytes_ + buffer_bytes_);
+  return made;
+}
+
+MemoryPool::Allocation* MemoryPool::allocate_buffer(const std::string& name, VkBuffer buffer, BufferPlace place) {
+  VkMemoryDedicatedRequirements alone{};
+  alone.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_REQUIREMENTS;
+  VkMemoryRequirements2 needs{};
+  needs.sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2;
+  needs.pNext = &alone;
+  VkBufferMemoryRequirementsInfo2 info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_REQUIREMENTS_INFO_2;
+  info.buffer = buffer;
+  vk_->vkGetBufferMemoryRequirements2(device_, &info, &needs);
+  return allocate({.name = name,
+                   .needs = needs.memoryRequirements,
+                   .place = place,
+                   .dedicated = alone.requiresDedicatedAllocation == VK_TRUE,
+                   .buffer = buffer});
+}
+
+MemoryPool::Allocation* MemoryPool::allocate_image(const std::string& name, VkImage image) {
+  VkMemoryDedicatedRequirements alone{};
+  alone.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_REQUIREMENTS;
+  VkMemoryRequirements2 needs{};
+  needs.sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2;
+  needs.pNext = &alone;
+  VkImageMemoryRequirementsInfo2 info{};
+  info.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_REQUIREMENTS_INFO_2;
+  info.image = image;
+  vk_->vkGetImageMemoryRequirements2(device_, &info, &needs);
+  const bool dedicated = alone.requiresDedicatedAllocation || (alone.prefersDedicatedAllocation && needs.memoryRequirements.size >= (1u << 20));
+  return allocate({.name = name, .needs = needs.memoryRequirements, .dedicated = dedicated, .image = image});
+}
+
+void MemoryPool::free(Allocation* allocation) {
+  DERMIS_ASSERT(allocation != nullptr);
+  Block& block = *allocation->block;
+  auto [at, inserted] = block.free.emplace(allocation->offset, allocation->bytes);
+  DERMIS_ASSERT(inserted);
+  if (const auto next = std::next(at); next != block.free.end() && at->first + at->second == next->first) {
+    at->second += next->second;
+    block.free.erase(next);
+  }
+  if (at != block.free.begin()) {
+    const auto before = std::prev(at);
+    if (before->first + before->second == at->first) {
+      before->second += at->second;
+      block.free.erase(at);
+    }
+  }
+  (allocation->image ? image_bytes_ : buffer_bytes_) -= allocation->bytes;
+  --live_;
+  delete allocation;
+  const auto is_empty = [](const Block& b) { return b.free.size() == 1 && b.free.begin()->second == b.bytes; };
+  if (!is_empty(block)) return;
+  // One empty block of a kind is kept: staging buffers come and go.
+  const bool another = std::ranges::any_of(blocks_, [&](const auto& other) {
+    return other.get() != &block && !other->dedicated && other->type == block.type && other->image == block.image && is_empty(*other);
+  });
+  if (block.dedicated || another) release(&block);
+}
+
+void MemoryPool::release(Block* block) {
+  heap_used_[properties_.memoryTypes[block->type].heapIndex] -= block->bytes;
+  vk_->vkFreeMemory(device_, block->memory, nullptr);   // unmaps it
+  std::erase_if(blocks_, [&](const auto& other) { return other.get() == block; });
+}
+
+}  // namespace dermis::gpu

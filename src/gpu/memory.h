@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Device memory by blocks: each block serves one memory type and one kind of resource (linear or optimal), so that neighbours never
+// share a page of bufferImageGranularity. Large resources get memory of their own. One thread at a time.
+#pragma once
+
+#include <volk.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/resources.h"
+
+namespace dermis::gpu {
+
+class MemoryPool {
+ public:
+  static constexpr std::uint64_t block_bytes = std::uint64_t{64} << 20;
+
+  struct Block;
+  struct Allocation {
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    std::uint64_t offset = 0;             ///< of the resource in the memory
+    std::uint64_t bytes = 0;
+    std::byte* mapped = nullptr;          ///< upload and readback only
+    bool image = false;
+    Block* block = nullptr;
+  };
+
+  MemoryPool(const VolkDeviceTable& vk, VkDevice device, const VkPhysicalDeviceMemoryProperties& properties, std::uint64_t max_allocation_bytes);
+  MemoryPool(const MemoryPool&) = delete;
+  MemoryPool& operator=(const MemoryPool&) = delete;
+  ~MemoryPool();                          ///< asserts that everything was freed
+
+  /// Memory for a buffer or an image; binding it is the caller's. DeviceError: does not fit (says how much was needed, and the heap).
+  Allocation* allocate_buffer(const std::string& name, VkBuffer buffer, BufferPlace place);
+  Allocation* allocate_image(const std::string& name, VkImage image);
+  void free(Allocation* allocation);
+
+  std::uint64_t image_bytes() const { return image_bytes_; }
+  std::uint64_t buffer_bytes() const { return buffer_bytes_; }
+  std::uint64_t peak_bytes() const { return peak_bytes_; }              ///< largest sum of the two so far
+  std::uint64_t reserved_bytes() const;                                 ///< taken from the driver now
+
+ private:
+  struct Request;
+  Allocation* allocate(const Request& request);
+  Block* new_block(const Request& request, std::uint32_t type, std::uint64_t bytes, bool dedicated);
+  Allocation* place_in(Block& block, const Request& request);
+  std::vector<std::uint32_t> types_for(std::uint32_t allowed, BufferPlace place) const;
+  void map(Block& block);
+  void release(Block* block);
+
+  const VolkDeviceTable* vk_;
+  VkDevice device_;
+  VkPhysicalDeviceMemoryProperties properties_;
+  std::uint64_t max_allocation_bytes_;
+  std::vector<std::unique_ptr<Block>> blocks_;
+  std::array<std::uint64_t, VK_MAX_MEMORY_HEAPS> heap_used_{};
+  std::uint64_t image_bytes_ = 0, buffer_bytes_ = 0, peak_bytes_ = 0;
+  std::size_t live_ = 0;
+};
+
+}  // namespace dermis::gpu

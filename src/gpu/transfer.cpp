@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstring>
+
+#include "core/assert.h"
+#include "gpu/device.h"
+#include "gpu/formats.h"
+#include "gpu/raw.h"
+#include "gpu/resources.h"
+
+namespace dermis::gpu {
+namespace {
+
+/// Host memory for one transfer that is waited for.
+class Staging {
+ public:
+  Staging(Device& device, const std::string& name, std::uint64_t bytes, BufferPlace place)
+      : device_(&device), raw_(create_raw_buffer(device, "staging of " + name, {.bytes = bytes, .place = place})) {}
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+  ~Staging() { destroy_raw_buffer(*device_, raw_); }
+  VkBuffer handle() const { return raw_.handle; }
+  std::byte* mapped() const { return raw_.allocation->mapped; }
+
+ private:
+  Device* device_;
+  RawBuffer raw_;
+};
+
+/// Before and after a transfer everything may use what was transferred: these run once, outside of frames, so they may be coarse.
+void barrier(const Device& device, VkCommandBuffer commands, const Texture* texture, VkImageLayout from, VkImageLayout to) {
+  VkMemoryBarrier2 all{};
+  all.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+  all.srcStageMask = all.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT;
+  all.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_WRITE_BIT;
+  all.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_READ_BIT;
+  VkImageMemoryBarrier2 image{};
+  image.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
+  image.srcStageMask = image.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  image.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+  image.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+  image.oldLayout = from;
+  image.newLayout = to;
+  image.srcQueueFamilyIndex = image.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  VkDependencyInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+  info.memoryBarrierCount = 1;
+  info.pMemoryBarriers = &all;
+  if (texture) {
+    image.image = texture->handle();
+    image.subresourceRange = {aspect_of(texture->desc().format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+    info.imageMemoryBarrierCount = 1;
+    info.pImageMemoryBarriers = &image;
+  }
+  device.vk().vkCmdPipelineBarrier2(commands, &info);
+}
+
+std::vector<VkBufferImageCopy> copies_of(const TextureDesc& desc) {
+  std::vector<VkBufferImageCopy> copies;
+  std::uint64_t offset = 0;
+  for (std::uint32_t mip = 0; mip < desc.mips; ++mip) {
+    VkBufferImageCopy copy{};
+    copy.bufferOffset = offset;
+    copy.imageSubresource = {aspect_of(desc.format), mip, 0, desc.layers};
+    copy.imageExtent = {std::max(1u, desc.width >> mip), std::max(1u, desc.height >> mip), 1};
+    offset += std::uint64_t{copy.imageExtent.width} * copy.imageExtent.height * desc.layers * texel_bytes(desc.format);
+    copies.push_back(copy);
+  }
+  return copies;
+}
+
+}  // namespace
+
+void upload(Device& device, const Buffer& to, std::span<const std::byte> bytes) {
+  DERMIS_ASSERT_LE(bytes.size(), to.desc().bytes);
+  if (bytes.empty()) return;
+  const Staging staging(device, to.name(), bytes.size(), BufferPlace::upload);
+  std::memcpy(staging.mapped(), bytes.data(), bytes.size());
+  device.run([&](VkCommandBuffer commands) {
+    const VkBufferCopy copy{0, 0, bytes.size()};
+    barrier(device, commands, nullptr, {}, {});
+    device.vk().vkCmdCopyBuffer(commands, staging.handle(), to.handle(), 1, &copy);
+    barrier(device, commands, nullptr, {}, {});
+  });
+}
+
+void upload(Device& device, const Texture& to, std::span<const std::byte> bytes) {
+  const TextureDesc& desc = to.desc();
+  DERMIS_ASSERT_EQ(bytes.size(), bytes_of(desc));
+  DERMIS_ASSERT_EQ(desc.samples, 1u);
+  DERMIS_ASSERT((desc.usage & VK_IMAGE_USAGE_SAMPLED_BIT) != 0);
+  const Staging staging(device, to.name(), bytes.size(), BufferPlace::upload);
+  std::memcpy(staging.mapped(), bytes.data(), bytes.size());
+  device.run([&](VkCommandBuffer commands) {
+    const std::vector<VkBufferImageCopy> copies = copies_of(desc);
+    barrier(device, commands, &to, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    device.vk().vkCmdCopyBufferToImage(commands, staging.handle(), to.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                       static_cast<std::uint32_t>(copies.size()), copies.data());
+    barrier(device, commands, &to, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  });
+}
+
+std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLayout layout, std::uint32_t layer) {
+  const TextureDesc& desc = from.desc();
+  DERMIS_ASSERT_EQ(desc.samples, 1u);
+  DERMIS_ASSERT_LT(layer, desc.layers);
+  DERMIS_ASSERT(layout != VK_IMAGE_LAYOUT_UNDEFINED);
+  const std::uint64_t bytes = std::uint64_t{desc.width} * desc.height * texel_bytes(desc.format);
+  const Staging staging(device, from.name(), bytes, BufferPlace::readback);
+  device.run([&](VkCommandBuffer commands) {
+    VkBufferImageCopy copy{};
+    copy.imageSubresource = {aspect_of(desc.format), 0, layer, 1};
+    copy.imageExtent = {desc.width, desc.height, 1};
+    barrier(device, commands, &from, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    device.vk().vkCmdCopyImageToBuffer(commands, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging.handle(), 1, &copy);
+    barrier(device, commands, &from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout);
+  });
+  return {staging.mapped(), staging.mapped() + bytes};
+}
+
+std::vector<std::byte> read_back(Device& device, const Buffer& from) {
+  const std::uint64_t bytes = from.desc().bytes;
+  const Staging staging(device, from.name(), bytes, BufferPlace::readback);
+  device.run([&](VkCommandBuffer commands) {
+    const VkBufferCopy copy{0, 0, bytes};
+    barrier(device, commands, nullptr, {}, {});
+    device.vk().vkCmdCopyBuffer(commands, from.handle(), staging.handle(), 1, &copy);
+    barrier(device, commands, nullptr, {}, {});
+  });
+  return {staging.mapped(), staging.mapped() + bytes};
+}
+
+}  // namespace dermis::gpu

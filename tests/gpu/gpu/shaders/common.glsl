@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
