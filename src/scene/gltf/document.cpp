@@ -49,8 +49,8 @@ void check_common(const Value& object) {
 
 void check_collections(const Value& root) {
   check_common(root);
-  for (const char* collection : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images", "materials", "meshes", "nodes", "samplers",
-                                 "scenes", "skins", "textures"})
+  for (const char* collection : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images", "materials", "meshes", "nodes",
+                                 "samplers", "scenes", "skins", "textures"})
     root.for_each(collection, check_common);
 }
 

@@ -12,7 +12,7 @@ namespace dermis::scene::gltf {
 namespace {
 
 constexpr double largest_position_m = 1e6;  // far beyond any head; keeps squares and sums of float positions finite
-constexpr float largest_uv = 1e5f;            // more repeats of a map than any picture shows
+constexpr float largest_uv = 1e5f;          // more repeats of a map than any picture shows
 constexpr std::uint64_t morph_passes = 2;   // limit on work: vertices times active morph targets, per vertex limit
 
 /// The local mesh with the node's morph targets applied (glTF 2.0, 3.7.2.2).

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// What the loader's tests share: the asset cache, a folder that goes away, and glTF files built in memory.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dermis/error.h"
+#include "scene/load.h"
+
+namespace dermis::scene::test {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+/// The shared assets ($DERMIS_ASSET_CACHE, else beside the source); none if they are not there.
+std::optional<fs::path> assets();
+
+/// A fresh folder, removed at the end.
+class TempFolder {
+ public:
+  TempFolder();
+  ~TempFolder();
+  TempFolder(const TempFolder&) = delete;
+  TempFolder& operator=(const TempFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// A document and its one buffer. Starts as an empty scene; `json` may be bent in any way before it is loaded.
+class Builder {
+ public:
+  Builder();
+  /// Appends the numbers as a bufferView and an accessor; returns the accessor's index. Integers are given as floats too.
+  int accessor(const std::vector<float>& values, const std::string& type, int component = 5126);
+  /// A mesh with one primitive of the given attributes, and a node in the scene that holds it; returns the mesh's index.
+  int mesh(const Json& attributes, int indices = -1);
+  /// Triangle (0,0,0) (0.2,0,0) (0,0.2,0) with coordinates (0,0) (1,0) (0,1); returns the mesh's index.
+  int triangle();
+
+  std::string glb() const;
+  fs::path write(const fs::path& folder, const std::string& name = "built.glb") const;
+  Scene load(const LoadOptions& options = {}) const;
+  /// The one-line error of loading, "" if it loads.
+  std::string error(const LoadOptions& options = {}) const;
+
+  Json json;
+  std::string bytes;
+};
+
+void write_text(const fs::path& path, const std::string& text);
+std::string read_text(const fs::path& path);
+/// "" if it loads.
+std::string error_of(const fs::path& path, const LoadOptions& options = {});
+
+/// Collects warnings while it lives, so that they are checked instead of printed.
+class Warnings {
+ public:
+  Warnings();
+  ~Warnings();
+  bool any_with(const std::string& part) const;
+  std::string all() const;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace dermis::scene::test
+
+#define DERMIS_NEED_ASSETS(variable)                     \
+  const auto variable = ::dermis::scene::test::assets(); \
+  if (!variable) GTEST_SKIP() << "the shared assets are not in DERMIS_ASSET_CACHE"
+
+/// The error must hold this text.
+#define EXPECT_ERROR(error, part) EXPECT_NE((error).find(part), std::string::npos) << "error: '" << (error) << "'"
