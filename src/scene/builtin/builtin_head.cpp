@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "scene/builtin_head.h"
+
+#include <utility>
+
+#include "core/error.h"
+#include "scene/builtin/maps.h"
+#include "scene/tangents.h"
+
+namespace dermis::scene {
+namespace {
+
+using namespace builtin;
+
+constexpr int columns = 120, rows = 108;  // 25,920 triangles
+
+// From the sculptor's coordinates (eyes at 0) to a bust whose middle is the origin, in metres.
+vec3 to_world_m(const vec3& p_mm) {
+  constexpr float middle_mm = 0.5f * (Sculpture::crown_mm + Sculpture::cut_mm);
+  return 0.001f * vec3(p_mm.x, p_mm.y - middle_mm, p_mm.z);
+}
+
+Primitive make_mesh(const Net& net) {
+  Primitive mesh;
+  mesh.name = "built-in head";
+  mesh.node = 0;
+  mesh.has_uv = true;
+  mesh.vertices.resize(net.at_mm.size());
+  for (int j = 0; j <= net.rows; ++j) {
+    for (int i = 0; i <= net.columns; ++i) {
+      Vertex& v = mesh.vertices[net.index(i, j)];
+      v.position_m = to_world_m(net.at_mm[net.index(i, j)]);
+      v.normal = net.normal[net.index(i, j)];
+      v.uv0 = v.uv1 = chart_uv(net, static_cast<float>(i), static_cast<float>(j));
+    }
+  }
+  mesh.indices.reserve(static_cast<std::size_t>(net.columns * net.rows * 6));
+  for (int j = 0; j < net.rows; ++j) {
+    for (int i = 0; i < net.columns; ++i) {
+      const auto at = [&](int a, int b) { return static_cast<std::uint32_t>(net.index(i + a, j + b)); };
+      for (const std::uint32_t k : {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)}) mesh.indices.push_back(k);
+    }
+  }
+  make_tangents(mesh, MapRef{}.transform, 0);
+  return mesh;
+}
+
+MapRef map_ref(int image, int channel) {
+  MapRef ref;
+  ref.image = image;
+  ref.wrap_u = ref.wrap_v = Wrap::clamp;
+  ref.channel = channel;
+  return ref;
+}
+
+Material make_material() {
+  Material m;
+  m.name = "skin";
+  m.skin = true;
+  m.metallic = 0;
+  m.roughness = 0.53f;
+  m.ior = 1.4f;
+  m.base_colour_map = map_ref(0, 0);
+  m.normal_map = map_ref(1, 0);
+  m.skin_settings.specular = map_ref(2, 0);
+  m.skin_settings.roughness = map_ref(2, 1);
+  return m;
+}
+
+}  // namespace
+
+Scene builtin_head(const BuiltinHeadSettings& settings) {
+  const int size = settings.map_size;
+  if (size < 64 || size > 4096 || (size & (size - 1)) != 0)
+    throw input_error("built-in head", "map size must be a power of two from 64 to 4096, got {}", size);
+  const Sculpture bust;
+  const Net net = wrap(bust, columns, rows);
+  Scene scene;
+  scene.name = "built-in";
+  scene.primitives.push_back(make_mesh(net));
+  scene.materials.push_back(make_material());
+  Maps maps = bake(bust, net, scene.primitives.front(), size);
+  const auto add = [&](const char* name, image::Image8&& pixels) {
+    scene.images.push_back({name, std::make_shared<const image::Image8>(std::move(pixels))});
+  };
+  add("built-in colour", std::move(maps.colour));
+  add("built-in normal", std::move(maps.normal));
+  add("built-in specular and roughness", std::move(maps.reflection));
+  return scene;
+}
+
+}  // namespace dermis::scene

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "scene/builtin/maps.h"
+
+#include <array>
+
+#include "core/parallel.h"
+
+namespace dermis::scene::builtin {
+namespace {
+
+// The net refined on the sculpture with all its creases: what the normal map adds to the mesh.
+struct FineNet {
+  int per_cell = 4;
+  int stride = 0;
+  std::vector<vec3> at_mm, normal;
+};
+
+FineNet refine_on(const Sculpture& bust, const Net& net) {
+  FineNet fine;
+  const int n = fine.per_cell, columns = net.columns * n, rows = net.rows * n;
+  fine.stride = columns + 1;
+  fine.at_mm.resize(static_cast<std::size_t>(fine.stride * (rows + 1)));
+  fine.normal.resize(fine.at_mm.size());
+  parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
+    const int j = std::min(static_cast<int>(row) / n, net.rows - 1);
+    const float v = static_cast<float>(row) / static_cast<float>(n) - static_cast<float>(j);
+    for (int k = 0; k <= columns; ++k) {
+      const int i = std::min(k / n, net.columns - 1);
+      const float u = static_cast<float>(k) / static_cast<float>(n) - static_cast<float>(i);
+      const auto at = [&](int a, int b) { return net.at_mm[net.index(i + a, j + b)]; };
+      const auto normal = [&](int a, int b) { return net.normal[net.index(i + a, j + b)]; };
+      const vec3 flat = glm::mix(glm::mix(at(0, 0), at(1, 0), u), glm::mix(at(0, 1), at(1, 1), u), v);
+      const vec3 side = glm::mix(glm::mix(normal(0, 0), normal(1, 0), u), glm::mix(normal(0, 1), normal(1, 1), u), v);
+      vec3 p = flat;
+      bust.project(p, Detail::fine, 0.35f, 1);
+      vec3 g = bust.project(p, Detail::fine, 0.25f, 1);
+      // A crease may be steep, but a normal that looks into the mesh would only be a stray sample.
+      const float facing = glm::dot(g, glm::normalize(side));
+      if (!(facing > 0.12f)) {
+        g = glm::normalize(g + (0.15f - facing) * glm::normalize(side));
+        if (!(glm::dot(g, side) > 0)) g = glm::normalize(side);
+      }
+      const std::size_t self = row * static_cast<std::size_t>(fine.stride) + static_cast<std::size_t>(k);
+      fine.at_mm[self] = p;
+      fine.normal[self] = g;
+    }
+  });
+  return fine;
+}
+
+// A texel's place on the net.
+struct Place {
+  float x = 0, y = 0;  // in cells
+};
+
+class Baker {
+ public:
+  Baker(const Sculpture& bust, const Net& net, const Primitive& mesh, int size)
+      : skin_(bust), net_(net), mesh_(mesh), fine_(refine_on(bust, net)), size_(size), height_mm_(static_cast<std::size_t>(size) * size) {}
+
+  Maps run() {
+    Maps maps;
+    for (image::Image8* map : {&maps.colour, &maps.normal, &maps.reflection}) {
+      map->width = map->height = size_;
+      map->rgba.assign(height_mm_.size() * 4, 255);
+    }
+    parallel_for(static_cast<std::size_t>(size_), [&](std::size_t y) { paint_row(static_cast<int>(y), maps); });
+    parallel_for(static_cast<std::size_t>(size_), [&](std::size_t y) { normal_row(static_cast<int>(y), maps.normal); });
+    return maps;
+  }
+
+ private:
+  Place place(int x, int y) const {
+    const float inner = 1.0f - 2.0f * chart_margin, texel = 1.0f / static_cast<float>(size_);
+    const float u = ((static_cast<float>(x) + 0.5f) * texel - chart_margin) / inner;
+    const float v = (1.0f - chart_margin - (static_cast<float>(y) + 0.5f) * texel) / inner;
+    return {std::clamp(u, 0.0f, 1.0f) * static_cast<float>(net_.columns), std::clamp(v, 0.0f, 1.0f) * static_cast<float>(net_.rows)};
+  }
+  vec3 sample(const std::vector<vec3>& field, const Place& at) const {
+    const float x = at.x * static_cast<float>(fine_.per_cell), y = at.y * static_cast<float>(fine_.per_cell);
+    const int i = std::min(static_cast<int>(x), fine_.stride - 2), j = std::min(static_cast<int>(y), net_.rows * fine_.per_cell - 1);
+    const float u = x - static_cast<float>(i), v = y - static_cast<float>(j);
+    const vec3* row = &field[static_cast<std::size_t>(j) * static_cast<std::size_t>(fine_.stride) + static_cast<std::size_t>(i)];
+    return glm::mix(glm::mix(row[0], row[1], u), glm::mix(row[fine_.stride], row[fine_.stride + 1], u), v);
+  }
+  void paint_row(int y, Maps& maps);
+  void normal_row(int y, image::Image8& map) const;
+  vec3 surface_slope(int x, int y) const;
+  glm::mat3 mesh_frame(const Place& at) const;
+
+  Skin skin_;
+  const Net& net_;
+  const Primitive& mesh_;
+  FineNet fine_;
+  int size_;
+  std::vector<float> height_mm_;
+};
+
+std::uint8_t to_byte(float x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f); }
+
+// Linear to sRGB through a table fine enough for 8 bits: a power a texel would cost as much as the noise.
+std::uint8_t to_srgb(float linear) {
+  static const auto table = [] {
+    std::array<std::uint8_t, 4096> t{};
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      const double x = std::pow((static_cast<double>(i) + 0.5) / 4096.0, 2.0);  // square root spacing: dense in the dark
+      t[i] = to_byte(static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055));
+    }
+    return t;
+  }();
+  return table[std::min<std::size_t>(4095, static_cast<std::size_t>(std::sqrt(std::max(linear, 0.0f)) * 4096.0f))];
+}
+
+void Baker::paint_row(int y, Maps& maps) {
+  for (int x = 0; x < size_; ++x) {
+    const vec3 p = sample(fine_.at_mm, place(x, y));
+    const Region where = skin_.region(p);
+    const SkinPoint s = skin_.paint(p, where);
+    std::uint8_t* colour = maps.colour.at(x, y);
+    colour[0] = to_srgb(s.albedo.x);
+    colour[1] = to_srgb(s.albedo.y);
+    colour[2] = to_srgb(s.albedo.z);
+    std::uint8_t* reflection = maps.reflection.at(x, y);
+    reflection[0] = to_byte(s.specular);
+    reflection[1] = to_byte(s.roughness);
+    reflection[2] = 0;
+    height_mm_[static_cast<std::size_t>(y) * size_ + x] = skin_.relief_mm(p, where);
+  }
+}
+
+// Gradient of the relief along the surface: the metric of the map takes differences of texels to mm.
+vec3 Baker::surface_slope(int x, int y) const {
+  // One-sided at the borders of the chart, where the neighbour repeats the border.
+  const int low = static_cast<int>(std::ceil(chart_margin * static_cast<float>(size_))), high = size_ - 1 - low;
+  const int xc = std::clamp(x, low, high), yc = std::clamp(y, low, high);
+  const int xa = std::max(xc - 1, low), xb = std::min(xc + 1, high), ya = std::max(yc - 1, low), yb = std::min(yc + 1, high);
+  const auto h = [&](int a, int b) { return height_mm_[static_cast<std::size_t>(b) * size_ + a]; };
+  const float hx = h(xb, yc) - h(xa, yc), hy = h(xc, yb) - h(xc, ya);
+  const vec3 px = sample(fine_.at_mm, place(xb, yc)) - sample(fine_.at_mm, place(xa, yc));
+  const vec3 py = sample(fine_.at_mm, place(xc, yb)) - sample(fine_.at_mm, place(xc, ya));
+  const float e = glm::dot(px, px), f = glm::dot(px, py), g = glm::dot(py, py);
+  const float det = std::max(e * g - f * f, 1e-3f * e * g + 1e-12f);
+  return ((hx * g - hy * f) * px + (hy * e - hx * f) * py) / det;
+}
+
+// Tangent, bitangent, normal as a renderer interpolates them over the triangle.
+glm::mat3 Baker::mesh_frame(const Place& at) const {
+  const int i = std::min(static_cast<int>(at.x), net_.columns - 1), j = std::min(static_cast<int>(at.y), net_.rows - 1);
+  const float u = at.x - static_cast<float>(i), v = at.y - static_cast<float>(j);
+  const bool lower = u >= v;  // the diagonal of a cell runs from (0, 0) to (1, 1)
+  const Vertex& a = mesh_.vertices[net_.index(i, j)];
+  const Vertex& b = mesh_.vertices[lower ? net_.index(i + 1, j) : net_.index(i, j + 1)];
+  const Vertex& c = mesh_.vertices[net_.index(i + 1, j + 1)];
+  const float wc = lower ? v : u, wb = lower ? u - v : v - u, wa = 1 - wb - wc;
+  const vec3 n = glm::normalize(wa * a.normal + wb * b.normal + wc * c.normal);
+  vec3 t = wa * vec3(a.tangent) + wb * vec3(b.tangent) + wc * vec3(c.tangent);
+  t = glm::normalize(t - n * glm::dot(n, t));
+  return {t, glm::cross(n, t) * a.tangent.w, n};
+}
+
+void Baker::normal_row(int y, image::Image8& map) const {
+  for (int x = 0; x < size_; ++x) {
+    const Place at = place(x, y);
+    const vec3 n = glm::normalize(glm::normalize(sample(fine_.normal, at)) - surface_slope(x, y));
+    const glm::mat3 frame = mesh_frame(at);
+    vec3 local = n * frame;  // row vector times matrix: the three dot products
+    local.z = std::max(local.z, 0.05f);
+    local = glm::normalize(local);
+    std::uint8_t* out = map.at(x, y);
+    for (int c = 0; c < 3; ++c) out[c] = to_byte(local[c] * 0.5f + 0.5f);
+  }
+}
+
+}  // namespace
+
+Maps bake(const Sculpture& bust, const Net& net, const Primitive& mesh, int map_size) { return Baker(bust, net, mesh, map_size).run(); }
+
+}  // namespace dermis::scene::builtin

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The bust as a field: skull, face, ears and neck put together. Millimetres; y from the line of the eyes, z from the middle of the
+// head, looking along +z.
+#pragma once
+
+#include "scene/builtin/clay.h"
+#include "scene/builtin/skull.h"
+
+namespace dermis::scene::builtin {
+
+/// blunt: no hollows, so that a coarse net can be drawn over it. form: what a mesh of 25,000 triangles can carry. fine: adds creases
+/// narrower than its triangles, for the normal map.
+enum class Detail { blunt, form, fine };
+
+/// Brow, orbits, closed eyes, nose, lips, cheeks and chin. Works on the mirrored half (x >= 0, rounded at 0).
+class Face {
+ public:
+  Face();
+  float add(float f, const vec3& p, Detail detail) const;
+
+ private:
+  float add_planes(float f, const vec3& p) const;
+  float add_eye(float f, const vec3& p, Detail detail) const;
+  float add_nose(float f, const vec3& p, Detail detail) const;
+  float add_mouth(float f, const vec3& p, Detail detail) const;
+  std::vector<Dab> planes_;
+  std::vector<Stroke> folds_, lid_strokes_, lid_creases_, nose_strokes_, mouth_strokes_, mouth_creases_;
+  Tube bridge_, nose_core_, columella_, ala_, upper_lip_, lower_lip_;
+  Frame eye_, nostril_;
+};
+
+/// One ear, modelled in its own frame: x from the cheek to the rear rim, y up along its axis, z outwards.
+class Ear {
+ public:
+  Ear();
+  float add(float f, const vec3& p, Detail detail) const;
+  const Frame& frame() const { return frame_; }
+
+ private:
+  Frame frame_;
+  Tube helix_, antihelix_, inferior_crus_, lobe_rim_;
+  std::vector<Dab> hollows_;
+};
+
+/// Neck and the start of the shoulders.
+class Neck {
+ public:
+  Neck();
+  float mass(const vec3& p) const;
+  float add_muscles(float f, const vec3& p) const;
+
+ private:
+  std::vector<Stroke> strokes_;
+  std::vector<Dab> dabs_;
+};
+
+class Sculpture {
+ public:
+  static constexpr float crown_mm = 115;
+  static constexpr float cut_mm = -185;  ///< height of the plane that closes the bust below
+  float field(const vec3& p, Detail detail) const;
+  /// The same as if shoulders went on below the cut.
+  float uncut(const vec3& p, Detail detail) const;
+  /// Central differences over `step`; not normalised.
+  vec3 gradient(const vec3& p, Detail detail, float step_mm) const;
+  /// Onto the surface along the gradient, `steps` Newton steps; returns the unit normal of the last one.
+  vec3 project(vec3& p, Detail detail, float step_mm, int steps) const;
+  const Frame& ear_frame() const { return ear_.frame(); }
+
+ private:
+  Skull skull_;
+  Face face_;
+  Ear ear_;
+  Neck neck_;
+};
+
+/// The small asymmetry every face has: moves a point of the bust to where it would be on the symmetric one.
+vec3 to_symmetric(const vec3& p);
+/// |x| without its crease.
+inline float mirrored(float x) { return std::sqrt(x * x + 0.36f) - 0.0f; }
+
+}  // namespace dermis::scene::builtin

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The painter: what the skin of the bust looks like at a point of its surface.
+#pragma once
+
+#include "scene/builtin/sculpture.h"
+
+namespace dermis::scene::builtin {
+
+struct SkinPoint {
+  vec3 albedo{0.5f};       ///< linear Rec.709, 0..1
+  float specular = 1;      ///< multiplies rho_s, 0..1
+  float roughness = 0.5f;  ///< glTF roughness (m = roughness^2)
+};
+
+/// Where a point lies on the face; all 0..1 unless said otherwise.
+struct Region {
+  vec3 symmetric{0};  ///< mm, on the left half
+  float lips = 0, cheek = 0, nose_tip = 0, nose = 0, ear = 0, forehead = 0, t_zone = 0;
+  float under_eye = 0, upper_lid = 0, beard = 0, scalp = 0, neck = 0, crow = 0, chin = 0;
+};
+
+class Skin {
+ public:
+  explicit Skin(const Sculpture& bust);
+  Region region(const vec3& p_mm) const;
+  SkinPoint paint(const vec3& p_mm, const Region& where) const;
+  /// Height of pores and fine lines over the sculpted surface, mm.
+  float relief_mm(const vec3& p_mm, const Region& where) const;
+
+ private:
+  vec3 tint(const vec3& p_mm, const Region& where) const;
+  float lip_mask(const vec3& q) const;
+  float brow_hair(const vec3& p_mm, const vec3& q) const;
+  float lashes(const vec3& p_mm, const vec3& q) const;
+  Frame ear_;
+  Stroke lash_, brow_, mouth_;
+  std::vector<vec3> upper_lip_, lower_lip_;
+};
+
+}  // namespace dermis::scene::builtin

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The mass of the head without neck, nose, lips, lids and ears: the smoothest star-shaped surface through a list of landmarks.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/builtin/clay.h"
+
+namespace dermis::scene::builtin {
+
+/// r(direction) about a centre: a cubic radial basis function interpolates the landmarks' radii over the sphere of directions (the
+/// least bending of all interpolants in space), and a cube map of it makes it cheap.
+class Skull {
+ public:
+  Skull();
+  /// Signed, in mm; close to the distance near the surface.
+  float operator()(const vec3& p) const;
+
+ private:
+  static constexpr int side_ = 40;   // cells per cube edge, 2.25 degrees: 3 mm on the skin
+  static constexpr int margin_ = 2;  // so that cubic interpolation never leaves its face
+  static constexpr int stride_ = side_ + 2 * margin_ + 1;
+  float radius(const vec3& direction) const;
+  std::array<std::vector<float>, 6> radii_;
+};
+
+}  // namespace dermis::scene::builtin

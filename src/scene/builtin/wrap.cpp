@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "scene/builtin/wrap.h"
+
+#include "core/assert.h"
+#include "core/parallel.h"
+
+namespace dermis::scene::builtin {
+namespace {
+
+// One row runs along the rim of the cut, so that the edge is clean.
+constexpr int rim_part = 27;
+constexpr float rim_mm = Sculpture::cut_mm + 1.5f;
+
+// Pull of the threads: where it is high the net is drawn together.
+float pull(const vec3& p, const Frame& ear) {
+  const auto near = [&](const vec3& c, const vec3& r) {
+    const vec3 q = (p - c) / r;
+    return std::exp(-glm::dot(q, q));
+  };
+  const vec3 m(std::abs(p.x), p.y, p.z);
+  const vec3 e = (vec3(m.x, m.y, m.z) - ear.origin) / vec3(20, 36, 30);
+  float w = 0.55f + 0.55f * near({0, -30, 95}, {62, 75, 55});
+  w += 1.6f * near({31, -1, 78}, {22, 16, 30}) + 1.5f * near({0, -69, 97}, {31, 16, 30}) + 2.0f * near({0, -41, 105}, {23, 17, 32});
+  w += 1.8f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
+  // The threads shorten with the square root of their weight (see balance).
+  return w * w;
+}
+
+// Square to disc (elliptical grid map), disc to a hemisphere of equal area, longitudes doubled: the whole sphere, cut behind.
+vec3 sphere_direction(float s, float t) {
+  const float x = s * std::sqrt(1.0f - 0.5f * t * t), y = t * std::sqrt(1.0f - 0.5f * s * s);
+  const float r = std::min(std::sqrt(x * x + y * y), 1.0f);
+  const float sine = r * std::sqrt(2.0f - r * r);  // of the angle from the front of the hemisphere: 2 asin(r / sqrt 2)
+  const float k = r > 1e-6f ? sine / r : std::sqrt(2.0f);
+  const vec3 h(x * k, y * k, 1.0f - r * r);
+  const float longitude = 2.0f * std::atan2(h.x, std::max(h.z, 0.0f)), ring = std::sqrt(h.x * h.x + h.z * h.z);
+  return {ring * std::sin(longitude), h.y, ring * std::cos(longitude)};
+}
+
+void close_seam(Net& net) {
+  for (int j = 0; j <= net.rows; ++j) net.at_mm[net.index(net.columns, j)] = net.at_mm[net.index(0, j)];
+  for (const int j : {0, net.rows}) {
+    for (int i = 0; i < net.columns / 2; ++i) net.at_mm[net.index(net.columns - i, j)] = net.at_mm[net.index(i, j)];
+  }
+}
+
+Net first_net(const Sculpture& bust, int columns, int rows) {
+  Net net{columns, rows, std::vector<vec3>(static_cast<std::size_t>((columns + 1) * (rows + 1))), {}};
+  const vec3 middle(0, -35, -5);
+  parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i <= columns; ++i) {
+      const vec3 d = sphere_direction(2.0f * static_cast<float>(i) / static_cast<float>(columns) - 1.0f,
+                                      2.0f * static_cast<float>(j) / static_cast<float>(rows) - 1.0f);
+      float inside = 0, outside = 1;  // of a ray from the middle; the bust is star-shaped enough for that at this size
+      const vec3 reach = d * vec3(170, 240, 200);
+      for (int k = 0; k < 16; ++k) {
+        const float t = 0.5f * (inside + outside);
+        (bust.field(middle + t * reach, Detail::blunt) < 0 ? inside : outside) = t;
+      }
+      net.at_mm[net.index(i, j)] = middle + inside * reach;
+    }
+  });
+  close_seam(net);
+  return net;
+}
+
+Net refine(const Net& coarse, int columns, int rows) {
+  Net net{columns, rows, std::vector<vec3>(static_cast<std::size_t>((columns + 1) * (rows + 1))), {}};
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) {
+      const float x = static_cast<float>(i * coarse.columns) / static_cast<float>(columns),
+                  y = static_cast<float>(j * coarse.rows) / static_cast<float>(rows);
+      const int a = std::min(static_cast<int>(x), coarse.columns - 1), b = std::min(static_cast<int>(y), coarse.rows - 1);
+      const float u = x - static_cast<float>(a), v = y - static_cast<float>(b);
+      const auto at = [&](int k, int l) { return coarse.at_mm[coarse.index(a + k, b + l)]; };
+      net.at_mm[net.index(i, j)] = glm::mix(glm::mix(at(0, 0), at(1, 0), u), glm::mix(at(0, 1), at(1, 1), u), v);
+    }
+  }
+  close_seam(net);
+  return net;
+}
+
+vec3 facing(const Net& net, int i, int j) {
+  const auto at = [&](int k, int l) { return net.at_mm[net.folded(k, l)]; };
+  const vec3 n = glm::cross(at(i + 1, j) - at(i - 1, j), at(i, j + 1) - at(i, j - 1));
+  const float length = glm::length(n);
+  return length > 1e-6f ? n / length : vec3(0);  // zero where the net is folded
+}
+
+// Where the threads pull node (i, j). A longer thread pulls harder than in proportion, which keeps the net dense on nose and ears.
+vec3 balance(const Net& net, const std::vector<float>& weight, int i, int j) {
+  const std::size_t self = net.index(i, j);
+  vec3 sum(0);
+  float total = 0;
+  const auto thread = [&](int di, int dj, float share) {
+    const std::size_t other = net.folded(i + di, j + dj);
+    const float w = share * (weight[self] + weight[other]) * (0.2f + glm::distance(net.at_mm[self], net.at_mm[other]));
+    sum += w * net.at_mm[other];
+    total += w;
+  };
+  thread(1, 0, 1), thread(-1, 0, 1), thread(0, 1, 1), thread(0, -1, 1);
+  thread(1, 1, 0.25f), thread(-1, -1, 0.25f), thread(-1, 1, 0.25f), thread(1, -1, 0.25f);
+  return sum / total;
+}
+
+vec3 to_rim(const Sculpture& bust, vec3 p) {
+  p.y = rim_mm;
+  for (int k = 0; k < 2; ++k) {
+    const vec3 out = glm::normalize(vec3(p.x, 0, p.z + 20.0f));
+    const float h = 0.5f, f = bust.uncut(p, Detail::form);
+    const float slope = (bust.uncut(p + h * out, Detail::form) - f) / h;
+    p -= out * std::clamp(f / std::max(slope, 0.3f), -6.0f, 6.0f);
+  }
+  return p;
+}
+
+void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps_mm) {
+  std::vector<vec3> next(net.at_mm.size());
+  std::vector<float> weight(net.at_mm.size());
+  if (net.normal.empty()) net.normal.resize(net.at_mm.size(), vec3(0));
+  const int rim_row = net.rows / rim_part;
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t k = 0; k < weight.size(); ++k) weight[k] = pull(net.at_mm[k], bust.ear_frame());
+    parallel_for(static_cast<std::size_t>(net.rows + 1), [&](std::size_t row) {
+      const int j = static_cast<int>(row);
+      for (int i = 0; i <= net.columns; ++i) {
+        const std::size_t self = net.index(i, j);
+        vec3 p = net.at_mm[self];
+        vec3 step = 0.4f * (balance(net, weight, i, j) - p);
+        step -= net.normal[self] * glm::dot(net.normal[self], step);
+        p += step;
+        const vec3 side = facing(net, i, j);
+        const float f = bust.field(p, detail);
+        // Deep inside a thin part the gradient may lead through it: there the net's own side decides.
+        if (f < -2.0f) p += side * std::min(-f, 4.0f);
+        const vec3 before = p;
+        const vec3 n = bust.project(p, detail, eps_mm, 1);
+        // Where the net has folded or slipped to the other side it is let off the surface until it is smooth again.
+        if (round + 3 < rounds && glm::dot(n, side) < 0.25f) p = glm::mix(before, balance(net, weight, i, j), 0.7f);
+        net.normal[self] = n;
+        if (j == rim_row) p = to_rim(bust, p);
+        next[self] = p;
+      }
+    });
+    std::swap(net.at_mm, next);
+    close_seam(net);
+  }
+}
+
+}  // namespace
+
+std::size_t Net::folded(int i, int j) const {
+  if (i < 0) i += columns;
+  if (i > columns) i -= columns;
+  if (j > rows || j < 0) {
+    i = columns - i;
+    j = j < 0 ? -j : 2 * rows - j;
+  }
+  return index(i, j);
+}
+
+Net wrap(const Sculpture& bust, int columns, int rows) {
+  DERMIS_ASSERT(columns % 8 == 0 && rows % (4 * rim_part) == 0);
+  Net net = first_net(bust, columns / 4, rows / 4);
+  // The wider the samples of a gradient, the smoother the surface they see: a coarse net is drawn over a blunt nose.
+  relax(net, bust, Detail::blunt, 120, 5.0f);
+  relax(net, bust, Detail::blunt, 80, 4.0f);
+  net = refine(net, columns / 2, rows / 2);
+  relax(net, bust, Detail::blunt, 60, 3.0f);
+  relax(net, bust, Detail::form, 40, 2.5f);
+  net = refine(net, columns, rows);
+  relax(net, bust, Detail::form, 25, 1.8f);
+  relax(net, bust, Detail::form, 25, 1.2f);
+  relax(net, bust, Detail::form, 16, 0.8f);
+  for (int k = 0; k < 2; ++k) {
+    parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
+      for (int i = 0; i <= columns; ++i) {
+        const std::size_t self = net.index(i, static_cast<int>(row));
+        net.normal[self] = bust.project(net.at_mm[self], Detail::form, 0.6f, 1);
+      }
+    });
+    close_seam(net);
+  }
+  return net;
+}
+
+}  // namespace dermis::scene::builtin
