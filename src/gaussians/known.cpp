@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "gaussians/known.h"
+
+#include <fmt/ranges.h>
+
+#include <string>
+
+#include "core/error.h"
+
+namespace dermis::gaussians {
+
+// [DLE07] in GPU Gems 3 (2007), ch. 14 "Advanced Techniques for Realistic Real-Time Skin Rendering", table 14-1 (variance in mm^2,
+// weights of red, green and blue, normalised to white); G(v, r) there is the one of sum.h.
+SumOfGaussians skin_six() {
+  SumOfGaussians sum;
+  sum.name = "skin";
+  sum.terms = {
+      {0.0064, {0.233, 0.455, 0.649}}, {0.0484, {0.100, 0.336, 0.344}}, {0.187, {0.118, 0.198, 0.000}},
+      {0.567, {0.113, 0.007, 0.007}},  {1.99, {0.358, 0.004, 0.000}},   {7.41, {0.078, 0.000, 0.000}},
+  };
+  return sum;
+}
+
+std::vector<std::string_view> known_names() { return {"skin"}; }
+
+SumOfGaussians known(std::string_view name) {
+  if (name == "skin") return skin_six();
+  throw input_error("", "profile '{}' is not known; known are: {}", name, fmt::join(known_names(), ", "));
+}
+
+}  // namespace dermis::gaussians

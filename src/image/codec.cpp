@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "image/codec.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "core/assert.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/log.h"
+#include "image/formats.h"
+
+namespace dermis::image {
+
+namespace formats {
+
+void check_size(std::int64_t width, std::int64_t height, const DecodeLimits& limits, const std::string& where) {
+  if (width < 1 || height < 1) throw input_error(where, "has no pixels ({} x {})", width, height);
+  if (width > limits.max_side || height > limits.max_side) {
+    throw input_error(where, "is {} x {} pixels, the limit is {} a side", width, height, limits.max_side);
+  }
+  if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > limits.max_pixels) {
+    throw input_error(where, "is {} x {} pixels, the limit is {} in all", width, height, limits.max_pixels);
+  }
+}
+
+void check_plausible(Bytes bytes, std::uint64_t least_bytes, std::int64_t width, std::int64_t height, const std::string& where) {
+  if (bytes.size() < least_bytes) {
+    throw input_error(where, "is truncated or damaged: {} bytes cannot hold {} x {} pixels", bytes.size(), width, height);
+  }
+}
+
+}  // namespace formats
+
+namespace {
+
+using formats::Bytes;
+
+enum class Format { unknown, png, jpeg, hdr, exr, not_read };
+
+struct Signature {
+  Format format;
+  std::string_view name;
+  std::size_t offset;
+  std::string_view bytes;
+};
+
+using namespace std::string_view_literals;
+
+// "not_read" formats are there to be named in the error: they turn up in glTF files and asset folders.
+constexpr std::array signatures = {
+    Signature{Format::png, "PNG", 0, "\x89PNG\r\n\x1a\n"sv},
+    Signature{Format::jpeg, "JPEG", 0, "\xff\xd8\xff"sv},
+    Signature{Format::hdr, "Radiance HDR", 0, "#?"sv},
+    Signature{Format::exr, "OpenEXR", 0, "\x76\x2f\x31\x01"sv},
+    Signature{Format::not_read, "KTX2", 0, "\xabKTX 20\xbb\r\n\x1a\n"sv},
+    Signature{Format::not_read, "KTX", 0, "\xabKTX 11\xbb\r\n\x1a\n"sv},
+    Signature{Format::not_read, "WebP", 8, "WEBP"sv},
+    Signature{Format::not_read, "AVIF", 4, "ftypavif"sv},
+    Signature{Format::not_read, "JPEG XL", 0, "\xff\x0a"sv},
+    Signature{Format::not_read, "DDS", 0, "DDS "sv},
+    Signature{Format::not_read, "GIF", 0, "GIF8"sv},
+    Signature{Format::not_read, "TIFF", 0, "II*\0"sv},
+    Signature{Format::not_read, "TIFF", 0, "MM\0*"sv},
+    Signature{Format::not_read, "BMP", 0, "BM"sv},
+};
+
+struct Recognised {
+  Format format = Format::unknown;
+  std::string_view name;
+};
+
+Recognised recognise(Bytes bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  for (const Signature& s : signatures) {
+    if (text.size() >= s.offset && text.substr(s.offset).starts_with(s.bytes)) return {s.format, s.name};
+  }
+  return {};
+}
+
+[[noreturn]] void refuse(const Recognised& found, const std::string& where, std::string_view expected) {
+  if (found.format == Format::unknown) throw input_error(where, "is of an unknown picture format, expected {}", expected);
+  throw input_error(where, "is a {} picture, expected {}", found.name, expected);
+}
+
+void clear_non_finite(ImageF& picture, const std::string& where) {
+  const std::size_t channels = static_cast<std::size_t>(picture.channels);
+  std::size_t cleared = 0;
+  for (std::size_t i = 0; i < picture.values.size(); i += channels) {
+    bool finite = true;
+    for (std::size_t c = 0; c < channels; ++c) finite = finite && std::isfinite(picture.values[i + c]);
+    if (finite) continue;
+    for (std::size_t c = 0; c < channels; ++c) picture.values[i + c] = 0;
+    ++cleared;
+  }
+  if (cleared != 0) warn("{}: {} pixels are infinite or not numbers; they are read as black", where, cleared);
+}
+
+void check_shape(std::size_t values, int width, int height, int channels) {
+  DERMIS_ASSERT_LE(1, width);
+  DERMIS_ASSERT_LE(1, height);
+  DERMIS_ASSERT_EQ(values, static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels));
+}
+
+}  // namespace
+
+Image8 decode_image8(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
+  const Recognised found = recognise(bytes);
+  if (found.format == Format::png) return formats::decode_png(bytes, where, limits);
+  if (found.format == Format::jpeg) return formats::decode_jpeg(bytes, where, limits);
+  refuse(found, where, "PNG or JPEG");
+}
+
+ImageF decode_image_f(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
+  const Recognised found = recognise(bytes);
+  if (found.format != Format::hdr && found.format != Format::exr) refuse(found, where, "Radiance HDR or OpenEXR");
+  ImageF picture = found.format == Format::hdr ? formats::decode_hdr(bytes, where, limits) : formats::decode_exr(bytes, where, limits);
+  clear_non_finite(picture, where);
+  return picture;
+}
+
+Image8 load_image8(const std::filesystem::path& path, const DecodeLimits& limits) {
+  return decode_image8(read_file(path), path.string(), limits);
+}
+
+ImageF load_image_f(const std::filesystem::path& path, const DecodeLimits& limits) {
+  return decode_image_f(read_file(path), path.string(), limits);
+}
+
+void save_png(const std::filesystem::path& path, const Image8& picture, bool keep_alpha) {
+  check_shape(picture.rgba.size(), picture.width, picture.height, 4);
+  check_writable(path);
+  write_file(path, formats::encode_png(picture, keep_alpha, path.string()));
+}
+
+void save_exr(const std::filesystem::path& path, const ImageF& picture, bool half_float) {
+  check_shape(picture.values.size(), picture.width, picture.height, picture.channels);
+  DERMIS_ASSERT(picture.channels == 3 || picture.channels == 4);
+  check_writable(path);
+  write_file(path, formats::encode_exr(picture, half_float, path.string()));
+}
+
+}  // namespace dermis::image

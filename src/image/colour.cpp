@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "image/colour.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "core/assert.h"
+#include "core/parallel.h"
+
+namespace dermis::image {
+
+float srgb_to_linear(float display) {
+  return display <= 0.04045f ? display / 12.92f : static_cast<float>(std::pow((static_cast<double>(display) + 0.055) / 1.055, 2.4));
+}
+
+float linear_to_srgb(float linear) {
+  return linear <= 0.0031308f ? linear * 12.92f : static_cast<float>(1.055 * std::pow(static_cast<double>(linear), 1 / 2.4) - 0.055);
+}
+
+float srgb8_to_linear(std::uint8_t display) {
+  static const std::array<float, 256> table = [] {
+    std::array<float, 256> t{};
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = srgb_to_linear(static_cast<float>(i) / 255.0f);
+    return t;
+  }();
+  return table[display];
+}
+
+std::uint16_t float_to_half(float value) {
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(value);
+  const std::uint32_t sign = bits >> 16 & 0x8000u;
+  const std::uint32_t magnitude = bits & 0x7fffffffu;
+  if (magnitude > 0x7f800000u) return static_cast<std::uint16_t>(sign | 0x7e00u);   // NaN
+  if (magnitude >= 0x477ff000u) return static_cast<std::uint16_t>(sign | 0x7c00u);  // 65520 and above round to infinity
+  if (magnitude < 0x38800000u) {
+    // Below 2^-14 a half is a multiple of 2^-24; adding 0.5 to a float leaves just those bits, rounded by the hardware to even.
+    const float shifted = std::bit_cast<float>(magnitude) + 0.5f;
+    return static_cast<std::uint16_t>(sign | (std::bit_cast<std::uint32_t>(shifted) - std::bit_cast<std::uint32_t>(0.5f)));
+  }
+  // 13 bits go; adding just under half of the last place, plus one if that place is odd, rounds ties to even.
+  const std::uint32_t rounded = magnitude + 0xfffu + (magnitude >> 13 & 1u);
+  return static_cast<std::uint16_t>(sign | (rounded - 0x38000000u) >> 13);
+}
+
+float half_to_float(std::uint16_t bits) {
+  const std::uint32_t sign = (bits & 0x8000u) << 16;
+  const std::uint32_t magnitude = bits & 0x7fffu;
+  if (magnitude >= 0x7c00u) return std::bit_cast<float>(sign | 0x7f800000u | (magnitude & 0x3ffu) << 13);
+  if (magnitude < 0x400u) {
+    const float small = static_cast<float>(magnitude) * 0x1p-24f;
+    return sign != 0 ? -small : small;
+  }
+  return std::bit_cast<float>(sign | ((magnitude << 13) + 0x38000000u));
+}
+
+float filmic(float linear) {
+  if (!(linear > 0)) return 0;
+  if (linear > 1e6f) return 1;  // the squares below would overflow
+  const float mapped = linear * (2.51f * linear + 0.03f) / (linear * (2.43f * linear + 0.59f) + 0.14f);
+  return mapped < 1 ? mapped : 1;
+}
+
+float apply_view(View view, float linear) {
+  const float clamped = linear > 0 ? (linear < 1 ? linear : 1.0f) : 0.0f;  // NaN compares false: 0
+  switch (view) {
+    case View::filmic: return linear_to_srgb(filmic(linear));
+    case View::srgb: return linear_to_srgb(clamped);
+    case View::linear: break;
+  }
+  return clamped;
+}
+
+std::uint8_t to_display8(View view, float linear) { return static_cast<std::uint8_t>(std::lround(apply_view(view, linear) * 255.0f)); }
+
+Image8 to_display(const ImageF& linear, View view) {
+  DERMIS_ASSERT_LE(1, linear.channels);
+  DERMIS_ASSERT_LE(linear.channels, 4);
+  const bool grey = linear.channels < 3;
+  const int alpha = linear.channels == 2 ? 1 : (linear.channels == 4 ? 3 : -1);
+  Image8 shown{.width = linear.width, .height = linear.height, .rgba = {}};
+  shown.rgba.resize(static_cast<std::size_t>(linear.width) * static_cast<std::size_t>(linear.height) * 4);
+  parallel_for(static_cast<std::size_t>(linear.height), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < linear.width; ++x) {
+      const float* in = linear.at(x, y);
+      std::uint8_t* out = shown.at(x, y);
+      for (int c = 0; c < 3; ++c) out[c] = to_display8(view, in[grey ? 0 : c]);
+      out[3] = alpha < 0 ? std::uint8_t{255} : to_display8(View::linear, in[alpha]);
+    }
+  });
+  return shown;
+}
+
+}  // namespace dermis::image

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// JPEG through the libjpeg interface of libjpeg-turbo.
+#include <csetjmp>
+#include <cstdio>
+// jpeglib.h needs stdio.h before it and does not include it.
+#include <jpeglib.h>
+// After jpeglib.h: the message codes.
+#include <jerror.h>
+
+#include "core/error.h"
+#include "core/log.h"
+#include "image/formats.h"
+
+namespace dermis::image::formats {
+
+namespace {
+
+// A progressive file may repeat scans without end, each of them a pass over the whole picture; no encoder writes more than a dozen.
+constexpr int max_scans = 200;
+
+/// The library reports errors by calling back; the callback jumps to `escape`, so no object with a destructor may live in the
+/// functions that set it.
+struct Reader {
+  jpeg_decompress_struct info{};
+  jpeg_error_mgr errors{};
+  jpeg_progress_mgr progress{};
+  std::jmp_buf escape{};
+  char message[JMSG_LENGTH_MAX] = "";
+  char warning[JMSG_LENGTH_MAX] = "";
+  bool truncated = false;
+  bool too_many_scans = false;
+
+  Reader() = default;
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  ~Reader() { jpeg_destroy_decompress(&info); }
+};
+
+Reader& reader_of(j_common_ptr info) { return *static_cast<Reader*>(info->client_data); }
+
+[[noreturn]] void fail(j_common_ptr info) {
+  Reader& reader = reader_of(info);
+  info->err->format_message(info, reader.message);
+  std::longjmp(reader.escape, 1);
+}
+
+// The library invents grey pixels where data is missing or broken and only warns. We refuse such files.
+void on_message(j_common_ptr info, int level) {
+  if (level >= 0) return;  // traces
+  Reader& reader = reader_of(info);
+  switch (info->err->msg_code) {
+    case JWRN_JPEG_EOF:
+    case JWRN_HIT_MARKER: reader.truncated = true; fail(info);
+    case JWRN_HUFF_BAD_CODE:
+    case JWRN_ARITH_BAD_CODE:
+    case JWRN_MUST_RESYNC:
+    case JWRN_BOGUS_PROGRESSION:
+    case JWRN_NOT_SEQUENTIAL: fail(info);
+    default: info->err->format_message(info, reader.warning);
+  }
+}
+
+void on_progress(j_common_ptr info) {
+  Reader& reader = reader_of(info);
+  if (reader.info.input_scan_number <= max_scans) return;
+  reader.too_many_scans = true;
+  fail(info);
+}
+
+bool read_header(Reader& reader, const unsigned char* bytes, std::size_t size) {
+  reader.info.err = jpeg_std_error(&reader.errors);
+  reader.errors.error_exit = fail;
+  reader.errors.emit_message = on_message;
+  reader.info.client_data = &reader;
+  if (setjmp(reader.escape) != 0) return false;
+  jpeg_create_decompress(&reader.info);
+  reader.progress.progress_monitor = on_progress;
+  reader.info.progress = &reader.progress;
+  jpeg_mem_src(&reader.info, bytes, size);
+  return jpeg_read_header(&reader.info, TRUE) == JPEG_HEADER_OK;
+}
+
+bool read_pixels(Reader& reader, unsigned char* rgba, std::size_t row_bytes) {
+  if (setjmp(reader.escape) != 0) return false;
+  reader.info.out_color_space = JCS_EXT_RGBA;  // alpha is filled with 255
+  reader.info.dct_method = JDCT_ISLOW;
+  jpeg_start_decompress(&reader.info);
+  while (reader.info.output_scanline < reader.info.output_height) {
+    JSAMPROW row = rgba + reader.info.output_scanline * row_bytes;
+    jpeg_read_scanlines(&reader.info, &row, 1);
+  }
+  jpeg_finish_decompress(&reader.info);
+  return true;
+}
+
+[[noreturn]] void refuse(const Reader& reader, const std::string& where) {
+  if (reader.too_many_scans) throw input_error(where, "JPEG has more than {} scans", max_scans);
+  throw input_error(where, "JPEG is {}: {}", reader.truncated ? "truncated" : "damaged", reader.message);
+}
+
+}  // namespace
+
+Image8 decode_jpeg(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
+  Reader reader;
+  if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) refuse(reader, where);
+  const std::int64_t width = reader.info.image_width;
+  const std::int64_t height = reader.info.image_height;
+  check_size(width, height, limits, where);
+  // A block of 8 x 8 samples takes at least one bit; arithmetic coding has no such bound.
+  if (!reader.info.arith_code) check_plausible(bytes, static_cast<std::uint64_t>(width * height) / 512, width, height, where);
+  if (reader.info.jpeg_color_space == JCS_CMYK || reader.info.jpeg_color_space == JCS_YCCK) {
+    throw input_error(where, "JPEG has CMYK colours, expected RGB or grey");
+  }
+  Image8 picture{.width = static_cast<int>(width), .height = static_cast<int>(height), .rgba = {}};
+  const std::size_t row_bytes = static_cast<std::size_t>(width) * 4;
+  picture.rgba.resize(row_bytes * static_cast<std::size_t>(height));
+  if (!read_pixels(reader, picture.rgba.data(), row_bytes)) refuse(reader, where);
+  if (reader.warning[0] != 0) warn("{}: {}", where, reader.warning);
+  return picture;
+}
+
+}  // namespace dermis::image::formats
