@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "gaussians/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/assert.h"
+#include "gaussians/projection.h"
+
+namespace dermis::gaussians {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using std::numbers::pi;
+
+/// Bounds of the search, and where it starts.
+struct Range {
+  double low = 0, high = 0;  // log of the variance of the narrowest and the widest structure
+};
+
+/// Levenberg-Marquardt over the log-variances. Ends when steps no longer pay.
+Projected descend(std::span<const Target> channels, VectorXd& log_variance, const Range& range) {
+  Projected here = project(channels, log_variance, true);
+  double damping = 1e-3;
+  for (int step = 0, stalled = 0; step < 150 && stalled < 3 && damping < 1e9; ++step) {
+    Eigen::MatrixXd normal = here.normal;
+    const double floor = 1e-12 * std::max(normal.trace(), 1e-300);
+    for (Index j = 0; j < normal.rows(); ++j) normal(j, j) += damping * normal(j, j) + floor;
+    VectorXd change = normal.ldlt().solve(-here.gradient);
+    if (!change.allFinite()) break;
+    change *= std::min(1.0, 1.0 / std::max(change.cwiseAbs().maxCoeff(), 1e-300));
+    const VectorXd there_at = (log_variance + change).cwiseMax(range.low - 14).cwiseMin(range.high + 9);
+    Projected there = project(channels, there_at, true);
+    if (there.residual2 < here.residual2) {
+      stalled = here.residual2 - there.residual2 < 1e-9 * here.residual2 ? stalled + 1 : 0;
+      log_variance = there_at;
+      here = std::move(there);
+      damping = std::max(damping * 0.2, 1e-12);
+    } else {
+      damping *= 4;
+    }
+  }
+  return here;
+}
+
+VectorXd spread(const Range& range, Index count) {
+  VectorXd start(count);
+  for (Index j = 0; j < count; ++j) {
+    const double part = count == 1 ? 0.5 : static_cast<double>(j) / static_cast<double>(count - 1);
+    start[j] = range.low + (range.high - range.low) * part;
+  }
+  return start;
+}
+
+/// A term more: in the widest gap of the solution with one fewer, or past an end.
+std::vector<VectorXd> with_one_more(VectorXd smaller) {
+  std::sort(smaller.begin(), smaller.end());
+  std::vector<double> extra{smaller[0] - 1.5, smaller[smaller.size() - 1] + 1.5};
+  Index widest = 0;
+  for (Index j = 0; j + 1 < smaller.size(); ++j)
+    if (smaller[j + 1] - smaller[j] > smaller[widest + 1] - smaller[widest]) widest = j;
+  if (smaller.size() > 1) extra.push_back((smaller[widest] + smaller[widest + 1]) / 2);
+  std::vector<VectorXd> starts;
+  for (const double value : extra) {
+    VectorXd start(smaller.size() + 1);
+    start << smaller, value;
+    starts.push_back(start);
+  }
+  return starts;
+}
+
+struct Solution {
+  VectorXd log_variance;
+  Projected projected;
+};
+
+/// The surface has local minima (two terms sharing one hump), so three families of starts are tried: evenly spread, spread inside, and
+/// grown from the solution with a term fewer.
+Solution search(std::span<const Target> channels, const Range& range, int terms) {
+  Solution best;
+  std::vector<VectorXd> starts{spread(range, terms), spread({range.low + 0.2 * (range.high - range.low), range.high}, terms)};
+  if (terms > 1) {
+    VectorXd smaller = spread(range, terms - 1);
+    descend(channels, smaller, range);
+    for (VectorXd& start : with_one_more(smaller)) starts.push_back(std::move(start));
+  }
+  for (VectorXd& start : starts) {
+    Projected end = descend(channels, start, range);
+    if (best.log_variance.size() == 0 || end.residual2 < best.projected.residual2) best = {start, std::move(end)};
+  }
+  return best;
+}
+
+Range range_of(const profile::RadialProfile& profile) {
+  const double inner = profile.has_pole() ? std::max(profile.inner_mm(), profile.quantile(0.05)) : profile.inner_mm();
+  return {std::log(0.15 * inner * inner), std::log(1.5 * profile.outer_mm() * profile.outer_mm())};
+}
+
+std::vector<Index> narrow_to_wide(const VectorXd& log_variance) {
+  std::vector<Index> order(static_cast<std::size_t>(log_variance.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return log_variance[a] < log_variance[b]; });
+  return order;
+}
+
+constexpr double same_variance = 1e-6;  // relative: closer terms are one
+
+}  // namespace
+
+double ChannelFit::weight_sum() const {
+  return std::accumulate(terms.begin(), terms.end(), 0.0, [](double sum, const Term& term) { return sum + term.weight; });
+}
+
+ChannelFit fit_channel(const profile::RadialProfile& profile, int terms) {
+  DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
+  const Target target(profile);
+  const Solution solution = search({&target, 1}, range_of(profile), terms);
+  ChannelFit fit;
+  fit.error_percent = 100 * std::sqrt(solution.projected.residual2);
+  for (const Index j : narrow_to_wide(solution.log_variance)) {
+    const double variance = std::exp(solution.log_variance[j]), weight = solution.projected.weights(j, 0);
+    if (!fit.terms.empty() && variance < fit.terms.back().variance_mm2 * (1 + same_variance))
+      fit.terms.back().weight += weight;
+    else if (weight > 0)
+      fit.terms.push_back({variance, weight});
+  }
+  return fit;
+}
+
+SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms, const std::string& name) {
+  DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
+  std::vector<Target> targets;
+  Range range{1e300, -1e300};
+  for (const auto& profile : profiles) {
+    targets.emplace_back(*profile);
+    const Range one = range_of(*profile);
+    range = {std::min(range.low, one.low), std::max(range.high, one.high)};
+  }
+  const Solution solution = search(targets, range, terms);
+  SumOfGaussians sum;
+  sum.name = name;
+  for (int c = 0; c < 3; ++c) {
+    sum.total_reflectance[c] = profiles[c]->total();
+    sum.error_percent[c] = 100 * std::sqrt(solution.projected.channel_residual2[c]);
+  }
+  for (const Index j : narrow_to_wide(solution.log_variance)) {
+    Gaussian term{.variance_mm2 = std::exp(solution.log_variance[j]), .weight = {}};
+    for (int c = 0; c < 3; ++c) term.weight[c] = solution.projected.weights(j, c) / solution.projected.weights.col(c).sum();
+    if (!sum.terms.empty() && term.variance_mm2 < sum.terms.back().variance_mm2 * (1 + same_variance)) {
+      for (int c = 0; c < 3; ++c) sum.terms.back().weight[c] += term.weight[c];
+    } else if (term.weight != Rgb{}) {
+      sum.terms.push_back(term);
+    }
+  }
+  return sum;
+}
+
+double error_percent(const profile::RadialProfile& profile, std::span<const Term> terms) {
+  const Target target(profile);
+  VectorXd residual = target.value(), basis(target.rows()), slope(target.rows());
+  for (const Term& term : terms) {
+    target.column(term.variance_mm2, basis, slope);
+    residual -= term.weight * basis;
+  }
+  return 100 * residual.norm();
+}
+
+std::vector<Term> channel(const SumOfGaussians& sum, int c) {
+  std::vector<Term> terms;
+  for (const Gaussian& gaussian : sum.terms) terms.push_back({gaussian.variance_mm2, gaussian.weight[c] * sum.total_reflectance[c]});
+  return terms;
+}
+
+double evaluate(std::span<const Term> terms, double radius_mm) {
+  double sum = 0;
+  for (const Term& term : terms)
+    sum += term.weight * std::exp(-radius_mm * radius_mm / (2 * term.variance_mm2)) / (2 * pi * term.variance_mm2);
+  return sum;
+}
+
+}  // namespace dermis::gaussians

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "gaussians/projection.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+
+namespace dermis::gaussians {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using std::numbers::pi;
+
+Target::Target(const profile::RadialProfile& profile) : spectral_(profile.hankel_is_exact()) {
+  // Trapezoid rule in log x: integrands are analytic there and vanish at both ends, so the error falls like e^{-5/step}.
+  constexpr double step = 0.1;
+  double low, high;
+  if (spectral_) {
+    low = 1e-6 / profile.outer_mm();
+    high = 45 / profile.inner_mm();
+  } else {
+    low = profile.has_pole() ? profile.quantile(0.01) : 1e-6 * profile.inner_mm();
+    high = 45 * profile.outer_mm();
+  }
+  if (!(profile.total() > 0) || !(low > 0))
+    throw input_error(profile.name(), "the profile reflects nothing: there is no sum of Gaussians to fit");
+  const Index count = static_cast<Index>(std::ceil(std::log(high / low) / step)) + 1;
+  x2_.resize(count), row_weight_.resize(count), value_.resize(count);
+  for (Index i = 0; i < count; ++i) {
+    const double x = low * std::exp(step * static_cast<double>(i));
+    x2_[i] = x * x;
+    row_weight_[i] = x * std::sqrt(step) / (spectral_ ? 2 * pi : 1) * (i == 0 && !spectral_ ? std::numbers::sqrt2 / 2 : 1);
+    value_[i] = row_weight_[i] * (spectral_ ? profile.hankel(x) : profile.at(x));
+  }
+  const double norm = value_.norm();
+  if (!(norm > 0) || !std::isfinite(norm)) throw input_error(profile.name(), "the profile cannot be fitted: its norm is {}", norm);
+  value_ /= norm;
+  row_weight_ /= norm;
+}
+
+void Target::column(double variance_mm2, Eigen::Ref<VectorXd> basis, Eigen::Ref<VectorXd> slope) const {
+  const double v = variance_mm2;
+  if (spectral_) {  // G^ = e^{-v k^2/2}
+    const Eigen::ArrayXd t = x2_.array() * (v / 2);
+    basis = (row_weight_.array() * (-t).exp()).matrix();
+    slope = (-basis.array() * t).matrix();
+  } else {  // G = e^{-r^2/(2v)} / (2 pi v)
+    const Eigen::ArrayXd t = x2_.array() / (2 * v);
+    basis = (row_weight_.array() * (-t).exp() / (2 * pi * v)).matrix();
+    slope = (basis.array() * (t - 1)).matrix();
+  }
+}
+
+VectorXd solve_non_negative(const MatrixXd& a, const VectorXd& b) {
+  const Index n = a.cols();
+  std::vector<bool> used(static_cast<std::size_t>(n), true);
+  VectorXd w = VectorXd::Zero(n);
+  const auto solve_used = [&] {
+    std::vector<Index> columns;
+    for (Index j = 0; j < n; ++j)
+      if (used[j]) columns.push_back(j);
+    VectorXd s = VectorXd::Zero(n);
+    if (columns.empty()) return s;
+    const MatrixXd part = a(Eigen::all, columns);
+    const VectorXd solution = part.colPivHouseholderQr().solve(b);
+    for (std::size_t i = 0; i < columns.size(); ++i) s[columns[i]] = solution[static_cast<Index>(i)];
+    return s;
+  };
+  w = solve_used();
+  if (w.minCoeff() >= 0) return w;  // nearly always
+  used.assign(used.size(), false);
+  w.setZero();
+  for (Index outer = 0; outer < 3 * n; ++outer) {
+    const VectorXd gain = a.transpose() * (b - a * w);
+    Index best = -1;
+    for (Index j = 0; j < n; ++j)
+      if (!used[j] && gain[j] > 1e-14 && (best < 0 || gain[j] > gain[best])) best = j;
+    if (best < 0) break;
+    used[best] = true;
+    for (Index inner = 0; inner <= n; ++inner) {
+      const VectorXd s = solve_used();
+      double part = 1;
+      for (Index j = 0; j < n; ++j)
+        if (used[j] && s[j] <= 0) part = std::min(part, w[j] / (w[j] - s[j]));
+      if (part >= 1) {
+        w = s;
+        break;
+      }
+      w += part * (s - w);
+      for (Index j = 0; j < n; ++j)
+        if (used[j] && w[j] <= 1e-15) used[j] = false, w[j] = 0;
+    }
+  }
+  return w.cwiseMax(0);
+}
+
+Projected project(std::span<const Target> channels, const VectorXd& log_variance, bool with_slopes) {
+  const Index n = log_variance.size();
+  Projected out;
+  out.weights = MatrixXd::Zero(n, static_cast<Index>(channels.size()));
+  out.normal = MatrixXd::Zero(n, n);
+  out.gradient = VectorXd::Zero(n);
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const Target& target = channels[c];
+    MatrixXd basis(target.rows(), n), slope(target.rows(), n);
+    for (Index j = 0; j < n; ++j) target.column(std::exp(log_variance[j]), basis.col(j), slope.col(j));
+    const Eigen::HouseholderQR<MatrixXd> qr(basis);
+    const MatrixXd r = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+    const VectorXd rotated = qr.householderQ().transpose() * target.value();
+    const VectorXd w = solve_non_negative(r, rotated.head(n));
+    const VectorXd residual = target.value() - basis * w;
+    out.weights.col(static_cast<Index>(c)) = w;
+    out.channel_residual2.push_back(residual.squaredNorm());
+    out.residual2 += residual.squaredNorm();
+    if (!with_slopes) continue;
+    // [K75]: dr/dp_j = -(1 - Q Q^T) dPhi_j w_j, Q spanning the columns in use
+    std::vector<Index> used;
+    for (Index j = 0; j < n; ++j)
+      if (w[j] > 0) used.push_back(j);
+    if (used.empty()) continue;
+    const MatrixXd part = basis(Eigen::all, used);
+    const Eigen::HouseholderQR<MatrixXd> part_qr(part);
+    const MatrixXd q = part_qr.householderQ() * MatrixXd::Identity(target.rows(), static_cast<Index>(used.size()));
+    MatrixXd jacobian = -slope * w.asDiagonal();
+    jacobian -= q * (q.transpose() * jacobian).eval();
+    out.normal += jacobian.transpose() * jacobian;
+    out.gradient += jacobian.transpose() * residual;
+  }
+  return out;
+}
+
+}  // namespace dermis::gaussians

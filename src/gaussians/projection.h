@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Variable projection [GP73]: for given variances the best weights follow by linear least squares, so only the variances are searched.
+#pragma once
+
+#include <Eigen/Dense>
+#include <span>
+#include <vector>
+
+#include "profile/radial.h"
+
+namespace dermis::gaussians {
+
+/// A profile as rows of a least-squares problem, sqrt(quadrature weight) (R(x) - S(x)), x = r or k, scaled so that Int r R^2 dr = 1.
+class Target {
+ public:
+  explicit Target(const profile::RadialProfile& profile);
+
+  Eigen::Index rows() const { return value_.size(); }
+  const Eigen::VectorXd& value() const { return value_; }
+  /// Column of G(v, .) on the rows, and its derivative by log v.
+  void column(double variance_mm2, Eigen::Ref<Eigen::VectorXd> basis, Eigen::Ref<Eigen::VectorXd> slope) const;
+
+ private:
+  bool spectral_ = false;  // x is k, the rows hold R^
+  Eigen::VectorXd x2_;     // x^2
+  Eigen::VectorXd row_weight_;
+  Eigen::VectorXd value_;
+};
+
+/// What projection yields at one set of variances.
+struct Projected {
+  double residual2 = 0;     // sum over the channels of the squared relative error
+  Eigen::MatrixXd weights;  // terms x channels, >= 0
+  std::vector<double> channel_residual2;
+  Eigen::MatrixXd normal;  // J^T J and J^T r by [K75], where asked for
+  Eigen::VectorXd gradient;
+};
+
+/// Best non-negative weights for the given log-variances.
+Projected project(std::span<const Target> channels, const Eigen::VectorXd& log_variance, bool with_slopes);
+
+/// min |A w - b| for w >= 0 [LH74]; A has full column rank or is nearly so, few columns.
+Eigen::VectorXd solve_non_negative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+}  // namespace dermis::gaussians

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "profile/burley.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/error.h"
+
+namespace dermis::profile {
+
+using std::numbers::pi;
+
+Burley::Burley(double total_reflectance, double shape_mm, const std::string& where) : total_(total_reflectance), shape_mm_(shape_mm) {
+  if (!(total_ >= 0 && total_ <= 1)) throw input_error(where, "reflectance must be 0 to 1, got {}", total_);
+  if (!(shape_mm_ > 0 && shape_mm_ < 1e9)) throw input_error(where, "the length must be above 0 mm, got {}", shape_mm_);
+}
+
+double Burley::shape_mm(double a, optics::MeanFreePath length) { return length.mm / (1.85 - a + 7 * std::pow(std::abs(a - 0.8), 3)); }
+double Burley::shape_mm(double a, optics::DiffuseMeanFreePath length) { return length.mm / (3.5 + 100 * std::pow(a - 0.33, 4)); }
+double Burley::shape_all_angles_mm(double a, optics::MeanFreePath length) { return length.mm / (1.9 - a + 3.5 * (a - 0.8) * (a - 0.8)); }
+
+double Burley::at(double radius_mm) const {
+  const double t = radius_mm / shape_mm_;
+  return total_ * (std::exp(-t) + std::exp(-t / 3)) / (8 * pi * shape_mm_ * radius_mm);
+}
+
+double Burley::hankel(double k_per_mm) const {
+  const double kd = k_per_mm * shape_mm_;
+  return total_ / 4 * (1 / std::hypot(1, kd) + 3 / std::hypot(1, 3 * kd));
+}
+
+double Burley::within(double radius_mm) const {
+  const double t = radius_mm / shape_mm_;
+  return total_ * (1 - std::exp(-t) / 4 - 3 * std::exp(-t / 3) / 4);
+}
+
+double Burley::quantile(double p) const {
+  if (p <= 0) return 0;
+  if (p >= 1) return std::numeric_limits<double>::infinity();
+  const double u = 1 - p;
+  const double cube_root = std::cbrt(1 + 4 * u * (2 * u + std::sqrt(1 + 4 * u * u)));
+  return 3 * shape_mm_ * std::log((1 + 1 / cube_root + cube_root) / (4 * u));
+}
+
+double Burley::slab_transmittance(double thickness_mm) const {
+  const double t = thickness_mm / shape_mm_;
+  return total_ / 4 * (std::exp(-t) + 3 * std::exp(-t / 3));
+}
+
+}  // namespace dermis::profile

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "profile/dipole.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "optics/fresnel.h"
+
+namespace dermis::profile {
+namespace {
+
+using std::numbers::pi;
+
+/// z (1 + s d) e^{-s d} / d^3: flux through the surface from a source at distance z below (or above) it.
+double source_flux(double z, double radius, double s) {
+  const double d = std::sqrt(radius * radius + z * z);
+  return z * (1 + s * d) * std::exp(-s * d) / (d * d * d);
+}
+
+/// e^{-s d} / d: fluence of the same source.
+double source_fluence(double z, double radius, double s) {
+  const double d = std::sqrt(radius * radius + z * z);
+  return std::exp(-s * d) / d;
+}
+
+/// Where absorption vanishes the tail is a power law without a length; a thousand mean free paths hold 99.9 % of the energy.
+double reach_mm(double sigma_tr_per_mm, double mean_free_path_mm) {
+  return sigma_tr_per_mm * 1000 * mean_free_path_mm > 1 ? std::max(1 / sigma_tr_per_mm, mean_free_path_mm) : 1000 * mean_free_path_mm;
+}
+
+}  // namespace
+
+Dipole::Dipole(const optics::Medium& medium)
+    : reduced_albedo_(medium.reduced_albedo()),
+      sigma_tr_per_mm_(medium.sigma_tr_per_mm()),
+      z_real_mm_(medium.mean_free_path().mm),
+      z_virtual_mm_(z_real_mm_ + 4 * optics::boundary_factor_classical(medium.eta) * medium.diffusion_coefficient_mm()) {}
+
+double Dipole::at(double radius_mm) const {
+  return reduced_albedo_ / (4 * pi) *
+         (source_flux(z_real_mm_, radius_mm, sigma_tr_per_mm_) + source_flux(z_virtual_mm_, radius_mm, sigma_tr_per_mm_));
+}
+
+double Dipole::hankel(double k_per_mm) const {
+  const double kappa = std::hypot(sigma_tr_per_mm_, k_per_mm);
+  return reduced_albedo_ / 2 * (std::exp(-z_real_mm_ * kappa) + std::exp(-z_virtual_mm_ * kappa));
+}
+
+double Dipole::outer_mm() const { return reach_mm(sigma_tr_per_mm_, z_real_mm_); }
+
+BetterDipole::BetterDipole(const optics::Medium& medium) {
+  const double sigma_t = medium.sigma_t_reduced_per_mm();
+  const double c1 = optics::fresnel_moment_2c1(medium.eta), c2 = optics::fresnel_moment_3c2(medium.eta);
+  reduced_albedo_ = medium.reduced_albedo();
+  diffusion_mm_ = (2 * medium.sigma_a_per_mm + medium.sigma_s_reduced_per_mm()) / (3 * sigma_t * sigma_t);
+  sigma_tr_per_mm_ = std::sqrt(medium.sigma_a_per_mm / diffusion_mm_);
+  flux_part_ = (1 - c1) / 4;
+  vector_part_ = (1 - c2) / 2;
+  z_real_mm_ = 1 / sigma_t;
+  z_virtual_mm_ = z_real_mm_ + 4 * (1 + c2) / (1 - c1) * diffusion_mm_;
+}
+
+double BetterDipole::at(double radius_mm) const {
+  const double s = sigma_tr_per_mm_;
+  const double flux = source_flux(z_real_mm_, radius_mm, s) + source_flux(z_virtual_mm_, radius_mm, s);
+  const double fluence = source_fluence(z_real_mm_, radius_mm, s) - source_fluence(z_virtual_mm_, radius_mm, s);
+  return reduced_albedo_ * reduced_albedo_ / (4 * pi) * (vector_part_ * flux + flux_part_ / diffusion_mm_ * fluence);
+}
+
+double BetterDipole::hankel(double k_per_mm) const {
+  const double kappa = std::hypot(sigma_tr_per_mm_, k_per_mm);
+  const double real = std::exp(-z_real_mm_ * kappa), image = std::exp(-z_virtual_mm_ * kappa);
+  // (e^{-z_r kappa} - e^{-z_v kappa}) / kappa, which stays finite for kappa -> 0
+  const double gap = z_virtual_mm_ - z_real_mm_;
+  const double fluence = kappa > 0 ? real * -std::expm1(-gap * kappa) / kappa : gap;
+  return reduced_albedo_ * reduced_albedo_ / 2 * (vector_part_ * (real + image) + flux_part_ / diffusion_mm_ * fluence);
+}
+
+double BetterDipole::outer_mm() const { return reach_mm(sigma_tr_per_mm_, z_real_mm_); }
+
+}  // namespace dermis::profile

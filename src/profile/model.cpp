@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "profile/model.h"
+
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "profile/beam.h"
+#include "profile/dipole.h"
+#include "profile/slab.h"
+
+namespace dermis::profile {
+namespace {
+
+constexpr std::string_view names[] = {"dipole", "better", "multipole", "beam", "monte-carlo", "auto"};  // in the order of Model
+constexpr const char* channel_name[] = {"red", "green", "blue"};
+
+ProfilePtr homogeneous(const optics::Medium& medium, Model model, const MonteCarloOptions& options) {
+  switch (model) {
+    case Model::better: return std::make_shared<BetterDipole>(medium);
+    case Model::beam: return std::make_shared<PhotonBeam>(medium);
+    case Model::monte_carlo: return std::make_shared<MonteCarloProfile>(scene_of(medium), options);
+    default: return std::make_shared<Dipole>(medium);  // the multipole of a half-space is the dipole
+  }
+}
+
+}  // namespace
+
+Model parse_model(std::string_view name) {
+  for (std::size_t i = 0; i < std::size(names); ++i)
+    if (names[i] == name) return static_cast<Model>(i);
+  throw input_error("--model", "no model '{}'; known: {}", name, fmt::join(names, ", "));
+}
+
+std::string_view model_name(Model model) { return names[static_cast<std::size_t>(model)]; }
+std::vector<std::string_view> model_names() { return {std::begin(names), std::end(names)}; }
+
+ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, const MonteCarloOptions& options, const std::string& where) {
+  optics::check(medium, where);
+  ModelledProfiles out;
+  out.model = model;
+  if (model == Model::automatic) {
+    int lowest = 0;
+    for (int c = 1; c < 3; ++c)
+      if (medium[c].reduced_albedo() < medium[lowest].reduced_albedo()) lowest = c;
+    const double albedo = medium[lowest].reduced_albedo();
+    out.model = albedo >= diffusion_albedo ? Model::dipole : Model::monte_carlo;
+    out.reason = fmt::format("the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", albedo, channel_name[lowest],
+                             albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
+  }
+  for (int c = 0; c < 3; ++c) out.profiles[c] = homogeneous(medium[c], out.model, options);
+  return out;
+}
+
+ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, const MonteCarloOptions& options, const std::string& where) {
+  if (model == Model::dipole || model == Model::better || model == Model::beam)
+    throw input_error("--model", "'{}' knows no layers; layers take multipole, monte-carlo or auto", model_name(model));
+  ModelledProfiles out;
+  out.model = model;
+  double lowest = 2;
+  std::string place;
+  for (int c = 0; c < 3; ++c) {
+    const optics::Layers one = optics::channel(layers, c);
+    optics::check(one, where);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      if (one[i].medium().reduced_albedo() >= lowest) continue;
+      lowest = one[i].medium().reduced_albedo();
+      place = fmt::format("layer {}, {}", i, channel_name[c]);
+    }
+  }
+  if (model == Model::automatic) {
+    out.model = lowest >= diffusion_albedo ? Model::multipole : Model::monte_carlo;
+    out.reason = fmt::format("the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", lowest, place,
+                             lowest >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
+  }
+  for (int c = 0; c < 3; ++c) {
+    const optics::Layers one = optics::channel(layers, c);
+    if (out.model == Model::monte_carlo)
+      out.profiles[c] = std::make_shared<MonteCarloProfile>(scene_of(one), options);
+    else
+      out.profiles[c] = std::make_shared<LayeredProfile>(one, LayeredProfile::Side::reflected, where);
+  }
+  return out;
+}
+
+}  // namespace dermis::profile

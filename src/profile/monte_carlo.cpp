@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "profile/monte_carlo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "profile/monte_carlo_cache.h"
+#include "profile/photon.h"
+
+namespace dermis::profile {
+namespace {
+
+using std::numbers::pi;
+constexpr std::size_t batches = 64;
+constexpr int rings_per_decade = 16;
+
+void check(const ScatterScene& scene, const MonteCarloOptions& options) {
+  if (options.photons < 1000 || options.photons > 1'000'000'000) throw input_error("photons", "1,000 to 1e9, got {}", options.photons);
+  if (scene.layers.empty() || scene.layers.size() > optics::max_layers)
+    throw input_error("monte-carlo", "1 to {} layers", optics::max_layers);
+  for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+    const std::string place = "monte-carlo: layer " + std::to_string(i);
+    optics::check(scene.layers[i].medium, place);
+    const double thickness = scene.layers[i].thickness_mm;
+    if (!(thickness > 0) || (!std::isfinite(thickness) && i + 1 < scene.layers.size()))
+      throw input_error(place, "thickness {} mm", thickness);
+  }
+}
+
+std::vector<PhotonLayer> prepare(const ScatterScene& scene) {
+  std::vector<PhotonLayer> layers;
+  double top = 0;
+  for (const ScatterLayer& layer : scene.layers) {
+    const optics::Medium& medium = layer.medium;
+    layers.push_back(
+        {top, top + layer.thickness_mm, medium.sigma_t_per_mm(), medium.sigma_s_per_mm / medium.sigma_t_per_mm(), medium.g, medium.eta});
+    top += layer.thickness_mm;
+  }
+  return layers;
+}
+
+/// Rings from a thousandth of the shortest mean free path to where nothing comes back.
+std::vector<double> edges_of(const ScatterScene& scene) {
+  double shortest = HUGE_VAL, longest = 0;
+  for (const ScatterLayer& layer : scene.layers) {
+    const double free = layer.medium.mean_free_path().mm;
+    shortest = std::min({shortest, free, 1 / layer.medium.sigma_t_per_mm()});
+    longest = std::max(longest, std::min(30 * std::max(free, layer.medium.diffuse_mean_free_path().mm), 3000 * free));
+  }
+  return log_edges(1e-3 * shortest, std::max(longest, 30 * shortest), rings_per_decade);
+}
+
+double standard_error(double sum, double sum2, double count) {
+  const double mean = sum / count;
+  return std::sqrt(std::max(0.0, sum2 / count - mean * mean) / count);
+}
+
+MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vector<double>& edges, double photons) {
+  MonteCarloResult result;
+  const std::size_t rings = edges.size() - 1;
+  std::vector<double> reflected(rings), transmitted(rings), reflected2(rings);
+  double r = 0, r2 = 0, t = 0, t2 = 0;
+  result.absorbed.assign(tallies[0].absorbed.size(), 0.0);
+  for (const PhotonTally& tally : tallies) {
+    for (std::size_t i = 0; i < rings; ++i) {
+      reflected[i] += tally.reflected[i] / photons;
+      transmitted[i] += tally.transmitted[i] / photons;
+      reflected2[i] += tally.reflected[i] * tally.reflected[i];
+    }
+    for (std::size_t i = 0; i < result.absorbed.size(); ++i) result.absorbed[i] += tally.absorbed[i] / photons;
+    r += tally.reflected_sum, r2 += tally.reflected_sum2, t += tally.transmitted_sum, t2 += tally.transmitted_sum2;
+    result.ballistic += tally.ballistic / photons;
+  }
+  const double n = static_cast<double>(tallies.size());
+  for (std::size_t i = 0; i < rings; ++i) {  // from the spread of the batches
+    const double mean = reflected[i] * photons / n;
+    result.reflected_error.push_back(std::sqrt(std::max(0.0, reflected2[i] - n * mean * mean) / (n - 1) * n) / photons);
+  }
+  result.reflected_total = r / photons, result.reflected_total_error = standard_error(r, r2, photons);
+  result.transmitted_total = t / photons, result.transmitted_total_error = standard_error(t, t2, photons);
+  result.reflected = Annuli(edges, std::move(reflected));
+  result.transmitted = Annuli(edges, std::move(transmitted));
+  return result;
+}
+
+MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& options) {
+  const std::vector<PhotonLayer> layers = prepare(scene);
+  const std::vector<double> edges = edges_of(scene);
+  std::vector<PhotonTally> tallies(batches, PhotonTally(edges, layers.size()));
+  parallel_for(batches, [&](std::size_t batch) {
+    const std::uint64_t begin = options.photons * batch / batches, end = options.photons * (batch + 1) / batches;
+    PhotonTally tally = tallies[batch];  // a copy of its own: neighbours in memory would slow each other down
+    for (std::uint64_t photon = begin; photon < end; ++photon) trace_photon(layers, scene.light, PhotonRandom(options.seed, photon), tally);
+    tallies[batch] = std::move(tally);
+  });
+  return gather(tallies, edges, static_cast<double>(options.photons));
+}
+
+}  // namespace
+
+double MonteCarloResult::noise_percent() const {
+  double error2 = 0, signal2 = 0;
+  const auto& edges = reflected.edges_mm();
+  const double start = reflected.quantile(0.01);  // where the fits start, too
+  for (std::size_t i = 1; i < reflected_error.size(); ++i) {
+    if (edges[i] < start) continue;
+    const double area = pi * (edges[i + 1] * edges[i + 1] - edges[i] * edges[i]);
+    error2 += reflected_error[i] * reflected_error[i] / area;
+    signal2 += reflected.energies()[i] * reflected.energies()[i] / area;
+  }
+  return signal2 > 0 ? 100 * std::sqrt(error2 / signal2) : 0;
+}
+
+ScatterScene scene_of(const optics::Medium& medium) { return {.layers = {{medium, std::numeric_limits<double>::infinity()}}}; }
+
+ScatterScene scene_of(const optics::Layers& layers) {
+  ScatterScene scene;
+  for (const optics::Layer& layer : layers) scene.layers.push_back({layer.medium(), layer.thickness_mm});
+  return scene;
+}
+
+std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene, const MonteCarloOptions& options) {
+  check(scene, options);
+  const std::string key = cache_key(scene, options);
+  if (auto found = cached(key, options.cache)) return found;
+  auto result = std::make_shared<const MonteCarloResult>(simulate(scene, options));
+  remember(key, options.cache, result);
+  return result;
+}
+
+MonteCarloProfile::MonteCarloProfile(const ScatterScene& scene, const MonteCarloOptions& options)
+    : result_(monte_carlo(scene, options)), inner_mm_(HUGE_VAL) {
+  for (const ScatterLayer& layer : scene.layers) inner_mm_ = std::min(inner_mm_, layer.medium.mean_free_path().mm);
+}
+
+double MonteCarloProfile::at(double radius_mm) const {
+  const auto& edges = result_->reflected.edges_mm();
+  const auto centre = [&](std::size_t ring) { return std::sqrt(edges[ring] * edges[ring + 1]); };  // rings 1 and up; ring 0 reaches to 0
+  const auto density = [&](std::size_t ring) { return result_->reflected.density_per_mm2(ring); };
+  const std::size_t last = edges.size() - 2;
+  if (radius_mm >= edges.back()) return 0;
+  if (radius_mm <= centre(1)) return density(1) * centre(1) / std::max(radius_mm, 1e-300);  // 1/r: light scattered once
+  std::size_t i = static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), radius_mm) - edges.begin()) - 1;
+  if (radius_mm < centre(i)) --i;
+  if (i >= last) return density(last);
+  const double part = std::log(radius_mm / centre(i)) / std::log(centre(i + 1) / centre(i));
+  const double below = density(i), above = density(i + 1);
+  if (below <= 0 || above <= 0) return below + part * (above - below);  // an empty ring has no logarithm
+  return below * std::pow(above / below, part);
+}
+
+}  // namespace dermis::profile

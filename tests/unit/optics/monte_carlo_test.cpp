@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Photons against numbers that others published, and against exact solutions. All comparisons at three standard errors, ours and theirs
+// together.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "core/error.h"
+#include "optics/fresnel.h"
+#include "optics/presets.h"
+#include "profile/beam.h"
+#include "profile/monte_carlo.h"
+
+namespace dermis {
+namespace {
+
+using optics::Medium;
+using profile::MonteCarloOptions;
+using profile::ScatterScene;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double from_cm = 0.1;
+
+void expect_sigma(double value, double error, double truth, double truth_error, const std::string& what) {
+  EXPECT_NEAR(value, truth, 3 * std::hypot(error, truth_error))
+      << what << ": " << (value - truth) / std::hypot(error, truth_error) << " standard errors";
+}
+
+TEST(MonteCarlo, SlabOfVanDeHulst) {
+  const ScatterScene slab{.layers = {{{10 * from_cm, 90 * from_cm, 0.75, 1}, 0.2}}};
+  const auto r = profile::monte_carlo(slab, {.photons = 200'000, .seed = 7, .cache = {}});
+  expect_sigma(r->reflected_total, r->reflected_total_error, .09739, 0, "Rd");
+  expect_sigma(r->transmitted_total + r->ballistic, r->transmitted_total_error + std::sqrt(.135 * .865 / 2e5), .66096, 0, "Tt");
+  EXPECT_NEAR(r->ballistic, std::exp(-2.0), 3 * std::sqrt(.135 * .865 / 2e5));
+  EXPECT_NEAR(r->reflected_total + r->transmitted_total + r->ballistic + r->absorbed[0], 1, 2e-3);
+}
+
+TEST(MonteCarlo, HalfSpaceOfGiovanelli) {
+  const double surface = optics::fresnel(1, 1.5);  // his number includes it
+  const auto r = profile::monte_carlo(profile::scene_of(Medium{1, 9, 0, 1.5}), {.photons = 100'000, .seed = 1, .cache = {}});
+  expect_sigma(surface + (1 - surface) * r->reflected_total, r->reflected_total_error, .2600, 0, "Rd with surface");
+}
+
+TEST(MonteCarlo, ThreeLayersOfTheMcmlManual) {
+  const ScatterScene skin{.layers = {{{1 * from_cm, 100 * from_cm, .9, 1.37}, 1},
+                                     {{1 * from_cm, 10 * from_cm, 0, 1.37}, 1},
+                                     {{2 * from_cm, 10 * from_cm, .7, 1.37}, 2}}};
+  const auto r = profile::monte_carlo(skin, {.photons = 200'000, .seed = 3, .cache = {}});
+  const double entered = 1 - .0243729;
+  expect_sigma(entered * r->reflected_total, entered * r->reflected_total_error, .237859, .00031, "Rd");
+  expect_sigma(entered * (r->transmitted_total + r->ballistic), entered * r->transmitted_total_error, .0962202, .00019, "T");
+  const double absorbed[] = {.2612, .1488, .2316};
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(entered * r->absorbed[i], absorbed[i], 2e-3) << i;
+  // Rings of the manual: 0.1 mm, 1/cm^2.
+  const double rings[] = {30.924, 10.071, 6.1187, 4.4015, 3.5138, 2.8528, 2.4344, 2.0692, 1.7715, 1.5409};
+  for (int i = 1; i < 10; ++i) {
+    const double area_mm2 = M_PI * .01 * (2 * i + 1);
+    const double mean = entered * (r->reflected.within(.1 * (i + 1)) - r->reflected.within(.1 * i)) / area_mm2 * 100;
+    // Linear interpolation inside our rings, and the noise of 2e5 photons
+    EXPECT_NEAR(mean / rings[i], 1, 0.05) << i;
+  }
+}
+
+TEST(MonteCarlo, HalfSpaceTotals) {
+  struct Row {
+    double albedo, normal, normal_error, diffuse, diffuse_error;
+  };
+  const double into_normal = 1 - optics::fresnel(1, 1 / 1.4), into_diffuse = 1 - .076812;
+  for (const Row& row :
+       {Row{.5, .05234, 9e-5, .05327, 9e-5}, Row{.8, .15300, 1.7e-4, .15331, 1.8e-4}, Row{.9, .25088, 2.2e-4, .24880, 2.2e-4},
+        Row{.95, .35900, 2.4e-4, .35360, 2.5e-4}, Row{.99, .60359, 2.5e-4, .58379, 2.7e-4}, Row{.999, .83023, 1.8e-4, .79384, 2.4e-4}}) {
+    const MonteCarloOptions options{.photons = 30'000, .seed = 11, .cache = {}};
+    ScatterScene scene = profile::scene_of(Medium{1 - row.albedo, row.albedo, 0, 1.4});
+    const auto normal = profile::monte_carlo(scene, options);
+    expect_sigma(into_normal * normal->reflected_total, into_normal * normal->reflected_total_error, row.normal, row.normal_error,
+                 "normal");
+    scene.light = ScatterScene::Light::diffuse;
+    const auto diffuse = profile::monte_carlo(scene, options);
+    expect_sigma(into_diffuse * diffuse->reflected_total, into_diffuse * diffuse->reflected_total_error, row.diffuse, row.diffuse_error,
+                 "diffuse");
+  }
+}
+
+TEST(MonteCarlo, MeasuredSkinAndSlabs) {
+  const double into = 1 - optics::fresnel(1, 1 / 1.3);
+  const double truth[2][3] = {{.43230, .20983, .11338}, {.62350, .42943, .33342}};
+  for (int skin = 0; skin < 2; ++skin)
+    for (int c = 0; c < 3; ++c) {
+      const auto r = profile::monte_carlo(profile::scene_of(optics::find_material(skin == 0 ? "skin1" : "skin2")->medium()[c]),
+                                          {.photons = 50'000, .seed = 5, .cache = {}});
+      expect_sigma(into * r->reflected_total, into * r->reflected_total_error, truth[skin][c], 2.5e-4, "skin" + std::to_string(skin + 1));
+    }
+  struct Slab {
+    double d, rd, td, tb;
+  };
+  const double entered = 1 - optics::fresnel(1, 1 / 1.4);
+  for (const Slab& slab : {Slab{1, .21144, .19176, .31449}, Slab{4, .26404, .08188, .01158}}) {
+    const auto r = profile::monte_carlo({.layers = {{{.1, 1, 0, 1.4}, slab.d}}}, {.photons = 100'000, .seed = 9, .cache = {}});
+    expect_sigma(entered * r->reflected_total, entered * r->reflected_total_error, slab.rd, 2e-4, "Rd");
+    expect_sigma(entered * r->transmitted_total, entered * r->transmitted_total_error, slab.td, 2e-4, "Td");
+    EXPECT_NEAR(entered * r->ballistic, slab.tb, 5e-3);
+  }
+  const auto two = profile::monte_carlo({.layers = {{{.5, 4, 0, 1.4}, .25}, {{.05, 2, 0, 1.4}, infinite}}},
+                                        {.photons = 100'000, .seed = 9, .cache = {}});
+  expect_sigma(entered * two->reflected_total, entered * two->reflected_total_error, .31169, 2e-4, "two layers");
+}
+
+// R(r) of an independent program, about 1 % noise.
+TEST(MonteCarlo, RadialValues) {
+  const profile::MonteCarloProfile skin(profile::scene_of(optics::find_material("skin1")->medium()[0]),
+                                        {.photons = 200'000, .seed = 2, .cache = {}});
+  struct Row {
+    double r, value;
+  };
+  for (const Row& row : {Row{.15, 2.031e-1}, Row{.25, 1.047e-1}, Row{.45, 4.806e-2}, Row{.75, 2.360e-2}, Row{1.05, 1.471e-2},
+                         Row{1.55, 8.222e-3}, Row{2.05, 5.380e-3}, Row{3.05, 2.612e-3}, Row{4.05, 1.422e-3}, Row{6.05, 4.812e-4}})
+    EXPECT_NEAR(skin.at(row.r) / row.value, 1, 0.07) << row.r;  // three standard errors: 2 % a ring, theirs, and a ring's width
+  EXPECT_NEAR(skin.hankel(0), skin.total(), 1e-12);
+  EXPECT_NEAR(skin.within(skin.quantile(.5)), .5 * skin.total(), 1e-9);
+  EXPECT_LT(skin.result().noise_percent(), 6);
+}
+
+TEST(MonteCarlo, EqualSeedsGiveEqualBitsAndFilesGiveThemBack) {
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("dermis_cache_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_mc");
+  std::filesystem::remove_all(folder);
+  const ScatterScene scene = profile::scene_of(Medium{.2, 1, 0.3, 1.4});
+  const auto a = profile::monte_carlo(scene, {.photons = 5'000, .seed = 1, .cache = {}});
+  const auto other = profile::monte_carlo(scene, {.photons = 5'000, .seed = 2, .cache = {}});
+  EXPECT_NE(a->reflected_total, other->reflected_total);
+  const MonteCarloOptions kept{.photons = 5'001, .seed = 1, .cache = folder};
+  const auto first = profile::monte_carlo(scene, kept);
+  for (int i = 0; i < 70; ++i)
+    profile::monte_carlo(scene, {.photons = 1000, .seed = static_cast<std::uint64_t>(100 + i), .cache = {}});  // pushes it out of memory
+  const auto second = profile::monte_carlo(scene, kept);
+  EXPECT_NE(first.get(), second.get());
+  EXPECT_EQ(first->reflected.energies(), second->reflected.energies());
+  EXPECT_EQ(first->reflected_total, second->reflected_total);
+  for (const auto& file : std::filesystem::directory_iterator(folder)) std::ofstream(file.path()) << "damaged";
+  for (int i = 0; i < 70; ++i) profile::monte_carlo(scene, {.photons = 1000, .seed = static_cast<std::uint64_t>(300 + i), .cache = {}});
+  EXPECT_EQ(profile::monte_carlo(scene, kept)->reflected.energies(), first->reflected.energies());
+  std::filesystem::remove_all(folder);
+  EXPECT_THROW(profile::monte_carlo(scene, {.photons = 1, .seed = 1, .cache = {}}), InputError);
+}
+
+// Totals per unit of flux that entered, n = 1.4: independent quadrature.
+TEST(PhotonBeam, Totals) {
+  struct Row {
+    double albedo, multiple, single;
+  };
+  for (const Row& row : {Row{.5, .02747, .03163}, Row{.8, .11615, .05061}, Row{.9, .21124, .05694}, Row{.95, .32198, .06010},
+                         Row{.99, .57886, .06263}, Row{.999, .81725, .06320}}) {
+    const Medium medium{1 - row.albedo, row.albedo, 0, 1.4};
+    EXPECT_NEAR(profile::BeamMultiple(medium).total(), row.multiple, 1e-4 * row.multiple + 5e-6) << row.albedo;
+    EXPECT_NEAR(profile::SingleScattering(medium).total(), row.single, 1e-4 * row.single + 5e-6) << row.albedo;
+  }
+}
+
+}  // namespace
+}  // namespace dermis
