@@ -234,7 +234,7 @@ Violations check_words(const std::vector<SourceFile>& tree) {
                                         "skins", "irradiances", "gaussians", "profiles", "heads"};
   Violations violations;
   for (const SourceFile& file : tree) {
-    if (!file.path.starts_with("src/gpu/") && !file.path.starts_with("src/frame/")) continue;
+    if (!is_code(file.path) || (!file.path.starts_with("src/gpu/") && !file.path.starts_with("src/frame/"))) continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       for (const std::string& word : words_of(file.lines[i])) {
         if (forbidden.contains(word))
