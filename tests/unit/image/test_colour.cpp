@@ -31,6 +31,15 @@ TEST(Srgb, IsItsInverse) {
   for (int i = 0; i < 256; ++i) EXPECT_EQ(to_display8(View::srgb, srgb8_to_linear(static_cast<std::uint8_t>(i))), i);
 }
 
+TEST(Srgb, EightBitsAreTheNearest) {
+  for (int i = -100; i <= 110000; ++i) {
+    const float x = static_cast<float>(i) / 100000;
+    const float exact = 255 * linear_to_srgb(x < 0 ? 0 : (x > 1 ? 1 : x));
+    EXPECT_NEAR(linear_to_srgb8(x), exact, 0.5001f) << x;
+  }
+  EXPECT_EQ(linear_to_srgb8(std::numeric_limits<float>::quiet_NaN()), 0);
+}
+
 // Imath's half is the judge, over every exponent, both signs and all that a rounding can meet.
 TEST(Half, MatchesImath) {
   for (std::uint32_t i = 0; i < 65536; ++i) {
