@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/codec.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -14,6 +15,13 @@
 namespace dermis::image {
 
 namespace formats {
+
+std::string printable(std::string_view text) {
+  std::string clean(text.substr(0, 200));
+  std::replace_if(
+      clean.begin(), clean.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return clean;
+}
 
 void check_size(std::int64_t width, std::int64_t height, const DecodeLimits& limits, const std::string& where) {
   if (width < 1 || height < 1) throw input_error(where, "has no pixels ({} x {})", width, height);

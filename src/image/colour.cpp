@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/colour.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -25,6 +26,17 @@ float srgb8_to_linear(std::uint8_t display) {
     return t;
   }();
   return table[display];
+}
+
+std::uint8_t linear_to_srgb8(float linear) {
+  // Where the display value steps from i to i + 1: half-way between them on the curve.
+  static const std::array<float, 255> steps = [] {
+    std::array<float, 255> t{};
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = srgb_to_linear((static_cast<float>(i) + 0.5f) / 255.0f);
+    return t;
+  }();
+  if (!(linear > 0)) return 0;
+  return static_cast<std::uint8_t>(std::upper_bound(steps.begin(), steps.end(), linear) - steps.begin());
 }
 
 std::uint16_t float_to_half(float value) {
@@ -71,7 +83,14 @@ float apply_view(View view, float linear) {
   return clamped;
 }
 
-std::uint8_t to_display8(View view, float linear) { return static_cast<std::uint8_t>(std::lround(apply_view(view, linear) * 255.0f)); }
+std::uint8_t to_display8(View view, float linear) {
+  switch (view) {
+    case View::filmic: return linear_to_srgb8(filmic(linear));
+    case View::srgb: return linear_to_srgb8(linear);
+    case View::linear: break;
+  }
+  return static_cast<std::uint8_t>(std::lround(apply_view(view, linear) * 255.0f));
+}
 
 Image8 to_display(const ImageF& linear, View view) {
   DERMIS_ASSERT_LE(1, linear.channels);

@@ -16,6 +16,10 @@ float linear_to_srgb(float linear);
 /// The same for an 8-bit display value, from a table.
 float srgb8_to_linear(std::uint8_t display);
 
+/// The nearest 8-bit display value of linear light, clamped to 0..1, NaN gives 0; by a search in a table, several times faster than the
+/// curve.
+std::uint8_t linear_to_srgb8(float linear);
+
 /// IEEE 754 binary16 bits, rounded to nearest, ties to even; beyond 65504 (plus half a step) infinite; NaN stays NaN.
 std::uint16_t float_to_half(float value);
 /// Exact.

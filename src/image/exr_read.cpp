@@ -50,7 +50,7 @@ Colours choose_channels(const Imf::ChannelList& channels, const std::string& whe
   if (full("R") && full("G") && full("B")) return Colours::rgb;
   // Y beside RY and BY is the brightness of a coloured picture.
   if (full("Y") && channels.findChannel("RY") == nullptr && channels.findChannel("BY") == nullptr) return Colours::grey;
-  throw input_error(where, "EXR has the channels {}; expected R, G and B, or Y, at full size in its first part", names.substr(0, 200));
+  throw input_error(where, "EXR has the channels {}; expected R, G and B, or Y, at full size in its first part", printable(names));
 }
 
 /// The pixels of the data window, three floats each.
@@ -109,11 +109,7 @@ ImageF decode_exr(Bytes bytes, const std::string& where, const DecodeLimits& lim
     return crop_to_display(read_data_window(file, colours), file.header().dataWindow(), file.header().displayWindow(), where);
   } catch (const InputError&) { throw; } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception& error) {
-    std::string reason = error.what();
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw input_error(where, "EXR is truncated or damaged: {}", reason);
-  }
+  } catch (const std::exception& error) { throw input_error(where, "EXR is truncated or damaged: {}", printable(error.what())); }
 }
 
 }  // namespace dermis::image::formats

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/codec.h"
@@ -13,6 +14,9 @@
 namespace dermis::image::formats {
 
 using Bytes = std::span<const std::byte>;
+
+/// Text from inside a file, fit for a line of an error: control and non-ASCII characters become '?', and it is cut after 200.
+std::string printable(std::string_view text);
 
 /// InputError unless 1 <= width, height <= max_side and their product <= max_pixels.
 void check_size(std::int64_t width, std::int64_t height, const DecodeLimits& limits, const std::string& where);

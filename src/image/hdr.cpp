@@ -31,7 +31,8 @@ class Input {
   std::string_view line() {
     const std::string_view rest(reinterpret_cast<const char*>(bytes_.data()) + at_, std::min(left(), max_header_bytes));
     const size_t end = rest.find('\n');
-    if (end == std::string_view::npos || at_ > max_header_bytes) throw input_error(where_, "HDR is truncated or damaged: no end of its header");
+    if (end == std::string_view::npos || at_ > max_header_bytes)
+      throw input_error(where_, "HDR is truncated or damaged: no end of its header");
     at_ += end + 1;
     return rest.substr(0, end);
   }
@@ -63,12 +64,13 @@ Layout parse_resolution(std::string_view line, const std::string& where) {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) {
-      throw input_error(where, "HDR is damaged: its size must read like \"-Y 512 +X 1024\", got \"{}\"", line.substr(0, 80));
+      throw input_error(where, "HDR is damaged: its size must read like \"-Y 512 +X 1024\", got \"{}\"", printable(line.substr(0, 80)));
     }
     return value;
   };
   const std::string_view first = word(rest);
-  if (first == "+X" || first == "-X") throw input_error(where, "HDR stores columns (\"{}\"), expected rows (\"-Y ... +X ...\")", line.substr(0, 80));
+  if (first == "+X" || first == "-X")
+    throw input_error(where, "HDR stores columns (\"{}\"), expected rows (\"-Y ... +X ...\")", printable(line.substr(0, 80)));
   Layout layout;
   layout.bottom_up = first == "+Y";
   layout.height = number(word(rest));
@@ -85,11 +87,12 @@ Layout read_header(Input& input, const std::string& where) {
   std::string_view line;
   while (!(line = input.line()).empty() && line != "\r") {
     constexpr std::string_view format_key = "FORMAT=";
-    if (line.starts_with("EXPOSURE=")) note("{}: {} is not applied, as in other renderers", where, line.substr(0, 40));
+    if (line.starts_with("EXPOSURE=")) note("{}: {} is not applied, as in other renderers", where, printable(line.substr(0, 40)));
     if (!line.starts_with(format_key)) continue;
     line.remove_prefix(format_key.size());
     const std::string_view format = word(line);
-    if (format != "32-bit_rle_rgbe") throw input_error(where, "HDR has the format \"{}\", expected 32-bit_rle_rgbe", format.substr(0, 40));
+    if (format != "32-bit_rle_rgbe")
+      throw input_error(where, "HDR has the format \"{}\", expected 32-bit_rle_rgbe", printable(format.substr(0, 40)));
   }
   return parse_resolution(input.line(), where);
 }

@@ -53,9 +53,7 @@ void on_message(j_common_ptr info, int level) {
     case JWRN_HIT_MARKER: reader.truncated = true; fail(info);
     case JWRN_HUFF_BAD_CODE:
     case JWRN_ARITH_BAD_CODE:
-    case JWRN_MUST_RESYNC:
-    case JWRN_BOGUS_PROGRESSION:
-    case JWRN_NOT_SEQUENTIAL: fail(info);
+    case JWRN_MUST_RESYNC: fail(info);
     default: info->err->format_message(info, reader.warning);
   }
 }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <string_view>
 
 #include "core/error.h"
 #include "image/formats.h"
@@ -71,6 +72,11 @@ Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& lim
   }
   // Reads on to the end chunk, so that a file cut after its last pixel is noticed too.
   check(spng_decode_chunks(context.get()), where);
+  // The library does not ask for the checksum of the end chunk, which is always the same.
+  constexpr std::string_view end_chunk("IEND\xae\x42\x60\x82");
+  if (std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).rfind(end_chunk) == std::string_view::npos) {
+    throw input_error(where, "PNG is truncated");
+  }
   return picture;
 }
 

@@ -59,10 +59,12 @@ Level halve(int width, int height, const Fetch& fetch) {
   Level half{.width = std::max(1, width / 2), .height = std::max(1, height / 2), .pixels = {}};
   const std::size_t row_size = static_cast<std::size_t>(half.width);
   half.pixels.resize(row_size * static_cast<std::size_t>(half.height));
+  std::vector<Cover> all_columns(row_size);
+  for (std::size_t x = 0; x < row_size; ++x) all_columns[x] = cover(static_cast<int>(x), half.width, width);
   parallel_for(static_cast<std::size_t>(half.height), [&](std::size_t row) {
     const Cover rows = cover(static_cast<int>(row), half.height, height);
     for (std::size_t x = 0; x < row_size; ++x) {
-      const Cover columns = cover(static_cast<int>(x), half.width, width);
+      const Cover& columns = all_columns[x];
       Rgba sum{};
       for (int j = 0; j < rows.count; ++j) {
         for (int i = 0; i < columns.count; ++i) {
@@ -87,9 +89,7 @@ Image8 round_level(const Level& level, bool srgb) {
     for (int x = 0; x < level.width; ++x) {
       const Rgba& pixel = level.at(x, y);
       std::uint8_t* out = picture.at(x, y);
-      for (std::size_t c = 0; c < 3; ++c) {
-        out[c] = srgb ? to_display8(View::srgb, pixel[c] / colour_weight(pixel[3])) : round8(pixel[c]);
-      }
+      for (std::size_t c = 0; c < 3; ++c) { out[c] = srgb ? linear_to_srgb8(pixel[c] / colour_weight(pixel[3])) : round8(pixel[c]); }
       out[3] = round8(pixel[3]);
     }
   });

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -16,14 +18,12 @@ namespace {
 std::string error_of(const std::string& text, bool normalise = false) {
   try {
     parse_json(text, "p.json", normalise);
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  } catch (const InputError& error) { return error.what(); }
   return "no error";
 }
 
 std::string two_terms(const std::string& variances, const std::string& weights, const std::string& more = "") {
-  return R"({"variances_mm2": )" + variances + R"(, "weights": )" + weights + more + "}";
+  return fmt::format(R"({{"variances_mm2": {}, "weights": {}{}}})", variances, weights, more);
 }
 
 const std::string good_weights = "[[0.25, 0.5, 1], [0.75, 0.5, 0]]";
@@ -66,11 +66,15 @@ TEST(ProfileJson, SortsNarrowToWideAndFillsDefaults) {
 TEST(ProfileJson, EightTermsAreTheMost) {
   std::string variances, weights;
   for (int i = 1; i <= 9; ++i) {
-    variances += (i == 1 ? "" : ",") + std::to_string(i);
+    variances += fmt::format("{}{}", i == 1 ? "" : ",", i);
     weights += (i == 1 ? "[1,1,1]" : ",[0,0,0]");
-    if (i == 8) EXPECT_EQ(parse_json(two_terms("[" + variances + "]", "[" + weights + "]"), "p.json").terms.size(), 8u);
+    const std::string text = two_terms(fmt::format("[{}]", variances), fmt::format("[{}]", weights));
+    if (i < 9) {
+      EXPECT_EQ(parse_json(text, "p.json").terms.size(), static_cast<std::size_t>(i));
+    } else {
+      EXPECT_EQ(error_of(text), "p.json: variances_mm2 must have 1 to 8 terms, got 9");
+    }
   }
-  EXPECT_EQ(error_of(two_terms("[" + variances + "]", "[" + weights + "]")), "p.json: variances_mm2 must have 1 to 8 terms, got 9");
   EXPECT_EQ(error_of(two_terms("[]", "[]")), "p.json: variances_mm2 must have 1 to 8 terms, got 0");
   EXPECT_EQ(error_of(two_terms("[1]", good_weights)), "p.json: variances_mm2 has 1 terms and weights has 2, expected as many");
 }
@@ -106,7 +110,8 @@ TEST(ProfileJson, Keys) {
             "mean_free_path_mm, diffuse_mean_free_path_mm");
   EXPECT_EQ(error_of(R"({"weights": [[1,1,1]]})"), "p.json: key 'variances_mm2' is missing");
   EXPECT_EQ(error_of(R"({"variances_mm2": [1]})"), "p.json: key 'weights' is missing");
-  EXPECT_EQ(error_of(R"({"variances_mm2": [1], "weights": [[1,1,1]], "variances_mm2": [2]})"), "p.json: key 'variances_mm2' is given twice");
+  EXPECT_EQ(error_of(R"({"variances_mm2": [1], "weights": [[1,1,1]], "variances_mm2": [2]})"),
+            "p.json: key 'variances_mm2' is given twice");
   EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "name": 3)")), "p.json: name must be a text, got number");
   EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "total_reflectance": [1, 2, 1])")),
             "p.json: total_reflectance[1] must be 0 to 1, got 2");
@@ -125,18 +130,19 @@ TEST(ProfileJson, BrokenText) {
   EXPECT_EQ(error_of("[]"), "p.json: a profile must be an object, got array");
   EXPECT_EQ(error_of("3"), "p.json: a profile must be an object, got number");
   EXPECT_EQ(error_of(std::string(200000, '[')), "p.json: profile is nested more than 8 deep");
-  EXPECT_EQ(error_of(R"({"name": )" + std::string(200000, '[')), "p.json: profile is nested more than 8 deep");
+  EXPECT_EQ(error_of(fmt::format(R"({{"name": {})", std::string(200000, '['))), "p.json: profile is nested more than 8 deep");
 }
 
 TEST(ProfileJson, EveryTruncationIsAnError) {
   const std::string text = to_json(skin_six());
   const std::size_t end = text.find_last_of('}');
-  for (std::size_t length = 0; length <= end; ++length) EXPECT_EQ(error_of(text.substr(0, length)).find("p.json: is not valid JSON"), 0u) << length;
+  for (std::size_t length = 0; length <= end; ++length)
+    EXPECT_EQ(error_of(text.substr(0, length)).find("p.json: is not valid JSON"), 0u) << length;
 }
 
 TEST(ProfileJson, NameOrFile) {
   EXPECT_EQ(from_name_or_file("skin").terms.size(), 6u);
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / ("dermis_profile_" + std::to_string(::getpid()) + ".json");
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("dermis_profile_{}.json", ::getpid());
   std::ofstream(path) << two_terms("[1, 2]", "[[1, 2, 3], [3, 2, 0]]");
   EXPECT_EQ(from_name_or_file(path.string(), true).terms.size(), 2u);
   EXPECT_THROW(from_name_or_file(path.string()), InputError);

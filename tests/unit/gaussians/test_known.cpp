@@ -47,9 +47,7 @@ TEST(Known, EveryNameIsKnownAndOthersListThem) {
   try {
     known("marble");
     FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "profile 'marble' is not known; known are: skin");
-  }
+  } catch (const InputError& error) { EXPECT_STREQ(error.what(), "profile 'marble' is not known; known are: skin"); }
 }
 
 }  // namespace

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Straight lines on a triangle mesh: unfolding across edges and around vertices.
+// Based on: [PS06] Polthier, Schmies: Straightest Geodesics on Polyhedral Surfaces. SIGGRAPH 2006 courses (here: one of the two sides'
+// angle is given by where the line starts, so a vertex is only ever left, never crossed).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/topology.h"
+
+namespace dermis::scene {
+
+struct SurfacePoint {
+  std::uint32_t triangle = 0;
+  glm::dvec3 barycentric{1, 0, 0};  ///< 0..1, sum 1
+};
+
+/// A mesh ready to walk on. Holds references: topology and indices must outlive it. Walking is const and may run on many threads.
+class Walker {
+ public:
+  Walker(const Topology& topology, std::span<const Vertex> vertices, std::span<const glm::vec2> uv, std::span<const std::uint32_t> indices);
+
+  /// Leaves a triangle through its half edge at the point `along` (0 = start, 1 = end; exactly 0 or 1 turns around that vertex) and goes on
+  /// straight by `uv_vector`, texture coordinates of that triangle turned into lengths by its plane. The way runs over neighbours at the
+  /// same place, whatever their coordinates. None where the way meets an open border, or does not end within 1,000 triangles.
+  std::optional<SurfacePoint> leave(std::uint32_t half, double along, const glm::dvec2& uv_vector) const;
+
+ private:
+  using Flat = std::array<glm::dvec2, 3>;  ///< a triangle laid in the plane, counter-clockwise
+  struct State {
+    std::uint32_t triangle;
+    glm::dvec2 at, vector;  ///< in the triangle's plane
+    unsigned closed_edges;  ///< bit k: the way does not leave through edge k (it has just come in there)
+  };
+
+  std::uint32_t place(std::uint32_t half) const { return topology_.position_id[indices_[half]]; }
+  std::optional<State> cross(std::uint32_t half, double along, const glm::dvec2& vector) const;
+  std::optional<State> turn(std::uint32_t half, bool at_end, const glm::dvec2& vector) const;
+  std::optional<SurfacePoint> straight(State state) const;
+
+  const Topology& topology_;
+  std::span<const glm::vec2> uv_;
+  std::span<const std::uint32_t> indices_;
+  std::vector<Flat> flat_;
+};
+
+}  // namespace dermis::scene

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "scene/coverage.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/log.h"
+#include "scan.h"
+#include "scene/primitives.h"
+
+namespace dermis::scene {
+namespace {
+
+SkinMesh mesh_of(const Scene& scene) { return skin_meshes(scene).at(0); }
+
+/// Two copies of a square of the map, side by side in the world; the second moved by `shift` on the map.
+Scene two_squares(glm::vec2 shift) {
+  Scene scene = plane(0.05, glm::dmat2(0.5), {}, 2);
+  Primitive& p = scene.primitives[0];
+  const auto n = static_cast<std::uint32_t>(p.vertices.size());
+  const std::vector<std::uint32_t> indices = p.indices;
+  for (std::uint32_t v = 0; v < n; ++v) {
+    Vertex copy = p.vertices[v];
+    copy.position_m.x += 0.1f;
+    copy.uv0 += shift;
+    p.vertices.push_back(copy);
+  }
+  for (const std::uint32_t i : indices) p.indices.push_back(n + i);
+  return scene;
+}
+
+TEST(Coverage, EveryTexelOnceWhereTrianglesShareEdges) {
+  // Jittered grids, edges and vertices on texel centres among them: neither gaps nor double texels.
+  std::mt19937 random(3);
+  for (const double jitter : {0.0, 0.3}) {
+    constexpr int cells = 8, side = 64;
+    std::uniform_real_distribution<double> noise(-jitter, jitter);
+    std::vector<glm::vec2> points;
+    for (int y = 0; y <= cells; ++y)
+      for (int x = 0; x <= cells; ++x) {
+        const bool rim = x == 0 || y == 0 || x == cells || y == cells;
+        const double shift = 0.5 / side;  // vertices on texel centres
+        points.emplace_back(glm::dvec2(x + (rim ? 0 : noise(random)), y + (rim ? 0 : noise(random))) / double(cells) + (rim ? 0 : shift));
+      }
+    std::vector<int> count(side * side, 0);
+    const auto add = [&](int a, int b, int c) {
+      const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
+      for_each_texel({at(a), at(b), at(c)}, side, [&](int x, int y) { ++count[static_cast<std::size_t>(y * side + x)]; });
+    };
+    for (int y = 0; y < cells; ++y)
+      for (int x = 0; x < cells; ++x) {
+        const int i = y * (cells + 1) + x;
+        add(i, i + 1, i + cells + 2);
+        add(i, i + cells + 1, i + cells + 2);  // the other winding
+      }
+    for (const int c : count) ASSERT_EQ(c, 1);
+  }
+}
+
+TEST(Coverage, TopLeftRule) {
+  // A square whose border runs through texel centres 1.5 and 3.5: top and left centres count, bottom and right ones do not.
+  std::vector<glm::ivec2> texels;
+  const auto p = [](double x, double y) { return glm::vec2(glm::dvec2(x, y) / 8.0); };
+  const auto visit = [&](int x, int y) { texels.emplace_back(x, y); };
+  for_each_texel({p(1.5, 1.5), p(3.5, 1.5), p(1.5, 3.5)}, 8, visit);
+  for_each_texel({p(3.5, 1.5), p(3.5, 3.5), p(1.5, 3.5)}, 8, visit);
+  std::sort(texels.begin(), texels.end(), [](auto a, auto b) { return std::pair(a.y, a.x) < std::pair(b.y, b.x); });
+  EXPECT_EQ(texels, (std::vector<glm::ivec2>{{1, 1}, {2, 1}, {1, 2}, {2, 2}}));
+}
+
+TEST(Coverage, StaysOnTheMap) {
+  for_each_texel({glm::vec2(-0.7f, -0.7f), glm::vec2(1.9f, 0.1f), glm::vec2(0.5f, 1.9f)}, 16,
+                 [&](int x, int y) { ASSERT_TRUE(x >= 0 && x < 16 && y >= 0 && y < 16); });
+  // Thin, steep and long: the row's span is found without leaving integers.
+  for_each_texel({glm::vec2(0, 0), glm::vec2(1, 1e-6f), glm::vec2(1, 2e-3f)}, 16384,
+                 [&](int x, int y) { ASSERT_LT(std::max(x, y), 16384); });
+}
+
+TEST(Overlap, Fractions) {
+  EXPECT_EQ(uv_overlap_fraction(mesh_of(plane(0.05, glm::dmat2(1), {}, 7))), 0);
+  EXPECT_EQ(uv_overlap_fraction(mesh_of(sphere(0.1, 12))), 0);
+  EXPECT_EQ(uv_overlap_fraction(mesh_of(two_squares({0, 0}))), 1);
+  EXPECT_EQ(uv_overlap_fraction(mesh_of(two_squares({0.5f, 0}))), 0);
+  EXPECT_NEAR(uv_overlap_fraction(mesh_of(two_squares({0.25f, 0}))), 1.0 / 3, 1e-9);
+}
+
+TEST(Overlap, WarnsFromHalfAPercentOn) {
+  std::vector<std::string> lines;
+  const LogSink former = set_log_sink([&](LogLevel, const std::string& line) { lines.push_back(line); });
+  EXPECT_NEAR(warn_overlap(mesh_of(two_squares({0.4985f, 0}))), 0.0015, 0.002);
+  EXPECT_TRUE(lines.empty());
+  warn_overlap(mesh_of(two_squares({0.25f, 0})));
+  set_log_sink(former);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines[0].find("33.3 %"), std::string::npos) << lines[0];
+}
+
+TEST(Overlap, Scan) {
+  DERMIS_NEED_SCAN(scan);
+  const double fraction = uv_overlap_fraction(mesh_of(*scan));
+  EXPECT_LT(fraction, 0.005);
+  RecordProperty("overlap_percent", std::to_string(100 * fraction));
+}
+
+}  // namespace
+}  // namespace dermis::scene
