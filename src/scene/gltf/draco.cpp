@@ -2,7 +2,6 @@
 // KHR_draco_mesh_compression. The library checks its input but takes memory for what the header claims, so the header is held against the
 // primitive's accessors first.
 #include <cstring>
-#include <set>
 
 // The library's headers do not keep our warnings.
 #pragma GCC diagnostic push
@@ -85,11 +84,15 @@ class HeaderReader {
   std::size_t at_ = 0;
 };
 
+constexpr std::uint64_t max_faces_per_byte = 256, free_faces = 4096;
+
 void check_claim(std::span<const std::byte> compressed, std::uint64_t faces, const std::string& where) {
   try {
     const HeaderReader::Claim claim = HeaderReader(compressed).read();
     if (claim.known && claim.faces != faces)
       throw input_error(where, "the Draco data holds {} triangles, the accessor of the indices says {}", claim.faces, faces);
+    if (faces > compressed.size() * max_faces_per_byte + free_faces)
+      throw input_error(where, "{} bytes of Draco data cannot hold {} triangles", compressed.size(), faces);
   } catch (const Damaged&) { throw input_error(where, "the Draco data is damaged"); }
 }
 

@@ -24,7 +24,7 @@ bool says_skin(const std::string& name) {
 
 std::string quoted_names(const std::vector<MaterialSource>& materials) {
   std::vector<std::string> names;
-  for (const MaterialSource& m : materials) names.push_back("'" + m.material.name + "'");
+  for (const MaterialSource& m : materials) names.push_back(fmt::format("'{}'", printable(m.material.name)));
   if (names.size() > 20) names.resize(20);
   return fmt::format("{}", fmt::join(names, ", "));
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/load.h"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
+#include <stdexcept>
 
 #include "core/log.h"
 #include "scene/gltf/finish.h"
@@ -19,22 +21,21 @@ constexpr float least_height_m = 0.10f, most_height_m = 0.60f;
 /// Texture coordinates that some map of the material wants and the primitive lacks: drawn as if they were all (0, 0).
 void warn_of_missing_uv(const Document& document, const Primitive& primitive, const Material& material) {
   if (primitive.has_uv || (!material.skin && !material.base_colour_map.present() && !material.normal_map.present())) return;
-  warn("{}: '{}' has no texture coordinates{}", document.file, primitive.name,
+  warn("{}: '{}' has no texture coordinates{}", document.file, printable(primitive.name),
        material.skin ? ", which skin is rendered in" : ", its maps show one texel");
 }
 
 void complete_surface(const Document& document, Primitive& primitive, const Material& material, bool file_tangents) {
   make_missing_normals(primitive);
   warn_of_missing_uv(document, primitive, material);
-  const MapRef& normal = material.normal_map;
-  const bool plain = normal.transform == MapRef{}.transform;
-  if (file_tangents && plain) return;
   // Fine normals of a displacement map use the tangents too; with both, the normal map rules.
+  const MapRef& normal = material.normal_map;
   const MapRef& map = normal.present() ? normal : material.skin_settings.displacement;
+  if (file_tangents && map.transform == MapRef{}.transform) return;
   make_tangents(primitive, map.transform, map.uv_set);
 }
 
-void warn_of_size(const Scene& scene) {
+void warn_of_size(const Document& document, const Scene& scene) {
   float low = 0, high = 0;
   bool any = false;
   for (const Primitive& p : scene.primitives) {
@@ -48,7 +49,7 @@ void warn_of_size(const Scene& scene) {
   const float height = high - low;
   if (any && (height < least_height_m || height > most_height_m))
     warn("{}: the skin is {:.4g} m high, a head has 0.1 to 0.6 m; light spreads by mm, so give the right size with --unit-scale",
-         scene.name, height);
+         document.file, height);
 }
 
 Scene load(const std::filesystem::path& path, const LoadOptions& options) {
@@ -67,7 +68,7 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
     complete_surface(document, scene.primitives[i], scene.materials[scene.primitives[i].material], placed.file_tangents[i]);
   place_lights_and_cameras(document, options.unit_scale, scene);
   decode_images(document, bytes, options.max_map_side, scene);
-  warn_of_size(scene);
+  warn_of_size(document, scene);
   return scene;
 }
 
@@ -76,11 +77,18 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
 Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
   if (!(options.unit_scale > 0 && options.unit_scale <= 1e6))
     throw input_error("--unit-scale", "must be over 0, got {}", options.unit_scale);
+  constexpr std::size_t longest_message = 2000;
+  const auto too_large = [&] { return input_error(path.string(), "needs more memory than there is"); };
   try {
     return load(path, options);
-  } catch (const std::bad_alloc&) {
-    throw input_error(path.string(), "needs more memory than there is");
-  } catch (const std::length_error&) { throw input_error(path.string(), "needs more memory than there is"); }
+  } catch (const InputError& error) {
+    // Names and uris of the file stand in messages; whatever they hold, an error is one line.
+    throw InputError("", printable(error.what(), longest_message));
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw input_error(path.string(), "{}", printable(error.what(), longest_message));
+  } catch (const std::bad_alloc&) { throw too_large(); } catch (const std::length_error&) {
+    throw too_large();
+  }
 }
 
 }  // namespace dermis::scene

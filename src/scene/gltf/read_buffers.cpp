@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // buffers, bufferViews and accessors: every range is checked against what holds it, so that reading cannot leave it later.
+#include <algorithm>
+
 #include "scene/gltf/document.h"
 
 namespace dermis::scene::gltf {
@@ -8,8 +10,16 @@ namespace {
 
 constexpr std::uint64_t min_stride = 4, max_stride = 252;
 
-/// An accessor without bytes of its own costs the file nothing, so its size is limited by itself. [vertices, or any elements]
-constexpr std::uint64_t max_zero_elements = 1u << 24;
+// An accessor without bytes of its own (sparse over nothing, or Draco) costs the file nothing, so what it may claim is held against the
+// size of all buffers: the densest Draco data we know of holds some 20 indices a byte. Below the floor it takes no memory worth a word.
+constexpr std::uint64_t max_zero_elements = 1u << 24, free_zero_elements = 1u << 16, zero_elements_per_byte = 64;
+
+std::uint64_t zero_element_limit(const Document& document) {
+  std::uint64_t bytes = 0;
+  for (const Buffer& buffer : document.buffers)
+    if (buffer.uri || buffer.is_chunk) bytes += std::min(buffer.byte_length, max_zero_elements);
+  return std::min(max_zero_elements, free_zero_elements + bytes * zero_elements_per_byte);
+}
 
 void check_within(const Value& where, std::uint64_t offset, std::uint64_t length, std::uint64_t size, const char* what) {
   if (offset > size || length > size - offset)
@@ -152,8 +162,8 @@ Accessor read_accessor(const Document& document, const Value& value) {
     check_elements(value, view, accessor.offset, accessor.count, bytes, stride);
   } else {
     if (value.has("byteOffset")) value.fail("byteOffset without a bufferView");
-    if (accessor.count > max_zero_elements)
-      value.fail("{} elements without a bufferView; the limit is {}", accessor.count, max_zero_elements);
+    const std::uint64_t limit = zero_element_limit(document);
+    if (accessor.count > limit) value.fail("{} elements without a bufferView; the limit for this file is {}", accessor.count, limit);
   }
   if (const std::optional<Value> sparse = value.find("sparse")) accessor.sparse = read_sparse(document, *sparse, accessor);
   return accessor;

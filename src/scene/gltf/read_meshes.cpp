@@ -66,9 +66,7 @@ void check_format(const Value& where, const std::string& semantic, const Accesso
 Attributes read_attributes(const Document& document, const Value& value) {
   Attributes attributes;
   for (const std::string& semantic : value.keys()) {
-    const int accessor = value.index(semantic.c_str(), document.accessors.size(), "accessor");
-    if (semantic.find('\0') != std::string::npos) value.fail("an attribute's name holds a zero byte");
-    attributes[semantic] = accessor;
+    attributes[semantic] = value.index(semantic.c_str(), document.accessors.size(), "accessor");
   }
   return attributes;
 }

@@ -14,24 +14,21 @@ namespace {
 constexpr int max_json_depth = 128;
 constexpr std::size_t max_json_values = 5'000'000;  // a DOM takes 16 to 100 bytes a value
 
-/// One line out of a parser's message.
+/// What a parser's message says, without its own numbering.
 std::string short_reason(const char* what) {
-  std::string reason(what);
-  if (const auto end = reason.find("] "); end != std::string::npos) reason.erase(0, end + 2);
-  std::replace_if(
-      reason.begin(), reason.end(), [](unsigned char c) { return c < 0x20; }, ' ');
-  if (reason.size() > 160) reason.resize(160);
-  return reason;
-}
-
-std::string printable(std::string_view key) {
-  std::string out(key.substr(0, 60));
-  std::replace_if(
-      out.begin(), out.end(), [](unsigned char c) { return c < 0x20; }, '?');
-  return out;
+  const std::string_view reason(what);
+  const std::size_t end = reason.find("] ");
+  return printable(end == std::string_view::npos ? reason : reason.substr(end + 2), 160);
 }
 
 }  // namespace
+
+std::string printable(std::string_view text, std::size_t most) {
+  std::string out(text.substr(0, most));
+  std::replace_if(
+      out.begin(), out.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+  return out;
+}
 
 JsonText::JsonText(std::string_view text, std::string file) : file_(std::move(file)) {
   if (text.starts_with("\xEF\xBB\xBF")) throw input_error(file_, "the JSON starts with a byte-order mark, which glTF forbids");

@@ -23,6 +23,9 @@ namespace dermis::scene::gltf {
 /// Counts, offsets and lengths of a file stay below this, so that sums and products of a few of them fit 64 bits.
 inline constexpr std::uint64_t max_count = std::uint64_t{1} << 48;
 
+/// Text of a file for a message: without control characters, so that the message stays one line, and cut to `most` bytes.
+std::string printable(std::string_view text, std::size_t most = 80);
+
 /// The parsed text; Values point into it.
 class JsonText {
  public:

@@ -205,6 +205,17 @@ TEST(GltfHostile, SmallFilesThatClaimMuch) {
   EXPECT_ERROR(draco, "Draco data holds 268435456 triangles");
 }
 
+TEST(GltfHostile, MessagesStayOneLine) {
+  const std::string nasty = "a\nb\r\x1b[2J" + std::string(5000, 'x');
+  for (const std::string& error :
+       {bent([&](Builder& b) { b.json["extensionsRequired"] = {nasty}; }), bent([&](Builder& b) { b.json["buffers"][0]["uri"] = nasty; }),
+        bent([&](Builder& b) { b.json["meshes"][0]["primitives"][0]["attributes"][nasty] = 99; })}) {
+    ASSERT_FALSE(error.empty());
+    EXPECT_LE(error.size(), 2000u);
+    for (const char c : error) EXPECT_GE(static_cast<unsigned char>(c), 0x20);
+  }
+}
+
 TEST(GltfHostile, DracoDataThatDoesNotFit) {
   DERMIS_NEED_ASSETS(root);
   const std::string file = read_text(*root / "gltf-valid" / "head-variants" / "head-draco.glb");
