@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "info_command.h"
+#include <memory>
+
 
 #include <fmt/format.h>
 
@@ -7,6 +8,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "cli/command.h"
 
 #include "dermis/error.h"
 #include "gpu/device.h"
@@ -54,6 +57,13 @@ int run_info(bool json) {
     std::fputs(fmt::format("dermis: error: {}\n", error.what()).c_str(), stderr);
   }
   return 1;
+}
+
+void add_info_command(CLI::App& app, int& exit_status) {
+  CLI::App* command = app.add_subcommand("info", "list the devices, and what is missing on those that cannot be used");
+  auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "as JSON");
+  command->callback([json, &exit_status] { exit_status = run_info(*json); });
 }
 
 }  // namespace dermis::cli

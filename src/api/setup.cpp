@@ -81,7 +81,7 @@ scene::BoundingSphere caster_sphere(const scene::Scene& scene) {
   std::vector<glm::vec3> points;
   for (const scene::Primitive& p : scene.primitives)
     for (const scene::Vertex& v : p.vertices) points.push_back(v.position_m);
-  return scene::smallest_sphere(points);
+  return scene::bounding_sphere(points);
 }
 
 std::vector<HeadSetup> set_up_heads(const scene::Scene& scene, const RenderSettings& s, const FrameSetup& setup, const std::vector<scene::Light>& lights,

@@ -26,7 +26,7 @@ struct RequiredFeatures {
   RequiredFeatures& operator=(const RequiredFeatures&) = delete;
   static constexpr std::uint32_t api_version = VK_API_VERSION_1_3;
   static std::span<const char* const> extensions();   ///< VK_KHR_push_descriptor
-  VkPhysicalDeviceFeatures2 features{};                ///< head of the chain
+  VkPhysicalDeviceFeatures2 features{};                ///< front of the chain
   VkPhysicalDeviceVulkan11Features features11{};
   VkPhysicalDeviceVulkan12Features features12{};       ///< scalarBlockLayout, timelineSemaphore, ...
   VkPhysicalDeviceVulkan13Features features13{};       ///< dynamicRendering, synchronization2

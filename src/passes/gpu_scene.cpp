@@ -7,8 +7,9 @@
 #include "gpu/device.h"
 #include "image/colour.h"
 #include "image/resize.h"
-#include "passes/gutters/gutters_io.h"
-#include "passes/skin/attenuation.h"
+#include "shared/gutters_io.h"
+#include "passes/own_texels.h"
+#include "passes/attenuation.h"
 
 namespace dermis::passes {
 namespace {
@@ -97,11 +98,13 @@ GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vec
 
 void upload_gutters(gpu::Device& device, GpuMesh& mesh, const scene::SkinMesh& skin, int map_size, int width_texels) {
   std::vector<io::GutterIo> list;
-  for (const scene::GutterTexel& g : scene::build_gutters(skin, map_size, width_texels))
-    list.push_back({.texel = g.x | static_cast<std::uint32_t>(g.y) << 16,
-                    .own = g.own_x | static_cast<std::uint32_t>(g.own_y) << 16,
-                    .source = {g.source_x, g.source_y},
-                    .chart = g.chart});
+  const std::vector<scene::GutterTexel> gutters = scene::build_gutters(skin, map_size, width_texels);
+  const std::vector<glm::uvec2> own = own_texels(skin, gutters, map_size);
+  for (std::size_t i = 0; i < gutters.size(); ++i)
+    list.push_back({.texel = gutters[i].x | static_cast<std::uint32_t>(gutters[i].y) << 16,
+                    .own = own[i].x | own[i].y << 16,
+                    .source = {gutters[i].source_x, gutters[i].source_y},
+                    .chart = gutters[i].chart});
   mesh.gutter_count = static_cast<std::uint32_t>(list.size());
   if (!list.empty()) mesh.gutters = gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
 }

@@ -4,7 +4,7 @@
 #version 460
 #include "shared/types.h"
 #include "shared/half.glsl"
-#include "passes/gutters/gutters_io.h"
+#include "shared/gutters_io.h"
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { GuttersIo io; };
 layout(binding = 0, scalar) readonly buffer Gutters { GutterIo gutters[]; };

@@ -3,7 +3,7 @@
 
 #include "frame/executor.h"
 #include "passes/bindings.h"
-#include "passes/gutters/gutters_io.h"
+#include "shared/gutters_io.h"
 
 namespace dermis::passes {
 

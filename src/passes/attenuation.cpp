@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "passes/skin/attenuation.h"
+#include "passes/attenuation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef DERMIS_PASSES_GUTTERS_IO_H
-#define DERMIS_PASSES_GUTTERS_IO_H
+#ifndef DERMIS_SHARED_GUTTERS_IO_H
+#define DERMIS_SHARED_GUTTERS_IO_H
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 // A texel beside a chart, and where its light is found.
