@@ -28,7 +28,7 @@ frame::FrameData frame_data(gpu::Device& device, const api::FrameSetup& setup, c
   frame::FrameData data;
   data.scene = &scene;
   data.eye_m = setup.frame.eye_m;
-  data.frame_io = gpu::make_buffer(device, "frame", std::span(&setup.frame, 1), storage);
+  data.frame_io = gpu::make_buffer(device, "frame", std::span(&setup.frame, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   for (const api::HeadSetup& head : setup.heads) {
     frame::Instance instance;
     instance.offset_m = head.offset_m;

@@ -167,7 +167,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
     material.alpha_mode = m.alpha_mode;
     const auto maps = maps_of(m);
     const io::MaterialIo constants = material_io(m, maps, settings.mix);
-    material.constants = gpu::make_buffer(device, "material " + m.name, std::span(&constants, 1), storage);
+    material.constants = gpu::make_buffer(device, "material " + m.name, std::span(&constants, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     for (int i = 0; i < MAP_COUNT; ++i) {
       const scene::MapRef& map = maps[static_cast<std::size_t>(i)];
       const bool srgb = i == MAP_BASE_COLOUR || i == MAP_EMISSIVE || i == MAP_SPECULAR_COLOUR;

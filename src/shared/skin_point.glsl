@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a point of skin is made of, and the light that enters there: shared by the map in texture space and by direct shading per pixel,
 // so that both show the same skin.
-layout(binding = 2, scalar) readonly buffer Material { MaterialIo material; };
-layout(binding = 3, scalar) readonly buffer Frame { FrameIo frame; };
+// Uniform, not storage, buffers: some software devices read zeros from storage in helper invocations, which breaks texture derivatives.
+layout(binding = 2, scalar) uniform Material { MaterialIo material; };
+layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
 layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
 layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
 layout(binding = 6) uniform sampler2DArrayShadow shadow_maps;

@@ -2,7 +2,7 @@
 // Cut-out parts cast the shadow of what is left of them.
 #version 460
 #include "shared/scene_io.h"
-layout(binding = 2, scalar) readonly buffer Material { MaterialIo material; };
+layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 layout(binding = 8) uniform sampler2D map_base_colour;
 layout(location = 0) in vec2 in_uv0;
 layout(location = 1) in vec2 in_uv1;

@@ -4,7 +4,7 @@
 #include "shared/vertex_pull.glsl"
 #include "passes/skin/skin_io.h"
 layout(push_constant, scalar) uniform Push { SkinIo io; };
-layout(binding = 3, scalar) readonly buffer Frame { FrameIo frame; };
+layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;

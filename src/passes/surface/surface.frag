@@ -5,8 +5,8 @@
 #include "shared/scene_io.h"
 #include "shared/half.glsl"
 #include "passes/surface/surface_io.h"
-layout(binding = 2, scalar) readonly buffer Material { MaterialIo material; };
-layout(binding = 3, scalar) readonly buffer Frame { FrameIo frame; };
+layout(binding = 2, scalar) uniform Material { MaterialIo material; };
+layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
 layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
 layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
 layout(binding = 6) uniform sampler2DArrayShadow shadow_maps;
