@@ -4,7 +4,8 @@
 
 namespace dermis::cli {
 
-/// Prints to stdout, as text or as one JSON object {"devices": [...]}. Returns the exit status: 1, with one line on stderr, if no device is usable.
+/// Prints to stdout, as text or as one JSON object {"devices": [...]}. Returns the exit status: 1, with one line on stderr, if no device is
+/// usable.
 int run_info(bool json);
 
 }  // namespace dermis::cli
