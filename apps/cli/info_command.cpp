@@ -52,10 +52,8 @@ int run_info(bool json) {
   std::fputs((json ? as_json(devices) : as_text(devices)).c_str(), stdout);
   if (std::ranges::any_of(devices, [](const gpu::DeviceSummary& d) { return d.missing.empty(); })) return 0;
   try {
-    const gpu::Device device(gpu::Device::Options{});   // says why, in the words that every other command uses
-  } catch (const DeviceError& error) {
-    std::fputs(fmt::format("dermis: error: {}\n", error.what()).c_str(), stderr);
-  }
+    const gpu::Device device(gpu::Device::Options{});  // says why, in the words that every other command uses
+  } catch (const DeviceError& error) { std::fputs(fmt::format("dermis: error: {}\n", error.what()).c_str(), stderr); }
   return 1;
 }
 

@@ -34,7 +34,7 @@ using F13 = VkPhysicalDeviceVulkan13Features;
 constexpr Need<F13> needs13[] = {
     {&F13::dynamicRendering, "dynamicRendering"},
     {&F13::synchronization2, "synchronization2"},
-    {&F13::maintenance4, "maintenance4"},                                    // workgroup sizes by specialisation constant
+    {&F13::maintenance4, "maintenance4"},                                      // workgroup sizes by specialisation constant
     {&F13::shaderDemoteToHelperInvocation, "shaderDemoteToHelperInvocation"},  // what `discard` may compile to
     {&F13::shaderTerminateInvocation, "shaderTerminateInvocation"},
 };
@@ -43,7 +43,8 @@ constexpr const char* extension_names[] = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME
 
 constexpr FormatNeed needed_formats[] = {
     {VK_FORMAT_R16G16B16A16_SFLOAT,
-     VK_FORMAT_FEATURE_2_COLOR_ATTACHMENT_BLEND_BIT | VK_FORMAT_FEATURE_2_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_FILTER_LINEAR_BIT,
+     VK_FORMAT_FEATURE_2_COLOR_ATTACHMENT_BLEND_BIT | VK_FORMAT_FEATURE_2_STORAGE_IMAGE_BIT |
+         VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_FILTER_LINEAR_BIT,
      "half-float images that are drawn to, blended, stored to and filtered"},
     {VK_FORMAT_D32_SFLOAT,
      // Filtering is not asked for: the software driver does not claim it for depth, and Vulkan asks for it only without comparison.
@@ -78,8 +79,8 @@ const char* type_text(VkPhysicalDeviceType type) {
 }
 
 int rank_of(const Candidate& candidate) {
-  constexpr std::array order{VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU, VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU,
-                             VK_PHYSICAL_DEVICE_TYPE_CPU};
+  constexpr std::array order{VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU,
+                             VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU, VK_PHYSICAL_DEVICE_TYPE_CPU};
   const int place = static_cast<int>(std::ranges::find(order, candidate.type) - order.begin());
   return place + (candidate.summary.missing.empty() ? 0 : 100);
 }
@@ -135,14 +136,14 @@ void find_formats(const InstanceTable& table, VkPhysicalDevice device, DeviceFac
   }
 }
 
-void find_queue(const InstanceTable& table, Candidate& candidate, DeviceFacts& facts) {
+void find_queue(const InstanceTable& table, std::optional<std::uint32_t> wanted, Candidate& candidate, DeviceFacts& facts) {
   std::uint32_t count = 0;
   table.get_queue_families(candidate.handle, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
   table.get_queue_families(candidate.handle, &count, families.data());
   for (std::uint32_t i = 0; i < count; ++i) {
     constexpr VkQueueFlags both = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    if ((families[i].queueFlags & both) != both) continue;
+    if ((wanted && *wanted != i) || (families[i].queueFlags & both) != both) continue;
     facts.graphics_and_compute_queue = true;
     candidate.queue_family = i;
     candidate.timestamp_bits = families[i].timestampValidBits;
@@ -194,11 +195,12 @@ std::vector<std::string> missing_of(const DeviceFacts& facts) {
   for (std::size_t i = 0; api && i < std::size(needed_formats); ++i)
     if (i >= facts.formats.size() || (facts.formats[i] & needed_formats[i].features) != needed_formats[i].features)
       missing.push_back(fmt::format("needs {}", needed_formats[i].purpose));
-  if (!(facts.colour_samples & facts.depth_samples & VK_SAMPLE_COUNT_4_BIT)) missing.emplace_back("needs colour and depth images with 4 samples");
+  if (!(facts.colour_samples & facts.depth_samples & VK_SAMPLE_COUNT_4_BIT))
+    missing.emplace_back("needs colour and depth images with 4 samples");
   return missing;
 }
 
-Candidate examine(const InstanceTable& table, VkPhysicalDevice device) {
+Candidate examine(const InstanceTable& table, VkPhysicalDevice device, std::optional<std::uint32_t> family) {
   Candidate candidate;
   candidate.handle = device;
   DeviceFacts facts;
@@ -213,7 +215,7 @@ Candidate examine(const InstanceTable& table, VkPhysicalDevice device) {
   summary.type = type_text(plain.deviceType);
   summary.api = version_text(plain.apiVersion);
   summary.memory_bytes = device_memory_bytes(table, device);
-  find_queue(table, candidate, facts);
+  find_queue(table, family, candidate, facts);
   find_extensions(table, device, facts);
   if (plain.apiVersion >= VK_API_VERSION_1_2) {
     VkPhysicalDeviceDriverProperties driver{};
@@ -230,12 +232,11 @@ Candidate examine(const InstanceTable& table, VkPhysicalDevice device) {
   return candidate;
 }
 
-void sort_best_first(std::vector<Candidate>& candidates) {
-  std::ranges::stable_sort(candidates, {}, rank_of);
-}
+void sort_best_first(std::vector<Candidate>& candidates) { std::ranges::stable_sort(candidates, {}, rank_of); }
 
 std::string no_driver_message() {
-  return "no Vulkan driver found, a Vulkan 1.3 device is needed: install the GPU's driver, or the software driver (Debian, Ubuntu: apt install "
+  return "no Vulkan driver found, a Vulkan 1.3 device is needed: install the GPU's driver, or the software driver (Debian, Ubuntu: apt "
+         "install "
          "mesa-vulkan-drivers)";
 }
 

@@ -5,6 +5,7 @@
 #include <volk.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ namespace dermis::gpu {
 struct FormatNeed {
   VkFormat format;
   VkFormatFeatureFlags2 features;
-  const char* purpose;                    ///< "half-float colour images that blend"
+  const char* purpose;  ///< "half-float colour images that blend"
 };
 std::span<const FormatNeed> format_needs();
 
@@ -30,7 +31,7 @@ struct DeviceFacts {
   VkPhysicalDeviceVulkan13Features features13{};
   std::vector<std::string> extensions;
   bool graphics_and_compute_queue = false;
-  std::vector<VkFormatFeatureFlags2> formats;   ///< for each of format_needs()
+  std::vector<VkFormatFeatureFlags2> formats;  ///< for each of format_needs()
   VkSampleCountFlags colour_samples = 0, depth_samples = 0;
 };
 
@@ -45,7 +46,8 @@ struct Candidate {
   bool anisotropy = false;
   DeviceSummary summary;
 };
-Candidate examine(const InstanceTable& table, VkPhysicalDevice device);
+/// The queue family is the given one, or else the first that serves.
+Candidate examine(const InstanceTable& table, VkPhysicalDevice device, std::optional<std::uint32_t> family = std::nullopt);
 
 /// Usable before unusable; then discrete, integrated, virtual, software, other; else in the driver's order.
 void sort_best_first(std::vector<Candidate>& candidates);

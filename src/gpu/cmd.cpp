@@ -37,8 +37,8 @@ VkDescriptorType type_of(BindingKind kind) {
 }
 
 [[noreturn]] void wrong_kind(const Pipeline& pipeline, const BindingSlot& slot) {
-  assertion_failed("binding is of the kind that the shader declares", fmt::format("{}: binding {} '{}'", pipeline.name, slot.binding, slot.name),
-                   __FILE__, __LINE__);
+  assertion_failed("binding is of the kind that the shader declares",
+                   fmt::format("{}: binding {} '{}'", pipeline.name, slot.binding, slot.name), __FILE__, __LINE__);
 }
 
 void add(Writes& out, const Pipeline& pipeline, const BindingSlot& slot, std::uint32_t element, const Binding& binding) {
@@ -106,24 +106,27 @@ void Cmd::bind(const Pipeline& pipeline, std::span<const Binding> bindings) {
   const auto& vk = device_->vk();
   vk.vkCmdBindPipeline(handle_, pipeline.bind_point, pipeline.handle);
   Writes out;
-  out.images.reserve(bindings.size());   // the writes point into these
+  out.images.reserve(bindings.size());  // the writes point into these
   out.buffers.reserve(bindings.size());
   std::size_t next = 0;
   for (const BindingSlot& slot : pipeline.interface.bindings)
     for (std::uint32_t element = 0; element < slot.count; ++element, ++next)
       if (next < bindings.size()) add(out, pipeline, slot, element, bindings[next]);
   if (next != bindings.size())
-    assertion_failed("as many bindings as the shader declares", fmt::format("{}: {} given, {} declared", pipeline.name, bindings.size(), next),
-                     __FILE__, __LINE__);
+    assertion_failed("as many bindings as the shader declares",
+                     fmt::format("{}: {} given, {} declared", pipeline.name, bindings.size(), next), __FILE__, __LINE__);
   if (out.writes.empty()) return;
-  vk.vkCmdPushDescriptorSetKHR(handle_, pipeline.bind_point, pipeline.layout, 0, static_cast<std::uint32_t>(out.writes.size()), out.writes.data());
+  vk.vkCmdPushDescriptorSetKHR(handle_, pipeline.bind_point, pipeline.layout, 0, static_cast<std::uint32_t>(out.writes.size()),
+                               out.writes.data());
 }
 
 void Cmd::push_bytes(const Pipeline& pipeline, std::span<const std::byte> values) {
   if (values.size() != pipeline.interface.push_bytes)
     assertion_failed("push constants have the size that the shader declares",
-                     fmt::format("{}: {} given, {} declared", pipeline.name, values.size(), pipeline.interface.push_bytes), __FILE__, __LINE__);
-  device_->vk().vkCmdPushConstants(handle_, pipeline.layout, pipeline.push_stages, 0, static_cast<std::uint32_t>(values.size()), values.data());
+                     fmt::format("{}: {} given, {} declared", pipeline.name, values.size(), pipeline.interface.push_bytes), __FILE__,
+                     __LINE__);
+  device_->vk().vkCmdPushConstants(handle_, pipeline.layout, pipeline.push_stages, 0, static_cast<std::uint32_t>(values.size()),
+                                   values.data());
 }
 
 void Cmd::dispatch(std::uint32_t groups_x, std::uint32_t groups_y, std::uint32_t groups_z) {
@@ -196,7 +199,8 @@ void Cmd::draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint
   DERMIS_ASSERT_LE(offset + std::uint64_t{draws} * sizeof(VkDrawIndirectCommand), arguments.desc().bytes);
   // One call each: several draws in one call is an optional feature.
   for (std::uint32_t i = 0; i < draws; ++i)
-    device_->vk().vkCmdDrawIndirect(handle_, arguments.handle(), offset + i * sizeof(VkDrawIndirectCommand), 1, sizeof(VkDrawIndirectCommand));
+    device_->vk().vkCmdDrawIndirect(handle_, arguments.handle(), offset + i * sizeof(VkDrawIndirectCommand), 1,
+                                    sizeof(VkDrawIndirectCommand));
 }
 
 void Cmd::copy(const Buffer& from, const Buffer& to, std::uint64_t bytes) {

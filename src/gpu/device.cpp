@@ -44,7 +44,7 @@ void check(VkResult result, std::string_view what) {
 
 struct Device::State {
   bool external = false;
-  std::unique_ptr<Instance> instance;     ///< ours; null with an engine's
+  std::unique_ptr<Instance> instance;  ///< ours; null with an engine's
   InstanceTable instance_table{};
   VolkDeviceTable vk{};
   VkPhysicalDevice physical = VK_NULL_HANDLE;
@@ -57,8 +57,8 @@ struct Device::State {
   std::unique_ptr<MemoryPool> memory;
   VkCommandPool pool = VK_NULL_HANDLE;
   VkSemaphore timeline = VK_NULL_HANDLE;
-  std::uint64_t submitted = 0;            ///< serial of the last submission
-  std::uint32_t recording = 0;            ///< command buffers begun and neither submitted nor discarded
+  std::uint64_t submitted = 0;  ///< serial of the last submission
+  std::uint32_t recording = 0;  ///< command buffers begun and neither submitted nor discarded
 
   struct Retired {
     std::uint64_t serial;
@@ -138,7 +138,8 @@ void Device::State::find_limits(const Candidate& candidate, bool anisotropy) {
   limits.max_push_bytes = has.maxPushConstantsSize;
   limits.max_clip_distances = has.maxClipDistances;
   limits.timestamp_period_ns = has.timestampPeriod;
-  limits.timestamps = candidate.timestamp_bits == 64;
+  limits.timestamps = candidate.timestamp_bits > 0;
+  limits.timestamp_mask = limits.timestamps ? ~std::uint64_t{0} >> (64 - candidate.timestamp_bits) : 0;
   limits.software = candidate.type == VK_PHYSICAL_DEVICE_TYPE_CPU;
 }
 
@@ -218,7 +219,7 @@ Device::Device(const External& external) : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.external = true;
   s.instance_table = load_instance_table(external.get_instance_proc_addr, external.instance);
-  const Candidate candidate = examine(s.instance_table, external.physical_device);
+  const Candidate candidate = examine(s.instance_table, external.physical_device, external.queue_family);
   if (!candidate.summary.missing.empty())
     throw device_error("{} cannot be used: {}", candidate.summary.name, fmt::join(candidate.summary.missing, "; "));
   s.device = external.device;
@@ -250,8 +251,8 @@ bool Device::format_supports(VkFormat format, VkFormatFeatureFlags features) con
 
 std::optional<VkImageFormatProperties> Device::image_format_properties(VkFormat format, VkImageUsageFlags usage) const {
   VkImageFormatProperties properties{};
-  const VkResult result = state_->instance_table.get_image_format_properties(state_->physical, format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL,
-                                                                             usage, 0, &properties);
+  const VkResult result = state_->instance_table.get_image_format_properties(state_->physical, format, VK_IMAGE_TYPE_2D,
+                                                                             VK_IMAGE_TILING_OPTIMAL, usage, 0, &properties);
   if (result == VK_ERROR_FORMAT_NOT_SUPPORTED) return std::nullopt;
   check(result, "vkGetPhysicalDeviceImageFormatProperties");
   return properties;
@@ -382,9 +383,7 @@ std::vector<DeviceSummary> list_devices() {
   try {
     const Instance instance(false);
     for (VkPhysicalDevice device : instance.physical_devices()) candidates.push_back(examine(instance.table(), device));
-  } catch (const DeviceError&) {
-    return {};
-  }
+  } catch (const DeviceError&) { return {}; }
   sort_best_first(candidates);
   std::vector<DeviceSummary> summaries;
   for (const Candidate& candidate : candidates) summaries.push_back(candidate.summary);

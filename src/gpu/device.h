@@ -26,7 +26,7 @@ struct RequiredFeatures {
   RequiredFeatures& operator=(const RequiredFeatures&) = delete;
   static constexpr std::uint32_t api_version = VK_API_VERSION_1_3;
   static std::span<const char* const> extensions();   ///< VK_KHR_push_descriptor
-  VkPhysicalDeviceFeatures2 features{};                ///< front of the chain
+  VkPhysicalDeviceFeatures2 features{};                ///< first of the chain
   VkPhysicalDeviceVulkan11Features features11{};
   VkPhysicalDeviceVulkan12Features features12{};       ///< scalarBlockLayout, timelineSemaphore, ...
   VkPhysicalDeviceVulkan13Features features13{};       ///< dynamicRendering, synchronization2
@@ -54,6 +54,7 @@ struct DeviceLimits {
   std::uint32_t max_push_bytes = 0;
   std::uint32_t max_clip_distances = 0;
   float timestamp_period_ns = 1;
+  std::uint64_t timestamp_mask = 0;       ///< bits that count; 0: none
   bool timestamps = false;
   bool software = false;                  ///< timestamps between raster passes cannot be trusted there
 };

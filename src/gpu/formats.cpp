@@ -59,7 +59,8 @@ const Row* find(VkFormat format) {
 
 std::uint32_t texel_bytes(VkFormat format) {
   const Row* row = find(format);
-  if (row == nullptr) assertion_failed("format is in the list of gpu/formats.cpp", fmt::format("{}", static_cast<int>(format)), __FILE__, __LINE__);
+  if (row == nullptr)
+    assertion_failed("format is in the list of gpu/formats.cpp", fmt::format("{}", static_cast<int>(format)), __FILE__, __LINE__);
   return row->bytes;
 }
 

@@ -10,6 +10,6 @@ namespace dermis::gpu {
 
 /// Bytes of one texel (one sample). Asserts that the format is one we know.
 std::uint32_t texel_bytes(VkFormat format);
-const char* format_name(VkFormat format);       ///< "R8G8B8A8_SRGB"; "unknown format"
+const char* format_name(VkFormat format);  ///< "R8G8B8A8_SRGB"; "unknown format"
 
 }  // namespace dermis::gpu

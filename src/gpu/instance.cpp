@@ -95,13 +95,15 @@ void Instance::create(PFN_vkGetInstanceProcAddr get, bool validate) {
   check(result, "vkCreateInstance");
 }
 
-Instance::Instance(bool validate) {
-  const PFN_vkGetInstanceProcAddr get = open_loader();
+Instance::Instance(bool validate, const std::string& library) {
+  const PFN_vkGetInstanceProcAddr get = open_loader(library);
   if (get == nullptr) {
-    throw device_error("no Vulkan loader (libvulkan.so.1): install it and a driver (Debian, Ubuntu: apt install libvulkan1 mesa-vulkan-drivers)");
+    throw device_error("no Vulkan loader ({}): install it and a driver (Debian, Ubuntu: apt install libvulkan1 mesa-vulkan-drivers)",
+                       library);
   }
   if (validate && (!has_layer(get, validation_layer) || !has_extension(get, validation_layer, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME)))
-    throw device_error("validation needs the layer {}, which is not installed (Debian, Ubuntu: apt install vulkan-validationlayers)", validation_layer);
+    throw device_error("validation needs the layer {}, which is not installed (Debian, Ubuntu: apt install vulkan-validationlayers)",
+                       validation_layer);
   create(get, validate);
   table_ = load_instance_table(get, handle_);
   if (!validate) return;

@@ -16,7 +16,7 @@ namespace dermis::gpu {
 class Instance {
  public:
   /// DeviceError, one line that says what to install: no loader, no driver, no validation layer.
-  explicit Instance(bool validate);
+  explicit Instance(bool validate, const std::string& library = loader_library);
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
   ~Instance();

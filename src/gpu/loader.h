@@ -8,8 +8,10 @@
 
 namespace dermis::gpu {
 
+inline constexpr const char* loader_library = "libvulkan.so.1";
+
 /// Opens the Vulkan loader; null if it is not installed. It stays open for the life of the process: drivers do not survive unloading.
-PFN_vkGetInstanceProcAddr open_loader(const std::string& library = "libvulkan.so.1");
+PFN_vkGetInstanceProcAddr open_loader(const std::string& library = loader_library);
 
 /// What we call on an instance and its physical devices. The debug functions are null if VK_EXT_debug_utils is not enabled.
 struct InstanceTable {

@@ -16,7 +16,8 @@ struct MemoryPool::Block {
   std::byte* mapped = nullptr;
   bool image = false;
   bool dedicated = false;
-  std::map<std::uint64_t, std::uint64_t> free;   ///< offset -> bytes; neighbours are always merged
+  std::map<std::uint64_t, std::uint64_t> free;  ///< offset -> bytes; neighbours are always merged
+  bool is_empty() const { return free.size() == 1 && free.begin()->second == bytes; }
 };
 
 struct MemoryPool::Request {
@@ -128,29 +129,37 @@ MemoryPool::Allocation* MemoryPool::place_in(Block& block, const Request& reques
   return nullptr;
 }
 
-MemoryPool::Allocation* MemoryPool::allocate(const Request& request) {
+MemoryPool::Allocation* MemoryPool::try_allocate(const Request& request, const std::vector<std::uint32_t>& types) {
   const bool image = request.image != VK_NULL_HANDLE;
   const std::uint64_t bytes = request.needs.size;
-  const std::vector<std::uint32_t> types = types_for(request.needs.memoryTypeBits, request.place);
-  Allocation* made = nullptr;
   for (const std::uint32_t type : types) {
     const std::uint64_t heap_bytes = properties_.memoryHeaps[properties_.memoryTypes[type].heapIndex].size;
     const std::uint64_t usual = std::min(block_bytes, heap_bytes / 8);
     const bool dedicated = request.dedicated || bytes > usual / 2;
-    for (const auto& block : blocks_)
-      if (!made && !dedicated && !block->dedicated && block->type == type && block->image == image) made = place_in(*block, request);
-    if (made) break;
+    for (const auto& block : blocks_) {
+      if (dedicated || block->dedicated || block->type != type || block->image != image) continue;
+      if (Allocation* made = place_in(*block, request)) return made;
+    }
     Block* block = new_block(request, type, dedicated ? bytes : usual, dedicated);
     // A full heap may still have room for this one resource.
     if (!block && !dedicated) block = new_block(request, type, bytes, true);
-    if (block) made = place_in(*block, request);
-    if (made) break;
+    if (block) return place_in(*block, request);
   }
+  return nullptr;
+}
+
+MemoryPool::Allocation* MemoryPool::allocate(const Request& request) {
+  const bool image = request.image != VK_NULL_HANDLE;
+  const std::uint64_t bytes = request.needs.size;
+  const std::vector<std::uint32_t> types = types_for(request.needs.memoryTypeBits, request.place);
+  Allocation* made = try_allocate(request, types);
+  if (!made && release_empty()) made = try_allocate(request, types);
   if (!made) {
     const std::uint32_t heap = types.empty() ? 0 : properties_.memoryTypes[types.front()].heapIndex;
-    throw device_error("no device memory for '{}': needed {:.1f} MiB; the heap has {:.1f} MiB, of which this program holds {:.1f} MiB; try "
-                       "smaller maps or a smaller picture",
-                       request.name, mib(bytes), mib(properties_.memoryHeaps[heap].size), mib(heap_used_[heap]));
+    throw device_error(
+        "no device memory for '{}': needed {:.1f} MiB; the heap has {:.1f} MiB, of which this program holds {:.1f} MiB; try "
+        "smaller maps or a smaller picture",
+        request.name, mib(bytes), mib(properties_.memoryHeaps[heap].size), mib(heap_used_[heap]));
   }
   ++live_;
   (image ? image_bytes_ : buffer_bytes_) += bytes;
@@ -185,7 +194,8 @@ MemoryPool::Allocation* MemoryPool::allocate_image(const std::string& name, VkIm
   info.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_REQUIREMENTS_INFO_2;
   info.image = image;
   vk_->vkGetImageMemoryRequirements2(device_, &info, &needs);
-  const bool dedicated = alone.requiresDedicatedAllocation || (alone.prefersDedicatedAllocation && needs.memoryRequirements.size >= (1u << 20));
+  const bool dedicated =
+      alone.requiresDedicatedAllocation || (alone.prefersDedicatedAllocation && needs.memoryRequirements.size >= (1u << 20));
   return allocate({.name = name, .needs = needs.memoryRequirements, .dedicated = dedicated, .image = image});
 }
 
@@ -208,18 +218,25 @@ void MemoryPool::free(Allocation* allocation) {
   (allocation->image ? image_bytes_ : buffer_bytes_) -= allocation->bytes;
   --live_;
   delete allocation;
-  const auto is_empty = [](const Block& b) { return b.free.size() == 1 && b.free.begin()->second == b.bytes; };
-  if (!is_empty(block)) return;
+  if (!block.is_empty()) return;
   // One empty block of a kind is kept: staging buffers come and go.
   const bool another = std::ranges::any_of(blocks_, [&](const auto& other) {
-    return other.get() != &block && !other->dedicated && other->type == block.type && other->image == block.image && is_empty(*other);
+    return other.get() != &block && !other->dedicated && other->type == block.type && other->image == block.image && other->is_empty();
   });
   if (block.dedicated || another) release(&block);
 }
 
+bool MemoryPool::release_empty() {
+  std::vector<Block*> empty;
+  for (const auto& block : blocks_)
+    if (block->is_empty()) empty.push_back(block.get());
+  for (Block* block : empty) release(block);
+  return !empty.empty();
+}
+
 void MemoryPool::release(Block* block) {
   heap_used_[properties_.memoryTypes[block->type].heapIndex] -= block->bytes;
-  vk_->vkFreeMemory(device_, block->memory, nullptr);   // unmaps it
+  vk_->vkFreeMemory(device_, block->memory, nullptr);  // unmaps it
   std::erase_if(blocks_, [&](const auto& other) { return other.get() == block; });
 }
 

@@ -24,36 +24,40 @@ class MemoryPool {
   struct Block;
   struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
-    std::uint64_t offset = 0;             ///< of the resource in the memory
+    std::uint64_t offset = 0;  ///< of the resource in the memory
     std::uint64_t bytes = 0;
-    std::byte* mapped = nullptr;          ///< upload and readback only
+    std::byte* mapped = nullptr;  ///< upload and readback only
     bool image = false;
     Block* block = nullptr;
   };
 
-  MemoryPool(const VolkDeviceTable& vk, VkDevice device, const VkPhysicalDeviceMemoryProperties& properties, std::uint64_t max_allocation_bytes);
+  MemoryPool(const VolkDeviceTable& vk, VkDevice device, const VkPhysicalDeviceMemoryProperties& properties,
+             std::uint64_t max_allocation_bytes);
   MemoryPool(const MemoryPool&) = delete;
   MemoryPool& operator=(const MemoryPool&) = delete;
-  ~MemoryPool();                          ///< asserts that everything was freed
+  ~MemoryPool();  ///< asserts that everything was freed
 
   /// Memory for a buffer or an image; binding it is the caller's. DeviceError: does not fit (says how much was needed, and the heap).
   Allocation* allocate_buffer(const std::string& name, VkBuffer buffer, BufferPlace place);
   Allocation* allocate_image(const std::string& name, VkImage image);
   void free(Allocation* allocation);
 
+  const VkPhysicalDeviceMemoryProperties& properties() const { return properties_; }
   std::uint64_t image_bytes() const { return image_bytes_; }
   std::uint64_t buffer_bytes() const { return buffer_bytes_; }
-  std::uint64_t peak_bytes() const { return peak_bytes_; }              ///< largest sum of the two so far
-  std::uint64_t reserved_bytes() const;                                 ///< taken from the driver now
+  std::uint64_t peak_bytes() const { return peak_bytes_; }  ///< largest sum of the two so far
+  std::uint64_t reserved_bytes() const;                     ///< taken from the driver now
 
  private:
   struct Request;
   Allocation* allocate(const Request& request);
+  Allocation* try_allocate(const Request& request, const std::vector<std::uint32_t>& types);
   Block* new_block(const Request& request, std::uint32_t type, std::uint64_t bytes, bool dedicated);
   Allocation* place_in(Block& block, const Request& request);
   std::vector<std::uint32_t> types_for(std::uint32_t allowed, BufferPlace place) const;
   void map(Block& block);
   void release(Block* block);
+  bool release_empty();  ///< true if there was one
 
   const VolkDeviceTable* vk_;
   VkDevice device_;

@@ -18,8 +18,8 @@ struct Header {
   std::uint32_t version = 1;
   std::uint32_t vendor = 0, device = 0, driver = 0;
   std::uint8_t uuid[VK_UUID_SIZE]{};
-  std::uint64_t bytes = 0;                ///< after this header
-  std::uint64_t checksum = 0;             ///< of those bytes
+  std::uint64_t bytes = 0;     ///< after this header
+  std::uint64_t checksum = 0;  ///< of those bytes
 };
 static_assert(sizeof(Header) == 56);
 
@@ -47,9 +47,7 @@ std::vector<std::byte> load_pipeline_cache(const std::filesystem::path& file, co
   std::vector<std::byte> all;
   try {
     all = read_file(file, limit_bytes);
-  } catch (const InputError&) {
-    return {};
-  }
+  } catch (const InputError&) { return {}; }
   if (all.size() < sizeof(Header)) return {};
   const std::span<const std::byte> bytes = std::span(all).subspan(sizeof(Header));
   const Header expected = header_for(properties, bytes);
@@ -57,7 +55,8 @@ std::vector<std::byte> load_pipeline_cache(const std::filesystem::path& file, co
   return {bytes.begin(), bytes.end()};
 }
 
-void save_pipeline_cache(const std::filesystem::path& file, const VkPhysicalDeviceProperties& properties, std::span<const std::byte> bytes) {
+void save_pipeline_cache(const std::filesystem::path& file, const VkPhysicalDeviceProperties& properties,
+                         std::span<const std::byte> bytes) {
   const Header header = header_for(properties, bytes);
   std::vector<std::byte> all(sizeof(Header) + bytes.size());
   std::memcpy(all.data(), &header, sizeof(Header));
@@ -65,12 +64,10 @@ void save_pipeline_cache(const std::filesystem::path& file, const VkPhysicalDevi
   try {
     if (file.has_parent_path()) {
       std::error_code failed;
-      std::filesystem::create_directories(file.parent_path(), failed);   // if it failed, the write says what is wrong
+      std::filesystem::create_directories(file.parent_path(), failed);  // if it failed, the write says what is wrong
     }
     write_file(file, all);
-  } catch (const InputError& e) {
-    warn("pipeline cache not kept: {}", e.what());
-  }
+  } catch (const InputError& e) { warn("pipeline cache not kept: {}", e.what()); }
 }
 
 }  // namespace dermis::gpu

@@ -35,7 +35,8 @@ std::string text_of(const Constants& constants) {
 /// One shader with the constants that it declares, ready for a pipeline. Must not move: the structures point at each other.
 class Stage {
  public:
-  Stage(Device& device, VkShaderStageFlagBits stage, const std::string& name, std::span<const std::uint32_t> spirv, const Constants& constants)
+  Stage(Device& device, VkShaderStageFlagBits stage, const std::string& name, std::span<const std::uint32_t> spirv,
+        const Constants& constants)
       : device_(&device), interface_(reflect(spirv, name)) {
     VkShaderModuleCreateInfo module_info{};
     module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
@@ -66,7 +67,8 @@ class Stage {
       for (std::size_t axis = 0; axis < 3; ++axis)
         if (interface_.workgroup_constants[axis] == declared->second) interface_.workgroup[axis] = value;
     }
-    specialisation_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), values_.size() * sizeof(std::uint32_t), values_.data()};
+    specialisation_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), values_.size() * sizeof(std::uint32_t),
+                       values_.data()};
   }
 
   Device* device_;
@@ -94,7 +96,8 @@ void merge(ShaderInterface& into, const ShaderInterface& other, const std::strin
     if (same == into.bindings.end()) {
       into.bindings.push_back(slot);
     } else if (same->kind != slot.kind || same->count != slot.count) {
-      assertion_failed("both stages agree on a binding", fmt::format("{}: binding {} '{}'", pipeline, slot.binding, slot.name), __FILE__, __LINE__);
+      assertion_failed("both stages agree on a binding", fmt::format("{}: binding {} '{}'", pipeline, slot.binding, slot.name), __FILE__,
+                       __LINE__);
     }
   }
   std::ranges::sort(into.bindings, {}, &BindingSlot::binding);
@@ -105,10 +108,10 @@ void merge(ShaderInterface& into, const ShaderInterface& other, const std::strin
 
 std::string key_of(const GraphicsDesc& desc) {
   std::vector<int> formats(desc.colour_formats.begin(), desc.colour_formats.end());
-  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}{}|{}|{}|{}|{}|{}", desc.vertex, desc.fragment, text_of(desc.constants), fmt::join(formats, ","),
-                     static_cast<int>(desc.depth_format), desc.samples, static_cast<int>(desc.blend), static_cast<int>(desc.cull),
-                     desc.depth_test, desc.depth_write, static_cast<int>(desc.depth_compare), desc.depth_clamp, desc.depth_bias,
-                     desc.depth_bias_slope, desc.alpha_to_coverage);
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}{}|{}|{}|{}|{}|{}", desc.vertex, desc.fragment, text_of(desc.constants),
+                     fmt::join(formats, ","), static_cast<int>(desc.depth_format), desc.samples, static_cast<int>(desc.blend),
+                     static_cast<int>(desc.cull), desc.depth_test, desc.depth_write, static_cast<int>(desc.depth_compare), desc.depth_clamp,
+                     desc.depth_bias, desc.depth_bias_slope, desc.alpha_to_coverage);
 }
 
 /// The fixed functions of a graphics pipeline. Must not move: the structures point at each other.
@@ -220,7 +223,7 @@ struct PipelineLibrary::State {
   ShaderSource shaders;
   std::filesystem::path cache_file;
   VkPipelineCache cache = VK_NULL_HANDLE;
-  std::vector<std::byte> loaded;          ///< what the cache file held
+  std::vector<std::byte> loaded;  ///< what the cache file held
   std::map<std::string, std::unique_ptr<Entry>> entries;
   std::vector<std::pair<SamplerDesc, VkSampler>> samplers;
   double creation_ms = 0;
@@ -239,8 +242,8 @@ struct PipelineLibrary::State {
 void PipelineLibrary::State::create_layout(Entry& entry, VkShaderStageFlags stages) {
   const ShaderInterface& interface = entry.pipeline.interface;
   if (interface.push_bytes > device->limits().max_push_bytes)
-    throw device_error("'{}' needs {} bytes of push constants, {} has {}", entry.pipeline.name, interface.push_bytes, device->summary().name,
-                       device->limits().max_push_bytes);
+    throw device_error("'{}' needs {} bytes of push constants, {} has {}", entry.pipeline.name, interface.push_bytes,
+                       device->summary().name, device->limits().max_push_bytes);
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   for (const BindingSlot& slot : interface.bindings) bindings.push_back({slot.binding, type_of(slot.kind), slot.count, stages, nullptr});
   VkDescriptorSetLayoutCreateInfo set_info{};
@@ -280,7 +283,8 @@ void PipelineLibrary::State::create_cache() {
   check(device->vk().vkCreatePipelineCache(device->handle(), &info, nullptr, &cache), "vkCreatePipelineCache");
 }
 
-PipelineLibrary::PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file) : state_(std::make_unique<State>()) {
+PipelineLibrary::PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file)
+    : state_(std::make_unique<State>()) {
   state_->device = &device;
   state_->shaders = std::move(shaders);
   state_->cache_file = std::move(cache_file);
@@ -318,7 +322,8 @@ const Pipeline& PipelineLibrary::compute(const std::string& shader, const Consta
     info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
     info.stage = stage.info();
     info.layout = pipeline.layout;
-    check(s.device->vk().vkCreateComputePipelines(s.device->handle(), s.cache, 1, &info, nullptr, &pipeline.handle), "vkCreateComputePipelines");
+    check(s.device->vk().vkCreateComputePipelines(s.device->handle(), s.cache, 1, &info, nullptr, &pipeline.handle),
+          "vkCreateComputePipelines");
   } catch (...) {
     s.destroy(*entry);
     throw;
@@ -338,7 +343,8 @@ const Pipeline& PipelineLibrary::graphics(const GraphicsDesc& desc) {
   std::vector<std::unique_ptr<Stage>> stages;
   stages.push_back(std::make_unique<Stage>(*s.device, VK_SHADER_STAGE_VERTEX_BIT, desc.vertex, s.code(desc.vertex), desc.constants));
   if (!desc.fragment.empty())
-    stages.push_back(std::make_unique<Stage>(*s.device, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment, s.code(desc.fragment), desc.constants));
+    stages.push_back(
+        std::make_unique<Stage>(*s.device, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment, s.code(desc.fragment), desc.constants));
   std::vector<VkPipelineShaderStageCreateInfo> infos;
   VkShaderStageFlags all = 0;
   for (const auto& stage : stages) {
@@ -356,7 +362,8 @@ const Pipeline& PipelineLibrary::graphics(const GraphicsDesc& desc) {
     info.stageCount = static_cast<std::uint32_t>(infos.size());
     info.pStages = infos.data();
     info.layout = pipeline.layout;
-    check(s.device->vk().vkCreateGraphicsPipelines(s.device->handle(), s.cache, 1, &info, nullptr, &pipeline.handle), "vkCreateGraphicsPipelines");
+    check(s.device->vk().vkCreateGraphicsPipelines(s.device->handle(), s.cache, 1, &info, nullptr, &pipeline.handle),
+          "vkCreateGraphicsPipelines");
   } catch (...) {
     s.destroy(*entry);
     throw;

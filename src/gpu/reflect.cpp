@@ -84,7 +84,7 @@ class Reflection {
     need(spvc_compiler_get_specialization_constants(compiler_, &constants, &count));
     for (std::size_t i = 0; i < count; ++i) {
       const std::string name = spvc_compiler_get_name(compiler_, constants[i].id);
-      if (name.empty()) continue;   // the size of a workgroup: glslc makes one without a name for each use, beside the one declared
+      if (name.empty()) continue;  // the size of a workgroup: glslc makes one without a name for each use, beside the one declared
       spvc_constant handle = spvc_compiler_get_constant_handle(compiler_, constants[i].id);
       spvc_type type = spvc_compiler_get_type_handle(compiler_, spvc_constant_get_type(handle));
       // A bool's width is 1 here; in the data that Vulkan takes it is 32 bits like the others.

@@ -16,6 +16,8 @@ namespace {
 
 constexpr VkImageUsageFlags target_usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
 
+double mib(std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
+
 template <class Handle>
 std::uint64_t as_number(Handle handle) {
   return reinterpret_cast<std::uint64_t>(handle);
@@ -42,15 +44,21 @@ void check_texture_limits(const Device& device, const std::string& name, const T
   DERMIS_ASSERT(desc.width > 0 && desc.height > 0 && desc.layers > 0 && desc.mips > 0 && (desc.samples == 1 || desc.samples == 4));
   const DeviceLimits& limits = device.limits();
   if (desc.width > limits.max_image_side || desc.height > limits.max_image_side)
-    throw device_error("'{}' would be {}x{} texels; {} allows {} a side", name, desc.width, desc.height, device.summary().name, limits.max_image_side);
+    throw device_error("'{}' would be {}x{} texels; {} allows {} a side", name, desc.width, desc.height, device.summary().name,
+                       limits.max_image_side);
   if (desc.layers > limits.max_array_layers)
     throw device_error("'{}' would have {} layers; {} allows {}", name, desc.layers, device.summary().name, limits.max_array_layers);
   const std::optional<VkImageFormatProperties> can = device.image_format_properties(desc.format, usage);
   if (!can)
-    throw device_error("'{}' needs {} images for the uses {:#x}, which {} does not have", name, format_name(desc.format), usage, device.summary().name);
+    throw device_error("'{}' needs {} images for the uses {:#x}, which {} does not have", name, format_name(desc.format), usage,
+                       device.summary().name);
   if (!(can->sampleCounts & desc.samples))
-    throw device_error("'{}' needs {} samples of {}, which {} does not have", name, desc.samples, format_name(desc.format), device.summary().name);
+    throw device_error("'{}' needs {} samples of {}, which {} does not have", name, desc.samples, format_name(desc.format),
+                       device.summary().name);
   DERMIS_ASSERT_LE(desc.mips, can->maxMipLevels);
+  if (bytes_of(desc) > can->maxResourceSize)
+    throw device_error("no device memory for '{}': needed {:.1f} MiB; {} allows {:.1f} MiB in one image", name, mib(bytes_of(desc)),
+                       device.summary().name, mib(can->maxResourceSize));
   if (desc.width > can->maxExtent.width || desc.height > can->maxExtent.height || desc.layers > can->maxArrayLayers)
     throw device_error("'{}' would be {}x{} texels in {} layers; {} allows {}x{} in {} for {}", name, desc.width, desc.height, desc.layers,
                        device.summary().name, can->maxExtent.width, can->maxExtent.height, can->maxArrayLayers, format_name(desc.format));
@@ -73,7 +81,8 @@ VkImageView make_view(Device& device, VkImage image, const TextureDesc& desc, Vk
 RawBuffer create_raw_buffer(Device& device, const std::string& name, const BufferDesc& desc) {
   DERMIS_ASSERT(desc.bytes > 0);
   if (desc.bytes > device.limits().max_buffer_bytes)
-    throw device_error("'{}' would be {} bytes; {} allows {} in one buffer", name, desc.bytes, device.summary().name, device.limits().max_buffer_bytes);
+    throw device_error("'{}' would be {} bytes; {} allows {} in one buffer", name, desc.bytes, device.summary().name,
+                       device.limits().max_buffer_bytes);
   if ((desc.usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) && desc.bytes > device.limits().max_storage_buffer_bytes)
     throw device_error("'{}' would be {} bytes; {} allows shaders {} in one buffer", name, desc.bytes, device.summary().name,
                        device.limits().max_storage_buffer_bytes);
@@ -82,10 +91,12 @@ RawBuffer create_raw_buffer(Device& device, const std::string& name, const Buffe
   info.size = desc.bytes;
   info.usage = desc.usage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   RawBuffer raw;
-  check(device.vk().vkCreateBuffer(device.handle(), &info, nullptr, &raw.handle), "vkCreateBuffer");
+  check(device.vk().vkCreateBuffer(device.handle(), &info, nullptr, &raw.handle),
+        fmt::format("vkCreateBuffer for '{}' ({:.1f} MiB)", name, mib(desc.bytes)));
   try {
     raw.allocation = device.memory().allocate_buffer(name, raw.handle, desc.place);
-    check(device.vk().vkBindBufferMemory(device.handle(), raw.handle, raw.allocation->memory, raw.allocation->offset), "vkBindBufferMemory");
+    check(device.vk().vkBindBufferMemory(device.handle(), raw.handle, raw.allocation->memory, raw.allocation->offset),
+          "vkBindBufferMemory");
   } catch (...) {
     destroy_raw_buffer(device, raw);
     throw;
@@ -134,7 +145,8 @@ std::span<std::byte> Buffer::mapped() const {
 Texture::Texture(Device& device, std::string name, const TextureDesc& desc) : device_(&device), name_(std::move(name)), desc_(desc) {
   const VkImageCreateInfo info = image_info(desc);
   check_texture_limits(device, name_, desc, info.usage);
-  check(device.vk().vkCreateImage(device.handle(), &info, nullptr, &handle_), "vkCreateImage");
+  check(device.vk().vkCreateImage(device.handle(), &info, nullptr, &handle_),
+        fmt::format("vkCreateImage for '{}' ({:.1f} MiB)", name_, mib(bytes_of(desc))));
   try {
     auto* allocation = device.memory().allocate_image(name_, handle_);
     allocation_ = allocation;

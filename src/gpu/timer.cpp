@@ -9,14 +9,14 @@ namespace dermis::gpu {
 struct Timer::State {
   struct Scope {
     std::string name;
-    std::uint32_t first = 0, last = 0;    ///< queries
+    std::uint32_t first = 0, last = 0;  ///< queries
   };
   Device* device = nullptr;
   VkQueryPool pool = VK_NULL_HANDLE;
   std::uint32_t queries = 0;
   std::uint32_t next = 0;
   std::vector<Scope> scopes;
-  std::vector<std::size_t> open;          ///< scopes begun and not ended, outermost first
+  std::vector<std::size_t> open;  ///< scopes begun and not ended, outermost first
 
   std::uint32_t stamp(VkCommandBuffer commands) {
     DERMIS_ASSERT_LT(next, queries);
@@ -38,7 +38,8 @@ Timer::Timer(Device& device, std::uint32_t max_scopes) : state_(std::make_unique
 
 Timer::~Timer() {
   if (!state_->pool) return;
-  state_->device->retire([device = state_->device, pool = state_->pool] { device->vk().vkDestroyQueryPool(device->handle(), pool, nullptr); });
+  state_->device->retire(
+      [device = state_->device, pool = state_->pool] { device->vk().vkDestroyQueryPool(device->handle(), pool, nullptr); });
 }
 
 void Timer::reset(VkCommandBuffer commands) {
@@ -70,8 +71,9 @@ std::vector<Timing> Timer::read() const {
           "vkGetQueryPoolResults (read() comes after the work has completed)");
   }
   const double ms_per_tick = s.device->limits().timestamp_period_ns * 1e-6;
+  const std::uint64_t mask = s.device->limits().timestamp_mask;  // a counter of fewer bits wraps round
   for (const State::Scope& scope : s.scopes)
-    timings.push_back({scope.name, static_cast<double>(ticks[scope.last] - ticks[scope.first]) * ms_per_tick});
+    timings.push_back({scope.name, static_cast<double>((ticks[scope.last] - ticks[scope.first]) & mask) * ms_per_tick});
   return timings;
 }
 

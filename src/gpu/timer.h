@@ -27,7 +27,7 @@ class Timer {
   void reset(VkCommandBuffer commands);              ///< before the first begin of a frame
   void begin(VkCommandBuffer commands, const std::string& name);
   void end(VkCommandBuffer commands);
-  std::vector<Timing> read() const;                  ///< in order of begin
+  std::vector<Timing> read() const;                  ///< in order of begin; 0 ms where the device has no timestamps
 
  private:
   struct State;

@@ -24,7 +24,9 @@ struct Pixel {
   std::uint8_t r, g, b, a;
   bool operator==(const Pixel&) const = default;
 };
-std::ostream& operator<<(std::ostream& out, const Pixel& p) { return out << int{p.r} << ' ' << int{p.g} << ' ' << int{p.b} << ' ' << int{p.a}; }
+std::ostream& operator<<(std::ostream& out, const Pixel& p) {
+  return out << int{p.r} << ' ' << int{p.g} << ' ' << int{p.b} << ' ' << int{p.a};
+}
 
 class Draw : public GpuTest {
  protected:
@@ -55,7 +57,8 @@ class Draw : public GpuTest {
   /// Draws all triangles with one pipeline and returns the (resolved) picture; row 0 is the top.
   std::vector<Pixel> draw(const GraphicsDesc& desc, const std::vector<Vertex>& vertices, const Options& options) {
     const Buffer pulled = make_buffer<Vertex>(device(), "vertices", vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    const TextureDesc plain{.width = extent.width, .height = extent.height, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT};
+    const TextureDesc plain{
+        .width = extent.width, .height = extent.height, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT};
     TextureDesc many = plain;
     many.samples = desc.samples;
     TextureDesc depth_desc = many;
@@ -179,8 +182,9 @@ TEST_F(Draw, ClampKeepsWhatLiesOutsideTheDepthRange) {
 TEST_F(Draw, DepthOnlyThenSampledByComparison) {
   const auto vertices = lower_left(0.5f, red);
   const Buffer pulled = make_buffer<Vertex>(device(), "vertices", vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  const Texture shadow(device(), "shadow",
-                       {.width = 16, .height = 16, .layers = 2, .format = VK_FORMAT_D32_SFLOAT, .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT});
+  const Texture shadow(
+      device(), "shadow",
+      {.width = 16, .height = 16, .layers = 2, .format = VK_FORMAT_D32_SFLOAT, .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT});
   const Texture single(device(), "single",
                        {.width = 16,
                         .height = 16,
@@ -214,9 +218,9 @@ TEST_F(Draw, DepthOnlyThenSampledByComparison) {
     });
     return values_of<float>(out)[0];
   };
-  EXPECT_EQ(lit(0.2f, 0.8f, 0.6f), 1);   // nearer than the triangle
-  EXPECT_EQ(lit(0.2f, 0.8f, 0.4f), 0);   // behind it
-  EXPECT_EQ(lit(0.8f, 0.2f, 0.4f), 1);   // beside it
+  EXPECT_EQ(lit(0.2f, 0.8f, 0.6f), 1);  // nearer than the triangle
+  EXPECT_EQ(lit(0.2f, 0.8f, 0.4f), 0);  // behind it
+  EXPECT_EQ(lit(0.8f, 0.2f, 0.4f), 1);  // beside it
 }
 
 TEST_F(Draw, IndexedIndirectAndTimed) {

@@ -43,9 +43,7 @@ class GpuTest : public testing::Test {
 
   void TearDown() override {
     library_.reset();
-    if (device_) {
-      EXPECT_EQ(device_->validation_messages(), std::vector<std::string>{});
-    }
+    if (device_) { EXPECT_EQ(device_->validation_messages(), std::vector<std::string>{}); }
   }
 
   Device& device() { return *device_; }

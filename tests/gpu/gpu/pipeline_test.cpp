@@ -118,10 +118,9 @@ TEST_F(PipelineDeathTest, OurMistakesStopWithBothValues) {
   EXPECT_DEATH(library().compute("missing.comp"), "missing.comp");
   const Pipeline& grid = library().compute("grid.comp");
   EXPECT_DEATH(device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).bind(grid, {}); }), "0 given, 1 declared");
-  EXPECT_DEATH(device().run([&](VkCommandBuffer commands) {
-    Cmd(device(), commands).bind(grid, std::array<Binding, 1>{SampledBinding{}});
-  }),
-               "binding 0 'to'");
+  EXPECT_DEATH(
+      device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).bind(grid, std::array<Binding, 1>{SampledBinding{}}); }),
+      "binding 0 'to'");
   EXPECT_DEATH(device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).push(grid, 1.0f); }), "4 given, 0 declared");
   EXPECT_DEATH(reflect(std::array<std::uint32_t, 6>{1, 2, 3, 4, 5, 6}, "junk"), "junk: is not SPIR-V");
 }
