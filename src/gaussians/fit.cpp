@@ -19,6 +19,7 @@ using std::numbers::pi;
 /// Bounds of the search, and where it starts.
 struct Range {
   double low = 0, high = 0;  // log of the variance of the narrowest and the widest structure
+  double floor = 0;          // no log-variance goes below
 };
 
 /// Levenberg-Marquardt over the log-variances. Ends when steps no longer pay.
@@ -32,7 +33,7 @@ Projected descend(std::span<const Target> channels, VectorXd& log_variance, cons
     VectorXd change = normal.ldlt().solve(-here.gradient);
     if (!change.allFinite()) break;
     change *= std::min(1.0, 1.0 / std::max(change.cwiseAbs().maxCoeff(), 1e-300));
-    const VectorXd there_at = (log_variance + change).cwiseMax(range.low - 14).cwiseMin(range.high + 9);
+    const VectorXd there_at = (log_variance + change).cwiseMax(range.floor).cwiseMin(range.high + 9);
     Projected there = project(channels, there_at, true);
     if (there.residual2 < here.residual2) {
       stalled = here.residual2 - there.residual2 < 1e-9 * here.residual2 ? stalled + 1 : 0;
@@ -81,7 +82,7 @@ struct Solution {
 /// grown from the solution with a term fewer.
 Solution search(std::span<const Target> channels, const Range& range, int terms) {
   Solution best;
-  std::vector<VectorXd> starts{spread(range, terms), spread({range.low + 0.2 * (range.high - range.low), range.high}, terms)};
+  std::vector<VectorXd> starts{spread(range, terms), spread({range.low + 0.2 * (range.high - range.low), range.high, range.floor}, terms)};
   if (terms > 1) {
     VectorXd smaller = spread(range, terms - 1);
     descend(channels, smaller, range);
@@ -95,8 +96,13 @@ Solution search(std::span<const Target> channels, const Range& range, int terms)
 }
 
 Range range_of(const profile::RadialProfile& profile) {
-  const double inner = profile.has_pole() ? std::max(profile.inner_mm(), profile.quantile(0.05)) : profile.inner_mm();
-  return {std::log(0.15 * inner * inner), std::log(1.5 * profile.outer_mm() * profile.outer_mm())};
+  const double high = std::log(1.5 * profile.outer_mm() * profile.outer_mm());
+  if (profile.has_pole()) {
+    const double beam = std::log(core_variance_mm2(profile));
+    return {.low = beam, .high = high, .floor = beam - 2};
+  }
+  const double low = std::log(0.15 * profile.inner_mm() * profile.inner_mm());
+  return {.low = low, .high = high, .floor = low - 14};
 }
 
 std::vector<Index> narrow_to_wide(const VectorXd& log_variance) {
@@ -133,11 +139,11 @@ ChannelFit fit_channel(const profile::RadialProfile& profile, int terms) {
 SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms, const std::string& name) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
   std::vector<Target> targets;
-  Range range{1e300, -1e300};
+  Range range{1e300, -1e300, 1e300};
   for (const auto& profile : profiles) {
     targets.emplace_back(*profile);
     const Range one = range_of(*profile);
-    range = {std::min(range.low, one.low), std::max(range.high, one.high)};
+    range = {std::min(range.low, one.low), std::max(range.high, one.high), std::min(range.floor, one.floor)};
   }
   const Solution solution = search(targets, range, terms);
   SumOfGaussians sum;

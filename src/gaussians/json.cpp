@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array known_keys = {
-    "name", "variances_mm2", "weights", "error_percent", "total_reflectance", "mean_free_path_mm", "diffuse_mean_free_path_mm"};
+    "name", "model", "variances_mm2", "weights", "error_percent", "total_reflectance", "mean_free_path_mm", "diffuse_mean_free_path_mm"};
 constexpr std::array channel_names = {"red", "green", "blue"};
 constexpr double weight_tolerance = 1e-3;
 constexpr std::uint64_t max_file_bytes = std::uint64_t{1} << 20;
@@ -142,6 +142,10 @@ SumOfGaussians parse_json(std::string_view text, const std::string& where, bool 
     if (!name->is_string()) throw input_error(where, "name must be a text, got {}", name->type_name());
     sum.name = name->get<std::string>();
   }
+  if (const auto model = root.find("model"); model != root.end()) {
+    if (!model->is_string()) throw input_error(where, "model must be a text, got {}", model->type_name());
+    sum.model = model->get<std::string>();
+  }
   sum.terms = read_terms(root, where);
   check_weights(sum.terms, normalise, where);
   const auto optional_rgb = [&](const char* key, Rgb& target) {
@@ -165,6 +169,7 @@ SumOfGaussians load_json(const std::filesystem::path& path, bool normalise) {
 std::string to_json(const SumOfGaussians& sum) {
   Json root;
   root["name"] = sum.name;
+  if (!sum.model.empty()) root["model"] = sum.model;
   root["variances_mm2"] = Json::array();
   root["weights"] = Json::array();
   for (const Gaussian& term : sum.terms) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The profile file: JSON with name, variances_mm2 [k], weights [k][3], and optionally error_percent, total_reflectance,
+// The profile file: JSON with name, variances_mm2 [k], weights [k][3], and optionally model, error_percent, total_reflectance,
 // mean_free_path_mm, diffuse_mean_free_path_mm, each [3].
 #pragma once
 

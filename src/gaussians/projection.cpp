@@ -13,31 +13,37 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-Target::Target(const profile::RadialProfile& profile) : spectral_(profile.hankel_is_exact()) {
+Target::Target(const profile::RadialProfile& profile) : spectral_(profile.hankel_is_exact() || profile.has_pole()) {
+  if (!(profile.total() > 0)) throw input_error(profile.name(), "the profile reflects nothing: there is no sum of Gaussians to fit");
   // Trapezoid rule in log x: integrands are analytic there and vanish at both ends, so the error falls like e^{-5/step}.
   constexpr double step = 0.1;
+  const double beam_mm2 = profile.has_pole() ? core_variance_mm2(profile) : 0;
   double low, high;
   if (spectral_) {
     low = 1e-6 / profile.outer_mm();
-    high = 45 / profile.inner_mm();
+    high = profile.has_pole() ? 6.5 / std::sqrt(beam_mm2) : 45 / profile.inner_mm();
   } else {
-    low = profile.has_pole() ? profile.quantile(0.01) : 1e-6 * profile.inner_mm();
+    low = 1e-6 * profile.inner_mm();
     high = 45 * profile.outer_mm();
   }
-  if (!(profile.total() > 0) || !(low > 0))
-    throw input_error(profile.name(), "the profile reflects nothing: there is no sum of Gaussians to fit");
   const Index count = static_cast<Index>(std::ceil(std::log(high / low) / step)) + 1;
   x2_.resize(count), row_weight_.resize(count), value_.resize(count);
   for (Index i = 0; i < count; ++i) {
     const double x = low * std::exp(step * static_cast<double>(i));
     x2_[i] = x * x;
-    row_weight_[i] = x * std::sqrt(step) / (spectral_ ? 2 * pi : 1) * (i == 0 && !spectral_ ? std::numbers::sqrt2 / 2 : 1);
+    row_weight_[i] = x * std::sqrt(step) / (spectral_ ? 2 * pi : 1) * std::exp(-beam_mm2 * x * x / 2);
     value_[i] = row_weight_[i] * (spectral_ ? profile.hankel(x) : profile.at(x));
   }
   const double norm = value_.norm();
   if (!(norm > 0) || !std::isfinite(norm)) throw input_error(profile.name(), "the profile cannot be fitted: its norm is {}", norm);
   value_ /= norm;
   row_weight_ /= norm;
+}
+
+double core_variance_mm2(const profile::RadialProfile& profile) {
+  const double core_mm = profile.quantile(0.05);
+  if (!(core_mm > 0)) throw input_error(profile.name(), "the profile reflects nothing: there is no sum of Gaussians to fit");
+  return core_mm * core_mm;
 }
 
 void Target::column(double variance_mm2, Eigen::Ref<VectorXd> basis, Eigen::Ref<VectorXd> slope) const {

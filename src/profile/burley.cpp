@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "optics/key_values.h"
 
 namespace dermis::profile {
 
@@ -46,6 +47,25 @@ double Burley::quantile(double p) const {
 double Burley::slab_transmittance(double thickness_mm) const {
   const double t = thickness_mm / shape_mm_;
   return total_ / 4 * (std::exp(-t) + 3 * std::exp(-t / 3));
+}
+
+BurleyDescription parse_burley(const std::string& text, const std::string& where) {
+  const auto values = optics::parse_key_values(text, {"reflectance", "mfp_mm", "dmfp_mm", "shape_mm"}, where);
+  if (!values.contains("reflectance")) throw input_error(where, "'reflectance' is missing");
+  if (values.size() != 2) throw input_error(where, "give exactly one length: mfp_mm, dmfp_mm or shape_mm");
+  BurleyDescription out{.total_reflectance = values.at("reflectance"), .shape_mm = {}};
+  for (int c = 0; c < 3; ++c) {
+    const double a = out.total_reflectance[c];
+    if (!(a > 0 && a <= 1)) throw input_error(where, "reflectance must be above 0 and at most 1, got {}", a);
+    if (values.contains("mfp_mm"))
+      out.shape_mm[c] = Burley::shape_mm(a, optics::MeanFreePath(values.at("mfp_mm")[c]));
+    else if (values.contains("dmfp_mm"))
+      out.shape_mm[c] = Burley::shape_mm(a, optics::DiffuseMeanFreePath(values.at("dmfp_mm")[c]));
+    else
+      out.shape_mm[c] = values.at("shape_mm")[c];
+    Burley(a, out.shape_mm[c], where);  // checks the length
+  }
+  return out;
 }
 
 }  // namespace dermis::profile

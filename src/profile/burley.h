@@ -41,4 +41,13 @@ class Burley final : public RadialProfile {
   double total_, shape_mm_;
 };
 
+/// Three Burley profiles as text gives them.
+struct BurleyDescription {
+  optics::Rgb total_reflectance{}, shape_mm{};
+};
+
+/// "reflectance=R,G,B" and one of "mfp_mm=", "dmfp_mm=", "shape_mm=", each one number or three. InputError: as optics::parse_key_values,
+/// none or several lengths (a bare "radius" has three readings, which is why it is none of the keys), out of range.
+BurleyDescription parse_burley(const std::string& text, const std::string& where);
+
 }  // namespace dermis::profile

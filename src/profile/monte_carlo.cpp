@@ -105,7 +105,7 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
 double MonteCarloResult::noise_percent() const {
   double error2 = 0, signal2 = 0;
   const auto& edges = reflected.edges_mm();
-  const double start = reflected.quantile(0.01);  // where the fits start, too
+  const double start = reflected.quantile(0.05);  // fits even out what is inside
   for (std::size_t i = 1; i < reflected_error.size(); ++i) {
     if (edges[i] < start) continue;
     const double area = pi * (edges[i + 1] * edges[i + 1] - edges[i] * edges[i]);

@@ -106,7 +106,7 @@ TEST(ProfileJson, Weights) {
 
 TEST(ProfileJson, Keys) {
   EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "wieghts": 3)")),
-            "p.json: key 'wieghts' is not known; known are: name, variances_mm2, weights, error_percent, total_reflectance, "
+            "p.json: key 'wieghts' is not known; known are: name, model, variances_mm2, weights, error_percent, total_reflectance, "
             "mean_free_path_mm, diffuse_mean_free_path_mm");
   EXPECT_EQ(error_of(R"({"weights": [[1,1,1]]})"), "p.json: key 'variances_mm2' is missing");
   EXPECT_EQ(error_of(R"({"variances_mm2": [1]})"), "p.json: key 'weights' is missing");

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "cli/profile_source.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "core/error.h"
+#include "optics/inversion.h"
+#include "optics/presets.h"
+#include "profile/burley.h"
+#include "profile/equivalent.h"
+#include "profile/tabulated.h"
+
+namespace dermis::cli {
+namespace {
+
+constexpr double default_eta = 1.4;  // skin [JMLH01]: 1.3 to 1.5
+
+/// "auto" decides; anything else must be a model that knows the source.
+void only_automatic(const SourceOptions& options, const char* source) {
+  if (options.model != "auto") throw input_error("--model", "'{}' is not for {}, which brings its own profile", options.model, source);
+}
+
+Source from_models(std::string name, profile::ModelledProfiles modelled) {
+  Source source{
+      .name = std::move(name), .model = modelled.profiles[0]->name(), .note = modelled.reason, .profiles = modelled.profiles, .medium = {}};
+  return source;
+}
+
+void summarise(Source& source) {
+  for (int c = 0; c < 3; ++c) source.medium[c] = profile::equivalent_medium(*source.profiles[c], default_eta);
+  source.equivalent = true;
+}
+
+Source from_medium(const std::string& name, const optics::RgbMedium& medium, const SourceOptions& options, const std::string& where) {
+  Source source = from_models(name, make_profiles(medium, profile::parse_model(options.model), options.monte_carlo, where));
+  source.medium = medium;
+  return source;
+}
+
+Source from_layers(const std::string& name, const optics::RgbLayers& layers, const SourceOptions& options, const std::string& where) {
+  Source source = from_models(name, make_profiles(layers, profile::parse_model(options.model), options.monte_carlo, where));
+  summarise(source);
+  return source;
+}
+
+Source from_preset(const SourceOptions& options) {
+  if (options.preset == "skin-layers") return from_layers(options.preset, optics::donner_jensen_skin(), options, "--preset skin-layers");
+  const optics::Material* material = optics::find_material(options.preset);
+  if (material == nullptr) optics::unknown_preset(options.preset);
+  return from_medium(options.preset, material->medium(), options, "--preset " + options.preset);
+}
+
+Source from_csv(const SourceOptions& options) {
+  only_automatic(options, "a table");
+  Source source{.name = std::filesystem::path(options.csv).stem().string(),
+                .model = "table",
+                .note = {},
+                .profiles = profile::load_csv(options.csv),
+                .medium = {}};
+  constexpr const char* column[] = {"R", "G", "B"};
+  for (int c = 0; c < 3; ++c)
+    if (source.profiles[c]->total() > 1.0001)
+      throw input_error(options.csv, "column {} reflects {:.4g} times what enters; is R in 1/mm^2, and r in mm?", column[c],
+                        source.profiles[c]->total());
+  summarise(source);
+  return source;
+}
+
+Source from_burley(const SourceOptions& options) {
+  only_automatic(options, "--burley");
+  const profile::BurleyDescription burley = profile::parse_burley(options.burley, "--burley");
+  Source source{.name = "burley", .model = "Burley", .note = {}, .profiles = {}, .medium = {}};
+  for (int c = 0; c < 3; ++c)
+    source.profiles[c] = std::make_shared<profile::Burley>(burley.total_reflectance[c], burley.shape_mm[c], "--burley");
+  summarise(source);
+  return source;
+}
+
+}  // namespace
+
+Source open_source(const SourceOptions& options) {
+  struct Choice {
+    const char* option;
+    const std::string& value;
+    Source (*open)(const SourceOptions&);
+  };
+  const Choice choices[] = {
+      {"--preset", options.preset, from_preset},
+      {"--coefficients", options.coefficients,
+       [](const SourceOptions& o) {
+         return from_medium("coefficients", optics::parse_coefficients(o.coefficients, "--coefficients"), o, "--coefficients");
+       }},
+      {"--layers", options.layers,
+       [](const SourceOptions& o) {
+         return from_layers(std::filesystem::path(o.layers).stem().string(), optics::load_layers(o.layers), o, o.layers);
+       }},
+      {"--burley", options.burley, from_burley},
+      {"--csv", options.csv, from_csv},
+  };
+  const Choice* chosen = nullptr;
+  std::string all;
+  for (const Choice& choice : choices) {
+    all += std::string(all.empty() ? "" : ", ") + choice.option;
+    if (choice.value.empty()) continue;
+    if (chosen != nullptr) throw CLI::ExcludesError(chosen->option, choice.option);
+    chosen = &choice;
+  }
+  if (chosen == nullptr) throw CLI::RequiredError("one source of " + all);
+  return chosen->open(options);
+}
+
+}  // namespace dermis::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+/// What `dermis profile` starts from: one of several descriptions of skin, as three profiles.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "optics/media.h"
+#include "profile/model.h"
+
+namespace dermis::cli {
+
+/// The options of the command that name a source and a model, as given.
+struct SourceOptions {
+  std::string preset, coefficients, layers, burley, csv, import;
+  std::string model = "auto";
+  profile::MonteCarloOptions monte_carlo;
+};
+
+/// Three profiles and what is known about them.
+struct Source {
+  std::string name;
+  std::string model;  ///< for people
+  std::string note;   ///< why that model; empty if it was asked for
+  std::array<profile::ProfilePtr, 3> profiles;
+  optics::RgbMedium medium;  ///< the medium itself, or the homogeneous one that is equivalent
+  bool equivalent = false;   ///< medium is a summary: equal total and mean square radius
+};
+
+/// Exactly one source must be set: CLI::ParseError (exit status 2) if none or several are; InputError if what it says is wrong.
+Source open_source(const SourceOptions& options);
+
+}  // namespace dermis::cli
