@@ -2,6 +2,7 @@
 #include "scene/gltf/finish.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cmath>
 #include <set>
@@ -14,7 +15,8 @@ namespace dermis::scene::gltf {
 
 namespace {
 
-constexpr float skin_ior = 1.4f;  // DESIGN: F0 of skin
+constexpr std::uint64_t max_pixels_in_all = std::uint64_t{1} << 30;  // 4 GiB decoded; each picture alone is limited by its decoder
+constexpr float skin_ior = 1.4f;                                     // DESIGN: F0 of skin
 
 bool says_skin(const std::string& name) {
   std::string lower = name;
@@ -121,6 +123,7 @@ void decode_images(const Document& document, Bytes& bytes, int max_map_side, Sce
   std::vector<std::vector<std::byte>> encoded;  // files are read one by one, pictures decoded side by side
   for (const int source : sources) encoded.push_back(bytes.image(source));
   scene.images.resize(sources.size());
+  std::atomic<std::uint64_t> pixels_in_all = 0;
   parallel_for(sources.size(), [&](std::size_t i) {
     const std::string& name = document.images[sources[i]].name;
     image::DecodeLimits limits;
@@ -128,6 +131,9 @@ void decode_images(const Document& document, Bytes& bytes, int max_map_side, Sce
     const std::string where = fmt::format("{}: image '{}'", document.file, name.substr(0, 120));
     auto pixels = std::make_shared<const image::Image8>(image::decode_image8(encoded[i], where, limits));
     encoded[i] = {};
+    pixels_in_all += static_cast<std::uint64_t>(pixels->width) * static_cast<std::uint64_t>(pixels->height);
+    if (pixels_in_all > max_pixels_in_all)
+      throw input_error(document.file, "its images have more than {} pixels together, the limit", max_pixels_in_all);
     scene.images[i] = {name, std::move(pixels)};
   });
   for (Material& m : scene.materials)
