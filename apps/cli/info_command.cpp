@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <memory>
-
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/command.h"
-
 #include "dermis/error.h"
 #include "gpu/device.h"
 
