@@ -21,7 +21,12 @@ float pull(const vec3& p, const Frame& ear) {
   const vec3 e = (vec3(m.x, m.y, m.z) - ear.origin) / vec3(20, 36, 30);
   float w = 0.55f + 0.55f * near({0, -30, 95}, {62, 75, 55});
   w += 1.6f * near({31, -1, 78}, {22, 16, 30}) + 1.5f * near({0, -69, 97}, {31, 16, 30}) + 2.0f * near({0, -41, 105}, {23, 17, 32});
-  w += 1.8f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
+  w += 1.7f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
+  // Averaging thins the net on a sharp ridge, so the rim of the ear pulls more.
+  const vec3 local = ear.to_local(m);
+  const float ring = (glm::length(vec2(local.x - 1.5f, local.y - 1.0f) / vec2(18.0f, 31.0f)) - 1.0f) / 0.16f,
+              level = (local.z - 3.0f) / 6.0f;
+  w += 1.6f * std::exp(-ring * ring - level * level);
   // The threads shorten with the square root of their weight (see balance).
   return w * w;
 }
@@ -163,16 +168,15 @@ std::size_t Net::folded(int i, int j) const {
 Net wrap(const Sculpture& bust, int columns, int rows) {
   DERMIS_ASSERT(columns % 8 == 0 && rows % (4 * rim_part) == 0);
   Net net = first_net(bust, columns / 4, rows / 4);
-  // The wider the samples of a gradient, the smoother the surface they see: a coarse net is drawn over a blunt nose.
+  // Coarse nets are drawn over the blunt bust, the hollows last: a net that enters an ear before it is fine enough jumps over its rim.
   relax(net, bust, Detail::blunt, 120, 5.0f);
   relax(net, bust, Detail::blunt, 80, 4.0f);
   net = refine(net, columns / 2, rows / 2);
-  relax(net, bust, Detail::blunt, 60, 3.0f);
-  relax(net, bust, Detail::form, 40, 2.5f);
+  relax(net, bust, Detail::blunt, 80, 3.0f);
   net = refine(net, columns, rows);
-  relax(net, bust, Detail::form, 25, 1.8f);
-  relax(net, bust, Detail::form, 25, 1.2f);
-  relax(net, bust, Detail::form, 16, 0.8f);
+  relax(net, bust, Detail::blunt, 16, 2.0f);
+  relax(net, bust, Detail::form, 30, 1.2f);
+  relax(net, bust, Detail::form, 30, 0.8f);
   for (int k = 0; k < 2; ++k) {
     parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
       for (int i = 0; i <= columns; ++i) {
