@@ -14,10 +14,7 @@ const vec3 eye_radii(16.5f, 13.2f, 14.2f);
 Face::Face()
     : bridge_({{{0, 7, 82.5f}, 6.0f},
                {{0, 0, 83.0f}, 5.6f},
-               {{0, -9, 88.5f}, 6.0f},
-               {{0, -18, 94.5f}, 6.6f},
-               {{0, -27, 100.0f}, 7.0f},
-               {{0, -34, 104.5f}, 8.0f}}),
+               {{0, -9, 88.5f}, 6.0f}, {{0, -18, 96.2f}, 6.6f}, {{0, -27, 102.2f}, 7.2f}, {{0, -34, 106.0f}, 8.0f}}),
       nose_core_({{{0, 4, 72}, 8}, {{0, -8, 74}, 11.5f}, {{0, -22, 79}, 14.5f}, {{0, -34, 85}, 16.0f}, {{0, -39, 87}, 15.5f}}),
       columella_({{{0, -44.0f, 110}, 3.0f}, {{0, -46.5f, 104}, 2.8f}, {{0, -49, 97}, 3.8f}}),
       ala_({{{7.5f, -41.0f, 107}, 4.2f},
@@ -115,7 +112,7 @@ float Face::add_nose(float f, const vec3& p, Detail detail) const {
   if (p.x > 36 || p.y > 28 || p.y < -66 || p.z < 60) return f;
   f = soft_min(f, nose_core_(p, 40), 9);
   f = soft_min(f, bridge_(p, 40), 7.5f);
-  f = soft_min(f, ellipsoid(p - vec3(2.5f, -37.0f, 106.2f), {8.6f, 8.6f, 10.2f}), 5.5f);
+  f = soft_min(f, ellipsoid(p - vec3(2.5f, -37.0f, 106.2f), {8.4f, 8.4f, 10.0f}), 9.0f);
   f = soft_min(f, ala_(p, 40), 3.6f);
   f = soft_min(f, columella_(p, 40), 3.0f);
   if (detail == Detail::blunt) return f;

@@ -108,7 +108,7 @@ vec3 Skin::tint(const vec3& p, const Region& r) const {
   blood += 0.25f * bell(q, {18, -42, 90}, {5, 8, 10});
   // Freckles: sparse cells, each with its own size and strength, over cheeks and nose.
   const float where = std::min(1.0f, 1.2f * r.cheek + 1.1f * r.nose + 0.25f * r.forehead + 0.12f);
-  for (int layer = 0; layer < 2; ++layer) {
+  for (int layer = 0; layer < (where > 0.2f ? 2 : 1); ++layer) {
     const float scale = layer == 0 ? 0.30f : 0.52f;
     const Cell c = cells(p * scale + 0.15f * grain, 41u + static_cast<std::uint32_t>(layer));
     const float chance = unit(c.id), radius = (0.10f + 0.16f * unit(c.id * 2246822519u));
