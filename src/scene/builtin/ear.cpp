@@ -32,9 +32,9 @@ Ear::Ear()
                  {{-8, -26, 0.2f}, 3.2f},
                  {{-11, -19, -0.4f}, 2.8f}}) {
   // Axis 14 degrees back from the vertical, plate 27 degrees from the side of the head.
-  frame_.origin = {75.5f, -14.0f, -13.0f};
+  frame_.origin = {75.0f, -14.0f, -13.0f};
   frame_.y = glm::normalize(vec3(0.10f, 0.965f, -0.24f));
-  const vec3 back = vec3(0.45f, -0.1f, -0.89f);
+  const vec3 back = vec3(0.39f, -0.1f, -0.91f);
   frame_.x = glm::normalize(back - glm::dot(back, frame_.y) * frame_.y);
   frame_.z = glm::cross(frame_.x, frame_.y);
   if (frame_.z.x < 0) frame_.z = -frame_.z;  // outwards; a mirrored frame is as good

@@ -47,10 +47,10 @@ Face::Face()
       {{0, 48, 90}, {34, 20, 30}, 0.8f},                                              // frontal eminence
       {{33, 52, 80}, {20, 18, 26}, 1.0f},    {{15.5f, 5.5f, 79}, {8, 8, 16}, -1.6f},  // inner hollow of the orbit
       {{45, 8.5f, 74}, {13, 7, 18}, 1.5f},    // soft fold over the outer lid {{31, 10.5f, 80}, {18, 7.5f, 18}, 1.5f},   // and over its
-                                              // middle
+                                              // middle {{31, -13.5f, 78}, {17, 5.5f, 14}, 1.0f},    // lower lid
       {{62, 20, 42}, {16, 26, 24}, -1.6f},    // temple
-      {{48, -21, 73}, {19, 12, 22}, 2.2f},    // cheekbone
-      {{62, -17, 50}, {16, 9, 26}, 1.6f},     // its arch
+      {{48, -21, 73}, {20, 13, 22}, 1.9f},    // cheekbone
+      {{62, -17, 50}, {16, 11, 26}, 0.9f},     // its arch
       {{53, -50, 50}, {18, 22, 30}, -1.8f},   // below it
       {{30, -33, 82}, {14, 15, 18}, 1.6f},    // front of the cheek
       {{32, -70, 79}, {9, 10, 16}, 1.3f},     // pad beside the mouth
@@ -68,7 +68,7 @@ Face::Face()
   lid_strokes_.emplace_back(std::vector<vec3>{{17, 9, 80}, {24, 12.6f, 81}, {33, 13.4f, 81}, {41, 11.6f, 78}, {48, 7, 72}, {53, 1, 66}},
                             Stroke::Brush{5.5f, 1.3f, 0.35f, 0.3f});
   lid_strokes_.emplace_back(lash_line, Stroke::Brush{2.4f, -0.45f, 0.08f, 0.12f});
-  lid_strokes_.emplace_back(tear_trough, Stroke::Brush{5.0f, -1.1f, 0.2f, 0.7f});
+  lid_strokes_.emplace_back(tear_trough, Stroke::Brush{5.5f, -0.7f, 0.2f, 0.7f});
   lid_strokes_.emplace_back(lower_crease, Stroke::Brush{3.2f, -0.6f, 0.3f, 0.4f});
   lid_creases_.emplace_back(lash_line, Stroke::Brush{1.1f, -0.55f, 0.05f, 0.10f});
   lid_creases_.emplace_back(upper_crease, Stroke::Brush{1.3f, -0.55f, 0.2f, 0.4f});
@@ -100,7 +100,7 @@ float Face::add_planes(float f, const vec3& p) const {
 float Face::add_eye(float f, const vec3& p, Detail detail) const {
   const vec3 d = p - eye_centre;
   if (std::abs(d.x) > 32 || std::abs(d.y) > 30 || d.z < -22) return f;
-  f = soft_min(f, ellipsoid(eye_.to_local(p), eye_radii), 4.5f);
+  f = soft_min(f, ellipsoid(eye_.to_local(p), eye_radii), 6.0f);
   for (const Stroke& s : lid_strokes_) f -= s(p);
   if (detail == Detail::fine) {
     for (const Stroke& s : lid_creases_) f -= s(p);

@@ -187,7 +187,7 @@ float Skin::relief_mm(const vec3& p, const Region& r) const {
   }
   if (r.neck > 0.05f) {
     const float ring = std::abs(std::sin((q.y + 0.22f * q.z + 2.0f * gradient_noise(p * 0.03f, 157)) * 0.16f));
-    h -= 0.10f * r.neck * (1 - smooth_step(0.0f, 0.10f, ring)) * smooth_step(-10, 20, q.z);
+    h -= 0.13f * r.neck * (1 - smooth_step(0.0f, 0.22f, ring)) * smooth_step(-10, 20, q.z);
   }
   return h;
 }

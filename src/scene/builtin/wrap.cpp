@@ -136,7 +136,7 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
         step -= net.normal[self] * glm::dot(net.normal[self], step);
         p += step;
         const vec3 side = facing(net, i, j);
-        const float f = bust.field(p, detail);
+        const float f = round % 3 == 0 ? bust.field(p, detail) : 0.0f;
         // Deep inside a thin part the gradient may lead through it: there the net's own side decides.
         if (f < -2.0f) p += side * std::min(-f, 4.0f);
         const vec3 before = p;
@@ -174,9 +174,9 @@ Net wrap(const Sculpture& bust, int columns, int rows) {
   net = refine(net, columns / 2, rows / 2);
   relax(net, bust, Detail::blunt, 80, 3.0f);
   net = refine(net, columns, rows);
-  relax(net, bust, Detail::blunt, 16, 2.0f);
-  relax(net, bust, Detail::form, 30, 1.2f);
-  relax(net, bust, Detail::form, 30, 0.8f);
+  relax(net, bust, Detail::blunt, 12, 2.0f);
+  relax(net, bust, Detail::form, 27, 1.2f);
+  relax(net, bust, Detail::form, 24, 0.8f);
   for (int k = 0; k < 2; ++k) {
     parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
       for (int i = 0; i <= columns; ++i) {
