@@ -60,7 +60,7 @@ float Ear::add(float f, const vec3& p, Detail detail) const {
   f = soft_min(f, ear, 5.0f);
   f = soft_max(f, -ellipsoid(q - vec3(-2.8f, -4.2f, 5.0f), {9.6f, 9.8f, 8.2f}), 3.0f);  // bowl, lower part
   f = soft_max(f, -ellipsoid(q - vec3(-1.0f, 6.0f, 5.0f), {8.0f, 5.0f, 5.8f}), 2.6f);   // bowl, upper part
-  f = soft_max(f, -ellipsoid(q - vec3(-7.0f, -6.0f, 2.5f), {3.4f, 4.0f, 4.2f}), 3.0f);   // towards the canal
+  f = soft_max(f, -ellipsoid(q - vec3(-7.0f, -6.0f, 2.5f), {3.4f, 4.0f, 4.2f}), 3.0f);  // towards the canal
   f = soft_min(f, helix_(q, far), 2.0f);
   f = soft_min(f, antihelix_(q, far), 2.4f);
   f = soft_min(f, inferior_crus_(q, far), 2.2f);

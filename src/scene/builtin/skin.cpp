@@ -49,8 +49,8 @@ Region Skin::region(const vec3& p) const {
   r.symmetric = {p.x > 0 ? q.x : -q.x, q.y, q.z};
   r.complexion = layered_noise(p * 0.030f, 3, 1);
 
-  const vec3 e = (q - ear_.origin) / vec3(17, 36, 26);
-  r.ear = 1.0f - smooth_step(0.7f, 1.15f, glm::dot(e, e));
+  const vec3 e = (ear_.to_local(q) - vec3(1, 1, 2)) / vec3(21.5f, 36, 13);
+  r.ear = 1.0f - smooth_step(0.75f, 1.25f, glm::dot(e, e));
   const float face = smooth_step(8, 48, q.z) * smooth_step(-124, -100, q.y);
   r.neck = 1.0f - smooth_step(-128, -108, q.y + 0.35f * (80 - q.z));
   r.scalp = std::max(smooth_step(50, 96, q.y - 0.30f * (q.z - 60)) * smooth_step(-30, 20, q.y),
