@@ -6,7 +6,7 @@
 namespace dermis::scene::builtin {
 namespace {
 
-const vec3 eye_centre(31.5f, -1.0f, 66.5f);
+const vec3 eye_centre(31.5f, -1.5f, 67.6f);
 const vec3 eye_radii(16.5f, 13.2f, 14.2f);
 
 }  // namespace
@@ -15,10 +15,10 @@ Face::Face()
     : bridge_({{{0, 7, 82.5f}, 6.0f},
                {{0, 0, 83.0f}, 5.6f},
                {{0, -9, 88.5f}, 6.0f},
-               {{0, -18, 94.5f}, 6.6f},
-               {{0, -27, 100.0f}, 7.0f},
-               {{0, -34, 104.5f}, 8.0f}}),
-      nose_core_({{{0, 4, 72}, 8}, {{0, -8, 74}, 11.5f}, {{0, -22, 79}, 14.5f}, {{0, -34, 85}, 16.0f}, {{0, -39, 87}, 15.5f}}),
+               {{0, -18, 96.2f}, 6.6f},
+               {{0, -27, 102.2f}, 7.2f},
+               {{0, -34, 106.0f}, 8.0f}}),
+      nose_core_({{{0, 4, 72}, 6.5f}, {{0, -8, 75}, 9.0f}, {{0, -22, 80}, 13.0f}, {{0, -34, 85}, 15.8f}, {{0, -39, 87}, 15.5f}}),
       columella_({{{0, -44.0f, 110}, 3.0f}, {{0, -46.5f, 104}, 2.8f}, {{0, -49, 97}, 3.8f}}),
       ala_({{{7.5f, -41.0f, 107}, 4.2f},
             {{11.5f, -42.0f, 103}, 4.0f},
@@ -44,38 +44,40 @@ Face::Face()
   nostril_.x = glm::normalize(glm::cross(vec3(0, 1, 0), nostril_.z));
   nostril_.y = glm::cross(nostril_.z, nostril_.x);
   planes_ = {
-      {{9, 19, 94}, {17, 9, 20}, 1.3f},                                                // glabella and inner brow
-      {{30, 19, 90}, {21, 8, 20}, 1.8f},                                               // superciliary ridge
-      {{49, 12, 76}, {12, 11, 18}, 1.6f},                                              // its outer end
-      {{0, 48, 90}, {34, 20, 30}, 0.8f},                                               // frontal eminence
-      {{33, 52, 80}, {20, 18, 26}, 1.0f},     {{15.5f, 5.5f, 79}, {8, 8, 16}, -2.6f},  // inner hollow of the orbit
-      {{45, 8.5f, 74}, {10, 5.5f, 16}, 1.2f},                                          // soft fold over the outer lid
-      {{62, 20, 42}, {16, 26, 24}, -1.6f},                                             // temple
-      {{48, -21, 73}, {19, 12, 22}, 2.2f},                                             // cheekbone
-      {{62, -17, 50}, {16, 9, 26}, 1.6f},                                              // its arch
-      {{53, -50, 50}, {18, 22, 30}, -1.8f},                                            // below it
-      {{30, -33, 82}, {14, 15, 18}, 1.6f},                                             // front of the cheek
-      {{32, -70, 79}, {9, 10, 16}, 1.3f},                                              // pad beside the mouth
-      {{26.8f, -71, 83}, {5, 5, 10}, -1.6f},                                           // corner of the mouth
-      {{0, -87.5f, 92}, {24, 7, 14}, -1.8f},                                           // fold over the chin
-      {{9, -102, 94}, {13, 11, 16}, 1.6f},                                             // chin, a pad on each side
-      {{24, -97, 84}, {11, 12, 16}, -0.9f},                                            // before the pad
-      {{49, -84, 18}, {12, 14, 20}, 1.5f},                                             // angle of the jaw
+      {{9, 19, 94}, {17, 9, 20}, 1.3f},    // glabella and inner brow
+      {{30, 19, 90}, {21, 8, 20}, 1.0f},   // superciliary ridge
+      {{49, 12, 76}, {12, 11, 18}, 1.0f},  // its outer end
+      {{0, 48, 90}, {34, 20, 30}, 0.8f},   // frontal eminence
+      {{33, 52, 80}, {20, 18, 26}, 1.0f},
+      {{15.5f, 5.5f, 79}, {8, 8, 16}, -1.6f},  // inner hollow of the orbit
+      {{45, 8.5f, 74}, {13, 7, 18}, 1.5f},     // soft fold over the outer lid {{31, 10.5f, 80}, {18, 7.5f, 18}, 1.5f},   // and over its
+                                               // middle {{31, -13.5f, 78}, {17, 5.5f, 14}, 1.0f},    // lower lid
+      {{62, 20, 42}, {16, 26, 24}, -1.6f},     // temple
+      {{48, -21, 73}, {20, 13, 22}, 1.9f},     // cheekbone
+      {{62, -17, 50}, {16, 11, 26}, 0.9f},     // its arch
+      {{53, -50, 50}, {18, 22, 30}, -1.8f},    // below it
+      {{30, -33, 82}, {14, 15, 18}, 1.6f},     // front of the cheek
+      {{32, -70, 79}, {9, 10, 16}, 1.3f},      // pad beside the mouth
+      {{26.8f, -71, 83}, {5, 5, 10}, -1.6f},   // corner of the mouth
+      {{0, -87.5f, 92}, {24, 7, 14}, -1.8f},   // fold over the chin
+      {{9, -102, 94}, {13, 11, 16}, 1.6f},     // chin, a pad on each side
+      {{24, -97, 84}, {11, 12, 16}, -0.9f},    // before the pad
+      {{49, -84, 18}, {12, 14, 20}, 1.5f},     // angle of the jaw
   };
   folds_.emplace_back(std::vector<vec3>{{16.5f, -38, 92}, {21, -45, 89}, {26, -54, 85}, {30.5f, -64, 80}, {32, -73, 77}},
-                      Stroke::Brush{6.5f, -1.5f, 0.2f, 0.6f});
+                      Stroke::Brush{8.0f, -1.5f, 0.2f, 0.6f});
   folds_.emplace_back(std::vector<vec3>{{19, -33, 88}, {26, -44, 85}, {32, -54, 80}, {37, -65, 75}}, Stroke::Brush{9.0f, 1.0f, 0.3f, 0.6f});
   folds_.emplace_back(std::vector<vec3>{{28, -74, 82}, {30, -82, 79}, {31, -91, 76}}, Stroke::Brush{5.0f, -0.8f, 0.3f, 0.7f});
-  lid_strokes_.emplace_back(upper_crease, Stroke::Brush{4.2f, -1.9f, 0.25f, 0.35f});
+  lid_strokes_.emplace_back(upper_crease, Stroke::Brush{4.2f, -1.0f, 0.25f, 0.45f});
   lid_strokes_.emplace_back(std::vector<vec3>{{17, 9, 80}, {24, 12.6f, 81}, {33, 13.4f, 81}, {41, 11.6f, 78}, {48, 7, 72}, {53, 1, 66}},
                             Stroke::Brush{5.5f, 1.3f, 0.35f, 0.3f});
-  lid_strokes_.emplace_back(lash_line, Stroke::Brush{2.6f, -0.9f, 0.08f, 0.12f});
-  lid_strokes_.emplace_back(tear_trough, Stroke::Brush{5.0f, -1.1f, 0.2f, 0.7f});
-  lid_strokes_.emplace_back(lower_crease, Stroke::Brush{3.2f, -0.5f, 0.3f, 0.4f});
-  lid_creases_.emplace_back(lash_line, Stroke::Brush{1.1f, -0.8f, 0.05f, 0.10f});
+  lid_strokes_.emplace_back(lash_line, Stroke::Brush{2.4f, -0.45f, 0.08f, 0.12f});
+  lid_strokes_.emplace_back(tear_trough, Stroke::Brush{5.5f, -0.7f, 0.2f, 0.7f});
+  lid_strokes_.emplace_back(lower_crease, Stroke::Brush{3.2f, -0.35f, 0.3f, 0.4f});
+  lid_creases_.emplace_back(lash_line, Stroke::Brush{1.1f, -0.55f, 0.05f, 0.10f});
   lid_creases_.emplace_back(upper_crease, Stroke::Brush{1.3f, -0.55f, 0.2f, 0.4f});
   lid_creases_.emplace_back(std::vector<vec3>{{18, -6.6f, 77}, {26, -9.8f, 80}, {33, -10.4f, 80}, {40, -8.6f, 77}, {45, -5.6f, 73}},
-                            Stroke::Brush{1.6f, 0.25f, 0.2f, 0.3f});
+                            Stroke::Brush{1.6f, 0.12f, 0.2f, 0.3f});
   lid_creases_.emplace_back(std::vector<vec3>{{17.5f, 2.8f, 77}, {25, 4.8f, 78}, {34, 5.2f, 78}, {42, 2.4f, 73}},
                             Stroke::Brush{0.9f, -0.16f, 0.4f, 0.4f});
   lid_creases_.emplace_back(std::vector<vec3>{{20, -15.0f, 77}, {27, -18.2f, 78}, {35, -18.6f, 78}, {42, -16, 75}},
@@ -83,13 +85,11 @@ Face::Face()
   nose_strokes_.emplace_back(
       std::vector<vec3>{{9.8f, -35.5f, 106}, {14.2f, -36.0f, 100}, {17.6f, -39.5f, 93}, {17.8f, -44.5f, 90}, {15, -48.4f, 90}},
       Stroke::Brush{3.0f, -1.3f, 0.45f, 0.2f});
-  nose_strokes_.emplace_back(std::vector<vec3>{{17.8f, -40.0f, 93}, {18.2f, -44.5f, 90}, {15.4f, -48.6f, 90}},
-                             Stroke::Brush{1.4f, -0.5f, 0.4f, 0.3f});
-  mouth_strokes_.emplace_back(mouth_line, Stroke::Brush{2.8f, -1.3f, 0, 0.15f});
+  mouth_strokes_.emplace_back(mouth_line, Stroke::Brush{2.8f, -0.6f, 0, 0.15f});
   mouth_strokes_.emplace_back(std::vector<vec3>{{4.6f, -48.5f, 100}, {5.0f, -54, 100}, {5.6f, -59.5f, 102}},
                               Stroke::Brush{3.6f, 0.9f, 0.3f, 0});
   mouth_strokes_.emplace_back(std::vector<vec3>{{0, -48.5f, 100}, {0, -54, 100}, {0, -60, 102}}, Stroke::Brush{4.2f, -1.2f, 0.35f, 0.1f});
-  mouth_creases_.emplace_back(mouth_line, Stroke::Brush{1.2f, -1.1f, 0, 0.12f});
+  mouth_creases_.emplace_back(mouth_line, Stroke::Brush{1.3f, -0.6f, 0, 0.12f});
   mouth_creases_.emplace_back(upper_border, Stroke::Brush{1.3f, 0.34f, 0, 0.3f});
   mouth_creases_.emplace_back(lower_border, Stroke::Brush{1.6f, 0.22f, 0, 0.4f});
   mouth_creases_.emplace_back(std::vector<vec3>{{0, -70, 99}, {0, -74, 99}, {0, -78, 98}}, Stroke::Brush{2.2f, -0.35f, 0.4f, 0.5f});
@@ -104,7 +104,7 @@ float Face::add_planes(float f, const vec3& p) const {
 float Face::add_eye(float f, const vec3& p, Detail detail) const {
   const vec3 d = p - eye_centre;
   if (std::abs(d.x) > 32 || std::abs(d.y) > 30 || d.z < -22) return f;
-  f = soft_min(f, ellipsoid(eye_.to_local(p), eye_radii), 4.5f);
+  f = soft_min(f, ellipsoid(eye_.to_local(p), eye_radii), 6.0f);
   for (const Stroke& s : lid_strokes_) f -= s(p);
   if (detail == Detail::fine) {
     for (const Stroke& s : lid_creases_) f -= s(p);
@@ -116,20 +116,18 @@ float Face::add_nose(float f, const vec3& p, Detail detail) const {
   if (p.x > 36 || p.y > 28 || p.y < -66 || p.z < 60) return f;
   f = soft_min(f, nose_core_(p, 40), 9);
   f = soft_min(f, bridge_(p, 40), 7.5f);
-  f = soft_min(f, ellipsoid(p - vec3(2.5f, -37.0f, 106.2f), {8.6f, 8.6f, 10.2f}), 5.5f);
+  f = soft_min(f, ellipsoid(p - vec3(2.5f, -37.0f, 106.2f), {8.4f, 8.4f, 10.0f}), 9.0f);
   f = soft_min(f, ala_(p, 40), 3.6f);
   f = soft_min(f, columella_(p, 40), 3.0f);
   if (detail == Detail::blunt) return f;
   f = soft_max(f, -ellipsoid(nostril_.to_local(p), {3.3f, 5.2f, 6.2f}), 2.2f);
-  for (std::size_t i = 0; i < nose_strokes_.size(); ++i) {
-    if (i == 0 || detail == Detail::fine) f -= nose_strokes_[i](p);
-  }
+  for (const Stroke& s : nose_strokes_) f -= s(p);
   return f;
 }
 
 float Face::add_mouth(float f, const vec3& p, Detail detail) const {
   if (p.x > 42 || p.y > -44 || p.y < -92 || p.z < 60) return f;
-  const float lips = soft_min(upper_lip_(p, 30), lower_lip_(p, 30), 1.2f);
+  const float lips = soft_min(upper_lip_(p, 30), lower_lip_(p, 30), 2.4f);
   f = soft_min(f, lips, 4.0f);
   for (const Stroke& s : mouth_strokes_) f -= s(p);
   if (detail == Detail::fine) {

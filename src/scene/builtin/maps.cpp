@@ -13,14 +13,16 @@ struct FineNet {
   int per_cell = 4;
   int stride = 0;
   std::vector<vec3> at_mm, normal;
+  std::vector<Region> region;
 };
 
-FineNet refine_on(const Sculpture& bust, const Net& net) {
+FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net) {
   FineNet fine;
   const int n = fine.per_cell, columns = net.columns * n, rows = net.rows * n;
   fine.stride = columns + 1;
   fine.at_mm.resize(static_cast<std::size_t>(fine.stride * (rows + 1)));
   fine.normal.resize(fine.at_mm.size());
+  fine.region.resize(fine.at_mm.size());
   parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
     const int j = std::min(static_cast<int>(row) / n, net.rows - 1);
     const float v = static_cast<float>(row) / static_cast<float>(n) - static_cast<float>(j);
@@ -43,6 +45,7 @@ FineNet refine_on(const Sculpture& bust, const Net& net) {
       const std::size_t self = row * static_cast<std::size_t>(fine.stride) + static_cast<std::size_t>(k);
       fine.at_mm[self] = p;
       fine.normal[self] = g;
+      fine.region[self] = skin.region(p);
     }
   });
   return fine;
@@ -56,7 +59,12 @@ struct Place {
 class Baker {
  public:
   Baker(const Sculpture& bust, const Net& net, const Primitive& mesh, int size)
-      : skin_(bust), net_(net), mesh_(mesh), fine_(refine_on(bust, net)), size_(size), height_mm_(static_cast<std::size_t>(size) * size) {}
+      : skin_(bust),
+        net_(net),
+        mesh_(mesh),
+        fine_(refine_on(bust, skin_, net)),
+        size_(size),
+        height_mm_(static_cast<std::size_t>(size) * size) {}
 
   Maps run() {
     Maps maps;
@@ -76,12 +84,16 @@ class Baker {
     const float v = (1.0f - chart_margin - (static_cast<float>(y) + 0.5f) * texel) / inner;
     return {std::clamp(u, 0.0f, 1.0f) * static_cast<float>(net_.columns), std::clamp(v, 0.0f, 1.0f) * static_cast<float>(net_.rows)};
   }
-  vec3 sample(const std::vector<vec3>& field, const Place& at) const {
+  template <class T, class Mix>
+  T sample(const std::vector<T>& field, const Place& at, const Mix& mix) const {
     const float x = at.x * static_cast<float>(fine_.per_cell), y = at.y * static_cast<float>(fine_.per_cell);
     const int i = std::min(static_cast<int>(x), fine_.stride - 2), j = std::min(static_cast<int>(y), net_.rows * fine_.per_cell - 1);
     const float u = x - static_cast<float>(i), v = y - static_cast<float>(j);
-    const vec3* row = &field[static_cast<std::size_t>(j) * static_cast<std::size_t>(fine_.stride) + static_cast<std::size_t>(i)];
-    return glm::mix(glm::mix(row[0], row[1], u), glm::mix(row[fine_.stride], row[fine_.stride + 1], u), v);
+    const T* row = &field[static_cast<std::size_t>(j) * static_cast<std::size_t>(fine_.stride) + static_cast<std::size_t>(i)];
+    return mix(mix(row[0], row[1], u), mix(row[fine_.stride], row[fine_.stride + 1], u), v);
+  }
+  vec3 sample(const std::vector<vec3>& field, const Place& at) const {
+    return sample(field, at, [](const vec3& a, const vec3& b, float t) { return a + t * (b - a); });
   }
   void paint_row(int y, Maps& maps);
   void normal_row(int y, image::Image8& map) const;
@@ -113,8 +125,9 @@ std::uint8_t to_srgb(float linear) {
 
 void Baker::paint_row(int y, Maps& maps) {
   for (int x = 0; x < size_; ++x) {
-    const vec3 p = sample(fine_.at_mm, place(x, y));
-    const Region where = skin_.region(p);
+    const Place at = place(x, y);
+    const vec3 p = sample(fine_.at_mm, at);
+    const Region where = sample(fine_.region, at, blend);
     const SkinPoint s = skin_.paint(p, where);
     std::uint8_t* colour = maps.colour.at(x, y);
     colour[0] = to_srgb(s.albedo.x);

@@ -18,7 +18,7 @@ float Sculpture::uncut(const vec3& p, Detail detail) const {
   vec3 q = to_symmetric(p);
   q.x = mirrored(q.x);
   float f = skull_(q);
-  if (q.z > 20.0f && q.y < 70.0f && q.y > -135.0f) f = face_.add(f, q, detail);
+  if (q.z > -5.0f && q.y < 71.0f && q.y > -135.0f) f = face_.add(f, q, detail);
   if (q.y < 4.0f) f = soft_min(f, neck_.mass(q), 13.0f + 9.0f * smooth_step(10, -50, q.z));
   f = neck_.add_muscles(f, q);
   return ear_.add(f, q, detail);

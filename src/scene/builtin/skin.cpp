@@ -26,25 +26,6 @@ float height_at(const std::vector<vec3>& curve, float x) {
   return glm::mix(curve[i].y, curve[i + 1].y, t);
 }
 
-// One layer of short hairs laid along a direction: `along` and `across` in mm; returns coverage 0..1.
-float hair_layer(float along, float across, float length_mm, float pitch_mm, float width_mm, std::uint32_t seed) {
-  const float row = std::floor(across / pitch_mm);
-  float cover = 0;
-  for (int k = -1; k <= 1; ++k) {
-    const int lane = static_cast<int>(row) + k;
-    const std::uint32_t h = lattice_hash(lane, 17, 0, seed);
-    const float shifted = along + unit(h) * length_mm;
-    const int cell = static_cast<int>(std::floor(shifted / length_mm));
-    const std::uint32_t g = lattice_hash(lane, cell, 5, seed);
-    const float t = shifted / length_mm - static_cast<float>(cell);                         // 0 at the root
-    const float bend = (unit(g) - 0.5f) * 0.9f * t + 0.3f * (unit(g * 747796405u) - 0.5f);  // in pitches
-    const float middle = (static_cast<float>(lane) + 0.5f + bend) * pitch_mm;
-    const float width = width_mm * (1.0f - 0.75f * t) * smooth_step(0, 0.06f, t) * (0.7f + 0.6f * unit(g ^ 0x5bd1e995u));
-    cover = std::max(cover, 1.0f - smooth_step(0.35f * width, width + 0.06f, std::abs(across - middle)));
-  }
-  return cover;
-}
-
 }  // namespace
 
 Skin::Skin(const Sculpture& bust)
@@ -65,17 +46,19 @@ Region Skin::region(const vec3& p) const {
   Region r;
   vec3 q = to_symmetric(p);
   q.x = std::abs(q.x);
-  r.symmetric = q;
-  const vec3 e = (q - ear_.origin) / vec3(17, 36, 26);
-  r.ear = 1.0f - smooth_step(0.7f, 1.15f, glm::dot(e, e));
+  r.symmetric = {p.x > 0 ? q.x : -q.x, q.y, q.z};
+  r.complexion = layered_noise(p * 0.030f, 3, 1);
+
+  const vec3 e = (ear_.to_local(q) - vec3(1, 1, 2)) / vec3(21.5f, 36, 13);
+  r.ear = 1.0f - smooth_step(0.75f, 1.25f, glm::dot(e, e));
   const float face = smooth_step(8, 48, q.z) * smooth_step(-124, -100, q.y);
   r.neck = 1.0f - smooth_step(-128, -108, q.y + 0.35f * (80 - q.z));
-  r.scalp = std::max(smooth_step(58, 84, q.y - 0.30f * (q.z - 60)) * smooth_step(-30, 20, q.y),
-                     smooth_step(12, -14, q.z) * smooth_step(-58, -36, q.y + 0.25f * q.z) * (1 - r.ear)) *
+  r.scalp = std::max(smooth_step(50, 96, q.y - 0.30f * (q.z - 60)) * smooth_step(-30, 20, q.y),
+                     smooth_step(26, -22, q.z) * smooth_step(-66, -26, q.y + 0.25f * q.z) * (1 - r.ear)) *
             (1 - r.ear);
   if (face <= 0) return r;
   r.lips = lip_mask(q);
-  r.cheek = face * (bell(q, {41, -27, 76}, {21, 17, 30}) + 0.5f * bell(q, {52, -40, 60}, {16, 20, 26}));
+  r.cheek = face * (bell(q, {38, -27, 78}, {22, 19, 34}) + 0.5f * bell(q, {52, -42, 58}, {20, 26, 34}));
   r.nose_tip = bell(q, {0, -38, 116}, {13, 9, 14}) + 0.8f * bell(q, {15, -43, 96}, {5, 6, 8});
   r.nose = bell(q, {0, -24, 104}, {15, 26, 24});
   r.forehead = face * smooth_step(14, 34, q.y) * (1 - r.scalp);
@@ -90,56 +73,42 @@ Region Skin::region(const vec3& p) const {
   return r;
 }
 
-float Skin::brow_hair(const vec3& p, const vec3& q) const {
-  const vec2 n = brow_.nearest(q, 7);
-  if (n.x > 6.5f || q.z < 50) return 0;
-  const float middle = height_at(brow_line, q.x), across = q.y - middle;
-  const float half = 4.6f * std::pow(1.0f - n.y, 0.45f) * smooth_step(-0.10f, 0.16f, n.y) + 0.8f;
-  const float density =
-      (1.0f - smooth_step(0.45f * half, half, std::abs(across))) * smooth_step(0.0f, 0.10f, n.y) * (1 - smooth_step(0.88f, 1.0f, n.y));
-  if (density <= 0) return 0;
-  // Upright at the nose, lying outwards along the arch; upper hairs lean down, lower ones up.
-  const float lean = glm::mix(1.15f, 0.15f, smooth_step(0.0f, 0.45f, n.y)) - 0.10f * across * smooth_step(0.2f, 0.6f, n.y);
-  const float c = std::cos(lean), s = std::sin(lean);
-  const float x = q.x, y = q.y - 0.55f * (middle - 20.0f);
-  const std::uint32_t side = p.x > 0 ? 1u : 0u;
-  const float a = hair_layer(c * x + s * y, -s * x + c * y, 6.0f, 0.62f, 0.17f, 11 + side);
-  const float b = hair_layer(c * x + s * y + 2, -s * x + c * y, 7.5f, 0.74f, 0.17f, 23 + side);
-  const float thin = smooth_step(0.05f, 0.5f, density + 0.35f * gradient_noise(p * 0.7f, 31));
-  return std::min(1.0f, 0.30f * density + 0.62f * std::max(a, b) * thin);
+Region blend(const Region& a, const Region& b, float t) {
+  constexpr float Region::*parts[] = {&Region::lips,     &Region::cheek,  &Region::nose_tip,  &Region::nose,      &Region::ear,
+                                      &Region::forehead, &Region::t_zone, &Region::under_eye, &Region::upper_lid, &Region::beard,
+                                      &Region::scalp,    &Region::neck,   &Region::crow,      &Region::chin,      &Region::complexion};
+  Region r;
+  r.symmetric = glm::mix(a.symmetric, b.symmetric, t);
+  for (float Region::*const part : parts) r.*part = a.*part + t * (b.*part - a.*part);
+  return r;
 }
 
-float Skin::lashes(const vec3& p, const vec3& q) const {
-  const vec2 n = lash_.nearest(q, 5.0f);
-  if (n.x > 4.9f || q.z < 55) return 0;
-  const float ends = smooth_step(0.02f, 0.12f, n.y) * (1 - smooth_step(0.97f, 1.0f, n.y));
-  const float line = (1 - smooth_step(0.25f, 0.75f, n.x)) * ends;
-  const float below = height_at(lash_line, q.x) - q.y;
-  float hair = 0;
-  if (below > 0 && below < 4.4f) {
-    // Lashes of the upper lid lie over the lower one and fan out.
-    const float fan = (q.x - 29.0f) * 0.045f;
-    const float lane = (q.x - fan * below) / 0.85f;
-    const int k = static_cast<int>(std::floor(lane));
-    const std::uint32_t h = lattice_hash(k, p.x > 0 ? 1 : 0, 3, 77);
-    const float length = (2.0f + 1.9f * unit(h)) * (0.6f + 0.5f * n.y);
-    const float at = 0.5f + 0.5f * (unit(h * 2654435761u) - 0.5f);
-    const float width = 0.16f * std::max(1 - below / length, 0.0f);
-    hair = below < length ? 1 - smooth_step(0.3f * width, width + 0.10f, std::abs(lane - static_cast<float>(k) - at) * 0.85f) : 0.0f;
+float Skin::hair(const vec3& p, const vec3& q) const {
+  if (q.z < 45 || q.y < -20 || q.y > 34 || q.x > 64) return 0;
+  float cover = hairs_.coverage({p.x > 0 ? q.x : -q.x, q.y}, 0.20f);
+  // The skin under the brow is darker for the roots in it, and the lids' edge for the roots of the lashes.
+  const vec2 brow = brow_.nearest(q, 6.0f);
+  if (brow.x < 6.0f) {
+    const float half = 4.4f * (1 - 0.7f * brow.y);
+    cover = std::max(cover, 0.22f * (1 - smooth_step(0.3f * half, 1.1f * half, brow.x)) * smooth_step(0.0f, 0.12f, brow.y) *
+                                (1 - smooth_step(0.85f, 1.0f, brow.y)));
   }
-  return std::min(1.0f, 0.85f * line + 0.55f * hair * ends);
+  const vec2 lash = lash_.nearest(q, 1.2f);
+  return std::max(
+      cover, 0.80f * (1 - smooth_step(0.15f, 0.75f, lash.x)) * smooth_step(0.02f, 0.12f, lash.y) * (1 - smooth_step(0.97f, 1.0f, lash.y)));
 }
 
 vec3 Skin::tint(const vec3& p, const Region& r) const {
-  const float broad = layered_noise(p * 0.030f, 3, 1), mottle = layered_noise(p * 0.16f, 3, 5), grain = gradient_noise(p * 1.1f, 9);
+  const float broad = r.complexion, mottle = layered_noise(p * 0.16f, 3, 5), grain = gradient_noise(p * 1.1f, 9);
   float melanin = 0.10f * broad + 0.05f * mottle + 0.05f * grain + 0.16f * r.forehead + 0.10f * r.neck - 0.10f * r.lips;
   float blood = 0.10f * mottle + 0.07f * layered_noise(p * 0.45f, 2, 13) + 0.05f * broad;
-  blood += 0.55f * r.cheek * (1 + 0.5f * mottle) + 0.55f * r.nose_tip + 0.60f * r.ear + 0.18f * r.chin + 0.20f * r.upper_lid -
+  blood += 0.34f * r.cheek * (1 + 0.7f * mottle) + 0.42f * r.nose_tip + 0.42f * r.ear + 0.18f * r.chin + 0.20f * r.upper_lid -
            0.10f * r.forehead;
-  blood += 0.25f * bell(r.symmetric, {18, -42, 90}, {5, 8, 10});
+  const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
+  blood += 0.25f * bell(q, {18, -42, 90}, {5, 8, 10});
   // Freckles: sparse cells, each with its own size and strength, over cheeks and nose.
   const float where = std::min(1.0f, 1.2f * r.cheek + 1.1f * r.nose + 0.25f * r.forehead + 0.12f);
-  for (int layer = 0; layer < 2; ++layer) {
+  for (int layer = 0; layer < (where > 0.2f ? 2 : 1); ++layer) {
     const float scale = layer == 0 ? 0.30f : 0.52f;
     const Cell c = cells(p * scale + 0.15f * grain, 41u + static_cast<std::uint32_t>(layer));
     const float chance = unit(c.id), radius = (0.10f + 0.16f * unit(c.id * 2246822519u));
@@ -161,7 +130,7 @@ vec3 Skin::tint(const vec3& p, const Region& r) const {
 
 SkinPoint Skin::paint(const vec3& p, const Region& r) const {
   SkinPoint s;
-  const vec3& q = r.symmetric;
+  const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
   s.albedo = tint(p, r);
   const float patch = layered_noise(p * 0.12f, 2, 71);
   s.specular = std::clamp(0.62f + 0.30f * r.t_zone + 0.08f * patch - 0.12f * r.neck - 0.08f * r.scalp - 0.08f * r.under_eye, 0.0f, 1.0f);
@@ -175,15 +144,15 @@ SkinPoint Skin::paint(const vec3& p, const Region& r) const {
     const vec2 line = mouth_.nearest(q, 2.5f);
     s.albedo *= 1.0f - 0.45f * (1 - smooth_step(0.2f, 1.5f, line.x));
   }
-  const float hair = std::max(brow_hair(p, q), lashes(p, q));
-  s.albedo = glm::mix(s.albedo, vec3(0.055f, 0.036f, 0.026f), 0.92f * hair);
-  s.specular *= 1.0f - 0.5f * hair;
+  const float hairs = hair(p, q);
+  s.albedo = glm::mix(s.albedo, vec3(0.055f, 0.036f, 0.026f), 0.94f * hairs);
+  s.specular *= 1.0f - 0.5f * hairs;
   s.albedo = glm::clamp(s.albedo, vec3(0.01f), vec3(0.95f));
   return s;
 }
 
 float Skin::relief_mm(const vec3& p, const Region& r) const {
-  const vec3& q = r.symmetric;
+  const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
   // Pores: wide and deep on nose, inner cheek and chin, hardly any on lids and lips.
   const float bare = (1 - r.lips) * (1 - 0.85f * std::min(1.0f, r.upper_lid + 0.7f * r.under_eye));
   const float oily = std::min(1.0f, r.nose + 0.8f * r.nose_tip + 0.55f * r.cheek + 0.45f * r.forehead + 0.4f * r.chin);
@@ -218,7 +187,7 @@ float Skin::relief_mm(const vec3& p, const Region& r) const {
   }
   if (r.neck > 0.05f) {
     const float ring = std::abs(std::sin((q.y + 0.22f * q.z + 2.0f * gradient_noise(p * 0.03f, 157)) * 0.16f));
-    h -= 0.10f * r.neck * (1 - smooth_step(0.0f, 0.10f, ring)) * smooth_step(-10, 20, q.z);
+    h -= 0.13f * r.neck * (1 - smooth_step(0.0f, 0.22f, ring)) * smooth_step(-10, 20, q.z);
   }
   return h;
 }

@@ -2,6 +2,7 @@
 // The painter: what the skin of the bust looks like at a point of its surface.
 #pragma once
 
+#include "scene/builtin/hair.h"
 #include "scene/builtin/sculpture.h"
 
 namespace dermis::scene::builtin {
@@ -12,12 +13,15 @@ struct SkinPoint {
   float roughness = 0.5f;  ///< glTF roughness (m = roughness^2)
 };
 
-/// Where a point lies on the face; all 0..1 unless said otherwise.
+/// Where a point lies on the face; all 0..1 unless said otherwise. Varies over millimetres, so it is worked out on a net and blended.
 struct Region {
-  vec3 symmetric{0};  ///< mm, on the left half
+  vec3 symmetric{0};  ///< mm; x keeps its sign (left is positive), the painter takes |x|
   float lips = 0, cheek = 0, nose_tip = 0, nose = 0, ear = 0, forehead = 0, t_zone = 0;
   float under_eye = 0, upper_lid = 0, beard = 0, scalp = 0, neck = 0, crow = 0, chin = 0;
+  float complexion = 0;  ///< about -1..1: broad unevenness of the colour
 };
+/// a (1 - t) + b t in every part.
+Region blend(const Region& a, const Region& b, float t);
 
 class Skin {
  public:
@@ -30,9 +34,9 @@ class Skin {
  private:
   vec3 tint(const vec3& p_mm, const Region& where) const;
   float lip_mask(const vec3& q) const;
-  float brow_hair(const vec3& p_mm, const vec3& q) const;
-  float lashes(const vec3& p_mm, const vec3& q) const;
+  float hair(const vec3& p_mm, const vec3& symmetric) const;
   Frame ear_;
+  Hairs hairs_;
   Stroke lash_, brow_, mouth_;
   std::vector<vec3> upper_lip_, lower_lip_;
 };

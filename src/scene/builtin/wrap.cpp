@@ -9,6 +9,8 @@ namespace {
 
 // One row runs along the rim of the cut, so that the edge is clean.
 constexpr int rim_part = 27;
+// The seam runs from the cut up the back of the head and ends on the crown.
+const vec3 seam_end(0, 113, 18);
 constexpr float rim_mm = Sculpture::cut_mm + 1.5f;
 
 // Pull of the threads: where it is high the net is drawn together.
@@ -19,9 +21,14 @@ float pull(const vec3& p, const Frame& ear) {
   };
   const vec3 m(std::abs(p.x), p.y, p.z);
   const vec3 e = (vec3(m.x, m.y, m.z) - ear.origin) / vec3(20, 36, 30);
-  float w = 0.55f + 0.55f * near({0, -30, 95}, {62, 75, 55});
-  w += 1.6f * near({31, -1, 78}, {22, 16, 30}) + 1.5f * near({0, -69, 97}, {31, 16, 30}) + 2.0f * near({0, -41, 105}, {23, 17, 32});
-  w += 1.8f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
+  float w = 0.45f + 0.55f * near({0, -30, 95}, {62, 75, 55}) + 0.22f * near({0, 42, 90}, {60, 38, 60});
+  w += 1.9f * near({31, -1, 78}, {22, 16, 30}) + 1.5f * near({0, -69, 97}, {31, 16, 30}) + 2.6f * near({0, -38, 108}, {23, 20, 34});
+  w += 1.7f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
+  // Averaging thins the net on a sharp ridge, so the rim of the ear pulls more.
+  const vec3 local = ear.to_local(m);
+  const float ring = (glm::length(vec2(local.x - 1.5f, local.y - 1.0f) / vec2(18.0f, 31.0f)) - 1.0f) / 0.16f,
+              level = (local.z - 3.0f) / 6.0f;
+  w += 1.6f * std::exp(-ring * ring - level * level);
   // The threads shorten with the square root of their weight (see balance).
   return w * w;
 }
@@ -35,6 +42,24 @@ vec3 sphere_direction(float s, float t) {
   const vec3 h(x * k, y * k, 1.0f - r * r);
   const float longitude = 2.0f * std::atan2(h.x, std::max(h.z, 0.0f)), ring = std::sqrt(h.x * h.x + h.z * h.z);
   return {ring * std::sin(longitude), h.y, ring * std::cos(longitude)};
+}
+
+// The part of the net under the cut hangs on its rim: from there to a line along the middle, on which the lower side is folded.
+void lay_cap(Net& net) {
+  const int rim_row = net.rows / rim_part;
+  vec3 middle(0);
+  for (int i = 0; i < net.columns; ++i) middle += net.at_mm[net.index(i, rim_row)] / static_cast<float>(net.columns);
+  for (int i = 0; i <= net.columns; ++i) {
+    const vec3 rim = net.at_mm[net.index(i, rim_row)];
+    vec3 line = middle + 0.75f * (0.5f * (rim + net.at_mm[net.index(net.columns - i, rim_row)]) - middle);
+    line.y = Sculpture::cut_mm;
+    for (int j = 0; j < rim_row; ++j) {
+      const float inwards = 1.0f - static_cast<float>(j) / static_cast<float>(rim_row);
+      vec3& p = net.at_mm[net.index(i, j)];
+      p = glm::mix(rim, line, inwards * std::sqrt(inwards));
+      p.y = Sculpture::cut_mm;
+    }
+  }
 }
 
 void close_seam(Net& net) {
@@ -99,7 +124,11 @@ vec3 balance(const Net& net, const std::vector<float>& weight, int i, int j) {
     sum += w * net.at_mm[other];
     total += w;
   };
-  thread(1, 0, 1), thread(-1, 0, 1), thread(0, 1, 1), thread(0, -1, 1);
+  thread(1, 0, 1), thread(-1, 0, 1);
+  // The fold over the crown and the rim are cords that the net hangs on: they keep their length, or the end of the fold would be drawn
+  // down to the forehead and the rim would bunch up behind.
+  if (j == net.rows / rim_part || (j == net.rows && i % net.columns != 0)) return sum / total;
+  thread(0, 1, 1), thread(0, -1, 1);
   thread(1, 1, 0.25f), thread(-1, -1, 0.25f), thread(-1, 1, 0.25f), thread(1, -1, 0.25f);
   return sum / total;
 }
@@ -127,11 +156,17 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
       for (int i = 0; i <= net.columns; ++i) {
         const std::size_t self = net.index(i, j);
         vec3 p = net.at_mm[self];
+        if (j < rim_row) {  // see lay_cap
+          next[self] = p;
+          continue;
+        }
         vec3 step = 0.4f * (balance(net, weight, i, j) - p);
         step -= net.normal[self] * glm::dot(net.normal[self], step);
+        if (i % net.columns == 0 || j == net.rows || (j == rim_row && 2 * i == net.columns)) step.x = -p.x;
+        if (j == net.rows && i == net.columns / 2) step = seam_end - p;
         p += step;
         const vec3 side = facing(net, i, j);
-        const float f = bust.field(p, detail);
+        const float f = round % 3 == 0 ? bust.field(p, detail) : 0.0f;
         // Deep inside a thin part the gradient may lead through it: there the net's own side decides.
         if (f < -2.0f) p += side * std::min(-f, 4.0f);
         const vec3 before = p;
@@ -144,6 +179,7 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
       }
     });
     std::swap(net.at_mm, next);
+    lay_cap(net);
     close_seam(net);
   }
 }
@@ -163,16 +199,15 @@ std::size_t Net::folded(int i, int j) const {
 Net wrap(const Sculpture& bust, int columns, int rows) {
   DERMIS_ASSERT(columns % 8 == 0 && rows % (4 * rim_part) == 0);
   Net net = first_net(bust, columns / 4, rows / 4);
-  // The wider the samples of a gradient, the smoother the surface they see: a coarse net is drawn over a blunt nose.
+  // Coarse nets are drawn over the blunt bust, the hollows last: a net that enters an ear before it is fine enough jumps over its rim.
   relax(net, bust, Detail::blunt, 120, 5.0f);
   relax(net, bust, Detail::blunt, 80, 4.0f);
   net = refine(net, columns / 2, rows / 2);
-  relax(net, bust, Detail::blunt, 60, 3.0f);
-  relax(net, bust, Detail::form, 40, 2.5f);
+  relax(net, bust, Detail::blunt, 80, 3.0f);
   net = refine(net, columns, rows);
-  relax(net, bust, Detail::form, 25, 1.8f);
-  relax(net, bust, Detail::form, 25, 1.2f);
-  relax(net, bust, Detail::form, 16, 0.8f);
+  relax(net, bust, Detail::blunt, 12, 2.0f);
+  relax(net, bust, Detail::form, 27, 1.2f);
+  relax(net, bust, Detail::form, 24, 0.8f);
   for (int k = 0; k < 2; ++k) {
     parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
       for (int i = 0; i <= columns; ++i) {

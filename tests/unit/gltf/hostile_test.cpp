@@ -62,6 +62,19 @@ void bend_values(const Json& original, const std::string& bin, int rounds) {
   }
 }
 
+/// The Draco head taken apart, so that single numbers of it can be changed.
+Builder draco_head(const fs::path& root) {
+  const std::string file = read_text(root / "gltf-valid" / "head-variants" / "head-draco.glb");
+  std::uint32_t json_length = 0;
+  std::memcpy(&json_length, file.data() + 12, 4);
+  Builder b;
+  b.json = Json::parse(file.substr(20, json_length));
+  b.bytes = file.substr(20 + json_length + 8);
+  return b;
+}
+
+Json& draco_extension(Builder& b) { return b.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]; }
+
 }  // namespace
 
 TEST(GltfHostile, ScanCutOffAtTwentyPlaces) {
@@ -218,30 +231,42 @@ TEST(GltfHostile, MessagesStayOneLine) {
 
 TEST(GltfHostile, DracoDataThatDoesNotFit) {
   DERMIS_NEED_ASSETS(root);
-  const std::string file = read_text(*root / "gltf-valid" / "head-variants" / "head-draco.glb");
-  std::uint32_t json_length = 0;
-  std::memcpy(&json_length, file.data() + 12, 4);
-  const Json original = Json::parse(file.substr(20, json_length));
+  const Builder original = draco_head(*root);
   const auto error = [&](const auto& bend) {
-    Builder b;
-    b.json = original;
-    b.bytes = file.substr(20 + json_length + 8);
-    bend(b.json);
+    Builder b = original;
+    bend(b);
     return b.error();
   };
-  const auto position = original["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<int>();
-  const auto indices = original["meshes"][0]["primitives"][0]["indices"].get<int>();
-  EXPECT_EQ(error([](Json&) {}), "");
-  EXPECT_ERROR(error([&](Json& j) { j["accessors"][indices]["count"] = 3; }), "triangles");
-  EXPECT_ERROR(error([&](Json& j) {
-                 for (const auto& [name, a] : j["meshes"][0]["primitives"][0]["attributes"].items())
-                   j["accessors"][a.template get<int>()]["count"] = 7;
-                 j["accessors"][position]["count"] = 7;
+  const Json& primitive = original.json["meshes"][0]["primitives"][0];
+  EXPECT_EQ(error([](Builder&) {}), "");
+  EXPECT_ERROR(error([&](Builder& b) { b.json["accessors"][primitive["indices"].get<int>()]["count"] = 3; }), "triangles");
+  EXPECT_ERROR(error([&](Builder& b) {
+                 for (const auto& [name, a] : primitive["attributes"].items()) b.json["accessors"][a.template get<int>()]["count"] = 7;
                }),
                "vertices");
-  EXPECT_ERROR(
-      error([](Json& j) { j["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"]["POSITION"] = 99; }),
-      "no attribute 99");
+  EXPECT_ERROR(error([](Builder& b) { draco_extension(b)["attributes"]["POSITION"] = 99; }), "no attribute 99");
+}
+
+TEST(GltfHostile, DracoMetadataIsSteppedOver) {
+  DERMIS_NEED_ASSETS(root);
+  Builder b = draco_head(*root);
+  Json view = b.json["bufferViews"][draco_extension(b)["bufferView"].get<int>()];
+  std::string data = b.bytes.substr(view.value("byteOffset", 0u), view["byteLength"]);
+  data[10] = static_cast<char>(0x80);  // flags: metadata follow the header's 11 bytes
+  // One attribute's {id 0: no entries, no children}; the mesh's: one entry "k" = 2 bytes, one child "c" that is empty.
+  data.insert(11, std::string("\x01\x00\x00\x00\x01\x01k\x02xy\x01\x01"
+                              "c\x00\x00",
+                              15));
+  view["byteOffset"] = b.bytes.size();
+  view["byteLength"] = data.size();
+  b.bytes += data + std::string((4 - data.size() % 4) % 4, '\0');
+  b.json["buffers"][0]["byteLength"] = b.bytes.size();
+  b.json["bufferViews"].push_back(view);
+  draco_extension(b)["bufferView"] = b.json["bufferViews"].size() - 1;
+  EXPECT_EQ(b.error(), "");
+  const Json& indices = b.json["meshes"][0]["primitives"][0]["indices"];
+  b.json["accessors"][indices.get<int>()]["count"] = 3;  // still found behind the metadata
+  EXPECT_ERROR(b.error(), "the accessor of the indices says 1");
 }
 
 TEST(GltfHostile, FlippedBytes) {
