@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// What must hold for every technique of the list, whatever it does inside. A new technique is tested by being in the list.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+#include "gpu/techniques/support.h"
+
+namespace dermis::tests {
+namespace {
+
+constexpr double head_radius_m = 0.1;
+
+std::string test_name(const testing::TestParamInfo<std::string>& technique) {
+  std::string name = technique.param;
+  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+}
+
+class EveryTechnique : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechnique, testing::ValuesIn(technique_names()), test_name);
+
+TEST_P(EveryTechnique, NoLightIsBlack) {
+  RenderSettings s = small_settings(GetParam());
+  s.lights = 0;
+  s.ambient = 0;
+  const Picture picture = renderer().render(sphere(head_radius_m), s);
+  ASSERT_EQ(picture.linear_rgba.size(), 4u * 128 * 128);
+  EXPECT_GT(skin_range(picture).pixels, 5000u);
+  for (std::size_t i = 0; i < picture.linear_rgba.size(); ++i) {
+    if (i % 4 == 3) continue;
+    ASSERT_EQ(picture.linear_rgba[i], 0.0f) << "value " << i;
+  }
+}
+
+// Heads are loaded once for all techniques.
+const Scene& scene_of(const Subject& subject) {
+  static std::map<std::string, Scene> loaded;
+  const auto found = loaded.find(subject.name);
+  return found != loaded.end() ? found->second : loaded.emplace(subject.name, subject.open()).first->second;
+}
+
+// Under white light from everywhere white skin is white, seams included, whatever is blurred where.
+void expect_white(const std::string& technique, bool specular, double tolerance) {
+  std::string missing;
+  for (const Subject& subject : subjects()) {
+    SCOPED_TRACE(subject.name);
+    if (!subject.missing.empty()) {
+      missing += (missing.empty() ? "" : "; ") + subject.missing;
+      continue;
+    }
+    const SkinRange skin = skin_range(renderer().render(scene_of(subject), furnace_settings(technique, specular)));
+    EXPECT_GT(skin.pixels, 1000u);
+    EXPECT_GE(skin.low, 1 - tolerance);
+    EXPECT_LE(skin.high, 1 + tolerance);
+  }
+  if (!missing.empty()) GTEST_SKIP() << "rendered what is at hand; " << missing;
+}
+
+TEST_P(EveryTechnique, WhiteFurnace) { expect_white(GetParam(), false, 0.005); }
+TEST_P(EveryTechnique, WhiteFurnaceWithSpecular) { expect_white(GetParam(), true, 0.01); }
+
+void expect_equal_bits(const Picture& a, const Picture& b) {
+  ASSERT_EQ(a.linear_rgba.size(), b.linear_rgba.size());
+  EXPECT_EQ(std::memcmp(a.linear_rgba.data(), b.linear_rgba.data(), a.linear_rgba.size() * sizeof(float)), 0);
+  EXPECT_EQ(a.display_rgba, b.display_rgba);
+  EXPECT_EQ(a.statistics.irradiance_texels, b.statistics.irradiance_texels);
+  EXPECT_EQ(a.statistics.skin_pixels, b.statistics.skin_pixels);
+}
+
+TEST_P(EveryTechnique, TwoRunsAreBitEqual) {
+  const RenderSettings s = small_settings(GetParam());
+  const Scene& head = scene_of(subjects()[2]);
+  const Picture first = renderer().render(head, s);
+  EXPECT_GT(skin_range(first).mean[0], 0.01);
+  {
+    SCOPED_TRACE("the same renderer");
+    expect_equal_bits(first, renderer().render(head, s));
+  }
+  SCOPED_TRACE("another renderer");
+  Renderer other;
+  expect_equal_bits(first, other.render(head, s));
+}
+
+// The number of timed frames must not show in the picture: nothing is carried from frame to frame.
+TEST_P(EveryTechnique, ThePictureDoesNotDependOnTheNumberOfFrames) {
+  RenderSettings s = small_settings(GetParam());
+  const Scene head = sphere(head_radius_m);
+  const Picture first = renderer().render(head, s);
+  s.frames = 3;
+  expect_equal_bits(first, renderer().render(head, s));
+}
+
+TEST_P(EveryTechnique, HalvingTheMapKeepsTheMeanColour) {
+  RenderSettings s = small_settings(GetParam());
+  s.bloom = 0;
+  for (const std::size_t number : {std::size_t{0}, std::size_t{2}}) {
+    SCOPED_TRACE(subjects()[number].name);
+    s.map_size = 512;
+    const SkinRange fine = skin_range(renderer().render(scene_of(subjects()[number]), s));
+    s.map_size = 256;
+    const SkinRange coarse = skin_range(renderer().render(scene_of(subjects()[number]), s));
+    EXPECT_EQ(fine.pixels, coarse.pixels);
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_GT(fine.mean[c], 0.01);
+      EXPECT_NEAR(coarse.mean[c] / fine.mean[c], 1, 0.01) << "channel " << c;
+    }
+  }
+}
+
+// Scattering moves light, it neither makes nor loses any. Lit from the camera, little of it leaves for the far side.
+TEST_P(EveryTechnique, ScatteringKeepsTheLight) {
+  const auto render = [](const std::string& technique) {
+    RenderSettings s = small_settings(technique);
+    s.ambient = 0;
+    s.bloom = 0;
+    return sum(renderer().render(sphere_lit_from_the_camera(head_radius_m), s));
+  };
+  const std::array<double, 3> without = render("lambert"), with = render(GetParam());
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_GT(without[c], 1000);
+    EXPECT_NEAR(with[c] / without[c], 1, 0.02) << "channel " << c;
+  }
+}
+
+TEST_P(EveryTechnique, ValidationIsSilent) {
+  std::unique_ptr<Renderer> validated;
+  try {
+    validated = std::make_unique<Renderer>(Renderer::Options{.device = "best", .validate = true});
+  } catch (const DeviceError& error) {
+    if (std::string(error.what()).find("layer") == std::string::npos) throw;
+    GTEST_SKIP() << error.what();
+  }
+  RenderSettings s = small_settings(GetParam());
+  s.heads = 2;
+  validated->render(scene_of(subjects()[2]), s);
+  for (const Subject& subject : subjects())
+    if (subject.name == "MakeHuman" && subject.missing.empty()) validated->render(scene_of(subject), small_settings(GetParam()));
+  for (const std::string& message : validated->validation_messages()) ADD_FAILURE() << message;
+}
+
+}  // namespace
+}  // namespace dermis::tests

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// What the tests of whole pictures share: one renderer, the heads that are at hand, sums over pixels.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "dermis/renderer.h"
+#include "dermis/scene.h"
+
+namespace dermis::tests {
+
+/// One renderer for the whole process: pipelines are made once.
+Renderer& renderer();
+
+/// A picture small enough for a software driver.
+RenderSettings small_settings(const std::string& technique);
+
+/// The same under white light from everywhere: what is skin must be 1.
+RenderSettings furnace_settings(const std::string& technique, bool specular);
+
+/// Six charts, radius in metres.
+Scene sphere(double radius_m);
+Scene sheared_plane();
+
+/// The sphere under one directional light that shines where the framing camera looks.
+Scene sphere_lit_from_the_camera(double radius_m);
+
+/// A head by name: loading may fail because the files are not there, then it is empty and `missing` says what to do.
+struct Subject {
+  std::string name;
+  std::function<Scene()> open;
+  std::string missing;
+};
+const std::vector<Subject>& subjects();
+
+/// Pixels that are wholly skin.
+struct SkinRange {
+  std::size_t pixels = 0;
+  float low = 1e30f, high = -1e30f;
+  std::array<double, 3> mean{};
+};
+SkinRange skin_range(const Picture& picture);
+
+/// Sum of red, green and blue over all pixels.
+std::array<double, 3> sum(const Picture& picture);
+
+}  // namespace dermis::tests
