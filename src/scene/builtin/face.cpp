@@ -140,7 +140,9 @@ float Face::add(float f, const vec3& p, Detail detail) const {
   f = add_planes(f, p);
   f = add_eye(f, p, detail);
   f = add_mouth(f, p, detail);
-  return add_nose(f, p, detail);
+  f = add_nose(f, p, detail);
+  // The fillets between eye and nose have filled the inner corner.
+  return f - Dab{{15.5f, -1.5f, 82}, {10, 12, 16}, -1.7f}(p);
 }
 
 }  // namespace dermis::scene::builtin
