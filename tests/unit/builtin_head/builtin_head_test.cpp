@@ -184,7 +184,7 @@ TEST(BuiltinHead, LooksLikeAFace) {
   EXPECT_GT(chin, groove + 1) << "chin";
   EXPECT_GT(tip, lips + 8);
   for (const double side : {1.0, -1.0}) {
-    EXPECT_GT(depth(side * 31.5, -4), depth(side * 16, 0) + 2) << "closed eye against its inner corner";
+    EXPECT_GT(depth(side * 31.5, -4), depth(side * 16, -7) + 1.5) << "closed eye against its inner corner";
     EXPECT_LT(depth(side * 31.5, -4), root + 2) << "eye behind the root of the nose";
   }
   // Ears stand out at the side, between brow and nose, and nowhere else.
