@@ -22,7 +22,8 @@ float pull(const vec3& p, const Frame& ear) {
   const vec3 m(std::abs(p.x), p.y, p.z);
   const vec3 e = (vec3(m.x, m.y, m.z) - ear.origin) / vec3(20, 36, 30);
   float w = 0.45f + 0.55f * near({0, -30, 95}, {62, 75, 55}) + 0.22f * near({0, 42, 90}, {60, 38, 60});
-  w += 2.6f * near({31, -1, 78}, {23, 17, 30}) + 1.3f * near({0, -69, 97}, {31, 16, 30}) + 2.6f * near({0, -38, 108}, {23, 20, 34});
+  w += 2.6f * near({31, -1, 78}, {23, 17, 30}) + 1.1f * near({0, -69, 97}, {31, 16, 30}) + 2.0f * near({0, -38, 108}, {23, 20, 34}) +
+       0.45f * near({50, -30, 66}, {26, 30, 34});
   w += 1.2f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
   // Averaging thins the net on a sharp ridge, so the rim of the ear pulls more.
   const vec3 local = ear.to_local(m);
@@ -51,7 +52,10 @@ void lay_cap(Net& net) {
   for (int i = 0; i < net.columns; ++i) middle += net.at_mm[net.index(i, rim_row)] / static_cast<float>(net.columns);
   for (int i = 0; i <= net.columns; ++i) {
     const vec3 rim = net.at_mm[net.index(i, rim_row)];
-    vec3 line = middle + 0.75f * (0.5f * (rim + net.at_mm[net.index(net.columns - i, rim_row)]) - middle);
+    // Evenly from behind to the front, the same for both halves.
+    const float along = static_cast<float>(std::min(i, net.columns - i)) / (0.5f * static_cast<float>(net.columns));
+    const vec3 spine = glm::mix(net.at_mm[net.index(0, rim_row)], net.at_mm[net.index(net.columns / 2, rim_row)], along);
+    vec3 line = middle + 0.75f * (spine - middle);
     line.y = Sculpture::cut_mm;
     for (int j = 0; j < rim_row; ++j) {
       const float inwards = 1.0f - static_cast<float>(j) / static_cast<float>(rim_row);
