@@ -102,7 +102,7 @@ VectorXd solve_non_negative(const MatrixXd& a, const VectorXd& b) {
   return w.cwiseMax(0);
 }
 
-Projected project(std::span<const Target> channels, const VectorXd& log_variance, bool with_slopes) {
+Projected project(std::span<const Target> channels, const VectorXd& log_variance, bool any_sign) {
   const Index n = log_variance.size();
   Projected out;
   out.weights = MatrixXd::Zero(n, static_cast<Index>(channels.size()));
@@ -115,16 +115,15 @@ Projected project(std::span<const Target> channels, const VectorXd& log_variance
     const Eigen::HouseholderQR<MatrixXd> qr(basis);
     const MatrixXd r = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
     const VectorXd rotated = qr.householderQ().transpose() * target.value();
-    const VectorXd w = solve_non_negative(r, rotated.head(n));
+    const VectorXd w = any_sign ? VectorXd(r.colPivHouseholderQr().solve(rotated.head(n))) : solve_non_negative(r, rotated.head(n));
     const VectorXd residual = target.value() - basis * w;
     out.weights.col(static_cast<Index>(c)) = w;
     out.channel_residual2.push_back(residual.squaredNorm());
     out.residual2 += residual.squaredNorm();
-    if (!with_slopes) continue;
     // [K75]: dr/dp_j = -(1 - Q Q^T) dPhi_j w_j, Q spanning the columns in use
     std::vector<Index> used;
     for (Index j = 0; j < n; ++j)
-      if (w[j] > 0) used.push_back(j);
+      if (w[j] != 0) used.push_back(j);
     if (used.empty()) continue;
     const MatrixXd part = basis(Eigen::all, used);
     const Eigen::HouseholderQR<MatrixXd> part_qr(part);
