@@ -62,7 +62,7 @@ std::string row(const std::string& label, const gaussians::Rgb& values) {
 
 std::string table(const Source& source, const Fitted& fitted) {
   std::string text = fmt::format("{}: {}\n", source.name, source.model);
-  if (!source.note.empty()) text += fmt::format("model chosen: {}\n", source.note);
+  if (!source.note.empty()) text += source.note + "\n";
   text += fmt::format("{:<34}{:>12}{:>12}{:>12}\n", "", "red", "green", "blue");
   for (const gaussians::Gaussian& term : fitted.shared.terms)
     text += row(fmt::format("variance {:>10.5g} mm^2    weights", term.variance_mm2), term.weight);
@@ -127,9 +127,19 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
       .add_option("--layers", source.layers,
                   "JSON list of {sigma_a_per_mm, sigma_s_reduced_per_mm, eta, thickness_mm}, from the surface down")
       ->group(group);
+  command.add_option("--melanin", source.melanin, "spectral skin: volume fraction of melanin in the epidermis, 0 to 0.5")->group(group);
+  command.add_option("--colour,--color", source.colour, "the skin nearest to \"#rrggbb\" (sRGB) or \"L,a,b\" (CIELAB)")->group(group);
   command.add_option("--burley", source.burley, "\"reflectance=R,G,B mfp_mm=R,G,B\" (or dmfp_mm, or shape_mm): normalised diffusion")
       ->group(group);
   command.add_option("--csv", source.csv, "table with the header r_mm,R,G,B; mm and 1/mm^2")->group(group);
+  const std::string spectral = "Spectral skin (with --melanin or --colour)";
+  command.add_option("--blend", source.blend, "eumelanin's share, 0 to 1 (default 0.7; 0.1 with --colour)")->group(spectral);
+  command.add_option("--hemoglobin,--haemoglobin", source.haemoglobin, "volume fraction of blood in the dermis, 0 to 0.1 (default 0.01)")
+      ->group(spectral);
+  command.add_option("--oxygenation", source.oxygenation, "0 to 1 (default 0.75)")->group(spectral);
+  command.add_option("--oiliness", source.oiliness, "strength of the surface reflection, 0 to 1 (default 0.3)")->group(spectral);
+  command.add_option("--epidermis-mm", source.epidermis_mm, "thickness in mm, 0.01 to 2 (default 0.25; 0.12 with --colour)")
+      ->group(spectral);
   command.add_option("--model", source.model, "dipole, better, multipole, beam, monte-carlo or auto")->capture_default_str();
   command.add_option("--photons", source.monte_carlo.photons, "Monte-Carlo: photons a channel, 1000 to 1e9")->capture_default_str();
   command.add_option("--seed", source.monte_carlo.seed, "Monte-Carlo: equal seeds give equal bits")->capture_default_str();

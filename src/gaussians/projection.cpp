@@ -40,8 +40,10 @@ Target::Target(const profile::RadialProfile& profile) : spectral_(profile.hankel
   row_weight_ /= norm;
 }
 
+constexpr double finest_mm = 0.01;  // nothing on skin is looked at closer; dark skin sends back much of its light within micrometres
+
 double core_variance_mm2(const profile::RadialProfile& profile) {
-  const double core_mm = profile.quantile(0.05);
+  const double core_mm = std::max(profile.quantile(0.05), std::min(finest_mm, profile.quantile(0.5)));
   if (!(core_mm > 0)) throw input_error(profile.name(), "the profile reflects nothing: there is no sum of Gaussians to fit");
   return core_mm * core_mm;
 }

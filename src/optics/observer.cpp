@@ -16,7 +16,8 @@ constexpr ObserverRow rows[] = {
 constexpr std::size_t count = std::size(rows);
 
 // IEC 61966-2-1: linear Rec.709 from XYZ, and back.
-constexpr double to_linear[3][3] = {{3.2406255, -1.5372080, -0.4986286}, {-0.9689307, 1.8757561, 0.0415175}, {0.0557101, -0.2040211, 1.0569959}};
+constexpr double to_linear[3][3] = {
+    {3.2406255, -1.5372080, -0.4986286}, {-0.9689307, 1.8757561, 0.0415175}, {0.0557101, -0.2040211, 1.0569959}};
 constexpr double from_linear[3][3] = {{0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}};
 
 struct Tables {
@@ -87,13 +88,16 @@ Lab lab_from_linear(const Rgb& linear) {
 Rgb linear_from_lab(const Lab& lab) {
   const Xyz white = white_xyz();
   const double fy = (lab.l + 16) / 116;
-  const Xyz xyz{white[0] * lab_curve_inverse(fy + lab.a / 500), white[1] * lab_curve_inverse(fy), white[2] * lab_curve_inverse(fy - lab.b / 200)};
+  const Xyz xyz{white[0] * lab_curve_inverse(fy + lab.a / 500), white[1] * lab_curve_inverse(fy),
+                white[2] * lab_curve_inverse(fy - lab.b / 200)};
   Rgb linear{};
   for (int c = 0; c < 3; ++c)
     for (int i = 0; i < 3; ++i) linear[c] += to_linear[c][i] * xyz[i];
   return linear;
 }
 
-double delta_e76(const Lab& a, const Lab& b) { return std::sqrt((a.l - b.l) * (a.l - b.l) + (a.a - b.a) * (a.a - b.a) + (a.b - b.b) * (a.b - b.b)); }
+double delta_e76(const Lab& a, const Lab& b) {
+  return std::sqrt((a.l - b.l) * (a.l - b.l) + (a.a - b.a) * (a.a - b.a) + (a.b - b.b) * (a.b - b.b));
+}
 
 }  // namespace dermis::optics

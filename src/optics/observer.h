@@ -20,8 +20,8 @@ struct Lab {
 /// The samples of the tables: 380 to 780 nm, 5 nm apart.
 std::span<const double> wavelengths_nm();
 
-/// Weights by which reflectance at each of those wavelengths enters linear Rec.709: RGB_c = Sum_i w_c[i] R(nm_i). A white surface gives (1,1,1)
-/// exactly. Some weights are negative: the primaries do not span the spectrum's colours.
+/// Weights by which reflectance at each of those wavelengths enters linear Rec.709: RGB_c = Sum_i w_c[i] R(nm_i). A white surface gives
+/// (1,1,1) exactly. Some weights are negative: the primaries do not span the spectrum's colours.
 std::span<const Rgb> rec709_weights();
 
 /// Linear Rec.709 of a reflectance (0..1) given by wavelength, and the other way round for a colour as XYZ (D65 white = Y 1).

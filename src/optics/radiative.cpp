@@ -23,7 +23,7 @@ std::array<Node, half_count> radau_to_one(double low) {
   std::array<Node, n> rule;
   for (int i = 0; i < n; ++i) {
     double x = -std::cos(2 * std::numbers::pi * i / (2 * n - 1)), p0 = 1, p1 = x;
-    for (int step = 0; step < 60; ++step) {   // roots of P_{n-1} + P_n; -1 is one of them
+    for (int step = 0; step < 60; ++step) {  // roots of P_{n-1} + P_n; -1 is one of them
       p0 = 1, p1 = x;
       for (int k = 2; k <= n; ++k) {
         const double p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;
@@ -35,19 +35,19 @@ std::array<Node, half_count> radau_to_one(double low) {
       if (std::abs(change) < 1e-15) break;
     }
     const double weight = i == 0 ? 2.0 / (n * n) : (1 - x) / (n * n * p0 * p0);
-    rule[i] = {1 - (1 - low) * (x + 1) / 2, weight * (1 - low) / 2};   // mirrored: -1 becomes 1
+    rule[i] = {1 - (1 - low) * (x + 1) / 2, weight * (1 - low) / 2};  // mirrored: -1 becomes 1
   }
   return rule;
 }
 
 /// Directions inside a medium of index n: those past the critical angle, and those that can leave. The last is perpendicular.
 struct Directions {
-  Vector mu, weight, surface;   // surface: internal reflectance
+  Vector mu, weight, surface;  // surface: internal reflectance
 };
 
 Directions directions_of(double eta) {
   Directions d;
-  const double critical = eta > 1 ? std::sqrt(1 - 1 / (eta * eta)) : 0.3;   // without one, any split serves
+  const double critical = eta > 1 ? std::sqrt(1 - 1 / (eta * eta)) : 0.3;  // without one, any split serves
   const auto inner = gauss_legendre(half_count, 0, critical);
   const auto outer = radau_to_one(critical);
   for (int i = 0; i < half_count; ++i) {
@@ -69,7 +69,7 @@ SlabMatrices thin_slab(const Directions& d, double albedo, double depth) {
   const Matrix gain = scale * (albedo / 2) * d.weight.transpose();
   const Matrix loss = Matrix(scale.asDiagonal()) - gain;
   const Matrix inverse = (Matrix::Identity() + loss).inverse();
-  const Matrix forward = inverse * (Matrix::Identity() - loss), back = inverse * gain;   // T = forward + back R, R = back (1 + T)
+  const Matrix forward = inverse * (Matrix::Identity() - loss), back = inverse * gain;  // T = forward + back R, R = back (1 + T)
   SlabMatrices slab;
   slab.reflect = (Matrix::Identity() - back * back).partialPivLu().solve(back * (Matrix::Identity() + forward));
   slab.transmit = forward + back * slab.reflect;
@@ -103,19 +103,20 @@ SlabMatrices make_slab(const Directions& d, const Layer& layer) {
 Totals adding_doubling(const Layers& layers, const std::string& where) {
   check(layers, where);
   for (const Layer& layer : layers)
-    if (layer.eta != layers[0].eta) throw input_error(where, "adding-doubling wants one index for all layers, got {} and {}", layers[0].eta, layer.eta);
+    if (layer.eta != layers[0].eta)
+      throw input_error(where, "adding-doubling wants one index for all layers, got {} and {}", layers[0].eta, layer.eta);
   const Directions d = directions_of(layers[0].eta);
   // From the bottom: `below` reflects what comes down; `through` carries it out of the last face (per unit arriving at the present top).
   Matrix below = d.surface.asDiagonal(), through = Matrix::Identity();
   for (std::size_t i = layers.size(); i-- > 0;) {
     const SlabMatrices slab = make_slab(d, layers[i]);
-    const Matrix bounce = (Matrix::Identity() - slab.reflect * below).partialPivLu().solve(slab.transmit);   // arriving at `below`
+    const Matrix bounce = (Matrix::Identity() - slab.reflect * below).partialPivLu().solve(slab.transmit);  // arriving at `below`
     through = (through * bounce).eval();
     below = (slab.reflect + slab.transmit * below * bounce).eval();
   }
   // Light inside the surface: what entered plus what the surface throws back.
   Vector entered = Vector::Zero();
-  entered[directions - 1] = 1 / (d.mu[directions - 1] * d.weight[directions - 1]);   // unit flux
+  entered[directions - 1] = 1 / (d.mu[directions - 1] * d.weight[directions - 1]);  // unit flux
   const Vector down = (Matrix::Identity() - d.surface.asDiagonal() * below).partialPivLu().solve(entered);
   const Vector leaves = d.mu.cwiseProduct(d.weight).cwiseProduct(Vector::Ones() - d.surface);
   return {leaves.dot(below * down), leaves.dot(through * down)};
@@ -138,7 +139,7 @@ HFunction solve_h(double albedo) {
     for (std::size_t i = 0; i < out.h.size(); ++i) {
       double sum = 0;
       for (std::size_t j = 0; j < out.h.size(); ++j) sum += out.rule[j].weight * out.rule[j].x * out.h[j] / (out.rule[i].x + out.rule[j].x);
-      next[i] = (1 / (root + albedo / 2 * sum) + out.h[i]) / 2;   // the mean: plain substitution swings without absorption
+      next[i] = (1 / (root + albedo / 2 * sum) + out.h[i]) / 2;  // the mean: plain substitution swings without absorption
       change = std::max(change, std::abs(next[i] - out.h[i]));
     }
     out.h = std::move(next);

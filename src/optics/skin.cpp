@@ -21,7 +21,7 @@ constexpr HaemoglobinRow haemoglobin[] = {
 };
 
 /// Straight lines between samples.
-double extinction(double nm, double HaemoglobinRow::* column) {
+double extinction(double nm, double HaemoglobinRow::*column) {
   DERMIS_ASSERT(nm >= haemoglobin[0].nm && nm <= std::end(haemoglobin)[-1].nm);
   const double step = haemoglobin[1].nm - haemoglobin[0].nm, position = (nm - haemoglobin[0].nm) / step;
   const std::size_t i = std::min(static_cast<std::size_t>(position), std::size(haemoglobin) - 2);

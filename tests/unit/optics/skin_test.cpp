@@ -23,20 +23,25 @@ using optics::Skin;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 TEST(Radiative, ChandrasekharH) {
-  struct Row { double a, h, normal, diffuse; };
-  for (const Row& row : {Row{.2, 1.078645, .035231, .046265}, Row{.5, 1.251260, .115226, .146544}, Row{.8, 1.598220, .285255, .341867}, Row{.9, 1.850099, .414947, .478024},
-                         Row{.95, 2.077124, .535541, .596669}, Row{.99, 2.472793, .752721, .794564}, Row{.999, 2.756073, .912845, .929713}, Row{1, 2.907811, 1, 1}}) {
+  struct Row {
+    double a, h, normal, diffuse;
+  };
+  for (const Row& row : {Row{.2, 1.078645, .035231, .046265}, Row{.5, 1.251260, .115226, .146544}, Row{.8, 1.598220, .285255, .341867},
+                         Row{.9, 1.850099, .414947, .478024}, Row{.95, 2.077124, .535541, .596669}, Row{.99, 2.472793, .752721, .794564},
+                         Row{.999, 2.756073, .912845, .929713}, Row{1, 2.907811, 1, 1}}) {
     EXPECT_NEAR(optics::chandrasekhar_h(row.a, 1), row.h, 1e-5) << row.a;
     EXPECT_NEAR(optics::exact_reflectance_perpendicular(row.a), row.normal, 1e-5) << row.a;
     EXPECT_NEAR(optics::exact_reflectance_diffuse(row.a), row.diffuse, 1e-5) << row.a;
-    if (row.a < 1) {   // the same half-space by adding and doubling
+    if (row.a < 1) {  // the same half-space by adding and doubling
       EXPECT_NEAR(optics::adding_doubling({{1 - row.a, row.a, 1, infinite}}).reflectance, row.normal, 2e-4) << row.a;
     }
   }
 }
 
 TEST(Radiative, AddingDoublingAgainstMonteCarlo) {
-  struct Row { double albedo, total; };   // n = 1.4, per flux sent; 2e6 photons
+  struct Row {
+    double albedo, total;
+  };  // n = 1.4, per flux sent; 2e6 photons
   const double into = 1 - optics::fresnel(1, 1 / 1.4);
   for (const Row& row : {Row{.5, .05234}, Row{.8, .15300}, Row{.9, .25088}, Row{.95, .35900}, Row{.99, .60359}, Row{.999, .83023}})
     EXPECT_NEAR(into * optics::adding_doubling({{1 - row.albedo, row.albedo, 1.4, infinite}}).reflectance, row.total, 7e-4) << row.albedo;
@@ -48,18 +53,25 @@ TEST(Radiative, AddingDoublingAgainstMonteCarlo) {
   EXPECT_THROW(optics::adding_doubling({{.1, 1, 1.4, 1}, {.1, 1, 1.3, 1}}), InputError);
 }
 
-struct TypeRow { const char* name; Skin skin; double nm, monte_carlo, multipole; };
+struct TypeRow {
+  const char* name;
+  Skin skin;
+  double nm, monte_carlo, multipole;
+};
 const TypeRow types[] = {
-    {"Caucasian", {.005, .7, .005}, 450, .34276, .35521}, {"Caucasian", {.005, .7, .005}, 550, .38725, .38925}, {"Caucasian", {.005, .7, .005}, 650, .52010, .52088},
-    {"Asian", {.15, 0, .01}, 450, .04608, .06393},        {"Asian", {.15, 0, .01}, 550, .07534, .09884},        {"Asian", {.15, 0, .01}, 650, .14357, .16853},
-    {"African", {.5, .7, .05}, 450, .01256, .01767},      {"African", {.5, .7, .05}, 550, .01708, .02391},      {"African", {.5, .7, .05}, 650, .02386, .03340},
+    {"Caucasian", {.005, .7, .005}, 450, .34276, .35521}, {"Caucasian", {.005, .7, .005}, 550, .38725, .38925},
+    {"Caucasian", {.005, .7, .005}, 650, .52010, .52088}, {"Asian", {.15, 0, .01}, 450, .04608, .06393},
+    {"Asian", {.15, 0, .01}, 550, .07534, .09884},        {"Asian", {.15, 0, .01}, 650, .14357, .16853},
+    {"African", {.5, .7, .05}, 450, .01256, .01767},      {"African", {.5, .7, .05}, 550, .01708, .02391},
+    {"African", {.5, .7, .05}, 650, .02386, .03340},
 };
 
 // The three skins of the 2006 sketch: Monte-Carlo of 1e6 photons (+-0.0005) and closed forms, both of independent programs.
 TEST(Skin, TotalsOfTheSketch) {
   for (const TypeRow& row : types) {
     const optics::Layers layers = optics::skin_layers(row.skin, row.nm);
-    EXPECT_NEAR(profile::LayeredProfile(layers, profile::SlabProfile::Side::reflected).total(), row.multipole, 1e-4 * row.multipole + 5e-6) << row.name << row.nm;
+    EXPECT_NEAR(profile::LayeredProfile(layers, profile::SlabProfile::Side::reflected).total(), row.multipole, 1e-4 * row.multipole + 5e-6)
+        << row.name << row.nm;
     EXPECT_NEAR(optics::adding_doubling(layers).reflectance, row.monte_carlo, 0.002) << row.name << row.nm;
     const auto photons = profile::monte_carlo(profile::scene_of(layers), {.photons = 60'000, .seed = 4, .cache = {}});
     EXPECT_NEAR(photons->reflected_total, row.monte_carlo, std::max(0.002, 3 * photons->reflected_total_error)) << row.name << row.nm;
@@ -67,10 +79,13 @@ TEST(Skin, TotalsOfTheSketch) {
 }
 
 TEST(Skin, Chromophores) {
-  struct Row { double nm, em, pm, base, oxy, deoxy, scattering; };
-  for (const Row& row : {Row{450, 96.4598, 72.3833, .12192, 33.6370, 55.3113, 9.2091}, Row{500, 67.9163, 43.8824, .07022, 11.2092, 11.1713, 7.2760},
-                         Row{550, 49.4466, 27.9046, .04593, 23.0344, 28.6013, 6.0823}, Row{600, 37.0084, 18.4578, .03452, 1.7136, 7.8594, 5.3058},
-                         Row{650, 28.3493, 12.6200, .02915, .1971, 2.0081, 4.7778}, Row{700, 22.1497, 8.8753, .02663, .1553, .9608, 4.4043}}) {
+  struct Row {
+    double nm, em, pm, base, oxy, deoxy, scattering;
+  };
+  for (const Row& row :
+       {Row{450, 96.4598, 72.3833, .12192, 33.6370, 55.3113, 9.2091}, Row{500, 67.9163, 43.8824, .07022, 11.2092, 11.1713, 7.2760},
+        Row{550, 49.4466, 27.9046, .04593, 23.0344, 28.6013, 6.0823}, Row{600, 37.0084, 18.4578, .03452, 1.7136, 7.8594, 5.3058},
+        Row{650, 28.3493, 12.6200, .02915, .1971, 2.0081, 4.7778}, Row{700, 22.1497, 8.8753, .02663, .1553, .9608, 4.4043}}) {
     EXPECT_NEAR(optics::eumelanin_per_mm(row.nm) / row.em, 1, 1e-5);
     EXPECT_NEAR(optics::pheomelanin_per_mm(row.nm) / row.pm, 1, 1e-5);
     EXPECT_NEAR(optics::baseline_per_mm(row.nm) / row.base, 1, 1e-3);
@@ -137,7 +152,7 @@ TEST(Observer, WhiteGreyAndLab) {
   const optics::Lab lab = optics::lab_from_linear({1, 1, 1});
   EXPECT_NEAR(lab.l, 100, 1e-9);
   EXPECT_NEAR(lab.a, 0, 1e-9);
-  const optics::Lab red = optics::lab_from_linear({1, 0, 0});   // sRGB red: 53.24 80.09 67.20
+  const optics::Lab red = optics::lab_from_linear({1, 0, 0});  // sRGB red: 53.24 80.09 67.20
   EXPECT_NEAR(red.l, 53.24, .05);
   EXPECT_NEAR(red.a, 80.09, .1);
   EXPECT_NEAR(red.b, 67.20, .1);
@@ -150,7 +165,8 @@ TEST(Observer, WhiteGreyAndLab) {
 /// Rows of a CSV file beside the source tree, or none.
 std::vector<std::vector<double>> csv_rows(const std::string& name) {
   const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const std::filesystem::path shared = cache != nullptr ? std::filesystem::path(cache).parent_path() : std::filesystem::path(DERMIS_SOURCE_DIR) / ".." / "shared";
+  const std::filesystem::path shared =
+      cache != nullptr ? std::filesystem::path(cache).parent_path() : std::filesystem::path(DERMIS_SOURCE_DIR) / ".." / "shared";
   std::ifstream in(shared / "facts" / name);
   std::vector<std::vector<double>> rows;
   for (std::string line; std::getline(in, line);) {
