@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "gaussians/exchange.h"
 #include "optics/inversion.h"
 #include "optics/presets.h"
 #include "optics/skin_colour.h"
@@ -84,6 +85,17 @@ Source from_burley(const SourceOptions& options) {
   return source;
 }
 
+Source from_import(const SourceOptions& options) {
+  const gaussians::Imported imported = gaussians::parse_import(options.import, "--import");
+  if (!imported.is_burley) return from_medium(imported.name, imported.medium, options, "--import");
+  only_automatic(options, "--import of a Burley profile");
+  Source source{.name = imported.name, .model = "Burley", .note = {}, .profiles = {}, .medium = {}, .skin = {}};
+  for (int c = 0; c < 3; ++c)
+    source.profiles[c] = std::make_shared<profile::Burley>(imported.total_reflectance[c], imported.burley_shape_mm[c], "--import");
+  summarise(source);
+  return source;
+}
+
 /// What the options say on top of `skin`.
 optics::Skin refined(optics::Skin skin, const SourceOptions& options) {
   skin.melanin = options.melanin.value_or(skin.melanin);
@@ -145,6 +157,7 @@ Source open_source(const SourceOptions& options) {
       {"--colour", options.colour, from_colour},
       {"--burley", options.burley, from_burley},
       {"--csv", options.csv, from_csv},
+      {"--import", options.import, from_import},
   };
   const Choice* chosen = nullptr;
   std::string all;

@@ -12,7 +12,7 @@ namespace dermis::cli {
 
 /// The options of the command that name a source and a model, as given.
 struct SourceOptions {
-  std::string preset, coefficients, layers, burley, csv, colour;
+  std::string preset, coefficients, layers, burley, csv, colour, import;
   std::optional<double> melanin, blend, haemoglobin, oxygenation, oiliness, epidermis_mm;  ///< melanin makes it a source; the rest refine
   std::string model = "auto";
   profile::MonteCarloOptions monte_carlo;

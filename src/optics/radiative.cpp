@@ -13,13 +13,9 @@
 namespace dermis::optics {
 namespace {
 
-constexpr int half_count = 8, directions = 2 * half_count;
-using Matrix = Eigen::Matrix<double, directions, directions>;
-using Vector = Eigen::Matrix<double, directions, 1>;
-
 /// Gauss-Radau rule on [low, 1] with a node at 1, so that the perpendicular beam is one of the directions.
-std::array<Node, half_count> radau_to_one(double low) {
-  constexpr int n = half_count;
+template <int n>
+std::array<Node, n> radau_to_one(double low) {
   std::array<Node, n> rule;
   for (int i = 0; i < n; ++i) {
     double x = -std::cos(2 * std::numbers::pi * i / (2 * n - 1)), p0 = 1, p1 = x;
@@ -40,87 +36,98 @@ std::array<Node, half_count> radau_to_one(double low) {
   return rule;
 }
 
-/// Directions inside a medium of index n: those past the critical angle, and those that can leave. The last is perpendicular.
-struct Directions {
-  Vector mu, weight, surface;  // surface: internal reflectance
-};
+/// The method with 2 half_count directions.
+template <int half_count>
+struct AddingDoubling {
+  static constexpr int directions = 2 * half_count;
+  using Matrix = Eigen::Matrix<double, directions, directions>;
+  using Vector = Eigen::Matrix<double, directions, 1>;
 
-Directions directions_of(double eta) {
-  Directions d;
-  const double critical = eta > 1 ? std::sqrt(1 - 1 / (eta * eta)) : 0.3;  // without one, any split serves
-  const auto inner = gauss_legendre(half_count, 0, critical);
-  const auto outer = radau_to_one(critical);
-  for (int i = 0; i < half_count; ++i) {
-    d.mu[i] = inner[i].x, d.weight[i] = inner[i].weight;
-    d.mu[directions - 1 - i] = outer[i].x, d.weight[directions - 1 - i] = outer[i].weight;
+  /// Directions inside a medium of index n: those past the critical angle, and those that can leave. The last is perpendicular.
+  struct Directions {
+    Vector mu, weight, surface;  // surface: internal reflectance
+  };
+
+  static Directions directions_of(double eta) {
+    Directions d;
+    const double critical = eta > 1 ? std::sqrt(1 - 1 / (eta * eta)) : 0.3;  // without one, any split serves
+    const auto inner = gauss_legendre(half_count, 0, critical);
+    const auto outer = radau_to_one<half_count>(critical);
+    for (int i = 0; i < half_count; ++i) {
+      d.mu[i] = inner[i].x, d.weight[i] = inner[i].weight;
+      d.mu[directions - 1 - i] = outer[i].x, d.weight[directions - 1 - i] = outer[i].weight;
+    }
+    for (int i = 0; i < directions; ++i) d.surface[i] = eta == 1 ? 0 : fresnel(d.mu[i], eta);
+    return d;
   }
-  for (int i = 0; i < directions; ++i) d.surface[i] = eta == 1 ? 0 : fresnel(d.mu[i], eta);
-  return d;
-}
 
-/// What a slab does to intensities: out = R in (same side), out = T in (other side). Homogeneous, so both sides are alike.
-struct SlabMatrices {
-  Matrix reflect, transmit;
-};
+  /// What a slab does to intensities: out = R in (same side), out = T in (other side). Homogeneous, so both sides are alike.
+  struct SlabMatrices {
+    Matrix reflect, transmit;
+  };
 
-/// A slab so thin that the mean of its two faces stands for its inside ([PGW93] "diamond"): second order in its depth.
-SlabMatrices thin_slab(const Directions& d, double albedo, double depth) {
-  const Vector scale = (depth / 2) * d.mu.cwiseInverse();
-  const Matrix gain = scale * (albedo / 2) * d.weight.transpose();
-  const Matrix loss = Matrix(scale.asDiagonal()) - gain;
-  const Matrix inverse = (Matrix::Identity() + loss).inverse();
-  const Matrix forward = inverse * (Matrix::Identity() - loss), back = inverse * gain;  // T = forward + back R, R = back (1 + T)
-  SlabMatrices slab;
-  slab.reflect = (Matrix::Identity() - back * back).partialPivLu().solve(back * (Matrix::Identity() + forward));
-  slab.transmit = forward + back * slab.reflect;
-  return slab;
-}
-
-void double_slab(SlabMatrices& slab) {
-  const Matrix bounce = (Matrix::Identity() - slab.reflect * slab.reflect).partialPivLu().solve(slab.transmit);
-  slab.reflect += slab.transmit * slab.reflect * bounce;
-  slab.transmit = (slab.transmit * bounce).eval();
-}
-
-SlabMatrices make_slab(const Directions& d, const Layer& layer) {
-  const Medium medium = layer.medium();
-  const double albedo = medium.reduced_albedo();
-  constexpr double thin = 1e-3;
-  if (std::isfinite(layer.thickness_mm)) {
-    const double depth = layer.thickness_mm * medium.sigma_t_reduced_per_mm();
-    const int doublings = std::max(0, static_cast<int>(std::ceil(std::log2(depth / thin))));
-    SlabMatrices slab = thin_slab(d, albedo, std::ldexp(depth, -doublings));
-    for (int i = 0; i < doublings; ++i) double_slab(slab);
+  /// A slab so thin that the mean of its two faces stands for its inside ([PGW93] "diamond"): second order in its depth.
+  static SlabMatrices thin_slab(const Directions& d, double albedo, double depth) {
+    const Vector scale = (depth / 2) * d.mu.cwiseInverse();
+    const Matrix gain = scale * (albedo / 2) * d.weight.transpose();
+    const Matrix loss = Matrix(scale.asDiagonal()) - gain;
+    const Matrix inverse = (Matrix::Identity() + loss).inverse();
+    const Matrix forward = inverse * (Matrix::Identity() - loss), back = inverse * gain;  // T = forward + back R, R = back (1 + T)
+    SlabMatrices slab;
+    slab.reflect = (Matrix::Identity() - back * back).partialPivLu().solve(back * (Matrix::Identity() + forward));
+    slab.transmit = forward + back * slab.reflect;
     return slab;
   }
-  SlabMatrices slab = thin_slab(d, albedo, thin);
-  for (int i = 0; i < 50 && slab.transmit.cwiseAbs().maxCoeff() > 1e-9; ++i) double_slab(slab);
-  return slab;
-}
+
+  static void double_slab(SlabMatrices& slab) {
+    const Matrix bounce = (Matrix::Identity() - slab.reflect * slab.reflect).partialPivLu().solve(slab.transmit);
+    slab.reflect += slab.transmit * slab.reflect * bounce;
+    slab.transmit = (slab.transmit * bounce).eval();
+  }
+
+  static SlabMatrices make_slab(const Directions& d, const Layer& layer) {
+    const Medium medium = layer.medium();
+    const double albedo = medium.reduced_albedo();
+    constexpr double thin = 1e-3;
+    if (std::isfinite(layer.thickness_mm)) {
+      const double depth = layer.thickness_mm * medium.sigma_t_reduced_per_mm();
+      const int doublings = std::max(0, static_cast<int>(std::ceil(std::log2(depth / thin))));
+      SlabMatrices slab = thin_slab(d, albedo, std::ldexp(depth, -doublings));
+      for (int i = 0; i < doublings; ++i) double_slab(slab);
+      return slab;
+    }
+    SlabMatrices slab = thin_slab(d, albedo, thin);
+    for (int i = 0; i < 50 && slab.transmit.cwiseAbs().maxCoeff() > 1e-9; ++i) double_slab(slab);
+    return slab;
+  }
+
+  static Totals solve(const Layers& layers, const std::string& where) {
+    check(layers, where);
+    for (const Layer& layer : layers)
+      if (layer.eta != layers[0].eta)
+        throw input_error(where, "adding-doubling wants one index for all layers, got {} and {}", layers[0].eta, layer.eta);
+    const Directions d = directions_of(layers[0].eta);
+    // From the bottom: `below` reflects what comes down; `through` carries it out of the last face (per unit arriving at the present top).
+    Matrix below = d.surface.asDiagonal(), through = Matrix::Identity();
+    for (std::size_t i = layers.size(); i-- > 0;) {
+      const SlabMatrices slab = make_slab(d, layers[i]);
+      const Matrix bounce = (Matrix::Identity() - slab.reflect * below).partialPivLu().solve(slab.transmit);  // arriving at `below`
+      through = (through * bounce).eval();
+      below = (slab.reflect + slab.transmit * below * bounce).eval();
+    }
+    // Light inside the surface: what entered plus what the surface throws back.
+    Vector entered = Vector::Zero();
+    entered[directions - 1] = 1 / (d.mu[directions - 1] * d.weight[directions - 1]);  // unit flux
+    const Vector down = (Matrix::Identity() - d.surface.asDiagonal() * below).partialPivLu().solve(entered);
+    const Vector leaves = d.mu.cwiseProduct(d.weight).cwiseProduct(Vector::Ones() - d.surface);
+    return {leaves.dot(below * down), leaves.dot(through * down)};
+  }
+};
 
 }  // namespace
 
-Totals adding_doubling(const Layers& layers, const std::string& where) {
-  check(layers, where);
-  for (const Layer& layer : layers)
-    if (layer.eta != layers[0].eta)
-      throw input_error(where, "adding-doubling wants one index for all layers, got {} and {}", layers[0].eta, layer.eta);
-  const Directions d = directions_of(layers[0].eta);
-  // From the bottom: `below` reflects what comes down; `through` carries it out of the last face (per unit arriving at the present top).
-  Matrix below = d.surface.asDiagonal(), through = Matrix::Identity();
-  for (std::size_t i = layers.size(); i-- > 0;) {
-    const SlabMatrices slab = make_slab(d, layers[i]);
-    const Matrix bounce = (Matrix::Identity() - slab.reflect * below).partialPivLu().solve(slab.transmit);  // arriving at `below`
-    through = (through * bounce).eval();
-    below = (slab.reflect + slab.transmit * below * bounce).eval();
-  }
-  // Light inside the surface: what entered plus what the surface throws back.
-  Vector entered = Vector::Zero();
-  entered[directions - 1] = 1 / (d.mu[directions - 1] * d.weight[directions - 1]);  // unit flux
-  const Vector down = (Matrix::Identity() - d.surface.asDiagonal() * below).partialPivLu().solve(entered);
-  const Vector leaves = d.mu.cwiseProduct(d.weight).cwiseProduct(Vector::Ones() - d.surface);
-  return {leaves.dot(below * down), leaves.dot(through * down)};
-}
+Totals adding_doubling(const Layers& layers, const std::string& where) { return AddingDoubling<8>::solve(layers, where); }
+Totals adding_doubling_coarse(const Layers& layers, const std::string& where) { return AddingDoubling<4>::solve(layers, where); }
 
 namespace {
 

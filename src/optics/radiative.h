@@ -18,6 +18,8 @@ struct Totals {
 /// ms. All layers must have one index (InputError otherwise: steps inside would need other directions in each layer), and be as check()
 /// wants.
 Totals adding_doubling(const Layers& layers, const std::string& where = "layers");
+/// The same with 8 directions: some six times faster, about 1e-3 absolute; for searches.
+Totals adding_doubling_coarse(const Layers& layers, const std::string& where = "layers");
 
 /// H(mu) of [C60] for isotropic scattering of albedo 0..1, half-space without a boundary: 1/H = sqrt(1-a) + (a/2) Int_0^1 mu' H/(mu+mu')
 /// dmu', solved on 200 Gauss points to 1e-12; mu 0..1.

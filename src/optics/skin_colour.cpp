@@ -16,13 +16,14 @@ namespace {
 
 constexpr double least_melanin = 5e-4, most_melanin = 0.5, least_blood = 5e-4, most_blood = 0.1;
 
-/// Every `stride`-th sample of the tables: 2 is enough to compare skins (0.2 dE), 1 to state a colour.
+/// Every `stride`-th sample of the tables: 2, with 8 directions, is enough to compare skins (0.2 dE), 1 to state a colour.
 Rgb integrate(const Skin& skin, std::size_t stride) {
   const auto nm = wavelengths_nm();
   const auto weights = rec709_weights();
   Rgb sum{}, white{};
   for (std::size_t i = 0; i < nm.size(); i += stride) {
-    const double total = adding_doubling(skin_layers(skin, nm[i])).reflectance;
+    const Layers layers = skin_layers(skin, nm[i]);
+    const double total = (stride == 1 ? adding_doubling(layers) : adding_doubling_coarse(layers)).reflectance;
     for (int c = 0; c < 3; ++c) sum[c] += weights[i][c] * total, white[c] += weights[i][c];
   }
   for (int c = 0; c < 3; ++c) sum[c] /= white[c];
