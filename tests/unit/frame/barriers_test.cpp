@@ -45,7 +45,8 @@ std::string join(const std::vector<std::string>& lines) {
 }
 
 void expect_clean(const FramePlan& plan) {
-  for (const bool counting : {false, true}) EXPECT_EQ(join(hazards(plan, derive_barriers(plan, counting), counting)), "") << "counting " << counting;
+  for (const bool counting : {false, true})
+    EXPECT_EQ(join(hazards(plan, derive_barriers(plan, counting), counting)), "") << "counting " << counting;
 }
 
 // A plan of two passes, the second of which must wait for the first exactly as both say.
@@ -111,12 +112,12 @@ TEST(Barriers, ColourThenSampledByComputeInFigures) {
   const auto barriers = derive_barriers(plan);
   ASSERT_EQ(barriers[1].size(), 1u);
   const Barrier& b = barriers[1].front();
-  EXPECT_EQ(b.source_stages, 0x400u);           // COLOR_ATTACHMENT_OUTPUT
-  EXPECT_EQ(b.source_access, 0x100u);           // COLOR_ATTACHMENT_WRITE
-  EXPECT_EQ(b.target_stages, 0x800u);           // COMPUTE_SHADER
-  EXPECT_EQ(b.target_access, 0x100000000u);     // SHADER_SAMPLED_READ
-  EXPECT_EQ(static_cast<int>(b.old_layout), 2);   // COLOR_ATTACHMENT_OPTIMAL
-  EXPECT_EQ(static_cast<int>(b.new_layout), 5);   // SHADER_READ_ONLY_OPTIMAL
+  EXPECT_EQ(b.source_stages, 0x400u);            // COLOR_ATTACHMENT_OUTPUT
+  EXPECT_EQ(b.source_access, 0x100u);            // COLOR_ATTACHMENT_WRITE
+  EXPECT_EQ(b.target_stages, 0x800u);            // COMPUTE_SHADER
+  EXPECT_EQ(b.target_access, 0x100000000u);      // SHADER_SAMPLED_READ
+  EXPECT_EQ(static_cast<int>(b.old_layout), 2);  // COLOR_ATTACHMENT_OPTIMAL
+  EXPECT_EQ(static_cast<int>(b.new_layout), 5);  // SHADER_READ_ONLY_OPTIMAL
 }
 
 TEST(Barriers, ReadAgainInTheSameStageNeedsNone) {
@@ -280,8 +281,10 @@ TEST(Plan, UsageIsCollectedFromTheAccesses) {
   add(plan, "write", PassKind::compute, {{Access::storage_write, map}, {Access::storage_write, list}});
   add(plan, "read", PassKind::raster, {{Access::sampled, map}, {Access::indirect_arguments, list}});
   plan.read_back(map);
-  EXPECT_EQ(plan.textures()[map.index].desc.usage, static_cast<VkImageUsageFlags>(VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT));
-  EXPECT_EQ(plan.buffers()[list.index].desc.usage, static_cast<VkBufferUsageFlags>(VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT));
+  EXPECT_EQ(plan.textures()[map.index].desc.usage,
+            static_cast<VkImageUsageFlags>(VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT));
+  EXPECT_EQ(plan.buffers()[list.index].desc.usage,
+            static_cast<VkBufferUsageFlags>(VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT));
 }
 
 TEST(Plan, TheSameUseTwiceIsOneUse) {
@@ -296,8 +299,10 @@ TEST(PlanDeathTest, AResourceHasOneAccessInAPass) {
   FramePlan plan;
   const TextureId map = plan.texture("map", small_map);
   const BufferId list = plan.buffer("list", small_buffer);
-  EXPECT_DEATH(add(plan, "both", PassKind::compute, {{Access::sampled, map}, {Access::storage_write, map}}), "internal error: .*access == use.access");
-  EXPECT_DEATH(add(plan, "both", PassKind::compute, {{Access::storage_read, list}, {Access::storage_write, list}}), "internal error: .*access == use.access");
+  EXPECT_DEATH(add(plan, "both", PassKind::compute, {{Access::sampled, map}, {Access::storage_write, map}}),
+               "internal error: .*access == use.access");
+  EXPECT_DEATH(add(plan, "both", PassKind::compute, {{Access::storage_read, list}, {Access::storage_write, list}}),
+               "internal error: .*access == use.access");
 }
 
 TEST(PlanDeathTest, AHandleOfNoPlanIsCaught) {

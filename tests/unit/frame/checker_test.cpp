@@ -16,7 +16,8 @@ class Checker : public testing::Test {
     add(plan_, "draw", PassKind::raster, {{Access::colour_target, map_}});
     add(plan_, "read", PassKind::compute, {{Access::sampled, map_}});
     add(plan_, "idle", PassKind::compute, {});
-    constexpr VkPipelineStageFlags2 colour = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    constexpr VkPipelineStageFlags2 colour = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                                    compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
     constexpr VkAccessFlags2 write = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
     // Written by hand: what a careful person would record.
     sound_ = {{{.index = map_.index,
@@ -35,9 +36,7 @@ class Checker : public testing::Test {
               {}};
   }
 
-  void expect_found(const char* what) {
-    EXPECT_THAT(hazards(plan_, sound_), testing::Contains(testing::HasSubstr(what)));
-  }
+  void expect_found(const char* what) { EXPECT_THAT(hazards(plan_, sound_), testing::Contains(testing::HasSubstr(what))); }
 
   FramePlan plan_;
   TextureId map_;

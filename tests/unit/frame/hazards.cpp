@@ -17,7 +17,8 @@ constexpr Accesses all_writes = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS
 
 // Vulkan 1.3, table "Supported access types": an access flag without one of its stages makes a barrier invalid.
 Stages stages_that_may(Accesses access) {
-  constexpr Stages shaders = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+  constexpr Stages shaders =
+      VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
   switch (access) {
     case VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT: return VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT;
     case VK_ACCESS_2_SHADER_SAMPLED_READ_BIT:
@@ -41,17 +42,17 @@ void for_each_bit(std::uint64_t mask, F&& f) {
 
 // What has become of one stage of something that happened: who comes surely after it, and which accesses of which stages see its writes.
 struct Trace {
-  Stages ended_by = 0;                    // the stage itself; 0 for a layout change, which no stage does
+  Stages ended_by = 0;  // the stage itself; 0 for a layout change, which no stage does
   Stages after = 0;
   bool available = false;
-  std::map<Stages, Accesses> visible;     // one bit of stage -> accesses
+  std::map<Stages, Accesses> visible;  // one bit of stage -> accesses
 };
 
 struct Event {
   std::string name;
-  Accesses written = 0;                   // by stages
-  bool writes = false;                    // also true of a layout change
-  std::vector<Trace> traces;              // one a stage
+  Accesses written = 0;       // by stages
+  bool writes = false;        // also true of a layout change
+  std::vector<Trace> traces;  // one a stage
 };
 
 bool waits_for(const Barrier& b, const Trace& t) { return ((t.ended_by | t.after) & b.source_stages) != 0; }
@@ -102,9 +103,14 @@ class Walk {
   void check_form(const Barrier& b) {
     if (b.source_stages == 0 && b.source_access != 0) report("waits for accesses of no stage");
     if (b.target_stages == 0) report("has a barrier that nobody waits at");
-    for_each_bit(b.source_access, [&](Accesses a) { if ((stages_that_may(a) & b.source_stages) == 0) report("names a source access that its stages cannot do"); });
-    for_each_bit(b.target_access, [&](Accesses a) { if ((stages_that_may(a) & b.target_stages) == 0) report("names a target access that its stages cannot do"); });
-    if (!is_texture_ && (b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED || b.new_layout != VK_IMAGE_LAYOUT_UNDEFINED)) report("is a buffer with a layout");
+    for_each_bit(b.source_access, [&](Accesses a) {
+      if ((stages_that_may(a) & b.source_stages) == 0) report("names a source access that its stages cannot do");
+    });
+    for_each_bit(b.target_access, [&](Accesses a) {
+      if ((stages_that_may(a) & b.target_stages) == 0) report("names a target access that its stages cannot do");
+    });
+    if (!is_texture_ && (b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED || b.new_layout != VK_IMAGE_LAYOUT_UNDEFINED))
+      report("is a buffer with a layout");
     if (b.first_use != !used_in_frame_) report("is not said rightly to be used for the first time in the frame");
   }
 
@@ -173,16 +179,23 @@ Demand demand_of(Access access, PassKind kind, bool is_texture) {
       d = {shader, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, 0, VK_IMAGE_LAYOUT_GENERAL};
       break;
     case Access::colour_target:
-      d = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, 0,
-           VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+      d = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+           0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
       break;
     case Access::depth_target:
       d = {VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
-           VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, 0, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
+           VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, 0,
+           VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
       break;
-    case Access::copy_source: d = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, 0, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}; break;
-    case Access::copy_target: d = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, 0, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL}; break;
-    case Access::indirect_arguments: d = {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED}; break;
+    case Access::copy_source:
+      d = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, 0, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+      break;
+    case Access::copy_target:
+      d = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, 0, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+      break;
+    case Access::indirect_arguments:
+      d = {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
+      break;
   }
   d.written = d.access & all_writes;
   if (!is_texture) d.layout = VK_IMAGE_LAYOUT_UNDEFINED;

@@ -14,9 +14,9 @@ namespace dermis::frame::test {
 /// One stage is one bit; shader stages of a raster pass are two.
 struct Demand {
   VkPipelineStageFlags2 stages = 0;
-  VkAccessFlags2 access = 0;                              ///< all that must see earlier writes
-  VkAccessFlags2 written = 0;                             ///< the part of it that writes; 0 = only reads
-  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;       ///< of a texture
+  VkAccessFlags2 access = 0;                         ///< all that must see earlier writes
+  VkAccessFlags2 written = 0;                        ///< the part of it that writes; 0 = only reads
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  ///< of a texture
 };
 Demand demand_of(Access access, PassKind kind, bool is_texture);
 

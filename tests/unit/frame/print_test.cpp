@@ -61,7 +61,8 @@ TEST(PrintDot, ArrowsGoWithTheData) {
   const std::string dot = print_dot(example());
   EXPECT_THAT(dot, testing::StartsWith("digraph frame {\n"));
   EXPECT_THAT(dot, testing::EndsWith("}\n"));
-  for (const char* line : {"  p0 -> t1;\n", "  t1 -> p1;\n", "  p1 -> t0;\n", "  b0 -> p1;\n", "  t0 -> p2;\n", "  p2 -> t2;\n", "  p3 -> b0;\n"})
+  for (const char* line :
+       {"  p0 -> t1;\n", "  t1 -> p1;\n", "  p1 -> t0;\n", "  b0 -> p1;\n", "  t0 -> p2;\n", "  p2 -> t2;\n", "  p3 -> b0;\n"})
     EXPECT_THAT(dot, HasSubstr(line));
   EXPECT_THAT(dot, HasSubstr("p1 [shape=box, style=filled, fillcolor=\"#f2d6c9\", label=\"blur\"]"));
   EXPECT_THAT(dot, HasSubstr("t1 [shape=ellipse, label=\"shadow maps\\n8x8x2 D32_SFLOAT\"]"));

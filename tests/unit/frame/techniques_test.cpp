@@ -23,17 +23,21 @@ std::vector<Case> cases() {
       for (const std::size_t parts : {0u, 1u, 2u})
         for (const std::uint32_t samples : {1u, 4u})
           for (const bool more : {false, true}) {
-            techniques::FrameSettings s{.width = 64, .height = 48, .samples = samples, .map_size = 64, .shadow_size = 64, .shadow_layers = 2, .heads = heads};
+            techniques::FrameSettings s{
+                .width = 64, .height = 48, .samples = samples, .map_size = 64, .shadow_size = 64, .shadow_layers = 2, .heads = heads};
             s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .gutter_texels = 8});
             s.has_surfaces = s.has_blended = more;
             s.bloom = more ? 0.05f : 0.0f;
-            all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique.name, heads, parts, samples, more ? ", surfaces, bloom" : ""),
+            all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique.name, heads, parts, samples,
+                                       more ? ", surfaces, bloom" : ""),
                            &technique, std::move(s)});
           }
   return all;
 }
 
-std::string first_of(const std::vector<std::string>& lines) { return lines.empty() ? "" : fmt::format("{} (of {})", lines.front(), lines.size()); }
+std::string first_of(const std::vector<std::string>& lines) {
+  return lines.empty() ? "" : fmt::format("{} (of {})", lines.front(), lines.size());
+}
 
 TEST(TechniqueFrames, HaveNoHazard) {
   for (const Case& c : cases()) {
@@ -60,8 +64,9 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
           fewer[p].erase(fewer[p].begin() + static_cast<std::ptrdiff_t>(k));
           const Barrier& b = barriers[p][k];
           EXPECT_FALSE(hazards(plan, fewer, counting).empty())
-              << c.name << ": nothing is missed without the barrier of '" << (b.is_texture ? plan.textures()[b.index].name : plan.buffers()[b.index].name)
-              << "' before '" << plan.passes()[p].name << "', counting " << counting;
+              << c.name << ": nothing is missed without the barrier of '"
+              << (b.is_texture ? plan.textures()[b.index].name : plan.buffers()[b.index].name) << "' before '" << plan.passes()[p].name
+              << "', counting " << counting;
         }
     }
   }
