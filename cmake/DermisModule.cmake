@@ -5,8 +5,8 @@
 #   include check of tests/house holds every #include.
 # dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs])
 #   One GoogleTest executable test_NAME, registered as ONE ctest entry (its cases share a process, so fixtures load once).
-# dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs])
-#   A bash script as one ctest entry, given the source folder as its argument; it ends with a status other than 0 on failure.
+# dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs] [ARGS ...])
+#   A bash script as one ctest entry, given the source folder and ARGS as its arguments; it ends with a status other than 0 on failure.
 # The target unit_tests builds what the label unit needs and nothing else: the sanitizer run needs no more.
 
 set_property(GLOBAL PROPERTY DERMIS_HOUSE "")
@@ -77,8 +77,8 @@ function(dermis_test name)
 endfunction()
 
 function(dermis_script_test name)
-  cmake_parse_arguments(T "" "SCRIPT;LABEL" "" ${ARGN})
-  add_test(NAME ${name} COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/${T_SCRIPT} ${PROJECT_SOURCE_DIR}
+  cmake_parse_arguments(T "" "SCRIPT;LABEL" "ARGS" ${ARGN})
+  add_test(NAME ${name} COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/${T_SCRIPT} ${PROJECT_SOURCE_DIR} ${T_ARGS}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   if(NOT T_LABEL)
     set(T_LABEL unit)

@@ -13,7 +13,7 @@ namespace dermis::frame {
 struct AccessScope {
   VkPipelineStageFlags2 stages = 0;
   VkAccessFlags2 access = 0;
-  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;   ///< textures only
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  ///< textures only
 };
 AccessScope scope_of(Access access, PassKind kind);
 
@@ -23,11 +23,12 @@ struct Barrier {
   VkPipelineStageFlags2 source_stages = 0, target_stages = 0;
   VkAccessFlags2 source_access = 0, target_access = 0;
   VkImageLayout old_layout = VK_IMAGE_LAYOUT_UNDEFINED, new_layout = VK_IMAGE_LAYOUT_UNDEFINED;
-  bool first_use = false;   ///< of the frame: its source is the last use of the frame before
+  bool first_use = false;  ///< of the frame: its source is the last use of the frame before
 };
 
 /// barriers[p] stand before pass p. The plan is taken as repeated frame after frame on one queue, so the first use of a resource waits
-/// for its last use of the frame before (transient contents are discarded: old layout undefined; persistent ones keep their layout).
+/// for its last use of the frame before (transient contents are discarded: old layout undefined; persistent ones keep their layout, and
+/// whoever records replaces the old layout of a first use by the one that the texture is really in: undefined in the first frame).
 /// With counting, the passes that only count take part; without, their lists are empty.
 std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool counting = true);
 

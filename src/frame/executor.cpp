@@ -2,7 +2,6 @@
 #include "frame/executor.h"
 
 #include <chrono>
-#include <exception>
 
 namespace dermis::frame {
 namespace {
@@ -23,46 +22,66 @@ const gpu::Buffer& Resources::buffer(BufferId id) const {
 }
 
 Executor::Executor(gpu::PipelineLibrary& library, FramePlan plan)
-    : library_(&library), plan_(std::move(plan)), barriers_{derive_barriers(plan_, false), derive_barriers(plan_, true)}, separate_(library.device().limits().software || !library.device().limits().timestamps) {
+    : library_(&library),
+      plan_(std::move(plan)),
+      barriers_{derive_barriers(plan_, false), derive_barriers(plan_, true)},
+      layouts_(plan_.textures().size(), VK_IMAGE_LAYOUT_UNDEFINED),
+      separate_(library.device().limits().software || !library.device().limits().timestamps) {
   for (const TextureNode& node : plan_.textures()) resources_.textures_.emplace_back(library.device(), node.name, node.desc);
   for (const BufferNode& node : plan_.buffers()) resources_.buffers_.emplace_back(library.device(), node.name, node.desc);
   for (const PassNode& pass : plan_.passes())
     if (pass.prepare) pass.prepare(library);
 }
 
+VkImageMemoryBarrier2 Executor::image_barrier(const Barrier& b) {
+  const gpu::Texture& texture = resources_.textures_[b.index];
+  // How the frame before left a texture depends on whether that one counted.
+  const bool keeps = b.first_use && b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED;
+  const VkImageLayout old_layout = keeps ? layouts_[b.index] : b.old_layout;
+  layouts_[b.index] = b.new_layout;
+  const VkImageSubresourceRange all{gpu::aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+  return {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+          nullptr,
+          b.source_stages,
+          b.source_access,
+          b.target_stages,
+          b.target_access,
+          old_layout,
+          b.new_layout,
+          VK_QUEUE_FAMILY_IGNORED,
+          VK_QUEUE_FAMILY_IGNORED,
+          texture.handle(),
+          all};
+}
+
+VkBufferMemoryBarrier2 Executor::buffer_barrier(const Barrier& b) const {
+  return {VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2,
+          nullptr,
+          b.source_stages,
+          b.source_access,
+          b.target_stages,
+          b.target_access,
+          VK_QUEUE_FAMILY_IGNORED,
+          VK_QUEUE_FAMILY_IGNORED,
+          resources_.buffers_[b.index].handle(),
+          0,
+          VK_WHOLE_SIZE};
+}
+
 void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool counting) {
   std::vector<VkImageMemoryBarrier2> images;
   std::vector<VkBufferMemoryBarrier2> buffers;
-  for (const Barrier& b : barriers_[counting ? 1 : 0][index]) {
-    if (b.is_texture) {
-      const gpu::Texture& texture = resources_.textures_[b.index];
-      VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-      barrier.srcStageMask = b.source_stages, barrier.srcAccessMask = b.source_access;
-      barrier.dstStageMask = b.target_stages, barrier.dstAccessMask = b.target_access;
-      barrier.oldLayout = first_frame_ && b.first_use ? VK_IMAGE_LAYOUT_UNDEFINED : b.old_layout;
-      barrier.newLayout = b.new_layout;
-      barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-      barrier.image = texture.handle();
-      barrier.subresourceRange = {gpu::aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
-      images.push_back(barrier);
-    } else {
-      VkBufferMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2};
-      barrier.srcStageMask = b.source_stages, barrier.srcAccessMask = b.source_access;
-      barrier.dstStageMask = b.target_stages, barrier.dstAccessMask = b.target_access;
-      barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-      barrier.buffer = resources_.buffers_[b.index].handle();
-      barrier.size = VK_WHOLE_SIZE;
-      buffers.push_back(barrier);
-    }
-  }
-  if (!images.empty() || !buffers.empty()) {
-    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    info.imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size());
-    info.pImageMemoryBarriers = images.data();
-    info.bufferMemoryBarrierCount = static_cast<std::uint32_t>(buffers.size());
-    info.pBufferMemoryBarriers = buffers.data();
-    cmd.barrier(info);
-  }
+  for (const Barrier& b : barriers_[counting ? 1 : 0][index])
+    if (b.is_texture)
+      images.push_back(image_barrier(b));
+    else
+      buffers.push_back(buffer_barrier(b));
+  if (!images.empty() || !buffers.empty())
+    cmd.barrier({.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                 .bufferMemoryBarrierCount = static_cast<std::uint32_t>(buffers.size()),
+                 .pBufferMemoryBarriers = buffers.data(),
+                 .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
+                 .pImageMemoryBarriers = images.data()});
   plan_.passes()[index].record(cmd, resources_, frame);
 }
 
@@ -78,7 +97,6 @@ void Executor::record(VkCommandBuffer commands, const FrameData& frame, gpu::Tim
     if (timer) timer->end(commands);
     device().end_label(commands);
   }
-  first_frame_ = false;
 }
 
 FrameTime Executor::run(const FrameData& frame) {
@@ -94,15 +112,12 @@ FrameTime Executor::run(const FrameData& frame) {
       time.passes.push_back({plan_.passes()[p].name, ms_since(start)});
       time.total_ms += time.passes.back().ms;
     }
-    first_frame_ = false;
     return time;
   }
   gpu::Timer timer(device(), static_cast<std::uint32_t>(plan_.passes().size()) + 1);
   device().run([&](VkCommandBuffer commands) { record(commands, frame, &timer); });
-  for (const gpu::Timing& pass : timer.read()) {
-    time.passes.push_back({pass.name, pass.ms});
-    time.total_ms += pass.ms;
-  }
+  time.passes = timer.read();
+  for (const gpu::Timing& pass : time.passes) time.total_ms += pass.ms;
   return time;
 }
 

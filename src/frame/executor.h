@@ -3,7 +3,6 @@
 // command buffer; run() submits and waits for those who have none.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "frame/barriers.h"
@@ -28,14 +27,9 @@ class Resources {
   std::vector<gpu::Buffer> buffers_;
 };
 
-struct PassTime {
-  std::string name;
-  double ms = 0;
-};
-
 struct FrameTime {
   double total_ms = 0;
-  std::vector<PassTime> passes;         ///< in plan order; empty unless timed
+  std::vector<gpu::Timing> passes;  ///< in plan order; empty unless timed
 };
 
 class Executor {
@@ -43,7 +37,8 @@ class Executor {
   /// Makes pipelines and resources. DeviceError if memory does not suffice.
   Executor(gpu::PipelineLibrary& library, FramePlan plan);
 
-  /// Records one frame (without the passes that only count, unless counting) with a debug label and (if timer) a time stamp pair around each pass.
+  /// Records one frame (without the passes that only count, unless counting) with a debug label and (if timer) a time stamp pair around
+  /// each pass. The barriers take each frame for one like itself: between one that counts and one that does not, wait for the device.
   void record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer = nullptr, bool counting = false);
 
   /// Records, submits and waits, timing each pass. Where time stamps between passes cannot be trusted (software devices), each pass is
@@ -58,13 +53,15 @@ class Executor {
   gpu::Device& device() const { return library_->device(); }
 
  private:
+  VkImageMemoryBarrier2 image_barrier(const Barrier& b);
+  VkBufferMemoryBarrier2 buffer_barrier(const Barrier& b) const;
   void record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool counting);
 
   gpu::PipelineLibrary* library_;
   FramePlan plan_;
-  std::vector<std::vector<Barrier>> barriers_[2];   // without and with the passes that only count
+  std::vector<std::vector<Barrier>> barriers_[2];  // without and with the passes that only count
   Resources resources_;
-  bool first_frame_ = true;
+  std::vector<VkImageLayout> layouts_;  // that each texture was left in
   bool separate_ = false;
 };
 

@@ -1,46 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "frame/plan.h"
 
+#include <iterator>
+
 namespace dermis::frame {
-namespace {
-
-VkImageUsageFlags usage_of(Access access) {
-  switch (access) {
-    case Access::sampled: return VK_IMAGE_USAGE_SAMPLED_BIT;
-    case Access::storage_read:
-    case Access::storage_write: return VK_IMAGE_USAGE_STORAGE_BIT;
-    case Access::colour_target: return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    case Access::depth_target: return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    case Access::copy_source: return VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    case Access::copy_target: return VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    case Access::indirect_arguments: break;
-  }
-  return 0;
-}
-
-VkBufferUsageFlags buffer_usage_of(Access access) {
-  switch (access) {
-    case Access::storage_read:
-    case Access::storage_write: return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    case Access::indirect_arguments: return VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
-    default: return 0;
-  }
-}
-
-// A resource stands once in a pass: two accesses would need two layouts at the same time.
-void add_use(PassNode& pass, const Use& use) {
-  for (const Use& other : pass.uses)
-    if (other.is_texture == use.is_texture && other.index == use.index) {
-      DERMIS_ASSERT(other.access == use.access);
-      return;
-    }
-  pass.uses.push_back(use);
-}
-
-}  // namespace
-
-bool writes(Access access) {
-  return access == Access::storage_write || access == Access::colour_target || access == Access::depth_target || access == Access::copy_target;
+const AccessRow& row_of(Access access) {
+  // In the order of Access. Stages 0: the shader stages of the pass.
+  static constexpr AccessRow rows[] = {
+      {"samples", false, 0, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_USAGE_SAMPLED_BIT, 0},
+      {"reads", false, 0, VK_ACCESS_2_SHADER_STORAGE_READ_BIT, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_USAGE_STORAGE_BIT,
+       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT},
+      {"writes", true, 0, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL,
+       VK_IMAGE_USAGE_STORAGE_BIT, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT},
+      {"renders to", true, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+       VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, 0},
+      {"depth", true, VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+       VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+       VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, 0},
+      {"copies from", false, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+       VK_IMAGE_USAGE_TRANSFER_SRC_BIT, 0},
+      {"copies to", true, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+       VK_IMAGE_USAGE_TRANSFER_DST_BIT, 0},
+      {"arguments from", false, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, VK_IMAGE_LAYOUT_UNDEFINED, 0,
+       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT},
+  };
+  static_assert(std::size(rows) == static_cast<std::size_t>(Access::indirect_arguments) + 1);
+  return rows[static_cast<std::size_t>(access)];
 }
 
 TextureId FramePlan::texture(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime) {
@@ -71,16 +57,20 @@ const gpu::TextureDesc& Declare::desc(TextureId id) const {
   return plan_->textures_[id.index].desc;
 }
 
-void Declare::use(TextureId id, Access access) {
-  DERMIS_ASSERT_LT(id.index, plan_->textures_.size());
-  plan_->textures_[id.index].desc.usage |= usage_of(access);
-  add_use(*pass_, {.is_texture = true, .index = id.index, .access = access});
-}
-
-void Declare::use(BufferId id, Access access) {
-  DERMIS_ASSERT_LT(id.index, plan_->buffers_.size());
-  plan_->buffers_[id.index].desc.usage |= buffer_usage_of(access);
-  add_use(*pass_, {.is_texture = false, .index = id.index, .access = access});
+void Declare::use(const Use& use) {
+  DERMIS_ASSERT_LT(use.index, use.is_texture ? plan_->textures_.size() : plan_->buffers_.size());
+  const AccessRow& row = row_of(use.access);
+  if (use.is_texture)
+    plan_->textures_[use.index].desc.usage |= row.texture_usage;
+  else
+    plan_->buffers_[use.index].desc.usage |= row.buffer_usage;
+  // A resource stands once in a pass: two accesses would need two layouts at the same time.
+  for (const Use& other : pass_->uses)
+    if (other.is_texture == use.is_texture && other.index == use.index) {
+      DERMIS_ASSERT(other.access == use.access);
+      return;
+    }
+  pass_->uses.push_back(use);
 }
 
 }  // namespace dermis::frame

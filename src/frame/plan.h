@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,57 +27,65 @@ namespace dermis::frame {
 struct FrameData;
 class Resources;
 
-struct TextureId {
+template <class Kind>
+struct Id {
   std::uint32_t index = ~0u;
   bool valid() const { return index != ~0u; }
-  bool operator==(const TextureId&) const = default;
+  bool operator==(const Id&) const = default;
 };
-struct BufferId {
-  std::uint32_t index = ~0u;
-  bool valid() const { return index != ~0u; }
-  bool operator==(const BufferId&) const = default;
-};
+using TextureId = Id<gpu::Texture>;
+using BufferId = Id<gpu::Buffer>;
 
-/// How a pass touches a resource. Each stands for one set of stages, access flags and (for textures) one layout: see barriers.cpp.
+/// How a pass touches a resource. Each stands for one set of stages, access flags and (for textures) one layout: see row_of().
 enum class Access : std::uint8_t {
-  sampled,            ///< texture read through a sampler
-  storage_read,       ///< storage buffer or image, read only
-  storage_write,      ///< storage buffer or image, written or read and written
-  colour_target,      ///< rendered to, cleared or loaded
-  depth_target,       ///< tested and written
+  sampled,        ///< texture read through a sampler
+  storage_read,   ///< storage buffer or image, read only
+  storage_write,  ///< storage buffer or image, written or read and written
+  colour_target,  ///< rendered to, cleared or loaded
+  depth_target,   ///< tested and written
   copy_source,
   copy_target,
-  indirect_arguments, ///< buffer
+  indirect_arguments,  ///< buffer
 };
-bool writes(Access access);
+
+/// What Vulkan calls an access, and what a printed plan does.
+struct AccessRow {
+  std::string_view verb;  ///< "samples"
+  bool writes = false;
+  VkPipelineStageFlags2 stages = 0;  ///< 0: the shader stages of the pass
+  VkAccessFlags2 access = 0;
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  VkImageUsageFlags texture_usage = 0;
+  VkBufferUsageFlags buffer_usage = 0;
+};
+const AccessRow& row_of(Access access);
+inline bool writes(Access access) { return row_of(access).writes; }
 
 enum class PassKind : std::uint8_t { compute, raster, copy };
 /// transient: contents are lost after the frame. persistent: kept from frame to frame (undefined in the first).
 enum class Lifetime : std::uint8_t { transient, persistent };
 
-struct TextureNode {
+template <class Desc>
+struct Node {
   std::string name;
-  gpu::TextureDesc desc;              ///< usage is collected from the accesses
+  Desc desc;  ///< usage is collected from the accesses
   Lifetime lifetime = Lifetime::transient;
 };
-struct BufferNode {
-  std::string name;
-  gpu::BufferDesc desc;
-  Lifetime lifetime = Lifetime::transient;
-};
+using TextureNode = Node<gpu::TextureDesc>;
+using BufferNode = Node<gpu::BufferDesc>;
 
 struct Use {
   bool is_texture = true;
-  std::uint32_t index = 0;            ///< of the texture or buffer
+  std::uint32_t index = 0;  ///< of the texture or buffer
   Access access{};
 };
 
 struct PassNode {
-  std::string name;                   ///< timer, debug label, row of the statistics
+  std::string name;  ///< timer, debug label, row of the statistics
   PassKind kind{};
   std::vector<Use> uses;
-  bool only_when_counting = false;    ///< work for the statistics: left out of timed frames
-  std::function<void(gpu::PipelineLibrary&)> prepare;   ///< makes pipelines; may be empty
+  bool only_when_counting = false;                     ///< work for the statistics: left out of timed frames
+  std::function<void(gpu::PipelineLibrary&)> prepare;  ///< makes pipelines; may be empty
   std::function<void(gpu::Cmd&, const Resources&, const FrameData&)> record;
 };
 
@@ -107,8 +116,9 @@ class Declare {
   void copy_to(BufferId id) { use(id, Access::copy_target); }
 
  private:
-  void use(TextureId id, Access access);
-  void use(BufferId id, Access access);
+  void use(TextureId id, Access access) { use({.is_texture = true, .index = id.index, .access = access}); }
+  void use(BufferId id, Access access) { use({.is_texture = false, .index = id.index, .access = access}); }
+  void use(const Use& use);
   FramePlan* plan_;
   PassNode* pass_;
 };

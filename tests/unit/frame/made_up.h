@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Passes that exist only to be declared: a plan is made from a list of what they touch.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "frame/plan.h"
+
+namespace dermis::frame::test {
+
+struct Touch {
+  Access access{};
+  std::variant<TextureId, BufferId> what;
+};
+
+struct MadeUp {
+  struct Settings {
+    PassKind kind = PassKind::compute;
+    std::vector<Touch> touches;
+    bool only_when_counting = false;
+  };
+  struct In {};
+  struct Out {};
+
+  explicit MadeUp(Settings s) : settings(std::move(s)) {}
+  Out declare(Declare& d, const In&) const;
+  void prepare(gpu::PipelineLibrary&) {}
+  void record(gpu::Cmd&, const Resources&, const FrameData&) const {}
+
+  Settings settings;
+};
+
+inline void add(FramePlan& plan, const std::string& name, PassKind kind, std::vector<Touch> touches, bool only_when_counting = false) {
+  plan.add<MadeUp>(name, {}, {kind, std::move(touches), only_when_counting});
+}
+
+inline constexpr gpu::TextureDesc small_map{.width = 8, .height = 8, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
+inline constexpr gpu::TextureDesc small_depth{.width = 8, .height = 8, .format = VK_FORMAT_D32_SFLOAT};
+inline constexpr gpu::BufferDesc small_buffer{.bytes = 64};
+
+}  // namespace dermis::frame::test

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The frames that are really drawn: no hazard in them, and no barrier that could be left out.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "gaussians/known.h"
+#include "hazards.h"
+#include "techniques/technique.h"
+
+namespace dermis::frame::test {
+namespace {
+
+struct Case {
+  std::string name;
+  const techniques::Technique* technique;
+  techniques::FrameSettings settings;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const techniques::Technique& technique : techniques::techniques())
+    for (const std::uint32_t heads : {1u, 2u})
+      for (const std::size_t parts : {0u, 1u, 2u})
+        for (const std::uint32_t samples : {1u, 4u})
+          for (const bool more : {false, true}) {
+            techniques::FrameSettings s{
+                .width = 64, .height = 48, .samples = samples, .map_size = 64, .shadow_size = 64, .shadow_layers = 2, .heads = heads};
+            s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .gutter_texels = 8});
+            s.has_surfaces = s.has_blended = more;
+            s.bloom = more ? 0.05f : 0.0f;
+            all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique.name, heads, parts, samples,
+                                       more ? ", surfaces, bloom" : ""),
+                           &technique, std::move(s)});
+          }
+  return all;
+}
+
+std::string first_of(const std::vector<std::string>& lines) {
+  return lines.empty() ? "" : fmt::format("{} (of {})", lines.front(), lines.size());
+}
+
+TEST(TechniqueFrames, HaveNoHazard) {
+  for (const Case& c : cases()) {
+    FramePlan plan;
+    c.technique->build(plan, c.settings);
+    EXPECT_GE(plan.passes().size(), 3u) << c.name;
+    for (const bool counting : {false, true})
+      EXPECT_EQ(first_of(hazards(plan, derive_barriers(plan, counting), counting)), "") << c.name << ", counting " << counting;
+  }
+}
+
+// Each barrier is there for a reason: without it the checker must complain. This also shows that the checker sees every pass.
+TEST(TechniqueFrames, HaveNoBarrierTooMany) {
+  std::size_t removed = 0;
+  for (const Case& c : cases()) {
+    if (c.settings.skin.size() != 1 || !c.settings.has_surfaces) continue;
+    FramePlan plan;
+    c.technique->build(plan, c.settings);
+    for (const bool counting : {false, true}) {
+      const auto barriers = derive_barriers(plan, counting);
+      for (std::size_t p = 0; p < barriers.size(); ++p)
+        for (std::size_t k = 0; k < barriers[p].size(); ++k, ++removed) {
+          auto fewer = barriers;
+          fewer[p].erase(fewer[p].begin() + static_cast<std::ptrdiff_t>(k));
+          const Barrier& b = barriers[p][k];
+          EXPECT_FALSE(hazards(plan, fewer, counting).empty())
+              << c.name << ": nothing is missed without the barrier of '"
+              << (b.is_texture ? plan.textures()[b.index].name : plan.buffers()[b.index].name) << "' before '" << plan.passes()[p].name
+              << "', counting " << counting;
+        }
+    }
+  }
+  EXPECT_GT(removed, 500u);
+}
+
+}  // namespace
+}  // namespace dermis::frame::test
