@@ -16,7 +16,7 @@
 namespace dermis::profile {
 
 struct MonteCarloOptions {
-  std::uint64_t photons = 1'000'000;  ///< 1,000 to 1e9 a channel
+  std::uint64_t photons = 500'000;  ///< 1,000 to 1e9 a channel
   std::uint64_t seed = 1;
   std::filesystem::path cache;  ///< a folder in which results are kept; empty: only in memory. A damaged entry is made again.
 };
