@@ -56,7 +56,7 @@ struct Panel {
     }
     for (const double value : {y_low, (y_low + y_high) / 2, y_high})
       svg += text_at(left - 6, y(value) + 4, fmt::format("{:.2g}", value), "end");
-    return svg + text_at(left + 8, top + 18, label);
+    return svg + text_at((left + width - right) / 2, top + 18, label, "middle");
   }
 
   std::string curve(const std::function<double(double)>& f, const char* stroke, const char* dash, double thickness) const {

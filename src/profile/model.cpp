@@ -56,21 +56,32 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
     throw input_error("--model", "'{}' knows no layers; layers take multipole, monte-carlo or auto", model_name(model));
   ModelledProfiles out;
   out.model = model;
-  double lowest = 2;
-  std::string place;
+  double lowest = 2, thinnest = 1e300;
+  std::string place, thin_place;
   for (int c = 0; c < 3; ++c) {
     const optics::Layers one = optics::channel(layers, c);
     optics::check(one, where);
     for (std::size_t i = 0; i < one.size(); ++i) {
+      const double optical = one[i].thickness_mm * one[i].medium().sigma_t_reduced_per_mm();
+      if (optical < thinnest) {
+        thinnest = optical;
+        thin_place = fmt::format("layer {}, {}", i, channel_name[c]);
+      }
       if (one[i].medium().reduced_albedo() >= lowest) continue;
       lowest = one[i].medium().reduced_albedo();
       place = fmt::format("layer {}, {}", i, channel_name[c]);
     }
   }
   if (model == Model::automatic) {
-    out.model = lowest >= diffusion_albedo ? Model::multipole : Model::monte_carlo;
-    out.reason = fmt::format("model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", lowest, place,
-                             lowest >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
+    const bool thin = thinnest < diffusion_thickness;
+    out.model = lowest >= diffusion_albedo && !thin ? Model::multipole : Model::monte_carlo;
+    if (lowest >= diffusion_albedo && thin)
+      out.reason =
+          fmt::format("model chosen: the thinnest layer measures {:.2f} mean free paths ({}), under {} where diffusion theory holds",
+                      thinnest, thin_place, diffusion_thickness);
+    else
+      out.reason = fmt::format("model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", lowest, place,
+                               lowest >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
   for (int c = 0; c < 3; ++c) {
     const optics::Layers one = optics::channel(layers, c);

@@ -25,6 +25,9 @@ std::vector<std::string_view> model_names();
 /// (docs/theory.md has the table), and near the source it is off by far more.
 inline constexpr double diffusion_albedo = 0.95;
 
+/// Layers thinner than this many reduced mean free paths are beyond diffusion, too.
+inline constexpr double diffusion_thickness = 2;
+
 /// Three profiles, and what made them.
 struct ModelledProfiles {
   std::array<ProfilePtr, 3> profiles;
@@ -36,7 +39,7 @@ struct ModelledProfiles {
 /// Monte-Carlo. InputError: values out of range.
 ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, const MonteCarloOptions& options, const std::string& where);
 
-/// A stack. automatic: the multipole where every layer and channel has that albedo, else Monte-Carlo. InputError: dipole, better and beam
+/// A stack. automatic: the multipole where every layer and channel has that albedo and that thickness, else Monte-Carlo. InputError: dipole, better and beam
 /// know no layers.
 ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, const MonteCarloOptions& options, const std::string& where);
 

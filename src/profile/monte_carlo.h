@@ -16,7 +16,7 @@
 namespace dermis::profile {
 
 struct MonteCarloOptions {
-  std::uint64_t photons = 1'000'000;  ///< 1,000 to 1e9 a channel
+  std::uint64_t photons = 500'000;  ///< 1,000 to 1e9 a channel
   std::uint64_t seed = 1;
   std::filesystem::path cache;  ///< a folder in which results are kept; empty: only in memory. A damaged entry is made again.
 };
@@ -51,7 +51,7 @@ struct MonteCarloResult {
 
 /// Follows options.photons photons, in 64 batches that all cores share. Each photon has its own counter-based random numbers, so equal
 /// options give equal bits on any number of threads. Weights instead of absorption, splitting instead of chance at the outer boundaries,
-/// roulette under 1e-3 [WJZ95 sec. 3]. A photon ends after 20,000 scatterings (only without absorption does it matter: 0.5 % of the light).
+/// roulette under 1e-3 [WJZ95 sec. 3]. A photon ends after 200,000 scatterings (only without absorption does it matter: 0.5 % of the light).
 /// Results are kept in memory (the last 64) and in options.cache. InputError: values out of range, photons out of range.
 std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene, const MonteCarloOptions& options);
 

@@ -15,7 +15,7 @@ struct Vector {
   double x, y, z;  // z into the skin
 };
 
-constexpr int max_scatterings = 20'000;
+constexpr int max_scatterings = 200'000;
 constexpr double roulette_below = 1e-3, roulette_survivors = 0.1;
 
 /// New direction by Henyey-Greenstein [WJZ95] eq. 3.27 to 3.30.

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Implements include/dermis/profile.h.
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "dermis/profile.h"
+#include "gaussians/fit.h"
+#include "gaussians/json.h"
+#include "optics/presets.h"
+#include "optics/skin_colour.h"
+#include "profile/equivalent.h"
+#include "profile/spectral.h"
+
+namespace dermis {
+namespace {
+
+profile::MonteCarloOptions photons_of(const ProfileOptions& options) {
+  return {.photons = options.photons, .seed = options.seed, .cache = {}};
+}
+
+gaussians::SumOfGaussians to_sum(const ScatterProfile& from) {
+  if (from.variances_mm2.size() != from.weights.size())
+    throw input_error("profile", "{} variances and {} weights", from.variances_mm2.size(), from.weights.size());
+  gaussians::SumOfGaussians sum{.name = from.name,
+                                .model = from.model,
+                                .terms = {},
+                                .total_reflectance = from.total_reflectance,
+                                .error_percent = from.error_percent,
+                                .mean_free_path_mm = from.mean_free_path_mm,
+                                .diffuse_mean_free_path_mm = from.diffuse_mean_free_path_mm};
+  for (std::size_t i = 0; i < from.weights.size(); ++i) sum.terms.push_back({from.variances_mm2[i], from.weights[i]});
+  return sum;
+}
+
+ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made, const optics::RgbMedium* medium,
+                      const ProfileOptions& options) {
+  if (options.gaussians < 1 || options.gaussians > gaussians::max_terms)
+    throw input_error("gaussians", "1 to {}, got {}", gaussians::max_terms, options.gaussians);
+  const gaussians::SumOfGaussians sum = gaussians::fit_shared(made.profiles, options.gaussians, name);
+  ScatterProfile out{
+      .name = name, .model = made.profiles[0]->name(), .variances_mm2 = {}, .weights = {}, .error_percent = sum.error_percent};
+  for (const gaussians::Gaussian& term : sum.terms) {
+    out.variances_mm2.push_back(term.variance_mm2);
+    out.weights.push_back(term.weight);
+  }
+  for (int c = 0; c < 3; ++c) {
+    const optics::Medium one = medium != nullptr ? (*medium)[c] : profile::equivalent_medium(*made.profiles[c], 1.4);
+    const double diffuse_mm = one.diffuse_mean_free_path().mm;
+    out.total_reflectance[c] = std::min(sum.total_reflectance[c], 1.0);
+    out.mean_free_path_mm[c] = one.mean_free_path().mm;
+    out.diffuse_mean_free_path_mm[c] = diffuse_mm < 1e9 ? diffuse_mm : 0;
+  }
+  return out;
+}
+
+ScatterProfile of_medium(const std::string& name, const optics::RgbMedium& medium, const ProfileOptions& options) {
+  return finish(name, make_profiles(medium, profile::parse_model(options.model), photons_of(options), name), &medium, options);
+}
+
+}  // namespace
+
+ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options) {
+  if (name == "skin-layers")
+    return finish(name, make_profiles(optics::donner_jensen_skin(), profile::parse_model(options.model), photons_of(options), name),
+                  nullptr, options);
+  const optics::Material* material = optics::find_material(name);
+  if (material == nullptr) optics::unknown_preset(name);
+  return of_medium(name, material->medium(), options);
+}
+
+ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const ProfileOptions& options) {
+  optics::RgbMedium medium;
+  for (int c = 0; c < 3; ++c)
+    medium[c] = {coefficients.sigma_a_per_mm[c], coefficients.sigma_s_per_mm[c], coefficients.g, coefficients.eta};
+  return of_medium("coefficients", medium, options);
+}
+
+ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& options) {
+  const optics::Skin inner{.melanin = skin.melanin,
+                           .blend = skin.blend,
+                           .haemoglobin = skin.haemoglobin,
+                           .oxygenation = skin.oxygenation,
+                           .epidermis_mm = skin.epidermis_mm};
+  return finish("skin", make_profiles(inner, profile::parse_model(options.model), photons_of(options), "skin"), nullptr, options);
+}
+
+SpectralSkin skin_of_colour(const std::string& colour, double* delta_e) {
+  const optics::SkinMatch match = optics::nearest_skin(optics::parse_colour(colour, "colour"));
+  if (delta_e != nullptr) *delta_e = match.delta_e;
+  const optics::Skin& skin = match.skin;
+  return {skin.melanin, skin.blend, skin.haemoglobin, skin.oxygenation, skin.epidermis_mm};
+}
+
+void write_profile(const ScatterProfile& profile, const std::string& path) { write_file(path, gaussians::to_json(to_sum(profile))); }
+
+}  // namespace dermis
