@@ -21,7 +21,8 @@ layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
-layout(location = 5) in vec2 in_unwrap;
+// centroid: at a silhouette the middle of a pixel may lie far outside the triangle, beyond the gutters.
+layout(location = 5) centroid in vec2 in_unwrap;
 layout(location = 0) out vec4 out_radiance;
 
 // sum_i w_i (light blurred by term i), already times 2^EV / pi.

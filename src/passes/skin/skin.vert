@@ -10,7 +10,7 @@ layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;
 layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;
-layout(location = 5) out vec2 out_unwrap;
+layout(location = 5) centroid out vec2 out_unwrap;
 void main() {
   const VertexIo v = pulled_vertex();
   out_position_m = v.position_m + io.offset_m;

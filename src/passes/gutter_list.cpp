@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "passes/own_texels.h"
+#include "passes/gutter_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,39 @@ glm::uvec2 nearest(const ChartMap& map, const scene::GutterTexel& g) {
   return glm::uvec2(best);
 }
 
+// The nearest covered texel within two; itself if there is none.
+glm::ivec2 nearest_covered(const ChartMap& map, int x, int y) {
+  glm::ivec2 best(x, y);
+  int best2 = 9;
+  for (int dy = -2; dy <= 2; ++dy)
+    for (int dx = -2; dx <= 2; ++dx) {
+      const int sx = x + dx, sy = y + dy, distance2 = dx * dx + dy * dy;
+      if (distance2 < best2 && sx >= 0 && sy >= 0 && sx < map.side && sy < map.side && !map.has(sx, sy, 0)) best2 = distance2, best = {sx, sy};
+    }
+  return best;
+}
+
 }  // namespace
+
+std::vector<scene::GutterTexel> complete_gutters(const scene::SkinMesh& mesh, int map_size, int width_texels) {
+  std::vector<scene::GutterTexel> gutters = scene::build_gutters(mesh, map_size, width_texels);
+  const ChartMap covered = rasterise(mesh, map_size);
+  std::vector<bool> listed(covered.chart.size());
+  const auto index = [&](int x, int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(map_size) + static_cast<std::size_t>(x); };
+  for (const scene::GutterTexel& g : gutters) listed[index(g.x, g.y)] = true;
+  for (int y = 0; y < map_size; ++y)
+    for (int x = 0; x < map_size; ++x) {
+      if (listed[index(x, y)] || covered.chart[index(x, y)] != 0) continue;
+      const glm::ivec2 near = nearest_covered(covered, x, y);
+      if (near == glm::ivec2(x, y)) continue;
+      gutters.push_back({.x = static_cast<std::uint16_t>(x),
+                         .y = static_cast<std::uint16_t>(y),
+                         .chart = 0,
+                         .source_x = static_cast<float>(near.x) + 0.5f,
+                         .source_y = static_cast<float>(near.y) + 0.5f});
+    }
+  return gutters;
+}
 
 std::vector<glm::uvec2> own_texels(const scene::SkinMesh& mesh, std::span<const scene::GutterTexel> gutters, int map_size) {
   const ChartMap map = rasterise(mesh, map_size);
