@@ -50,7 +50,7 @@ int run_info(bool json) {
   if (std::ranges::any_of(devices, [](const gpu::DeviceSummary& d) { return d.missing.empty(); })) return 0;
   try {
     const gpu::Device device(gpu::Device::Options{});  // says why, in the words that every other command uses
-  } catch (const DeviceError& error) { std::fputs(fmt::format("dermis: error: {}\n", error.what()).c_str(), stderr); }
+  } catch (const DeviceError& error) { std::fputs(fmt::format("dermis: {}\n", error.what()).c_str(), stderr); }
   return 1;
 }
 

@@ -1,8 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include "cli/command.h"
+
+namespace {
+
+int fail(std::string line) {
+  // Names of files may hold anything: a message stays one line.
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  std::fprintf(stderr, "dermis: %s\n", line.c_str());
+  return 1;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"dermis: human skin in real time, and what it costs"};
@@ -22,11 +36,12 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::bad_alloc&) {
-    std::fputs("dermis: too little memory\n", stderr);
-    return 1;
+    return fail("too little memory");
+  } catch (const std::system_error& error) {
+    // A thread that cannot be started says no more than "resource temporarily unavailable".
+    return fail(error.code() == std::errc::resource_unavailable_try_again ? "the system allows no more threads or memory" : error.what());
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "dermis: %s\n", error.what());
-    return 1;
+    return fail(error.what());
   }
   return exit_status;
 }

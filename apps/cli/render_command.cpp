@@ -40,7 +40,12 @@ void progress(const char* what) {
 
 void render(const RenderArguments& a, int& exit_status) {
   check_output(a.output);
-  if (!a.stats.empty() && a.stats != "-") check_writable(a.stats);
+  if (!a.stats.empty() && a.stats != "-") {
+    check_writable(a.stats);
+    const auto full = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
+    if (full(a.stats) == full(a.output))
+      throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
+  }
   Renderer renderer({.device = a.device, .validate = a.validate});
   progress("loading");
   const auto start = std::chrono::steady_clock::now();

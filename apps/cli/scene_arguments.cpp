@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <cerrno>
+#include <charconv>
 #include <cstdio>
+#include <cstring>
 
 #include "cli/command.h"
+#include "core/error.h"
 #include "core/file.h"
 
 namespace dermis::cli {
@@ -9,15 +13,19 @@ namespace {
 
 // WIDTHxHEIGHT. CLI11 turns a false into exit status 2; sizes that parse but make no sense are refused by the renderer.
 bool parse_size(const std::string& text, RenderSettings& settings) {
-  int used = 0;
-  return std::sscanf(text.c_str(), "%dx%d%n", &settings.width, &settings.height, &used) == 2 && used == static_cast<int>(text.size());
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, settings.width);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return false;
+  const auto height = std::from_chars(width.ptr + 1, end, settings.height);
+  return height.ec == std::errc() && height.ptr == end;
 }
 
 void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help, const std::string& on = "on", const std::string& off = "off") {
   command
       .add_option_function<std::string>(name, [&value, on](const std::string& text) { value = text == on; }, help)
       ->check(CLI::IsMember({on, off}))
-      ->default_str(value ? on : off);
+      ->default_str(value ? on : off)
+      ->group("Light");
 }
 
 void add_technique_options(CLI::App& command, RenderSettings& s) {
@@ -61,7 +69,7 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
 void add_light_options(CLI::App& command, RenderSettings& s) {
   command.add_option("--lights", s.lights, "this many lights of the rig (key, fill, rim, further ones) instead of the scene's (default: the scene's, else 2)")
       ->group("Light");
-  command.add_option("--ambient", s.ambient, "uniform radiance from everywhere")->group("Light");
+  command.add_option("--ambient", s.ambient, "uniform radiance from everywhere (1 shows white Lambert as 1)")->group("Light");
   add_switch(command, "--specular", s.specular, "reflection at the surface: on, off");
   add_switch(command, "--albedo", s.white_albedo, "map, or white: every albedo is 1", "white", "map");
 }
@@ -85,7 +93,8 @@ Scene open_scene(const SceneArguments& arguments) {
 
 void write_text(const std::string& path, const std::string& text) {
   if (path == "-") {
-    std::fputs(text.c_str(), stdout);
+    if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+      throw input_error("standard output", "cannot be written: {}", std::strerror(errno));
     return;
   }
   write_file(path, text);

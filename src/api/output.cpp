@@ -41,6 +41,9 @@ void density_of_stretch(std::vector<float>& rgba, int map_size) {
   }
 }
 
+// The density is computed from the stretch map.
+std::string shown_map(const RenderSettings& settings) { return settings.show == "texel-density" ? "stretch" : settings.show; }
+
 }  // namespace
 
 void check_device_limits(const RenderSettings& s, const gpu::DeviceLimits& limits) {
@@ -51,6 +54,14 @@ void check_device_limits(const RenderSettings& s, const gpu::DeviceLimits& limit
   check("size", std::max(s.width, s.height));
   check("map-size", s.map_size);
   check("shadow-size", s.shadow_size);
+}
+
+void check_show(const techniques::FrameOutputs& out, const RenderSettings& settings) {
+  if (settings.show == "picture" || out.shows.count(shown_map(settings))) return;
+  std::string names = "picture";
+  for (const auto& [name, id] : out.shows) names += ", " + name;
+  if (out.shows.count("stretch")) names += ", texel-density";
+  throw input_error("", "--show '{}' is not known to this technique; there are: {}", settings.show, names);
 }
 
 passes::GpuSceneSettings upload_settings(const RenderSettings& settings, const FrameSetup& setup) {
@@ -99,12 +110,8 @@ void read_picture(Picture& picture, frame::Executor& executor, const techniques:
     return;
   }
   const bool density = settings.show == "texel-density";
-  const auto found = out.shows.find(density ? "stretch" : settings.show);
-  if (found == out.shows.end()) {
-    std::string names = "picture";
-    for (const auto& [name, id] : out.shows) names += ", " + name;
-    throw input_error("", "--show '{}' is not known to this technique; there are: {}{}", settings.show, names, out.shows.count("stretch") ? ", texel-density" : "");
-  }
+  const auto found = out.shows.find(shown_map(settings));
+  DERMIS_ASSERT_EQ(found != out.shows.end(), true);
   const gpu::TextureDesc& desc = executor.resources().texture(found->second).desc();
   const bool depth = desc.format == VK_FORMAT_D32_SFLOAT;
   const std::uint32_t layer = depth ? static_cast<std::uint32_t>(std::stoul(settings.show.substr(settings.show.find(':') + 1))) : 0;

@@ -14,13 +14,16 @@ namespace dermis::api {
 /// InputError: a size over what the device can do, with both numbers.
 void check_device_limits(const RenderSettings& settings, const gpu::DeviceLimits& limits);
 
+/// InputError lists what the technique can show, if settings.show is none of it.
+void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& settings);
+
 passes::GpuSceneSettings upload_settings(const RenderSettings& settings, const FrameSetup& setup);
 
 /// `counters` as read back from FrameOutputs::counters.
 void fill_counts(Statistics& statistics, const scene::Scene& scene, const RenderSettings& settings, const FrameSetup& setup,
                  const techniques::FrameOutputs& out, std::span<const std::byte> counters);
 
-/// The picture, or the map that settings.show names. InputError lists what there is.
+/// The picture, or the map that settings.show names, which check_show() has accepted.
 void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out, const RenderSettings& settings);
 
 }  // namespace dermis::api

@@ -75,20 +75,23 @@ Picture Renderer::render(const Scene& scene, const RenderSettings& settings) {
   gpu::Device& device = state_->device;
   api::check_settings(settings);
   api::check_device_limits(settings, device.limits());
-  const auto upload_start = Clock::now();
   const api::FrameSetup setup = api::set_up(scene.data(), settings);
+  frame::FramePlan plan;
+  const techniques::FrameOutputs out = setup.technique->build(plan, setup.plan);
+  api::check_show(out, settings);
+  // Before the scene is prepared: a frame that does not fit must say so at once, not after a minute of work on its maps.
+  const double pipelines_before = state_->library.creation_ms();
+  frame::Executor executor(state_->library, std::move(plan));
+  const double pipelines_ms = state_->library.creation_ms() - pipelines_before;
+  state_->library.save_cache();
+
+  const auto upload_start = Clock::now();
   const passes::GpuScene gpu_scene(state_->library, scene.data(), setup.skin, api::upload_settings(settings, setup));
   const frame::FrameData data = frame_data(device, setup, gpu_scene);
   Picture picture;
   Statistics& statistics = picture.statistics;
   statistics.upload_ms = ms_since(upload_start);
-
-  frame::FramePlan plan;
-  const techniques::FrameOutputs out = setup.technique->build(plan, setup.plan);
-  const double pipelines_before = state_->library.creation_ms();
-  frame::Executor executor(state_->library, std::move(plan));
-  statistics.pipeline_ms = state_->library.creation_ms() - pipelines_before;
-  state_->library.save_cache();
+  statistics.pipeline_ms = pipelines_ms;
 
   // The first frame warms up (first use of a pipeline compiles on software devices) and counts.
   executor.run_counting(data);

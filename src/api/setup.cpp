@@ -25,20 +25,20 @@ scene::Camera find_camera(const scene::Scene& scene, const RenderSettings& s, co
   const double aspect = static_cast<double>(s.width) / s.height;
   const double fov = s.fov_deg.value_or(20);
   if (s.distance) return scene::distance_camera(sphere, *s.distance, fov);
+  const auto with_fov = [&](scene::Camera camera) {
+    if (s.fov_deg) camera.fov_y_rad = static_cast<float>(fov * std::numbers::pi / 180);
+    return camera;
+  };
   if (!s.camera.empty()) {
     std::string names;
     for (const scene::Camera& camera : scene.cameras) {
-      if (camera.name == s.camera) return camera;
+      if (camera.name == s.camera) return with_fov(camera);
       names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
     }
     throw input_error("", "--camera '{}' is not in {}; {}", s.camera, scene.name, names.empty() ? "it has no cameras" : "there are: " + names);
   }
   const bool orbits = s.orbit_deg != std::array<double, 2>{0, 0};
-  if (!scene.cameras.empty() && !orbits && s.heads == 1) {
-    scene::Camera camera = scene.cameras.front();
-    if (s.fov_deg) camera.fov_y_rad = static_cast<float>(fov * std::numbers::pi / 180);
-    return camera;
-  }
+  if (!scene.cameras.empty() && !orbits && s.heads == 1) return with_fov(scene.cameras.front());
   return scene::framing_camera(sphere, aspect, s.orbit_deg[0], s.orbit_deg[1], fov);
 }
 

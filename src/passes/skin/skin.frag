@@ -21,21 +21,24 @@ layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
-// centroid: at a silhouette the middle of a pixel may lie far outside the triangle, beyond the gutters.
+// Centroid: beside a silhouette or a seam the pixel's centre may lie off the triangle, and the map there may hold nothing.
 layout(location = 5) centroid in vec2 in_unwrap;
+layout(location = 6) flat in vec4 in_unwrap_box;
 layout(location = 0) out vec4 out_radiance;
 
 // sum_i w_i (light blurred by term i), already times 2^EV / pi.
 vec3 scattered() {
+  // Seen edge on, even a sample on the triangle may be interpolated far outside of it.
+  const vec2 unwrap = clamp(in_unwrap, in_unwrap_box.xy, in_unwrap_box.zw);
   vec3 sum = vec3(0.0);
-  if (term_count > 0) sum += io.weights[0] * textureLod(light_0, in_unwrap, 0.0).rgb;
-  if (term_count > 1) sum += io.weights[1] * textureLod(light_1, in_unwrap, 0.0).rgb;
-  if (term_count > 2) sum += io.weights[2] * textureLod(light_2, in_unwrap, 0.0).rgb;
-  if (term_count > 3) sum += io.weights[3] * textureLod(light_3, in_unwrap, 0.0).rgb;
-  if (term_count > 4) sum += io.weights[4] * textureLod(light_4, in_unwrap, 0.0).rgb;
-  if (term_count > 5) sum += io.weights[5] * textureLod(light_5, in_unwrap, 0.0).rgb;
-  if (term_count > 6) sum += io.weights[6] * textureLod(light_6, in_unwrap, 0.0).rgb;
-  if (term_count > 7) sum += io.weights[7] * textureLod(light_7, in_unwrap, 0.0).rgb;
+  if (term_count > 0) sum += io.weights[0] * textureLod(light_0, unwrap, 0.0).rgb;
+  if (term_count > 1) sum += io.weights[1] * textureLod(light_1, unwrap, 0.0).rgb;
+  if (term_count > 2) sum += io.weights[2] * textureLod(light_2, unwrap, 0.0).rgb;
+  if (term_count > 3) sum += io.weights[3] * textureLod(light_3, unwrap, 0.0).rgb;
+  if (term_count > 4) sum += io.weights[4] * textureLod(light_4, unwrap, 0.0).rgb;
+  if (term_count > 5) sum += io.weights[5] * textureLod(light_5, unwrap, 0.0).rgb;
+  if (term_count > 6) sum += io.weights[6] * textureLod(light_6, unwrap, 0.0).rgb;
+  if (term_count > 7) sum += io.weights[7] * textureLod(light_7, unwrap, 0.0).rgb;
   return sum;
 }
 

@@ -76,7 +76,7 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
 
 Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
   if (!(options.unit_scale > 0 && options.unit_scale <= 1e6))
-    throw input_error("--unit-scale", "must be over 0, got {}", options.unit_scale);
+    throw input_error("--unit-scale", "must be over 0 and at most 1e6, got {}", options.unit_scale);
   constexpr std::size_t longest_message = 2000;
   const auto too_large = [&] { return input_error(path.string(), "needs more memory than there is"); };
   try {

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Heads that are odd but whole: each gives a picture, with a warning where one helps.
+#include "cli/program.h"
+#include "cli/tiny_gltf.h"
+
+namespace dermis::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class MustRender : public Program {
+ protected:
+  Result rendered(const std::string& gltf, const Arguments& more = {}) const {
+    fs::remove(picture());
+    Arguments arguments{file("head.gltf", gltf)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Result result = render(arguments);
+    expect_rendered(result);
+    return result;
+  }
+};
+
+// 1 x 1, grey 180.
+constexpr unsigned char one_texel_bytes[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3a, 0x7e, 0x9b, 0x55, 0x00, 0x00, 0x00, 0x0a, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0xd8, 0x02, 0x00, 0x00, 0xb6, 0x00, 0xb5, 0xb5, 0x2e, 0x5f, 0x69, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+const std::string one_texel(std::begin(one_texel_bytes), std::end(one_texel_bytes));
+
+TEST_F(MustRender, AHeadWithoutMaps) { EXPECT_EQ(rendered(tiny_gltf()).err, ""); }
+
+TEST_F(MustRender, MapsOfOneTexel) {
+  rendered(tiny_gltf({}, [](json& root) {
+    root["images"] = {{{"uri", data_uri("image/png", one_texel)}}};
+    root["textures"] = {{{"source", 0}}};
+    json& material = root["materials"][0];
+    material["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", 0}}}, {"metallicRoughnessTexture", {{"index", 0}}}};
+    material["normalTexture"] = {{"index", 0}};
+    material["occlusionTexture"] = {{"index", 0}};
+  }));
+}
+
+TEST_F(MustRender, DegenerateTriangles) {
+  TinyMesh mesh;
+  mesh.indices.insert(mesh.indices.end(), {0, 0, 0, 1, 1, 2, 0, 1, 2});   // a point, an edge, three on a line
+  rendered(tiny_gltf(mesh));
+}
+
+TEST_F(MustRender, DegenerateTextureTriangles) {
+  TinyMesh mesh;
+  for (std::size_t i = 0; i < 40; ++i) mesh.uvs[i] = 0.5f;
+  rendered(tiny_gltf(mesh));
+  for (float& uv : mesh.uvs) uv = 0.25f;   // the whole head on one texel
+  rendered(tiny_gltf(mesh));
+}
+
+TEST_F(MustRender, WithoutNormals) {
+  TinyMesh mesh;
+  mesh.normals.clear();
+  rendered(tiny_gltf(mesh));
+}
+
+TEST_F(MustRender, WithoutTextureCoordinates) {
+  TinyMesh mesh;
+  mesh.uvs.clear();
+  EXPECT_NE(rendered(tiny_gltf(mesh)).err.find("warning"), std::string::npos);
+}
+
+TEST_F(MustRender, WithoutIndices) {
+  TinyMesh mesh;
+  mesh.indices.clear();   // 81 vertices, 27 triangles
+  rendered(tiny_gltf(mesh));
+}
+
+TEST_F(MustRender, Mirrored) {
+  rendered(tiny_gltf({}, [](json& root) { root["nodes"][0]["scale"] = {-1, 1, 1}; }));
+  TinyMesh mesh;
+  for (std::size_t i = 0; i < mesh.uvs.size(); i += 2) mesh.uvs[i] = 1 - mesh.uvs[i];   // the texture mirrored
+  rendered(tiny_gltf(mesh));
+}
+
+TEST_F(MustRender, TextureCoordinatesFarOutside) {
+  TinyMesh mesh;
+  for (float& uv : mesh.uvs) uv = uv * 100 - 37;
+  rendered(tiny_gltf(mesh));
+}
+
+TEST_F(MustRender, WithoutSkin) {
+  const Result result = rendered(tiny_gltf({}, [](json& root) {
+    root["materials"] = {{{"name", "cloth"}}, {{"name", "steel"}}};
+    json& primitives = root["meshes"][0]["primitives"];
+    primitives.push_back(primitives[0]);
+    primitives[1]["material"] = 1;
+  }));
+  EXPECT_NE(result.err.find("warning"), std::string::npos);
+}
+
+TEST_F(MustRender, TinyAndHuge) {
+  EXPECT_NE(rendered(tiny_gltf(), {"--unit-scale", "0.01"}).err.find("--unit-scale"), std::string::npos);
+  EXPECT_NE(rendered(tiny_gltf(), {"--unit-scale", "100"}).err.find("--unit-scale"), std::string::npos);
+}
+
+TEST_F(MustRender, EveryTechniqueAndView) {
+  for (const char* technique : {"texture-space", "lambert"})
+    for (const char* view : {"filmic", "srgb", "linear"}) rendered(tiny_gltf(), {"--technique", technique, "--view", view});
+}
+
+TEST_F(MustRender, EveryShow) {
+  for (const char* show : {"irradiance", "stretch", "texel-density", "blur:0", "blur:5", "shadow:0", "shadow:1"}) {
+    SCOPED_TRACE(show);
+    rendered(tiny_gltf(), {"--show", show});
+  }
+}
+
+TEST_F(MustRender, SharedHeads) {
+  int found = 0;
+  for (const char* name : {"gltf-valid/head-variants/head-no-uv.glb", "gltf-valid/head-variants/head-no-normals.glb",
+                           "gltf-valid/head-variants/head-instanced-mirrored-deep.glb", "makehuman/crowd/mh-crowd-african-man-old-lod2.glb"}) {
+    const fs::path path = shared_asset(name);
+    if (path.empty()) continue;
+    SCOPED_TRACE(name);
+    ++found;
+    fs::remove(picture());
+    expect_rendered(render({path.string()}));
+  }
+  if (found == 0) GTEST_SKIP() << "set DERMIS_ASSET_CACHE to the folder of the shared assets";
+}
+
+}  // namespace
+}  // namespace dermis::tests

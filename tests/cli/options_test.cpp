@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Options: 2 for a command line that cannot be parsed, 1 with the range or the known names for a value that makes no sense.
+#include "cli/program.h"
+#include "cli/tiny_gltf.h"
+
+namespace dermis::tests {
+namespace {
+
+class Options : public Program {
+ protected:
+  std::string head() const { return file("head.gltf", tiny_gltf()); }
+  void refuse(const Arguments& options, const std::string& says) const {
+    SCOPED_TRACE(options.front() + " " + options.back());
+    Arguments arguments{head()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expect_refused(render(arguments), says);
+  }
+};
+
+TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
+  const std::string out = picture().string(), scene = head();
+  expect_not_understood(run({}), "subcommand");
+  expect_not_understood(run({"paint"}), "paint");
+  expect_not_understood(run({"render"}), "--output");
+  expect_not_understood(run({"render", scene, "-o"}), "-o");
+  expect_not_understood(run({"render", scene, "-o", out, "--brush"}), "--brush");
+  expect_not_understood(run({"render", scene, "-o", out, "--map-size", "big"}), "--map-size");
+  expect_not_understood(run({"render", scene, "-o", out, "--map-size"}), "--map-size");
+  expect_not_understood(run({"render", scene, "-o", out, "--map-size", "64.5"}), "--map-size");
+  expect_not_understood(run({"render", scene, "-o", out, "--frames", "99999999999"}), "--frames");
+  expect_not_understood(run({"render", scene, "-o", out, "--fov", "wide"}), "--fov");
+  expect_not_understood(run({"render", scene, "-o", out, "--specular", "maybe"}), "--specular");
+  expect_not_understood(run({"render", scene, "-o", out, "--albedo", "black"}), "--albedo");
+  for (const char* size : {"12", "12x", "x12", "12x12x12", "12 x 12", "12x12 ", "axb", "99999999999x10", "1.5x2", "0x10x10"})
+    expect_not_understood(run({"render", scene, "-o", out, "--size", size}), "--size");
+  expect_not_understood(run({"render", scene, "-o", out, "--orbit", "1"}), "--orbit");
+  expect_not_understood(run({"render", scene, "-o", out, "--orbit", "1,2,3"}), "--orbit");
+  expect_not_understood(run({"render", scene, "-o", out, "--orbit", "left,up"}), "--orbit");
+  expect_not_understood(run({"render", scene, "another.glb", "-o", out}), "another.glb");
+  expect_not_understood(run({"info", "--brush"}), "--brush");
+  expect_not_understood(run({"plan", "--brush"}), "--brush");
+}
+
+TEST_F(Options, UnknownNamesListTheKnownOnes) {
+  refuse({"--technique", "oil"}, "texture-space, lambert");
+  refuse({"--view", "sepia"}, "filmic, srgb, linear");
+  refuse({"--camera", "main"}, "it has no cameras");
+  refuse({"--show", "nothing"}, "picture, blur:0");
+  refuse({"--show", "shadow:-1"}, "shadow:0");
+  refuse({"--show", "shadow:99999999999999999999"}, "shadow:0");
+  refuse({"--device", "abacus"}, "there are: 0: ");
+  refuse({"--device", "99"}, "there are: 0: ");
+  refuse({"--device", "-1"}, "there are: 0: ");
+  refuse({"--skin", "leather"}, "'skin'");
+  refuse({"--profile", "leather"}, "published are: skin");
+}
+
+TEST_F(Options, ValuesOutOfRange) {
+  refuse({"--size", "0x0"}, "--size");
+  refuse({"--size", "100000x100000"}, "--size");
+  refuse({"--size", "-5x10"}, "--size");
+  refuse({"--size", "65536x1"}, "--size");
+  refuse({"--map-size", "0"}, "--map-size");
+  refuse({"--map-size", "-64"}, "--map-size");
+  refuse({"--map-size", "65536"}, "--map-size");
+  refuse({"--shadow-size", "65536"}, "--shadow-size");
+  refuse({"--samples", "3"}, "1 or 4");
+  refuse({"--frames", "0"}, "--frames");
+  refuse({"--heads", "0"}, "--heads");
+  refuse({"--heads", "2000000000"}, "--heads");
+  refuse({"--lights", "-1"}, "--lights");
+  refuse({"--lights", "2000000000"}, "--lights");
+  for (const char* value : {"nan", "inf", "-inf", "-1e300"})
+    for (const char* option : {"--fov", "--distance", "--ambient", "--mix", "--bloom", "--exposure", "--unit-scale"}) refuse({option, value}, option);
+  refuse({"--orbit", "nan,0"}, "--orbit");
+  refuse({"--fov", "180"}, "--fov");
+  refuse({"--unit-scale", "0"}, "--unit-scale");
+  refuse({"--unit-scale", "1e30"}, "--unit-scale");
+}
+
+TEST_F(Options, ExtremesThatAreAllowedGiveAPicture) {
+  for (const Arguments& options : std::vector<Arguments>{{"--size", "1x1"},
+                                                         {"--size", "1x300"},
+                                                         {"--map-size", "32", "--shadow-size", "32"},
+                                                         {"--exposure", "64", "--ambient", "1000000"},
+                                                         {"--exposure", "-64"},
+                                                         {"--distance", "0.001"},
+                                                         {"--distance", "1000000"},
+                                                         {"--fov", "170"},
+                                                         {"--fov", "0.1"},
+                                                         {"--orbit", "-90,90"},
+                                                         {"--samples", "1", "--bloom", "1"},
+                                                         {"--unit-scale", "1e-6"},
+                                                         {"--heads", "2", "--lights", "0"}}) {
+    SCOPED_TRACE(options[0] + " " + options[1]);
+    Arguments arguments{head()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expect_rendered(render(arguments));
+  }
+}
+
+TEST_F(Options, HelpNamesUnitsAndDefaults) {
+  for (const char* command : {"render", "plan", "info"}) {
+    const Result help = run({command, "--help"});
+    EXPECT_EQ(help.status, 0) << command;
+    EXPECT_NE(help.out.find("Usage"), std::string::npos) << command;
+    EXPECT_EQ(help.err, "") << command;
+  }
+  const std::string help = run({"render", "--help"}).out;
+  for (const char* text : {"pixels", "texels", "degrees", "metres", "radii", "=1280x720", "=2048", "=texture-space", "=filmic", "2^EV", "default: "})
+    EXPECT_NE(help.find(text), std::string::npos) << text;
+  EXPECT_EQ(run({"--help"}).status, 0);
+  EXPECT_EQ(run({"--version"}).status, 0);
+}
+
+const Surroundings no_driver{.variables = {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"}};
+
+TEST_F(Options, WithoutADriverTheErrorSaysWhatToInstall) {
+  expect_refused(render({head()}, no_driver), "mesa-vulkan-drivers");
+  const Result info = run({"info"}, no_driver);
+  EXPECT_EQ(info.status, 1);
+  EXPECT_NE(info.err.find("mesa-vulkan-drivers"), std::string::npos);
+}
+
+TEST_F(Options, ThePlanNeedsNoDriver) {
+  const Result plan = run({"plan", head()}, no_driver);
+  EXPECT_EQ(plan.status, 0) << plan.err;
+  EXPECT_NE(plan.out.find("irradiance"), std::string::npos);
+  const Result dot = run({"plan", head(), "--dot", "-o", (folder() / "plan.dot").string()}, no_driver);
+  EXPECT_EQ(dot.status, 0) << dot.err;
+  EXPECT_EQ(dot.out, "");
+  EXPECT_NE(read_text(folder() / "plan.dot").find("digraph"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dermis::tests

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// What is written: complete or not at all, and only JSON where JSON was asked for. Too little memory ends as any other error.
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "cli/tiny_gltf.h"
+
+namespace dermis::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class Output : public Program {
+ protected:
+  std::string head() const { return file("head.gltf", tiny_gltf()); }
+};
+
+TEST_F(Output, FoldersAndEndings) {
+  const std::string scene = head();
+  expect_refused(run({"render", scene, "-o", (folder() / "none" / "a.png").string()}), "does not exist");
+  expect_refused(run({"render", scene, "-o", (folder() / "a.bmp").string()}), ".bmp");
+  expect_refused(run({"render", scene, "-o", (folder() / "a").string()}), ".png or .exr");
+  expect_refused(run({"render", scene, "-o", "-"}), ".png or .exr");
+  expect_refused(run({"render", scene, "-o", ""}), ".png or .exr");
+  fs::create_directory(folder() / "folder.png");
+  expect_refused(run({"render", scene, "-o", (folder() / "folder.png").string()}), "is a directory");
+  expect_refused(render({scene, "--stats", (folder() / "none" / "s.json").string()}), "does not exist");
+  expect_refused(render({scene, "--stats", picture().string()}), "a file of its own");
+  expect_refused(run({"plan", scene, "-o", (folder() / "none" / "p.txt").string()}), "does not exist");
+}
+
+TEST_F(Output, StatisticsAloneOnStandardOutput) {
+  const Result result = render({head(), "--stats", "-"});
+  ASSERT_TRUE(expect_rendered(result));
+  const json statistics = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(statistics.is_object()) << result.out;
+  EXPECT_EQ(statistics.at("size"), json({48, 48}));
+  const Result devices = run({"info", "--json"});
+  EXPECT_TRUE(json::accept(devices.out)) << devices.out;
+}
+
+TEST_F(Output, StatisticsInAFileAndASummaryForPeople) {
+  const Result result = render({head(), "--stats", (folder() / "s.json").string(), "--frames", "2"});
+  ASSERT_TRUE(expect_rendered(result));
+  EXPECT_EQ(json::parse(read_text(folder() / "s.json")).at("frame_ms").at("frames"), 2);
+  EXPECT_NE(result.out.find("irradiance"), std::string::npos);
+  EXPECT_EQ(result.err, "") << "no progress when piped, no warning for a whole head";
+}
+
+TEST_F(Output, ExrIsLinearAndTheSameEachTime) {
+  const std::string scene = head(), first = (folder() / "a.exr").string(), second = (folder() / "b.exr").string();
+  for (const std::string& name : {first, second})
+    ASSERT_EQ(run({"render", scene, "-o", name, "--size", "48x48", "--map-size", "64", "--shadow-size", "64"}).status, 0);
+  const std::string bytes = read_text(first);
+  EXPECT_TRUE(bytes.starts_with("\x76\x2f\x31\x01"));
+  EXPECT_EQ(bytes, read_text(second));
+}
+
+// An old picture survives a run that fails, and one that is killed.
+TEST_F(Output, AnOldFileSurvives) {
+  const std::string scene = head();
+  const auto old_is_there = [&] { return read_text(picture()) == "the old picture"; };
+  file("picture.png", "the old picture");
+  EXPECT_EQ(render({(folder() / "missing.glb").string()}).status, 1);
+  EXPECT_TRUE(old_is_there());
+  EXPECT_EQ(render({scene, "--map-size", "zero"}).status, 2);
+  EXPECT_EQ(render({scene, "--bloom", "2"}).status, 1);
+  EXPECT_TRUE(old_is_there());
+  EXPECT_EQ(render({scene, "--frames", "1000000"}, {.variables = {}, .kill_after_s = 1.5}).status, 128 + 9);
+  EXPECT_TRUE(old_is_there());
+  EXPECT_TRUE(expect_rendered(render({scene})));
+  EXPECT_FALSE(old_is_there());
+}
+
+TEST_F(Output, TooLittleDeviceMemoryIsSaidAtOnce) {
+  // Two petabytes on any device: 64 lights need 64 shadow maps of a GiB each, with the device's own limit as the other answer.
+  const Result result = run({"render", head(), "-o", picture().string(), "--size", "48x48", "--map-size", "64", "--shadow-size", "16384", "--lights", "64"});
+  expect_refused(result, "shadow");
+}
+
+TEST_F(Output, TooLittleMemory) {
+  const std::string scene = head();
+  for (const std::uint64_t mib : {150, 200, 250, 300, 400}) {
+    SCOPED_TRACE(mib);
+    const Result result = render({scene}, {.variables = {}, .address_space_bytes = mib << 20});
+    if (result.status == 0) continue;   // a small driver fits
+    expect_refused(result, "");
+    EXPECT_GT(result.err.size(), 20u);
+  }
+}
+
+}  // namespace
+}  // namespace dermis::tests
