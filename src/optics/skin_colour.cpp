@@ -2,8 +2,10 @@
 #include "optics/skin_colour.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <mutex>
 #include <vector>
 
 #include "core/error.h"
@@ -37,27 +39,60 @@ Lab lab_of(const Skin& skin, std::size_t stride) {
   return lab_from_linear(linear);
 }
 
+/// A point of the search: logarithms of both fractions, since equal steps of them look about equal.
 struct Candidate {
-  double log_melanin, log_blood, delta_e;
+  std::array<double, 2> log_fraction{};  // melanin, haemoglobin
+  Lab lab;
 };
 
-double distance(const Lab& wanted, Skin skin, double log_melanin, double log_blood, std::size_t stride) {
-  skin.melanin = std::exp(log_melanin);
-  skin.haemoglobin = std::exp(log_blood);
-  return delta_e76(lab_of(skin, stride), wanted);
+constexpr std::array<double, 2> log_low{-12.2, -12.2};  // 5e-6: as good as none
+const std::array<double, 2> log_high{std::log(most_melanin), std::log(most_blood)};
+
+Candidate evaluate(Skin skin, std::array<double, 2> log_fraction, std::size_t stride) {
+  for (int i = 0; i < 2; ++i) log_fraction[i] = std::clamp(log_fraction[i], log_low[i], log_high[i]);
+  skin.melanin = std::exp(log_fraction[0]);
+  skin.haemoglobin = std::exp(log_fraction[1]);
+  return {log_fraction, lab_of(skin, stride)};
 }
 
-Candidate coarse_best(const Lab& wanted, const Skin& fixed) {
+/// 70 skins over the range, for a start; the last set of fixed parameters is remembered, as colours come in series.
+std::vector<Candidate> coarse_grid(const Skin& fixed) {
+  static std::mutex mutex;
+  static std::vector<Candidate> grid;
+  static std::array<double, 5> made_for{};
+  const std::array<double, 5> key{fixed.blend, fixed.oxygenation, fixed.oiliness, fixed.epidermis_mm, fixed.eta};
+  const std::lock_guard lock(mutex);
+  if (!grid.empty() && made_for == key) return grid;
   constexpr int columns = 10, rows = 7;
-  std::vector<Candidate> grid(columns * rows);
+  grid.assign(columns * rows, {});
   parallel_for(grid.size(), [&](std::size_t i) {
     const double m = static_cast<double>(i % columns) / (columns - 1), h = static_cast<double>(i / columns) / (rows - 1);
-    Candidate& one = grid[i];
-    one.log_melanin = std::log(least_melanin) + m * std::log(most_melanin / least_melanin);
-    one.log_blood = std::log(least_blood) + h * std::log(most_blood / least_blood);
-    one.delta_e = distance(wanted, fixed, one.log_melanin, one.log_blood, 4);
+    grid[i] = evaluate(fixed,
+                       {std::log(least_melanin) + m * std::log(most_melanin / least_melanin),
+                        std::log(least_blood) + h * std::log(most_blood / least_blood)},
+                       4);
   });
-  return *std::min_element(grid.begin(), grid.end(), [](const Candidate& a, const Candidate& b) { return a.delta_e < b.delta_e; });
+  made_for = key;
+  return grid;
+}
+
+/// One damped Gauss-Newton step of the distance in L*a*b*, slopes by differences.
+std::array<double, 2> newton_step(const Lab& wanted, const Skin& fixed, const Candidate& here, double damping) {
+  constexpr double h = 0.02;
+  std::array<std::array<double, 3>, 2> slope{};
+  for (int i = 0; i < 2; ++i) {
+    std::array<double, 2> at = here.log_fraction;
+    const double side = at[i] + h > log_high[i] ? -h : h;
+    at[i] += side;
+    const Lab there = evaluate(fixed, at, 2).lab;
+    slope[i] = {(there.l - here.lab.l) / side, (there.a - here.lab.a) / side, (there.b - here.lab.b) / side};
+  }
+  const std::array<double, 3> off{wanted.l - here.lab.l, wanted.a - here.lab.a, wanted.b - here.lab.b};
+  const auto dot = [](const auto& x, const auto& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; };
+  const double a = dot(slope[0], slope[0]) * (1 + damping) + 1e-9, b = dot(slope[0], slope[1]),
+               d = dot(slope[1], slope[1]) * (1 + damping) + 1e-9;
+  const double p = dot(slope[0], off), q = dot(slope[1], off), determinant = a * d - b * b;
+  return {std::clamp((d * p - b * q) / determinant, -1.0, 1.0), std::clamp((a * q - b * p) / determinant, -1.0, 1.0)};
 }
 
 }  // namespace
@@ -75,27 +110,23 @@ Skin measured_skin() { return {.blend = 0.1, .epidermis_mm = 0.12}; }
 
 SkinMatch nearest_skin(const Lab& wanted, const Skin& fixed) {
   check(fixed, "skin");
-  Candidate best = coarse_best(wanted, fixed);
-  best.delta_e = distance(wanted, fixed, best.log_melanin, best.log_blood, 2);
-  for (double step = 0.4; step > 0.01;) {  // pattern search: eight neighbours, half the step when none is nearer
-    std::vector<Candidate> around(8);
-    parallel_for(8, [&](std::size_t i) {
-      constexpr int dx[] = {1, -1, 0, 0, 1, 1, -1, -1}, dy[] = {0, 0, 1, -1, 1, -1, 1, -1};
-      Candidate& one = around[i];
-      one.log_melanin = std::clamp(best.log_melanin + step * dx[i], std::log(least_melanin / 50), std::log(most_melanin));
-      one.log_blood = std::clamp(best.log_blood + step * dy[i], std::log(least_blood / 50), std::log(most_blood));
-      one.delta_e = distance(wanted, fixed, one.log_melanin, one.log_blood, 2);
-    });
-    const auto nearest =
-        std::min_element(around.begin(), around.end(), [](const Candidate& a, const Candidate& b) { return a.delta_e < b.delta_e; });
-    if (nearest->delta_e < best.delta_e)
-      best = *nearest;
-    else
-      step /= 2;
+  const auto grid = coarse_grid(fixed);
+  const auto start = std::min_element(grid.begin(), grid.end(), [&](const Candidate& a, const Candidate& b) {
+    return delta_e76(a.lab, wanted) < delta_e76(b.lab, wanted);
+  });
+  Candidate here = evaluate(fixed, start->log_fraction, 2);
+  double damping = 1e-3;
+  for (int step = 0; step < 30 && damping < 1e3; ++step) {
+    const auto change = newton_step(wanted, fixed, here, damping);
+    const Candidate there = evaluate(fixed, {here.log_fraction[0] + change[0], here.log_fraction[1] + change[1]}, 2);
+    const double before = delta_e76(here.lab, wanted), after = delta_e76(there.lab, wanted);
+    if (after < before) here = there;
+    damping = after < before ? damping / 4 : damping * 8;
+    if (after < before && (before - after < 1e-3 || after < 1e-3)) break;
   }
   SkinMatch match{.skin = fixed, .lab = {}};
-  match.skin.melanin = std::min(std::exp(best.log_melanin), most_melanin);
-  match.skin.haemoglobin = std::min(std::exp(best.log_blood), most_blood);
+  match.skin.melanin = std::min(std::exp(here.log_fraction[0]), most_melanin);
+  match.skin.haemoglobin = std::min(std::exp(here.log_fraction[1]), most_blood);
   match.lab = lab_of(match.skin, 1);
   match.delta_e = delta_e76(match.lab, wanted);
   return match;

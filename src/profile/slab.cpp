@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double thin = 1.2;  // mean free paths; see slab.h
+constexpr double thin = 1.1;  // mean free paths; see slab.h
 
 struct OneSide {
   double reflect, transmit;

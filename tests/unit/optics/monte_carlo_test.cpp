@@ -64,6 +64,24 @@ TEST(MonteCarlo, ThreeLayersOfTheMcmlManual) {
   }
 }
 
+TEST(MonteCarlo, TransmittedRingsOfTheMcmlManual) {
+  const ScatterScene skin{.layers = {{{1 * from_cm, 100 * from_cm, .9, 1.37}, 1},
+                                     {{1 * from_cm, 10 * from_cm, 0, 1.37}, 1},
+                                     {{2 * from_cm, 10 * from_cm, .7, 1.37}, 2}}};
+  const auto r = profile::monte_carlo(skin, {.photons = 200'000, .seed = 3, .cache = {}});  // kept from the test above
+  const double rings[] = {.58942, .60085, .56453, .55132, .53655, .53603, .52027, .49193, .46582, .43591,
+                          .41109, .39854, .36636, .33945, .32122, .29694, .28041, .26182, .23866, .22141};
+  double ours = 0, theirs = 0;
+  for (int i = 0; i < 20; ++i) theirs += rings[i] * M_PI * .0001 * (2 * i + 1);  // 1/cm^2 times cm^2
+  ours = (1 - .0243729) * (r->transmitted.within(2.0) + r->ballistic);
+  EXPECT_NEAR(ours / theirs, 1, .02);  // 1.7e3 of their photons, 3e3 of ours
+  for (const int i : {4, 9, 14, 19}) {
+    const double mean =
+        (1 - .0243729) * (r->transmitted.within(.1 * (i + 1)) - r->transmitted.within(.1 * i)) / (M_PI * .01 * (2 * i + 1)) * 100;
+    EXPECT_NEAR(mean / rings[i], 1, .15) << i;  // a ring of ours is wider than one of theirs; 1 to 4 % noise each
+  }
+}
+
 TEST(MonteCarlo, HalfSpaceTotals) {
   struct Row {
     double albedo, normal, normal_error, diffuse, diffuse_error;
