@@ -6,20 +6,17 @@
 namespace dermis::frame {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-double ms_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+// What barriers of images and of buffers have in common.
+template <class T>
+T start_barrier(VkStructureType type, const Barrier& b) {
+  T barrier{type};
+  barrier.srcStageMask = b.source_stages, barrier.srcAccessMask = b.source_access;
+  barrier.dstStageMask = b.target_stages, barrier.dstAccessMask = b.target_access;
+  barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  return barrier;
+}
 
 }  // namespace
-
-const gpu::Texture& Resources::texture(TextureId id) const {
-  DERMIS_ASSERT_LT(id.index, textures_.size());
-  return textures_[id.index];
-}
-
-const gpu::Buffer& Resources::buffer(BufferId id) const {
-  DERMIS_ASSERT_LT(id.index, buffers_.size());
-  return buffers_[id.index];
-}
 
 Executor::Executor(gpu::PipelineLibrary& library, FramePlan plan)
     : library_(&library),
@@ -39,33 +36,17 @@ VkImageMemoryBarrier2 Executor::image_barrier(const Barrier& b) {
   const bool keeps = b.first_use && b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED;
   const VkImageLayout old_layout = keeps ? layouts_[b.index] : b.old_layout;
   layouts_[b.index] = b.new_layout;
-  const VkImageSubresourceRange all{gpu::aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
-  return {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-          nullptr,
-          b.source_stages,
-          b.source_access,
-          b.target_stages,
-          b.target_access,
-          old_layout,
-          b.new_layout,
-          VK_QUEUE_FAMILY_IGNORED,
-          VK_QUEUE_FAMILY_IGNORED,
-          texture.handle(),
-          all};
+  auto barrier = start_barrier<VkImageMemoryBarrier2>(VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2, b);
+  barrier.oldLayout = old_layout, barrier.newLayout = b.new_layout;
+  barrier.image = texture.handle();
+  barrier.subresourceRange = {gpu::aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+  return barrier;
 }
 
 VkBufferMemoryBarrier2 Executor::buffer_barrier(const Barrier& b) const {
-  return {VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2,
-          nullptr,
-          b.source_stages,
-          b.source_access,
-          b.target_stages,
-          b.target_access,
-          VK_QUEUE_FAMILY_IGNORED,
-          VK_QUEUE_FAMILY_IGNORED,
-          resources_.buffers_[b.index].handle(),
-          0,
-          VK_WHOLE_SIZE};
+  auto barrier = start_barrier<VkBufferMemoryBarrier2>(VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2, b);
+  barrier.buffer = resources_.buffers_[b.index].handle(), barrier.size = VK_WHOLE_SIZE;
+  return barrier;
 }
 
 void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool counting) {
@@ -100,16 +81,17 @@ void Executor::record(VkCommandBuffer commands, const FrameData& frame, gpu::Tim
 }
 
 FrameTime Executor::run(const FrameData& frame) {
+  using namespace std::chrono;
   FrameTime time;
   if (separate_) {
     for (std::size_t p = 0; p < plan_.passes().size(); ++p) {
       if (plan_.passes()[p].only_when_counting) continue;
-      const auto start = Clock::now();
+      const auto start = steady_clock::now();
       device().run([&](VkCommandBuffer commands) {
         gpu::Cmd cmd(device(), commands);
         record_pass(cmd, p, frame, false);
       });
-      time.passes.push_back({plan_.passes()[p].name, ms_since(start)});
+      time.passes.push_back({plan_.passes()[p].name, duration<double, std::milli>(steady_clock::now() - start).count()});
       time.total_ms += time.passes.back().ms;
     }
     return time;
@@ -119,10 +101,6 @@ FrameTime Executor::run(const FrameData& frame) {
   time.passes = timer.read();
   for (const gpu::Timing& pass : time.passes) time.total_ms += pass.ms;
   return time;
-}
-
-void Executor::run_counting(const FrameData& frame) {
-  device().run([&](VkCommandBuffer commands) { record(commands, frame, nullptr, true); });
 }
 
 }  // namespace dermis::frame

@@ -102,18 +102,15 @@ class Declare {
   BufferId create(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);
   const gpu::TextureDesc& desc(TextureId id) const;
 
+  // auto: TextureId or BufferId
+  void read(auto id) { use(id, Access::storage_read); }
+  void write(auto id) { use(id, Access::storage_write); }
+  void copy_from(auto id) { use(id, Access::copy_source); }
+  void copy_to(auto id) { use(id, Access::copy_target); }
   void sample(TextureId id) { use(id, Access::sampled); }
-  void read(TextureId id) { use(id, Access::storage_read); }
-  void write(TextureId id) { use(id, Access::storage_write); }
   void colour(TextureId id) { use(id, Access::colour_target); }
   void depth(TextureId id) { use(id, Access::depth_target); }
-  void copy_from(TextureId id) { use(id, Access::copy_source); }
-  void copy_to(TextureId id) { use(id, Access::copy_target); }
-  void read(BufferId id) { use(id, Access::storage_read); }
-  void write(BufferId id) { use(id, Access::storage_write); }
   void indirect(BufferId id) { use(id, Access::indirect_arguments); }
-  void copy_from(BufferId id) { use(id, Access::copy_source); }
-  void copy_to(BufferId id) { use(id, Access::copy_target); }
 
  private:
   void use(TextureId id, Access access) { use({.is_texture = true, .index = id.index, .access = access}); }
