@@ -13,22 +13,19 @@ struct State {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
-constexpr VkAccessFlags2 write_access_mask = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
-                                             VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT;
-
 void note_use(State& state, const AccessRow& scope) {
-  if (scope.writes) {
-    state = {.write_stages = scope.stages, .write_access = scope.access & write_access_mask, .layout = scope.layout};
+  if (scope.written != 0) {
+    state = {.write_stages = scope.stages, .write_access = scope.written, .layout = scope.layout};
   } else {
     state.read_stages |= scope.stages;
-    state.visible_access |= scope.access;
+    state.visible_access |= scope.read;
   }
 }
 
 // For a new layout, write after read, write after write, and read after write unless the write is already visible there.
 bool needs_barrier(const State& state, const AccessRow& scope) {
-  if (scope.writes || state.layout != scope.layout) return true;
-  const bool visible = (state.read_stages & scope.stages) == scope.stages && (state.visible_access & scope.access) == scope.access;
+  if (scope.written != 0 || state.layout != scope.layout) return true;
+  const bool visible = (state.read_stages & scope.stages) == scope.stages && (state.visible_access & scope.read) == scope.read;
   return state.write_stages != 0 && !visible;
 }
 
@@ -39,7 +36,7 @@ Barrier make_barrier(const Use& use, const State& state, const AccessRow& scope,
           .source_stages = state.write_stages | state.read_stages,
           .target_stages = scope.stages,
           .source_access = state.write_access,
-          .target_access = scope.access,
+          .target_access = scope.read | scope.written,
           .old_layout = discard ? VK_IMAGE_LAYOUT_UNDEFINED : state.layout,
           .new_layout = scope.layout,
           .first_use = first_use};

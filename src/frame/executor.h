@@ -61,7 +61,6 @@ class Executor {
 
  private:
   VkImageMemoryBarrier2 image_barrier(const Barrier& b);
-  VkBufferMemoryBarrier2 buffer_barrier(const Barrier& b) const;
   void record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool counting);
 
   gpu::PipelineLibrary* library_;

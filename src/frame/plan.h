@@ -50,16 +50,15 @@ enum class Access : std::uint8_t {
 
 /// What Vulkan calls an access, and what a printed plan does.
 struct AccessRow {
-  std::string_view verb;  ///< "samples"
-  bool writes = false;
+  std::string_view verb;             ///< "samples"
   VkPipelineStageFlags2 stages = 0;  ///< 0: the shader stages of the pass
-  VkAccessFlags2 access = 0;
+  VkAccessFlags2 read = 0, written = 0;
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   VkImageUsageFlags texture_usage = 0;
   VkBufferUsageFlags buffer_usage = 0;
 };
 const AccessRow& row_of(Access access);
-inline bool writes(Access access) { return row_of(access).writes; }
+inline bool writes(Access access) { return row_of(access).written != 0; }
 
 enum class PassKind : std::uint8_t { compute, raster, copy };
 /// transient: contents are lost after the frame. persistent: kept from frame to frame (undefined in the first).
