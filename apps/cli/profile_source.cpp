@@ -5,10 +5,13 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "gaussians/exchange.h"
 #include "optics/inversion.h"
 #include "optics/presets.h"
+#include "optics/skin_colour.h"
 #include "profile/burley.h"
 #include "profile/equivalent.h"
+#include "profile/spectral.h"
 #include "profile/tabulated.h"
 
 namespace dermis::cli {
@@ -22,8 +25,12 @@ void only_automatic(const SourceOptions& options, const char* source) {
 }
 
 Source from_models(std::string name, profile::ModelledProfiles modelled) {
-  Source source{
-      .name = std::move(name), .model = modelled.profiles[0]->name(), .note = modelled.reason, .profiles = modelled.profiles, .medium = {}};
+  Source source{.name = std::move(name),
+                .model = modelled.profiles[0]->name(),
+                .note = modelled.reason,
+                .profiles = modelled.profiles,
+                .medium = {},
+                .skin = {}};
   return source;
 }
 
@@ -57,7 +64,8 @@ Source from_csv(const SourceOptions& options) {
                 .model = "table",
                 .note = {},
                 .profiles = profile::load_csv(options.csv),
-                .medium = {}};
+                .medium = {},
+                .skin = {}};
   constexpr const char* column[] = {"R", "G", "B"};
   for (int c = 0; c < 3; ++c)
     if (source.profiles[c]->total() > 1.0001)
@@ -70,11 +78,59 @@ Source from_csv(const SourceOptions& options) {
 Source from_burley(const SourceOptions& options) {
   only_automatic(options, "--burley");
   const profile::BurleyDescription burley = profile::parse_burley(options.burley, "--burley");
-  Source source{.name = "burley", .model = "Burley", .note = {}, .profiles = {}, .medium = {}};
+  Source source{.name = "burley", .model = "Burley", .note = {}, .profiles = {}, .medium = {}, .skin = {}};
   for (int c = 0; c < 3; ++c)
     source.profiles[c] = std::make_shared<profile::Burley>(burley.total_reflectance[c], burley.shape_mm[c], "--burley");
   summarise(source);
   return source;
+}
+
+Source from_import(const SourceOptions& options) {
+  const gaussians::Imported imported = gaussians::parse_import(options.import, "--import");
+  if (!imported.is_burley) return from_medium(imported.name, imported.medium, options, "--import");
+  only_automatic(options, "--import of a Burley profile");
+  Source source{.name = imported.name, .model = "Burley", .note = {}, .profiles = {}, .medium = {}, .skin = {}};
+  for (int c = 0; c < 3; ++c)
+    source.profiles[c] = std::make_shared<profile::Burley>(imported.total_reflectance[c], imported.burley_shape_mm[c], "--import");
+  summarise(source);
+  return source;
+}
+
+/// What the options say on top of `skin`.
+optics::Skin refined(optics::Skin skin, const SourceOptions& options) {
+  skin.melanin = options.melanin.value_or(skin.melanin);
+  skin.blend = options.blend.value_or(skin.blend);
+  skin.haemoglobin = options.haemoglobin.value_or(skin.haemoglobin);
+  skin.oxygenation = options.oxygenation.value_or(skin.oxygenation);
+  skin.oiliness = options.oiliness.value_or(skin.oiliness);
+  skin.epidermis_mm = options.epidermis_mm.value_or(skin.epidermis_mm);
+  optics::check(skin, "skin");
+  return skin;
+}
+
+Source from_skin(const std::string& name, const optics::Skin& skin, const SourceOptions& options) {
+  Source source = from_models(name, make_profiles(skin, profile::parse_model(options.model), options.monte_carlo, "skin"));
+  source.skin = skin;
+  summarise(source);
+  return source;
+}
+
+Source from_colour(const SourceOptions& options) {
+  if (options.haemoglobin) throw input_error("--hemoglobin", "--colour finds melanin and hemoglobin itself");
+  const optics::Lab wanted = optics::parse_colour(options.colour, "--colour");
+  const optics::SkinMatch match = optics::nearest_skin(wanted, refined(optics::measured_skin(), options));
+  Source source = from_skin("colour " + options.colour, match.skin, options);
+  source.note += fmt::format(
+      "{}nearest skin: melanin {:.4f}, hemoglobin {:.4f}; L*a*b* {:.1f} {:.1f} {:.1f}, {:.1f} dE (CIE76) from the colour asked for",
+      source.note.empty() ? "" : "\n", match.skin.melanin, match.skin.haemoglobin, match.lab.l, match.lab.a, match.lab.b, match.delta_e);
+  return source;
+}
+
+void check_refinements(const SourceOptions& options) {
+  const bool refines = options.blend || options.haemoglobin || options.oxygenation || options.oiliness || options.epidermis_mm;
+  if (refines && !options.melanin && options.colour.empty())
+    throw CLI::RequiredError(
+        "--blend, --hemoglobin, --oxygenation, --oiliness and --epidermis-mm refine --melanin or --colour, one of which");
 }
 
 }  // namespace
@@ -85,6 +141,8 @@ Source open_source(const SourceOptions& options) {
     const std::string& value;
     Source (*open)(const SourceOptions&);
   };
+  check_refinements(options);
+  const std::string melanin = options.melanin ? "given" : "";
   const Choice choices[] = {
       {"--preset", options.preset, from_preset},
       {"--coefficients", options.coefficients,
@@ -95,8 +153,11 @@ Source open_source(const SourceOptions& options) {
        [](const SourceOptions& o) {
          return from_layers(std::filesystem::path(o.layers).stem().string(), optics::load_layers(o.layers), o, o.layers);
        }},
+      {"--melanin", melanin, [](const SourceOptions& o) { return from_skin("skin", refined({}, o), o); }},
+      {"--colour", options.colour, from_colour},
       {"--burley", options.burley, from_burley},
       {"--csv", options.csv, from_csv},
+      {"--import", options.import, from_import},
   };
   const Choice* chosen = nullptr;
   std::string all;

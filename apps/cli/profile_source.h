@@ -5,14 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "optics/media.h"
+#include "optics/skin.h"
 #include "profile/model.h"
 
 namespace dermis::cli {
 
 /// The options of the command that name a source and a model, as given.
 struct SourceOptions {
-  std::string preset, coefficients, layers, burley, csv, import;
+  std::string preset, coefficients, layers, burley, csv, colour, import;
+  std::optional<double> melanin, blend, haemoglobin, oxygenation, oiliness, epidermis_mm;  ///< melanin makes it a source; the rest refine
   std::string model = "auto";
   profile::MonteCarloOptions monte_carlo;
 };
@@ -23,8 +24,9 @@ struct Source {
   std::string model;  ///< for people
   std::string note;   ///< why that model; empty if it was asked for
   std::array<profile::ProfilePtr, 3> profiles;
-  optics::RgbMedium medium;  ///< the medium itself, or the homogeneous one that is equivalent
-  bool equivalent = false;   ///< medium is a summary: equal total and mean square radius
+  optics::RgbMedium medium;          ///< the medium itself, or the homogeneous one that is equivalent
+  bool equivalent = false;           ///< medium is a summary: equal total and mean square radius
+  std::optional<optics::Skin> skin;  ///< of spectral skin and of colours
 };
 
 /// Exactly one source must be set: CLI::ParseError (exit status 2) if none or several are; InputError if what it says is wrong.

@@ -10,6 +10,7 @@
 #include "gaussians/known.h"
 #include "passes/blur/blur.h"
 #include "passes/shadow/fit.h"
+#include "scene/coverage.h"
 #include "scene/framing.h"
 
 namespace dermis::api {
@@ -177,6 +178,7 @@ FrameSetup set_up(const scene::Scene& scene, const RenderSettings& s) {
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
   setup.skin = scene::skin_meshes(scene);
+  for (const scene::SkinMesh& mesh : setup.skin) scene::warn_overlap(mesh);
   setup.sphere = scene::skin_sphere(scene);
   if (!(setup.sphere.radius_m > 0)) throw input_error(scene.name, "has nothing to see: all its triangles lie at one point");
   const scene::Camera camera = find_camera(scene, s, setup.sphere);

@@ -20,11 +20,18 @@ using std::numbers::pi;
 struct Range {
   double low = 0, high = 0;  // log of the variance of the narrowest and the widest structure
   double floor = 0;          // no log-variance goes below
+  bool any_sign = false;     // of the weights
 };
+
+/// Two terms of opposite sign that drift together stand for a derivative, with weights that cancel in the eighth digit: kept apart by 20 %.
+void keep_apart(VectorXd& log_variance) {
+  std::sort(log_variance.begin(), log_variance.end());
+  for (Index j = 1; j < log_variance.size(); ++j) log_variance[j] = std::max(log_variance[j], log_variance[j - 1] + 0.2);
+}
 
 /// Levenberg-Marquardt over the log-variances. Ends when steps no longer pay.
 Projected descend(std::span<const Target> channels, VectorXd& log_variance, const Range& range) {
-  Projected here = project(channels, log_variance, true);
+  Projected here = project(channels, log_variance, range.any_sign);
   double damping = 1e-3;
   for (int step = 0, stalled = 0; step < 150 && stalled < 3 && damping < 1e9; ++step) {
     Eigen::MatrixXd normal = here.normal;
@@ -33,8 +40,9 @@ Projected descend(std::span<const Target> channels, VectorXd& log_variance, cons
     VectorXd change = normal.ldlt().solve(-here.gradient);
     if (!change.allFinite()) break;
     change *= std::min(1.0, 1.0 / std::max(change.cwiseAbs().maxCoeff(), 1e-300));
-    const VectorXd there_at = (log_variance + change).cwiseMax(range.floor).cwiseMin(range.high + 9);
-    Projected there = project(channels, there_at, true);
+    VectorXd there_at = (log_variance + change).cwiseMax(range.floor).cwiseMin(range.high + 9);
+    if (range.any_sign) keep_apart(there_at);
+    Projected there = project(channels, there_at, range.any_sign);
     if (there.residual2 < here.residual2) {
       stalled = here.residual2 - there.residual2 < 1e-9 * here.residual2 ? stalled + 1 : 0;
       log_variance = there_at;
@@ -82,7 +90,8 @@ struct Solution {
 /// grown from the solution with a term fewer.
 Solution search(std::span<const Target> channels, const Range& range, int terms) {
   Solution best;
-  std::vector<VectorXd> starts{spread(range, terms), spread({range.low + 0.2 * (range.high - range.low), range.high, range.floor}, terms)};
+  std::vector<VectorXd> starts{spread(range, terms),
+                               spread({.low = range.low + 0.2 * (range.high - range.low), .high = range.high}, terms)};
   if (terms > 1) {
     VectorXd smaller = spread(range, terms - 1);
     descend(channels, smaller, range);
@@ -120,17 +129,19 @@ double ChannelFit::weight_sum() const {
   return std::accumulate(terms.begin(), terms.end(), 0.0, [](double sum, const Term& term) { return sum + term.weight; });
 }
 
-ChannelFit fit_channel(const profile::RadialProfile& profile, int terms) {
+ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Weights weights) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
   const Target target(profile);
-  const Solution solution = search({&target, 1}, range_of(profile), terms);
+  Range range = range_of(profile);
+  range.any_sign = weights == Weights::any_sign;
+  const Solution solution = search({&target, 1}, range, terms);
   ChannelFit fit;
   fit.error_percent = 100 * std::sqrt(solution.projected.residual2);
   for (const Index j : narrow_to_wide(solution.log_variance)) {
     const double variance = std::exp(solution.log_variance[j]), weight = solution.projected.weights(j, 0);
     if (!fit.terms.empty() && variance < fit.terms.back().variance_mm2 * (1 + same_variance))
       fit.terms.back().weight += weight;
-    else if (weight > 0)
+    else if (weight != 0)
       fit.terms.push_back({variance, weight});
   }
   return fit;
@@ -139,11 +150,11 @@ ChannelFit fit_channel(const profile::RadialProfile& profile, int terms) {
 SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms, const std::string& name) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
   std::vector<Target> targets;
-  Range range{1e300, -1e300, 1e300};
+  Range range{.low = 1e300, .high = -1e300, .floor = 1e300};
   for (const auto& profile : profiles) {
     targets.emplace_back(*profile);
     const Range one = range_of(*profile);
-    range = {std::min(range.low, one.low), std::max(range.high, one.high), std::min(range.floor, one.floor)};
+    range = {.low = std::min(range.low, one.low), .high = std::max(range.high, one.high), .floor = std::min(range.floor, one.floor)};
   }
   const Solution solution = search(targets, range, terms);
   SumOfGaussians sum;

@@ -40,8 +40,10 @@ Target::Target(const profile::RadialProfile& profile) : spectral_(profile.hankel
   row_weight_ /= norm;
 }
 
+constexpr double finest_mm = 0.01;  // nothing on skin is looked at closer; dark skin sends back much of its light within micrometres
+
 double core_variance_mm2(const profile::RadialProfile& profile) {
-  const double core_mm = profile.quantile(0.05);
+  const double core_mm = std::max(profile.quantile(0.05), std::min(finest_mm, profile.quantile(0.5)));
   if (!(core_mm > 0)) throw input_error(profile.name(), "the profile reflects nothing: there is no sum of Gaussians to fit");
   return core_mm * core_mm;
 }
@@ -102,7 +104,7 @@ VectorXd solve_non_negative(const MatrixXd& a, const VectorXd& b) {
   return w.cwiseMax(0);
 }
 
-Projected project(std::span<const Target> channels, const VectorXd& log_variance, bool with_slopes) {
+Projected project(std::span<const Target> channels, const VectorXd& log_variance, bool any_sign) {
   const Index n = log_variance.size();
   Projected out;
   out.weights = MatrixXd::Zero(n, static_cast<Index>(channels.size()));
@@ -115,16 +117,15 @@ Projected project(std::span<const Target> channels, const VectorXd& log_variance
     const Eigen::HouseholderQR<MatrixXd> qr(basis);
     const MatrixXd r = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
     const VectorXd rotated = qr.householderQ().transpose() * target.value();
-    const VectorXd w = solve_non_negative(r, rotated.head(n));
+    const VectorXd w = any_sign ? VectorXd(r.colPivHouseholderQr().solve(rotated.head(n))) : solve_non_negative(r, rotated.head(n));
     const VectorXd residual = target.value() - basis * w;
     out.weights.col(static_cast<Index>(c)) = w;
     out.channel_residual2.push_back(residual.squaredNorm());
     out.residual2 += residual.squaredNorm();
-    if (!with_slopes) continue;
     // [K75]: dr/dp_j = -(1 - Q Q^T) dPhi_j w_j, Q spanning the columns in use
     std::vector<Index> used;
     for (Index j = 0; j < n; ++j)
-      if (w[j] > 0) used.push_back(j);
+      if (w[j] != 0) used.push_back(j);
     if (used.empty()) continue;
     const MatrixXd part = basis(Eigen::all, used);
     const Eigen::HouseholderQR<MatrixXd> part_qr(part);

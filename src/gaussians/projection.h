@@ -33,14 +33,14 @@ class Target {
 /// What projection yields at one set of variances.
 struct Projected {
   double residual2 = 0;     // sum over the channels of the squared relative error
-  Eigen::MatrixXd weights;  // terms x channels, >= 0
+  Eigen::MatrixXd weights;  // terms x channels
   std::vector<double> channel_residual2;
-  Eigen::MatrixXd normal;  // J^T J and J^T r by [K75], where asked for
+  Eigen::MatrixXd normal;  // J^T J and J^T r by [K75]
   Eigen::VectorXd gradient;
 };
 
-/// Best non-negative weights for the given log-variances.
-Projected project(std::span<const Target> channels, const Eigen::VectorXd& log_variance, bool with_slopes);
+/// Best weights for the given log-variances; >= 0 unless any sign is allowed. With slopes for the next step of the search.
+Projected project(std::span<const Target> channels, const Eigen::VectorXd& log_variance, bool any_sign);
 
 /// min |A w - b| for w >= 0 [LH74]; A has full column rank or is nearly so, few columns.
 Eigen::VectorXd solve_non_negative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);

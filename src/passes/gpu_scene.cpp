@@ -8,12 +8,14 @@
 #include "image/colour.h"
 #include "image/resize.h"
 #include "shared/gutters_io.h"
+#include "passes/fine_normals.h"
 #include "passes/own_texels.h"
 #include "passes/attenuation.h"
 
 namespace dermis::passes {
 namespace {
 
+constexpr int generated = -1;   // the image number of maps that no file holds
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 io::MapIo map_io(const scene::MapRef& map) {
@@ -165,7 +167,13 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
     material.skin = m.skin;
     material.double_sided = m.double_sided;
     material.alpha_mode = m.alpha_mode;
-    const auto maps = maps_of(m);
+    auto maps = maps_of(m);
+    const gpu::Texture* fine = nullptr;
+    if (const auto normals = fine_normals(scene, materials.size(), skin_meshes)) {
+      maps[MAP_NORMAL] = m.skin_settings.displacement;
+      maps[MAP_NORMAL].scale = 1;
+      fine = &upload_map(library, m.name + " fine normals", *normals, generated, false);
+    }
     const io::MaterialIo constants = material_io(m, maps, settings.mix);
     material.constants = gpu::make_buffer(device, "material " + m.name, std::span(&constants, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     for (int i = 0; i < MAP_COUNT; ++i) {
@@ -176,7 +184,8 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
                                                  .u = address(map.wrap_u),
                                                  .v = address(map.wrap_v),
                                                  .max_anisotropy = map.nearest || device.limits().software ? 1.0f : 8.0f});
-      material.maps[static_cast<std::size_t>(i)] = {map.present() ? &texture(library, scene, map.image, srgb) : &none, sampler};
+      const bool is_fine = i == MAP_NORMAL && fine;
+      material.maps[static_cast<std::size_t>(i)] = {is_fine ? fine : map.present() ? &texture(library, scene, map.image, srgb) : &none, sampler};
     }
     materials.push_back(std::move(material));
   }
@@ -200,12 +209,16 @@ const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene
   for (const Loaded& loaded : textures_)
     if (loaded.image == image && loaded.srgb == srgb) return *loaded.texture;
   const scene::MapImage& map = scene.images[static_cast<std::size_t>(image)];
-  const std::vector<image::Image8> mips = image::mip_chain(*map.pixels, srgb);
+  return upload_map(library, map.name, *map.pixels, image, srgb);
+}
+
+const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const std::string& name, const image::Image8& pixels, int image, bool srgb) {
+  const std::vector<image::Image8> mips = image::mip_chain(pixels, srgb);
   std::vector<std::uint8_t> bytes;
   for (const image::Image8& mip : mips) bytes.insert(bytes.end(), mip.rgba.begin(), mip.rgba.end());
-  auto made = std::make_unique<gpu::Texture>(library.device(), "map " + map.name,
-                                             gpu::TextureDesc{.width = static_cast<std::uint32_t>(map.pixels->width),
-                                                              .height = static_cast<std::uint32_t>(map.pixels->height),
+  auto made = std::make_unique<gpu::Texture>(library.device(), "map " + name,
+                                             gpu::TextureDesc{.width = static_cast<std::uint32_t>(pixels.width),
+                                                              .height = static_cast<std::uint32_t>(pixels.height),
                                                               .mips = static_cast<std::uint32_t>(mips.size()),
                                                               .format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
                                                               .usage = VK_IMAGE_USAGE_SAMPLED_BIT});

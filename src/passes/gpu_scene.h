@@ -69,6 +69,7 @@ class GpuScene {
 
  private:
   const gpu::Texture& texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb);
+  const gpu::Texture& upload_map(gpu::PipelineLibrary& library, const std::string& name, const image::Image8& pixels, int image, bool srgb);
   struct Loaded {
     int image;
     bool srgb;

@@ -5,26 +5,28 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "optics/fresnel.h"
 #include "optics/inversion.h"
+#include "profile/dipole.h"
 
 namespace dermis::profile {
 
-double mean_square_radius_mm2(const RadialProfile& profile) {
-  const double k = 3e-3 / profile.outer_mm();
-  return 4 * (1 - profile.hankel(k) / profile.hankel(0)) / (k * k);
+double half_frequency_per_mm(const RadialProfile& profile) {
+  const double half = profile.hankel(0) / 2;
+  double low = std::log(1e-4 / profile.outer_mm()), high = std::log(1e5 / profile.inner_mm());
+  for (int step = 0; step < 50; ++step) {
+    const double middle = (low + high) / 2;
+    (profile.hankel(std::exp(middle)) > half ? low : high) = middle;
+  }
+  return std::exp(low);
 }
 
 optics::Medium equivalent_medium(const RadialProfile& profile, double eta) {
   const double total = profile.total();
   if (!(total > 0)) throw input_error(profile.name(), "the profile reflects nothing");
-  // Above 1 - 1e-6 the diffuse mean free path diverges and <r^2> with it.
+  // Above 1 - 1e-6 the diffuse mean free path diverges.
   const double albedo = optics::reduced_albedo_from_reflectance(std::min(total, 1 - 1e-6), eta, profile.name());
-  // <r^2> of the dipole with sigma_t' = 1: (2/s) (z_r e^{-s z_r} + z_v e^{-s z_v}) / (e^{-s z_r} + e^{-s z_v})
-  const double s = std::sqrt(3 * (1 - albedo)), z_real = 1, z_image = 1 + 4.0 / 3 * optics::boundary_factor_classical(eta);
-  const double real = std::exp(-s * z_real), image = std::exp(-s * z_image);
-  const double unit = 2 / s * (z_real * real + z_image * image) / (real + image);
-  const double length_mm = std::sqrt(std::max(mean_square_radius_mm2(profile), 1e-18) / unit);
+  const Dipole unit({.sigma_a_per_mm = 1 - albedo, .sigma_s_per_mm = albedo, .g = 0, .eta = eta});  // a mean free path of 1 mm
+  const double length_mm = half_frequency_per_mm(unit) / half_frequency_per_mm(profile);
   return {.sigma_a_per_mm = (1 - albedo) / length_mm, .sigma_s_per_mm = albedo / length_mm, .g = 0, .eta = eta};
 }
 

@@ -8,10 +8,11 @@
 
 namespace dermis::profile {
 
-/// <r^2> = Int r^2 R 2 pi r dr / total [mm^2], from the curvature of R^ at k = 0: R^ = total (1 - k^2 <r^2> / 4 + ...).
-double mean_square_radius_mm2(const RadialProfile& profile);
+/// The k [1/mm] at which R^ has fallen to half of R^(0): one over the typical reach. (A mean square radius would be ruled by the faintest
+/// tail, and is negative where a colour channel subtracts far-reaching wavelengths.)
+double half_frequency_per_mm(const RadialProfile& profile);
 
-/// The medium (g = 0) whose classical dipole has the total and the <r^2> of the profile. Exact for a dipole; else a summary:
+/// The medium (g = 0) whose classical dipole has the total and the half frequency of the profile. Exact for a dipole; else a summary:
 /// its 1/sigma_t' and 1/sigma_tr are what "mean free path" means for a stack. eta 1..3. InputError if the profile is 0 everywhere.
 optics::Medium equivalent_medium(const RadialProfile& profile, double eta);
 

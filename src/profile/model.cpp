@@ -44,8 +44,8 @@ ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, con
       if (medium[c].reduced_albedo() < medium[lowest].reduced_albedo()) lowest = c;
     const double albedo = medium[lowest].reduced_albedo();
     out.model = albedo >= diffusion_albedo ? Model::dipole : Model::monte_carlo;
-    out.reason = fmt::format("the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", albedo, channel_name[lowest],
-                             albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
+    out.reason = fmt::format("model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", albedo,
+                             channel_name[lowest], albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
   for (int c = 0; c < 3; ++c) out.profiles[c] = homogeneous(medium[c], out.model, options);
   return out;
@@ -69,7 +69,7 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
   }
   if (model == Model::automatic) {
     out.model = lowest >= diffusion_albedo ? Model::multipole : Model::monte_carlo;
-    out.reason = fmt::format("the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", lowest, place,
+    out.reason = fmt::format("model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", lowest, place,
                              lowest >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
   for (int c = 0; c < 3; ++c) {

@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "profile/monte_carlo_cache.h"
 #include "profile/photon.h"
+#include "profile/single_rings.h"
 
 namespace dermis::profile {
 namespace {
@@ -59,7 +60,8 @@ double standard_error(double sum, double sum2, double count) {
   return std::sqrt(std::max(0.0, sum2 / count - mean * mean) / count);
 }
 
-MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vector<double>& edges, double photons) {
+MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vector<double>& edges, double photons,
+                        const std::vector<double>& exact) {
   MonteCarloResult result;
   const std::size_t rings = edges.size() - 1;
   std::vector<double> reflected(rings), transmitted(rings), reflected2(rings);
@@ -80,7 +82,11 @@ MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vect
     const double mean = reflected[i] * photons / n;
     result.reflected_error.push_back(std::sqrt(std::max(0.0, reflected2[i] - n * mean * mean) / (n - 1) * n) / photons);
   }
-  result.reflected_total = r / photons, result.reflected_total_error = standard_error(r, r2, photons);
+  for (std::size_t i = 0; i < rings; ++i) {
+    reflected[i] += exact[i];
+    result.reflected_total += exact[i];
+  }
+  result.reflected_total += r / photons, result.reflected_total_error = standard_error(r, r2, photons);
   result.transmitted_total = t / photons, result.transmitted_total_error = standard_error(t, t2, photons);
   result.reflected = Annuli(edges, std::move(reflected));
   result.transmitted = Annuli(edges, std::move(transmitted));
@@ -90,14 +96,17 @@ MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vect
 MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& options) {
   const std::vector<PhotonLayer> layers = prepare(scene);
   const std::vector<double> edges = edges_of(scene);
-  std::vector<PhotonTally> tallies(batches, PhotonTally(edges, layers.size()));
+  PhotonTally empty(edges, layers.size());
+  empty.leave_single_out = single_is_exact(layers, scene.light);
+  std::vector<PhotonTally> tallies(batches, empty);
   parallel_for(batches, [&](std::size_t batch) {
     const std::uint64_t begin = options.photons * batch / batches, end = options.photons * (batch + 1) / batches;
     PhotonTally tally = tallies[batch];  // a copy of its own: neighbours in memory would slow each other down
     for (std::uint64_t photon = begin; photon < end; ++photon) trace_photon(layers, scene.light, PhotonRandom(options.seed, photon), tally);
     tallies[batch] = std::move(tally);
   });
-  return gather(tallies, edges, static_cast<double>(options.photons));
+  const auto exact = empty.leave_single_out ? single_rings(layers, edges) : std::vector<double>(edges.size() - 1, 0.0);
+  return gather(tallies, edges, static_cast<double>(options.photons), exact);
 }
 
 }  // namespace

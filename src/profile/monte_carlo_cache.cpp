@@ -83,7 +83,7 @@ void keep(const std::string& key, const std::shared_ptr<const MonteCarloResult>&
 
 std::string cache_key(const ScatterScene& scene, const MonteCarloOptions& options) {
   std::string key =
-      fmt::format("dermis monte-carlo 1 photons {} seed {} light {}", options.photons, options.seed, static_cast<int>(scene.light));
+      fmt::format("dermis monte-carlo 2 photons {} seed {} light {}", options.photons, options.seed, static_cast<int>(scene.light));
   for (const ScatterLayer& layer : scene.layers) {
     const optics::Medium& m = layer.medium;
     key += fmt::format(" | {:a} {:a} {:a} {:a} {:a}", m.sigma_a_per_mm, m.sigma_s_per_mm, m.g, m.eta, layer.thickness_mm);

@@ -39,6 +39,7 @@ struct Photon {
   double weight = 1;
   std::size_t layer = 0;
   int scatterings = 0;
+  bool turned = false;  // by a boundary
   double reflected = 0, transmitted = 0;
 };
 
@@ -64,16 +65,20 @@ void cross(const std::vector<PhotonLayer>& layers, Photon& photon, PhotonRandom&
     const double radius2 = photon.at.x * photon.at.x + photon.at.y * photon.at.y;
     if (!up && photon.scatterings == 0) {
       tally.ballistic += leaving;
+    } else if (up && photon.scatterings == 1 && !photon.turned && tally.leave_single_out) {
+      // known exactly
     } else {
       (up ? photon.reflected : photon.transmitted) += leaving;
       tally.add(up ? tally.reflected : tally.transmitted, radius2, leaving);
     }
     photon.weight *= reflect;
     photon.to.z = -photon.to.z;
+    photon.turned = true;
     return;
   }
   if (reflect > 0 && random.next() < reflect) {
     photon.to.z = -photon.to.z;
+    photon.turned = true;
     return;
   }
   const double sine_scale = n, z2 = 1 - n * n * (1 - photon.to.z * photon.to.z);

@@ -6,9 +6,9 @@
 namespace dermis::scene::builtin {
 
 Ear::Ear()
-    : helix_({{{-3, -3, 0.5f}, 1.8f},
-              {{-9, 2.5f, 2.0f}, 2.3f},
-              {{-13.5f, 11, 2.4f}, 2.6f},
+    : helix_({{{-1.5f, -2.0f, -2.6f}, 2.4f},
+              {{-8, 2.2f, -0.4f}, 2.8f},
+              {{-13.5f, 11, 2.0f}, 2.8f},
               {{-12.5f, 21, 2.6f}, 2.7f},
               {{-5, 28.5f, 3.2f}, 2.8f},
               {{4.5f, 30, 3.8f}, 2.9f},
@@ -25,7 +25,7 @@ Ear::Ear()
                   {{8.6f, 9.5f, 3.8f}, 3.0f},
                   {{5.2f, 16.5f, 2.6f}, 2.8f},
                   {{2.5f, 22, 1.2f}, 2.2f}}),
-      inferior_crus_({{{8.2f, 9, 4.4f}, 2.4f}, {{3, 11.4f, 3.0f}, 2.2f}, {{-3, 12.6f, 1.6f}, 1.9f}, {{-8, 12.6f, 0.6f}, 1.4f}}),
+      inferior_crus_({{{8.2f, 9, 3.4f}, 2.6f}, {{3, 11.8f, 2.0f}, 2.5f}, {{-3, 13.2f, 0.8f}, 2.3f}, {{-8.5f, 13.2f, 0.2f}, 1.8f}}),
       lobe_rim_({{{9, -18, 2.6f}, 3.0f},
                  {{4.5f, -25.5f, 1.8f}, 3.5f},
                  {{-2, -29, 1.0f}, 3.5f},
@@ -58,9 +58,8 @@ float Ear::add(float f, const vec3& p, Detail detail) const {
   float ear = ellipsoid(q - vec3(1.5f, 3.5f, dish - 0.6f), {17.8f, 28.5f, 4.2f});
   ear = soft_min(ear, ellipsoid(q - vec3(-2.5f, -22.5f, 0.0f), {9.5f, 8.5f, 3.2f}), 3.5f);
   f = soft_min(f, ear, 5.0f);
-  f = soft_max(f, -ellipsoid(q - vec3(-2.8f, -4.2f, 5.0f), {9.6f, 9.8f, 8.2f}), 3.0f);  // bowl, lower part
+  f = soft_max(f, -ellipsoid(q - vec3(-2.8f, -4.2f, 5.0f), {9.2f, 9.6f, 7.4f}), 3.0f);  // bowl, lower part
   f = soft_max(f, -ellipsoid(q - vec3(-1.0f, 6.0f, 5.0f), {8.0f, 5.0f, 5.8f}), 2.6f);   // bowl, upper part
-  f = soft_max(f, -ellipsoid(q - vec3(-7.0f, -6.0f, 2.5f), {3.4f, 4.0f, 4.2f}), 3.0f);  // towards the canal
   f = soft_min(f, helix_(q, far), 2.0f);
   f = soft_min(f, antihelix_(q, far), 2.4f);
   f = soft_min(f, inferior_crus_(q, far), 2.2f);

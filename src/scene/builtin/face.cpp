@@ -9,10 +9,99 @@ namespace {
 const vec3 eye_centre(31.5f, -1.5f, 67.6f);
 const vec3 eye_radii(16.5f, 13.2f, 14.2f);
 
+std::vector<Dab> planes() {
+  return {
+      {{9, 19, 94}, {17, 9, 20}, 1.3f},        // glabella and inner brow
+      {{30, 19, 90}, {21, 8, 20}, 1.0f},       // superciliary ridge
+      {{49, 12, 76}, {12, 11, 18}, 1.0f},      // its outer end
+      {{0, 48, 90}, {34, 20, 30}, 0.8f},       // frontal eminence
+      {{33, 52, 80}, {20, 18, 26}, 1.0f},      //
+      {{15.5f, 5.5f, 79}, {8, 8, 16}, -1.6f},  // inner hollow of the orbit
+      {{45, 8.5f, 74}, {13, 7, 18}, 1.5f},     // soft fold over the outer lid
+      {{30, 11, 80}, {16, 7, 18}, 0.7f},       // and over its middle
+      {{31, -13.5f, 78}, {17, 6, 14}, 0.6f},   // lower lid
+      {{62, 20, 42}, {16, 26, 24}, -1.6f},     // temple
+      {{48, -21, 73}, {20, 13, 22}, 1.9f},     // cheekbone
+      {{62, -17, 50}, {16, 11, 26}, 0.9f},     // its arch
+      {{53, -50, 50}, {18, 22, 30}, -1.8f},    // below it
+      {{30, -33, 82}, {14, 15, 18}, 1.6f},     // front of the cheek
+      {{32, -70, 79}, {9, 10, 16}, 1.3f},      // pad beside the mouth
+      {{26.8f, -71, 83}, {5, 5, 10}, -1.6f},   // corner of the mouth
+      {{0, -87.5f, 92}, {24, 7, 14}, -1.8f},   // fold over the chin
+      {{9, -102, 94}, {13, 11, 16}, 1.6f},     // chin, a pad on each side
+      {{24, -97, 84}, {11, 12, 16}, -0.9f},    // before the pad
+      {{49, -84, 18}, {12, 14, 20}, 1.5f},     // angle of the jaw
+  };
+}
+
+// From the wing of the nose past the mouth, the cheek's edge beside it, and down from the corner of the mouth.
+std::vector<Stroke> folds() {
+  return {
+      {{{16.5f, -38, 92}, {21, -45, 89}, {26, -54, 85}, {30.5f, -64, 80}, {32, -73, 77}}, {8.0f, -1.5f, 0.2f, 0.6f}},
+      {{{19, -33, 88}, {26, -44, 85}, {32, -54, 80}, {37, -65, 75}}, {9.0f, 1.0f, 0.3f, 0.6f}},
+      {{{28, -74, 82}, {30, -82, 79}, {31, -91, 76}}, {5.0f, -0.8f, 0.3f, 0.7f}},
+  };
+}
+
+// Crease of the upper lid and the fold above it, the closed slit, the hollow below, the lower lid's edge.
+std::vector<Stroke> lid_strokes() {
+  return {
+      {upper_crease, {4.2f, -0.8f, 0.25f, 0.45f}},
+      {{{17, 9, 80}, {24, 12.6f, 81}, {33, 13.4f, 81}, {41, 11.6f, 78}, {48, 7, 72}, {53, 1, 66}}, {5.5f, 1.3f, 0.35f, 0.3f}},
+      {lash_line, {2.4f, -0.45f, 0.08f, 0.12f}},
+      {tear_trough, {5.5f, -0.7f, 0.2f, 0.7f}},
+      {lower_crease, {3.2f, -0.35f, 0.3f, 0.4f}},
+  };
+}
+
+// Sharper: the slit, the crease, the edge of the lower lid, fine folds on both.
+std::vector<Stroke> lid_creases() {
+  return {
+      {lash_line, {1.1f, -0.55f, 0.05f, 0.10f}},
+      {upper_crease, {1.8f, -0.70f, 0.2f, 0.4f}},
+      {{{18, -6.6f, 77}, {26, -9.8f, 80}, {33, -10.4f, 80}, {40, -8.6f, 77}, {45, -5.6f, 73}}, {1.6f, 0.12f, 0.2f, 0.3f}},
+      {{{17.5f, 2.8f, 77}, {25, 4.8f, 78}, {34, 5.2f, 78}, {42, 2.4f, 73}}, {0.9f, -0.16f, 0.4f, 0.4f}},
+      {{{20, -15.0f, 77}, {27, -18.2f, 78}, {35, -18.6f, 78}, {42, -16, 75}}, {1.4f, -0.22f, 0.4f, 0.5f}},
+  };
+}
+
+// Around the wing.
+std::vector<Stroke> nose_strokes() {
+  return {
+      {{{9.8f, -35.5f, 106}, {14.2f, -36.0f, 100}, {17.6f, -39.5f, 93}, {17.8f, -44.5f, 90}, {15, -48.4f, 90}}, {3.0f, -1.3f, 0.45f, 0.2f}},
+  };
+}
+
+// The parting, and the philtrum: two ridges and the groove between.
+std::vector<Stroke> mouth_strokes() {
+  return {
+      {mouth_line, {2.8f, -0.6f, 0, 0.15f}},
+      {{{4.6f, -48.5f, 100}, {5.0f, -54, 100}, {5.6f, -59.5f, 102}}, {3.6f, 0.9f, 0.3f, 0}},
+      {{{0, -48.5f, 100}, {0, -54, 100}, {0, -60, 102}}, {4.2f, -1.2f, 0.35f, 0.1f}},
+  };
+}
+
+// The parting's depth, the borders of the red, the middle of the lower lip.
+std::vector<Stroke> mouth_creases() {
+  return {
+      {mouth_line, {1.3f, -0.6f, 0, 0.12f}},
+      {upper_border, {1.3f, 0.34f, 0, 0.3f}},
+      {lower_border, {1.6f, 0.22f, 0, 0.4f}},
+      {{{0, -70, 99}, {0, -74, 99}, {0, -78, 98}}, {2.2f, -0.35f, 0.4f, 0.5f}},
+  };
+}
+
 }  // namespace
 
 Face::Face()
-    : bridge_({{{0, 7, 82.5f}, 6.0f},
+    : planes_(planes()),
+      folds_(folds()),
+      lid_strokes_(lid_strokes()),
+      lid_creases_(lid_creases()),
+      nose_strokes_(nose_strokes()),
+      mouth_strokes_(mouth_strokes()),
+      mouth_creases_(mouth_creases()),
+      bridge_({{{0, 7, 82.5f}, 6.0f},
                {{0, 0, 83.0f}, 5.6f},
                {{0, -9, 88.5f}, 6.0f},
                {{0, -18, 96.2f}, 6.6f},
@@ -43,56 +132,6 @@ Face::Face()
   nostril_.z = glm::normalize(vec3(-0.42f, 0.30f, 0.86f));
   nostril_.x = glm::normalize(glm::cross(vec3(0, 1, 0), nostril_.z));
   nostril_.y = glm::cross(nostril_.z, nostril_.x);
-  planes_ = {
-      {{9, 19, 94}, {17, 9, 20}, 1.3f},    // glabella and inner brow
-      {{30, 19, 90}, {21, 8, 20}, 1.0f},   // superciliary ridge
-      {{49, 12, 76}, {12, 11, 18}, 1.0f},  // its outer end
-      {{0, 48, 90}, {34, 20, 30}, 0.8f},   // frontal eminence
-      {{33, 52, 80}, {20, 18, 26}, 1.0f},
-      {{15.5f, 5.5f, 79}, {8, 8, 16}, -1.6f},  // inner hollow of the orbit
-      {{45, 8.5f, 74}, {13, 7, 18}, 1.5f},     // soft fold over the outer lid {{31, 10.5f, 80}, {18, 7.5f, 18}, 1.5f},   // and over its
-                                               // middle {{31, -13.5f, 78}, {17, 5.5f, 14}, 1.0f},    // lower lid
-      {{62, 20, 42}, {16, 26, 24}, -1.6f},     // temple
-      {{48, -21, 73}, {20, 13, 22}, 1.9f},     // cheekbone
-      {{62, -17, 50}, {16, 11, 26}, 0.9f},     // its arch
-      {{53, -50, 50}, {18, 22, 30}, -1.8f},    // below it
-      {{30, -33, 82}, {14, 15, 18}, 1.6f},     // front of the cheek
-      {{32, -70, 79}, {9, 10, 16}, 1.3f},      // pad beside the mouth
-      {{26.8f, -71, 83}, {5, 5, 10}, -1.6f},   // corner of the mouth
-      {{0, -87.5f, 92}, {24, 7, 14}, -1.8f},   // fold over the chin
-      {{9, -102, 94}, {13, 11, 16}, 1.6f},     // chin, a pad on each side
-      {{24, -97, 84}, {11, 12, 16}, -0.9f},    // before the pad
-      {{49, -84, 18}, {12, 14, 20}, 1.5f},     // angle of the jaw
-  };
-  folds_.emplace_back(std::vector<vec3>{{16.5f, -38, 92}, {21, -45, 89}, {26, -54, 85}, {30.5f, -64, 80}, {32, -73, 77}},
-                      Stroke::Brush{8.0f, -1.5f, 0.2f, 0.6f});
-  folds_.emplace_back(std::vector<vec3>{{19, -33, 88}, {26, -44, 85}, {32, -54, 80}, {37, -65, 75}}, Stroke::Brush{9.0f, 1.0f, 0.3f, 0.6f});
-  folds_.emplace_back(std::vector<vec3>{{28, -74, 82}, {30, -82, 79}, {31, -91, 76}}, Stroke::Brush{5.0f, -0.8f, 0.3f, 0.7f});
-  lid_strokes_.emplace_back(upper_crease, Stroke::Brush{4.2f, -1.0f, 0.25f, 0.45f});
-  lid_strokes_.emplace_back(std::vector<vec3>{{17, 9, 80}, {24, 12.6f, 81}, {33, 13.4f, 81}, {41, 11.6f, 78}, {48, 7, 72}, {53, 1, 66}},
-                            Stroke::Brush{5.5f, 1.3f, 0.35f, 0.3f});
-  lid_strokes_.emplace_back(lash_line, Stroke::Brush{2.4f, -0.45f, 0.08f, 0.12f});
-  lid_strokes_.emplace_back(tear_trough, Stroke::Brush{5.5f, -0.7f, 0.2f, 0.7f});
-  lid_strokes_.emplace_back(lower_crease, Stroke::Brush{3.2f, -0.35f, 0.3f, 0.4f});
-  lid_creases_.emplace_back(lash_line, Stroke::Brush{1.1f, -0.55f, 0.05f, 0.10f});
-  lid_creases_.emplace_back(upper_crease, Stroke::Brush{1.3f, -0.55f, 0.2f, 0.4f});
-  lid_creases_.emplace_back(std::vector<vec3>{{18, -6.6f, 77}, {26, -9.8f, 80}, {33, -10.4f, 80}, {40, -8.6f, 77}, {45, -5.6f, 73}},
-                            Stroke::Brush{1.6f, 0.12f, 0.2f, 0.3f});
-  lid_creases_.emplace_back(std::vector<vec3>{{17.5f, 2.8f, 77}, {25, 4.8f, 78}, {34, 5.2f, 78}, {42, 2.4f, 73}},
-                            Stroke::Brush{0.9f, -0.16f, 0.4f, 0.4f});
-  lid_creases_.emplace_back(std::vector<vec3>{{20, -15.0f, 77}, {27, -18.2f, 78}, {35, -18.6f, 78}, {42, -16, 75}},
-                            Stroke::Brush{1.4f, -0.22f, 0.4f, 0.5f});
-  nose_strokes_.emplace_back(
-      std::vector<vec3>{{9.8f, -35.5f, 106}, {14.2f, -36.0f, 100}, {17.6f, -39.5f, 93}, {17.8f, -44.5f, 90}, {15, -48.4f, 90}},
-      Stroke::Brush{3.0f, -1.3f, 0.45f, 0.2f});
-  mouth_strokes_.emplace_back(mouth_line, Stroke::Brush{2.8f, -0.6f, 0, 0.15f});
-  mouth_strokes_.emplace_back(std::vector<vec3>{{4.6f, -48.5f, 100}, {5.0f, -54, 100}, {5.6f, -59.5f, 102}},
-                              Stroke::Brush{3.6f, 0.9f, 0.3f, 0});
-  mouth_strokes_.emplace_back(std::vector<vec3>{{0, -48.5f, 100}, {0, -54, 100}, {0, -60, 102}}, Stroke::Brush{4.2f, -1.2f, 0.35f, 0.1f});
-  mouth_creases_.emplace_back(mouth_line, Stroke::Brush{1.3f, -0.6f, 0, 0.12f});
-  mouth_creases_.emplace_back(upper_border, Stroke::Brush{1.3f, 0.34f, 0, 0.3f});
-  mouth_creases_.emplace_back(lower_border, Stroke::Brush{1.6f, 0.22f, 0, 0.4f});
-  mouth_creases_.emplace_back(std::vector<vec3>{{0, -70, 99}, {0, -74, 99}, {0, -78, 98}}, Stroke::Brush{2.2f, -0.35f, 0.4f, 0.5f});
 }
 
 float Face::add_planes(float f, const vec3& p) const {
@@ -104,7 +143,7 @@ float Face::add_planes(float f, const vec3& p) const {
 float Face::add_eye(float f, const vec3& p, Detail detail) const {
   const vec3 d = p - eye_centre;
   if (std::abs(d.x) > 32 || std::abs(d.y) > 30 || d.z < -22) return f;
-  f = soft_min(f, ellipsoid(eye_.to_local(p), eye_radii), 6.0f);
+  f = soft_min(f, ellipsoid(eye_.to_local(p), eye_radii), 5.0f);
   for (const Stroke& s : lid_strokes_) f -= s(p);
   if (detail == Detail::fine) {
     for (const Stroke& s : lid_creases_) f -= s(p);
@@ -114,8 +153,8 @@ float Face::add_eye(float f, const vec3& p, Detail detail) const {
 
 float Face::add_nose(float f, const vec3& p, Detail detail) const {
   if (p.x > 36 || p.y > 28 || p.y < -66 || p.z < 60) return f;
-  f = soft_min(f, nose_core_(p, 40), 9);
-  f = soft_min(f, bridge_(p, 40), 7.5f);
+  f = soft_min(f, nose_core_(p, 40), 7);
+  f = soft_min(f, bridge_(p, 40), 6.5f);
   f = soft_min(f, ellipsoid(p - vec3(2.5f, -37.0f, 106.2f), {8.4f, 8.4f, 10.0f}), 9.0f);
   f = soft_min(f, ala_(p, 40), 3.6f);
   f = soft_min(f, columella_(p, 40), 3.0f);
@@ -140,7 +179,9 @@ float Face::add(float f, const vec3& p, Detail detail) const {
   f = add_planes(f, p);
   f = add_eye(f, p, detail);
   f = add_mouth(f, p, detail);
-  return add_nose(f, p, detail);
+  f = add_nose(f, p, detail);
+  // The fillets between eye and nose have filled the inner corner.
+  return f - Dab{{15.5f, -1.5f, 81}, {9.5f, 12, 16}, -2.1f}(p);
 }
 
 }  // namespace dermis::scene::builtin

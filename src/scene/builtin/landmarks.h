@@ -18,7 +18,7 @@ inline const std::vector<vec3> lower_crease = {{17, -8.0f, 75},  {22, -12.0f, 76
 inline const std::vector<vec3> tear_trough = {{14.5f, -5.5f, 76}, {18, -13, 77}, {24, -19, 78}, {32, -23, 79}};
 
 inline const std::vector<vec3> mouth_line = {{0, -68.6f, 98},  {4, -67.9f, 98},  {9, -67.6f, 97},
-                                             {15, -68.5f, 94}, {21, -69.2f, 89}, {26, -70.2f, 84}};
+                                             {15, -68.5f, 94}, {21, -69.2f, 89}, {26, -69.8f, 84}};
 inline const std::vector<vec3> upper_border = {{0, -61.6f, 101}, {3, -60.4f, 101}, {5.5f, -60.0f, 101}, {10, -61.6f, 99},
                                                {16, -64.4f, 95}, {22, -67.6f, 89}, {26, -69.8f, 84}};
 inline const std::vector<vec3> lower_border = {{0, -78.6f, 98}, {6, -78.4f, 98}, {12, -77.0f, 96}, {18, -74.4f, 92}, {24, -71.4f, 87}};

@@ -24,17 +24,10 @@ float Sculpture::uncut(const vec3& p, Detail detail) const {
   return ear_.add(f, q, detail);
 }
 
-vec3 Sculpture::gradient(const vec3& p, Detail detail, float h) const {
-  // The four corners of a tetrahedron: central differences with four samples.
-  const float a = field(p + vec3(h, -h, -h), detail), b = field(p + vec3(-h, -h, h), detail);
-  const float c = field(p + vec3(-h, h, -h), detail), d = field(p + vec3(h, h, h), detail);
-  return vec3(a - b - c + d, -a - b + c + d, -a + b - c + d) / (4.0f * h);
-}
-
 vec3 Sculpture::project(vec3& p, Detail detail, float step_mm, int steps) const {
   vec3 g(0, 0, 1);
   for (int i = 0; i < steps; ++i) {
-    // The mean of the tetrahedron's corners is the field at its centre, so that one step costs four samples.
+    // Gradient from the corners of a tetrahedron; their mean is the field at its centre, so that one step costs four samples.
     const float h = step_mm;
     const float a = field(p + vec3(h, -h, -h), detail), b = field(p + vec3(-h, -h, h), detail);
     const float c = field(p + vec3(-h, h, -h), detail), d = field(p + vec3(h, h, h), detail);

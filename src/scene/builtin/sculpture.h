@@ -61,8 +61,6 @@ class Sculpture {
   float field(const vec3& p, Detail detail) const;
   /// The same as if shoulders went on below the cut.
   float uncut(const vec3& p, Detail detail) const;
-  /// Central differences over `step`; not normalised.
-  vec3 gradient(const vec3& p, Detail detail, float step_mm) const;
   /// Onto the surface along the gradient, `steps` Newton steps; returns the unit normal of the last one.
   vec3 project(vec3& p, Detail detail, float step_mm, int steps) const;
   const Frame& ear_frame() const { return ear_.frame(); }
@@ -77,6 +75,6 @@ class Sculpture {
 /// The small asymmetry every face has: moves a point of the bust to where it would be on the symmetric one.
 vec3 to_symmetric(const vec3& p);
 /// |x| without its crease.
-inline float mirrored(float x) { return std::sqrt(x * x + 0.36f) - 0.0f; }
+inline float mirrored(float x) { return std::sqrt(x * x + 0.36f); }
 
 }  // namespace dermis::scene::builtin

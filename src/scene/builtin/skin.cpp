@@ -158,11 +158,11 @@ float Skin::relief_mm(const vec3& p, const Region& r) const {
   const float oily = std::min(1.0f, r.nose + 0.8f * r.nose_tip + 0.55f * r.cheek + 0.45f * r.forehead + 0.4f * r.chin);
   const Cell pore = cells(p * 0.78f, 101);
   const float radius = 0.16f + 0.10f * unit(pore.id);
-  float h = -bare * (0.018f + 0.040f * oily) * (0.4f + 0.6f * unit(pore.id * 668265263u)) *
+  float h = -bare * (0.024f + 0.062f * oily) * (0.4f + 0.6f * unit(pore.id * 668265263u)) *
             (1 - smooth_step(0.3f * radius, 1.5f * radius, pore.nearest));
   // The net of fine furrows between them, and the softer unevenness of skin.
   const Cell net = cells(p * 1.15f + 0.35f * gradient_noise(p * 0.6f, 107), 103);
-  h -= 0.012f * (1 - r.lips) * (1 - smooth_step(0.02f, 0.22f, net.second - net.nearest));
+  h -= 0.016f * (1 - r.lips) * (1 - smooth_step(0.02f, 0.22f, net.second - net.nearest));
   h += 0.030f * gradient_noise(p * 0.35f, 109) * (1 - r.lips) + 0.010f * gradient_noise(p * 1.6f, 113);
   if (r.lips > 0) {
     // Vertical furrows, crowded in the middle, fanning out.

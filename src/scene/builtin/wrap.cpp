@@ -22,8 +22,9 @@ float pull(const vec3& p, const Frame& ear) {
   const vec3 m(std::abs(p.x), p.y, p.z);
   const vec3 e = (vec3(m.x, m.y, m.z) - ear.origin) / vec3(20, 36, 30);
   float w = 0.45f + 0.55f * near({0, -30, 95}, {62, 75, 55}) + 0.22f * near({0, 42, 90}, {60, 38, 60});
-  w += 1.9f * near({31, -1, 78}, {22, 16, 30}) + 1.5f * near({0, -69, 97}, {31, 16, 30}) + 2.6f * near({0, -38, 108}, {23, 20, 34});
-  w += 1.7f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
+  w += 2.6f * near({31, -1, 78}, {23, 17, 30}) + 1.1f * near({0, -69, 97}, {31, 16, 30}) + 2.0f * near({0, -38, 108}, {23, 20, 34}) +
+       0.45f * near({50, -30, 66}, {26, 30, 34});
+  w += 1.2f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
   // Averaging thins the net on a sharp ridge, so the rim of the ear pulls more.
   const vec3 local = ear.to_local(m);
   const float ring = (glm::length(vec2(local.x - 1.5f, local.y - 1.0f) / vec2(18.0f, 31.0f)) - 1.0f) / 0.16f,
@@ -51,13 +52,28 @@ void lay_cap(Net& net) {
   for (int i = 0; i < net.columns; ++i) middle += net.at_mm[net.index(i, rim_row)] / static_cast<float>(net.columns);
   for (int i = 0; i <= net.columns; ++i) {
     const vec3 rim = net.at_mm[net.index(i, rim_row)];
-    vec3 line = middle + 0.75f * (0.5f * (rim + net.at_mm[net.index(net.columns - i, rim_row)]) - middle);
+    // Evenly from behind to the front, the same for both halves.
+    const float along = static_cast<float>(std::min(i, net.columns - i)) / (0.5f * static_cast<float>(net.columns));
+    const vec3 spine = glm::mix(net.at_mm[net.index(0, rim_row)], net.at_mm[net.index(net.columns / 2, rim_row)], along);
+    vec3 line = middle + 0.75f * (spine - middle);
     line.y = Sculpture::cut_mm;
     for (int j = 0; j < rim_row; ++j) {
       const float inwards = 1.0f - static_cast<float>(j) / static_cast<float>(rim_row);
       vec3& p = net.at_mm[net.index(i, j)];
       p = glm::mix(rim, line, inwards * std::sqrt(inwards));
       p.y = Sculpture::cut_mm;
+    }
+  }
+}
+
+// The net tends to draw together on one side of the face at the other's expense; as long as it is coarse its halves are made equal.
+void balance_halves(Net& net) {
+  for (int j = 0; j <= net.rows; ++j) {
+    for (int i = 0; i <= net.columns / 2; ++i) {
+      vec3 &left = net.at_mm[net.index(net.columns - i, j)], &right = net.at_mm[net.index(i, j)];
+      const vec3 mean = 0.5f * (left + vec3(-right.x, right.y, right.z));
+      left = mean;
+      right = {-mean.x, mean.y, mean.z};
     }
   }
 }
@@ -160,9 +176,15 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
           next[self] = p;
           continue;
         }
+        if (j == rim_row) {
+          p = glm::mix(p, balance(net, weight, i, j), 0.4f);
+          if (2 * i % net.columns == 0) p.x = 0;
+          next[self] = to_rim(bust, p);
+          continue;
+        }
         vec3 step = 0.4f * (balance(net, weight, i, j) - p);
         step -= net.normal[self] * glm::dot(net.normal[self], step);
-        if (i % net.columns == 0 || j == net.rows || (j == rim_row && 2 * i == net.columns)) step.x = -p.x;
+        if (i % net.columns == 0 || j == net.rows) step.x = -p.x;
         if (j == net.rows && i == net.columns / 2) step = seam_end - p;
         p += step;
         const vec3 side = facing(net, i, j);
@@ -174,12 +196,12 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
         // Where the net has folded or slipped to the other side it is let off the surface until it is smooth again.
         if (round + 3 < rounds && glm::dot(n, side) < 0.25f) p = glm::mix(before, balance(net, weight, i, j), 0.7f);
         net.normal[self] = n;
-        if (j == rim_row) p = to_rim(bust, p);
         next[self] = p;
       }
     });
     std::swap(net.at_mm, next);
     lay_cap(net);
+    if (eps_mm > 1.0f) balance_halves(net);
     close_seam(net);
   }
 }

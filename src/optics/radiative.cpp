@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "optics/radiative.h"
+
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+#include "optics/fresnel.h"
+#include "optics/quadrature.h"
+
+namespace dermis::optics {
+namespace {
+
+/// Gauss-Radau rule on [low, 1] with a node at 1, so that the perpendicular beam is one of the directions.
+template <int n>
+std::array<Node, n> radau_to_one(double low) {
+  std::array<Node, n> rule;
+  for (int i = 0; i < n; ++i) {
+    double x = -std::cos(2 * std::numbers::pi * i / (2 * n - 1)), p0 = 1, p1 = x;
+    for (int step = 0; step < 60; ++step) {  // roots of P_{n-1} + P_n; -1 is one of them
+      p0 = 1, p1 = x;
+      for (int k = 2; k <= n; ++k) {
+        const double p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;
+        p0 = p1, p1 = p2;
+      }
+      if (i == 0) break;
+      const double change = (1 - x) / n * (p0 + p1) / (p0 - p1);
+      x -= change;
+      if (std::abs(change) < 1e-15) break;
+    }
+    const double weight = i == 0 ? 2.0 / (n * n) : (1 - x) / (n * n * p0 * p0);
+    rule[i] = {1 - (1 - low) * (x + 1) / 2, weight * (1 - low) / 2};  // mirrored: -1 becomes 1
+  }
+  return rule;
+}
+
+/// The method with 2 half_count directions.
+template <int half_count>
+struct AddingDoubling {
+  static constexpr int directions = 2 * half_count;
+  using Matrix = Eigen::Matrix<double, directions, directions>;
+  using Vector = Eigen::Matrix<double, directions, 1>;
+
+  /// Directions inside a medium of index n: those past the critical angle, and those that can leave. The last is perpendicular.
+  struct Directions {
+    Vector mu, weight, surface;  // surface: internal reflectance
+  };
+
+  static Directions directions_of(double eta) {
+    Directions d;
+    const double critical = eta > 1 ? std::sqrt(1 - 1 / (eta * eta)) : 0.3;  // without one, any split serves
+    const auto inner = gauss_legendre(half_count, 0, critical);
+    const auto outer = radau_to_one<half_count>(critical);
+    for (int i = 0; i < half_count; ++i) {
+      d.mu[i] = inner[i].x, d.weight[i] = inner[i].weight;
+      d.mu[directions - 1 - i] = outer[i].x, d.weight[directions - 1 - i] = outer[i].weight;
+    }
+    for (int i = 0; i < directions; ++i) d.surface[i] = eta == 1 ? 0 : fresnel(d.mu[i], eta);
+    return d;
+  }
+
+  /// What a slab does to intensities: out = R in (same side), out = T in (other side). Homogeneous, so both sides are alike.
+  struct SlabMatrices {
+    Matrix reflect, transmit;
+  };
+
+  /// A slab so thin that the mean of its two faces stands for its inside ([PGW93] "diamond"): second order in its depth.
+  static SlabMatrices thin_slab(const Directions& d, double albedo, double depth) {
+    const Vector scale = (depth / 2) * d.mu.cwiseInverse();
+    const Matrix gain = scale * (albedo / 2) * d.weight.transpose();
+    const Matrix loss = Matrix(scale.asDiagonal()) - gain;
+    const Matrix inverse = (Matrix::Identity() + loss).inverse();
+    const Matrix forward = inverse * (Matrix::Identity() - loss), back = inverse * gain;  // T = forward + back R, R = back (1 + T)
+    SlabMatrices slab;
+    slab.reflect = (Matrix::Identity() - back * back).partialPivLu().solve(back * (Matrix::Identity() + forward));
+    slab.transmit = forward + back * slab.reflect;
+    return slab;
+  }
+
+  static void double_slab(SlabMatrices& slab) {
+    const Matrix bounce = (Matrix::Identity() - slab.reflect * slab.reflect).partialPivLu().solve(slab.transmit);
+    slab.reflect += slab.transmit * slab.reflect * bounce;
+    slab.transmit = (slab.transmit * bounce).eval();
+  }
+
+  static SlabMatrices make_slab(const Directions& d, const Layer& layer) {
+    const Medium medium = layer.medium();
+    const double albedo = medium.reduced_albedo();
+    constexpr double thin = 1e-3;
+    if (std::isfinite(layer.thickness_mm)) {
+      const double depth = layer.thickness_mm * medium.sigma_t_reduced_per_mm();
+      const int doublings = std::max(0, static_cast<int>(std::ceil(std::log2(depth / thin))));
+      SlabMatrices slab = thin_slab(d, albedo, std::ldexp(depth, -doublings));
+      for (int i = 0; i < doublings; ++i) double_slab(slab);
+      return slab;
+    }
+    SlabMatrices slab = thin_slab(d, albedo, thin);
+    for (int i = 0; i < 50 && slab.transmit.cwiseAbs().maxCoeff() > 1e-9; ++i) double_slab(slab);
+    return slab;
+  }
+
+  static Totals solve(const Layers& layers, const std::string& where) {
+    check(layers, where);
+    for (const Layer& layer : layers)
+      if (layer.eta != layers[0].eta)
+        throw input_error(where, "adding-doubling wants one index for all layers, got {} and {}", layers[0].eta, layer.eta);
+    const Directions d = directions_of(layers[0].eta);
+    // From the bottom: `below` reflects what comes down; `through` carries it out of the last face (per unit arriving at the present top).
+    Matrix below = d.surface.asDiagonal(), through = Matrix::Identity();
+    for (std::size_t i = layers.size(); i-- > 0;) {
+      const SlabMatrices slab = make_slab(d, layers[i]);
+      const Matrix bounce = (Matrix::Identity() - slab.reflect * below).partialPivLu().solve(slab.transmit);  // arriving at `below`
+      through = (through * bounce).eval();
+      below = (slab.reflect + slab.transmit * below * bounce).eval();
+    }
+    // Light inside the surface: what entered plus what the surface throws back.
+    Vector entered = Vector::Zero();
+    entered[directions - 1] = 1 / (d.mu[directions - 1] * d.weight[directions - 1]);  // unit flux
+    const Vector down = (Matrix::Identity() - d.surface.asDiagonal() * below).partialPivLu().solve(entered);
+    const Vector leaves = d.mu.cwiseProduct(d.weight).cwiseProduct(Vector::Ones() - d.surface);
+    return {leaves.dot(below * down), leaves.dot(through * down)};
+  }
+};
+
+}  // namespace
+
+Totals adding_doubling(const Layers& layers, const std::string& where) { return AddingDoubling<8>::solve(layers, where); }
+Totals adding_doubling_coarse(const Layers& layers, const std::string& where) { return AddingDoubling<4>::solve(layers, where); }
+
+namespace {
+
+struct HFunction {
+  std::vector<Node> rule;
+  std::vector<double> h;
+};
+
+HFunction solve_h(double albedo) {
+  HFunction out{gauss_legendre(200, 0, 1), {}};
+  out.h.assign(out.rule.size(), 1.0);
+  const double root = std::sqrt(1 - albedo);
+  for (int step = 0; step < 20000; ++step) {
+    double change = 0;
+    std::vector<double> next(out.h.size());
+    for (std::size_t i = 0; i < out.h.size(); ++i) {
+      double sum = 0;
+      for (std::size_t j = 0; j < out.h.size(); ++j) sum += out.rule[j].weight * out.rule[j].x * out.h[j] / (out.rule[i].x + out.rule[j].x);
+      next[i] = (1 / (root + albedo / 2 * sum) + out.h[i]) / 2;  // the mean: plain substitution swings without absorption
+      change = std::max(change, std::abs(next[i] - out.h[i]));
+    }
+    out.h = std::move(next);
+    if (change < 1e-12) break;
+  }
+  return out;
+}
+
+}  // namespace
+
+double chandrasekhar_h(double albedo, double mu) {
+  const HFunction f = solve_h(albedo);
+  double sum = 0;
+  for (std::size_t j = 0; j < f.h.size(); ++j) sum += f.rule[j].weight * f.rule[j].x * f.h[j] / (mu + f.rule[j].x);
+  return 1 / (std::sqrt(1 - albedo) + albedo / 2 * sum);
+}
+
+double exact_reflectance_perpendicular(double albedo) { return 1 - std::sqrt(1 - albedo) * chandrasekhar_h(albedo, 1); }
+
+double exact_reflectance_diffuse(double albedo) {
+  const HFunction f = solve_h(albedo);
+  double sum = 0;
+  for (std::size_t j = 0; j < f.h.size(); ++j) sum += f.rule[j].weight * f.rule[j].x * f.h[j];
+  return 1 - 2 * std::sqrt(1 - albedo) * sum;
+}
+
+}  // namespace dermis::optics

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "optics/skin.h"
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+
+#include "core/assert.h"
+#include "core/error.h"
+#include "optics/fresnel.h"
+
+namespace dermis::optics {
+namespace {
+
+struct HaemoglobinRow {
+  double nm, oxy, deoxy;
+};
+constexpr HaemoglobinRow haemoglobin[] = {
+#include "optics/haemoglobin.inc"
+};
+
+/// Straight lines between samples.
+double extinction(double nm, double HaemoglobinRow::*column) {
+  DERMIS_ASSERT(nm >= haemoglobin[0].nm && nm <= std::end(haemoglobin)[-1].nm);
+  const double step = haemoglobin[1].nm - haemoglobin[0].nm, position = (nm - haemoglobin[0].nm) / step;
+  const std::size_t i = std::min(static_cast<std::size_t>(position), std::size(haemoglobin) - 2);
+  const double part = position - static_cast<double>(i);
+  return haemoglobin[i].*column * (1 - part) + haemoglobin[i + 1].*column * part;
+}
+
+constexpr double grams_per_litre = 150, grams_per_mol = 64500, per_cm_to_per_mm = 0.1;
+
+double blood_per_mm(double extinction_per_cm_molar) {
+  return std::numbers::ln10 * extinction_per_cm_molar * grams_per_litre / grams_per_mol * per_cm_to_per_mm;
+}
+
+void check_range(const std::string& where, const char* name, double value, double low, double high) {
+  if (!(value >= low && value <= high)) throw input_error(where, "{} must be {} to {}, got {}", name, low, high, value);
+}
+
+}  // namespace
+
+void check(const Skin& skin, const std::string& where) {
+  check_range(where, "melanin", skin.melanin, 0, 0.5);
+  check_range(where, "blend", skin.blend, 0, 1);
+  check_range(where, "hemoglobin", skin.haemoglobin, 0, 0.1);
+  check_range(where, "oxygenation", skin.oxygenation, 0, 1);
+  check_range(where, "oiliness", skin.oiliness, 0, 1);
+  check_range(where, "epidermis (mm)", skin.epidermis_mm, 0.01, 2);
+  check_range(where, "eta", skin.eta, 1, 2);
+}
+
+double eumelanin_per_mm(double nm) { return 6.6e10 * std::pow(nm, -3.33); }
+double pheomelanin_per_mm(double nm) { return 2.9e14 * std::pow(nm, -4.75); }
+double baseline_per_mm(double nm) { return 0.0244 + 8.53 * std::exp(-(nm - 154) / 66.2); }
+double oxyhaemoglobin_per_mm(double nm) { return blood_per_mm(extinction(nm, &HaemoglobinRow::oxy)); }
+double deoxyhaemoglobin_per_mm(double nm) { return blood_per_mm(extinction(nm, &HaemoglobinRow::deoxy)); }
+double skin_scattering_per_mm(double nm) { return 14.74 * std::pow(nm, -0.22) + 2.2e11 * std::pow(nm, -4); }
+
+Layers skin_layers(const Skin& skin, double nm) {
+  const double base = baseline_per_mm(nm), scattering = skin_scattering_per_mm(nm);
+  const double melanin = skin.blend * eumelanin_per_mm(nm) + (1 - skin.blend) * pheomelanin_per_mm(nm);
+  const double blood = skin.oxygenation * oxyhaemoglobin_per_mm(nm) + (1 - skin.oxygenation) * deoxyhaemoglobin_per_mm(nm);
+  const Layer epidermis{.sigma_a_per_mm = skin.melanin * melanin + (1 - skin.melanin) * base,
+                        .sigma_s_reduced_per_mm = scattering,
+                        .eta = skin.eta,
+                        .thickness_mm = skin.epidermis_mm};
+  const Layer dermis{.sigma_a_per_mm = skin.haemoglobin * blood + (1 - skin.haemoglobin) * base,
+                     .sigma_s_reduced_per_mm = 0.5 * scattering,
+                     .eta = skin.eta,
+                     .thickness_mm = std::numeric_limits<double>::infinity()};
+  return {epidermis, dermis};
+}
+
+double entering_part(const Skin& skin) { return 1 - skin.oiliness * fresnel_moment_2c1(1 / skin.eta); }
+
+}  // namespace dermis::optics

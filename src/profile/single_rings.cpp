@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "profile/single_rings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "optics/fresnel.h"
+#include "optics/quadrature.h"
+
+namespace dermis::profile {
+namespace {
+
+using std::numbers::pi;
+
+/// What a scattering at depth t with optical depth tau adds to every ring, times `weight`.
+void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, const PhotonLayer& layer, double t, double tau,
+               double weight) {
+  static const std::vector<optics::Node> rule = optics::gauss_legendre(6, 0, 1);
+  const double critical = layer.eta > 1 ? std::sqrt(1 - 1 / (layer.eta * layer.eta)) : 0;
+  double high = 1;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const double low = std::max(t / std::hypot(t, edges_mm[i + 1]), critical);
+    if (low >= high) break;  // past the escape cone
+    double sum = 0;
+    for (const optics::Node& node : rule) {
+      // squares: near the critical angle 1 - F starts like a square root
+      const double mu = low + (high - low) * node.x * node.x;
+      const double turn = 1 + layer.g * layer.g + 2 * layer.g * mu;
+      const double phase = (1 - layer.g * layer.g) / (4 * pi * turn * std::sqrt(turn));
+      sum += node.weight * 2 * node.x * phase * std::exp(-tau / mu) * (1 - optics::fresnel(mu, layer.eta));
+    }
+    rings[i] += weight * 2 * pi * (high - low) * sum;
+    high = low;
+  }
+}
+
+}  // namespace
+
+bool single_is_exact(const std::vector<PhotonLayer>& layers, ScatterScene::Light light) {
+  return light == ScatterScene::Light::perpendicular &&
+         std::all_of(layers.begin(), layers.end(), [&](const PhotonLayer& layer) { return layer.eta == layers[0].eta; });
+}
+
+std::vector<double> single_rings(const std::vector<PhotonLayer>& layers, const std::vector<double>& edges_mm) {
+  std::vector<double> rings(edges_mm.size() - 1, 0.0);
+  double tau_above = 0;
+  for (const PhotonLayer& layer : layers) {
+    const double sigma_s = layer.albedo * layer.sigma_t_per_mm;
+    const double bottom = std::min(layer.bottom_mm, layer.top_mm + 40 / layer.sigma_t_per_mm);
+    const double start = std::max(layer.top_mm, 1e-7 / layer.sigma_t_per_mm);
+    if (bottom > start) {
+      for (const optics::Node& node : optics::gauss_legendre(160, std::log(start), std::log(bottom))) {
+        const double t = std::exp(node.x), tau = tau_above + (t - layer.top_mm) * layer.sigma_t_per_mm;
+        add_depth(rings, edges_mm, layer, t, tau, sigma_s * std::exp(-tau) * t * node.weight);
+      }
+    }
+    tau_above += (layer.bottom_mm - layer.top_mm) * layer.sigma_t_per_mm;
+    if (tau_above > 40) break;
+  }
+  return rings;
+}
+
+}  // namespace dermis::profile

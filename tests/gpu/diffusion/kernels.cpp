@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "passes/blur/kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dermis::passes {
+namespace {
+
+double sum(const HalfKernel& k) {
+  double s = k[0];
+  for (std::size_t i = 1; i < k.size(); ++i) s += 2 * k[i];
+  return s;
+}
+
+TEST(Kernels, WeightsSumToOneAndVarianceIsExact) {
+  for (double sigma = 0; sigma <= kernel_max_sigma; sigma += 0.05) {
+    EXPECT_NEAR(sum(discrete_gaussian(sigma)), 1, 1e-12);
+    EXPECT_NEAR(variance(discrete_gaussian(sigma)), sigma * sigma, 1e-6);
+    EXPECT_NEAR(sum(texel_averaged_gaussian(sigma)), 1, 1e-12);
+  }
+}
+
+// The mean over the first dark texel of an edge's Phi: sigma (phi(0) - phi(1/sigma)) - Phi(-1/sigma) ... as an integral.
+TEST(Kernels, AveragedKernelMatchesAnEdgeOnTexelBorders) {
+  for (const double sigma : {0.1, 0.32, 0.88, 1.7}) {
+    const HalfKernel k = texel_averaged_gaussian(sigma);
+    double leak = 0;
+    for (std::size_t i = 1; i < k.size(); ++i) leak += k[i];
+    double wanted = 0;
+    constexpr int n = 20000;
+    for (int i = 0; i < n; ++i) wanted += 0.5 * std::erfc((i + 0.5) / n / sigma / std::sqrt(2.0)) / n;
+    EXPECT_NEAR(leak, wanted, 2e-4) << sigma;
+  }
+}
+
+TEST(Kernels, TableRowsAreWhatTheShaderReads) {
+  const std::vector<float> table = kernel_table();
+  ASSERT_EQ(table.size(), 2u * kernel_rows * (kernel_radius + 2));
+  const std::size_t row = 64, floats = kernel_radius + 2;   // sigma 1
+  const HalfKernel k = discrete_gaussian(1);
+  for (std::size_t i = 0; i <= kernel_radius; ++i) EXPECT_NEAR(table[row * floats + i], k[i], 1e-6);
+  EXPECT_NEAR(table[row * floats + kernel_radius + 1], 1, 1e-5);
+}
+
+}  // namespace
+}  // namespace dermis::passes

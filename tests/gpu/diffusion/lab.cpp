@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "lab.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "dermis/error.h"
+#include "frame/executor.h"
+#include "gpu/device.h"
+#include "image/colour.h"
+#include "passes/bindings.h"
+#include "passes/blur/blur.h"
+#include "passes/frame_data.h"
+#include "passes/gutters/gutters.h"
+#include "passes/shaders.h"
+#include "passes/stretch/stretch.h"
+#include "scene/unwrap.h"
+
+namespace dermis::test_diffusion {
+std::span<const std::uint32_t> find_shader(std::string_view name);
+}
+
+namespace dermis::lab {
+namespace {
+
+/// Stands where the irradiance pass stands in the product.
+class Paint {
+ public:
+  struct Settings {
+    io::PaintIo io{};
+  };
+  struct In {
+    frame::TextureId light;
+  };
+  struct Out {};
+  explicit Paint(const Settings& settings) : settings_(settings) {}
+  Out declare(frame::Declare& d, const In& in) {
+    d.kind(frame::PassKind::raster);
+    in_ = in;
+    d.colour(in.light);
+    return {};
+  }
+  void prepare(gpu::PipelineLibrary& library) {
+    pipeline_ = &library.graphics({.vertex = "paint.vert", .fragment = "paint.frag", .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
+  }
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+    const gpu::Texture& target = resources.texture(in_.light);
+    const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
+    cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
+    passes::Bindings bindings;
+    frame.scene->skin[0].offer(bindings);
+    bindings.bind(cmd, *pipeline_);
+    cmd.push(*pipeline_, settings_.io);
+    for (const passes::GpuDraw& draw : frame.scene->skin[0].draws) cmd.draw(draw.index_count, 1, draw.first_index);
+    cmd.end_rendering();
+  }
+
+ private:
+  Settings settings_;
+  In in_;
+  const gpu::Pipeline* pipeline_ = nullptr;
+};
+
+std::span<const std::uint32_t> find_any(std::string_view name) {
+  const auto found = passes::find_shader(name);
+  return found.empty() ? test_diffusion::find_shader(name) : found;
+}
+
+struct Bench {
+  gpu::Device device{gpu::Device::Options{.validate = false}};
+  gpu::PipelineLibrary library{device, find_any};
+};
+
+Bench* bench() {
+  static const std::unique_ptr<Bench> instance = []() -> std::unique_ptr<Bench> {
+    try {
+      return std::make_unique<Bench>();
+    } catch (const DeviceError&) {
+      return nullptr;
+    }
+  }();
+  return instance.get();
+}
+
+Map read(const frame::Executor& executor, frame::TextureId id) {
+  const gpu::Texture& texture = executor.resources().texture(id);
+  const std::vector<std::byte> bytes = gpu::read_back(executor.device(), texture, frame::final_layout(executor.plan(), id, false));
+  Map map{static_cast<int>(texture.desc().width), std::vector<float>(bytes.size() / 2)};
+  for (std::size_t i = 0; i < map.rgba.size(); ++i) {
+    std::uint16_t half = 0;
+    std::memcpy(&half, bytes.data() + 2 * i, 2);
+    map.rgba[i] = image::half_to_float(half);
+  }
+  return map;
+}
+
+}  // namespace
+
+bool available() { return bench() != nullptr; }
+
+Result run(const Experiment& e) {
+  std::vector<scene::SkinMesh> skin = scene::skin_meshes(e.scene);
+  const double density = scene::unwrap_density(skin[0], e.scene.mm_per_unit).largest_texels_per_mm.p95 * e.map_size;
+  if (e.drop_shear)
+    for (glm::vec3& g : skin[0].metric) g.y = 0;
+  gaussians::SumOfGaussians profile;
+  for (const double v : e.variances_mm2) profile.terms.push_back({.variance_mm2 = v, .weight = {}});
+  passes::GpuSceneSettings upload{.mix = {}, .map_size = e.map_size, .gutter_texels = {}};
+  if (e.gutters) upload.gutter_texels = {passes::gutter_width(profile, density)};
+  const passes::GpuScene gpu_scene(bench()->library, e.scene, skin, upload);
+
+  frame::FramePlan plan;
+  const auto side = static_cast<std::uint32_t>(e.map_size);
+  const gpu::TextureDesc desc{.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
+  using passes::Gutters;
+  const frame::TextureId stretch = plan.texture("stretch", desc), painted = plan.texture("painted", desc), scratch = plan.texture("scratch", desc);
+  plan.add<passes::Stretch>("stretch", {stretch}, {});
+  plan.add<Gutters>("stretch gutters", {stretch}, {.mesh = 0, .what = Gutters::What::stretch});
+  plan.add<Paint>("paint", {painted}, {e.paint});
+  plan.add<Gutters>("paint gutters", {painted}, {});
+  plan.read_back(painted);
+  std::vector<frame::TextureId> levels;
+  frame::TextureId light = painted;
+  bool first = true;
+  for (const passes::BlurStep& step : passes::blur_steps(e.variances_mm2, density)) {
+    const double v = step.variance_mm2 * e.variance_factor;
+    const frame::TextureId target = plan.texture("level", desc);
+    plan.add<passes::Blur>("u", {light, stretch, scratch}, {.variance_mm2 = v, .axis = 0, .texel_averaged = first});
+    plan.add<passes::Blur>("v", {scratch, stretch, target}, {.variance_mm2 = v, .axis = 1, .texel_averaged = first});
+    plan.add<Gutters>("gutters", {target}, {});
+    plan.read_back(target);
+    if (step.ends_term) levels.push_back(target);
+    light = target;
+    first = false;
+  }
+  frame::FrameData data;
+  data.scene = &gpu_scene;
+  frame::Executor executor(bench()->library, std::move(plan));
+  executor.run(data);
+  Result result{.painted = read(executor, painted), .levels = {}};
+  for (const frame::TextureId id : levels) result.levels.push_back(read(executor, id));
+  return result;
+}
+
+}  // namespace dermis::lab

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Spectral skin against measured skin, and as profiles.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "core/error.h"
+#include "optics/radiative.h"
+#include "optics/skin_colour.h"
+#include "profile/spectral.h"
+
+namespace dermis {
+namespace {
+
+struct Group {
+  const char* name;
+  optics::Lab lab;
+};
+
+// Alaluf et al. 2002 (10-degree observer), then Xiao et al. 2017; mean L*, a*, b* under D65.
+const Group groups[] = {
+    {"European, upper arm", {65.0, 7.1, 13.3}},     {"Chinese, upper arm", {62.1, 8.4, 16.3}},
+    {"Mexican, upper arm", {61.9, 8.3, 15.3}},      {"Indian, upper arm", {53.7, 10.3, 17.9}},
+    {"African, upper arm", {49.2, 10.2, 18.4}},     {"European, forearm", {53.94, 12.57, 19.23}},
+    {"Chinese, forearm", {51.38, 12.69, 19.18}},    {"Mexican, forearm", {50.42, 12.69, 19.58}},
+    {"Indian, forearm", {43.71, 12.89, 17.15}},     {"African, forearm", {38.14, 12.66, 15.04}},
+    {"Caucasian, forehead", {59.2, 11.6, 15.1}},    {"Caucasian, cheek", {59.6, 11.8, 14.6}},
+    {"Caucasian, back of hand", {60.1, 7.4, 14.7}}, {"Caucasian, inner arm", {63.0, 5.6, 14.0}},
+    {"Chinese, forehead", {56.4, 11.7, 16.3}},      {"Chinese, cheek", {58.9, 11.4, 14.2}},
+    {"Chinese, back of hand", {57.9, 9.3, 16.1}},   {"Chinese, inner arm", {60.9, 7.0, 15.0}},
+    {"Kurdish, forehead", {56.1, 11.3, 16.4}},      {"Kurdish, cheek", {58.0, 11.7, 15.8}},
+    {"Kurdish, back of hand", {57.3, 8.6, 16.5}},   {"Kurdish, inner arm", {60.6, 6.5, 16.4}},
+    {"Thai, forehead", {56.8, 11.6, 17.7}},         {"Thai, cheek", {60.7, 10.5, 17.2}},
+    {"Thai, back of hand", {57.6, 9.4, 19.0}},      {"Thai, inner arm", {61.9, 7.1, 17.4}},
+};
+
+TEST(SkinColour, MeasuredGroupsLieNearTheModel) {
+  for (const Group& group : groups) {
+    const optics::SkinMatch match = optics::nearest_skin(group.lab);
+    std::printf("%-24s melanin %.4f haemoglobin %.4f  dE %.2f\n", group.name, match.skin.melanin, match.skin.haemoglobin, match.delta_e);
+    EXPECT_LT(match.delta_e, 4) << group.name;
+  }
+}
+
+TEST(SkinColour, FindsItsOwnColours) {
+  for (const double melanin : {0.01, 0.1})
+    for (const double blood : {0.005, 0.03}) {
+      optics::Skin skin = optics::measured_skin();
+      skin.melanin = melanin, skin.haemoglobin = blood;
+      const optics::SkinMatch match = optics::nearest_skin(optics::lab_from_linear(optics::skin_colour(skin)));
+      EXPECT_LT(match.delta_e, 0.5);
+      EXPECT_NEAR(match.skin.melanin / melanin, 1, 0.1);
+      EXPECT_NEAR(match.skin.haemoglobin / blood, 1, 0.2);
+    }
+}
+
+TEST(SkinColour, CoarseAndFineAgree) {
+  for (const double nm : {420.0, 550.0, 650.0})
+    for (const double melanin : {0.005, 0.3}) {
+      const optics::Layers layers = optics::skin_layers({.melanin = melanin}, nm);
+      EXPECT_NEAR(optics::adding_doubling_coarse(layers).reflectance, optics::adding_doubling(layers).reflectance, 2e-3);
+    }
+}
+
+TEST(SkinColour, TextIsReadOrRefused) {
+  EXPECT_NEAR(optics::parse_colour("#ffffff", "x").l, 100, 1e-6);
+  EXPECT_NEAR(optics::parse_colour("65,7.1,13.3", "x").b, 13.3, 1e-12);
+  for (const char* bad : {"#fff", "#gggggg", "c58c85", "1,2", "1,2,3,4", "101,0,0", "", "a,b,c", "#12345678"})
+    EXPECT_THROW(optics::parse_colour(bad, "--colour"), InputError) << bad;
+}
+
+TEST(SpectralProfile, IntegratesToTheColour) {
+  const optics::Skin skin{.melanin = 0.01};
+  const optics::Rgb colour = optics::skin_reflectance(skin);
+  const auto diffusion = profile::make_profiles(skin, profile::Model::multipole, {}, "test");
+  const auto photons = profile::make_profiles(skin, profile::Model::automatic, {.photons = 100'000, .seed = 1, .cache = {}}, "test");
+  EXPECT_EQ(photons.model, profile::Model::monte_carlo);
+  EXPECT_NE(photons.reason.find("nm"), std::string::npos);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(diffusion.profiles[c]->total() / colour[c], 1, 1e-9);
+    EXPECT_NEAR(photons.profiles[c]->total() / colour[c], 1, 1e-9);
+    EXPECT_NEAR(photons.profiles[c]->within(photons.profiles[c]->quantile(0.5)), 0.5 * colour[c], 1e-3);
+  }
+  // Red light goes farthest
+  EXPECT_GT(photons.profiles[0]->quantile(0.5), photons.profiles[1]->quantile(0.5));
+  EXPECT_GT(photons.profiles[1]->quantile(0.5), photons.profiles[2]->quantile(0.5));
+  EXPECT_THROW(profile::make_profiles(skin, profile::Model::dipole, {}, "test"), InputError);
+}
+
+}  // namespace
+}  // namespace dermis

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "gaussians/exchange.h"
+#include "gaussians/fit.h"
+#include "gaussians/known.h"
+#include "gaussians/plot.h"
+#include "optics/presets.h"
+#include "profile/burley.h"
+#include "profile/dipole.h"
+#include "profile/equivalent.h"
+
+namespace dermis {
+namespace {
+
+using Json = nlohmann::json;
+using optics::Rgb;
+const Rgb totals{0.7, 0.4, 0.2}, shapes{0.8, 0.35, 0.2};
+
+gaussians::Exported burley_skin() {
+  gaussians::Exported input{.name = "test", .profiles = {}, .terms = {}, .medium = {}};
+  for (int c = 0; c < 3; ++c) {
+    input.profiles[c] = std::make_shared<profile::Burley>(totals[c], shapes[c], "test");
+    input.medium[c] = profile::equivalent_medium(*input.profiles[c], 1.4);
+    const auto fit = gaussians::fit_channel(*input.profiles[c], 4);
+    for (const auto& term : fit.terms) input.terms[c].push_back({term.variance_mm2, term.weight / fit.weight_sum()});
+  }
+  return input;
+}
+
+std::string triple(const Json& values) {
+  return fmt::format("{},{},{}", values[0].get<double>(), values[1].get<double>(), values[2].get<double>());
+}
+std::string number(const Json& value) { return fmt::format("{}", value.get<double>()); }
+
+void expect_shapes(const gaussians::Imported& imported) {
+  ASSERT_TRUE(imported.is_burley);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(imported.burley_shape_mm[c] / shapes[c], 1, 1e-3) << imported.name << c;
+    EXPECT_NEAR(imported.total_reflectance[c], totals[c], 1e-6);
+  }
+}
+
+TEST(Exchange, BurleySystemsGiveTheProfileBack) {
+  const auto input = burley_skin();
+  const Json unity = Json::parse(gaussians::export_text("unity", input))["parameters"];
+  expect_shapes(gaussians::parse_import("unity reflectance=0.7,0.4,0.2 scattering_distance=" + triple(unity["scatteringDistance"]) +
+                                            " multiplier=" + number(unity["scatteringDistanceMultiplier"]),
+                                        "--import"));
+  const Json unreal = Json::parse(gaussians::export_text("unreal", input))["parameters"];
+  expect_shapes(gaussians::parse_import("unreal enable_mean_free_path=1 surface_albedo=" + triple(unreal["SurfaceAlbedo"]) +
+                                            " mean_free_path_color=" + triple(unreal["MeanFreePathColor"]) +
+                                            " mean_free_path_distance=" + number(unreal["MeanFreePathDistance"]),
+                                        "--import"));
+  const Json cycles = Json::parse(gaussians::export_text("cycles", input))["parameters"];
+  expect_shapes(gaussians::parse_import("cycles scene_unit_mm=1000 color=" + triple(cycles["Color"]) +
+                                            " radius=" + triple(cycles["Radius"]) + " scale=" + number(cycles["Scale"]),
+                                        "--import"));
+}
+
+TEST(Exchange, MediumSystemsGiveTheMeanFreePathBack) {
+  const auto input = burley_skin();
+  const Json pbr = Json::parse(gaussians::export_text("openpbr", input))["parameters"];
+  const auto a = gaussians::parse_import("openpbr scene_unit_mm=1000 specular_ior=1.4 subsurface_color=" + triple(pbr["subsurface_color"]) +
+                                             " subsurface_radius=" + number(pbr["subsurface_radius"]) +
+                                             " subsurface_radius_scale=" + triple(pbr["subsurface_radius_scale"]),
+                                         "--import");
+  const Json gltf = Json::parse(gaussians::export_text("gltf", input))["parameters"]["extensions"];
+  const auto b =
+      gaussians::parse_import("gltf ior=1.4 multiscatter_color=" + triple(gltf["KHR_materials_volume_scatter"]["multiscatterColor"]) +
+                                  " attenuation_color=" + triple(gltf["KHR_materials_volume"]["attenuationColor"]) +
+                                  " attenuation_distance=" + number(gltf["KHR_materials_volume"]["attenuationDistance"]),
+                              "--import");
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(a.medium[c].mean_free_path().mm / input.medium[c].mean_free_path().mm, 1, 1e-6);
+    EXPECT_NEAR(b.medium[c].mean_free_path().mm / input.medium[c].mean_free_path().mm, 1, 1e-6);
+    EXPECT_NEAR(profile::Dipole(a.medium[c]).total(), totals[c], 1e-6);
+  }
+}
+
+// A straight edge along an axis, blurred by the exported kernel at the scale that its units state.
+TEST(Exchange, SeparableKernelBlursAnEdgeRight) {
+  const auto input = burley_skin();
+  const Json out = Json::parse(gaussians::export_text("separable", input))["parameters"];
+  const double mm_per_offset = out["sssWidth"].get<double>() * 1000 * 2 / 3;
+  double sum = 0;
+  for (const double x_mm : {0.3, 1.0}) {
+    double blurred = 0;
+    sum = 0;
+    for (const auto& tap : out["kernel"]) {
+      sum += tap[0].get<double>();
+      if (x_mm + tap[3].get<double>() * mm_per_offset < 0) blurred += tap[0].get<double>();
+    }
+    std::vector<gaussians::Term> terms;
+    for (const auto& [variance, weight] : input.terms[0]) terms.push_back({variance, weight});
+    EXPECT_NEAR(blurred, gaussians::edge_response(terms, x_mm), 0.05) << x_mm;  // 25 taps
+  }
+  EXPECT_NEAR(sum, 1, 1e-9);
+}
+
+std::string message_of(const char* text) {
+  try {
+    gaussians::parse_import(text, "--import");
+  } catch (const InputError& error) { return error.what(); }
+  return "no error";
+}
+
+TEST(Exchange, AmbiguousImportsAreRefusedWithTheirReadings) {
+  EXPECT_NE(message_of("radius=1").find("a mean free path, a diffuse mean free path or Burley's d, in mm, cm or scene units"),
+            std::string::npos);
+  EXPECT_NE(message_of("cycles color=0.8 radius=1,0.2,0.1").find("as metres it is 1000,200,100 mm, as centimetres 10,2,1 mm"),
+            std::string::npos);
+  EXPECT_NE(message_of("openpbr subsurface_color=0.8 subsurface_radius=1").find("scene_unit_mm"), std::string::npos);
+  EXPECT_NE(message_of("unreal surface_albedo=0.5 mean_free_path_color=1 mean_free_path_distance=1").find("two readings"),
+            std::string::npos);
+  EXPECT_NE(message_of("separable width=1").find("do not say a profile"), std::string::npos);
+  EXPECT_NE(message_of("unity reflectance=0.5 radius=1").find("known: reflectance, scattering_distance"), std::string::npos);
+  EXPECT_NE(message_of("unity reflectance=0 scattering_distance=1").find("above 0"), std::string::npos);
+  EXPECT_NE(message_of("unity reflectance=0.5 scattering_distance=-1").find("above 0 mm"), std::string::npos);
+  EXPECT_THROW(gaussians::export_text("maya", burley_skin()), InputError);
+}
+
+TEST(Equivalent, DipolesGiveTheirOwnMediumBack) {
+  for (const char* name : {"skin1", "cream", "ketchup"})
+    for (const auto& medium : optics::find_material(name)->medium()) {
+      const optics::Medium found = profile::equivalent_medium(profile::Dipole(medium), medium.eta);
+      EXPECT_NEAR(found.mean_free_path().mm / medium.mean_free_path().mm, 1, 1e-4);
+      EXPECT_NEAR(found.diffuse_mean_free_path().mm / medium.diffuse_mean_free_path().mm, 1, 1e-4);
+    }
+}
+
+TEST(Plot, IsSvgOfBoundedSizeAndEscapesNames) {
+  gaussians::Plot plot{.title = "<skin> & co", .profiles = burley_skin().profiles, .fit = {}, .others = {}};
+  plot.fit.label = "4 Gaussians";
+  const auto six = gaussians::skin_six();
+  for (int c = 0; c < 3; ++c) plot.fit.channels[c] = gaussians::channel(six, c);
+  plot.others.push_back(plot.fit);
+  const std::string svg = gaussians::svg_plot(plot);
+  EXPECT_EQ(svg.rfind("<svg", 0), 0u);
+  EXPECT_NE(svg.find("&lt;skin&gt; &amp; co"), std::string::npos);
+  EXPECT_LT(svg.size(), 200'000u);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_NEAR(gaussians::difference_percent(plot.fit.channels[0], plot.fit.channels[0]), 0, 1e-5);
+  EXPECT_NEAR(gaussians::edge_response(plot.fit.channels[0], 0), 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace dermis
