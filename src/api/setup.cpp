@@ -180,6 +180,7 @@ FrameSetup set_up(const scene::Scene& scene, const RenderSettings& s) {
   setup.skin = scene::skin_meshes(scene);
   for (const scene::SkinMesh& mesh : setup.skin) scene::warn_overlap(mesh);
   setup.sphere = scene::skin_sphere(scene);
+  if (!(setup.sphere.radius_m > 0)) throw input_error(scene.name, "has nothing to see: all its triangles lie at one point");
   const scene::Camera camera = find_camera(scene, s, setup.sphere);
   const glm::vec3 eye_m(camera.world_from_camera[3]);
 

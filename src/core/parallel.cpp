@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -29,7 +30,12 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
     }
   };
   std::vector<std::jthread> pool;
-  for (std::size_t t = 1; t < threads; ++t) pool.emplace_back(work);
+  pool.reserve(threads);
+  try {
+    for (std::size_t t = 1; t < threads; ++t) pool.emplace_back(work);
+  } catch (const std::system_error&) {
+    // The system allows no more threads: those that there are do all the work.
+  }
   work();
   pool.clear();
   if (first_error) std::rethrow_exception(first_error);

@@ -13,72 +13,71 @@ struct State {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
-constexpr VkAccessFlags2 write_access_mask = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
-                                             VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT;
-
-void note_use(State& state, const AccessScope& scope, bool is_write) {
-  if (is_write) {
-    state = {.write_stages = scope.stages, .write_access = scope.access & write_access_mask, .layout = scope.layout};
+void note_use(State& state, const AccessRow& scope) {
+  if (scope.written != 0) {
+    state = {.write_stages = scope.stages, .write_access = scope.written, .layout = scope.layout};
   } else {
     state.read_stages |= scope.stages;
-    state.visible_access |= scope.access;
+    state.visible_access |= scope.read;
   }
 }
 
 // For a new layout, write after read, write after write, and read after write unless the write is already visible there.
-bool needs_barrier(const State& state, const AccessScope& scope, bool is_write) {
-  if (is_write || state.layout != scope.layout) return true;
-  const bool visible = (state.read_stages & scope.stages) == scope.stages && (state.visible_access & scope.access) == scope.access;
+bool needs_barrier(const State& state, const AccessRow& scope) {
+  if (scope.written != 0 || state.layout != scope.layout) return true;
+  const bool visible = (state.read_stages & scope.stages) == scope.stages && (state.visible_access & scope.read) == scope.read;
   return state.write_stages != 0 && !visible;
 }
 
-Barrier make_barrier(const Use& use, const State& state, const AccessScope& scope, bool first_use, bool discard) {
+Barrier make_barrier(const Use& use, const State& state, const AccessRow& scope, bool first_use, bool discard) {
   // Reads since the last write order everything before them; waiting for them and the write is right for every hazard.
   return {.is_texture = use.is_texture,
           .index = use.index,
           .source_stages = state.write_stages | state.read_stages,
           .target_stages = scope.stages,
           .source_access = state.write_access,
-          .target_access = scope.access,
+          .target_access = scope.read | scope.written,
           .old_layout = discard ? VK_IMAGE_LAYOUT_UNDEFINED : state.layout,
           .new_layout = scope.layout,
           .first_use = first_use};
 }
 
-}  // namespace
-
-AccessScope scope_of(Access access, PassKind kind) {
+// The row of an access with the stages of this pass, and without a layout for a buffer.
+AccessRow scope_of(const Use& use, PassKind kind) {
   constexpr VkPipelineStageFlags2 raster = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-  const AccessRow& row = row_of(access);
-  const VkPipelineStageFlags2 shader = kind == PassKind::compute ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT : raster;
-  return {row.stages != 0 ? row.stages : shader, row.access, row.layout};
+  AccessRow row = row_of(use.access);
+  if (row.stages == 0) row.stages = kind == PassKind::compute ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT : raster;
+  if (!use.is_texture) row.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  return row;
 }
 
+}  // namespace
+
 std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool counting) {
-  std::vector<State> textures(plan.textures().size()), buffers(plan.buffers().size());
+  const std::size_t texture_count = plan.textures().size();
+  std::vector<State> states(texture_count + plan.buffers().size());
   std::vector<std::vector<Barrier>> result;
   // Two walks: the first finds how a frame leaves each resource, the second starts from there.
   for (int walk = 0; walk < 2; ++walk) {
     result.assign(plan.passes().size(), {});
-    std::vector<bool> seen_texture(textures.size()), seen_buffer(buffers.size());
+    std::vector<bool> seen(states.size());
     for (std::size_t p = 0; p < plan.passes().size(); ++p) {
       const PassNode& pass = plan.passes()[p];
       if (pass.only_when_counting && !counting) continue;
       for (const Use& use : pass.uses) {
-        State& state = use.is_texture ? textures[use.index] : buffers[use.index];
-        AccessScope scope = scope_of(use.access, pass.kind);
-        if (!use.is_texture) scope.layout = VK_IMAGE_LAYOUT_UNDEFINED;
-        auto&& seen = use.is_texture ? seen_texture[use.index] : seen_buffer[use.index];
-        const bool first = !seen;
-        seen = true;
+        const std::size_t slot = use.is_texture ? use.index : texture_count + use.index;
+        State& state = states[slot];
+        const AccessRow scope = scope_of(use, pass.kind);
+        const bool first = !seen[slot];
+        seen[slot] = true;
         // A texture needs one even where it is in its layout already: in the first frame it is in none.
         const bool opens = first && use.is_texture;
-        if (opens || needs_barrier(state, scope, writes(use.access))) {
+        if (opens || needs_barrier(state, scope)) {
           const bool discard = opens && plan.textures()[use.index].lifetime == Lifetime::transient;
           result[p].push_back(make_barrier(use, state, scope, first, discard));
           if (opens || state.layout != scope.layout) state = {.write_stages = scope.stages, .layout = scope.layout};
         }
-        note_use(state, scope, writes(use.access));
+        note_use(state, scope);
       }
     }
   }
@@ -89,8 +88,7 @@ VkImageLayout final_layout(const FramePlan& plan, TextureId id, bool counting) {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   for (const PassNode& pass : plan.passes())
     for (const Use& use : pass.uses)
-      if ((counting || !pass.only_when_counting) && use.is_texture && use.index == id.index)
-        layout = scope_of(use.access, pass.kind).layout;
+      if ((counting || !pass.only_when_counting) && use.is_texture && use.index == id.index) layout = row_of(use.access).layout;
   return layout;
 }
 

@@ -9,14 +9,6 @@
 
 namespace dermis::frame {
 
-/// The stages, accesses and layout that one use stands for.
-struct AccessScope {
-  VkPipelineStageFlags2 stages = 0;
-  VkAccessFlags2 access = 0;
-  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  ///< textures only
-};
-AccessScope scope_of(Access access, PassKind kind);
-
 struct Barrier {
   bool is_texture = true;
   std::uint32_t index = 0;

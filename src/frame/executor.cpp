@@ -4,23 +4,6 @@
 #include <chrono>
 
 namespace dermis::frame {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-double ms_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
-
-}  // namespace
-
-const gpu::Texture& Resources::texture(TextureId id) const {
-  DERMIS_ASSERT_LT(id.index, textures_.size());
-  return textures_[id.index];
-}
-
-const gpu::Buffer& Resources::buffer(BufferId id) const {
-  DERMIS_ASSERT_LT(id.index, buffers_.size());
-  return buffers_[id.index];
-}
-
 Executor::Executor(gpu::PipelineLibrary& library, FramePlan plan)
     : library_(&library),
       plan_(std::move(plan)),
@@ -39,47 +22,28 @@ VkImageMemoryBarrier2 Executor::image_barrier(const Barrier& b) {
   const bool keeps = b.first_use && b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED;
   const VkImageLayout old_layout = keeps ? layouts_[b.index] : b.old_layout;
   layouts_[b.index] = b.new_layout;
-  const VkImageSubresourceRange all{gpu::aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
-  return {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-          nullptr,
-          b.source_stages,
-          b.source_access,
-          b.target_stages,
-          b.target_access,
-          old_layout,
-          b.new_layout,
-          VK_QUEUE_FAMILY_IGNORED,
-          VK_QUEUE_FAMILY_IGNORED,
-          texture.handle(),
-          all};
-}
-
-VkBufferMemoryBarrier2 Executor::buffer_barrier(const Barrier& b) const {
-  return {VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2,
-          nullptr,
-          b.source_stages,
-          b.source_access,
-          b.target_stages,
-          b.target_access,
-          VK_QUEUE_FAMILY_IGNORED,
-          VK_QUEUE_FAMILY_IGNORED,
-          resources_.buffers_[b.index].handle(),
-          0,
-          VK_WHOLE_SIZE};
+  VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = b.source_stages, barrier.srcAccessMask = b.source_access;
+  barrier.dstStageMask = b.target_stages, barrier.dstAccessMask = b.target_access;
+  barrier.oldLayout = old_layout, barrier.newLayout = b.new_layout;
+  barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = texture.handle();
+  barrier.subresourceRange = {gpu::aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+  return barrier;
 }
 
 void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool counting) {
   std::vector<VkImageMemoryBarrier2> images;
-  std::vector<VkBufferMemoryBarrier2> buffers;
+  std::vector<VkMemoryBarrier2> buffers;  // on one queue a barrier of a buffer says no more than one of all memory
   for (const Barrier& b : barriers_[counting ? 1 : 0][index])
     if (b.is_texture)
       images.push_back(image_barrier(b));
     else
-      buffers.push_back(buffer_barrier(b));
+      buffers.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, b.source_stages, b.source_access, b.target_stages, b.target_access});
   if (!images.empty() || !buffers.empty())
     cmd.barrier({.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                 .bufferMemoryBarrierCount = static_cast<std::uint32_t>(buffers.size()),
-                 .pBufferMemoryBarriers = buffers.data(),
+                 .memoryBarrierCount = static_cast<std::uint32_t>(buffers.size()),
+                 .pMemoryBarriers = buffers.data(),
                  .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
                  .pImageMemoryBarriers = images.data()});
   plan_.passes()[index].record(cmd, resources_, frame);
@@ -100,29 +64,25 @@ void Executor::record(VkCommandBuffer commands, const FrameData& frame, gpu::Tim
 }
 
 FrameTime Executor::run(const FrameData& frame) {
+  using namespace std::chrono;
   FrameTime time;
   if (separate_) {
     for (std::size_t p = 0; p < plan_.passes().size(); ++p) {
       if (plan_.passes()[p].only_when_counting) continue;
-      const auto start = Clock::now();
+      const auto start = steady_clock::now();
       device().run([&](VkCommandBuffer commands) {
         gpu::Cmd cmd(device(), commands);
         record_pass(cmd, p, frame, false);
       });
-      time.passes.push_back({plan_.passes()[p].name, ms_since(start)});
-      time.total_ms += time.passes.back().ms;
+      time.passes.push_back({plan_.passes()[p].name, duration<double, std::milli>(steady_clock::now() - start).count()});
     }
-    return time;
+  } else {
+    gpu::Timer timer(device(), static_cast<std::uint32_t>(plan_.passes().size()) + 1);
+    device().run([&](VkCommandBuffer commands) { record(commands, frame, &timer); });
+    time.passes = timer.read();
   }
-  gpu::Timer timer(device(), static_cast<std::uint32_t>(plan_.passes().size()) + 1);
-  device().run([&](VkCommandBuffer commands) { record(commands, frame, &timer); });
-  time.passes = timer.read();
   for (const gpu::Timing& pass : time.passes) time.total_ms += pass.ms;
   return time;
-}
-
-void Executor::run_counting(const FrameData& frame) {
-  device().run([&](VkCommandBuffer commands) { record(commands, frame, nullptr, true); });
 }
 
 }  // namespace dermis::frame

@@ -16,12 +16,17 @@ namespace dermis::frame {
 /// What a recording pass looks its handles up in.
 class Resources {
  public:
-  const gpu::Texture& texture(TextureId id) const;
-  const gpu::Buffer& buffer(BufferId id) const;
+  const gpu::Texture& texture(TextureId id) const { return at(textures_, id.index); }
+  const gpu::Buffer& buffer(BufferId id) const { return at(buffers_, id.index); }
   /// The texture in the layout that sampling passes see it in.
   gpu::SampledBinding sampled(TextureId id, VkSampler sampler) const { return {&texture(id), sampler}; }
 
  private:
+  template <class T>
+  static const T& at(const std::vector<T>& all, std::uint32_t index) {
+    DERMIS_ASSERT_LT(index, all.size());
+    return all[index];
+  }
   friend class Executor;
   std::vector<gpu::Texture> textures_;
   std::vector<gpu::Buffer> buffers_;
@@ -45,7 +50,9 @@ class Executor {
   /// its own submission and is timed on the host: see separate_submissions().
   FrameTime run(const FrameData& frame);
   /// The same with the passes that only count, untimed.
-  void run_counting(const FrameData& frame);
+  void run_counting(const FrameData& frame) {
+    device().run([&](VkCommandBuffer commands) { record(commands, frame, nullptr, true); });
+  }
   bool separate_submissions() const { return separate_; }
 
   const FramePlan& plan() const { return plan_; }
@@ -54,7 +61,6 @@ class Executor {
 
  private:
   VkImageMemoryBarrier2 image_barrier(const Barrier& b);
-  VkBufferMemoryBarrier2 buffer_barrier(const Barrier& b) const;
   void record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool counting);
 
   gpu::PipelineLibrary* library_;

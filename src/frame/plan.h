@@ -50,16 +50,15 @@ enum class Access : std::uint8_t {
 
 /// What Vulkan calls an access, and what a printed plan does.
 struct AccessRow {
-  std::string_view verb;  ///< "samples"
-  bool writes = false;
+  std::string_view verb;             ///< "samples"
   VkPipelineStageFlags2 stages = 0;  ///< 0: the shader stages of the pass
-  VkAccessFlags2 access = 0;
+  VkAccessFlags2 read = 0, written = 0;
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   VkImageUsageFlags texture_usage = 0;
   VkBufferUsageFlags buffer_usage = 0;
 };
 const AccessRow& row_of(Access access);
-inline bool writes(Access access) { return row_of(access).writes; }
+inline bool writes(Access access) { return row_of(access).written != 0; }
 
 enum class PassKind : std::uint8_t { compute, raster, copy };
 /// transient: contents are lost after the frame. persistent: kept from frame to frame (undefined in the first).
@@ -102,18 +101,15 @@ class Declare {
   BufferId create(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);
   const gpu::TextureDesc& desc(TextureId id) const;
 
+  // auto: TextureId or BufferId
+  void read(auto id) { use(id, Access::storage_read); }
+  void write(auto id) { use(id, Access::storage_write); }
+  void copy_from(auto id) { use(id, Access::copy_source); }
+  void copy_to(auto id) { use(id, Access::copy_target); }
   void sample(TextureId id) { use(id, Access::sampled); }
-  void read(TextureId id) { use(id, Access::storage_read); }
-  void write(TextureId id) { use(id, Access::storage_write); }
   void colour(TextureId id) { use(id, Access::colour_target); }
   void depth(TextureId id) { use(id, Access::depth_target); }
-  void copy_from(TextureId id) { use(id, Access::copy_source); }
-  void copy_to(TextureId id) { use(id, Access::copy_target); }
-  void read(BufferId id) { use(id, Access::storage_read); }
-  void write(BufferId id) { use(id, Access::storage_write); }
   void indirect(BufferId id) { use(id, Access::indirect_arguments); }
-  void copy_from(BufferId id) { use(id, Access::copy_source); }
-  void copy_to(BufferId id) { use(id, Access::copy_target); }
 
  private:
   void use(TextureId id, Access access) { use({.is_texture = true, .index = id.index, .access = access}); }

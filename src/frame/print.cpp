@@ -16,10 +16,6 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-const std::string& resource_name(const FramePlan& plan, const Use& use) {
-  return use.is_texture ? plan.textures()[use.index].name : plan.buffers()[use.index].name;
-}
-
 std::string size_of(const gpu::TextureDesc& desc) {
   std::string text = fmt::format("{}x{}", desc.width, desc.height);
   if (desc.layers > 1) text += fmt::format("x{}", desc.layers);
@@ -33,7 +29,9 @@ std::string print_text(const FramePlan& plan) {
   std::string text = "passes\n";
   for (const PassNode& pass : plan.passes()) {
     text += fmt::format("  {:<28} {:<8}", pass.name, name_of(pass.kind));
-    for (const Use& use : pass.uses) text += fmt::format(" {} '{}';", row_of(use.access).verb, resource_name(plan, use));
+    for (const Use& use : pass.uses)
+      text += fmt::format(" {} '{}';", row_of(use.access).verb,
+                          use.is_texture ? plan.textures()[use.index].name : plan.buffers()[use.index].name);
     text += '\n';
   }
   text += "textures\n";

@@ -34,17 +34,22 @@ TEST_F(RefusedFiles, WhatIsNoFile) {
 
 TEST_F(RefusedFiles, IndicesOutOfRange) {
   TinyMesh mesh;
-  mesh.indices[5] = 81;   // there are 0 to 80
+  mesh.indices[5] = 81;  // there are 0 to 80
   refuse(tiny_gltf(mesh), "81");
   mesh.indices[5] = 0xFFFFFFFF;
   refuse(tiny_gltf(mesh), "bad.gltf");
 }
 
 TEST_F(RefusedFiles, PositionsThatAreNoNumbers) {
-  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+  for (const float bad :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
     TinyMesh mesh;
     mesh.positions[30] = bad;
-    refuse(tiny_gltf(mesh, [](json& root) { root["accessors"][0]["min"] = {-1, -1, -1}, root["accessors"][0]["max"] = {1, 1, 1}; }), "POSITION");
+    refuse(tiny_gltf(mesh,
+                     [](json& root) {
+                       root["accessors"][0]["min"] = {-1, -1, -1}, root["accessors"][0]["max"] = {1, 1, 1};
+                     }),
+           "POSITION");
   }
 }
 
@@ -52,16 +57,17 @@ TEST_F(RefusedFiles, NothingToDraw) {
   TinyMesh none;
   none.indices.clear(), none.positions.clear(), none.normals.clear(), none.uvs.clear();
   refuse(tiny_gltf(none), "bad.gltf");
-  refuse(tiny_gltf({}, [](json& root) { root["meshes"][0]["primitives"][0]["mode"] = 1; }), "triangle");      // lines
+  refuse(tiny_gltf({}, [](json& root) { root["meshes"][0]["primitives"][0]["mode"] = 1; }), "triangle");  // lines
   refuse(tiny_gltf({}, [](json& root) { root["nodes"][0].erase("mesh"); }), "bad.gltf");
   TinyMesh flat;
-  for (float& p : flat.positions) p = 0.25f;                                                                    // every triangle is a point
+  for (float& p : flat.positions) p = 0.25f;  // every triangle is a point
   refuse(tiny_gltf(flat), "bad.gltf");
 }
 
 TEST_F(RefusedFiles, RequiredExtensions) {
   refuse(tiny_gltf({}, [](json& root) { root["extensionsUsed"] = root["extensionsRequired"] = {"ACME_surprise"}; }), "ACME_surprise");
-  refuse(tiny_gltf({}, [](json& root) { root["extensionsUsed"] = root["extensionsRequired"] = {"KHR_texture_basisu"}; }), "KHR_texture_basisu");
+  refuse(tiny_gltf({}, [](json& root) { root["extensionsUsed"] = root["extensionsRequired"] = {"KHR_texture_basisu"}; }),
+         "KHR_texture_basisu");
 }
 
 TEST_F(RefusedFiles, SizesThatLie) {
@@ -71,7 +77,7 @@ TEST_F(RefusedFiles, SizesThatLie) {
   refuse(tiny_gltf({}, [](json& root) { root["buffers"][0]["byteLength"] = 1ull << 62; }), "bad.gltf");
   refuse(tiny_gltf({}, [](json& root) { root["bufferViews"][3]["byteOffset"] = 1ull << 63; }), "bad.gltf");
   refuse(tiny_gltf({}, [](json& root) { root["buffers"][0]["uri"] = "missing.bin"; }), "missing.bin");
-  refuse(tiny_gltf({}, [](json& root) { root["nodes"][0]["children"] = {0}; }), "bad.gltf");                   // its own child
+  refuse(tiny_gltf({}, [](json& root) { root["nodes"][0]["children"] = {0}; }), "bad.gltf");  // its own child
 }
 
 TEST_F(RefusedFiles, CamerasThatSeeNothing) {
@@ -102,7 +108,11 @@ TEST_F(RefusedFiles, MapsThatAreNoPictures) {
   refuse(with("no picture"), "bad.gltf");
   refuse(with(""), "bad.gltf");
   // A header that promises 100,000 x 100,000 pixels, more than any device takes.
-  constexpr unsigned char giant[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x01, 0x86, 0xa0, 0x00, 0x01, 0x86, 0xa0, 0x08, 0x06, 0x00, 0x00, 0x00, 0xa8, 0x52, 0x0b, 0xc8, 0x00, 0x00, 0x00, 0x0c, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0x60, 0xa0, 0x3d, 0x00, 0x00, 0x00, 0x64, 0x00, 0x01, 0xb8, 0x99, 0xef, 0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+  constexpr unsigned char giant[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
+                                     0x44, 0x52, 0x00, 0x01, 0x86, 0xa0, 0x00, 0x01, 0x86, 0xa0, 0x08, 0x06, 0x00, 0x00,
+                                     0x00, 0xa8, 0x52, 0x0b, 0xc8, 0x00, 0x00, 0x00, 0x0c, 0x49, 0x44, 0x41, 0x54, 0x78,
+                                     0xda, 0x63, 0x60, 0xa0, 0x3d, 0x00, 0x00, 0x00, 0x64, 0x00, 0x01, 0xb8, 0x99, 0xef,
+                                     0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
   refuse(with(std::string(std::begin(giant), std::end(giant))), "100000");
 }
 

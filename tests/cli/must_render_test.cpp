@@ -22,7 +22,11 @@ class MustRender : public Program {
 };
 
 // 1 x 1, grey 180.
-constexpr unsigned char one_texel_bytes[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3a, 0x7e, 0x9b, 0x55, 0x00, 0x00, 0x00, 0x0a, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0xd8, 0x02, 0x00, 0x00, 0xb6, 0x00, 0xb5, 0xb5, 0x2e, 0x5f, 0x69, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+constexpr unsigned char one_texel_bytes[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
+                                             0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00,
+                                             0x00, 0x3a, 0x7e, 0x9b, 0x55, 0x00, 0x00, 0x00, 0x0a, 0x49, 0x44, 0x41, 0x54, 0x78,
+                                             0xda, 0x63, 0xd8, 0x02, 0x00, 0x00, 0xb6, 0x00, 0xb5, 0xb5, 0x2e, 0x5f, 0x69, 0x00,
+                                             0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
 const std::string one_texel(std::begin(one_texel_bytes), std::end(one_texel_bytes));
 
 TEST_F(MustRender, AHeadWithoutMaps) { EXPECT_EQ(rendered(tiny_gltf()).err, ""); }
@@ -40,7 +44,7 @@ TEST_F(MustRender, MapsOfOneTexel) {
 
 TEST_F(MustRender, DegenerateTriangles) {
   TinyMesh mesh;
-  mesh.indices.insert(mesh.indices.end(), {0, 0, 0, 1, 1, 2, 0, 1, 2});   // a point, an edge, three on a line
+  mesh.indices.insert(mesh.indices.end(), {0, 0, 0, 1, 1, 2, 0, 1, 2});  // a point, an edge, three on a line
   rendered(tiny_gltf(mesh));
 }
 
@@ -48,7 +52,7 @@ TEST_F(MustRender, DegenerateTextureTriangles) {
   TinyMesh mesh;
   for (std::size_t i = 0; i < 40; ++i) mesh.uvs[i] = 0.5f;
   rendered(tiny_gltf(mesh));
-  for (float& uv : mesh.uvs) uv = 0.25f;   // the whole head on one texel
+  for (float& uv : mesh.uvs) uv = 0.25f;  // the whole head on one texel
   rendered(tiny_gltf(mesh));
 }
 
@@ -66,14 +70,14 @@ TEST_F(MustRender, WithoutTextureCoordinates) {
 
 TEST_F(MustRender, WithoutIndices) {
   TinyMesh mesh;
-  mesh.indices.clear();   // 81 vertices, 27 triangles
+  mesh.indices.clear();  // 81 vertices, 27 triangles
   rendered(tiny_gltf(mesh));
 }
 
 TEST_F(MustRender, Mirrored) {
   rendered(tiny_gltf({}, [](json& root) { root["nodes"][0]["scale"] = {-1, 1, 1}; }));
   TinyMesh mesh;
-  for (std::size_t i = 0; i < mesh.uvs.size(); i += 2) mesh.uvs[i] = 1 - mesh.uvs[i];   // the texture mirrored
+  for (std::size_t i = 0; i < mesh.uvs.size(); i += 2) mesh.uvs[i] = 1 - mesh.uvs[i];  // the texture mirrored
   rendered(tiny_gltf(mesh));
 }
 
@@ -112,8 +116,9 @@ TEST_F(MustRender, EveryShow) {
 
 TEST_F(MustRender, SharedHeads) {
   int found = 0;
-  for (const char* name : {"gltf-valid/head-variants/head-no-uv.glb", "gltf-valid/head-variants/head-no-normals.glb",
-                           "gltf-valid/head-variants/head-instanced-mirrored-deep.glb", "makehuman/crowd/mh-crowd-african-man-old-lod2.glb"}) {
+  for (const char* name :
+       {"gltf-valid/head-variants/head-no-uv.glb", "gltf-valid/head-variants/head-no-normals.glb",
+        "gltf-valid/head-variants/head-instanced-mirrored-deep.glb", "makehuman/crowd/mh-crowd-african-man-old-lod2.glb"}) {
     const fs::path path = shared_asset(name);
     if (path.empty()) continue;
     SCOPED_TRACE(name);

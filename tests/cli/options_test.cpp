@@ -20,7 +20,7 @@ class Options : public Program {
 TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
   const std::string out = picture().string(), scene = head();
   expect_not_understood(run({}), "subcommand");
-  expect_not_understood(run({"paint"}), "paint");
+  expect_not_understood(run({"paint"}), "subcommand");
   expect_not_understood(run({"render"}), "--output");
   expect_not_understood(run({"render", scene, "-o"}), "-o");
   expect_not_understood(run({"render", scene, "-o", out, "--brush"}), "--brush");
@@ -71,7 +71,8 @@ TEST_F(Options, ValuesOutOfRange) {
   refuse({"--lights", "-1"}, "--lights");
   refuse({"--lights", "2000000000"}, "--lights");
   for (const char* value : {"nan", "inf", "-inf", "-1e300"})
-    for (const char* option : {"--fov", "--distance", "--ambient", "--mix", "--bloom", "--exposure", "--unit-scale"}) refuse({option, value}, option);
+    for (const char* option : {"--fov", "--distance", "--ambient", "--mix", "--bloom", "--exposure", "--unit-scale"})
+      refuse({option, value}, option);
   refuse({"--orbit", "nan,0"}, "--orbit");
   refuse({"--fov", "180"}, "--fov");
   refuse({"--unit-scale", "0"}, "--unit-scale");
@@ -107,7 +108,8 @@ TEST_F(Options, HelpNamesUnitsAndDefaults) {
     EXPECT_EQ(help.err, "") << command;
   }
   const std::string help = run({"render", "--help"}).out;
-  for (const char* text : {"pixels", "texels", "degrees", "metres", "radii", "=1280x720", "=2048", "=texture-space", "=filmic", "2^EV", "default: "})
+  for (const char* text :
+       {"pixels", "texels", "degrees", "metres", "radii", "=1280x720", "=2048", "=texture-space", "=filmic", "2^EV", "default: "})
     EXPECT_NE(help.find(text), std::string::npos) << text;
   EXPECT_EQ(run({"--help"}).status, 0);
   EXPECT_EQ(run({"--version"}).status, 0);

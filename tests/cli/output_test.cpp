@@ -73,21 +73,21 @@ TEST_F(Output, AnOldFileSurvives) {
   EXPECT_FALSE(old_is_there());
 }
 
-TEST_F(Output, TooLittleDeviceMemoryIsSaidAtOnce) {
-  // Two petabytes on any device: 64 lights need 64 shadow maps of a GiB each, with the device's own limit as the other answer.
-  const Result result = run({"render", head(), "-o", picture().string(), "--size", "48x48", "--map-size", "64", "--shadow-size", "16384", "--lights", "64"});
-  expect_refused(result, "shadow");
-}
+// 64 shadow maps of 16384 x 16384: 64 GiB, more than a device has, or more layers than it takes. Said before any work on the scene.
+TEST_F(Output, TooLittleDeviceMemory) { expect_refused(render({head(), "--shadow-size", "16384", "--lights", "64"}), "shadow"); }
 
+// Without a device in between: drivers may fall over when the system has no memory left, our own code must not.
 TEST_F(Output, TooLittleMemory) {
-  const std::string scene = head();
-  for (const std::uint64_t mib : {150, 200, 250, 300, 400}) {
+  int refused = 0;
+  for (const std::uint64_t mib : {40, 60, 80}) {
     SCOPED_TRACE(mib);
-    const Result result = render({scene}, {.variables = {}, .address_space_bytes = mib << 20});
-    if (result.status == 0) continue;   // a small driver fits
-    expect_refused(result, "");
-    EXPECT_GT(result.err.size(), 20u);
+    const Result result = run({"plan", "-o", (folder() / "plan.txt").string()}, {.variables = {}, .address_space_bytes = mib << 20});
+    if (result.status == 0) continue;
+    expect_refused(result, "memory");
+    EXPECT_FALSE(fs::exists(folder() / "plan.txt"));
+    ++refused;
   }
+  EXPECT_GT(refused, 0);
 }
 
 }  // namespace

@@ -22,8 +22,10 @@ namespace {
 constexpr double limit_s = 60;
 
 // Between fork and exec: only calls that are safe there.
-[[noreturn]] void become(const fs::path& out, const fs::path& err, char* const* arguments, char* const* variables, std::uint64_t address_space_bytes) {
-  const int out_file = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), err_file = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+[[noreturn]] void become(const fs::path& out, const fs::path& err, char* const* arguments, char* const* variables,
+                         std::uint64_t address_space_bytes) {
+  const int out_file = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600),
+            err_file = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, 0), ::dup2(out_file, 1), ::dup2(err_file, 2);
   if (address_space_bytes != 0) {
@@ -83,10 +85,11 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
   std::vector<std::string> variables = surroundings.variables;
   for (char** v = environ; *v; ++v) {
     const std::string variable = *v, name = variable.substr(0, variable.find('=') + 1);
-    if (std::none_of(variables.begin(), variables.end(), [&](const std::string& own) { return own.starts_with(name); })) variables.push_back(variable);
+    if (std::none_of(variables.begin(), variables.end(), [&](const std::string& own) { return own.starts_with(name); }))
+      variables.push_back(variable);
   }
   const std::vector<char*> argv = pointers(all), envp = pointers(variables);
-  const fs::path log = folder_.string() + ".log";   // beside the folder: what is left in the folder is what the program left
+  const fs::path log = folder_.string() + ".log";  // beside the folder: what is left in the folder is what the program left
   const fs::path out = log.string() + ".out", err = log.string() + ".err";
   const pid_t child = ::fork();
   if (child == 0) become(out, err, argv.data(), envp.data(), surroundings.address_space_bytes);

@@ -13,14 +13,14 @@ namespace dermis::tests {
 using Arguments = std::vector<std::string>;
 
 struct Result {
-  int status = -1;            ///< 128 + number if a signal ended it
+  int status = -1;  ///< 128 + number if a signal ended it
   std::string out, err;
 };
 
 struct Surroundings {
-  std::vector<std::string> variables;   ///< "NAME=value", on top of those of the test
-  std::uint64_t address_space_bytes = 0;///< 0: no limit
-  double kill_after_s = 0;              ///< 0: only the limit of a test, 60 s
+  std::vector<std::string> variables;     ///< "NAME=value", on top of those of the test
+  std::uint64_t address_space_bytes = 0;  ///< 0: no limit
+  double kill_after_s = 0;                ///< 0: only the limit of a test, 60 s
 };
 
 class Program : public testing::Test {

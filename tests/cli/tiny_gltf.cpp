@@ -55,12 +55,16 @@ std::string tiny_gltf(const TinyMesh& mesh, const std::function<void(json&)>& ch
     if (values.empty()) return -1;
     views.push_back({{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", values.size() * 4}});
     append(bytes, values);
-    more.update({{"bufferView", views.size() - 1}, {"componentType", component}, {"type", type}, {"count", values.size() / static_cast<std::size_t>(width)}});
+    more.update({{"bufferView", views.size() - 1},
+                 {"componentType", component},
+                 {"type", type},
+                 {"count", values.size() / static_cast<std::size_t>(width)}});
     accessors.push_back(more);
     return static_cast<int>(accessors.size()) - 1;
   };
   std::vector<float> low{1e30f, 1e30f, 1e30f}, high{-1e30f, -1e30f, -1e30f};
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) low[i % 3] = std::min(low[i % 3], mesh.positions[i]), high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    low[i % 3] = std::min(low[i % 3], mesh.positions[i]), high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
   json attributes;
   if (const int a = add(mesh.positions, 5126, "VEC3", 3, {{"min", low}, {"max", high}}); a >= 0) attributes["POSITION"] = a;
   if (const int a = add(mesh.normals, 5126, "VEC3", 3, json::object()); a >= 0) attributes["NORMAL"] = a;

@@ -14,7 +14,8 @@ constexpr double head_radius_m = 0.1;
 
 std::string test_name(const testing::TestParamInfo<std::string>& technique) {
   std::string name = technique.param;
-  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
   return name;
 }
 

@@ -21,7 +21,8 @@ TEST(FrameStatistics, PassesAddUpToTheFrame) {
   for (const std::string& technique : technique_names()) {
     SCOPED_TRACE(technique);
     const Statistics s = statistics_of(technique, 512, 1, 5);
-    const double passes = std::accumulate(s.passes.begin(), s.passes.end(), 0.0, [](double t, const PassStatistics& p) { return t + p.ms; });
+    const double passes =
+        std::accumulate(s.passes.begin(), s.passes.end(), 0.0, [](double t, const PassStatistics& p) { return t + p.ms; });
     EXPECT_EQ(s.frames, 5);
     EXPECT_GT(s.frame_ms_median, 0);
     EXPECT_NEAR(passes / s.frame_ms_median, 1, 0.1);
@@ -67,7 +68,8 @@ TEST(FrameStatistics, SkinPixelsAreThoseOfThePicture) {
     const Picture picture = renderer().render(sphere(0.1), small_settings(technique));
     std::uint64_t pixels = 0;
     for (std::size_t i = 3; i < picture.linear_rgba.size(); i += 4) pixels += picture.linear_rgba[i] >= 0.5f;
-    EXPECT_NEAR(static_cast<double>(picture.statistics.skin_pixels), static_cast<double>(pixels), 0.001 * static_cast<double>(pixels)) << technique;
+    EXPECT_NEAR(static_cast<double>(picture.statistics.skin_pixels), static_cast<double>(pixels), 0.001 * static_cast<double>(pixels))
+        << technique;
     EXPECT_GT(pixels, 5000u);
   }
 }
@@ -77,7 +79,8 @@ TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
   for (const std::string& technique : technique_names()) {
     SCOPED_TRACE(technique);
     const nlohmann::json j = nlohmann::json::parse(statistics_of(technique).json());
-    for (const char* key : {"dermis", "device", "driver", "api", "technique", "timing"}) EXPECT_TRUE(j.at(key).is_string() && j.at(key) != "") << key;
+    for (const char* key : {"dermis", "device", "driver", "api", "technique", "timing"})
+      EXPECT_TRUE(j.at(key).is_string() && j.at(key) != "") << key;
     for (const char* key : {"map_size", "heads", "lights", "gaussians", "load_ms", "pipeline_ms", "skin_pixels", "d_ref"})
       EXPECT_TRUE(j.at(key).is_number()) << key;
     for (const char* key : {"median", "min", "max", "frames"}) EXPECT_TRUE(j.at("frame_ms").at(key).is_number()) << key;
@@ -89,7 +92,8 @@ TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
     EXPECT_TRUE(j.at("distance").is_null());
     EXPECT_GT(j.at("d_ref"), 0);
     ASSERT_FALSE(j.at("passes").empty());
-    for (const nlohmann::json& pass : j.at("passes")) EXPECT_TRUE(pass.at("name").is_string() && pass.at("ms").is_number() && pass.at("calls") == 1);
+    for (const nlohmann::json& pass : j.at("passes"))
+      EXPECT_TRUE(pass.at("name").is_string() && pass.at("ms").is_number() && pass.at("calls") == 1);
     EXPECT_TRUE(j.at("timing") == "timestamp" || j.at("timing") == "submit");
   }
 }

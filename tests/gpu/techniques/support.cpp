@@ -75,7 +75,8 @@ const std::vector<Subject>& subjects() {
         {"sphere", [] { return sphere(0.1); }, {}},
         {"sheared plane", sheared_plane, {}},
         {"built-in head", [] { return Scene::built_in(); }, {}},
-        from_file("scan", heads / "lee-perry-smith.gltf", {heads / "LeePerrySmith.glb", heads / "Map-COL.jpg"}, "./run fetch-assets brings it"),
+        from_file("scan", heads / "lee-perry-smith.gltf", {heads / "LeePerrySmith.glb", heads / "Map-COL.jpg"},
+                  "./run fetch-assets brings it"),
         from_file("MakeHuman", makehuman, {makehuman}, cache),
         from_file("ICT", ict, {ict}, cache),
     };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The checker itself: each fault, put into a sound list of barriers, is found and named.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "hazards.h"
@@ -36,14 +35,18 @@ class Checker : public testing::Test {
               {}};
   }
 
-  void expect_found(const char* what) { EXPECT_THAT(hazards(plan_, sound_), testing::Contains(testing::HasSubstr(what))); }
+  void expect_found(const std::string& what) {
+    std::string all;
+    for (const std::string& line : hazards(plan_, sound_)) all += line + "\n";
+    EXPECT_NE(all.find(what), std::string::npos) << what << " is not among:\n" << all;
+  }
 
   FramePlan plan_;
   TextureId map_;
   std::vector<std::vector<Barrier>> sound_;
 };
 
-TEST_F(Checker, IsSilentAboutASoundFrame) { EXPECT_THAT(hazards(plan_, sound_), testing::IsEmpty()); }
+TEST_F(Checker, IsSilentAboutASoundFrame) { EXPECT_TRUE(hazards(plan_, sound_).empty()); }
 
 TEST_F(Checker, WrongLayout) {
   sound_[1].clear();
