@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "cli/command.h"
+#include "cli/profile_command.h"
 
 namespace {
 
@@ -28,6 +29,7 @@ int main(int argc, char** argv) {
   int exit_status = 0;
   dermis::cli::add_render_command(app, exit_status);
   dermis::cli::add_plan_command(app, exit_status);
+  dermis::cli::add_profile_command(app, exit_status);
   dermis::cli::add_info_command(app, exit_status);
 
   // 2: the command line cannot be parsed. 1: everything else that goes wrong, in one line.
