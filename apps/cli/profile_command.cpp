@@ -37,10 +37,6 @@ struct Fitted {
 };
 
 Fitted fit(const Source& source, const ProfileOptions& options) {
-  if (options.gaussians < 1 || options.gaussians > gaussians::max_terms)
-    throw input_error("--gaussians", "1 to {}, got {}", gaussians::max_terms, options.gaussians);
-  if (options.variances != "shared" && options.variances != "per-channel")
-    throw input_error("--variances", "'{}' is not known; known: shared, per-channel", options.variances);
   Fitted out;
   for (int c = 0; c < 3; ++c) {
     out.total[c] = std::min(source.profiles[c]->total(), 1.0);  // a conservative medium may round past 1
@@ -152,7 +148,12 @@ std::string exported(const Source& source, const Fitted& fitted, const std::stri
   return gaussians::export_text(system, input);
 }
 
-void check_outputs(const ProfileOptions& options) {
+/// What can be refused before the long work.
+void check(const ProfileOptions& options) {
+  if (options.gaussians < 1 || options.gaussians > gaussians::max_terms)
+    throw input_error("--gaussians", "1 to {}, got {}", gaussians::max_terms, options.gaussians);
+  if (options.variances != "shared" && options.variances != "per-channel")
+    throw input_error("--variances", "'{}' is not known; known: shared, per-channel", options.variances);
   for (const std::string& path : {options.output, options.plot, options.swatches})
     if (!path.empty() && path != "-") check_writable(path);
   if (options.plot == "-" || options.swatches == "-") throw input_error("--plot, --swatches", "need a file, not standard output");
@@ -164,7 +165,7 @@ void check_outputs(const ProfileOptions& options) {
 }
 
 void run(const ProfileOptions& options) {
-  check_outputs(options);
+  check(options);
   const Source source = open_source(options.source);
   const Fitted fitted = fit(source, options);
   const gaussians::Plot plot = make_plot(source, fitted, options);
