@@ -6,6 +6,7 @@
 
 #include "api/setup.h"
 #include "api/output.h"
+#include "core/error.h"
 #include "frame/executor.h"
 #include "gpu/device.h"
 #include "passes/frame_data.h"
@@ -76,6 +77,9 @@ Picture Renderer::render(const Scene& scene, const RenderSettings& settings) {
   api::check_settings(settings);
   api::check_device_limits(settings, device.limits());
   const api::FrameSetup setup = api::set_up(scene.data(), settings);
+  if (setup.plan.shadow_layers > device.limits().max_array_layers)
+    throw input_error(scene.name(), "{} lights need {} shadow maps a head, this device has at most {}; --lights uses fewer", setup.lights,
+                      setup.plan.shadow_layers, device.limits().max_array_layers);
   frame::FramePlan plan;
   const techniques::FrameOutputs out = setup.technique->build(plan, setup.plan);
   api::check_show(out, settings);

@@ -97,6 +97,20 @@ TEST_F(RefusedFiles, CamerasThatSeeNothing) {
   refuse(with({{"znear", 0.01}}), "yfov");
 }
 
+// Each light needs a layer of the shadow maps, more than any device has.
+TEST_F(RefusedFiles, MoreLightsThanADeviceTakes) {
+  refuse(tiny_gltf({},
+                   [](json& root) {
+                     root["extensionsUsed"] = {"KHR_lights_punctual"};
+                     root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "directional"}}};
+                     for (int i = 1; i <= 20000; ++i) {
+                       root["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+                       root["scenes"][0]["nodes"].push_back(i);
+                     }
+                   }),
+         "light");
+}
+
 TEST_F(RefusedFiles, MapsThatAreNoPictures) {
   const auto with = [](const std::string& bytes) {
     return tiny_gltf({}, [&](json& root) {
@@ -171,8 +185,8 @@ TEST_F(RefusedProfiles, EachSaysWhatIsWrong) {
   expect_refused(with_profile(R"({"name": "p", "variances_mm2": [1e999], "weights": [[1, 1, 1]]})"), "profile.json");
   expect_refused(with_profile("{"), "profile.json");
   expect_refused(with_profile(""), "profile.json");
-  expect_refused(render({"--profile", "no-such-profile"}), "skin");
-  expect_refused(render({"--profile", folder().string()}), folder().string());
+  expect_refused(render({file("head.gltf", tiny_gltf()), "--profile", "no-such-profile"}), "skin");
+  expect_refused(render({file("head.gltf", tiny_gltf()), "--profile", folder().string()}), folder().string());
 }
 
 TEST_F(RefusedProfiles, NormaliseAcceptsAnySum) {

@@ -20,15 +20,21 @@ Statistics statistics_of(const std::string& technique, int map_size = 256, int h
 TEST(FrameStatistics, PassesAddUpToTheFrame) {
   for (const std::string& technique : technique_names()) {
     SCOPED_TRACE(technique);
-    const Statistics s = statistics_of(technique, 512, 1, 5);
+    // One frame: medians over several need not add up to the median frame on a machine that does other work.
+    const Statistics s = statistics_of(technique, 512, 1, 1);
     const double passes =
         std::accumulate(s.passes.begin(), s.passes.end(), 0.0, [](double t, const PassStatistics& p) { return t + p.ms; });
-    EXPECT_EQ(s.frames, 5);
+    EXPECT_EQ(s.frames, 1);
     EXPECT_GT(s.frame_ms_median, 0);
     EXPECT_NEAR(passes / s.frame_ms_median, 1, 0.1);
-    EXPECT_LE(s.frame_ms_min, s.frame_ms_median);
-    EXPECT_LE(s.frame_ms_median, s.frame_ms_max);
   }
+}
+
+TEST(FrameStatistics, TheMedianLiesBetweenTheExtremes) {
+  const Statistics s = statistics_of("lambert", 256, 1, 4);
+  EXPECT_EQ(s.frames, 4);
+  EXPECT_LE(s.frame_ms_min, s.frame_ms_median);
+  EXPECT_LE(s.frame_ms_median, s.frame_ms_max);
 }
 
 TEST(FrameStatistics, EveryPassHasANameOfItsOwn) {
