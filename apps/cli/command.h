@@ -15,7 +15,7 @@ void add_render_command(CLI::App& app, int& exit_status);
 
 /// What render, plan and later commands have in common.
 struct SceneArguments {
-  std::string scene;               ///< path; empty: the built-in head
+  std::string scene;  ///< path; empty: the built-in head
   SceneOptions options;
   RenderSettings settings;
 };

@@ -35,15 +35,11 @@ int main(int argc, char** argv) {
   // 2: the command line cannot be parsed. 1: everything else that goes wrong, in one line.
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::bad_alloc&) {
+  } catch (const CLI::ParseError& error) { return app.exit(error) == 0 ? 0 : 2; } catch (const std::bad_alloc&) {
     return fail("too little memory");
   } catch (const std::system_error& error) {
     // A thread that cannot be started says no more than "resource temporarily unavailable".
     return fail(error.code() == std::errc::resource_unavailable_try_again ? "the system allows no more threads or memory" : error.what());
-  } catch (const std::exception& error) {
-    return fail(error.what());
-  }
+  } catch (const std::exception& error) { return fail(error.what()); }
   return exit_status;
 }

@@ -6,7 +6,8 @@
 namespace dermis::cli {
 
 void add_plan_command(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("plan", "print the passes of a frame, what each reads and writes, and the memory; needs no device");
+  CLI::App* command =
+      app.add_subcommand("plan", "print the passes of a frame, what each reads and writes, and the memory; needs no device");
   auto arguments = std::make_shared<SceneArguments>();
   auto dot = std::make_shared<bool>(false);
   auto output = std::make_shared<std::string>("-");

@@ -25,11 +25,12 @@ void check_output(const std::string& path) {
 }
 
 std::string summary(const Statistics& s) {
-  std::string text = fmt::format("{} ({}, Vulkan {})\n{}, {}x{}, {} light{}\n", s.device, s.driver, s.api, s.technique, s.width, s.height, s.lights, s.lights == 1 ? "" : "s");
+  std::string text = fmt::format("{} ({}, Vulkan {})\n{}, {}x{}, {} light{}\n", s.device, s.driver, s.api, s.technique, s.width, s.height,
+                                 s.lights, s.lights == 1 ? "" : "s");
   for (const PassStatistics& pass : s.passes) text += fmt::format("  {:<32} {:9.2f} ms\n", pass.name, pass.ms);
   text += fmt::format("  {:<32} {:9.2f} ms  (median of {})\n", "frame", s.frame_ms_median, s.frames);
-  text += fmt::format("loading {:.0f} ms, upload {:.0f} ms, pipelines {:.0f} ms, peak device memory {:.0f} MB\n", s.load_ms, s.upload_ms, s.pipeline_ms,
-                      static_cast<double>(s.peak_bytes) / 1e6);
+  text += fmt::format("loading {:.0f} ms, upload {:.0f} ms, pipelines {:.0f} ms, peak device memory {:.0f} MB\n", s.load_ms, s.upload_ms,
+                      s.pipeline_ms, static_cast<double>(s.peak_bytes) / 1e6);
   return text;
 }
 
@@ -43,8 +44,7 @@ void render(const RenderArguments& a, int& exit_status) {
   if (!a.stats.empty() && a.stats != "-") {
     check_writable(a.stats);
     const auto full = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
-    if (full(a.stats) == full(a.output))
-      throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
+    if (full(a.stats) == full(a.output)) throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
   }
   Renderer renderer({.device = a.device, .validate = a.validate});
   progress("loading");
@@ -78,7 +78,8 @@ void add_render_command(CLI::App& app, int& exit_status) {
   command->add_option("--frames", arguments->settings.frames, "timed frames after one warm-up");
   command->add_option("--show", arguments->settings.show, "picture, irradiance, stretch, texel-density, blur:K, shadow:K");
   command->add_option("--device", arguments->device, "best, an index or a part of a name of `dermis info`");
-  command->add_flag("--validate", arguments->validate, "run under the Vulkan validation layer; its messages end the run with exit status 1");
+  command->add_flag("--validate", arguments->validate,
+                    "run under the Vulkan validation layer; its messages end the run with exit status 1");
   command->callback([arguments, &exit_status] { render(*arguments, exit_status); });
 }
 

@@ -20,9 +20,11 @@ bool parse_size(const std::string& text, RenderSettings& settings) {
   return height.ec == std::errc() && height.ptr == end;
 }
 
-void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help, const std::string& on = "on", const std::string& off = "off") {
+void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help, const std::string& on = "on",
+                const std::string& off = "off") {
   command
-      .add_option_function<std::string>(name, [&value, on](const std::string& text) { value = text == on; }, help)
+      .add_option_function<std::string>(
+          name, [&value, on](const std::string& text) { value = text == on; }, help)
       ->check(CLI::IsMember({on, off}))
       ->default_str(value ? on : off)
       ->group("Light");
@@ -35,31 +37,43 @@ void add_technique_options(CLI::App& command, RenderSettings& s) {
   command.add_option("--map-size", s.map_size, "side of the light maps, texels")->group("Technique");
   command.add_option("--shadow-size", s.shadow_size, "side of a shadow map, texels")->group("Technique");
   command.add_option("--samples", s.samples, "anti-aliasing, 1 or 4 samples a pixel")->group("Technique");
-  command.add_option("--profile", s.profile, "diffusion profile: a published name or a JSON file (default: the material's, else the published six Gaussians)")
+  command
+      .add_option("--profile", s.profile,
+                  "diffusion profile: a published name or a JSON file (default: the material's, else the published six Gaussians)")
       ->group("Technique");
   command.add_flag("--normalise", s.normalise_profile, "divide a profile's weights by their sum")->group("Technique");
-  command.add_option("--mix", s.mix, "part of the albedo applied before the light scatters, 0 to 1 (default: the material's, else 0.5)")->group("Technique");
+  command.add_option("--mix", s.mix, "part of the albedo applied before the light scatters, 0 to 1 (default: the material's, else 0.5)")
+      ->group("Technique");
 }
 
 void add_view_options(CLI::App& command, RenderSettings& s) {
   command
       .add_option_function<std::string>(
-          "--size", [&s](const std::string& text) { if (!parse_size(text, s)) throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT in pixels, got '" + text + "'"); },
+          "--size",
+          [&s](const std::string& text) {
+            if (!parse_size(text, s)) throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT in pixels, got '" + text + "'");
+          },
           "picture, pixels")
       ->type_name("WxH")
       ->default_str("1280x720")
       ->group("Camera");
-  command.add_option("--camera", s.camera, "a camera of the scene (default: its first, else the head is framed from the front)")->group("Camera");
+  command.add_option("--camera", s.camera, "a camera of the scene (default: its first, else the head is framed from the front)")
+      ->group("Camera");
   command.add_option("--fov", s.fov_deg, "vertical field of view, degrees (default: the camera's, 20 when framing)")->group("Camera");
   command
-      .add_option_function<std::vector<double>>("--orbit", [&s](const std::vector<double>& angles) { s.orbit_deg = {angles[0], angles[1]}; },
-                                                "turn the framing camera: azimuth towards the head's left, elevation; degrees")
+      .add_option_function<std::vector<double>>(
+          "--orbit",
+          [&s](const std::vector<double>& angles) {
+            s.orbit_deg = {angles[0], angles[1]};
+          },
+          "turn the framing camera: azimuth towards the head's left, elevation; degrees")
       ->delimiter(',')
       ->expected(2)
       ->type_name("AZ,EL")
       ->default_str("0,0")
       ->group("Camera");
-  command.add_option("--distance", s.distance, "the eye stands this far from the middle head, in radii of its bounding sphere")->group("Camera");
+  command.add_option("--distance", s.distance, "the eye stands this far from the middle head, in radii of its bounding sphere")
+      ->group("Camera");
   command.add_option("--heads", s.heads, "heads in a row, 1.6 radii apart")->group("Camera");
   command.add_option("--exposure", s.exposure_ev, "radiance is multiplied by 2^EV")->group("Camera");
   command.add_option("--view", s.view, "view transform of PNG: filmic, srgb, linear")->group("Camera");
@@ -67,7 +81,9 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
 }
 
 void add_light_options(CLI::App& command, RenderSettings& s) {
-  command.add_option("--lights", s.lights, "this many lights of the rig (key, fill, rim, further ones) instead of the scene's (default: the scene's, else 2)")
+  command
+      .add_option("--lights", s.lights,
+                  "this many lights of the rig (key, fill, rim, further ones) instead of the scene's (default: the scene's, else 2)")
       ->group("Light");
   command.add_option("--ambient", s.ambient, "uniform radiance from everywhere (1 shows white Lambert as 1)")->group("Light");
   add_switch(command, "--specular", s.specular, "reflection at the surface: on, off");
@@ -79,7 +95,9 @@ void add_light_options(CLI::App& command, RenderSettings& s) {
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
   command.option_defaults()->always_capture_default();
   command.add_option("SCENE", arguments.scene, ".gltf or .glb file; without one, the built-in head");
-  command.add_option("--skin", arguments.options.skin_material, "the material that is skin (default: extras.dermis, else the name contains 'skin', else the only one)")
+  command
+      .add_option("--skin", arguments.options.skin_material,
+                  "the material that is skin (default: extras.dermis, else the name contains 'skin', else the only one)")
       ->group("Scene");
   command.add_option("--unit-scale", arguments.options.unit_scale, "multiplies all lengths of the file; glTF says metres")->group("Scene");
   add_technique_options(command, arguments.settings);

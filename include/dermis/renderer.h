@@ -20,36 +20,37 @@
 
 namespace dermis {
 
-/// What to render. Angles in degrees, distances in radii of the head's bounding sphere, radiance relative (white Lambert under irradiance pi shows 1).
+/// What to render. Angles in degrees, distances in radii of the head's bounding sphere, radiance relative (white Lambert under irradiance
+/// pi shows 1).
 struct RenderSettings {
-  std::string technique = "texture-space";   ///< a name of technique_names()
-  int width = 1280, height = 720;            ///< pixels, 1 to the device's limit
-  int map_size = 2048;                       ///< texels of a side of the light maps, 32 to the device's limit
-  int shadow_size = 2048;                    ///< texels
-  int samples = 4;                           ///< anti-aliasing, 1 or 4
-  std::string camera;                        ///< name; empty: the scene's first, else framing
-  std::optional<double> fov_deg;             ///< vertical; none: the camera's, 20 when framing
-  std::optional<double> distance;            ///< the paper's test: from the eye to the middle head, in sphere radii
-  int heads = 1;                             ///< in a row, 1.6 radii apart
-  std::array<double, 2> orbit_deg{0, 0};     ///< azimuth, elevation of the framing camera
-  std::optional<int> lights;                 ///< that many of the rig instead of the scene's; none: the scene's, else 2
-  double ambient = 0.05;                     ///< uniform radiance from everywhere
-  std::string profile;                       ///< published name or file; empty: the material's, else the published six Gaussians
-  bool normalise_profile = false;            ///< divide the weights of a profile file by their sum
-  std::optional<double> mix;                 ///< part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
+  std::string technique = "texture-space";  ///< a name of technique_names()
+  int width = 1280, height = 720;           ///< pixels, 1 to the device's limit
+  int map_size = 2048;                      ///< texels of a side of the light maps, 32 to the device's limit
+  int shadow_size = 2048;                   ///< texels
+  int samples = 4;                          ///< anti-aliasing, 1 or 4
+  std::string camera;                       ///< name; empty: the scene's first, else framing
+  std::optional<double> fov_deg;            ///< vertical; none: the camera's, 20 when framing
+  std::optional<double> distance;           ///< the paper's test: from the eye to the middle head, in sphere radii
+  int heads = 1;                            ///< in a row, 1.6 radii apart
+  std::array<double, 2> orbit_deg{0, 0};    ///< azimuth, elevation of the framing camera
+  std::optional<int> lights;                ///< that many of the rig instead of the scene's; none: the scene's, else 2
+  double ambient = 0.05;                    ///< uniform radiance from everywhere
+  std::string profile;                      ///< published name or file; empty: the material's, else the published six Gaussians
+  bool normalise_profile = false;           ///< divide the weights of a profile file by their sum
+  std::optional<double> mix;                ///< part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
   bool specular = true;
-  bool white_albedo = false;                 ///< every albedo is 1
-  double bloom = 0.05;                       ///< 0 to 1
-  double exposure_ev = 0;                    ///< radiance is multiplied by 2^EV
-  std::string view = "filmic";               ///< filmic, srgb, linear
-  int frames = 1;                            ///< timed frames after one warm-up, >= 1
-  std::string show = "picture";              ///< picture, irradiance, stretch, texel-density, blur:K, shadow:K
+  bool white_albedo = false;     ///< every albedo is 1
+  double bloom = 0.05;           ///< 0 to 1
+  double exposure_ev = 0;        ///< radiance is multiplied by 2^EV
+  std::string view = "filmic";   ///< filmic, srgb, linear
+  int frames = 1;                ///< timed frames after one warm-up, >= 1
+  std::string show = "picture";  ///< picture, irradiance, stretch, texel-density, blur:K, shadow:K
 };
 
 struct PassStatistics {
   std::string name;
-  double ms = 0;                             ///< median over the frames
-  int calls = 1;                             ///< a frame
+  double ms = 0;  ///< median over the frames
+  int calls = 1;  ///< a frame
 };
 
 /// See docs/measuring.md for what each figure means and how it is taken.
@@ -61,22 +62,22 @@ struct Statistics {
   int frames = 0;
   std::vector<PassStatistics> passes;
   double load_ms = 0, upload_ms = 0, pipeline_ms = 0;
-  std::string timing;                        ///< "timestamp", or "submit" where each pass is its own submission
+  std::string timing;  ///< "timestamp", or "submit" where each pass is its own submission
   std::vector<std::string> skin_materials;
   std::uint64_t skin_pixels = 0;
   double d_ref = 0;
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0;
-  std::vector<int> used_size;                ///< T of each head
+  std::vector<int> used_size;  ///< T of each head
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;
 
-  std::string json() const;                  ///< the keys of the command line's --stats
+  std::string json() const;  ///< the keys of the command line's --stats
 };
 
 /// A finished picture: linear floats, and eight bits for a display. Rows from top to bottom.
 struct Picture {
   int width = 0, height = 0;
-  std::vector<float> linear_rgba;            ///< with exposure and bloom; alpha = share of the pixel that is skin
-  std::vector<std::uint8_t> display_rgba;    ///< after the view transform
+  std::vector<float> linear_rgba;          ///< with exposure and bloom; alpha = share of the pixel that is skin
+  std::vector<std::uint8_t> display_rgba;  ///< after the view transform
   Statistics statistics;
 
   /// .png (display values) or .exr (linear, 32-bit float), atomically. InputError: another ending, a missing folder.
@@ -86,8 +87,8 @@ struct Picture {
 class Renderer {
  public:
   struct Options {
-    std::string device = "best";             ///< best, an index or a part of a name
-    bool validate = false;                   ///< Vulkan validation layer; see validation_messages()
+    std::string device = "best";  ///< best, an index or a part of a name
+    bool validate = false;        ///< Vulkan validation layer; see validation_messages()
   };
   Renderer() : Renderer(Options{}) {}
   /// DeviceError: no driver, no such device, or something that is needed is missing.

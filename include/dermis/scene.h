@@ -13,8 +13,8 @@ struct Scene;
 }
 
 struct SceneOptions {
-  double unit_scale = 1;          ///< multiplies every length of the file; glTF says metres
-  std::string skin_material;      ///< this material is skin; empty: extras.dermis, else the name contains "skin", else the only one
+  double unit_scale = 1;      ///< multiplies every length of the file; glTF says metres
+  std::string skin_material;  ///< this material is skin; empty: extras.dermis, else the name contains "skin", else the only one
 };
 
 class Scene {

@@ -73,8 +73,8 @@ passes::GpuSceneSettings upload_settings(const RenderSettings& settings, const F
   return upload;
 }
 
-void fill_counts(Statistics& st, const scene::Scene& scene, const RenderSettings& settings, const FrameSetup& setup, const techniques::FrameOutputs& out,
-                 std::span<const std::byte> counters) {
+void fill_counts(Statistics& st, const scene::Scene& scene, const RenderSettings& settings, const FrameSetup& setup,
+                 const techniques::FrameOutputs& out, std::span<const std::byte> counters) {
   std::uint32_t counts[techniques::counter_count] = {};
   DERMIS_ASSERT_EQ(counters.size(), sizeof counts);
   std::memcpy(counts, counters.data(), sizeof counts);
@@ -122,7 +122,8 @@ void read_picture(Picture& picture, frame::Executor& executor, const techniques:
   const bool is_light = !depth && !density && settings.show != "stretch";
   for (std::size_t i = 0; i < picture.linear_rgba.size(); ++i) {
     const float value = std::clamp(picture.linear_rgba[i], 0.0f, 1.0f);
-    picture.display_rgba.push_back(i % 4 == 3 ? 255 : static_cast<std::uint8_t>(std::lround(255 * (is_light ? image::linear_to_srgb(value) : value))));
+    picture.display_rgba.push_back(
+        i % 4 == 3 ? 255 : static_cast<std::uint8_t>(std::lround(255 * (is_light ? image::linear_to_srgb(value) : value))));
   }
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "api/setup.h"
 #include "api/output.h"
+#include "api/setup.h"
 #include "core/error.h"
 #include "frame/executor.h"
 #include "gpu/device.h"
@@ -62,7 +62,8 @@ struct Renderer::State {
   gpu::Device device;
   gpu::PipelineLibrary library;
   explicit State(const Options& options)
-      : device({.select = options.device, .validate = options.validate}), library(device, passes::find_shader, gpu::default_pipeline_cache()) {}
+      : device({.select = options.device, .validate = options.validate}),
+        library(device, passes::find_shader, gpu::default_pipeline_cache()) {}
 };
 
 Renderer::Renderer(const Options& options) : state_(std::make_unique<State>(options)) {}
@@ -106,7 +107,8 @@ Picture Renderer::render(const Scene& scene, const RenderSettings& settings) {
   api::fill_counts(statistics, scene.data(), settings, setup, out, counters);
   const gpu::DeviceSummary& summary = device.summary();
   statistics.device = summary.name, statistics.driver = summary.driver, statistics.api = summary.api;
-  statistics.image_bytes = device.image_bytes(), statistics.buffer_bytes = device.buffer_bytes(), statistics.peak_bytes = device.peak_bytes();
+  statistics.image_bytes = device.image_bytes(), statistics.buffer_bytes = device.buffer_bytes(),
+  statistics.peak_bytes = device.peak_bytes();
   api::read_picture(picture, executor, out, settings);
   return picture;
 }

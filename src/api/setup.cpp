@@ -35,7 +35,8 @@ scene::Camera find_camera(const scene::Scene& scene, const RenderSettings& s, co
       if (camera.name == s.camera) return with_fov(camera);
       names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
     }
-    throw input_error("", "--camera '{}' is not in {}; {}", s.camera, scene.name, names.empty() ? "it has no cameras" : "there are: " + names);
+    throw input_error("", "--camera '{}' is not in {}; {}", s.camera, scene.name,
+                      names.empty() ? "it has no cameras" : "there are: " + names);
   }
   const bool orbits = s.orbit_deg != std::array<double, 2>{0, 0};
   if (!scene.cameras.empty() && !orbits && s.heads == 1) return with_fov(scene.cameras.front());
@@ -65,7 +66,9 @@ glm::mat4 projection(const scene::Camera& camera, double aspect) {
 io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, std::size_t first_layer) {
   io::LightIo out{};
   out.colour = light.colour;
-  out.type = light.type == scene::LightType::directional ? LIGHT_DIRECTIONAL : light.type == scene::LightType::spot ? LIGHT_SPOT : LIGHT_POINT;
+  out.type = light.type == scene::LightType::directional ? LIGHT_DIRECTIONAL
+             : light.type == scene::LightType::spot      ? LIGHT_SPOT
+                                                         : LIGHT_POINT;
   out.position_m = light.position_m;
   out.range_m = light.range_m;
   out.direction = light.direction;
@@ -85,8 +88,8 @@ scene::BoundingSphere caster_sphere(const scene::Scene& scene) {
   return scene::bounding_sphere(points);
 }
 
-std::vector<HeadSetup> set_up_heads(const scene::Scene& scene, const RenderSettings& s, const FrameSetup& setup, const std::vector<scene::Light>& lights,
-                                    const glm::vec3& eye_m) {
+std::vector<HeadSetup> set_up_heads(const scene::Scene& scene, const RenderSettings& s, const FrameSetup& setup,
+                                    const std::vector<scene::Light>& lights, const glm::vec3& eye_m) {
   const scene::BoundingSphere casters = caster_sphere(scene);
   std::vector<HeadSetup> heads;
   for (const glm::vec3& offset : scene::head_row_offsets(s.heads, setup.sphere.radius_m)) {
@@ -106,7 +109,8 @@ std::vector<HeadSetup> set_up_heads(const scene::Scene& scene, const RenderSetti
 techniques::SkinPart skin_part(const scene::Scene& scene, const scene::SkinMesh& mesh, const RenderSettings& s) {
   techniques::SkinPart part;
   const scene::SkinSettings& material = scene.materials[static_cast<std::size_t>(mesh.triangle_material.front())].skin_settings;
-  part.profile = !s.profile.empty() ? gaussians::from_name_or_file(s.profile, s.normalise_profile) : material.profile.value_or(gaussians::skin_six());
+  part.profile =
+      !s.profile.empty() ? gaussians::from_name_or_file(s.profile, s.normalise_profile) : material.profile.value_or(gaussians::skin_six());
   // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not wrong in width.
   part.max_texels_per_mm = std::max(scene::unwrap_density(mesh, scene.mm_per_unit).largest_texels_per_mm.p95 * s.map_size, 1e-6);
   part.gutter_texels = passes::gutter_width(part.profile, part.max_texels_per_mm);
@@ -187,7 +191,8 @@ FrameSetup set_up(const scene::Scene& scene, const RenderSettings& s) {
   const std::vector<glm::vec3> offsets = scene::head_row_offsets(s.heads, setup.sphere.radius_m);
   const bool rig = s.lights || scene.lights.empty();
   const std::vector<scene::Light> lights =
-      rig ? (s.lights.value_or(2) == 0 ? std::vector<scene::Light>{} : scene::light_rig(setup.sphere, s.lights.value_or(2), offsets)) : scene.lights;
+      rig ? (s.lights.value_or(2) == 0 ? std::vector<scene::Light>{} : scene::light_rig(setup.sphere, s.lights.value_or(2), offsets))
+          : scene.lights;
   setup.lights = static_cast<int>(lights.size());
   setup.heads = set_up_heads(scene, s, setup, lights, eye_m);
   set_up_plan(setup, scene, s);

@@ -25,11 +25,11 @@ struct FrameSetup {
   const techniques::Technique* technique = nullptr;
   techniques::FrameSettings plan;
   std::vector<scene::SkinMesh> skin;
-  std::vector<HeadSetup> heads;            ///< far to near
+  std::vector<HeadSetup> heads;  ///< far to near
   io::FrameIo frame{};
   scene::BoundingSphere sphere;
   int lights = 0, gaussians = 0;
-  double d_ref = 0;                        ///< sphere radii at which the mean texel density is one texel a pixel
+  double d_ref = 0;  ///< sphere radii at which the mean texel density is one texel a pixel
 };
 
 FrameSetup set_up(const scene::Scene& scene, const RenderSettings& settings);

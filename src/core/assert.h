@@ -12,15 +12,17 @@ namespace dermis {
 
 }  // namespace dermis
 
-#define DERMIS_ASSERT(condition) \
-  do { if (!(condition)) ::dermis::assertion_failed(#condition, "", __FILE__, __LINE__); } while (false)
+#define DERMIS_ASSERT(condition)                                                      \
+  do {                                                                                \
+    if (!(condition)) ::dermis::assertion_failed(#condition, "", __FILE__, __LINE__); \
+  } while (false)
 
-#define DERMIS_ASSERT_OP_(a, op, b)                                                                                        \
-  do {                                                                                                                     \
-    const auto& dermis_a_ = (a);                                                                                           \
-    const auto& dermis_b_ = (b);                                                                                           \
-    if (!(dermis_a_ op dermis_b_))                                                                                         \
-      ::dermis::assertion_failed(#a " " #op " " #b, fmt::format("{} vs {}", dermis_a_, dermis_b_), __FILE__, __LINE__);    \
+#define DERMIS_ASSERT_OP_(a, op, b)                                                                                     \
+  do {                                                                                                                  \
+    const auto& dermis_a_ = (a);                                                                                        \
+    const auto& dermis_b_ = (b);                                                                                        \
+    if (!(dermis_a_ op dermis_b_))                                                                                      \
+      ::dermis::assertion_failed(#a " " #op " " #b, fmt::format("{} vs {}", dermis_a_, dermis_b_), __FILE__, __LINE__); \
   } while (false)
 
 #define DERMIS_ASSERT_EQ(a, b) DERMIS_ASSERT_OP_(a, ==, b)

@@ -12,7 +12,8 @@
 namespace dermis {
 
 /// Reads a whole regular file. InputError names the path and the reason (missing, a directory, empty if !allow_empty, over limit_bytes).
-std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t limit_bytes = std::uint64_t{2} << 30, bool allow_empty = false);
+std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t limit_bytes = std::uint64_t{2} << 30,
+                                 bool allow_empty = false);
 
 /// Writes to "PATH.part", then renames: the old file or the new one, never a half. InputError if the folder is missing or the disk is full.
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);

@@ -12,7 +12,8 @@
 namespace dermis::gaussians {
 
 /// Terms are sorted narrow to wide. InputError: a key that is not known (lists the known ones), a variance <= 0, equal variances, a
-/// negative weight, weights that do not sum to 1 within 1e-3 per channel (unless normalise: they are divided by their sum), 0 or more than 8 terms.
+/// negative weight, weights that do not sum to 1 within 1e-3 per channel (unless normalise: they are divided by their sum), 0 or more than
+/// 8 terms.
 SumOfGaussians parse_json(std::string_view text, const std::string& where, bool normalise = false);
 SumOfGaussians load_json(const std::filesystem::path& path, bool normalise = false);
 std::string to_json(const SumOfGaussians& sum);

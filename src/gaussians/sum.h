@@ -21,12 +21,12 @@ struct Gaussian {
 /// Narrow to wide. Weights sum to 1 per channel; what the skin reflects in all is kept beside them.
 struct SumOfGaussians {
   std::string name;
-  std::string model;                         ///< which model made the profile ("dipole", "Monte-Carlo", ...); empty if published or unknown
-  std::vector<Gaussian> terms;               ///< 1 to 8, variances strictly increasing
-  Rgb total_reflectance{1, 1, 1};            ///< 0..1, the integral of R over the plane before the weights were normalised
-  Rgb error_percent{};                       ///< 100 sqrt(int r (R-S)^2 dr / int r R^2 dr) against the profile it was fitted to; 0 if published
-  Rgb mean_free_path_mm{};                   ///< 1 / sigma_t'; 0 if unknown
-  Rgb diffuse_mean_free_path_mm{};           ///< 1 / sigma_tr; 0 if unknown
+  std::string model;                ///< which model made the profile ("dipole", "Monte-Carlo", ...); empty if published or unknown
+  std::vector<Gaussian> terms;      ///< 1 to 8, variances strictly increasing
+  Rgb total_reflectance{1, 1, 1};   ///< 0..1, the integral of R over the plane before the weights were normalised
+  Rgb error_percent{};              ///< 100 sqrt(int r (R-S)^2 dr / int r R^2 dr) against the profile it was fitted to; 0 if published
+  Rgb mean_free_path_mm{};          ///< 1 / sigma_t'; 0 if unknown
+  Rgb diffuse_mean_free_path_mm{};  ///< 1 / sigma_tr; 0 if unknown
 
   double max_variance_mm2() const { return terms.empty() ? 0 : terms.back().variance_mm2; }
 };

@@ -25,38 +25,38 @@ struct RequiredFeatures {
   RequiredFeatures(const RequiredFeatures&) = delete;
   RequiredFeatures& operator=(const RequiredFeatures&) = delete;
   static constexpr std::uint32_t api_version = VK_API_VERSION_1_3;
-  static std::span<const char* const> extensions();   ///< VK_KHR_push_descriptor
-  VkPhysicalDeviceFeatures2 features{};                ///< first of the chain
+  static std::span<const char* const> extensions();  ///< VK_KHR_push_descriptor
+  VkPhysicalDeviceFeatures2 features{};              ///< first of the chain
   VkPhysicalDeviceVulkan11Features features11{};
-  VkPhysicalDeviceVulkan12Features features12{};       ///< scalarBlockLayout, timelineSemaphore, ...
-  VkPhysicalDeviceVulkan13Features features13{};       ///< dynamicRendering, synchronization2
+  VkPhysicalDeviceVulkan12Features features12{};  ///< scalarBlockLayout, timelineSemaphore, ...
+  VkPhysicalDeviceVulkan13Features features13{};  ///< dynamicRendering, synchronization2
 };
 
 /// One physical device as `dermis info` shows it.
 struct DeviceSummary {
-  std::string name, driver, type;         ///< type: discrete, integrated, virtual, software, other
-  std::string api;                        ///< "1.3.230"
-  std::uint64_t memory_bytes = 0;         ///< largest device-local heap
-  std::vector<std::string> missing;       ///< one sentence for each requirement it does not meet; empty = usable
+  std::string name, driver, type;    ///< type: discrete, integrated, virtual, software, other
+  std::string api;                   ///< "1.3.230"
+  std::uint64_t memory_bytes = 0;    ///< largest device-local heap
+  std::vector<std::string> missing;  ///< one sentence for each requirement it does not meet; empty = usable
 };
 
 /// All devices, best first (discrete, integrated, virtual, software; unusable ones last). Empty if there is no driver or no loader.
 std::vector<DeviceSummary> list_devices();
 
 struct DeviceLimits {
-  std::uint32_t max_image_side = 0;       ///< texels, 2D
+  std::uint32_t max_image_side = 0;  ///< texels, 2D
   std::uint32_t max_array_layers = 0;
   std::uint64_t max_buffer_bytes = 0;
   std::uint64_t max_storage_buffer_bytes = 0;
-  std::array<std::uint32_t, 3> max_workgroups{};   ///< of one dispatch, per axis
+  std::array<std::uint32_t, 3> max_workgroups{};  ///< of one dispatch, per axis
   std::uint32_t max_workgroup_threads = 0;
-  float max_anisotropy = 1;               ///< 1: none
+  float max_anisotropy = 1;  ///< 1: none
   std::uint32_t max_push_bytes = 0;
   std::uint32_t max_clip_distances = 0;
   float timestamp_period_ns = 1;
-  std::uint64_t timestamp_mask = 0;       ///< bits that count; 0: none
+  std::uint64_t timestamp_mask = 0;  ///< bits that count; 0: none
   bool timestamps = false;
-  bool software = false;                  ///< timestamps between raster passes cannot be trusted there
+  bool software = false;  ///< timestamps between raster passes cannot be trusted there
 };
 
 class Buffer;
@@ -69,8 +69,8 @@ class MemoryPool;
 class Device {
  public:
   struct Options {
-    std::string select = "best";          ///< best, an index of list_devices(), or a part of a name (case-insensitive)
-    bool validate = false;                ///< validation layer with synchronization validation; messages are counted and kept
+    std::string select = "best";  ///< best, an index of list_devices(), or a part of a name (case-insensitive)
+    bool validate = false;        ///< validation layer with synchronization validation; messages are counted and kept
   };
   /// An engine's device. It must have been made with RequiredFeatures. All handles outlive this object.
   struct External {
@@ -80,7 +80,7 @@ class Device {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
-    bool sampler_anisotropy = false;      ///< made with this feature too; optional, without it samplers are isotropic
+    bool sampler_anisotropy = false;  ///< made with this feature too; optional, without it samplers are isotropic
   };
 
   /// DeviceError: no driver, no such device (lists them), a requirement is missing (says which), validation layer not installed.
@@ -88,13 +88,13 @@ class Device {
   explicit Device(const External& external);
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
-  ~Device();                              ///< waits for what was submitted here
+  ~Device();  ///< waits for what was submitted here
 
   VkDevice handle() const;
   const VolkDeviceTable& vk() const;
   const DeviceSummary& summary() const;
   const DeviceLimits& limits() const;
-  bool format_supports(VkFormat format, VkFormatFeatureFlags features) const;   ///< optimal tiling
+  bool format_supports(VkFormat format, VkFormatFeatureFlags features) const;  ///< optimal tiling
   /// Sizes and sample counts that a 2D image may have; none: this format cannot be used so.
   std::optional<VkImageFormatProperties> image_format_properties(VkFormat format, VkImageUsageFlags usage) const;
   const VkPhysicalDeviceProperties& properties() const;
@@ -105,7 +105,7 @@ class Device {
   std::uint64_t submit(VkCommandBuffer commands);
   /// Gives back commands that will not be submitted (recording them failed).
   void discard(VkCommandBuffer commands);
-  void wait(std::uint64_t serial);        ///< DeviceError if the device is lost
+  void wait(std::uint64_t serial);  ///< DeviceError if the device is lost
   /// begin, record, submit, wait.
   void run(const std::function<void(VkCommandBuffer)>& record);
 
@@ -115,14 +115,14 @@ class Device {
   void retire(std::function<void()> free);
 
   MemoryPool& memory();
-  std::uint64_t image_bytes() const;      ///< now allocated for textures
+  std::uint64_t image_bytes() const;  ///< now allocated for textures
   std::uint64_t buffer_bytes() const;
   std::uint64_t peak_bytes() const;
 
   /// What the validation layer said since the start (errors and warnings), in order. Empty if not validating.
   const std::vector<std::string>& validation_messages() const;
 
-  void set_name(VkObjectType type, std::uint64_t handle, const std::string& name) const;   ///< nothing if debug utils are off
+  void set_name(VkObjectType type, std::uint64_t handle, const std::string& name) const;  ///< nothing if debug utils are off
   void begin_label(VkCommandBuffer commands, const std::string& name) const;
   void end_label(VkCommandBuffer commands) const;
 

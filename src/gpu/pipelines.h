@@ -22,7 +22,12 @@ namespace dermis::gpu {
 
 class Device;
 
-enum class BindingKind : std::uint8_t { storage_buffer, uniform_buffer, sampled_image, storage_image };   ///< sampled = combined with a sampler
+enum class BindingKind : std::uint8_t {
+  storage_buffer,
+  uniform_buffer,
+  sampled_image,
+  storage_image
+};  ///< sampled = combined with a sampler
 
 struct BindingSlot {
   std::uint32_t binding = 0;
@@ -33,32 +38,32 @@ struct BindingSlot {
 
 /// What reflection finds in one or two stages together.
 struct ShaderInterface {
-  std::vector<BindingSlot> bindings;                 ///< by binding number
+  std::vector<BindingSlot> bindings;  ///< by binding number
   std::uint32_t push_bytes = 0;
-  std::array<std::uint32_t, 3> workgroup{1, 1, 1};   ///< in a Pipeline: with its constants applied
+  std::array<std::uint32_t, 3> workgroup{1, 1, 1};  ///< in a Pipeline: with its constants applied
   static constexpr std::uint32_t fixed = 0xffffffff;
-  std::array<std::uint32_t, 3> workgroup_constants{fixed, fixed, fixed};   ///< constant_id that sets each size, or fixed
-  std::vector<std::pair<std::string, std::uint32_t>> constants;   ///< specialisation constants: name, constant_id
+  std::array<std::uint32_t, 3> workgroup_constants{fixed, fixed, fixed};  ///< constant_id that sets each size, or fixed
+  std::vector<std::pair<std::string, std::uint32_t>> constants;           ///< specialisation constants: name, constant_id
 };
 ShaderInterface reflect(std::span<const std::uint32_t> spirv, const std::string& name);
 
 /// Named specialisation constants; a name that the shader does not declare is our bug (assertion). bool and int are given as 32 bits.
 using Constants = std::vector<std::pair<std::string, std::uint32_t>>;
 
-enum class Blend : std::uint8_t { none, over };      ///< over: premultiplied alpha
+enum class Blend : std::uint8_t { none, over };  ///< over: premultiplied alpha
 enum class Cull : std::uint8_t { none, back, front };
 
 struct GraphicsDesc {
-  std::string vertex;                                ///< shader names; vertices are pulled from storage buffers
-  std::string fragment;                              ///< empty: depth only
-  Constants constants;                               ///< for both stages; each stage takes those that it declares
+  std::string vertex;    ///< shader names; vertices are pulled from storage buffers
+  std::string fragment;  ///< empty: depth only
+  Constants constants;   ///< for both stages; each stage takes those that it declares
   std::vector<VkFormat> colour_formats;
   VkFormat depth_format = VK_FORMAT_UNDEFINED;
   std::uint32_t samples = 1;
   Blend blend = Blend::none;
-  Cull cull = Cull::none;                            ///< front = counter-clockwise as seen (viewport with negative height, as glTF)
+  Cull cull = Cull::none;  ///< front = counter-clockwise as seen (viewport with negative height, as glTF)
   bool depth_test = false, depth_write = false;
-  VkCompareOp depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;   ///< reversed Z
+  VkCompareOp depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;  ///< reversed Z
   bool depth_clamp = false;
   float depth_bias = 0, depth_bias_slope = 0;
   bool alpha_to_coverage = false;
@@ -91,7 +96,7 @@ class PipelineLibrary {
   const Pipeline& graphics(const GraphicsDesc& desc);
   VkSampler sampler(const SamplerDesc& desc);
   void save_cache() const;
-  double creation_ms() const;                        ///< time spent in making pipelines so far
+  double creation_ms() const;  ///< time spent in making pipelines so far
   Device& device();
 
  private:

@@ -16,11 +16,11 @@ namespace dermis::gpu {
 
 class Device;
 
-enum class BufferPlace : std::uint8_t { device, upload, readback };   ///< upload and readback are mapped
+enum class BufferPlace : std::uint8_t { device, upload, readback };  ///< upload and readback are mapped
 
 struct BufferDesc {
-  std::uint64_t bytes = 0;                ///< > 0
-  VkBufferUsageFlags usage = 0;           ///< transfer bits are added
+  std::uint64_t bytes = 0;       ///< > 0
+  VkBufferUsageFlags usage = 0;  ///< transfer bits are added
   BufferPlace place = BufferPlace::device;
   bool operator==(const BufferDesc&) const = default;
 };
@@ -28,7 +28,7 @@ struct BufferDesc {
 class Buffer {
  public:
   Buffer() = default;
-  Buffer(Device& device, std::string name, const BufferDesc& desc);   ///< DeviceError: no memory (says how much was needed)
+  Buffer(Device& device, std::string name, const BufferDesc& desc);  ///< DeviceError: no memory (says how much was needed)
   Buffer(Buffer&&) noexcept;
   Buffer& operator=(Buffer&&) noexcept;
   ~Buffer();
@@ -36,7 +36,7 @@ class Buffer {
   VkBuffer handle() const { return handle_; }
   const BufferDesc& desc() const { return desc_; }
   const std::string& name() const { return name_; }
-  std::span<std::byte> mapped() const;    ///< upload, readback only; coherent
+  std::span<std::byte> mapped() const;  ///< upload, readback only; coherent
 
  private:
   void release();
@@ -44,34 +44,34 @@ class Buffer {
   std::string name_;
   BufferDesc desc_;
   VkBuffer handle_ = VK_NULL_HANDLE;
-  void* allocation_ = nullptr;            ///< owned by the device's MemoryPool
+  void* allocation_ = nullptr;  ///< owned by the device's MemoryPool
 };
 
 struct TextureDesc {
-  std::uint32_t width = 0, height = 0;    ///< texels, > 0
+  std::uint32_t width = 0, height = 0;  ///< texels, > 0
   std::uint32_t layers = 1;
   std::uint32_t mips = 1;
   VkFormat format = VK_FORMAT_UNDEFINED;
-  std::uint32_t samples = 1;              ///< 1 or 4
+  std::uint32_t samples = 1;  ///< 1 or 4
   VkImageUsageFlags usage = 0;
-  bool array = false;                     ///< view type 2D_ARRAY even with one layer
+  bool array = false;  ///< view type 2D_ARRAY even with one layer
   bool operator==(const TextureDesc&) const = default;
 };
 
-std::uint64_t bytes_of(const TextureDesc& desc);   ///< all mips, layers and samples, without padding
+std::uint64_t bytes_of(const TextureDesc& desc);  ///< all mips, layers and samples, without padding
 VkImageAspectFlags aspect_of(VkFormat format);
 
 class Texture {
  public:
   Texture() = default;
-  Texture(Device& device, std::string name, const TextureDesc& desc);   ///< DeviceError: over the device's limit, no memory
+  Texture(Device& device, std::string name, const TextureDesc& desc);  ///< DeviceError: over the device's limit, no memory
   Texture(Texture&&) noexcept;
   Texture& operator=(Texture&&) noexcept;
   ~Texture();
   explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
   VkImage handle() const { return handle_; }
-  VkImageView view() const { return view_; }                    ///< all layers and mips
-  VkImageView layer_view(std::uint32_t layer) const;            ///< one layer, mip 0, 2D: a render target
+  VkImageView view() const { return view_; }          ///< all layers and mips
+  VkImageView layer_view(std::uint32_t layer) const;  ///< one layer, mip 0, 2D: a render target
   const TextureDesc& desc() const { return desc_; }
   const std::string& name() const { return name_; }
 
@@ -105,10 +105,10 @@ Buffer make_buffer(Device& device, std::string name, std::span<const T> data, Vk
 enum class Filter : std::uint8_t { nearest, linear };
 enum class Address : std::uint8_t { repeat, clamp, mirror };
 struct SamplerDesc {
-  Filter filter = Filter::linear;         ///< mip filter is the same
+  Filter filter = Filter::linear;  ///< mip filter is the same
   Address u = Address::clamp, v = Address::clamp;
-  bool compare_greater = false;           ///< reversed-Z shadow comparison (GREATER_OR_EQUAL)
-  float max_anisotropy = 1;               ///< clamped to what the device has
+  bool compare_greater = false;  ///< reversed-Z shadow comparison (GREATER_OR_EQUAL)
+  float max_anisotropy = 1;      ///< clamped to what the device has
   bool operator==(const SamplerDesc&) const = default;
 };
 

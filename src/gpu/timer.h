@@ -24,10 +24,10 @@ class Timer {
   Timer(const Timer&) = delete;
   Timer& operator=(const Timer&) = delete;
   ~Timer();
-  void reset(VkCommandBuffer commands);              ///< before the first begin of a frame
+  void reset(VkCommandBuffer commands);  ///< before the first begin of a frame
   void begin(VkCommandBuffer commands, const std::string& name);
   void end(VkCommandBuffer commands);
-  std::vector<Timing> read() const;                  ///< in order of begin; 0 ms where the device has no timestamps
+  std::vector<Timing> read() const;  ///< in order of begin; 0 ms where the device has no timestamps
 
  private:
   struct State;

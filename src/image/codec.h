@@ -12,8 +12,8 @@
 namespace dermis::image {
 
 struct DecodeLimits {
-  int max_side = 16384;                 ///< pixels
-  std::size_t max_pixels = 1u << 28;    ///< width * height
+  int max_side = 16384;               ///< pixels
+  std::size_t max_pixels = 1u << 28;  ///< width * height
 };
 
 /// PNG or JPEG, told apart by their first bytes, to RGBA8 (grey is spread, a missing alpha is 255; 16-bit PNG is rounded to 8 bits).

@@ -25,7 +25,7 @@ Attenuation attenuation(double cosine, double m) {
     const double tan2 = -m * m * std::log(1 - u);
     const double cos_h = 1 / std::sqrt(1 + tan2), sin_h = std::sqrt(std::max(0.0, 1 - cos_h * cos_h));
     for (int j = 0; j < samples_phi; ++j) {
-      const double phi = std::numbers::pi * (j + 0.5) / samples_phi;      // the other half is symmetric
+      const double phi = std::numbers::pi * (j + 0.5) / samples_phi;  // the other half is symmetric
       const double v_h = s * sin_h * std::cos(phi) + c * cos_h;
       if (v_h <= 0) continue;
       const double cos_l = 2 * v_h * cos_h - c;
@@ -58,7 +58,8 @@ std::vector<float> attenuation_table() {
   parallel_for(attenuation_rows, [&](std::size_t row) {
     const double m = attenuation_min_m + (1 - attenuation_min_m) * static_cast<double>(row) / (attenuation_rows - 1);
     for (int column = 0; column < width; ++column) {
-      const Attenuation a = column < attenuation_columns ? attenuation(static_cast<double>(column) / (attenuation_columns - 1), m) : mean_attenuation(m);
+      const Attenuation a =
+          column < attenuation_columns ? attenuation(static_cast<double>(column) / (attenuation_columns - 1), m) : mean_attenuation(m);
       table[(row * width + static_cast<std::size_t>(column)) * 2] = static_cast<float>(a.of_f0);
       table[(row * width + static_cast<std::size_t>(column)) * 2 + 1] = static_cast<float>(a.rest);
     }

@@ -8,8 +8,8 @@
 
 namespace dermis::passes {
 
-inline constexpr int attenuation_columns = 64;      ///< cos 0..1, plus two columns that hold the cosine-weighted mean
-inline constexpr int attenuation_rows = 32;         ///< m from attenuation_min_m to 1
+inline constexpr int attenuation_columns = 64;  ///< cos 0..1, plus two columns that hold the cosine-weighted mean
+inline constexpr int attenuation_rows = 32;     ///< m from attenuation_min_m to 1
 inline constexpr double attenuation_min_m = 0.05;
 
 /// Schlick's Fresnel is linear in F0: rho = F0 * of_f0 + rest.

@@ -7,15 +7,15 @@
 #include "gpu/device.h"
 #include "image/colour.h"
 #include "image/resize.h"
-#include "shared/gutters_io.h"
+#include "passes/attenuation.h"
 #include "passes/fine_normals.h"
 #include "passes/gutter_list.h"
-#include "passes/attenuation.h"
+#include "shared/gutters_io.h"
 
 namespace dermis::passes {
 namespace {
 
-constexpr int generated = -1;   // the image number of maps that no file holds
+constexpr int generated = -1;  // the image number of maps that no file holds
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 io::MapIo map_io(const scene::MapRef& map) {
@@ -65,9 +65,10 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   c.alpha_cutoff = m.alpha_cutoff;
   c.specular_colour = m.specular_colour;
   c.flags = (m.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) | (m.unlit ? MATERIAL_UNLIT : 0u) |
-            (m.alpha_mode == scene::AlphaMode::mask ? MATERIAL_ALPHA_MASK : 0u) | (m.alpha_mode == scene::AlphaMode::blend ? MATERIAL_ALPHA_BLEND : 0u);
+            (m.alpha_mode == scene::AlphaMode::mask ? MATERIAL_ALPHA_MASK : 0u) |
+            (m.alpha_mode == scene::AlphaMode::blend ? MATERIAL_ALPHA_BLEND : 0u);
   c.mix_before = mix.value_or(m.skin_settings.mix.value_or(0.5f));
-  c.rho_s = 0.18f;   // [DLE07] GPU Gems 3, ch. 14.3
+  c.rho_s = 0.18f;  // [DLE07] GPU Gems 3, ch. 14.3
   const auto& lobes = m.skin_settings.lobes;
   c.lobe_factor_0 = lobes.empty() ? 1.0f : lobes[0].roughness_factor;
   c.lobe_weight_0 = lobes.empty() ? 1.0f : lobes[0].weight;
@@ -78,7 +79,14 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
 }
 
 io::VertexIo vertex_io(const scene::Vertex& v) {
-  return {.position_m = v.position_m, .normal = v.normal, .tangent = v.tangent, .uv0 = v.uv0, .uv1 = v.uv1, .colour = v.colour, .unwrap = {}, .metric_mm2 = {}};
+  return {.position_m = v.position_m,
+          .normal = v.normal,
+          .tangent = v.tangent,
+          .uv0 = v.uv0,
+          .uv1 = v.uv1,
+          .colour = v.colour,
+          .unwrap = {},
+          .metric_mm2 = {}};
 }
 
 gpu::Texture single_texel(gpu::Device& device, const char* name, std::array<std::uint8_t, 4> rgba) {
@@ -87,7 +95,8 @@ gpu::Texture single_texel(gpu::Device& device, const char* name, std::array<std:
   return texture;
 }
 
-GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vector<io::VertexIo>& vertices, const std::vector<std::uint32_t>& indices) {
+GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vector<io::VertexIo>& vertices,
+                    const std::vector<std::uint32_t>& indices) {
   GpuMesh mesh;
   mesh.name = name;
   glm::vec3 low(INFINITY), high(-INFINITY);
@@ -115,7 +124,11 @@ void upload_gutters(gpu::Device& device, GpuMesh& mesh, const scene::SkinMesh& s
 gpu::Texture upload_attenuation(gpu::Device& device) {
   std::vector<std::uint16_t> halves;
   for (const float value : attenuation_table()) halves.push_back(image::float_to_half(value));
-  gpu::Texture texture(device, "attenuation", {.width = attenuation_columns + 2, .height = attenuation_rows, .format = VK_FORMAT_R16G16_SFLOAT, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  gpu::Texture texture(device, "attenuation",
+                       {.width = attenuation_columns + 2,
+                        .height = attenuation_rows,
+                        .format = VK_FORMAT_R16G16_SFLOAT,
+                        .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   gpu::upload(device, texture, std::as_bytes(std::span(halves)));
   return texture;
 }
@@ -133,7 +146,8 @@ GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_
   mesh.charts = gpu::make_buffer(device, mesh.name + " charts", std::span<const std::uint32_t>(charts), storage);
   for (std::uint32_t t = 0; t < skin.triangle_material.size(); ++t) {
     const int material = skin.triangle_material[t];
-    if (mesh.draws.empty() || mesh.draws.back().material != material) mesh.draws.push_back({.first_index = 3 * t, .index_count = 0, .material = material});
+    if (mesh.draws.empty() || mesh.draws.back().material != material)
+      mesh.draws.push_back({.first_index = 3 * t, .index_count = 0, .material = material});
     mesh.draws.back().index_count += 3;
   }
   return mesh;
@@ -157,7 +171,8 @@ void GpuMesh::offer(Bindings& bindings) const {
   if (charts) bindings.add("Charts", charts);
 }
 
-GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin_meshes, const GpuSceneSettings& settings) {
+GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin_meshes,
+                   const GpuSceneSettings& settings) {
   gpu::Device& device = library.device();
   white_ = single_texel(device, "white", {255, 255, 255, 255});
   flat_normal_ = single_texel(device, "flat normal", {128, 128, 255, 255});
@@ -185,14 +200,18 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
                                                  .v = address(map.wrap_v),
                                                  .max_anisotropy = map.nearest || device.limits().software ? 1.0f : 8.0f});
       const bool is_fine = i == MAP_NORMAL && fine;
-      material.maps[static_cast<std::size_t>(i)] = {is_fine ? fine : map.present() ? &texture(library, scene, map.image, srgb) : &none, sampler};
+      material.maps[static_cast<std::size_t>(i)] = {is_fine         ? fine
+                                                    : map.present() ? &texture(library, scene, map.image, srgb)
+                                                                    : &none,
+                                                    sampler};
     }
     materials.push_back(std::move(material));
   }
   attenuation = upload_attenuation(device);
   for (std::size_t i = 0; i < skin_meshes.size(); ++i) {
     skin.push_back(upload_skin(device, skin_meshes[i], i));
-    if (i < settings.gutter_texels.size()) upload_gutters(device, skin.back(), skin_meshes[i], settings.map_size, settings.gutter_texels[i]);
+    if (i < settings.gutter_texels.size())
+      upload_gutters(device, skin.back(), skin_meshes[i], settings.map_size, settings.gutter_texels[i]);
   }
   for (const scene::Primitive& p : scene.primitives) {
     // Skin without texture coordinates cannot be unwrapped: it is drawn as any other material (the unwrap has warned).
@@ -212,7 +231,8 @@ const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene
   return upload_map(library, map.name, *map.pixels, image, srgb);
 }
 
-const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const std::string& name, const image::Image8& pixels, int image, bool srgb) {
+const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const std::string& name, const image::Image8& pixels, int image,
+                                         bool srgb) {
   const std::vector<image::Image8> mips = image::mip_chain(pixels, srgb);
   std::vector<std::uint8_t> bytes;
   for (const image::Image8& mip : mips) bytes.insert(bytes.end(), mip.rgba.begin(), mip.rgba.end());

@@ -22,13 +22,13 @@ namespace dermis::passes {
 
 struct GpuMaterial {
   std::string name;
-  gpu::Buffer constants;                                 ///< MaterialIo
-  std::array<gpu::SampledBinding, MAP_COUNT> maps{};     ///< a white or flat texel where the material has none
+  gpu::Buffer constants;                              ///< MaterialIo
+  std::array<gpu::SampledBinding, MAP_COUNT> maps{};  ///< a white or flat texel where the material has none
   bool skin = false;
   bool double_sided = false;
   scene::AlphaMode alpha_mode = scene::AlphaMode::opaque;
 
-  void offer(Bindings& bindings) const;                  ///< "Material", "map_base_colour", ...
+  void offer(Bindings& bindings) const;  ///< "Material", "map_base_colour", ...
 };
 
 struct GpuDraw {
@@ -38,34 +38,35 @@ struct GpuDraw {
 
 struct GpuMesh {
   std::string name;
-  gpu::Buffer vertices;                                  ///< VertexIo[]
-  gpu::Buffer indices;                                   ///< uint[]
-  gpu::Buffer charts;                                    ///< uint per triangle; skin only
-  gpu::Buffer gutters;                                   ///< GutterIo[]; skin only
+  gpu::Buffer vertices;  ///< VertexIo[]
+  gpu::Buffer indices;   ///< uint[]
+  gpu::Buffer charts;    ///< uint per triangle; skin only
+  gpu::Buffer gutters;   ///< GutterIo[]; skin only
   std::uint32_t gutter_count = 0;
   std::vector<GpuDraw> draws;
   glm::vec3 centre_m{0};
 
-  void offer(Bindings& bindings) const;                  ///< "Vertices", "Indices", "Charts"
+  void offer(Bindings& bindings) const;  ///< "Vertices", "Indices", "Charts"
 };
 
 /// What of the frame's settings the upload depends on.
 struct GpuSceneSettings {
-  std::optional<float> mix;                              ///< overrides the materials' mix
-  int map_size = 2048;                                   ///< T, for the gutters
-  std::vector<int> gutter_texels;                        ///< width per skin mesh; empty: no gutters
+  std::optional<float> mix;        ///< overrides the materials' mix
+  int map_size = 2048;             ///< T, for the gutters
+  std::vector<int> gutter_texels;  ///< width per skin mesh; empty: no gutters
 };
 
 class GpuScene {
  public:
   /// Uploads. DeviceError: a map or buffer over the device's limits, no memory.
-  GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin, const GpuSceneSettings& settings);
+  GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin,
+           const GpuSceneSettings& settings);
 
-  std::vector<GpuMesh> skin;                             ///< one a SkinMesh
-  std::vector<GpuMesh> surfaces;                         ///< everything else, one a primitive
+  std::vector<GpuMesh> skin;      ///< one a SkinMesh
+  std::vector<GpuMesh> surfaces;  ///< everything else, one a primitive
   std::vector<GpuMaterial> materials;
-  const gpu::Texture& white() const { return white_; }   ///< one white texel
-  gpu::Texture attenuation;                              ///< RG16F, see skin/attenuation.h
+  const gpu::Texture& white() const { return white_; }  ///< one white texel
+  gpu::Texture attenuation;                             ///< RG16F, see skin/attenuation.h
 
  private:
   const gpu::Texture& texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb);

@@ -17,7 +17,8 @@ struct ChartMap {
   int side;
   std::vector<std::uint16_t> chart;
   bool has(int x, int y, std::uint16_t wanted) const {
-    return x >= 0 && y >= 0 && x < side && y < side && chart[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)] == wanted;
+    return x >= 0 && y >= 0 && x < side && y < side &&
+           chart[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)] == wanted;
   }
 };
 
@@ -50,7 +51,8 @@ glm::ivec2 nearest_covered(const ChartMap& map, int x, int y) {
   for (int dy = -2; dy <= 2; ++dy)
     for (int dx = -2; dx <= 2; ++dx) {
       const int sx = x + dx, sy = y + dy, distance2 = dx * dx + dy * dy;
-      if (distance2 < best2 && sx >= 0 && sy >= 0 && sx < map.side && sy < map.side && !map.has(sx, sy, 0)) best2 = distance2, best = {sx, sy};
+      if (distance2 < best2 && sx >= 0 && sy >= 0 && sx < map.side && sy < map.side && !map.has(sx, sy, 0))
+        best2 = distance2, best = {sx, sy};
     }
   return best;
 }
@@ -61,7 +63,9 @@ std::vector<scene::GutterTexel> complete_gutters(const scene::SkinMesh& mesh, in
   std::vector<scene::GutterTexel> gutters = scene::build_gutters(mesh, map_size, width_texels);
   const ChartMap covered = rasterise(mesh, map_size);
   std::vector<bool> listed(covered.chart.size());
-  const auto index = [&](int x, int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(map_size) + static_cast<std::size_t>(x); };
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map_size) + static_cast<std::size_t>(x);
+  };
   for (const scene::GutterTexel& g : gutters) listed[index(g.x, g.y)] = true;
   for (int y = 0; y < map_size; ++y)
     for (int x = 0; x < map_size; ++x) {

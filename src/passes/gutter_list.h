@@ -15,7 +15,8 @@ namespace dermis::passes {
 /// takes the nearest texel's light, with chart 0, so that no bilinear read at a rim finds black.
 std::vector<scene::GutterTexel> complete_gutters(const scene::SkinMesh& mesh, int map_size, int width_texels);
 
-/// For each gutter texel the nearest texel of the chart that it extends: its metric goes on there. Itself where its chart has no texel within 128, or it extends none.
+/// For each gutter texel the nearest texel of the chart that it extends: its metric goes on there. Itself where its chart has no texel
+/// within 128, or it extends none.
 std::vector<glm::uvec2> own_texels(const scene::SkinMesh& mesh, std::span<const scene::GutterTexel> gutters, int map_size);
 
 }  // namespace dermis::passes

@@ -11,7 +11,8 @@ class LightingSamplers {
  public:
   LightingSamplers() = default;
   explicit LightingSamplers(gpu::PipelineLibrary& library)
-      : shadow_(library.sampler({.filter = gpu::Filter::linear, .compare_greater = true})), table_(library.sampler({.filter = gpu::Filter::linear})) {}
+      : shadow_(library.sampler({.filter = gpu::Filter::linear, .compare_greater = true})),
+        table_(library.sampler({.filter = gpu::Filter::linear})) {}
 
   void offer(Bindings& bindings, const frame::FrameData& frame, const frame::Instance& instance, const gpu::Texture& shadow) const {
     bindings.add("Frame", frame.frame_io)

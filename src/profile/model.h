@@ -39,8 +39,8 @@ struct ModelledProfiles {
 /// Monte-Carlo. InputError: values out of range.
 ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, const MonteCarloOptions& options, const std::string& where);
 
-/// A stack. automatic: the multipole where every layer and channel has that albedo and that thickness, else Monte-Carlo. InputError: dipole, better and beam
-/// know no layers.
+/// A stack. automatic: the multipole where every layer and channel has that albedo and that thickness, else Monte-Carlo. InputError:
+/// dipole, better and beam know no layers.
 ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, const MonteCarloOptions& options, const std::string& where);
 
 }  // namespace dermis::profile

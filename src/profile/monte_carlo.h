@@ -51,8 +51,8 @@ struct MonteCarloResult {
 
 /// Follows options.photons photons, in 64 batches that all cores share. Each photon has its own counter-based random numbers, so equal
 /// options give equal bits on any number of threads. Weights instead of absorption, splitting instead of chance at the outer boundaries,
-/// roulette under 1e-3 [WJZ95 sec. 3]. A photon ends after 200,000 scatterings (only without absorption does it matter: 0.5 % of the light).
-/// Results are kept in memory (the last 64) and in options.cache. InputError: values out of range, photons out of range.
+/// roulette under 1e-3 [WJZ95 sec. 3]. A photon ends after 200,000 scatterings (only without absorption does it matter: 0.5 % of the
+/// light). Results are kept in memory (the last 64) and in options.cache. InputError: values out of range, photons out of range.
 std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene, const MonteCarloOptions& options);
 
 /// Reflected light as a profile: R between ring centres by straight lines in log-log; total, quantiles and R^ from the rings themselves.

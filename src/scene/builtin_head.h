@@ -7,7 +7,7 @@
 namespace dermis::scene {
 
 struct BuiltinHeadSettings {
-  int map_size = 2048;              ///< texels per side of every map, a power of two, 64 to 4096
+  int map_size = 2048;  ///< texels per side of every map, a power of two, 64 to 4096
 };
 
 /// About 25,000 triangles, one skin material with colour, normal, specular and roughness maps; looks along +Z, its centre near the

@@ -10,10 +10,11 @@
 namespace dermis::scene {
 
 struct LoadOptions {
-  double unit_scale = 1;            ///< multiplies every length of the file (positions, lights, cameras)
-  std::string skin_material;        ///< --skin NAME: this material is skin; empty: extras.dermis, else the name contains "skin", else the only one
+  double unit_scale = 1;  ///< multiplies every length of the file (positions, lights, cameras)
+  std::string
+      skin_material;  ///< --skin NAME: this material is skin; empty: extras.dermis, else the name contains "skin", else the only one
   std::size_t max_triangles = 20'000'000;
-  int max_map_side = 16384;         ///< pixels
+  int max_map_side = 16384;  ///< pixels
 };
 
 /// glTF 2.0, .gltf or .glb. Missing normals and tangents are made (scene/tangents.h). Warnings go to core/log.h.

@@ -19,84 +19,84 @@ namespace dermis::scene {
 /// One corner of a triangle. Texture coordinates are raw (no KHR_texture_transform), v down as in glTF.
 struct Vertex {
   glm::vec3 position_m{0};
-  glm::vec3 normal{0, 0, 1};        ///< unit
-  glm::vec4 tangent{1, 0, 0, 1};    ///< unit xyz, w = handedness (+1 or -1); belongs to the normal map's transformed coordinates
+  glm::vec3 normal{0, 0, 1};      ///< unit
+  glm::vec4 tangent{1, 0, 0, 1};  ///< unit xyz, w = handedness (+1 or -1); belongs to the normal map's transformed coordinates
   glm::vec2 uv0{0};
   glm::vec2 uv1{0};
-  glm::vec4 colour{1};              ///< COLOR_0, linear; 1 if absent
+  glm::vec4 colour{1};  ///< COLOR_0, linear; 1 if absent
 };
 
 enum class Wrap : std::uint8_t { repeat, clamp, mirror };
 
 /// A map of a material: which image, which coordinates, and how they are transformed: uv' = transform * (u, v, 1).
 struct MapRef {
-  int image = -1;                   ///< index into Scene::images, -1 = none
-  int uv_set = 0;                   ///< 0 or 1
+  int image = -1;                           ///< index into Scene::images, -1 = none
+  int uv_set = 0;                           ///< 0 or 1
   glm::mat3x2 transform{1, 0, 0, 1, 0, 0};  ///< columns: image of u, image of v, offset (KHR_texture_transform)
   Wrap wrap_u = Wrap::repeat;
   Wrap wrap_v = Wrap::repeat;
-  bool nearest = false;             ///< magnification filter
-  int channel = 0;                  ///< for single-channel maps: which of RGBA
-  float scale = 1;                  ///< normal scale, occlusion strength, or factor on the map's value
+  bool nearest = false;  ///< magnification filter
+  int channel = 0;       ///< for single-channel maps: which of RGBA
+  float scale = 1;       ///< normal scale, occlusion strength, or factor on the map's value
   bool present() const { return image >= 0; }
 };
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 struct SpecularLobe {
-  float roughness_factor = 1;       ///< multiplies m
+  float roughness_factor = 1;  ///< multiplies m
   float weight = 1;
 };
 
 /// What `extras.dermis` says of a skin material; defaults are the facts of DESIGN: rho_s 0.18, two lobes.
 struct SkinSettings {
-  std::optional<gaussians::SumOfGaussians> profile;   ///< none: the command's default
-  std::optional<float> mix;                            ///< 0..1, part of the albedo applied before scattering; none: 0.5
-  MapRef specular;                                     ///< multiplies rho_s; scale as factor
-  MapRef roughness;                                    ///< glTF roughness (m = roughness^2); scale as factor. Absent: Material::roughness
-  MapRef displacement;                                 ///< height map, turned into fine normals
-  float displacement_mm = 0;                           ///< black to white
-  float displacement_middle = 0.5f;                    ///< value of zero height
+  std::optional<gaussians::SumOfGaussians> profile;  ///< none: the command's default
+  std::optional<float> mix;                          ///< 0..1, part of the albedo applied before scattering; none: 0.5
+  MapRef specular;                                   ///< multiplies rho_s; scale as factor
+  MapRef roughness;                                  ///< glTF roughness (m = roughness^2); scale as factor. Absent: Material::roughness
+  MapRef displacement;                               ///< height map, turned into fine normals
+  float displacement_mm = 0;                         ///< black to white
+  float displacement_middle = 0.5f;                  ///< value of zero height
   std::vector<SpecularLobe> lobes{{0.75f, 0.85f}, {1.3f, 0.15f}};  ///< 1 or 2, weights sum to 1
 };
 
 struct Material {
   std::string name;
   bool skin = false;
-  glm::vec4 base_colour{1};         ///< linear
-  MapRef base_colour_map;           ///< sRGB
+  glm::vec4 base_colour{1};  ///< linear
+  MapRef base_colour_map;    ///< sRGB
   float metallic = 1, roughness = 1;
-  MapRef metallic_roughness_map;    ///< G roughness, B metallic
-  MapRef normal_map;                ///< tangent space, +Y up; scale = normal scale
-  MapRef occlusion_map;             ///< R; scale = strength
-  glm::vec3 emissive{0};            ///< emissive strength included
-  MapRef emissive_map;              ///< sRGB
-  float ior = 1.5f;                 ///< skin default 1.4
-  float specular = 1;               ///< KHR_materials_specular factor
-  MapRef specular_map;              ///< A
+  MapRef metallic_roughness_map;  ///< G roughness, B metallic
+  MapRef normal_map;              ///< tangent space, +Y up; scale = normal scale
+  MapRef occlusion_map;           ///< R; scale = strength
+  glm::vec3 emissive{0};          ///< emissive strength included
+  MapRef emissive_map;            ///< sRGB
+  float ior = 1.5f;               ///< skin default 1.4
+  float specular = 1;             ///< KHR_materials_specular factor
+  MapRef specular_map;            ///< A
   glm::vec3 specular_colour{1};
-  MapRef specular_colour_map;       ///< sRGB
+  MapRef specular_colour_map;  ///< sRGB
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   bool unlit = false;
-  SkinSettings skin_settings;       ///< only if skin
+  SkinSettings skin_settings;  ///< only if skin
 };
 
 /// Triangles of one material of one node. indices.size() is a multiple of 3, all < vertices.size().
 struct Primitive {
-  std::string name;                 ///< node or mesh name, for messages
-  int material = 0;                 ///< index into Scene::materials
-  int node = -1;                    ///< which node it came from: skin of one node shares one unwrap (one head)
+  std::string name;  ///< node or mesh name, for messages
+  int material = 0;  ///< index into Scene::materials
+  int node = -1;     ///< which node it came from: skin of one node shares one unwrap (one head)
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  bool has_uv = false;              ///< TEXCOORD_0 was there
+  bool has_uv = false;  ///< TEXCOORD_0 was there
 };
 
 /// A map as decoded. Shared: scenes are copied cheaply.
 struct MapImage {
   std::string name;
-  std::shared_ptr<const image::Image8> pixels;   ///< never null
+  std::shared_ptr<const image::Image8> pixels;  ///< never null
 };
 
 enum class LightType : std::uint8_t { directional, spot, point };
@@ -107,21 +107,21 @@ struct Light {
   std::string name;
   LightType type = LightType::directional;
   glm::vec3 colour{1};
-  glm::vec3 position_m{0};          ///< spot, point
-  glm::vec3 direction{0, 0, -1};    ///< unit, the way the light travels (directional, spot)
-  float range_m = 0;                ///< 0 = unlimited
-  float inner_cone_rad = 0, outer_cone_rad = 0.785398f;   ///< half angles (spot)
+  glm::vec3 position_m{0};                               ///< spot, point
+  glm::vec3 direction{0, 0, -1};                         ///< unit, the way the light travels (directional, spot)
+  float range_m = 0;                                     ///< 0 = unlimited
+  float inner_cone_rad = 0, outer_cone_rad = 0.785398f;  ///< half angles (spot)
 };
 
 /// Perspective unless orthographic. Looks along -Z of its frame.
 struct Camera {
   std::string name;
-  glm::mat4 world_from_camera{1};   ///< rigid
+  glm::mat4 world_from_camera{1};  ///< rigid
   float fov_y_rad = 0.349066f;
   float znear_m = 0.01f;
-  std::optional<float> zfar_m;      ///< none = infinite
+  std::optional<float> zfar_m;  ///< none = infinite
   bool orthographic = false;
-  float ymag_m = 1;                 ///< half height if orthographic
+  float ymag_m = 1;  ///< half height if orthographic
 };
 
 struct BoundingSphere {
@@ -130,13 +130,13 @@ struct BoundingSphere {
 };
 
 struct Scene {
-  std::string name;                 ///< file name, or "built-in"
+  std::string name;  ///< file name, or "built-in"
   std::vector<Primitive> primitives;
   std::vector<Material> materials;
   std::vector<MapImage> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
-  double mm_per_unit = 1000;        ///< world metres to mm; --unit-scale multiplies positions at load, so this stays 1000
+  double mm_per_unit = 1000;  ///< world metres to mm; --unit-scale multiplies positions at load, so this stays 1000
 };
 
 }  // namespace dermis::scene

@@ -5,14 +5,14 @@
 DERMIS_IO_BEGIN
 // A texel beside a chart, and where its light is found.
 struct GutterIo {
-  uint texel;              // x | y << 16
-  uint own;                // the nearest texel of the chart it extends: x | y << 16
-  vec2 source;             // texels, centres at + 0.5
-  uint chart;              // 0: an open border, the light is there for bilinear reads only
+  uint texel;   // x | y << 16
+  uint own;     // the nearest texel of the chart it extends: x | y << 16
+  vec2 source;  // texels, centres at + 0.5
+  uint chart;   // 0: an open border, the light is there for bilinear reads only
 };
 struct GuttersIo {
   uint count;
-  uint mode;               // 0: light from the source; 1: stretch from the own chart
+  uint mode;  // 0: light from the source; 1: stretch from the own chart
 };
 DERMIS_IO_END
 #endif

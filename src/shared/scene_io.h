@@ -9,16 +9,16 @@ DERMIS_IO_BEGIN
 struct VertexIo {
   vec3 position_m;
   vec3 normal;
-  vec4 tangent;          // w = handedness
+  vec4 tangent;  // w = handedness
   vec2 uv0;
   vec2 uv1;
   vec4 colour;
-  vec2 unwrap;           // texture coordinates of the light maps, 0..1, v down; 0 for parts that are not skin
-  vec3 metric_mm2;       // g_uu, g_uv, g_vv: mm^2 per unit of unwrap squared
+  vec2 unwrap;      // texture coordinates of the light maps, 0..1, v down; 0 for parts that are not skin
+  vec3 metric_mm2;  // g_uu, g_uv, g_vv: mm^2 per unit of unwrap squared
 };
 
 struct MapIo {
-  vec2 u_axis, v_axis, offset;   // uv' = u_axis * u + v_axis * v + offset
+  vec2 u_axis, v_axis, offset;  // uv' = u_axis * u + v_axis * v + offset
   uint uv_set;
   uint channel;
   float scale;
@@ -28,10 +28,10 @@ struct MapIo {
 // Indices into MaterialIo::maps and the order of the texture bindings.
 #define MAP_BASE_COLOUR 0
 #define MAP_NORMAL 1
-#define MAP_ROUGHNESS 2      // skin: roughness; others: metallic-roughness (G, B)
+#define MAP_ROUGHNESS 2  // skin: roughness; others: metallic-roughness (G, B)
 #define MAP_OCCLUSION 3
 #define MAP_SPECULAR 4
-#define MAP_EMISSIVE 5       // not on skin
+#define MAP_EMISSIVE 5  // not on skin
 #define MAP_SPECULAR_COLOUR 6
 #define MAP_COUNT 7
 
@@ -44,14 +44,14 @@ struct MaterialIo {
   vec4 base_colour;
   vec3 emissive;
   float metallic;
-  float roughness;       // glTF; m = roughness^2
+  float roughness;  // glTF; m = roughness^2
   float ior;
   float specular;
   float alpha_cutoff;
   vec3 specular_colour;
   uint flags;
-  float mix_before;      // part of the albedo (as an exponent) that is applied before the light scatters
-  float rho_s;           // scale of the specular of skin
+  float mix_before;  // part of the albedo (as an exponent) that is applied before the light scatters
+  float rho_s;       // scale of the specular of skin
   float lobe_factor_0, lobe_weight_0;
   float lobe_factor_1, lobe_weight_1;
   MapIo maps[MAP_COUNT];
@@ -62,16 +62,16 @@ struct MaterialIo {
 #define LIGHT_POINT 2u
 
 struct LightIo {
-  vec3 colour;           // intensity included: irradiance facing the light is colour (directional) or colour / d^2
+  vec3 colour;  // intensity included: irradiance facing the light is colour (directional) or colour / d^2
   uint type;
   vec3 position_m;
-  float range_m;         // 0 = unlimited
-  vec3 direction;        // the way the light travels
+  float range_m;   // 0 = unlimited
+  vec3 direction;  // the way the light travels
   float cos_inner;
   float cos_outer;
-  uint shadow_layer;     // first layer in the shadow map
-  uint shadow_layers;    // 0 = casts none, 1, or 6 for a point light inside the scene
-  float shadow_texel;    // side of a shadow texel: m (directional) or m per m of distance
+  uint shadow_layer;   // first layer in the shadow map
+  uint shadow_layers;  // 0 = casts none, 1, or 6 for a point light inside the scene
+  float shadow_texel;  // side of a shadow texel: m (directional) or m per m of distance
 };
 
 struct FrameIo {
@@ -80,10 +80,10 @@ struct FrameIo {
   float radiance_scale;  // 2^EV, applied before anything is stored in half floats
   vec3 view_direction;   // used if orthographic
   uint orthographic;
-  vec3 ambient;          // uniform radiance from everywhere
+  vec3 ambient;  // uniform radiance from everywhere
   uint light_count;
   uint specular_on;
-  uint white_albedo;     // tests: every albedo is 1
+  uint white_albedo;  // tests: every albedo is 1
 };
 
 DERMIS_IO_END

@@ -49,9 +49,11 @@ void Screen::add_surfaces(std::uint32_t head) {
   const bool clear = !cleared_;
   // A scene without any skin still needs its targets cleared.
   if (settings_.has_surfaces || clear)
-    plan_->add<passes::Surface>(label("surfaces", one_part, head, 0), in, {.instance = head, .samples = settings_.samples, .clear = take_clear()});
+    plan_->add<passes::Surface>(label("surfaces", one_part, head, 0), in,
+                                {.instance = head, .samples = settings_.samples, .clear = take_clear()});
   if (settings_.has_blended)
-    plan_->add<passes::Surface>(label("blended surfaces", one_part, head, 0), in, {.instance = head, .samples = settings_.samples, .blended = true});
+    plan_->add<passes::Surface>(label("blended surfaces", one_part, head, 0), in,
+                                {.instance = head, .samples = settings_.samples, .blended = true});
 }
 
 FrameOutputs Screen::finish() {

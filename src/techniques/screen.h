@@ -14,11 +14,11 @@ class Screen {
   frame::TextureId depth() const { return depth_; }
   frame::TextureId shadow() const { return shadow_; }
   frame::BufferId counters() const { return counters_; }
-  bool take_clear();                                       ///< true once: for the pass that draws first
+  bool take_clear();  ///< true once: for the pass that draws first
 
   void add_shadow(std::uint32_t head);
-  void add_surfaces(std::uint32_t head);                   ///< opaque, then blended
-  FrameOutputs finish();                                   ///< resolve, bloom, view transform
+  void add_surfaces(std::uint32_t head);  ///< opaque, then blended
+  FrameOutputs finish();                  ///< resolve, bloom, view transform
 
  private:
   frame::FramePlan* plan_;

@@ -55,7 +55,7 @@ void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const f
 
 frame::TextureId add_bloom(frame::FramePlan& plan, frame::TextureId picture, float amount) {
   using Mode = BloomStep::Mode;
-  const float d = static_cast<float>(plan.textures()[picture.index].desc.height) / 12 / 2;   // half-size pixels
+  const float d = static_cast<float>(plan.textures()[picture.index].desc.height) / 12 / 2;  // half-size pixels
   const frame::TextureId half = plan.add<BloomStep>("bloom halve", {picture, {}, {}}, {.mode = Mode::halve}).picture;
   const auto blurred = [&](const char* name, float variance) {
     const float sigma = std::max(std::sqrt(variance) * d, 0.3f);

@@ -14,12 +14,12 @@ class BloomStep {
   enum class Mode : std::uint32_t { halve, along_x, along_y, combine };
   struct Settings {
     Mode mode = Mode::halve;
-    float sigma = 1;                 ///< pixels of the half-size picture
-    float amount = 0;                ///< combine: 0..1
+    float sigma = 1;   ///< pixels of the half-size picture
+    float amount = 0;  ///< combine: 0..1
   };
   struct In {
     frame::TextureId picture;
-    frame::TextureId narrow, wide;   ///< combine only
+    frame::TextureId narrow, wide;  ///< combine only
   };
   struct Out {
     frame::TextureId picture;

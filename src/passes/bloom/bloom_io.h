@@ -4,10 +4,10 @@
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 struct BloomIo {
-  uint mode;               // 0: halve, 1: blur along x, 2: blur along y, 3: combine
-  float sigma;             // pixels of the half-size picture
-  float weight_narrow, weight_wide;   // of the two Gaussians; mode 3
-  float amount;            // 0..1, share of the picture that is spread
+  uint mode;                         // 0: halve, 1: blur along x, 2: blur along y, 3: combine
+  float sigma;                       // pixels of the half-size picture
+  float weight_narrow, weight_wide;  // of the two Gaussians; mode 3
+  float amount;                      // 0..1, share of the picture that is spread
 };
 DERMIS_IO_END
 #endif

@@ -49,7 +49,7 @@ std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, doubl
   double done_mm2 = 0;
   for (const double variance_mm2 : variances_mm2) {
     while (true) {
-      const double reach = done_mm2 == 0 ? first_sigma * first_sigma : 4 * done_mm2;   // variance after the largest step from here
+      const double reach = done_mm2 == 0 ? first_sigma * first_sigma : 4 * done_mm2;  // variance after the largest step from here
       // Below the texel everything is reached in one step: with a tap spacing of one texel no light can be skipped.
       const double dense_reach = done_mm2 + first_sigma * first_sigma;
       const double limit = std::max(reach, dense_reach);

@@ -16,13 +16,13 @@ namespace dermis::passes {
 class Blur {
  public:
   struct Settings {
-    double variance_mm2 = 0;         ///< of this step
-    std::uint32_t axis = 0;          ///< 0, then 1
-    bool texel_averaged = false;     ///< the first step: its input is constant over each texel
+    double variance_mm2 = 0;      ///< of this step
+    std::uint32_t axis = 0;       ///< 0, then 1
+    bool texel_averaged = false;  ///< the first step: its input is constant over each texel
   };
   struct In {
     frame::TextureId light, stretch;
-    frame::TextureId target;         ///< same size; valid: written there, else one is created
+    frame::TextureId target;  ///< same size; valid: written there, else one is created
   };
   struct Out {
     frame::TextureId light;
@@ -42,12 +42,13 @@ class Blur {
 
 /// One step of the cascade.
 struct BlurStep {
-  double variance_mm2 = 0;           ///< added by this step
-  bool ends_term = false;            ///< the light after this step is a term of the sum
+  double variance_mm2 = 0;  ///< added by this step
+  bool ends_term = false;   ///< the light after this step is a term of the sum
 };
 
 /// The steps that blur by each variance in turn (narrow to wide). Sigma at most doubles a step, so that 13 taps suffice, and the first
-/// is at most kernel_max_sigma texels where the map is densest (max_texels_per_mm): extra steps are put in where the terms are further apart.
+/// is at most kernel_max_sigma texels where the map is densest (max_texels_per_mm): extra steps are put in where the terms are further
+/// apart.
 std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm);
 std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
 

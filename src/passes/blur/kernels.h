@@ -9,11 +9,11 @@
 
 namespace dermis::passes {
 
-inline constexpr int kernel_radius = 6;              ///< taps -6 .. 6
-inline constexpr double kernel_max_sigma = 2;        ///< in units of the tap spacing: three sigma on either side
-inline constexpr int kernel_rows = 129;              ///< sigma = 0 .. kernel_max_sigma
+inline constexpr int kernel_radius = 6;        ///< taps -6 .. 6
+inline constexpr double kernel_max_sigma = 2;  ///< in units of the tap spacing: three sigma on either side
+inline constexpr int kernel_rows = 129;        ///< sigma = 0 .. kernel_max_sigma
 
-using HalfKernel = std::array<double, kernel_radius + 1>;   ///< weights of taps 0, +-1, .. +-6; w0 + 2 sum = 1
+using HalfKernel = std::array<double, kernel_radius + 1>;  ///< weights of taps 0, +-1, .. +-6; w0 + 2 sum = 1
 
 /// A sampled Gaussian whose weights sum to 1 and whose variance is sigma^2 exactly (sigma 0..kernel_max_sigma).
 HalfKernel discrete_gaussian(double sigma);
@@ -24,7 +24,8 @@ HalfKernel texel_averaged_gaussian(double sigma);
 
 double variance(const HalfKernel& kernel);
 
-/// Two tables of kernel_rows rows of kernel_radius + 2 floats (the last is the row's variance): discrete_gaussian, then texel_averaged_gaussian.
+/// Two tables of kernel_rows rows of kernel_radius + 2 floats (the last is the row's variance): discrete_gaussian, then
+/// texel_averaged_gaussian.
 std::vector<float> kernel_table();
 
 }  // namespace dermis::passes

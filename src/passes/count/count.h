@@ -15,8 +15,8 @@ class Count {
     float threshold = 0.5f;
   };
   struct In {
-    frame::TextureId picture;        ///< one sample
-    frame::BufferId counters;        ///< uint[]; cleared by ClearCounters
+    frame::TextureId picture;  ///< one sample
+    frame::BufferId counters;  ///< uint[]; cleared by ClearCounters
   };
   struct Out {};
   explicit Count(const Settings& settings) : settings_(settings) {}

@@ -5,8 +5,8 @@
 DERMIS_IO_BEGIN
 struct CountIo {
   uvec2 extent;
-  uint slot;               // of the counters
-  float threshold;         // counted if alpha is at least this
+  uint slot;        // of the counters
+  float threshold;  // counted if alpha is at least this
 };
 DERMIS_IO_END
 #endif

@@ -15,7 +15,7 @@ class Gutters {
     What what = What::light;
   };
   struct In {
-    frame::TextureId target;         ///< RGBA16F, T x T, changed in place
+    frame::TextureId target;  ///< RGBA16F, T x T, changed in place
   };
   struct Out {
     frame::TextureId target;

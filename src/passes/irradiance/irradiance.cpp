@@ -15,7 +15,8 @@ Irradiance::Out Irradiance::declare(frame::Declare& d, const In& in) {
 }
 
 void Irradiance::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.graphics({.vertex = "irradiance.vert", .fragment = "irradiance.frag", .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
+  pipeline_ =
+      &library.graphics({.vertex = "irradiance.vert", .fragment = "irradiance.frag", .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
   samplers_ = LightingSamplers(library);
 }
 

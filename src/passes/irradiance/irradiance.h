@@ -15,8 +15,8 @@ class Irradiance {
     std::uint32_t instance = 0, mesh = 0;
   };
   struct In {
-    frame::TextureId light;       ///< RGBA16F, T x T, cleared here
-    frame::TextureId shadow;      ///< of this instance
+    frame::TextureId light;   ///< RGBA16F, T x T, cleared here
+    frame::TextureId shadow;  ///< of this instance
   };
   struct Out {
     frame::TextureId light;

@@ -4,7 +4,7 @@
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 struct IrradianceIo {
-  vec3 offset_m;           // of this head
+  vec3 offset_m;  // of this head
 };
 DERMIS_IO_END
 #endif

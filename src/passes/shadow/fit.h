@@ -10,8 +10,8 @@
 namespace dermis::passes {
 
 struct ShadowFit {
-  std::vector<glm::mat4> shadow_from_world;   ///< 1, or 6 (+x -x +y -y +z -z) for a light inside the sphere; reversed depth 0..1
-  float texel = 0;                            ///< side of a texel: metres (directional), or metres per metre of distance
+  std::vector<glm::mat4> shadow_from_world;  ///< 1, or 6 (+x -x +y -y +z -z) for a light inside the sphere; reversed depth 0..1
+  float texel = 0;                           ///< side of a texel: metres (directional), or metres per metre of distance
 };
 
 /// A light outside the sphere sees it in one perspective layer that just holds it; one inside needs six. map_size in texels.

@@ -7,7 +7,8 @@
 namespace dermis::passes {
 namespace {
 
-void draw_meshes(gpu::Cmd& cmd, const std::vector<GpuMesh>& meshes, const GpuScene& scene, const gpu::Pipeline& pipeline, bool cut_out, const io::ShadowIo& io) {
+void draw_meshes(gpu::Cmd& cmd, const std::vector<GpuMesh>& meshes, const GpuScene& scene, const gpu::Pipeline& pipeline, bool cut_out,
+                 const io::ShadowIo& io) {
   for (const GpuMesh& mesh : meshes)
     for (const GpuDraw& draw : mesh.draws) {
       const GpuMaterial& material = scene.materials[static_cast<std::size_t>(draw.material)];
@@ -42,7 +43,8 @@ void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const fram
   const gpu::Texture& shadow = resources.texture(in_.shadow);
   const frame::Instance& instance = frame.instances[settings_.instance];
   for (std::uint32_t layer = 0; layer < shadow.desc().layers; ++layer) {
-    cmd.begin_rendering({}, gpu::DepthTarget{.texture = &shadow, .layer = layer, .clear = 0.0f}, {shadow.desc().width, shadow.desc().height}, true);
+    cmd.begin_rendering({}, gpu::DepthTarget{.texture = &shadow, .layer = layer, .clear = 0.0f},
+                        {shadow.desc().width, shadow.desc().height}, true);
     if (layer < instance.shadow_from_world.size()) {
       const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer], .offset_m = instance.offset_m};
       for (const auto* meshes : {&frame.scene->skin, &frame.scene->surfaces}) {

@@ -13,7 +13,7 @@ class Shadow {
     std::uint32_t instance = 0;
   };
   struct In {
-    frame::TextureId shadow;     ///< D32, layers = Instance::shadow_from_world.size(), at least 1
+    frame::TextureId shadow;  ///< D32, layers = Instance::shadow_from_world.size(), at least 1
   };
   struct Out {
     frame::TextureId shadow;

@@ -5,7 +5,7 @@
 DERMIS_IO_BEGIN
 struct ShadowIo {
   mat4 shadow_from_world;
-  vec3 offset_m;           // of this head
+  vec3 offset_m;  // of this head
 };
 DERMIS_IO_END
 #endif

@@ -56,7 +56,8 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
     samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
     // A binding without a term is never read, but must be bound: any sampled texture serves.
     for (std::size_t i = 0; i < names.size(); ++i)
-      bindings.add(names[i], i < in_.lights.size() ? resources.sampled(in_.lights[i], light_sampler_) : gpu::SampledBinding{&frame.scene->white(), light_sampler_});
+      bindings.add(names[i], i < in_.lights.size() ? resources.sampled(in_.lights[i], light_sampler_)
+                                                   : gpu::SampledBinding{&frame.scene->white(), light_sampler_});
     bindings.bind(cmd, pipeline);
     cmd.push(pipeline, io);
     cmd.draw(draw.index_count, 1, draw.first_index);

@@ -16,12 +16,12 @@ class Skin {
  public:
   struct Settings {
     std::uint32_t instance = 0, mesh = 0;
-    std::uint32_t samples = 1;                   ///< of the targets
-    bool clear = false;                          ///< the first to draw into them
-    std::vector<std::array<float, 3>> weights;   ///< a term each, 0 to 8; none = Lambert
+    std::uint32_t samples = 1;                  ///< of the targets
+    bool clear = false;                         ///< the first to draw into them
+    std::vector<std::array<float, 3>> weights;  ///< a term each, 0 to 8; none = Lambert
   };
   struct In {
-    std::vector<frame::TextureId> lights;        ///< a term each
+    std::vector<frame::TextureId> lights;  ///< a term each
     frame::TextureId shadow, colour, depth;
   };
   struct Out {

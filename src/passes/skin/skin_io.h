@@ -4,8 +4,8 @@
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 struct SkinIo {
-  vec3 offset_m;           // of this head
-  vec3 weights[8];         // of the profile, narrow to wide; a channel sums to 1
+  vec3 offset_m;    // of this head
+  vec3 weights[8];  // of the profile, narrow to wide; a channel sums to 1
 };
 DERMIS_IO_END
 #ifdef __cplusplus

@@ -11,7 +11,9 @@ View::Out View::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::compute);
   in_ = in;
   const gpu::TextureDesc& picture = d.desc(in.picture);
-  display_ = d.create("display", {.width = picture.width, .height = picture.height, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+  display_ = d.create(
+      "display",
+      {.width = picture.width, .height = picture.height, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
   d.sample(in.picture);
   d.write(display_);
   return {display_};
@@ -24,7 +26,10 @@ void View::prepare(gpu::PipelineLibrary& library) {
 
 void View::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
   const gpu::Texture& display = resources.texture(display_);
-  Bindings().add("picture", resources.sampled(in_.picture, sampler_)).add("display", gpu::StorageImageBinding{&display}).bind(cmd, *pipeline_);
+  Bindings()
+      .add("picture", resources.sampled(in_.picture, sampler_))
+      .add("display", gpu::StorageImageBinding{&display})
+      .bind(cmd, *pipeline_);
   cmd.push(*pipeline_, io::ViewIo{.transform = static_cast<std::uint32_t>(settings_.transform)});
   cmd.dispatch_over(*pipeline_, display.desc().width, display.desc().height);
 }

@@ -15,10 +15,10 @@ class View {
     ViewTransform transform = ViewTransform::filmic;
   };
   struct In {
-    frame::TextureId picture;        ///< RGBA16F, one sample
+    frame::TextureId picture;  ///< RGBA16F, one sample
   };
   struct Out {
-    frame::TextureId display;        ///< RGBA8, copied from afterwards
+    frame::TextureId display;  ///< RGBA8, copied from afterwards
   };
   explicit View(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
@@ -38,10 +38,10 @@ class Resolve {
  public:
   struct Settings {};
   struct In {
-    frame::TextureId picture;        ///< more than one sample
+    frame::TextureId picture;  ///< more than one sample
   };
   struct Out {
-    frame::TextureId picture;        ///< one sample
+    frame::TextureId picture;  ///< one sample
   };
   explicit Resolve(const Settings&) {}
   Out declare(frame::Declare& d, const In& in);

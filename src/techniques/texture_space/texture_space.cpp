@@ -17,8 +17,8 @@ using passes::Gutters;
 // Textures that one head after the other uses.
 struct LightMaps {
   frame::TextureId irradiance, scratch;
-  std::vector<frame::TextureId> stretch;    // one a skin mesh
-  std::vector<frame::TextureId> levels;     // one a term, of the profile with most terms
+  std::vector<frame::TextureId> stretch;  // one a skin mesh
+  std::vector<frame::TextureId> levels;   // one a term, of the profile with most terms
 };
 
 LightMaps make_maps(frame::FramePlan& plan, const FrameSettings& settings) {
@@ -47,8 +47,10 @@ void add_convolution(frame::FramePlan& plan, const FrameSettings& settings, cons
     const std::string name = label(fmt::format("blur {}", number++), settings, head, mesh);
     // A step between two terms is overwritten by the step that ends the next term: its level serves both.
     const frame::TextureId target = maps.levels[term];
-    plan.add<passes::Blur>(name + " u", {light, maps.stretch[mesh], maps.scratch}, {.variance_mm2 = step.variance_mm2, .axis = 0, .texel_averaged = first});
-    plan.add<passes::Blur>(name + " v", {maps.scratch, maps.stretch[mesh], target}, {.variance_mm2 = step.variance_mm2, .axis = 1, .texel_averaged = first});
+    plan.add<passes::Blur>(name + " u", {light, maps.stretch[mesh], maps.scratch},
+                           {.variance_mm2 = step.variance_mm2, .axis = 0, .texel_averaged = first});
+    plan.add<passes::Blur>(name + " v", {maps.scratch, maps.stretch[mesh], target},
+                           {.variance_mm2 = step.variance_mm2, .axis = 1, .texel_averaged = first});
     plan.add<Gutters>(name + " gutters", {target}, {.mesh = mesh, .what = Gutters::What::light});
     light = target;
     first = false;
@@ -71,14 +73,20 @@ FrameOutputs build_texture_space(frame::FramePlan& plan, const FrameSettings& se
   for (std::uint32_t head = 0; head < settings.heads; ++head) {
     screen.add_shadow(head);
     for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh) {
-      plan.add<passes::Irradiance>(label("irradiance", settings, head, mesh), {maps.irradiance, screen.shadow()}, {.instance = head, .mesh = mesh});
-      plan.add<passes::Count>(label("count texels", settings, head, mesh), {maps.irradiance, screen.counters()}, {.slot = counter_irradiance});
+      plan.add<passes::Irradiance>(label("irradiance", settings, head, mesh), {maps.irradiance, screen.shadow()},
+                                   {.instance = head, .mesh = mesh});
+      plan.add<passes::Count>(label("count texels", settings, head, mesh), {maps.irradiance, screen.counters()},
+                              {.slot = counter_irradiance});
       plan.add<Gutters>(label("irradiance gutters", settings, head, mesh), {maps.irradiance}, {.mesh = mesh, .what = Gutters::What::light});
       add_convolution(plan, settings, maps, head, mesh);
       const auto& terms = settings.skin[mesh].profile.terms;
       const std::vector<frame::TextureId> lights(maps.levels.begin(), maps.levels.begin() + static_cast<std::ptrdiff_t>(terms.size()));
       plan.add<passes::Skin>(label("final", settings, head, mesh), {lights, screen.shadow(), screen.colour(), screen.depth()},
-                             {.instance = head, .mesh = mesh, .samples = settings.samples, .clear = screen.take_clear(), .weights = weights(settings.skin[mesh].profile)});
+                             {.instance = head,
+                              .mesh = mesh,
+                              .samples = settings.samples,
+                              .clear = screen.take_clear(),
+                              .weights = weights(settings.skin[mesh].profile)});
     }
     screen.add_surfaces(head);
   }

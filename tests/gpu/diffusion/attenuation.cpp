@@ -13,10 +13,13 @@ TEST(Attenuation, MatchesFineQuadrature) {
   struct Row {
     double m, at_1, at_08, at_06, at_04, at_03, at_02;
   };
-  for (const Row& r : {Row{0.2, 0.08378, 0.08576, 0.12040, 0.26147, 0.40142, 0.61022}, Row{0.3, 0.07942, 0.08156, 0.10999, 0.21062, 0.31270, 0.47670},
-                       Row{0.4, 0.07337, 0.07513, 0.09791, 0.17558, 0.25685, 0.39313}, Row{0.5, 0.06594, 0.06808, 0.08736, 0.15099, 0.21892, 0.33582}}) {
-    const std::pair<double, double> values[] = {{1.0, r.at_1}, {0.8, r.at_08}, {0.6, r.at_06}, {0.4, r.at_04}, {0.3, r.at_03}, {0.2, r.at_02}};
-    for (const auto& [cosine, wanted] : values) EXPECT_NEAR(attenuation(cosine, r.m).rho(f0) / wanted, 1, 0.02) << "m " << r.m << ", cos " << cosine;
+  for (const Row& r :
+       {Row{0.2, 0.08378, 0.08576, 0.12040, 0.26147, 0.40142, 0.61022}, Row{0.3, 0.07942, 0.08156, 0.10999, 0.21062, 0.31270, 0.47670},
+        Row{0.4, 0.07337, 0.07513, 0.09791, 0.17558, 0.25685, 0.39313}, Row{0.5, 0.06594, 0.06808, 0.08736, 0.15099, 0.21892, 0.33582}}) {
+    const std::pair<double, double> values[] = {{1.0, r.at_1},  {0.8, r.at_08}, {0.6, r.at_06},
+                                                {0.4, r.at_04}, {0.3, r.at_03}, {0.2, r.at_02}};
+    for (const auto& [cosine, wanted] : values)
+      EXPECT_NEAR(attenuation(cosine, r.m).rho(f0) / wanted, 1, 0.02) << "m " << r.m << ", cos " << cosine;
   }
 }
 

@@ -38,7 +38,7 @@ TEST(Kernels, AveragedKernelMatchesAnEdgeOnTexelBorders) {
 TEST(Kernels, TableRowsAreWhatTheShaderReads) {
   const std::vector<float> table = kernel_table();
   ASSERT_EQ(table.size(), 2u * kernel_rows * (kernel_radius + 2));
-  const std::size_t row = 64, floats = kernel_radius + 2;   // sigma 1
+  const std::size_t row = 64, floats = kernel_radius + 2;  // sigma 1
   const HalfKernel k = discrete_gaussian(1);
   for (std::size_t i = 0; i <= kernel_radius; ++i) EXPECT_NEAR(table[row * floats + i], k[i], 1e-6);
   EXPECT_NEAR(table[row * floats + kernel_radius + 1], 1, 1e-5);

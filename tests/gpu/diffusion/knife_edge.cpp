@@ -18,7 +18,7 @@ enum class Edge { along_u, along_v, across };
 struct Case {
   double texels_per_mm = 4;
   Edge edge = Edge::along_v;
-  glm::dmat2 transform{1};         // shape of the unwrap, before it is scaled to the density
+  glm::dmat2 transform{1};  // shape of the unwrap, before it is scaled to the density
   double node_scale = 1;
 };
 
@@ -26,8 +26,8 @@ constexpr int side = 256;
 
 struct Setting {
   lab::Experiment experiment;
-  glm::dvec2 normal, point;        // of the edge, texels
-  double mm_per_unit_distance = 1; // mm on the plane for a texel along the normal
+  glm::dvec2 normal, point;         // of the edge, texels
+  double mm_per_unit_distance = 1;  // mm on the plane for a texel along the normal
   glm::dmat2 texel_per_mm{1};
 };
 
@@ -64,7 +64,7 @@ Setting make_setting(const Case& c) {
 }
 
 struct Deviation {
-  double worst[3] = {0, 0, 0};     // of the peak, per channel
+  double worst[3] = {0, 0, 0};  // of the peak, per channel
 };
 
 // No border of the plane within 4 sigma: there light stops, as it must.
@@ -113,7 +113,9 @@ gaussians::SumOfGaussians first_terms(std::size_t count) {
   return sum;
 }
 
-gaussians::SumOfGaussians one_term(double variance_mm2) { return {.name = "one", .terms = {{.variance_mm2 = variance_mm2, .weight = {1, 1, 1}}}}; }
+gaussians::SumOfGaussians one_term(double variance_mm2) {
+  return {.name = "one", .terms = {{.variance_mm2 = variance_mm2, .weight = {1, 1, 1}}}};
+}
 
 void expect_edge(const Case& c, const gaussians::SumOfGaussians& sum, double bound, bool averaged, const std::string& what) {
   Setting s = make_setting(c);
@@ -152,7 +154,8 @@ TEST_F(KnifeEdge, WidestPublishedTermAlone) {
   for (const double density : {2.0, 4.0, 8.0})
     for (const Edge edge : {Edge::along_u, Edge::along_v, Edge::across}) {
       const double variance = std::min(7.41, std::pow(20 / density, 2));
-      expect_edge({.texels_per_mm = density, .edge = edge, .transform = shapes[0].second}, one_term(variance), 0.01, false, std::to_string(density) + " texels per mm");
+      expect_edge({.texels_per_mm = density, .edge = edge, .transform = shapes[0].second}, one_term(variance), 0.01, false,
+                  std::to_string(density) + " texels per mm");
     }
 }
 
@@ -160,7 +163,7 @@ TEST_F(KnifeEdge, WidestPublishedTermAlone) {
 TEST_F(KnifeEdge, PublishedProfileWithinThreePercent) {
   for (std::size_t terms = 1; terms <= 6; ++terms)
     for (const double density : {1.0, 2.0, 4.0, 8.0}) {
-      if (terms == 6 && density > 6) continue;   // 2.72 mm would reach the plane's border: WidestPublishedTermAlone has it
+      if (terms == 6 && density > 6) continue;  // 2.72 mm would reach the plane's border: WidestPublishedTermAlone has it
       expect_edge({.texels_per_mm = density, .edge = Edge::along_v, .transform = shapes[0].second}, first_terms(terms), 0.03, true,
                   std::to_string(terms) + " terms, " + std::to_string(density) + " texels per mm");
     }
@@ -172,19 +175,22 @@ double smallest_stretch(const glm::dmat2& m) {
   return std::sqrt(half_trace - std::sqrt(std::max(half_trace * half_trace - glm::determinant(g), 0.0)));
 }
 
-// An edge aslant to the texels is a staircase in the map (a shadow is seen at texel centres). With 6 texels per mm in the coarsest direction
-// its steps stay below the bound; with fewer the error is the sampling's, not the blur's.
+// An edge aslant to the texels is a staircase in the map (a shadow is seen at texel centres). With 6 texels per mm in the coarsest
+// direction its steps stay below the bound; with fewer the error is the sampling's, not the blur's.
 TEST_F(KnifeEdge, PublishedProfileOnEveryUnwrap) {
   for (const auto& [name, transform] : shapes) {
     const double stretch = smallest_stretch(transform);
     for (const Edge edge : {Edge::along_u, Edge::along_v})
       expect_edge({.texels_per_mm = 4 / stretch, .edge = edge, .transform = transform}, first_terms(5), 0.03, true, name);
-    expect_edge({.texels_per_mm = 6 / stretch, .edge = Edge::across, .transform = transform}, first_terms(4), 0.03, true, std::string(name) + ", across");
+    expect_edge({.texels_per_mm = 6 / stretch, .edge = Edge::across, .transform = transform}, first_terms(4), 0.03, true,
+                std::string(name) + ", across");
   }
 }
 
 TEST_F(KnifeEdge, MillimetresAreMeasuredInTheWorld) {
-  for (const double scale : {0.053, 20.0}) expect_edge({.texels_per_mm = 4, .edge = Edge::along_u, .transform = shapes[0].second, .node_scale = scale}, first_terms(5), 0.03, true, "node scale");
+  for (const double scale : {0.053, 20.0})
+    expect_edge({.texels_per_mm = 4, .edge = Edge::along_u, .transform = shapes[0].second, .node_scale = scale}, first_terms(5), 0.03, true,
+                "node scale");
 }
 
 // The test must see mistakes: a blur that does nothing, is 10 % too wide, or forgets the shear.

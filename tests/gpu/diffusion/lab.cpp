@@ -76,9 +76,7 @@ Bench* bench() {
   static const std::unique_ptr<Bench> instance = []() -> std::unique_ptr<Bench> {
     try {
       return std::make_unique<Bench>();
-    } catch (const DeviceError&) {
-      return nullptr;
-    }
+    } catch (const DeviceError&) { return nullptr; }
   }();
   return instance.get();
 }
@@ -114,7 +112,8 @@ Result run(const Experiment& e) {
   const auto side = static_cast<std::uint32_t>(e.map_size);
   const gpu::TextureDesc desc{.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   using passes::Gutters;
-  const frame::TextureId stretch = plan.texture("stretch", desc), painted = plan.texture("painted", desc), scratch = plan.texture("scratch", desc);
+  const frame::TextureId stretch = plan.texture("stretch", desc), painted = plan.texture("painted", desc),
+                         scratch = plan.texture("scratch", desc);
   plan.add<passes::Stretch>("stretch", {stretch}, {});
   plan.add<Gutters>("stretch gutters", {stretch}, {.mesh = 0, .what = Gutters::What::stretch});
   plan.add<Paint>("paint", {painted}, {e.paint});

@@ -14,22 +14,24 @@ namespace dermis::lab {
 struct Map {
   int side = 0;
   std::vector<float> rgba;
-  const float* at(int x, int y) const { return rgba.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)) * 4; }
+  const float* at(int x, int y) const {
+    return rgba.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)) * 4;
+  }
 };
 
 struct Experiment {
   scene::Scene scene;
   int map_size = 256;
-  std::vector<double> variances_mm2;       ///< narrow to wide
+  std::vector<double> variances_mm2;  ///< narrow to wide
   io::PaintIo paint{};
-  double variance_factor = 1;              ///< a deliberate mistake: every step is this much too wide
-  bool drop_shear = false;                 ///< a deliberate mistake: the metric's g_uv is forgotten
+  double variance_factor = 1;  ///< a deliberate mistake: every step is this much too wide
+  bool drop_shear = false;     ///< a deliberate mistake: the metric's g_uv is forgotten
   bool gutters = true;
 };
 
 struct Result {
   Map painted;
-  std::vector<Map> levels;                 ///< one a variance
+  std::vector<Map> levels;  ///< one a variance
 };
 
 /// False if there is no Vulkan device: tests then skip.

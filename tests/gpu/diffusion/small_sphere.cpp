@@ -23,7 +23,7 @@ lab::Experiment sphere_experiment(std::uint32_t band, const glm::vec3& axis) {
 }
 
 struct Damping {
-  double fitted = 0, worst = 0;    // worst deviation of a texel from the closed form, of the band's amplitude
+  double fitted = 0, worst = 0;  // worst deviation of a texel from the closed form, of the band's amplitude
 };
 
 Damping damping(const lab::Result& r, std::size_t level, double wanted) {
