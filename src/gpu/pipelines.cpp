@@ -80,7 +80,8 @@ class Stage {
 };
 
 void check_declared(const std::string& pipeline, const ShaderInterface& interface, const Constants& constants) {
-  for (const auto& [name, value] : constants) {
+  for (const auto& constant_given : constants) {
+    const std::string& name = constant_given.first;
     const bool declared = std::ranges::any_of(interface.constants, [&](const auto& c) { return c.first == name; });
     if (declared) continue;
     std::vector<std::string> known;

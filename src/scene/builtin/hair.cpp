@@ -87,13 +87,13 @@ void Hairs::add_lashes(float side) {
 }
 
 void Hairs::sort_into_buckets() {
-  std::vector<std::vector<std::uint32_t>> lists(static_cast<std::size_t>(buckets_x_ * buckets_y_));
-  const auto cell = [](float at, float first, int count) { return std::clamp(static_cast<int>((at - first) / bucket_mm_), 0, count - 1); };
+  std::vector<std::vector<std::uint32_t>> lists(static_cast<std::size_t>(buckets_x * buckets_y));
+  const auto cell = [](float at, float first, int count) { return std::clamp(static_cast<int>((at - first) / bucket_mm), 0, count - 1); };
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     const vec2 low = glm::min(pieces_[k].from, pieces_[k].to) - widest_mm, high = glm::max(pieces_[k].from, pieces_[k].to) + widest_mm;
-    for (int j = cell(low.y, bottom_mm_, buckets_y_); j <= cell(high.y, bottom_mm_, buckets_y_); ++j) {
-      for (int i = cell(low.x, left_mm_, buckets_x_); i <= cell(high.x, left_mm_, buckets_x_); ++i) {
-        lists[static_cast<std::size_t>(j * buckets_x_ + i)].push_back(static_cast<std::uint32_t>(k));
+    for (int j = cell(low.y, bottom_mm, buckets_y); j <= cell(high.y, bottom_mm, buckets_y); ++j) {
+      for (int i = cell(low.x, left_mm, buckets_x); i <= cell(high.x, left_mm, buckets_x); ++i) {
+        lists[static_cast<std::size_t>(j * buckets_x + i)].push_back(static_cast<std::uint32_t>(k));
       }
     }
   }
@@ -105,10 +105,10 @@ void Hairs::sort_into_buckets() {
 }
 
 float Hairs::coverage(const vec2& at, float softness_mm) const {
-  const int i = static_cast<int>(std::floor((at.x - left_mm_) / bucket_mm_)),
-            j = static_cast<int>(std::floor((at.y - bottom_mm_) / bucket_mm_));
-  if (i < 0 || j < 0 || i >= buckets_x_ || j >= buckets_y_) return 0;
-  const std::size_t bucket = static_cast<std::size_t>(j * buckets_x_ + i);
+  const int i = static_cast<int>(std::floor((at.x - left_mm) / bucket_mm)),
+            j = static_cast<int>(std::floor((at.y - bottom_mm) / bucket_mm));
+  if (i < 0 || j < 0 || i >= buckets_x || j >= buckets_y) return 0;
+  const std::size_t bucket = static_cast<std::size_t>(j * buckets_x + i);
   float bare = 1;
   for (std::uint32_t k = start_[bucket]; k < start_[bucket + 1]; ++k) {
     const Piece& piece = pieces_[order_[k]];

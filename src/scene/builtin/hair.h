@@ -24,9 +24,9 @@ class Hairs {
   void add_brow(float side);
   void add_lashes(float side);
   void sort_into_buckets();
-  static constexpr float bucket_mm_ = 1.5f;
-  static constexpr int buckets_x_ = 88, buckets_y_ = 40;
-  static constexpr float left_mm_ = -66.0f, bottom_mm_ = -24.0f;
+  static constexpr float bucket_mm = 1.5f;
+  static constexpr int buckets_x = 88, buckets_y = 40;
+  static constexpr float left_mm = -66.0f, bottom_mm = -24.0f;
   std::vector<Piece> pieces_;
   std::vector<std::uint32_t> start_, order_;
 };

@@ -259,12 +259,12 @@ vec2 cubic_weights_high(float t) { return {t * (0.5f + t * (2.0f - 1.5f * t)), t
 
 Skull::Skull() {
   const Interpolant f = interpolate_landmarks();
-  for (auto& face : radii_) face.resize(static_cast<std::size_t>(stride_ * stride_));
-  parallel_for(6 * stride_, [&](std::size_t row) {
-    const int face = static_cast<int>(row) / stride_, j = static_cast<int>(row) % stride_;
-    const auto at = [](int k) { return warp(2.0f * static_cast<float>(k - margin_) / static_cast<float>(side_) - 1.0f); };
-    for (int i = 0; i < stride_; ++i) {
-      radii_[static_cast<std::size_t>(face)][static_cast<std::size_t>(j * stride_ + i)] =
+  for (auto& face : radii_) face.resize(static_cast<std::size_t>(stride * stride));
+  parallel_for(6 * stride, [&](std::size_t row) {
+    const int face = static_cast<int>(row) / stride, j = static_cast<int>(row) % stride;
+    const auto at = [](int k) { return warp(2.0f * static_cast<float>(k - margin) / static_cast<float>(side) - 1.0f); };
+    for (int i = 0; i < stride; ++i) {
+      radii_[static_cast<std::size_t>(face)][static_cast<std::size_t>(j * stride + i)] =
           static_cast<float>(f.radius(cube_direction(face, at(i), at(j))));
     }
   });
@@ -275,15 +275,15 @@ float Skull::radius(const vec3& d) const {
   const int axis = m.x >= m.y && m.x >= m.z ? 0 : (m.y >= m.z ? 1 : 2);
   const std::size_t face = static_cast<std::size_t>(2 * axis + (d[axis] < 0 ? 1 : 0));
   const float inverse = 1.0f / std::max(m[axis], 1e-6f);
-  const float x = (unwarp(d[(axis + 1) % 3] * inverse) + 1.0f) * 0.5f * side_ + margin_;
-  const float y = (unwarp(d[(axis + 2) % 3] * inverse) + 1.0f) * 0.5f * side_ + margin_;
-  const int i = std::clamp(static_cast<int>(x), 1, stride_ - 3), j = std::clamp(static_cast<int>(y), 1, stride_ - 3);
+  const float x = (unwarp(d[(axis + 1) % 3] * inverse) + 1.0f) * 0.5f * side + margin;
+  const float y = (unwarp(d[(axis + 2) % 3] * inverse) + 1.0f) * 0.5f * side + margin;
+  const int i = std::clamp(static_cast<int>(x), 1, stride - 3), j = std::clamp(static_cast<int>(y), 1, stride - 3);
   const float tx = x - static_cast<float>(i), ty = y - static_cast<float>(j);
   const vec2 xl = cubic_weights_low(tx), xh = cubic_weights_high(tx), yl = cubic_weights_low(ty), yh = cubic_weights_high(ty);
   const std::array<float, 4> wy = {yl.x, yl.y, yh.x, yh.y};
   float sum = 0;
   for (int k = 0; k < 4; ++k) {
-    const float* row = &radii_[face][static_cast<std::size_t>((j - 1 + k) * stride_ + i - 1)];
+    const float* row = &radii_[face][static_cast<std::size_t>((j - 1 + k) * stride + i - 1)];
     sum += wy[static_cast<std::size_t>(k)] * (xl.x * row[0] + xl.y * row[1] + xh.x * row[2] + xh.y * row[3]);
   }
   return sum;

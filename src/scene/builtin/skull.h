@@ -18,9 +18,9 @@ class Skull {
   float operator()(const vec3& p) const;
 
  private:
-  static constexpr int side_ = 40;   // cells per cube edge, 2.25 degrees: 3 mm on the skin
-  static constexpr int margin_ = 2;  // so that cubic interpolation never leaves its face
-  static constexpr int stride_ = side_ + 2 * margin_ + 1;
+  static constexpr int side = 40;   // cells per cube edge, 2.25 degrees: 3 mm on the skin
+  static constexpr int margin = 2;  // so that cubic interpolation never leaves its face
+  static constexpr int stride = side + 2 * margin + 1;
   float radius(const vec3& direction) const;
   std::array<std::vector<float>, 6> radii_;
 };
