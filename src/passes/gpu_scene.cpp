@@ -109,8 +109,7 @@ GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vec
 
 void upload_gutters(gpu::Device& device, GpuMesh& mesh, const scene::SkinMesh& skin, int map_size, int width_texels) {
   std::vector<io::GutterIo> list;
-  const std::vector<scene::GutterTexel> gutters = complete_gutters(skin, map_size, width_texels);
-  const std::vector<glm::uvec2> own = own_texels(skin, gutters, map_size);
+  const auto [gutters, own] = gutter_list(skin, map_size, width_texels);
   for (std::size_t i = 0; i < gutters.size(); ++i)
     list.push_back({.texel = gutters[i].x | static_cast<std::uint32_t>(gutters[i].y) << 16,
                     .own = own[i].x | own[i].y << 16,

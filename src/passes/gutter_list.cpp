@@ -57,18 +57,15 @@ glm::ivec2 nearest_covered(const ChartMap& map, int x, int y) {
   return best;
 }
 
-}  // namespace
-
-std::vector<scene::GutterTexel> complete_gutters(const scene::SkinMesh& mesh, int map_size, int width_texels) {
-  std::vector<scene::GutterTexel> gutters = scene::build_gutters(mesh, map_size, width_texels);
-  const ChartMap covered = rasterise(mesh, map_size);
+// Appends what build_gutters left empty beside the charts.
+void fill_corners(std::vector<scene::GutterTexel>& gutters, const ChartMap& covered) {
   std::vector<bool> listed(covered.chart.size());
   const auto index = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map_size) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(covered.side) + static_cast<std::size_t>(x);
   };
   for (const scene::GutterTexel& g : gutters) listed[index(g.x, g.y)] = true;
-  for (int y = 0; y < map_size; ++y)
-    for (int x = 0; x < map_size; ++x) {
+  for (int y = 0; y < covered.side; ++y)
+    for (int x = 0; x < covered.side; ++x) {
       if (listed[index(x, y)] || covered.chart[index(x, y)] != 0) continue;
       const glm::ivec2 near = nearest_covered(covered, x, y);
       if (near == glm::ivec2(x, y)) continue;
@@ -78,18 +75,23 @@ std::vector<scene::GutterTexel> complete_gutters(const scene::SkinMesh& mesh, in
                          .source_x = static_cast<float>(near.x) + 0.5f,
                          .source_y = static_cast<float>(near.y) + 0.5f});
     }
-  return gutters;
 }
 
-std::vector<glm::uvec2> own_texels(const scene::SkinMesh& mesh, std::span<const scene::GutterTexel> gutters, int map_size) {
-  const ChartMap map = rasterise(mesh, map_size);
-  std::vector<glm::uvec2> own(gutters.size());
+}  // namespace
+
+GutterList gutter_list(const scene::SkinMesh& mesh, int map_size, int width_texels) {
+  const ChartMap covered = rasterise(mesh, map_size);
+  GutterList list{.texels = scene::build_gutters(mesh, map_size, width_texels), .own = {}};
+  fill_corners(list.texels, covered);
+  list.own.resize(list.texels.size());
   constexpr std::size_t block = 4096;
-  parallel_for((gutters.size() + block - 1) / block, [&](std::size_t b) {
-    for (std::size_t i = b * block; i < std::min(gutters.size(), (b + 1) * block); ++i)
-      own[i] = gutters[i].chart != 0 ? nearest(map, gutters[i]) : glm::uvec2(gutters[i].x, gutters[i].y);
+  parallel_for((list.texels.size() + block - 1) / block, [&](std::size_t b) {
+    for (std::size_t i = b * block; i < std::min(list.texels.size(), (b + 1) * block); ++i) {
+      const scene::GutterTexel& g = list.texels[i];
+      list.own[i] = g.chart != 0 ? nearest(covered, g) : glm::uvec2(g.x, g.y);
+    }
   });
-  return own;
+  return list;
 }
 
 }  // namespace dermis::passes

@@ -12,10 +12,13 @@
 namespace dermis::techniques {
 
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head, std::uint32_t mesh) {
-  std::string text(what);
-  if (settings.heads > 1) text += fmt::format(" head {}", head);
+  std::string text = label(what, settings, head);
   if (settings.skin.size() > 1) text += fmt::format(" part {}", mesh);
   return text;
+}
+
+std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head) {
+  return settings.heads > 1 ? fmt::format("{} head {}", what, head) : std::string(what);
 }
 
 Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&plan), settings_(settings) {
@@ -36,23 +39,17 @@ Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&p
 
 bool Screen::take_clear() { return !std::exchange(cleared_, true); }
 
-void Screen::add_shadow(std::uint32_t head) {
-  FrameSettings one_part = settings_;
-  one_part.skin.resize(1);
-  plan_->add<passes::Shadow>(label("shadow", one_part, head, 0), {shadow_}, {.instance = head});
-}
+void Screen::add_shadow(std::uint32_t head) { plan_->add<passes::Shadow>(label("shadow", settings_, head), {shadow_}, {.instance = head}); }
 
 void Screen::add_surfaces(std::uint32_t head) {
-  FrameSettings one_part = settings_;
-  one_part.skin.resize(1);
   const passes::Surface::In in{shadow_, colour_, depth_};
   const bool clear = !cleared_;
   // A scene without any skin still needs its targets cleared.
   if (settings_.has_surfaces || clear)
-    plan_->add<passes::Surface>(label("surfaces", one_part, head, 0), in,
+    plan_->add<passes::Surface>(label("surfaces", settings_, head), in,
                                 {.instance = head, .samples = settings_.samples, .clear = take_clear()});
   if (settings_.has_blended)
-    plan_->add<passes::Surface>(label("blended surfaces", one_part, head, 0), in,
+    plan_->add<passes::Surface>(label("blended surfaces", settings_, head), in,
                                 {.instance = head, .samples = settings_.samples, .blended = true});
 }
 
