@@ -76,7 +76,7 @@ void add_render_command(CLI::App& app, int& exit_status) {
   command->add_option("-o,--output", arguments->output, "picture to write: .png (display values) or .exr (linear)")->required();
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output");
   command->add_option("--frames", arguments->settings.frames, "timed frames after one warm-up");
-  command->add_option("--show", arguments->settings.show, "picture, irradiance, stretch, texel-density, blur:K, shadow:K");
+  command->add_option("--show", arguments->settings.show, "picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K");
   command->add_option("--device", arguments->device, "best, an index or a part of a name of `dermis info`");
   command->add_flag("--validate", arguments->validate,
                     "run under the Vulkan validation layer; its messages end the run with exit status 1");

@@ -30,6 +30,61 @@ void add_switch(CLI::App& command, const std::string& name, bool& value, const s
       ->group("Light");
 }
 
+// cull,depth,clip in any order, or all, or none.
+bool parse_optimise(const std::vector<std::string>& names, RenderSettings& s) {
+  bool cull = false, depth = false, clip = false;
+  for (const std::string& name : names) {
+    const bool alone = names.size() == 1;
+    if (name == "all" && alone)
+      cull = depth = clip = true;
+    else if (name == "cull")
+      cull = true;
+    else if (name == "depth")
+      depth = true;
+    else if (name == "clip")
+      clip = true;
+    else if (name != "none" || !alone)
+      return false;
+  }
+  s.cull = cull, s.depth = depth, s.clip = clip;
+  return true;
+}
+
+void add_optimise_options(CLI::App& command, RenderSettings& s) {
+  const char* group = "What is not seen is not computed";
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--optimise",
+          [&s](const std::vector<std::string>& names) {
+            if (!parse_optimise(names, s)) throw CLI::ValidationError("--optimise", "expected all, none, or some of cull,depth,clip");
+          },
+          "leave out skin that faces away (cull), map texels that the distance does not need (depth), skin outside the picture (clip); "
+          "all; "
+          "none")
+      ->delimiter(',')
+      ->type_name("NAMES")
+      ->default_str("all")
+      ->group(group);
+  command.add_option("--mask", s.mask, "how convolutions skip unlit texels: alpha, depth, tiles (default: fastest on this kind of device)")
+      ->group(group);
+  command
+      .add_option("--d-ref", s.d_ref,
+                  "distance, in radii, up to which light maps have their full size (default: where a texel is as large as a pixel)")
+      ->group(group);
+  command
+      .add_option("--clip-margin", s.clip_margin_mm,
+                  "skin this far outside the picture is still lit, mm (default: the profile's reach, 3 sigma of its widest Gaussian)")
+      ->group(group);
+  command
+      .add_option("--map-budget", s.map_budget_mb,
+                  "memory for light maps, MB (default: four heads at full size, at most a quarter of the device's)")
+      ->group(group);
+  command
+      .add_option("--skip-unseen-heads", s.skip_unseen_heads,
+                  "leave out heads wholly outside the picture: true, false (default: true if anything is optimised)")
+      ->group(group);
+}
+
 void add_technique_options(CLI::App& command, RenderSettings& s) {
   std::string names;
   for (const std::string& name : technique_names()) names += (names.empty() ? "" : ", ") + name;
@@ -101,6 +156,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
       ->group("Scene");
   command.add_option("--unit-scale", arguments.options.unit_scale, "multiplies all lengths of the file; glTF says metres")->group("Scene");
   add_technique_options(command, arguments.settings);
+  add_optimise_options(command, arguments.settings);
   add_view_options(command, arguments.settings);
   add_light_options(command, arguments.settings);
 }

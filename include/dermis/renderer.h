@@ -25,26 +25,37 @@ namespace dermis {
 struct RenderSettings {
   std::string technique = "texture-space";  ///< a name of technique_names()
   int width = 1280, height = 720;           ///< pixels, 1 to the device's limit
-  int map_size = 2048;                      ///< texels of a side of the light maps, 32 to the device's limit
+  int map_size = 2048;                      ///< T_max: texels of a side of the light maps, 32 to the device's limit
   int shadow_size = 2048;                   ///< texels
   int samples = 4;                          ///< anti-aliasing, 1 or 4
-  std::string camera;                       ///< name; empty: the scene's first, else framing
-  std::optional<double> fov_deg;            ///< vertical; none: the camera's, 20 when framing
-  std::optional<double> distance;           ///< the paper's test: from the eye to the middle head, in sphere radii
-  int heads = 1;                            ///< in a row, 1.6 radii apart
-  std::array<double, 2> orbit_deg{0, 0};    ///< azimuth, elevation of the framing camera
-  std::optional<int> lights;                ///< that many of the rig instead of the scene's; none: the scene's, else 2
-  double ambient = 0.05;                    ///< uniform radiance from everywhere
-  std::string profile;                      ///< published name or file; empty: the material's, else the published six Gaussians
-  bool normalise_profile = false;           ///< divide the weights of a profile file by their sum
-  std::optional<double> mix;                ///< part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
+
+  // What is not computed because it is not seen; [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 to 5.
+  bool cull = true;                      ///< skin that faces away from the eye
+  bool depth = true;                     ///< light maps only as large as the head's distance needs
+  bool clip = true;                      ///< skin outside the picture and a margin
+  std::optional<std::string> mask;       ///< alpha, depth, tiles: how convolutions skip unlit texels; none: fastest on the kind of device
+  std::optional<double> d_ref;           ///< distance, in sphere radii, up to which maps have their full size; none: a texel a pixel
+  std::optional<double> clip_margin_mm;  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma
+  std::optional<double> map_budget_mb;   ///< for light maps, 1e6 bytes; none: four heads at T_max, at most a quarter of the device's memory
+  std::optional<bool> skip_unseen_heads;  ///< heads wholly outside the picture; none: if anything above is on
+
+  std::string camera;                     ///< name; empty: the scene's first, else framing
+  std::optional<double> fov_deg;          ///< vertical; none: the camera's, 20 when framing
+  std::optional<double> distance;         ///< the paper's test: from the eye to the middle head, in sphere radii
+  int heads = 1;                          ///< in a row, 1.6 radii apart
+  std::array<double, 2> orbit_deg{0, 0};  ///< azimuth, elevation of the framing camera
+  std::optional<int> lights;              ///< that many of the rig instead of the scene's; none: the scene's, else 2
+  double ambient = 0.05;                  ///< uniform radiance from everywhere
+  std::string profile;                    ///< published name or file; empty: the material's, else the published six Gaussians
+  bool normalise_profile = false;         ///< divide the weights of a profile file by their sum
+  std::optional<double> mix;              ///< part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
   bool specular = true;
   bool white_albedo = false;     ///< every albedo is 1
   double bloom = 0.05;           ///< 0 to 1
   double exposure_ev = 0;        ///< radiance is multiplied by 2^EV
   std::string view = "filmic";   ///< filmic, srgb, linear
   int frames = 1;                ///< timed frames after one warm-up, >= 1
-  std::string show = "picture";  ///< picture, irradiance, stretch, texel-density, blur:K, shadow:K
+  std::string show = "picture";  ///< picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K
 };
 
 struct PassStatistics {
@@ -56,6 +67,8 @@ struct PassStatistics {
 /// See docs/measuring.md for what each figure means and how it is taken.
 struct Statistics {
   std::string device, driver, api, technique;
+  std::vector<std::string> optimise;  ///< of cull, depth, clip
+  std::string mask;                   ///< alpha, depth, tiles; empty if nothing is masked
   int width = 0, height = 0, map_size = 0, heads = 1, lights = 0, gaussians = 0;
   std::optional<double> distance;
   double frame_ms_median = 0, frame_ms_min = 0, frame_ms_max = 0;
@@ -66,8 +79,8 @@ struct Statistics {
   std::vector<std::string> skin_materials;
   std::uint64_t skin_pixels = 0;
   double d_ref = 0;
-  std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0;
-  std::vector<int> used_size;  ///< T of each head
+  std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0, unshaded_reads = 0;
+  std::vector<int> used_size;  ///< T of each head in the row; 0: skipped
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;
 
   std::string json() const;  ///< the keys of the command line's --stats
@@ -83,6 +96,8 @@ struct Picture {
   /// .png (display values) or .exr (linear, 32-bit float), atomically. InputError: another ending, a missing folder.
   void save(const std::filesystem::path& path) const;
 };
+
+class PreparedFrame;
 
 class Renderer {
  public:
@@ -100,10 +115,39 @@ class Renderer {
   /// InputError: a setting out of range (says which and the range), an unknown name (lists the known ones). DeviceError: too little memory.
   Picture render(const Scene& scene, const RenderSettings& settings = {});
 
+  /// For many frames of one scene: see PreparedFrame. Errors as render().
+  PreparedFrame prepare(const Scene& scene, const RenderSettings& settings = {});
+
   std::vector<std::string> validation_messages() const;
 
- private:
   struct State;
+
+ private:
+  std::shared_ptr<State> state_;
+};
+
+/// A scene on the device, with plan, memory and pipelines, ready to be drawn again and again. Keeps its renderer's device alive; frames of
+/// one scene share its upload.
+class PreparedFrame {
+ public:
+  PreparedFrame(PreparedFrame&&) noexcept;
+  PreparedFrame& operator=(PreparedFrame&&) noexcept;
+  ~PreparedFrame();
+
+  /// Other settings for the frames to come. Camera, exposure, ambient light and the like cost little; what changes the structure (sizes,
+  /// technique, heads, profile, what is optimised) makes plan and memory anew. Errors as Renderer::render(), then nothing has changed.
+  void set(const RenderSettings& settings);
+
+  /// Draws and times one frame, ms. The first after a change is preceded by one that warms up and counts.
+  double draw();
+
+  /// The last frame, with the statistics of all that were drawn since the last change (one is drawn if there was none).
+  Picture picture();
+
+ private:
+  friend class Renderer;
+  struct State;
+  explicit PreparedFrame(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 

@@ -28,6 +28,7 @@ class Scene {
 
   const std::string& name() const;
   const scene::Scene& data() const { return *data_; }
+  const std::shared_ptr<const scene::Scene>& shared() const { return data_; }
 
  private:
   std::shared_ptr<const scene::Scene> data_;

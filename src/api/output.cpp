@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "image/colour.h"
+#include "shared/tiles_io.h"
 
 namespace dermis::api {
 namespace {
@@ -41,6 +42,18 @@ void density_of_stretch(std::vector<float>& rgba, int map_size) {
   }
 }
 
+// The square of one head out of the pool.
+void crop(Picture& picture, glm::uvec2 origin, int side) {
+  std::vector<float> square;
+  for (int y = 0; y < side; ++y) {
+    const std::size_t row = (static_cast<std::size_t>(origin.y) + static_cast<std::size_t>(y)) * static_cast<std::size_t>(picture.width);
+    const auto first = picture.linear_rgba.begin() + static_cast<std::ptrdiff_t>(4 * (row + origin.x));
+    square.insert(square.end(), first, first + 4 * static_cast<std::ptrdiff_t>(side));
+  }
+  picture.linear_rgba = std::move(square);
+  picture.width = picture.height = side;
+}
+
 // The density is computed from the stretch map.
 std::string shown_map(const RenderSettings& settings) { return settings.show == "texel-density" ? "stretch" : settings.show; }
 
@@ -64,20 +77,41 @@ void check_show(const techniques::FrameOutputs& out, const RenderSettings& setti
   throw input_error("", "--show '{}' is not known to this technique; there are: {}", settings.show, names);
 }
 
-passes::GpuSceneSettings upload_settings(const RenderSettings& settings, const FrameSetup& setup) {
-  passes::GpuSceneSettings upload;
-  if (settings.mix) upload.mix = static_cast<float>(*settings.mix);
-  upload.map_size = settings.map_size;
-  if (setup.technique->scatters)
-    for (const techniques::SkinPart& part : setup.plan.skin) upload.gutter_texels.push_back(part.gutter_texels);
-  return upload;
+namespace {
+
+// Shader invocations of shading and convolution. Drawn or computed whole, a convolution runs over the used squares; otherwise over what
+// its mask leaves of them.
+std::uint64_t launched(const FrameSetup& setup, const techniques::FrameOutputs& out, std::span<const std::uint32_t> counts) {
+  std::uint64_t used_texels = 0, sum = counts[techniques::counter_irradiance];
+  for (const HeadSetup& head : setup.heads)
+    if (head.visible) used_texels += static_cast<std::uint64_t>(head.map_side) * static_cast<std::uint64_t>(head.map_side);
+  const bool sparse = setup.plan.optimise.cull || setup.plan.optimise.clip;
+  for (std::uint32_t mesh = 0; mesh < out.convolutions.size(); ++mesh) {
+    std::uint64_t texels = used_texels;
+    if (sparse && setup.plan.mask == passes::Mask::tiles)
+      texels = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counts[techniques::mesh_counter(mesh, techniques::counter_tiles)];
+    if (sparse && setup.plan.mask == passes::Mask::depth)
+      texels = counts[techniques::mesh_counter(mesh, techniques::counter_masked_texels)];
+    sum += texels * out.convolutions[mesh];
+  }
+  return sum;
 }
 
-void fill_counts(Statistics& st, const scene::Scene& scene, const RenderSettings& settings, const FrameSetup& setup,
+void fill_optimise(Statistics& st, const techniques::FrameSettings& plan) {
+  const techniques::Optimise& o = plan.optimise;
+  if (o.cull) st.optimise.emplace_back("cull");
+  if (o.depth) st.optimise.emplace_back("depth");
+  if (o.clip) st.optimise.emplace_back("clip");
+  if (o.cull || o.clip) st.mask = plan.mask == passes::Mask::alpha ? "alpha" : plan.mask == passes::Mask::depth ? "depth" : "tiles";
+}
+
+}  // namespace
+
+void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& settings, const FrameSetup& setup,
                  const techniques::FrameOutputs& out, std::span<const std::byte> counters) {
-  std::uint32_t counts[techniques::counter_count] = {};
-  DERMIS_ASSERT_EQ(counters.size(), sizeof counts);
-  std::memcpy(counts, counters.data(), sizeof counts);
+  std::vector<std::uint32_t> counts(counters.size() / sizeof(std::uint32_t));
+  DERMIS_ASSERT_EQ(counts.size(), techniques::counter_count(subject.skin.size()));
+  std::memcpy(counts.data(), counters.data(), counters.size());
   st.technique = setup.technique->name;
   st.width = settings.width, st.height = settings.height;
   st.map_size = settings.map_size;
@@ -85,21 +119,24 @@ void fill_counts(Statistics& st, const scene::Scene& scene, const RenderSettings
   st.lights = setup.lights;
   st.gaussians = setup.gaussians;
   st.distance = settings.distance;
-  st.d_ref = setup.d_ref;
+  st.d_ref = setup.view.d_ref;
   st.skin_pixels = counts[techniques::counter_skin_pixels];
-  for (const scene::Material& m : scene.materials)
+  for (const scene::Material& m : subject.scene->materials)
     if (m.skin) st.skin_materials.push_back(m.name);
-  if (setup.technique->scatters) {
-    st.irradiance_texels = counts[techniques::counter_irradiance];
-    st.convolved_texels = st.irradiance_texels * static_cast<std::uint64_t>(setup.gaussians);
-    st.launched = st.irradiance_texels + out.launched_per_head * static_cast<std::uint64_t>(settings.heads);
-    st.used_size.assign(static_cast<std::size_t>(settings.heads), settings.map_size);
-  }
+  if (!setup.technique->scatters) return;
+  fill_optimise(st, setup.plan);
+  st.irradiance_texels = counts[techniques::counter_irradiance];
+  st.convolved_texels = st.irradiance_texels * static_cast<std::uint64_t>(setup.gaussians);
+  st.unshaded_reads = counts[techniques::counter_unshaded_reads];
+  st.launched = launched(setup, out, counts);
+  st.used_size.resize(setup.heads.size());
+  for (const HeadSetup& head : setup.heads) st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;
 }
 
-void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out, const RenderSettings& settings) {
+void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out, const RenderSettings& settings,
+                  const FrameSetup& setup) {
   const auto read = [&](frame::TextureId id, std::uint32_t layer) {
-    return gpu::read_back(executor.device(), executor.resources().texture(id), frame::final_layout(executor.plan(), id, false), layer);
+    return gpu::read_back(executor.device(), executor.resources().texture(id), executor.layout_of(id), layer);
   };
   if (settings.show == "picture") {
     picture.width = settings.width, picture.height = settings.height;
@@ -118,8 +155,9 @@ void read_picture(Picture& picture, frame::Executor& executor, const techniques:
   const std::vector<std::byte> bytes = read(found->second, layer);
   picture.width = static_cast<int>(desc.width), picture.height = static_cast<int>(desc.height);
   picture.linear_rgba = depth ? grey_of_depth(bytes) : floats_of_halves(bytes);
+  const bool is_light = settings.show == "irradiance" || settings.show.rfind("blur:", 0) == 0;
+  if (is_light) crop(picture, out.shown_origin, setup.heads.back().map_side);
   if (density) density_of_stretch(picture.linear_rgba, settings.map_size);
-  const bool is_light = !depth && !density && settings.show != "stretch";
   for (std::size_t i = 0; i < picture.linear_rgba.size(); ++i) {
     const float value = std::clamp(picture.linear_rgba[i], 0.0f, 1.0f);
     picture.display_rgba.push_back(

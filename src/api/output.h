@@ -7,7 +7,6 @@
 #include "api/setup.h"
 #include "dermis/renderer.h"
 #include "frame/executor.h"
-#include "passes/gpu_scene.h"
 
 namespace dermis::api {
 
@@ -17,13 +16,12 @@ void check_device_limits(const RenderSettings& settings, const gpu::DeviceLimits
 /// InputError lists what the technique can show, if settings.show is none of it.
 void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& settings);
 
-passes::GpuSceneSettings upload_settings(const RenderSettings& settings, const FrameSetup& setup);
-
 /// `counters` as read back from FrameOutputs::counters.
-void fill_counts(Statistics& statistics, const scene::Scene& scene, const RenderSettings& settings, const FrameSetup& setup,
+void fill_counts(Statistics& statistics, const Subject& subject, const RenderSettings& settings, const FrameSetup& setup,
                  const techniques::FrameOutputs& out, std::span<const std::byte> counters);
 
 /// The picture, or the map that settings.show names, which check_show() has accepted.
-void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out, const RenderSettings& settings);
+void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out, const RenderSettings& settings,
+                  const FrameSetup& setup);
 
 }  // namespace dermis::api

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "api/subject.h"
+#include "api/view.h"
 #include "dermis/renderer.h"
-#include "scene/scene.h"
-#include "scene/unwrap.h"
 #include "shared/scene_io.h"
 #include "techniques/technique.h"
 
@@ -15,23 +15,34 @@ namespace dermis::api {
 /// InputError for a setting out of range, with its name and range.
 void check_settings(const RenderSettings& settings);
 
+/// What the frame's structure takes from the device.
+struct DeviceTraits {
+  bool software = false;
+  std::uint64_t memory_bytes = 0;        ///< of the device; 0: unknown
+  std::uint32_t max_image_side = 16384;  ///< texels
+};
+
 struct HeadSetup {
+  int number = 0;  ///< in the row
   glm::vec3 offset_m{0};
   std::vector<io::LightIo> lights;
+  std::uint32_t first_shadow_layer = 0;
   std::vector<glm::mat4> shadow_from_world;
+  int map_side = 0;  ///< T
+  bool visible = true;
 };
 
 struct FrameSetup {
   const techniques::Technique* technique = nullptr;
   techniques::FrameSettings plan;
-  std::vector<scene::SkinMesh> skin;
   std::vector<HeadSetup> heads;  ///< far to near
   io::FrameIo frame{};
-  scene::BoundingSphere sphere;
+  View view;
+  std::array<glm::vec4, 5> clip_planes{};  ///< with the margin
   int lights = 0, gaussians = 0;
-  double d_ref = 0;  ///< sphere radii at which the mean texel density is one texel a pixel
 };
 
-FrameSetup set_up(const scene::Scene& scene, const RenderSettings& settings);
+/// InputError: see check_settings(), view_of(); a map budget that holds not even one head.
+FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {});
 
 }  // namespace dermis::api

@@ -12,6 +12,8 @@ std::string Statistics::json() const {
   j["driver"] = driver;
   j["api"] = api;
   j["technique"] = technique;
+  j["optimise"] = optimise;
+  j["mask"] = mask.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(mask);
   j["size"] = {width, height};
   j["map_size"] = map_size;
   j["heads"] = heads;
@@ -28,7 +30,11 @@ std::string Statistics::json() const {
   j["skin_materials"] = skin_materials;
   j["skin_pixels"] = skin_pixels;
   j["d_ref"] = d_ref;
-  j["texels"] = {{"irradiance", irradiance_texels}, {"convolved", convolved_texels}, {"launched", launched}, {"used_size", used_size}};
+  j["texels"] = {{"irradiance", irradiance_texels},
+                 {"convolved", convolved_texels},
+                 {"launched", launched},
+                 {"unshaded_reads", unshaded_reads},
+                 {"used_size", used_size}};
   j["memory_bytes"] = {{"images", image_bytes}, {"buffers", buffer_bytes}, {"peak", peak_bytes}};
   return j.dump(2) + "\n";
 }

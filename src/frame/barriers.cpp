@@ -53,7 +53,7 @@ AccessRow scope_of(const Use& use, PassKind kind) {
 
 }  // namespace
 
-std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool counting) {
+std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool full) {
   const std::size_t texture_count = plan.textures().size();
   std::vector<State> states(texture_count + plan.buffers().size());
   std::vector<std::vector<Barrier>> result;
@@ -63,7 +63,7 @@ std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool co
     std::vector<bool> seen(states.size());
     for (std::size_t p = 0; p < plan.passes().size(); ++p) {
       const PassNode& pass = plan.passes()[p];
-      if (pass.only_when_counting && !counting) continue;
+      if (pass.only_in_full_frames && !full) continue;
       for (const Use& use : pass.uses) {
         const std::size_t slot = use.is_texture ? use.index : texture_count + use.index;
         State& state = states[slot];
@@ -84,11 +84,11 @@ std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool co
   return result;
 }
 
-VkImageLayout final_layout(const FramePlan& plan, TextureId id, bool counting) {
+VkImageLayout final_layout(const FramePlan& plan, TextureId id, bool full) {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   for (const PassNode& pass : plan.passes())
     for (const Use& use : pass.uses)
-      if ((counting || !pass.only_when_counting) && use.is_texture && use.index == id.index) layout = row_of(use.access).layout;
+      if ((full || !pass.only_in_full_frames) && use.is_texture && use.index == id.index) layout = row_of(use.access).layout;
   return layout;
 }
 

@@ -32,10 +32,10 @@ VkImageMemoryBarrier2 Executor::image_barrier(const Barrier& b) {
   return barrier;
 }
 
-void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool counting) {
+void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool full) {
   std::vector<VkImageMemoryBarrier2> images;
   std::vector<VkMemoryBarrier2> buffers;  // on one queue a barrier of a buffer says no more than one of all memory
-  for (const Barrier& b : barriers_[counting ? 1 : 0][index])
+  for (const Barrier& b : barriers_[full ? 1 : 0][index])
     if (b.is_texture)
       images.push_back(image_barrier(b));
     else
@@ -49,15 +49,15 @@ void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& fr
   plan_.passes()[index].record(cmd, resources_, frame);
 }
 
-void Executor::record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer, bool counting) {
+void Executor::record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer, bool full) {
   gpu::Cmd cmd(device(), commands);
   if (timer) timer->reset(commands);
   for (std::size_t p = 0; p < plan_.passes().size(); ++p) {
-    if (plan_.passes()[p].only_when_counting && !counting) continue;
+    if (plan_.passes()[p].only_in_full_frames && !full) continue;
     const std::string& name = plan_.passes()[p].name;
     device().begin_label(commands, name);
     if (timer) timer->begin(commands, name);
-    record_pass(cmd, p, frame, counting);
+    record_pass(cmd, p, frame, full);
     if (timer) timer->end(commands);
     device().end_label(commands);
   }
@@ -68,7 +68,7 @@ FrameTime Executor::run(const FrameData& frame) {
   FrameTime time;
   if (separate_) {
     for (std::size_t p = 0; p < plan_.passes().size(); ++p) {
-      if (plan_.passes()[p].only_when_counting) continue;
+      if (plan_.passes()[p].only_in_full_frames) continue;
       const auto start = steady_clock::now();
       device().run([&](VkCommandBuffer commands) {
         gpu::Cmd cmd(device(), commands);

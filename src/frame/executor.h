@@ -42,17 +42,20 @@ class Executor {
   /// Makes pipelines and resources. DeviceError if memory does not suffice.
   Executor(gpu::PipelineLibrary& library, FramePlan plan);
 
-  /// Records one frame (without the passes that only count, unless counting) with a debug label and (if timer) a time stamp pair around
-  /// each pass. The barriers take each frame for one like itself: between one that counts and one that does not, wait for the device.
-  void record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer = nullptr, bool counting = false);
+  /// Records one frame with a debug label and (if timer) a time stamp pair around each pass; a full frame with the passes that stand only
+  /// there. The first frame must be full. The barriers take each frame for one like itself: between a full one and one that is not, wait
+  /// for the device.
+  void record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer = nullptr, bool full = false);
 
   /// Records, submits and waits, timing each pass. Where time stamps between passes cannot be trusted (software devices), each pass is
   /// its own submission and is timed on the host: see separate_submissions().
   FrameTime run(const FrameData& frame);
-  /// The same with the passes that only count, untimed.
-  void run_counting(const FrameData& frame) {
+  /// A full frame, untimed.
+  void run_full(const FrameData& frame) {
     device().run([&](VkCommandBuffer commands) { record(commands, frame, nullptr, true); });
   }
+  /// In which the last recorded frame leaves a texture.
+  VkImageLayout layout_of(TextureId id) const { return layouts_[id.index]; }
   bool separate_submissions() const { return separate_; }
 
   const FramePlan& plan() const { return plan_; }
@@ -61,11 +64,11 @@ class Executor {
 
  private:
   VkImageMemoryBarrier2 image_barrier(const Barrier& b);
-  void record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool counting);
+  void record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool full);
 
   gpu::PipelineLibrary* library_;
   FramePlan plan_;
-  std::vector<std::vector<Barrier>> barriers_[2];  // without and with the passes that only count
+  std::vector<std::vector<Barrier>> barriers_[2];  // of frames that are not full, and of full ones
   Resources resources_;
   std::vector<VkImageLayout> layouts_;  // that each texture was left in
   bool separate_ = false;

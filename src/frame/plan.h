@@ -83,7 +83,7 @@ struct PassNode {
   std::string name;  ///< timer, debug label, row of the statistics
   PassKind kind{};
   std::vector<Use> uses;
-  bool only_when_counting = false;                     ///< work for the statistics: left out of timed frames
+  bool only_in_full_frames = false;                    ///< what lasts, and work for the statistics
   std::function<void(gpu::PipelineLibrary&)> prepare;  ///< makes pipelines; may be empty
   std::function<void(gpu::Cmd&, const Resources&, const FrameData&)> record;
 };
@@ -95,7 +95,8 @@ class Declare {
  public:
   Declare(FramePlan& plan, PassNode& pass) : plan_(&plan), pass_(&pass) {}
   void kind(PassKind kind) { pass_->kind = kind; }
-  void only_when_counting() { pass_->only_when_counting = true; }
+  /// Left out of timed frames: what is made once and lasts (in persistent resources), and work for the statistics.
+  void only_in_full_frames() { pass_->only_in_full_frames = true; }
 
   TextureId create(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
   BufferId create(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);

@@ -16,6 +16,7 @@ using Rgb = std::array<double, 3>;
 struct Gaussian {
   double variance_mm2 = 0;
   Rgb weight{};
+  bool operator==(const Gaussian&) const = default;
 };
 
 /// Narrow to wide. Weights sum to 1 per channel; what the skin reflects in all is kept beside them.
@@ -28,6 +29,7 @@ struct SumOfGaussians {
   Rgb mean_free_path_mm{};          ///< 1 / sigma_t'; 0 if unknown
   Rgb diffuse_mean_free_path_mm{};  ///< 1 / sigma_tr; 0 if unknown
 
+  bool operator==(const SumOfGaussians&) const = default;
   double max_variance_mm2() const { return terms.empty() ? 0 : terms.back().variance_mm2; }
 };
 

@@ -21,7 +21,8 @@ struct Need {
 using F10 = VkPhysicalDeviceFeatures;
 constexpr Need<F10> needs10[] = {
     {&F10::shaderClipDistance, "shaderClipDistance"},
-    {&F10::depthClamp, "depthClamp"},  // GraphicsDesc::depth_clamp
+    {&F10::depthClamp, "depthClamp"},                              // GraphicsDesc::depth_clamp
+    {&F10::fragmentStoresAndAtomics, "fragmentStoresAndAtomics"},  // counters
     {&F10::shaderStorageImageExtendedFormats, "shaderStorageImageExtendedFormats"},
 };
 using F12 = VkPhysicalDeviceVulkan12Features;

@@ -150,12 +150,12 @@ void Cmd::dispatch_indirect(const Buffer& arguments, std::uint64_t offset) {
   device_->vk().vkCmdDispatchIndirect(handle_, arguments.handle(), offset);
 }
 
-void Cmd::begin_rendering(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth, VkExtent2D extent, bool y_down) {
+void Cmd::begin_rendering_area(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth, VkRect2D area, bool y_down) {
   std::vector<VkRenderingAttachmentInfo> attachments;
   for (const ColourTarget& target : colour) attachments.push_back(colour_attachment(target));
   VkRenderingInfo info{};
   info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-  info.renderArea = {{0, 0}, extent};
+  info.renderArea = area;
   info.layerCount = 1;
   info.colorAttachmentCount = static_cast<std::uint32_t>(attachments.size());
   info.pColorAttachments = attachments.data();
@@ -165,7 +165,7 @@ void Cmd::begin_rendering(std::span<const ColourTarget> colour, const std::optio
     info.pDepthAttachment = &depth_info;
   }
   device_->vk().vkCmdBeginRendering(handle_, &info);
-  set_viewport({{0, 0}, extent}, y_down);
+  set_viewport(area, y_down);
 }
 
 void Cmd::set_viewport(VkRect2D area, bool y_down) {

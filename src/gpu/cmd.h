@@ -69,7 +69,12 @@ class Cmd {
 
   /// Full-target viewport with +Y up (negative height) unless y_down; set_viewport changes it.
   void begin_rendering(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth, VkExtent2D extent,
-                       bool y_down = false);
+                       bool y_down = false) {
+    begin_rendering_area(colour, depth, {{0, 0}, extent}, y_down);
+  }
+  /// Only this part of the targets is cleared, loaded and drawn to; the viewport is the area.
+  void begin_rendering_area(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth, VkRect2D area,
+                            bool y_down = false);
   void set_viewport(VkRect2D area, bool y_down);  ///< viewport and scissor
   void end_rendering();
   void draw(std::uint32_t vertices, std::uint32_t instances = 1, std::uint32_t first_vertex = 0);

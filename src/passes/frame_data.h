@@ -2,6 +2,7 @@
 // What changes from frame to frame, as the passes see it when they record.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -16,14 +17,20 @@ namespace dermis::frame {
 struct Instance {
   glm::vec3 offset_m{0};
   gpu::Buffer lights;                        ///< LightIo[]
-  gpu::Buffer shadow_matrices;               ///< mat4[], one a layer
-  std::vector<glm::mat4> shadow_from_world;  ///< the same, for drawing the layers
+  gpu::Buffer shadow_matrices;               ///< mat4[], one a layer of the shadow maps; those of other heads are zero
+  std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
+  std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
+  std::uint32_t map_side = 0;                ///< T: the side of the square of its light maps that is used, texels
+  bool visible = true;                       ///< false: wholly outside the picture, nothing of it is drawn
 };
 
 struct FrameData {
   const passes::GpuScene* scene = nullptr;
   gpu::Buffer frame_io;  ///< FrameIo
   glm::vec3 eye_m{0};
+  glm::vec4 eye{0, 0, 0, 1};  ///< eye_m, w = 1; for an orthographic camera the unit direction towards it, w = 0
+  /// What lies outside any of these is clipped from light maps: dot(xyz, position_m) + w < 0.
+  std::array<glm::vec4, 5> clip_planes{};
   std::vector<Instance> instances;
 };
 

@@ -107,18 +107,6 @@ GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vec
   return mesh;
 }
 
-void upload_gutters(gpu::Device& device, GpuMesh& mesh, const scene::SkinMesh& skin, int map_size, int width_texels) {
-  std::vector<io::GutterIo> list;
-  const auto [gutters, own] = gutter_list(skin, map_size, width_texels);
-  for (std::size_t i = 0; i < gutters.size(); ++i)
-    list.push_back({.texel = gutters[i].x | static_cast<std::uint32_t>(gutters[i].y) << 16,
-                    .own = own[i].x | own[i].y << 16,
-                    .source = {gutters[i].source_x, gutters[i].source_y},
-                    .chart = gutters[i].chart});
-  mesh.gutter_count = static_cast<std::uint32_t>(list.size());
-  if (!list.empty()) mesh.gutters = gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
-}
-
 // RG16F: bytes of the attenuation table as half floats.
 gpu::Texture upload_attenuation(gpu::Device& device) {
   std::vector<std::uint16_t> halves;
@@ -207,11 +195,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
     materials.push_back(std::move(material));
   }
   attenuation = upload_attenuation(device);
-  for (std::size_t i = 0; i < skin_meshes.size(); ++i) {
-    skin.push_back(upload_skin(device, skin_meshes[i], i));
-    if (i < settings.gutter_texels.size())
-      upload_gutters(device, skin.back(), skin_meshes[i], settings.map_size, settings.gutter_texels[i]);
-  }
+  for (std::size_t i = 0; i < skin_meshes.size(); ++i) skin.push_back(upload_skin(device, skin_meshes[i], i));
   for (const scene::Primitive& p : scene.primitives) {
     // Skin without texture coordinates cannot be unwrapped: it is drawn as any other material (the unwrap has warned).
     if (scene.materials[static_cast<std::size_t>(p.material)].skin && p.has_uv) continue;
@@ -221,6 +205,23 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
     surfaces.push_back(upload_mesh(device, p.name, vertices, p.indices));
     surfaces.back().draws = {{.first_index = 0, .index_count = static_cast<std::uint32_t>(p.indices.size()), .material = p.material}};
   }
+}
+
+void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& skin_mesh, std::uint32_t side,
+                            int width_texels) {
+  GpuMesh& mesh = skin[number];
+  GpuMesh::Gutters& made = mesh.gutters[side];
+  if (made.width_texels >= width_texels) return;
+  std::vector<io::GutterIo> list;
+  const auto [gutters, own] = gutter_list(skin_mesh, static_cast<int>(side), width_texels);
+  for (std::size_t i = 0; i < gutters.size(); ++i)
+    list.push_back({.texel = gutters[i].x | static_cast<std::uint32_t>(gutters[i].y) << 16,
+                    .own = own[i].x | own[i].y << 16,
+                    .source = {gutters[i].source_x, gutters[i].source_y},
+                    .chart = gutters[i].chart});
+  made.width_texels = width_texels;
+  made.count = static_cast<std::uint32_t>(list.size());
+  if (!list.empty()) made.list = gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
 }
 
 const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,8 +42,13 @@ struct GpuMesh {
   gpu::Buffer vertices;  ///< VertexIo[]
   gpu::Buffer indices;   ///< uint[]
   gpu::Buffer charts;    ///< uint per triangle; skin only
-  gpu::Buffer gutters;   ///< GutterIo[]; skin only
-  std::uint32_t gutter_count = 0;
+  /// By the side of the light map, see GpuScene::make_gutters; skin only.
+  struct Gutters {
+    gpu::Buffer list;  ///< GutterIo[]
+    std::uint32_t count = 0;
+    int width_texels = 0;
+  };
+  std::map<std::uint32_t, Gutters> gutters;
   std::vector<GpuDraw> draws;
   glm::vec3 centre_m{0};
 
@@ -51,9 +57,7 @@ struct GpuMesh {
 
 /// What of the frame's settings the upload depends on.
 struct GpuSceneSettings {
-  std::optional<float> mix;        ///< overrides the materials' mix
-  int map_size = 2048;             ///< T, for the gutters
-  std::vector<int> gutter_texels;  ///< width per skin mesh; empty: no gutters
+  std::optional<float> mix;  ///< overrides the materials' mix
 };
 
 class GpuScene {
@@ -61,6 +65,10 @@ class GpuScene {
   /// Uploads. DeviceError: a map or buffer over the device's limits, no memory.
   GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin,
            const GpuSceneSettings& settings);
+
+  /// Makes the gutters of skin mesh `number`, which is `mesh`, for light maps of side x side texels, `width_texels` wide, unless it has
+  /// them as wide or wider.
+  void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side, int width_texels);
 
   std::vector<GpuMesh> skin;      ///< one a SkinMesh
   std::vector<GpuMesh> surfaces;  ///< everything else, one a primitive

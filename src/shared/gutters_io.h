@@ -2,6 +2,8 @@
 #ifndef DERMIS_SHARED_GUTTERS_IO_H
 #define DERMIS_SHARED_GUTTERS_IO_H
 #include "shared/types.h"
+// Alpha of texels beside an open border: no chart, but light for bilinear reads.
+#define BORDER_ALPHA 4096.0
 DERMIS_IO_BEGIN
 // A texel beside a chart, and where its light is found.
 struct GutterIo {
@@ -12,7 +14,9 @@ struct GutterIo {
 };
 struct GuttersIo {
   uint count;
-  uint mode;  // 0: light from the source; 1: stretch from the own chart
+  uint mode;     // 0: light from the source; 1: stretch from the own chart
+  uvec2 origin;  // of the square in the pool
+  uint side;     // T, texels
 };
 DERMIS_IO_END
 #endif

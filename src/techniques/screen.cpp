@@ -30,16 +30,19 @@ Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&p
   depth_ = plan.texture("depth", depth);
   shadow_ = plan.texture("shadow maps", {.width = settings.shadow_size,
                                          .height = settings.shadow_size,
-                                         .layers = std::max(settings.shadow_layers, 1u),
+                                         .layers = std::max(settings.shadow_layers, 1u) * settings.heads_per_batch,
                                          .format = VK_FORMAT_D32_SFLOAT,
                                          .array = true});
-  counters_ = plan.buffer("counters", {.bytes = counter_count * sizeof(std::uint32_t)});
+  counters_ = plan.buffer("counters", {.bytes = counter_count(settings.skin.size()) * sizeof(std::uint32_t)});
   plan.add<passes::ClearCounters>("clear counters", {counters_});
 }
 
 bool Screen::take_clear() { return !std::exchange(cleared_, true); }
 
-void Screen::add_shadow(std::uint32_t head) { plan_->add<passes::Shadow>(label("shadow", settings_, head), {shadow_}, {.instance = head}); }
+void Screen::add_shadow(std::uint32_t head) {
+  plan_->add<passes::Shadow>(label("shadow", settings_, head), {shadow_},
+                             {.instance = head, .layers = std::max(settings_.shadow_layers, 1u)});
+}
 
 void Screen::add_surfaces(std::uint32_t head) {
   const passes::Surface::In in{shadow_, colour_, depth_};

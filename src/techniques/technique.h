@@ -11,6 +11,7 @@
 
 #include "frame/plan.h"
 #include "gaussians/sum.h"
+#include "passes/light_pool.h"
 #include "passes/view/view.h"
 
 namespace dermis::techniques {
@@ -19,32 +20,50 @@ namespace dermis::techniques {
 struct SkinPart {
   gaussians::SumOfGaussians profile;
   double max_texels_per_mm = 1;  ///< where its unwrap is densest, at the map size of the frame
-  int gutter_texels = 0;         ///< how far a blur step reaches past a seam; see gutter_width()
+  bool operator==(const SkinPart&) const = default;
+};
+
+/// What is not computed because it is not seen. Based on: [JG08] sec. 3 to 5.
+struct Optimise {
+  bool cull = false;   ///< triangles that face away from the eye
+  bool depth = false;  ///< maps as large as the head's distance needs; the plan does not change, Instance::map_side does
+  bool clip = false;   ///< what lies outside the picture and a margin
+  bool any() const { return cull || depth || clip; }
+  bool operator==(const Optimise&) const = default;
 };
 
 /// The structure of a frame: a change makes a new plan. What changes per frame is frame::FrameData.
 struct FrameSettings {
   std::uint32_t width = 1280, height = 720;
   std::uint32_t samples = 4;         ///< 1 or 4
-  std::uint32_t map_size = 2048;     ///< T, texels
+  std::uint32_t map_size = 2048;     ///< T_max, texels
   std::uint32_t shadow_size = 2048;  ///< texels
   std::uint32_t shadow_layers = 1;   ///< of one head, at least 1
   std::uint32_t heads = 1;
-  std::vector<SkinPart> skin;  ///< one a skin mesh of the scene
+  std::uint32_t heads_per_batch = 1;  ///< that are lit and blurred together: squares of the pool and sets of shadow maps
+  Optimise optimise;
+  passes::Mask mask = passes::Mask::tiles;  ///< alpha, depth or tiles: how convolutions skip what cull and clip have left unlit
+  bool visibility = false;                  ///< also makes the map that `--show visibility` shows
+  std::vector<SkinPart> skin;               ///< one a skin mesh of the scene
   bool has_surfaces = false, has_blended = false;
   float bloom = 0;  ///< 0..1
   passes::ViewTransform view = passes::ViewTransform::filmic;
+  bool operator==(const FrameSettings&) const = default;
 };
 
-/// Slots of FrameOutputs::counters.
-enum Counter : std::uint32_t { counter_irradiance = 0, counter_skin_pixels = 1, counter_count = 2 };
+/// Slots of FrameOutputs::counters: three of the frame, then two a skin mesh.
+enum Counter : std::uint32_t { counter_irradiance, counter_skin_pixels, counter_unshaded_reads, counter_meshes };
+enum MeshCounter : std::uint32_t { counter_masked_texels, counter_tiles, counter_mesh_stride };
+inline std::size_t counter_count(std::size_t skin_meshes) { return counter_meshes + counter_mesh_stride * skin_meshes; }
+inline std::uint32_t mesh_counter(std::uint32_t mesh, MeshCounter which) { return counter_meshes + counter_mesh_stride * mesh + which; }
 
 struct FrameOutputs {
   frame::TextureId picture;                       ///< RGBA16F, linear, with bloom; alpha = share of the pixel that is skin
   frame::TextureId display;                       ///< RGBA8, after the view transform
-  frame::BufferId counters;                       ///< uint[counter_count]
+  frame::BufferId counters;                       ///< uint[counter_count()]
   std::map<std::string, frame::TextureId> shows;  ///< what `--show` can show: "irradiance", "blur:0", ...
-  std::uint64_t launched_per_head = 0;            ///< compute invocations of the convolution of one head
+  glm::uvec2 shown_origin{0};                     ///< of the square of light maps that is shown: the nearest head's, its first skin mesh
+  std::vector<std::uint32_t> convolutions;        ///< a skin mesh: passes over its square, both axes counted
 };
 
 struct Technique {

@@ -8,39 +8,82 @@
 #include "passes/bindings.h"
 #include "passes/blur/blur_io.h"
 #include "passes/blur/kernels.h"
+#include "shared/tiles_io.h"
 
 namespace dermis::passes {
 
 Blur::Out Blur::declare(frame::Declare& d, const In& in) {
-  d.kind(frame::PassKind::compute);
+  d.kind(drawn() ? frame::PassKind::raster : frame::PassKind::compute);
   in_ = in;
-  if (!in_.target.valid()) in_.target = d.create("light", d.desc(in.light));
   d.sample(in.light);
   d.sample(in.stretch);
-  d.write(in_.target);
-  return {in_.target};
+  if (drawn())
+    d.colour(in.target);
+  else
+    d.write(in.target);
+  if (settings_.mask == Mask::depth) d.depth(in.depth_mask);
+  if (settings_.mask == Mask::tiles) {
+    d.read(in.lists.tiles);
+    d.read(in.lists.counts);
+    d.indirect(in.lists.arguments);
+  }
+  return {in.target};
 }
 
 void Blur::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.compute("blur.comp");
+  const bool depth = settings_.mask == Mask::depth;
+  if (drawn())
+    pipeline_ = &library.graphics({.vertex = "square.vert",
+                                   .fragment = "blur.frag",
+                                   .constants = {{"alpha_test", settings_.mask == Mask::alpha ? 1u : 0u}},
+                                   .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
+                                   .depth_format = depth ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_UNDEFINED,
+                                   .depth_test = depth,
+                                   .depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL});
+  else
+    pipeline_ = &library.compute("blur.comp", {{"tiled", settings_.mask == Mask::tiles ? 1u : 0u}});
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
   const std::vector<float> table = kernel_table();
   kernels_ = gpu::make_buffer(library.device(), "blur kernels", std::span<const float>(table), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
-void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
-  const gpu::Texture& target = resources.texture(in_.target);
-  Bindings()
-      .add("light_in", resources.sampled(in_.light, sampler_))
+void Blur::draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const {
+  const gpu::ColourTarget colour{.texture = &resources.texture(in_.target), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
+  std::optional<gpu::DepthTarget> depth;
+  if (settings_.mask == Mask::depth) depth = gpu::DepthTarget{.texture = &resources.texture(in_.depth_mask)};
+  cmd.begin_rendering_area(std::span(&colour, 1), depth, area, true);
+  cmd.draw(3);
+  cmd.end_rendering();
+}
+
+void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+  Bindings bindings;
+  bindings.add("light_in", resources.sampled(in_.light, sampler_))
       .add("stretch", resources.sampled(in_.stretch, sampler_))
-      .add("Kernels", kernels_)
-      .add("light_out", gpu::StorageImageBinding{&target})
-      .bind(cmd, *pipeline_);
-  cmd.push(*pipeline_, io::BlurIo{.variance_mm2 = static_cast<float>(settings_.variance_mm2),
-                                  .axis = settings_.axis,
-                                  .texel_averaged = settings_.texel_averaged ? 1u : 0u,
-                                  .extent = {target.desc().width, target.desc().height}});
-  cmd.dispatch_over(*pipeline_, target.desc().width, target.desc().height);
+      .add("Kernels", kernels_);
+  const bool tiled = settings_.mask == Mask::tiles;
+  // Without tiles the list is never read, but must be bound: any buffer serves.
+  bindings.add("Tiles", tiled ? resources.buffer(in_.lists.tiles) : kernels_)
+      .add("TileCounts", tiled ? resources.buffer(in_.lists.counts) : kernels_);
+  if (!drawn()) bindings.add("light_out", gpu::StorageImageBinding{&resources.texture(in_.target)});
+  bindings.bind(cmd, *pipeline_);
+  for (const MapSquare& square : settings_.squares) {
+    const frame::Instance& instance = instance_of(frame, square);
+    if (!instance.visible) continue;
+    cmd.push(*pipeline_, io::BlurIo{.variance_mm2 = static_cast<float>(settings_.variance_mm2),
+                                    .axis = settings_.axis,
+                                    .texel_averaged = settings_.texel_averaged ? 1u : 0u,
+                                    .origin = square.origin,
+                                    .side = instance.map_side,
+                                    .square = square.index,
+                                    .first_tile = square.index * in_.lists.room});
+    if (drawn())
+      draw(cmd, resources, used_area(frame, square));
+    else if (tiled)
+      cmd.dispatch_indirect(resources.buffer(in_.lists.arguments), square.index * sizeof(io::TileArgumentsIo));
+    else
+      cmd.dispatch_over(*pipeline_, instance.map_side, instance.map_side);
+  }
 }
 
 std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm) {

@@ -9,20 +9,25 @@
 
 #include "frame/plan.h"
 #include "gaussians/sum.h"
-#include "passes/frame_data.h"
+#include "passes/light_pool.h"
+#include "passes/tile_lists.h"
 
 namespace dermis::passes {
 
 class Blur {
  public:
   struct Settings {
+    std::vector<MapSquare> squares;
     double variance_mm2 = 0;      ///< of this step
     std::uint32_t axis = 0;       ///< 0, then 1
     bool texel_averaged = false;  ///< the first step: its input is constant over each texel
+    Mask mask = Mask::whole;
   };
   struct In {
     frame::TextureId light, stretch;
-    frame::TextureId target;  ///< same size; valid: written there, else one is created
+    frame::TextureId target;           ///< RGBA16F pool of the same size
+    TileLists lists = {};              ///< with Mask::tiles
+    frame::TextureId depth_mask = {};  ///< with Mask::depth
   };
   struct Out {
     frame::TextureId light;
@@ -33,6 +38,8 @@ class Blur {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
 
  private:
+  bool drawn() const { return settings_.mask != Mask::whole && settings_.mask != Mask::tiles; }
+  void draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const;
   Settings settings_;
   In in_;
   const gpu::Pipeline* pipeline_ = nullptr;

@@ -4,13 +4,13 @@
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 struct BlurIo {
-  float variance_mm2;   // of this step
-  uint axis;            // 0: along the first column of the Cholesky factor, 1: along v
-  uint texel_averaged;  // 1: input is constant over each texel (the first step)
-  uvec2 extent;         // texels used
+  float variance_mm2;
+  uint axis;            // 0, then 1
+  uint texel_averaged;  // the first step: its input is constant over each texel
+  uvec2 origin;         // of the square in the pool
+  uint side;            // T, texels
+  uint square;          // number in the pool
+  uint first_tile;      // of its tiles in the list
 };
 DERMIS_IO_END
-#ifdef __cplusplus
-static_assert(sizeof(dermis::io::BlurIo) == 20);
-#endif
 #endif

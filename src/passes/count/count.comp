@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Counts texels by their alpha. Integers, so the order of the additions does not matter.
 #version 460
-#include "shared/types.h"
 #include "passes/count/count_io.h"
+#include "shared/types.h"
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(push_constant, scalar) uniform Push { CountIo io; };
 layout(binding = 0) uniform sampler2D picture;
@@ -13,7 +13,10 @@ void main() {
   if (gl_LocalInvocationIndex == 0u) group_count = 0u;
   barrier();
   const uvec2 p = gl_GlobalInvocationID.xy;
-  if (all(lessThan(p, io.extent)) && texelFetch(picture, ivec2(p), 0).a >= io.threshold) atomicAdd(group_count, 1u);
+  if (all(lessThan(p, io.extent))) {
+    const float alpha = texelFetch(picture, ivec2(p + io.origin), 0).a;
+    if ((io.absolute != 0u ? abs(alpha) : alpha) >= io.threshold) atomicAdd(group_count, 1u);
+  }
   barrier();
   if (gl_LocalInvocationIndex == 0u && group_count > 0u) atomicAdd(counters[io.slot], group_count);
 }

@@ -9,7 +9,7 @@ namespace dermis::passes {
 
 Count::Out Count::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::compute);
-  d.only_when_counting();
+  d.only_in_full_frames();
   in_ = in;
   d.sample(in.picture);
   d.write(in.counters);
@@ -21,17 +21,25 @@ void Count::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
+void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
   const gpu::Texture& picture = resources.texture(in_.picture);
   Bindings().add("picture", resources.sampled(in_.picture, sampler_)).add("Counters", resources.buffer(in_.counters)).bind(cmd, *pipeline_);
-  const io::CountIo io{.extent = {picture.desc().width, picture.desc().height}, .slot = settings_.slot, .threshold = settings_.threshold};
-  cmd.push(*pipeline_, io);
-  cmd.dispatch_over(*pipeline_, io.extent.x, io.extent.y);
+  const auto count = [&](glm::uvec2 origin, glm::uvec2 extent) {
+    cmd.push(*pipeline_, io::CountIo{.origin = origin,
+                                     .extent = extent,
+                                     .slot = settings_.slot,
+                                     .threshold = settings_.threshold,
+                                     .absolute = settings_.absolute ? 1u : 0u});
+    cmd.dispatch_over(*pipeline_, extent.x, extent.y);
+  };
+  if (settings_.squares.empty()) count({0, 0}, {picture.desc().width, picture.desc().height});
+  for (const MapSquare& square : settings_.squares)
+    if (const frame::Instance& instance = instance_of(frame, square); instance.visible) count(square.origin, glm::uvec2(instance.map_side));
 }
 
 ClearCounters::Out ClearCounters::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::copy);
-  d.only_when_counting();
+  d.only_in_full_frames();
   in_ = in;
   d.copy_to(in.counters);
   return {};

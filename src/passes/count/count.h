@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Counters of work done, for the statistics: how many texels of a map (or pixels of a picture) have at least a given alpha.
-/// Not part of a timed frame: recorded only when counting.
+/// Not part of a timed frame: recorded only in full frames.
 #pragma once
 
-#include "frame/plan.h"
-#include "passes/frame_data.h"
+#include "passes/light_pool.h"
 
 namespace dermis::passes {
 
@@ -13,6 +12,8 @@ class Count {
   struct Settings {
     std::uint32_t slot = 0;
     float threshold = 0.5f;
+    bool absolute = false;           ///< of the alpha's absolute value
+    std::vector<MapSquare> squares;  ///< only their used areas are counted; none: the whole picture
   };
   struct In {
     frame::TextureId picture;  ///< one sample

@@ -4,9 +4,10 @@
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 struct CountIo {
-  uvec2 extent;
+  uvec2 origin, extent;
   uint slot;        // of the counters
   float threshold;  // counted if alpha is at least this
+  uint absolute;    // 1: the alpha's absolute value
 };
 DERMIS_IO_END
 #endif

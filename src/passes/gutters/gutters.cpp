@@ -10,18 +10,31 @@ namespace dermis::passes {
 Gutters::Out Gutters::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::compute);
   in_ = in;
+  if (settings_.what == What::stretch) d.only_in_full_frames();
   d.write(in.target);
   return {in.target};
 }
 
 void Gutters::prepare(gpu::PipelineLibrary& library) { pipeline_ = &library.compute("gutters.comp"); }
 
+void Gutters::refresh(gpu::Cmd& cmd, const gpu::Texture& target, const GpuMesh& mesh, glm::uvec2 origin, std::uint32_t side) const {
+  const auto found = mesh.gutters.find(side);
+  if (found == mesh.gutters.end() || found->second.count == 0) return;
+  Bindings().add("Gutters", found->second.list).add("target", gpu::StorageImageBinding{&target}).bind(cmd, *pipeline_);
+  cmd.push(*pipeline_,
+           io::GuttersIo{.count = found->second.count, .mode = settings_.what == What::stretch ? 1u : 0u, .origin = origin, .side = side});
+  cmd.dispatch_over(*pipeline_, found->second.count, 1);
+}
+
 void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
-  const GpuMesh& mesh = frame.scene->skin[settings_.mesh];
-  if (mesh.gutter_count == 0) return;
-  Bindings().add("Gutters", mesh.gutters).add("target", gpu::StorageImageBinding{&resources.texture(in_.target)}).bind(cmd, *pipeline_);
-  cmd.push(*pipeline_, io::GuttersIo{.count = mesh.gutter_count, .mode = settings_.what == What::stretch ? 1u : 0u});
-  cmd.dispatch_over(*pipeline_, mesh.gutter_count, 1);
+  const gpu::Texture& target = resources.texture(in_.target);
+  for (const MapSquare& square : settings_.squares) {
+    const GpuMesh& mesh = frame.scene->skin[square.mesh];
+    if (settings_.what == What::stretch)
+      refresh(cmd, target, mesh, {0, 0}, target.desc().width);
+    else if (instance_of(frame, square).visible)
+      refresh(cmd, target, mesh, square.origin, instance_of(frame, square).map_side);
+  }
 }
 
 }  // namespace dermis::passes

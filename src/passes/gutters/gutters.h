@@ -2,8 +2,7 @@
 /// Refreshes the texels beside texture seams from the other side (scene/gutters.h makes the list).
 #pragma once
 
-#include "frame/plan.h"
-#include "passes/frame_data.h"
+#include "passes/light_pool.h"
 
 namespace dermis::passes {
 
@@ -11,11 +10,11 @@ class Gutters {
  public:
   enum class What : std::uint8_t { light, stretch };
   struct Settings {
-    std::uint32_t mesh = 0;
+    std::vector<MapSquare> squares;  ///< stretch: one, at the origin, of the texture's size whatever the instance's T
     What what = What::light;
   };
   struct In {
-    frame::TextureId target;  ///< RGBA16F, T x T, changed in place
+    frame::TextureId target;  ///< RGBA16F pool, changed in place
   };
   struct Out {
     frame::TextureId target;
@@ -26,6 +25,7 @@ class Gutters {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
 
  private:
+  void refresh(gpu::Cmd& cmd, const gpu::Texture& target, const GpuMesh& mesh, glm::uvec2 origin, std::uint32_t side) const;
   Settings settings_;
   In in_;
   const gpu::Pipeline* pipeline_ = nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "passes/irradiance/irradiance.h"
 
+#include <algorithm>
+
 #include "frame/executor.h"
 #include "passes/irradiance/irradiance_io.h"
 
@@ -15,27 +17,36 @@ Irradiance::Out Irradiance::declare(frame::Declare& d, const In& in) {
 }
 
 void Irradiance::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ =
-      &library.graphics({.vertex = "irradiance.vert", .fragment = "irradiance.frag", .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
+  pipeline_ = &library.graphics({.vertex = settings_.clip ? "irradiance_clipped.vert" : "irradiance.vert",
+                                 .fragment = "irradiance.frag",
+                                 .constants = {{"cull", settings_.cull ? 1u : 0u}},
+                                 .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
   samplers_ = LightingSamplers(library);
 }
 
 void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
   const gpu::Texture& target = resources.texture(in_.light);
-  const GpuMesh& mesh = frame.scene->skin[settings_.mesh];
-  const frame::Instance& instance = frame.instances[settings_.instance];
   const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
-  cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
-  for (const GpuDraw& draw : mesh.draws) {
-    Bindings bindings;
-    mesh.offer(bindings);
-    frame.scene->materials[static_cast<std::size_t>(draw.material)].offer(bindings);
-    samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
-    bindings.bind(cmd, *pipeline_);
-    cmd.push(*pipeline_, io::IrradianceIo{.offset_m = instance.offset_m});
-    cmd.draw(draw.index_count, 1, draw.first_index);
+  for (const MapSquare& square : settings_.squares) {
+    const GpuMesh& mesh = frame.scene->skin[square.mesh];
+    const frame::Instance& instance = instance_of(frame, square);
+    if (!instance.visible) continue;
+    cmd.begin_rendering_area(std::span(&colour, 1), {}, used_area(frame, square), true);
+    io::IrradianceIo io{.offset_m = instance.offset_m, .can_cull = 0, .eye = frame.eye, .planes = {}};
+    std::copy(frame.clip_planes.begin(), frame.clip_planes.end(), io.planes);
+    for (const GpuDraw& draw : mesh.draws) {
+      const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
+      Bindings bindings;
+      mesh.offer(bindings);
+      material.offer(bindings);
+      samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
+      bindings.bind(cmd, *pipeline_);
+      io.can_cull = material.double_sided ? 0 : 1;
+      cmd.push(*pipeline_, io);
+      cmd.draw(draw.index_count, 1, draw.first_index);
+    }
+    cmd.end_rendering();
   }
-  cmd.end_rendering();
 }
 
 }  // namespace dermis::passes

@@ -42,8 +42,9 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
 void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
   const gpu::Texture& shadow = resources.texture(in_.shadow);
   const frame::Instance& instance = frame.instances[settings_.instance];
-  for (std::uint32_t layer = 0; layer < shadow.desc().layers; ++layer) {
-    cmd.begin_rendering({}, gpu::DepthTarget{.texture = &shadow, .layer = layer, .clear = 0.0f},
+  if (!instance.visible) return;
+  for (std::uint32_t layer = 0; layer < settings_.layers; ++layer) {
+    cmd.begin_rendering({}, gpu::DepthTarget{.texture = &shadow, .layer = instance.first_shadow_layer + layer, .clear = 0.0f},
                         {shadow.desc().width, shadow.desc().height}, true);
     if (layer < instance.shadow_from_world.size()) {
       const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer], .offset_m = instance.offset_m};

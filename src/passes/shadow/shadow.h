@@ -11,9 +11,10 @@ class Shadow {
  public:
   struct Settings {
     std::uint32_t instance = 0;
+    std::uint32_t layers = 1;  ///< of one head
   };
   struct In {
-    frame::TextureId shadow;  ///< D32, layers = Instance::shadow_from_world.size(), at least 1
+    frame::TextureId shadow;  ///< D32; this head's layers begin at Instance::first_shadow_layer
   };
   struct Out {
     frame::TextureId shadow;

@@ -37,17 +37,20 @@ void Skin::prepare(gpu::PipelineLibrary& library) {
 
 void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
   const gpu::Texture& colour = resources.texture(in_.colour);
-  const GpuMesh& mesh = frame.scene->skin[settings_.mesh];
-  const frame::Instance& instance = frame.instances[settings_.instance];
+  const GpuMesh& mesh = frame.scene->skin[settings_.square.mesh];
+  const frame::Instance& instance = instance_of(frame, settings_.square);
+  if (!instance.visible && !settings_.clear) return;
   gpu::ColourTarget colour_target{.texture = &colour};
   gpu::DepthTarget depth_target{.texture = &resources.texture(in_.depth)};
   if (settings_.clear) colour_target.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}, depth_target.clear = 0.0f;
   cmd.begin_rendering(std::span(&colour_target, 1), depth_target, {colour.desc().width, colour.desc().height});
-  io::SkinIo io{.offset_m = instance.offset_m, .weights = {}};
+  io::SkinIo io{
+      .offset_m = instance.offset_m, .weights = {}, .map_origin = settings_.square.origin, .map_side = instance.map_side, .slot = 0};
   for (std::size_t i = 0; i < settings_.weights.size(); ++i)
     io.weights[i] = {settings_.weights[i][0], settings_.weights[i][1], settings_.weights[i][2]};
   static constexpr std::array names{"light_0", "light_1", "light_2", "light_3", "light_4", "light_5", "light_6", "light_7"};
   for (const GpuDraw& draw : mesh.draws) {
+    if (!instance.visible) break;
     const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
     const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
     Bindings bindings;

@@ -2,10 +2,10 @@
 // What the eye sees of the skin: the scattered light of its texels (or, with no terms, the light that enters at the pixel), the part of
 // the albedo that is applied after, and the two lobes of the specular. Alpha 1 marks skin.
 #version 460
-#include "shared/scene_io.h"
-#include "shared/half.glsl"
-#include "shared/skin_point.glsl"
 #include "passes/skin/skin_io.h"
+#include "shared/half.glsl"
+#include "shared/scene_io.h"
+#include "shared/skin_point.glsl"
 layout(constant_id = 0) const int term_count = 6;
 layout(push_constant, scalar) uniform Push { SkinIo io; };
 layout(binding = 14) uniform sampler2D light_0;
@@ -26,19 +26,20 @@ layout(location = 5) centroid in vec2 in_unwrap;
 layout(location = 6) flat in vec4 in_unwrap_box;
 layout(location = 0) out vec4 out_radiance;
 
+#include "passes/skin/light_point.glsl"
+
 // sum_i w_i (light blurred by term i), already times 2^EV / pi.
 vec3 scattered() {
-  // Seen edge on, even a sample on the triangle may be interpolated far outside of it.
-  const vec2 unwrap = clamp(in_unwrap, in_unwrap_box.xy, in_unwrap_box.zw);
+  const vec2 at = light_point(in_unwrap, in_unwrap_box) / vec2(textureSize(light_0, 0));
   vec3 sum = vec3(0.0);
-  if (term_count > 0) sum += io.weights[0] * textureLod(light_0, unwrap, 0.0).rgb;
-  if (term_count > 1) sum += io.weights[1] * textureLod(light_1, unwrap, 0.0).rgb;
-  if (term_count > 2) sum += io.weights[2] * textureLod(light_2, unwrap, 0.0).rgb;
-  if (term_count > 3) sum += io.weights[3] * textureLod(light_3, unwrap, 0.0).rgb;
-  if (term_count > 4) sum += io.weights[4] * textureLod(light_4, unwrap, 0.0).rgb;
-  if (term_count > 5) sum += io.weights[5] * textureLod(light_5, unwrap, 0.0).rgb;
-  if (term_count > 6) sum += io.weights[6] * textureLod(light_6, unwrap, 0.0).rgb;
-  if (term_count > 7) sum += io.weights[7] * textureLod(light_7, unwrap, 0.0).rgb;
+  if (term_count > 0) sum += io.weights[0] * textureLod(light_0, at, 0.0).rgb;
+  if (term_count > 1) sum += io.weights[1] * textureLod(light_1, at, 0.0).rgb;
+  if (term_count > 2) sum += io.weights[2] * textureLod(light_2, at, 0.0).rgb;
+  if (term_count > 3) sum += io.weights[3] * textureLod(light_3, at, 0.0).rgb;
+  if (term_count > 4) sum += io.weights[4] * textureLod(light_4, at, 0.0).rgb;
+  if (term_count > 5) sum += io.weights[5] * textureLod(light_5, at, 0.0).rgb;
+  if (term_count > 6) sum += io.weights[6] * textureLod(light_6, at, 0.0).rgb;
+  if (term_count > 7) sum += io.weights[7] * textureLod(light_7, at, 0.0).rgb;
   return sum;
 }
 

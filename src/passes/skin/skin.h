@@ -6,8 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "frame/plan.h"
-#include "passes/frame_data.h"
+#include "passes/light_pool.h"
 #include "passes/lighting.h"
 
 namespace dermis::passes {
@@ -15,13 +14,13 @@ namespace dermis::passes {
 class Skin {
  public:
   struct Settings {
-    std::uint32_t instance = 0, mesh = 0;
+    MapSquare square;                           ///< with no terms only its instance and mesh count
     std::uint32_t samples = 1;                  ///< of the targets
     bool clear = false;                         ///< the first to draw into them
     std::vector<std::array<float, 3>> weights;  ///< a term each, 0 to 8; none = Lambert
   };
   struct In {
-    std::vector<frame::TextureId> lights;  ///< a term each
+    std::vector<frame::TextureId> lights;  ///< RGBA16F pools, a term each
     frame::TextureId shadow, colour, depth;
   };
   struct Out {
@@ -39,6 +38,33 @@ class Skin {
   const gpu::Pipeline* double_sided_ = nullptr;
   LightingSamplers samplers_;
   VkSampler light_sampler_ = VK_NULL_HANDLE;
+};
+
+/// Counts, over the fragments of the final pass that are seen, those whose bilinear read weighs a texel that was never lit. Stands right
+/// behind Skin with the same square; only in full frames.
+class SkinReads {
+ public:
+  struct Settings {
+    MapSquare square;
+    std::uint32_t samples = 1;
+    std::uint32_t slot = 0;  ///< of the counters
+  };
+  struct In {
+    frame::TextureId light, depth;
+    frame::BufferId counters;
+  };
+  struct Out {};
+  explicit SkinReads(const Settings& settings) : settings_(settings) {}
+  Out declare(frame::Declare& d, const In& in);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+
+ private:
+  Settings settings_;
+  In in_;
+  const gpu::Pipeline* single_sided_ = nullptr;
+  const gpu::Pipeline* double_sided_ = nullptr;
+  VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

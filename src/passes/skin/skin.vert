@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #version 460
+#include "passes/skin/skin_io.h"
 #include "shared/scene_io.h"
 #include "shared/vertex_pull.glsl"
-#include "passes/skin/skin_io.h"
 layout(push_constant, scalar) uniform Push { SkinIo io; };
 layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
+invariant gl_Position;  // skin_reads.frag tests against the depth that this wrote
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;
 layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;
 layout(location = 5) centroid out vec2 out_unwrap;
-layout(location = 6) flat out vec4 out_unwrap_box;   // of the triangle: low, high
+layout(location = 6) flat out vec4 out_unwrap_box;  // of the triangle: low, high
 void main() {
   const VertexIo v = pulled_vertex();
   out_position_m = v.position_m + io.offset_m;

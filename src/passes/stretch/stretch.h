@@ -14,7 +14,8 @@ class Stretch {
     std::uint32_t mesh = 0;
   };
   struct In {
-    frame::TextureId stretch;  ///< RGBA16F, T x T: (a, b, c) of the Cholesky factor per metre, chart number (0 = no skin)
+    frame::TextureId
+        stretch;  ///< RGBA16F, T_max x T_max, persistent: (a, b, c) of the Cholesky factor per metre, chart number (0 = no skin)
   };
   struct Out {
     frame::TextureId stretch;

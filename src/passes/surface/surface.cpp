@@ -36,6 +36,7 @@ void Surface::prepare(gpu::PipelineLibrary& library) {
 void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
   const gpu::Texture& colour = resources.texture(in_.colour);
   const frame::Instance& instance = frame.instances[settings_.instance];
+  if (!instance.visible && !settings_.clear) return;
   gpu::ColourTarget colour_target{.texture = &colour};
   gpu::DepthTarget depth_target{.texture = &resources.texture(in_.depth)};
   if (settings_.clear) colour_target.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}, depth_target.clear = 0.0f;
@@ -43,6 +44,7 @@ void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const fra
 
   std::vector<const GpuMesh*> meshes;
   for (const GpuMesh& mesh : frame.scene->surfaces) {
+    if (!instance.visible) break;
     const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(mesh.draws.front().material)];
     if ((material.alpha_mode == scene::AlphaMode::blend) == settings_.blended) meshes.push_back(&mesh);
   }

@@ -13,6 +13,7 @@
 #include "passes/blur/blur.h"
 #include "passes/frame_data.h"
 #include "passes/gutters/gutters.h"
+#include "passes/light_pool.h"
 #include "passes/shaders.h"
 #include "passes/stretch/stretch.h"
 #include "scene/unwrap.h"
@@ -104,20 +105,21 @@ Result run(const Experiment& e) {
     for (glm::vec3& g : skin[0].metric) g.y = 0;
   gaussians::SumOfGaussians profile;
   for (const double v : e.variances_mm2) profile.terms.push_back({.variance_mm2 = v, .weight = {}});
-  passes::GpuSceneSettings upload{.mix = {}, .map_size = e.map_size, .gutter_texels = {}};
-  if (e.gutters) upload.gutter_texels = {passes::gutter_width(profile, density)};
-  const passes::GpuScene gpu_scene(bench()->library, e.scene, skin, upload);
+  passes::GpuScene gpu_scene(bench()->library, e.scene, skin, {});
+  if (e.gutters)
+    gpu_scene.make_gutters(bench()->device, 0, skin[0], static_cast<std::uint32_t>(e.map_size), passes::gutter_width(profile, density));
 
   frame::FramePlan plan;
   const auto side = static_cast<std::uint32_t>(e.map_size);
   const gpu::TextureDesc desc{.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   using passes::Gutters;
-  const frame::TextureId stretch = plan.texture("stretch", desc), painted = plan.texture("painted", desc),
+  const std::vector<passes::MapSquare> whole(1);
+  const frame::TextureId stretch = plan.texture("stretch", desc, frame::Lifetime::persistent), painted = plan.texture("painted", desc),
                          scratch = plan.texture("scratch", desc);
   plan.add<passes::Stretch>("stretch", {stretch}, {});
-  plan.add<Gutters>("stretch gutters", {stretch}, {.mesh = 0, .what = Gutters::What::stretch});
+  plan.add<Gutters>("stretch gutters", {stretch}, {.squares = whole, .what = Gutters::What::stretch});
   plan.add<Paint>("paint", {painted}, {e.paint});
-  plan.add<Gutters>("paint gutters", {painted}, {});
+  plan.add<Gutters>("paint gutters", {painted}, {.squares = whole});
   plan.read_back(painted);
   std::vector<frame::TextureId> levels;
   frame::TextureId light = painted;
@@ -125,9 +127,9 @@ Result run(const Experiment& e) {
   for (const passes::BlurStep& step : passes::blur_steps(e.variances_mm2, density)) {
     const double v = step.variance_mm2 * e.variance_factor;
     const frame::TextureId target = plan.texture("level", desc);
-    plan.add<passes::Blur>("u", {light, stretch, scratch}, {.variance_mm2 = v, .axis = 0, .texel_averaged = first});
-    plan.add<passes::Blur>("v", {scratch, stretch, target}, {.variance_mm2 = v, .axis = 1, .texel_averaged = first});
-    plan.add<Gutters>("gutters", {target}, {});
+    plan.add<passes::Blur>("u", {light, stretch, scratch}, {.squares = whole, .variance_mm2 = v, .axis = 0, .texel_averaged = first});
+    plan.add<passes::Blur>("v", {scratch, stretch, target}, {.squares = whole, .variance_mm2 = v, .axis = 1, .texel_averaged = first});
+    plan.add<Gutters>("gutters", {target}, {.squares = whole});
     plan.read_back(target);
     if (step.ends_term) levels.push_back(target);
     light = target;
@@ -135,8 +137,10 @@ Result run(const Experiment& e) {
   }
   frame::FrameData data;
   data.scene = &gpu_scene;
+  data.instances.resize(1);
+  data.instances[0].map_side = side;
   frame::Executor executor(bench()->library, std::move(plan));
-  executor.run(data);
+  executor.run_full(data);
   Result result{.painted = read(executor, painted), .levels = {}};
   for (const frame::TextureId id : levels) result.levels.push_back(read(executor, id));
   return result;

@@ -14,6 +14,7 @@ Statistics statistics_of(const std::string& technique, int map_size = 256, int h
   s.map_size = map_size;
   s.heads = heads;
   s.frames = frames;
+  s.cull = s.depth = s.clip = false;
   return renderer().render(sphere(0.1), s).statistics;
 }
 

@@ -77,7 +77,7 @@ class Walk {
       used_in_frame_ = false;
       for (std::size_t p = 0; p < plan_->passes().size(); ++p) {
         const PassNode& pass = plan_->passes()[p];
-        if (pass.only_when_counting && !counting) continue;
+        if (pass.only_in_full_frames && !counting) continue;
         pass_ = &pass;
         const auto use = std::ranges::find_if(pass.uses, [&](const Use& u) { return u.is_texture == is_texture_ && u.index == index_; });
         for (const Barrier& b : barriers[p])
@@ -206,7 +206,7 @@ std::vector<std::string> hazards(const FramePlan& plan, const std::vector<std::v
   std::vector<std::string> found;
   if (barriers.size() != plan.passes().size()) return {"there is not one list of barriers a pass"};
   for (std::size_t p = 0; p < barriers.size(); ++p)
-    if (plan.passes()[p].only_when_counting && !counting && !barriers[p].empty())
+    if (plan.passes()[p].only_in_full_frames && !counting && !barriers[p].empty())
       found.push_back(fmt::format("pass '{}' is left out but has barriers", plan.passes()[p].name));
   for (std::uint32_t t = 0; t < plan.textures().size(); ++t) Walk(plan, true, t, found).run(barriers, counting);
   for (std::uint32_t b = 0; b < plan.buffers().size(); ++b) Walk(plan, false, b, found).run(barriers, counting);

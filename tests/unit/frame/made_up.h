@@ -19,7 +19,7 @@ struct MadeUp {
   struct Settings {
     PassKind kind = PassKind::compute;
     std::vector<Touch> touches;
-    bool only_when_counting = false;
+    bool only_in_full_frames = false;
   };
   struct In {};
   struct Out {};
@@ -32,8 +32,8 @@ struct MadeUp {
   Settings settings;
 };
 
-inline void add(FramePlan& plan, const std::string& name, PassKind kind, std::vector<Touch> touches, bool only_when_counting = false) {
-  plan.add<MadeUp>(name, {}, {kind, std::move(touches), only_when_counting});
+inline void add(FramePlan& plan, const std::string& name, PassKind kind, std::vector<Touch> touches, bool only_in_full_frames = false) {
+  plan.add<MadeUp>(name, {}, {kind, std::move(touches), only_in_full_frames});
 }
 
 inline constexpr gpu::TextureDesc small_map{.width = 8, .height = 8, .format = VK_FORMAT_R16G16B16A16_SFLOAT};

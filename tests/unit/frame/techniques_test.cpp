@@ -25,13 +25,24 @@ std::vector<Case> cases() {
           for (const bool more : {false, true}) {
             techniques::FrameSettings s{
                 .width = 64, .height = 48, .samples = samples, .map_size = 64, .shadow_size = 64, .shadow_layers = 2, .heads = heads};
-            s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .gutter_texels = 8});
+            s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
             s.has_surfaces = s.has_blended = more;
             s.bloom = more ? 0.05f : 0.0f;
             all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique.name, heads, parts, samples,
                                        more ? ", surfaces, bloom" : ""),
                            &technique, std::move(s)});
           }
+  for (const passes::Mask mask : {passes::Mask::alpha, passes::Mask::depth, passes::Mask::tiles})
+    for (const std::size_t parts : {1u, 2u})
+      for (const bool sparse : {false, true}) {
+        techniques::FrameSettings s{.width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64, .heads = 3};
+        s.heads_per_batch = 2;
+        s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
+        s.mask = mask;
+        s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
+        all.push_back({fmt::format("two batches, {} skin parts, mask {}{}", parts, static_cast<int>(mask), sparse ? ", cull and clip" : ""),
+                       &techniques::find_technique("texture-space"), std::move(s)});
+      }
   return all;
 }
 

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "api/output.h"
+#include "api/renderer_state.h"
+#include "api/setup.h"
+#include "core/error.h"
+#include "frame/executor.h"
+#include "passes/blur/blur.h"
+#include "passes/frame_data.h"
+
+namespace dermis {
+namespace {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n == 0 ? 0 : n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
+frame::FrameData frame_data(gpu::Device& device, const api::FrameSetup& setup, const passes::GpuScene& scene) {
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  frame::FrameData data;
+  data.scene = &scene;
+  data.eye_m = setup.view.eye_m;
+  data.eye = setup.view.camera.orthographic ? glm::vec4(-setup.view.direction, 0) : glm::vec4(setup.view.eye_m, 1);
+  data.clip_planes = setup.clip_planes;
+  data.frame_io = gpu::make_buffer(device, "frame", std::span(&setup.frame, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  for (const api::HeadSetup& head : setup.heads) {
+    frame::Instance instance;
+    instance.offset_m = head.offset_m;
+    instance.map_side = static_cast<std::uint32_t>(head.map_side);
+    instance.visible = head.visible;
+    instance.lights = gpu::make_buffer(device, "lights", std::span<const io::LightIo>(head.lights), storage);
+    std::vector<glm::mat4> matrices(head.first_shadow_layer, glm::mat4(0));
+    matrices.insert(matrices.end(), head.shadow_from_world.begin(), head.shadow_from_world.end());
+    instance.shadow_matrices = gpu::make_buffer(device, "shadow matrices", std::span<const glm::mat4>(matrices), storage);
+    instance.first_shadow_layer = head.first_shadow_layer;
+    instance.shadow_from_world = head.shadow_from_world;
+    data.instances.push_back(std::move(instance));
+  }
+  return data;
+}
+
+void fill_times(Statistics& statistics, const std::vector<frame::FrameTime>& frames, bool separate) {
+  std::vector<double> totals;
+  for (const frame::FrameTime& f : frames) totals.push_back(f.total_ms);
+  statistics.frame_ms_median = median(totals);
+  statistics.frame_ms_min = *std::min_element(totals.begin(), totals.end());
+  statistics.frame_ms_max = *std::max_element(totals.begin(), totals.end());
+  statistics.frames = static_cast<int>(frames.size());
+  statistics.timing = separate ? "submit" : "timestamp";
+  for (std::size_t p = 0; p < frames.front().passes.size(); ++p) {
+    std::vector<double> times;
+    for (const frame::FrameTime& f : frames) times.push_back(f.passes[p].ms);
+    statistics.passes.push_back({.name = frames.front().passes[p].name, .ms = median(times), .calls = 1});
+  }
+}
+
+}  // namespace
+
+struct PreparedFrame::State {
+  std::shared_ptr<Renderer::State> renderer;
+  Scene source;
+  RenderSettings settings;
+  std::shared_ptr<api::SharedScene> scene;
+  api::FrameSetup setup;
+  techniques::FrameOutputs outputs;
+  std::optional<frame::Executor> executor;
+  frame::FrameData data;
+  std::vector<frame::FrameTime> times;  ///< since the last change
+  std::vector<std::byte> counters;      ///< of this view; empty: not counted yet
+  double pipeline_ms = 0;
+
+  gpu::Device& device() { return renderer->device; }
+  void set(const RenderSettings& wanted);
+  void plan(const RenderSettings& wanted, const api::FrameSetup& next);
+  void upload();
+  void count();
+};
+
+void PreparedFrame::State::set(const RenderSettings& wanted) {
+  const gpu::DeviceLimits& limits = device().limits();
+  api::check_settings(wanted);
+  api::check_device_limits(wanted, limits);
+  const std::shared_ptr<api::SharedScene> next_scene = renderer->shared(source, wanted);
+  const api::DeviceTraits traits{
+      .software = limits.software, .memory_bytes = device().summary().memory_bytes, .max_image_side = limits.max_image_side};
+  api::FrameSetup next = api::set_up(next_scene->subject, wanted, traits);
+  const std::uint64_t layers = std::uint64_t{next.plan.shadow_layers} * next.plan.heads_per_batch;
+  if (layers > limits.max_array_layers)
+    throw input_error(source.name(),
+                      "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; --lights uses fewer", next.lights,
+                      layers, next.plan.heads_per_batch, limits.max_array_layers);
+  // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work on its maps.
+  if (!executor || next.plan != setup.plan || next.technique != setup.technique) plan(wanted, next);
+  api::check_show(outputs, wanted);
+  scene = next_scene;
+  setup = std::move(next);
+  settings = wanted;
+  upload();
+  data = frame_data(device(), setup, *scene->gpu);
+  times.clear();
+  counters.clear();
+}
+
+void PreparedFrame::State::plan(const RenderSettings& wanted, const api::FrameSetup& next) {
+  frame::FramePlan made;
+  const techniques::FrameOutputs made_outputs = next.technique->build(made, next.plan);
+  api::check_show(made_outputs, wanted);
+  executor.reset();  // its memory first: two frames may not fit
+  const double before = renderer->library.creation_ms();
+  executor.emplace(renderer->library, std::move(made));
+  pipeline_ms = renderer->library.creation_ms() - before;
+  renderer->library.save_cache();
+  outputs = made_outputs;
+}
+
+// The scene unless it is there, and the gutters of each size of map that this view uses.
+void PreparedFrame::State::upload() {
+  const auto start = std::chrono::steady_clock::now();
+  api::SharedScene& shared = *scene;
+  if (!shared.gpu) shared.gpu.emplace(renderer->library, *shared.subject.scene, shared.subject.skin, passes::GpuSceneSettings{shared.mix});
+  if (setup.technique->scatters)
+    for (std::size_t i = 0; i < shared.subject.skin.size(); ++i) {
+      const double density = shared.subject.densities[i].largest_texels_per_mm.p95;
+      const auto make = [&](int side) {
+        const int width = passes::gutter_width(setup.plan.skin[i].profile, std::max(density * side, 1e-6));
+        shared.gpu->make_gutters(device(), i, shared.subject.skin[i], static_cast<std::uint32_t>(side), width);
+      };
+      make(settings.map_size);  // of the stretch map
+      for (const api::HeadSetup& head : setup.heads)
+        if (head.visible) make(head.map_side);
+    }
+  shared.upload_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// The first frame of a view warms up (the first use of a pipeline compiles on software devices), makes what lasts, and counts.
+void PreparedFrame::State::count() {
+  if (!counters.empty()) return;
+  executor->run_full(data);
+  counters = gpu::read_back(device(), executor->resources().buffer(outputs.counters));
+}
+
+PreparedFrame Renderer::prepare(const Scene& scene, const RenderSettings& settings) {
+  auto state = std::make_unique<PreparedFrame::State>(PreparedFrame::State{.renderer = state_, .source = scene});
+  state->set(settings);
+  return PreparedFrame(std::move(state));
+}
+
+PreparedFrame::PreparedFrame(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PreparedFrame::PreparedFrame(PreparedFrame&&) noexcept = default;
+PreparedFrame& PreparedFrame::operator=(PreparedFrame&&) noexcept = default;
+PreparedFrame::~PreparedFrame() = default;
+
+void PreparedFrame::set(const RenderSettings& settings) { state_->set(settings); }
+
+double PreparedFrame::draw() {
+  state_->count();
+  state_->times.push_back(state_->executor->run(state_->data));
+  return state_->times.back().total_ms;
+}
+
+Picture PreparedFrame::picture() {
+  State& s = *state_;
+  if (s.times.empty()) draw();
+  Picture picture;
+  Statistics& statistics = picture.statistics;
+  fill_times(statistics, s.times, s.executor->separate_submissions());
+  api::fill_counts(statistics, s.scene->subject, s.settings, s.setup, s.outputs, s.counters);
+  statistics.upload_ms = s.scene->upload_ms;
+  statistics.pipeline_ms = s.pipeline_ms;
+  const gpu::DeviceSummary& summary = s.device().summary();
+  statistics.device = summary.name, statistics.driver = summary.driver, statistics.api = summary.api;
+  statistics.image_bytes = s.device().image_bytes(), statistics.buffer_bytes = s.device().buffer_bytes(),
+  statistics.peak_bytes = s.device().peak_bytes();
+  api::read_picture(picture, *s.executor, s.outputs, s.settings, s.setup);
+  return picture;
+}
+
+}  // namespace dermis

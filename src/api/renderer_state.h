@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What a renderer owns, and its prepared frames share: the device, pipelines, and the scenes that are on the device.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "api/subject.h"
+#include "dermis/renderer.h"
+#include "gpu/device.h"
+#include "passes/gpu_scene.h"
+
+namespace dermis {
+
+namespace api {
+
+/// A scene, examined and (once a frame has found room) on the device; shared by all frames that show it.
+struct SharedScene {
+  Subject subject;
+  std::optional<float> mix;             ///< it is uploaded with
+  std::optional<passes::GpuScene> gpu;  ///< its materials point into it: never moved
+  double upload_ms = 0;
+};
+
+}  // namespace api
+
+struct Renderer::State {
+  explicit State(const Options& options);
+  /// The last scene if it is this one, else this one, examined.
+  std::shared_ptr<api::SharedScene> shared(const Scene& scene, const RenderSettings& settings);
+
+  gpu::Device device;
+  gpu::PipelineLibrary library;
+  std::shared_ptr<api::SharedScene> last_scene;
+};
+
+}  // namespace dermis

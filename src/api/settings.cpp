@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "api/setup.h"
+#include "core/error.h"
+
+namespace dermis::api {
+namespace {
+
+template <class T>
+void require(const char* name, T value, T low, T high, const char* unit) {
+  if (!(value >= low && value <= high)) throw input_error("", "--{} must be {} to {}{}, got {}", name, low, high, unit, value);
+}
+
+}  // namespace
+
+void check_settings(const RenderSettings& s) {
+  techniques::find_technique(s.technique);
+  if (s.width < 1 || s.height < 1 || s.width > 65536 || s.height > 65536)
+    throw input_error("", "--size must be 1x1 to 65536x65536 pixels, got {}x{}", s.width, s.height);
+  if (s.mask && *s.mask != "alpha" && *s.mask != "depth" && *s.mask != "tiles")
+    throw input_error("", "--mask '{}' is not known; there are: alpha, depth, tiles", *s.mask);
+  if (s.d_ref) require("d-ref", *s.d_ref, 1e-6, 1e6, " radii");
+  if (s.clip_margin_mm) require("clip-margin", *s.clip_margin_mm, 0.0, 1e6, " mm");
+  if (s.map_budget_mb) require("map-budget", *s.map_budget_mb, 0.0, 1e9, " MB");
+  require("map-size", s.map_size, 32, 65536, " texels");
+  require("shadow-size", s.shadow_size, 32, 65536, " texels");
+  if (s.samples != 1 && s.samples != 4) throw input_error("", "--samples must be 1 or 4, got {}", s.samples);
+  if (s.fov_deg) require("fov", *s.fov_deg, 0.1, 170.0, " degrees");
+  if (s.distance) require("distance", *s.distance, 1e-3, 1e6, " radii");
+  require("heads", s.heads, 1, 1024, "");
+  if (s.lights) require("lights", *s.lights, 0, 64, "");
+  require("ambient", s.ambient, 0.0, 1e6, "");
+  if (s.mix) require("mix", *s.mix, 0.0, 1.0, "");
+  require("bloom", s.bloom, 0.0, 1.0, "");
+  require("exposure", s.exposure_ev, -64.0, 64.0, " EV");
+  require("frames", s.frames, 1, 1'000'000, "");
+  for (const double angle : s.orbit_deg) require("orbit", angle, -3600.0, 3600.0, " degrees");
+}
+
+}  // namespace dermis::api

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "api/subject.h"
+
+#include "core/error.h"
+#include "scene/coverage.h"
+#include "scene/framing.h"
+
+namespace dermis::api {
+
+Subject examine(std::shared_ptr<const scene::Scene> scene) {
+  Subject subject;
+  subject.skin = scene::skin_meshes(*scene);
+  for (const scene::SkinMesh& mesh : subject.skin) {
+    scene::warn_overlap(mesh);
+    subject.densities.push_back(scene::unwrap_density(mesh, scene->mm_per_unit));
+  }
+  subject.sphere = scene::skin_sphere(*scene);
+  if (!(subject.sphere.radius_m > 0)) throw input_error(scene->name, "has nothing to see: all its triangles lie at one point");
+  subject.box = {glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+  for (const scene::SkinMesh& mesh : subject.skin)
+    for (const std::uint32_t index : mesh.indices) {
+      const glm::vec3& p = mesh.vertices[index].position_m;
+      subject.box = {glm::min(subject.box.low, p), glm::max(subject.box.high, p)};
+    }
+  std::vector<glm::vec3> points;
+  for (const scene::Primitive& p : scene->primitives)
+    for (const scene::Vertex& v : p.vertices) points.push_back(v.position_m);
+  subject.casters = scene::bounding_sphere(points);
+  subject.scene = std::move(scene);
+  return subject;
+}
+
+}  // namespace dermis::api

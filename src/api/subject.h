@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+/// What is known of a scene whatever the settings: its skin laid out flat, its bounds, its densities. Made once a scene.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/unwrap.h"
+
+namespace dermis::api {
+
+struct Box {
+  glm::vec3 low{0}, high{0};
+};
+
+struct Subject {
+  std::shared_ptr<const scene::Scene> scene;
+  std::vector<scene::SkinMesh> skin;
+  std::vector<scene::UnwrapDensity> densities;  ///< a skin mesh
+  scene::BoundingSphere sphere;                 ///< of the skin
+  Box box;                                      ///< of the skin
+  scene::BoundingSphere casters;                ///< of everything: hair cards and collars cast shadows too
+};
+
+/// InputError: a scene with nothing to see. Warns of unwraps that overlap.
+Subject examine(std::shared_ptr<const scene::Scene> scene);
+
+}  // namespace dermis::api

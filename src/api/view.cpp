@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "api/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+#include "scene/framing.h"
+
+namespace dermis::api {
+namespace {
+
+constexpr int side_step = 32;  // texels
+
+scene::Camera find_camera(const scene::Scene& scene, const RenderSettings& s, const scene::BoundingSphere& sphere) {
+  const double aspect = static_cast<double>(s.width) / s.height;
+  const double fov = s.fov_deg.value_or(20);
+  if (s.distance) return scene::distance_camera(sphere, *s.distance, fov);
+  const auto with_fov = [&](scene::Camera camera) {
+    if (s.fov_deg) camera.fov_y_rad = static_cast<float>(fov * std::numbers::pi / 180);
+    return camera;
+  };
+  if (!s.camera.empty()) {
+    std::string names;
+    for (const scene::Camera& camera : scene.cameras) {
+      if (camera.name == s.camera) return with_fov(camera);
+      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
+    }
+    throw input_error("", "--camera '{}' is not in {}; {}", s.camera, scene.name,
+                      names.empty() ? "it has no cameras" : "there are: " + names);
+  }
+  const bool orbits = s.orbit_deg != std::array<double, 2>{0, 0};
+  if (!scene.cameras.empty() && !orbits && s.heads == 1) return with_fov(scene.cameras.front());
+  return scene::framing_camera(sphere, aspect, s.orbit_deg[0], s.orbit_deg[1], fov);
+}
+
+// Reversed depth without a far plane (glTF allows one; nothing here needs it): clip z = near, w = -z_view.
+glm::mat4 projection(const scene::Camera& camera, double aspect) {
+  glm::mat4 p(0);
+  if (camera.orthographic) {
+    const float far_m = camera.zfar_m.value_or(1000.0f), near_m = camera.znear_m;
+    p[0][0] = 1 / (camera.ymag_m * static_cast<float>(aspect));
+    p[1][1] = 1 / camera.ymag_m;
+    p[2][2] = 1 / (far_m - near_m);
+    p[3][2] = far_m / (far_m - near_m);
+    p[3][3] = 1;
+    return p;
+  }
+  const float f = 1 / std::tan(camera.fov_y_rad / 2);
+  p[0][0] = f / static_cast<float>(aspect);
+  p[1][1] = f;
+  p[3][2] = camera.znear_m;
+  p[2][3] = -1;
+  return p;
+}
+
+// The mean density of the first skin mesh at T_max.
+double texels_per_mm(const Subject& subject, const RenderSettings& s) {
+  return subject.densities.empty() ? 0 : subject.densities.front().texels_per_mm.mean * s.map_size;
+}
+
+// [JG08] sec. 4: the distance at which the map at T_max has one texel a pixel.
+double reference_distance(const Subject& subject, const RenderSettings& s, double fov_y_rad) {
+  const double density = texels_per_mm(subject, s);
+  if (density <= 0) return 0;
+  // pixels per mm at distance d (mm) = (height / 2) / (d tan(fov / 2)).
+  const double d_mm = s.height / 2.0 / (density * std::tan(fov_y_rad / 2));
+  return d_mm / (subject.sphere.radius_m * subject.scene->mm_per_unit);
+}
+
+// Rows of the matrix, as half spaces: -w <= x <= w, -w <= y <= w, and z <= w, which is the near plane of reversed depth.
+std::array<glm::vec4, 5> planes_of(const glm::mat4& clip_from_world) {
+  const glm::mat4 rows = glm::transpose(clip_from_world);
+  std::array<glm::vec4, 5> planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3] - rows[2]};
+  for (glm::vec4& plane : planes) plane /= glm::length(glm::vec3(plane));
+  return planes;
+}
+
+}  // namespace
+
+View view_of(const Subject& subject, const RenderSettings& s) {
+  View view;
+  view.camera = find_camera(*subject.scene, s, subject.sphere);
+  view.eye_m = glm::vec3(view.camera.world_from_camera[3]);
+  view.direction = -glm::normalize(glm::vec3(view.camera.world_from_camera[2]));
+  view.clip_from_world = projection(view.camera, static_cast<double>(s.width) / s.height) * glm::inverse(view.camera.world_from_camera);
+  view.planes = planes_of(view.clip_from_world);
+  if (!view.camera.orthographic) view.d_ref = s.d_ref.value_or(reference_distance(subject, s, view.camera.fov_y_rad));
+  return view;
+}
+
+int map_side(const Subject& subject, const RenderSettings& s, const View& view, const glm::vec3& offset_m) {
+  if (!s.depth || subject.skin.empty()) return s.map_size;
+  double needed = 1;  // of T_max
+  if (view.camera.orthographic) {
+    const double pixels_per_mm = s.height / (2.0 * view.camera.ymag_m * subject.scene->mm_per_unit);
+    needed = pixels_per_mm / texels_per_mm(subject, s);
+  } else {
+    const glm::vec3 nearest = glm::clamp(view.eye_m, subject.box.low + offset_m, subject.box.high + offset_m);
+    const double d = glm::distance(view.eye_m, nearest) / subject.sphere.radius_m;
+    needed = d > 0 ? view.d_ref / d : 1;
+  }
+  const double steps = std::ceil(std::min(needed, 1.0) * s.map_size / side_step);
+  return std::min(s.map_size, side_step * std::max(1, static_cast<int>(steps)));
+}
+
+bool in_view(const Subject& subject, const View& view, const glm::vec3& offset_m) {
+  const glm::vec4 centre(subject.casters.centre_m + offset_m, 1);
+  return std::all_of(view.planes.begin(), view.planes.end(),
+                     [&](const glm::vec4& plane) { return glm::dot(plane, centre) > -subject.casters.radius_m; });
+}
+
+std::array<glm::vec4, 5> with_margin(std::array<glm::vec4, 5> planes, double margin_m) {
+  for (glm::vec4& plane : planes) plane.w += static_cast<float>(margin_m);
+  return planes;
+}
+
+}  // namespace dermis::api

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "passes/border/border.h"
+
+#include "frame/executor.h"
+#include "passes/bindings.h"
+#include "passes/border/border_io.h"
+#include "shared/tiles_io.h"
+
+namespace dermis::passes {
+
+Border::Out Border::declare(frame::Declare& d, const In& in) {
+  d.kind(frame::PassKind::compute);
+  in_ = in;
+  d.write(in.light);
+  d.sample(in.stretch);
+  d.read(in.lists.tiles);
+  d.read(in.lists.counts);
+  d.indirect(in.lists.arguments);
+  return {};
+}
+
+void Border::prepare(gpu::PipelineLibrary& library) {
+  pipeline_ = &library.compute("border.comp");
+  sampler_ = library.sampler({.filter = gpu::Filter::nearest});
+}
+
+void Border::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+  Bindings()
+      .add("light", gpu::StorageImageBinding{&resources.texture(in_.light)})
+      .add("stretch", resources.sampled(in_.stretch, sampler_))
+      .add("Tiles", resources.buffer(in_.lists.tiles))
+      .add("TileCounts", resources.buffer(in_.lists.counts))
+      .bind(cmd, *pipeline_);
+  for (const MapSquare& square : settings_.squares) {
+    const frame::Instance& instance = instance_of(frame, square);
+    if (!instance.visible) continue;
+    cmd.push(*pipeline_,
+             io::BorderIo{
+                 .origin = square.origin, .side = instance.map_side, .square = square.index, .first_tile = square.index * in_.lists.room});
+    cmd.dispatch_indirect(resources.buffer(in_.lists.arguments), square.index * sizeof(io::TileArgumentsIo));
+  }
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The vertex stage of passes that draw a head in its texture coordinates. CLIP: with clip distances.
+#include "shared/scene_io.h"
+#include "shared/vertex_pull.glsl"
+#include "shared/seen.glsl"
+#include "passes/irradiance/irradiance_io.h"
+layout(constant_id = 0) const bool cull = false;
+layout(push_constant, scalar) uniform Push { IrradianceIo io; };
+layout(location = 0) out vec3 out_position_m;
+layout(location = 1) out vec3 out_normal;
+layout(location = 2) out vec4 out_tangent;
+layout(location = 3) out vec4 out_uv;
+layout(location = 4) out vec4 out_colour;
+layout(location = 5) flat out uint out_chart;
+layout(binding = 13, scalar) readonly buffer Charts { uint charts[]; };
+#ifdef CLIP
+out gl_PerVertex {
+  vec4 gl_Position;
+  float gl_ClipDistance[5];
+};
+#endif
+void main() {
+  const VertexIo v = pulled_vertex();
+  out_position_m = v.position_m + io.offset_m;
+  out_normal = v.normal;
+  out_tangent = v.tangent;
+  out_uv = vec4(v.uv0, v.uv1);
+  out_colour = v.colour;
+  out_chart = charts[gl_VertexIndex / 3];
+  gl_Position = vec4(v.unwrap * 2.0 - 1.0, 0.5, 1.0);
+#ifdef CLIP
+  for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = dot(io.planes[i].xyz, out_position_m) + io.planes[i].w;
+#endif
+  if (cull && io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3 * 3, io.offset_m, io.eye)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+}

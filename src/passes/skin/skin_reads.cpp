@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "frame/executor.h"
+#include "passes/skin/skin.h"
+#include "passes/skin/skin_io.h"
+
+namespace dermis::passes {
+
+SkinReads::Out SkinReads::declare(frame::Declare& d, const In& in) {
+  d.kind(frame::PassKind::raster);
+  d.only_in_full_frames();
+  in_ = in;
+  d.sample(in.light);
+  d.depth(in.depth);
+  d.write(in.counters);
+  return {};
+}
+
+void SkinReads::prepare(gpu::PipelineLibrary& library) {
+  gpu::GraphicsDesc desc{.vertex = "skin.vert",
+                         .fragment = "skin_reads.frag",
+                         .depth_format = VK_FORMAT_D32_SFLOAT,
+                         .samples = settings_.samples,
+                         .cull = gpu::Cull::back,
+                         .depth_test = true};
+  single_sided_ = &library.graphics(desc);
+  desc.cull = gpu::Cull::none;
+  double_sided_ = &library.graphics(desc);
+  sampler_ = library.sampler({.filter = gpu::Filter::nearest});
+}
+
+void SkinReads::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+  const frame::Instance& instance = instance_of(frame, settings_.square);
+  if (!instance.visible) return;
+  const GpuMesh& mesh = frame.scene->skin[settings_.square.mesh];
+  const gpu::Texture& depth = resources.texture(in_.depth);
+  cmd.begin_rendering({}, gpu::DepthTarget{.texture = &depth}, {depth.desc().width, depth.desc().height});
+  for (const GpuDraw& draw : mesh.draws) {
+    const bool both = frame.scene->materials[static_cast<std::size_t>(draw.material)].double_sided;
+    const gpu::Pipeline& pipeline = both ? *double_sided_ : *single_sided_;
+    Bindings bindings;
+    mesh.offer(bindings);
+    bindings.add("Frame", frame.frame_io)
+        .add("light_0", resources.sampled(in_.light, sampler_))
+        .add("Counters", resources.buffer(in_.counters));
+    bindings.bind(cmd, pipeline);
+    cmd.push(pipeline, io::SkinIo{.offset_m = instance.offset_m,
+                                  .weights = {},
+                                  .map_origin = settings_.square.origin,
+                                  .map_side = instance.map_side,
+                                  .slot = settings_.slot});
+    cmd.draw(draw.index_count, 1, draw.first_index);
+  }
+  cmd.end_rendering();
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// For each fragment that the final pass shades: do the texels that its bilinear read weighs hold light? Where one does not, the read is
+// counted. Bilinear units resolve 1/256 of a texel at most: a smaller weight is none.
+#version 460
+#include "shared/scene_io.h"
+#include "passes/skin/skin_io.h"
+layout(early_fragment_tests) in;
+layout(push_constant, scalar) uniform Push { SkinIo io; };
+layout(binding = 14) uniform sampler2D light_0;
+layout(binding = 15, scalar) buffer Counters { uint counters[]; };
+layout(location = 5) centroid in vec2 in_unwrap;
+layout(location = 6) flat in vec4 in_unwrap_box;
+#include "passes/skin/light_point.glsl"
+
+void main() {
+  const vec2 at = light_point(in_unwrap, in_unwrap_box) - 0.5;
+  const ivec2 corner = ivec2(floor(at));
+  const vec2 f = at - vec2(corner);
+  bool unshaded = false;
+  for (int k = 0; k < 4; ++k) {
+    const ivec2 d = ivec2(k & 1, k >> 1);
+    const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
+    const ivec2 p = min(corner + d, ivec2(io.map_origin + io.map_side - 1u));
+    unshaded = unshaded || (weight > 1.0 / 256.0 && texelFetch(light_0, p, 0) == vec4(0.0));
+  }
+  if (unshaded) atomicAdd(counters[io.slot], 1u);
+}

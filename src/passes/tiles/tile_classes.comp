@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What each tile of a square holds. One invocation a tile: barriers cost software devices more than this loop.
+#version 460
+#include "shared/tile_list.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(push_constant, scalar) uniform Push { TilesIo io; };
+layout(binding = 0) uniform sampler2D light;
+layout(binding = 1, scalar) writeonly buffer TileClasses { uint tile_classes[]; };
+
+void main() {
+  const uvec2 tile = gl_GlobalInvocationID.xy, tiles = tiles_across(io.side);
+  if (any(greaterThanEqual(tile, tiles))) return;
+  const ivec2 corner = ivec2(tile) * ivec2(TILE_WIDTH, TILE_HEIGHT);
+  uint holds = 0u;
+  for (int y = 0; y < TILE_HEIGHT; ++y)
+    for (int x = 0; x < TILE_WIDTH; ++x) {
+      const ivec2 p = min(corner + ivec2(x, y), ivec2(io.side) - 1);
+      holds |= texelFetch(light, p + ivec2(io.origin), 0).a != 0.0 ? TILE_LIT : TILE_UNLIT;
+    }
+  tile_classes[io.first_tile + tile.y * tiles.x + tile.x] = holds;
+}

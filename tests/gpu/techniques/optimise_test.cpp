@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// What the three optimisations of [JG08] leave out: counted on the device, counted again here by their rules, and not missed in the
+// picture.
+#include <glm/glm.hpp>
+
+#include "gpu/techniques/support.h"
+#include "image/compare_flip.h"
+#include "image/metrics.h"
+#include "scene/coverage.h"
+#include "scene/framing.h"
+
+namespace dermis::tests {
+namespace {
+
+constexpr int side = 512;
+
+RenderSettings settings_with(bool cull, bool depth, bool clip) {
+  RenderSettings s = small_settings("texture-space");
+  s.map_size = side;
+  s.cull = cull, s.depth = depth, s.clip = clip;
+  return s;
+}
+
+const Subject& subject_named(const std::string& name) {
+  for (const Subject& subject : subjects())
+    if (subject.name == name) return subject;
+  ADD_FAILURE() << "no subject " << name;
+  return subjects().front();
+}
+
+// Texels of the map that `wanted(triangle, barycentric weights of the texel's centre)` accepts; each once.
+template <class Wanted>
+std::size_t count_texels(const scene::SkinMesh& mesh, const Wanted& wanted) {
+  std::vector<bool> counted(static_cast<std::size_t>(side) * side);
+  for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) {
+    const std::array<glm::vec2, 3> uv = scene::triangle_uv(mesh, t);
+    const glm::dvec2 a(uv[0]), b = glm::dvec2(uv[1]) - a, c = glm::dvec2(uv[2]) - a;
+    const double area = b.x * c.y - b.y * c.x;
+    scene::for_each_texel(uv, side, [&](int x, int y) {
+      const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) / static_cast<double>(side) - a;
+      const double u = (p.x * c.y - p.y * c.x) / area, v = (b.x * p.y - b.y * p.x) / area;
+      if (wanted(t, glm::dvec3(1 - u - v, u, v))) counted[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)] = true;
+    });
+  }
+  return static_cast<std::size_t>(std::count(counted.begin(), counted.end(), true));
+}
+
+const scene::Vertex& corner(const scene::SkinMesh& mesh, std::size_t triangle, int k) {
+  return mesh.vertices[mesh.indices[3 * triangle + static_cast<std::size_t>(k)]];
+}
+
+// All three vertices more than 105 degrees from the direction to the eye, and the triangle seen from behind.
+bool culled(const scene::SkinMesh& mesh, std::size_t t, const glm::dvec3& eye) {
+  glm::dvec3 p[3];
+  for (int k = 0; k < 3; ++k) {
+    p[k] = corner(mesh, t, k).position_m;
+    const glm::dvec3 n = glm::normalize(glm::dvec3(corner(mesh, t, k).normal));
+    if (glm::dot(n, glm::normalize(eye - p[k])) >= std::cos(glm::radians(105.0))) return false;
+  }
+  return glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), eye - p[0]) < 0;
+}
+
+class OnTheScan : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Subject& subject = subject_named("scan");
+    if (!subject.missing.empty()) GTEST_SKIP() << subject.missing;
+    static const Scene opened = subject.open();
+    scan = &opened;
+    static const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(opened.data());
+    ASSERT_EQ(meshes.size(), 1u);
+    mesh = &meshes.front();
+    sphere = scene::skin_sphere(opened.data());
+  }
+  const Scene* scan = nullptr;
+  const scene::SkinMesh* mesh = nullptr;
+  scene::BoundingSphere sphere;
+};
+
+TEST_F(OnTheScan, CullLeavesWhatTheRuleLeaves) {
+  RenderSettings s = settings_with(true, false, false);
+  s.orbit_deg = {0.001, 0};  // the framing camera instead of the scene's
+  const glm::dvec3 eye(scene::framing_camera(sphere, 1, 0.001, 0).world_from_camera[3]);
+  const std::size_t expected = count_texels(*mesh, [&](std::size_t t, const glm::dvec3&) { return !culled(*mesh, t, eye); });
+  const std::size_t all = count_texels(*mesh, [](std::size_t, const glm::dvec3&) { return true; });
+  const Statistics st = renderer().render(*scan, s).statistics;
+  EXPECT_NEAR(static_cast<double>(st.irradiance_texels), static_cast<double>(expected), 0.001 * static_cast<double>(expected));
+  EXPECT_LT(static_cast<double>(expected), 0.8 * static_cast<double>(all));
+  EXPECT_EQ(st.unshaded_reads, 0u);
+}
+
+TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
+  for (const double margin_mm : {0.0, 8.0}) {
+    RenderSettings s = settings_with(false, false, true);
+    s.width = 192;
+    s.distance = 2.5;
+    s.clip_margin_mm = margin_mm;
+    const glm::dmat4 camera_from_world = glm::inverse(glm::dmat4(scene::distance_camera(sphere, 2.5, 20).world_from_camera));
+    const double slope_y = std::tan(glm::radians(10.0)), slope_x = slope_y * 192 / 128;
+    const auto inside = [&](std::size_t t, const glm::dvec3& w) {
+      glm::dvec3 p(0);
+      for (int k = 0; k < 3; ++k) p += w[k] * glm::dvec3(corner(*mesh, t, k).position_m);
+      const glm::dvec3 q = camera_from_world * glm::dvec4(p, 1);
+      // Distance to a side plane of the pyramid: (depth * slope - |x|) / sqrt(1 + slope^2).
+      const double x = (-q.z * slope_x - std::abs(q.x)) / std::hypot(1, slope_x),
+                   y = (-q.z * slope_y - std::abs(q.y)) / std::hypot(1, slope_y);
+      return std::min(x, y) >= -margin_mm * 0.001;
+    };
+    const std::size_t expected = count_texels(*mesh, inside), all = count_texels(*mesh, [](auto, auto) { return true; });
+    const Statistics st = renderer().render(*scan, s).statistics;
+    EXPECT_NEAR(static_cast<double>(st.irradiance_texels), static_cast<double>(expected), 0.001 * static_cast<double>(expected));
+    EXPECT_LT(static_cast<double>(expected), 0.7 * static_cast<double>(all));
+    EXPECT_EQ(st.unshaded_reads, 0u);
+  }
+}
+
+TEST_F(OnTheScan, DepthTakesTheMapThatTheNearestPointNeeds) {
+  glm::dvec3 low(1e9), high(-1e9);
+  for (const std::uint32_t i : mesh->indices)
+    low = min(low, glm::dvec3(mesh->vertices[i].position_m)), high = max(high, glm::dvec3(mesh->vertices[i].position_m));
+  PreparedFrame frame = renderer().prepare(*scan, settings_with(false, true, false));
+  for (const double distance : {2.5, 5.0, 10.0, 20.0, 50.0, 100.0}) {
+    RenderSettings s = settings_with(false, true, false);
+    s.distance = distance;
+    frame.set(s);
+    const Statistics st = frame.picture().statistics;
+    const glm::dvec3 eye(scene::distance_camera(sphere, distance, 20).world_from_camera[3]);
+    const double d = glm::distance(eye, glm::clamp(eye, low, high)) / sphere.radius_m;
+    const int expected = static_cast<int>(32 * std::ceil(std::min(1.0, st.d_ref / d) * side / 32));
+    ASSERT_EQ(st.used_size, std::vector<int>{expected}) << distance;
+    std::vector<bool> covered(static_cast<std::size_t>(expected) * static_cast<std::size_t>(expected));
+    for (std::size_t t = 0; t < mesh->triangle_chart.size(); ++t)
+      scene::for_each_texel(scene::triangle_uv(*mesh, t), expected, [&](int x, int y) {
+        covered[static_cast<std::size_t>(y) * static_cast<std::size_t>(expected) + static_cast<std::size_t>(x)] = true;
+      });
+    const auto texels = static_cast<double>(std::count(covered.begin(), covered.end(), true));
+    EXPECT_NEAR(static_cast<double>(st.irradiance_texels), texels, 0.001 * texels) << distance;
+  }
+}
+
+TEST_F(OnTheScan, AllMasksMakeTheSamePicture) {
+  RenderSettings s = settings_with(true, true, true);
+  s.orbit_deg = {50, 10};
+  std::vector<Picture> pictures;
+  for (const char* mask : {"alpha", "depth", "tiles"}) {
+    s.mask = mask;
+    pictures.push_back(renderer().render(*scan, s));
+    EXPECT_EQ(pictures.back().statistics.mask, mask);
+    EXPECT_EQ(pictures.back().linear_rgba, pictures.front().linear_rgba) << mask;
+    EXPECT_EQ(pictures.back().statistics.irradiance_texels, pictures.front().statistics.irradiance_texels);
+  }
+  // What is not seen is not even launched, but for the alpha test.
+  const auto launched = [&](int i) { return pictures[static_cast<std::size_t>(i)].statistics.launched; };
+  EXPECT_LT(launched(1), launched(2));
+  EXPECT_LT(launched(2), launched(0));
+}
+
+}  // namespace
+}  // namespace dermis::tests
