@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A comparison holds some ten values a pixel: about 3 GB at this limit.
+// Two PNG of this many pixels take 2 GB.
 constexpr image::DecodeLimits limits{.max_side = 16384, .max_pixels = std::size_t{1} << 26};
 
 struct CompareArguments {
