@@ -9,6 +9,7 @@
 
 namespace dermis::cli {
 
+void add_compare_command(CLI::App& app, int& exit_status);
 void add_info_command(CLI::App& app, int& exit_status);
 void add_plan_command(CLI::App& app, int& exit_status);
 void add_render_command(CLI::App& app, int& exit_status);

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   dermis::cli::add_render_command(app, exit_status);
   dermis::cli::add_plan_command(app, exit_status);
   dermis::cli::add_profile_command(app, exit_status);
+  dermis::cli::add_compare_command(app, exit_status);
   dermis::cli::add_info_command(app, exit_status);
 
   // 2: the command line cannot be parsed. 1: everything else that goes wrong, in one line.

@@ -128,12 +128,24 @@ ImageF decode_image_f(Bytes bytes, const std::string& where, const DecodeLimits&
   return picture;
 }
 
+PictureKind picture_kind(Bytes bytes, const std::string& where) {
+  const Recognised found = recognise(bytes);
+  if (found.format == Format::png || found.format == Format::jpeg) return PictureKind::display;
+  if (found.format == Format::hdr || found.format == Format::exr) return PictureKind::linear;
+  refuse(found, where, "PNG, JPEG, Radiance HDR or OpenEXR");
+}
+
 Image8 load_image8(const std::filesystem::path& path, const DecodeLimits& limits) {
   return decode_image8(read_file(path), path.string(), limits);
 }
 
 ImageF load_image_f(const std::filesystem::path& path, const DecodeLimits& limits) {
   return decode_image_f(read_file(path), path.string(), limits);
+}
+
+std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha) {
+  check_shape(picture.rgba.size(), picture.width, picture.height, 4);
+  return formats::encode_png(picture, keep_alpha, "PNG");
 }
 
 void save_png(const std::filesystem::path& path, const Image8& picture, bool keep_alpha) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "image/image.h"
 
@@ -24,11 +25,17 @@ Image8 decode_image8(std::span<const std::byte> bytes, const std::string& where,
 /// data window cropped to the display window). NaN and infinite pixels become 0 with one warning.
 ImageF decode_image_f(std::span<const std::byte> bytes, const std::string& where, const DecodeLimits& limits = {});
 
+/// What a file holds, by its first bytes: display values (PNG, JPEG) or linear light (HDR, EXR). InputError: neither.
+enum class PictureKind { display, linear };
+PictureKind picture_kind(std::span<const std::byte> bytes, const std::string& where);
+
 /// Reads a file and decodes it: PNG, JPEG.
 Image8 load_image8(const std::filesystem::path& path, const DecodeLimits& limits = {});
 /// Reads a file and decodes it: HDR, EXR.
 ImageF load_image_f(const std::filesystem::path& path, const DecodeLimits& limits = {});
 
+/// A PNG in memory (alpha kept when keep_alpha, else RGB), with no date or other metadata.
+std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha = false);
 /// Writes RGBA8 as PNG (alpha kept when keep_alpha, else RGB), atomically. No date or other metadata: equal pixels give equal bytes.
 void save_png(const std::filesystem::path& path, const Image8& picture, bool keep_alpha = false);
 /// Writes 3 or 4 float channels as OpenEXR (ZIP; half if half_float, else 32-bit float), atomically and without a date.

@@ -16,4 +16,9 @@ inline constexpr double psnr_cap_db = 100;
 /// InputError: pictures of different sizes, a mask of another size, a mask that selects no pixel.
 double psnr_db(const Image8& a, const Image8& b, std::span<const std::uint8_t> mask = {});
 
+/// The squared difference divided by the squared reference plus 0.01 (so that black does not rule), averaged over pixels and R, G and B of
+/// two linear pictures of 3 or 4 channels. Every brightness counts alike; not symmetric. mask and InputError as above.
+/// Based on: Rousselle, Knaus, Zwicker: Adaptive Sampling and Reconstruction using Greedy Error Minimization. SIGGRAPH Asia 2011
+double rel_mse(const ImageF& reference, const ImageF& test, std::span<const std::uint8_t> mask = {});
+
 }  // namespace dermis::image
