@@ -130,6 +130,7 @@ double halves_against_whole(double half, double eta) {
     const auto two = LayeredProfile({{sigma_a, 1, eta, d}, {sigma_a, 1, eta, d}}, Side::reflected).spectra(0).beam;
     const auto one = LayeredProfile({{sigma_a, 1, eta, 2 * d}}, Side::reflected).spectra(0).beam;
     EXPECT_LE(two.reflect + two.transmit, 1 + 1e-9);
+    if (sigma_a == 0) { EXPECT_NEAR(two.reflect + two.transmit, 1, 1e-6); }
     worst = std::max({worst, std::abs(two.reflect - one.reflect), std::abs(two.transmit - one.transmit)});
   }
   return worst;
@@ -216,6 +217,8 @@ TEST(Burley, TotalQuantilesAndTransform) {
   EXPECT_NEAR(d, 1 / (1.85 - 0.7 + 7 * 0.001), 1e-12);
   EXPECT_THROW(profile::Burley(1.5, 1, "x"), InputError);
   EXPECT_THROW(profile::Burley(0.5, 0, "x"), InputError);
+  EXPECT_THROW(profile::Burley(0.5, 1e-300, "x"), InputError);
+  EXPECT_THROW(profile::Burley(0.5, 1e7, "x"), InputError);
 }
 
 }  // namespace
