@@ -52,7 +52,9 @@ TwoFlux part_of(const TwoFlux& layer, double x) {
 }
 
 ThinSlab::ThinSlab(const Medium& medium, double z_b_above, double z_b_below)
-    : medium_(medium), limit_(thin_limit(z_b_above, z_b_below)), rho_above_(mirror(z_b_above)), rho_below_(mirror(z_b_below)) {}
+    : medium_(medium), limit_(thin_limit(z_b_above, z_b_below)), rho_above_(mirror(z_b_above)), rho_below_(mirror(z_b_below)) {
+  total_ = reference(0);
+}
 
 TwoFlux ThinSlab::reference(double k) const {
   constexpr double z_b = 2.0 / 3;  // equal indices
@@ -62,13 +64,12 @@ TwoFlux ThinSlab::reference(double k) const {
   return {medium_.reduced_albedo * sums.reflect, medium_.reduced_albedo * sums.transmit + unscattered};
 }
 
-Spectra ThinSlab::cut(double k, double thickness) const {
-  // R and T of the reference fall as e^{-k}; past 300 that is continued by hand, for T_x = T^x is still large there if x is small.
-  const double shown = std::min(k, 300.0), x = thickness / core_thickness;
-  TwoFlux core = part_of(reference(shown), x);
-  core.reflect *= std::exp(shown - k);
-  core.transmit *= std::exp(x * (shown - k));
-  const double total = part_of(reference(0), x).transmit;
+Spectra ThinSlab::cut(const Frequency& at, double thickness) const {
+  const double x = thickness / core_thickness;
+  TwoFlux core = part_of(at.reference, x);
+  core.reflect *= std::exp(-at.beyond);
+  core.transmit *= std::exp(-x * at.beyond);
+  const double total = part_of(total_, x).transmit;
   return between_mirrors(core, core.transmit * std::min(1.0, std::exp(-beam_extinction * thickness) / total));
 }
 
@@ -79,7 +80,10 @@ Spectra ThinSlab::between_mirrors(const TwoFlux& core, double unturned) const {
 }
 
 Spectra ThinSlab::spectra(double k, double thickness, const Spectra& at_limit) const {
-  const Spectra here = cut(k, thickness), there = cut(k, limit_);
+  // R and T of the reference fall as e^{-k}; past 300 that is continued by hand, for T_x = T^x is still large there if x is small.
+  const double shown = std::min(k, 300.0);
+  const Frequency at{reference(shown), k - shown};
+  const Spectra here = cut(at, thickness), there = cut(at, limit_);
   const double weight = std::pow(thickness / limit_, 1.5);
   const auto joined = [&](double cut_here, double cut_there, double multipole) { return cut_here + weight * (multipole - cut_there); };
   return {joined(here.reflect_above, there.reflect_above, at_limit.reflect_above),

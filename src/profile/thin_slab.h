@@ -34,13 +34,18 @@ class ThinSlab {
   Spectra spectra(double k, double thickness, const Spectra& at_limit) const;
 
  private:
-  Spectra cut(double k, double thickness) const;
+  struct Frequency {
+    TwoFlux reference;  // the core before it is cut
+    double beyond;      // how far k is past where that is known
+  };
+  Spectra cut(const Frequency& at, double thickness) const;
   Spectra between_mirrors(const TwoFlux& core, double unturned) const;
   TwoFlux reference(double k) const;
 
   Medium medium_;
   double limit_;
   double rho_above_, rho_below_;
+  TwoFlux total_;  // the reference at k = 0
 };
 
 }  // namespace dermis::profile
