@@ -7,8 +7,9 @@
 namespace dermis::profile {
 namespace {
 
-// All per mean free path. The multipole between equal indices meets the transport equation within 0.02 from two of them on. With 1 instead
-// of 1.5 more of a beam would be left at thin_limit() than the multipole knows of, which is none.
+// Lengths in mean free paths. From two of them on the multipole between equal indices meets the transport equation within 0.025 (albedo of
+// 0.95 and more). With an extinction of 1 instead of 1.5 more of a beam would be left at thin_limit() than the multipole knows of, which is
+// none.
 constexpr double core_thickness = 2;
 constexpr double beam_extinction = 1.5;
 constexpr double unscattered_extinction = 3.5;

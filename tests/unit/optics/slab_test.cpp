@@ -9,6 +9,7 @@
 #include "profile/burley.h"
 #include "profile/dipole.h"
 #include "profile/slab.h"
+#include "profile/thin_slab.h"
 
 namespace dermis {
 namespace {
@@ -68,6 +69,21 @@ TEST(Multipole, NeverMoreLightThanEntered) {
               EXPECT_GE(part, -1e-12) << sigma_a << " " << d << " " << k;
           }
         }
+}
+
+TEST(Multipole, PartsAddUpToTheLayer) {
+  for (const profile::TwoFlux& layer : {profile::TwoFlux{.5, .5}, {.4, .41}, {.1, .6}, {.3, 1e-6}, {1e-9, .2}, {0, .3}, {1e-100, 1e-100}}) {
+    const auto doubled = [](const profile::TwoFlux& half) {
+      const double bounces = 1 / (1 - half.reflect * half.reflect);
+      return profile::TwoFlux{half.reflect * (1 + half.transmit * half.transmit * bounces), half.transmit * half.transmit * bounces};
+    };
+    const profile::TwoFlux again = doubled(doubled(profile::part_of(layer, 0.25)));
+    EXPECT_NEAR(again.reflect, layer.reflect, 1e-9) << layer.transmit;
+    EXPECT_NEAR(again.transmit, layer.transmit, 1e-9) << layer.reflect;
+    const profile::TwoFlux nothing = profile::part_of(layer, 1e-9);
+    EXPECT_NEAR(nothing.reflect, 0, 1e-6);
+    EXPECT_NEAR(nothing.transmit, 1, 1e-6);
+  }
 }
 
 TEST(Multipole, ThinSlabJoinsTheMultipole) {
