@@ -20,6 +20,21 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
+/// A device or a pipe. It keeps no half of a file, and must not be replaced by one: as root, /dev/null would be gone.
+bool is_stream(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// Throws what went wrong; the file is left as it is then.
+void write_bytes(const fs::path& to, std::span<const std::byte> bytes, const fs::path& named) {
+  File file(std::fopen(to.c_str(), "wb"));
+  if (!file) throw input_error(named.string(), "cannot be written: {}", std::strerror(errno));
+  const bool written = bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  if (!written || std::fflush(file.get()) != 0) throw input_error(named.string(), "cannot be written: {}", std::strerror(errno));
+}
+
 }  // namespace
 
 std::vector<std::byte> read_file(const fs::path& path, std::uint64_t limit_bytes, bool allow_empty) {
@@ -43,6 +58,10 @@ void check_writable(const fs::path& path) {
   if (path.empty() || !path.has_filename()) throw input_error(path.string(), "is not the name of a file to write");
   std::error_code error;
   if (fs::is_directory(path, error)) throw input_error(path.string(), "is a directory, expected the name of a file to write");
+  if (is_stream(path)) {
+    if (::access(path.c_str(), W_OK) != 0) throw input_error(path.string(), "cannot be written: {}", std::strerror(errno));
+    return;
+  }
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) throw input_error(path.string(), "folder '{}' does not exist", folder.string());
   if (::access(folder.c_str(), W_OK) != 0) throw input_error(path.string(), "folder '{}' cannot be written", folder.string());
@@ -50,20 +69,16 @@ void check_writable(const fs::path& path) {
 
 void write_file(const fs::path& path, std::span<const std::byte> bytes) {
   check_writable(path);
+  if (is_stream(path)) return write_bytes(path, bytes, path);
   // The process id keeps two runs that write the same name apart.
+  std::error_code ignored;
   fs::path part = path;
   part += fmt::format(".{}.part", ::getpid());
-  std::error_code ignored;
-  {
-    File file(std::fopen(part.c_str(), "wb"));
-    if (!file) throw input_error(path.string(), "cannot be written: {}", std::strerror(errno));
-    const bool written = bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-    if (!written || std::fflush(file.get()) != 0) {
-      const int reason = errno;
-      file.reset();
-      fs::remove(part, ignored);
-      throw input_error(path.string(), "cannot be written: {}", std::strerror(reason));
-    }
+  try {
+    write_bytes(part, bytes, path);
+  } catch (...) {
+    fs::remove(part, ignored);
+    throw;
   }
   std::error_code error;
   fs::rename(part, path, error);

@@ -19,7 +19,7 @@ std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-/// InputError if a file could not be created at path (its folder is missing, it is a directory). Creates nothing: called before long work.
+/// InputError if path could not be written (its folder is missing, it is a directory). Creates nothing: called before long work.
 void check_writable(const std::filesystem::path& path);
 
 }  // namespace dermis

@@ -17,19 +17,32 @@ constexpr std::size_t most_terms = 512;
 
 void add_to(Sum& sum, const Sum& more) { sum.insert(sum.end(), more.begin(), more.end()); }
 
-Sum fit_side(const optics::Layer& layer, profile::SlabProfile::Side side, double eta_lit, double eta_other, int terms) {
-  const profile::SlabProfile slab(layer, side, eta_lit, eta_other);
-  Sum sum;
-  const bool transmitted = side == profile::SlabProfile::Side::transmitted;
-  const double straight = transmitted ? profile::Multipole(layer, eta_lit, eta_other).straight() : 0;
-  if (straight > 0) sum.push_back({0, straight});
-  if (slab.total() <= 1e-12) return sum;  // black, or too thick to let anything through
-  Sum fitted = fit_channel(slab, terms, Weights::any_sign).terms;
+/// One of the seven spectra of a layer, to be fitted in Hankel space.
+class Spectrum final : public profile::RadialProfile {
+ public:
+  using Part = double (*)(const profile::Spectra&);
+  Spectrum(const profile::Multipole& slab, Part part) : slab_(slab), part_(part) {}
+
+  double at(double radius_mm) const override { return profile::inverse_hankel(*this, radius_mm); }
+  double hankel(double k_per_mm) const override { return part_(slab_.spectra(k_per_mm)); }
+  bool hankel_is_exact() const override { return true; }
+  double inner_mm() const override { return slab_.inner_mm(); }
+  double outer_mm() const override { return slab_.outer_mm(); }
+  std::string name() const override { return "multipole"; }
+
+ private:
+  const profile::Multipole& slab_;
+  Part part_;
+};
+
+Sum fit_part(const profile::Multipole& slab, Spectrum::Part part, int terms) {
+  const Spectrum spectrum(slab, part);
+  if (spectrum.total() <= 1e-12) return {};  // black, or too thick to let anything through
+  Sum fitted = fit_channel(spectrum, terms, Weights::any_sign).terms;
   // The fit minimises the residual, not the lost total; light must not get lost from layer to layer, so the weights are scaled to it.
-  const double scale = slab.total() / total(fitted);
+  const double scale = spectrum.total() / total(fitted);
   for (Term& term : fitted) term.weight *= scale;
-  add_to(sum, fitted);
-  return sum;
+  return fitted;
 }
 
 }  // namespace
@@ -79,13 +92,24 @@ std::vector<Term> merge(std::span<const Term> terms) {
 }
 
 LayerSums fit_layer(const optics::Layer& layer, double eta_above, double eta_below, int terms) {
-  using Side = profile::SlabProfile::Side;
+  using profile::Spectra;
+  const profile::Multipole slab(layer, eta_above, eta_below);
+  const auto fit = [&](Spectrum::Part part) { return fit_part(slab, part, terms); };
   LayerSums sums;
-  sums.reflect_above = fit_side(layer, Side::reflected, eta_above, eta_below, terms);
-  if (!std::isfinite(layer.thickness_mm)) return sums;
-  sums.transmit_above = fit_side(layer, Side::transmitted, eta_above, eta_below, terms);
-  sums.reflect_below = fit_side(layer, Side::reflected, eta_below, eta_above, terms);
-  sums.transmit_below = fit_side(layer, Side::transmitted, eta_below, eta_above, terms);
+  sums.reflect_above = fit([](const Spectra& s) { return s.reflect_above; });
+  if (std::isfinite(layer.thickness_mm)) {
+    sums.transmit_above = fit([](const Spectra& s) { return s.transmit_above; });
+    sums.reflect_below = fit([](const Spectra& s) { return s.reflect_below; });
+    sums.transmit_below = fit([](const Spectra& s) { return s.transmit_below; });
+  }
+  if (!slab.thin()) {  // no difference between a beam and diffuse light
+    sums.beam_reflect = sums.reflect_above;
+    sums.beam_transmit = sums.transmit_above;
+    return sums;
+  }
+  sums.beam_reflect = fit([](const Spectra& s) { return s.beam.reflect; });
+  sums.beam_transmit = fit([](const Spectra& s) { return s.beam.transmit; });
+  sums.beam_straight = fit([](const Spectra& s) { return s.beam.straight; });
   return sums;
 }
 
@@ -103,17 +127,23 @@ Stacked stack(const LayerSums& upper, const LayerSums& lower, double energy) {
     rest *= kept;
   }
   series = merge(series);
-  const auto product = [&](const Sum& a, const Sum& b, const Sum& c) { return merge(convolve(convolve(convolve(a, b), c), series)); };
-  const Sum one{{0, 1}};
+  const auto sum = [](Sum a, const Sum& b, double sign = 1) {
+    for (const Term& term : b) a.push_back({term.variance_mm2, sign * term.weight});
+    return merge(a);
+  };
+  const auto bounced = [&](const Sum& a, const Sum& b) { return merge(convolve(convolve(a, b), series)); };
+  // Names as in profile::add.
+  const Sum turned = sum(upper.beam_transmit, upper.beam_straight, -1);
+  const Sum up = merge(convolve(sum(convolve(upper.beam_straight, lower.beam_reflect), convolve(lower.reflect_above, turned)), series));
   Stacked out;
-  out.layer.reflect_above = upper.reflect_above;
-  add_to(out.layer.reflect_above, product(upper.transmit_above, lower.reflect_above, upper.transmit_below));
-  out.layer.reflect_above = merge(out.layer.reflect_above);
-  out.layer.transmit_above = product(upper.transmit_above, lower.transmit_above, one);
-  out.layer.reflect_below = lower.reflect_below;
-  add_to(out.layer.reflect_below, product(lower.transmit_below, upper.reflect_below, lower.transmit_above));
-  out.layer.reflect_below = merge(out.layer.reflect_below);
-  out.layer.transmit_below = product(lower.transmit_below, upper.transmit_below, one);
+  out.layer.reflect_above = sum(upper.reflect_above, convolve(bounced(upper.transmit_above, lower.reflect_above), upper.transmit_below));
+  out.layer.transmit_above = bounced(upper.transmit_above, lower.transmit_above);
+  out.layer.reflect_below = sum(lower.reflect_below, convolve(bounced(lower.transmit_below, upper.reflect_below), lower.transmit_above));
+  out.layer.transmit_below = bounced(lower.transmit_below, upper.transmit_below);
+  out.layer.beam_reflect = sum(upper.beam_reflect, convolve(upper.transmit_below, up));
+  out.layer.beam_transmit = sum(convolve(upper.beam_straight, lower.beam_transmit),
+                                convolve(lower.transmit_above, sum(turned, convolve(upper.reflect_below, up))));
+  out.layer.beam_straight = convolve(upper.beam_straight, lower.beam_straight);
   out.lost = rest;
   return out;
 }

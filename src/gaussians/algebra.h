@@ -27,13 +27,15 @@ double transform(std::span<const Term> terms, double k_per_mm);
 /// Changes R^ by less than 1e-3 of the total.
 std::vector<Term> merge(std::span<const Term> terms);
 
-/// Reflectance and transmittance of a layer as sums, lit from above and from below. A half-space transmits nothing.
+/// Reflectance and transmittance of a layer as sums, the same seven as profile::Spectra: diffuse light from above and from below, and a
+/// beam from above. A half-space transmits nothing.
 struct LayerSums {
   std::vector<Term> reflect_above, transmit_above, reflect_below, transmit_below;
+  std::vector<Term> beam_reflect, beam_transmit, beam_straight;
 };
 
-/// The multipole of one layer (profile::Multipole) between media of index eta_above and eta_below, each of the four fitted with `terms` (1
-/// to 8) of any sign; what passes straight is a term of variance 0.
+/// The multipole of one layer (profile::Multipole) between media of index eta_above and eta_below, each of the seven fitted with `terms` (1
+/// to 8) of any sign.
 LayerSums fit_layer(const optics::Layer& layer, double eta_above, double eta_below, int terms);
 
 /// Two layers as one, and what the truncation lost, as a part of the light that entered (an upper bound).
@@ -42,8 +44,8 @@ struct Stacked {
   double lost = 0;
 };
 
-/// [DJ05] eq. 15 to 17 as a polynomial in Gaussians: R12 = R1 + T1 R2 T1' Sum_m (R1' R2)^m and the like, products being convolutions. Ends
-/// where the rest of the bounces holds less than `energy` (0 < energy < 1) of the light.
+/// [DJ05] eq. 15 to 17 as a polynomial in Gaussians: R12 = R1 + T1 R2 T1' Sum_m (R1' R2)^m and the like (profile::add), products being
+/// convolutions. Ends where the rest of the bounces holds less than `energy` (0 < energy < 1) of the light.
 Stacked stack(const LayerSums& upper, const LayerSums& lower, double energy = 1e-4);
 
 }  // namespace dermis::gaussians

@@ -81,7 +81,9 @@ Imported unreal(const std::string& text, const std::string& where) {
                       "mean_free_path_distance has two readings: with bEnableMeanFreePath a mean free path (Burley's d {}), without it, as "
                       "before 5.1, a diffuse one (d {}); add enable_mean_free_path=1 or 0",
                       shown(as_mean), shown(as_diffuse));
-  return burley_of("unreal", total, v.at("enable_mean_free_path")[0] != 0 ? as_mean : as_diffuse, where);
+  const double mean = v.at("enable_mean_free_path")[0];
+  if (mean != 0 && mean != 1) throw input_error(where, "enable_mean_free_path must be 0 or 1, got {}", mean);
+  return burley_of("unreal", total, mean == 1 ? as_mean : as_diffuse, where);
 }
 
 Imported cycles(const std::string& text, const std::string& where) {

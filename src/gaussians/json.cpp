@@ -96,6 +96,9 @@ std::vector<Gaussian> read_terms(const Json& root, const std::string& where) {
   std::vector<Gaussian> terms(variances.size());
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const std::string name = fmt::format("variances_mm2[{}]", i);
+    if (variances[i].is_array())
+      throw input_error(where, "{} is a list: variances per channel cannot be blurred together; make the profile with --variances shared",
+                        name);
     terms[i].variance_mm2 = number(variances[i], name, where);
     if (!(terms[i].variance_mm2 > 0)) throw input_error(where, "{} must be > 0 mm^2, got {}", name, terms[i].variance_mm2);
     terms[i].weight = rgb(weights[i], fmt::format("weights[{}]", i), where);

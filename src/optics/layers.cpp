@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -73,8 +74,16 @@ void check(const Layers& layers, const std::string& where) {
 RgbLayers parse_layers(std::string_view json, const std::string& where) {
   Json document;
   try {
-    document = Json::parse(json);
-  } catch (const Json::parse_error& error) { throw input_error(where, "not JSON (byte {})", error.byte); }
+    std::set<std::string> keys;
+    document = Json::parse(json, [&](int, Json::parse_event_t event, Json& parsed) {
+      if (event == Json::parse_event_t::object_start) keys.clear();
+      if (event == Json::parse_event_t::key && !keys.insert(parsed.get<std::string>()).second)
+        throw input_error(where, "'{}' is given twice in one layer", parsed.get<std::string>());
+      return true;
+    });
+  } catch (const Json::parse_error& error) { throw input_error(where, "not JSON (byte {})", error.byte); } catch (const Json::exception&) {
+    throw input_error(where, "a number is too large");
+  }
   if (!document.is_array()) throw input_error(where, "expected a list of layers, got {}", document.type_name());
   if (document.empty() || document.size() > max_layers) throw input_error(where, "1 to {} layers, got {}", max_layers, document.size());
   RgbLayers layers;

@@ -14,7 +14,8 @@ using std::numbers::pi;
 
 Burley::Burley(double total_reflectance, double shape_mm, const std::string& where) : total_(total_reflectance), shape_mm_(shape_mm) {
   if (!(total_ >= 0 && total_ <= 1)) throw input_error(where, "reflectance must be 0 to 1, got {}", total_);
-  if (!(shape_mm_ > 0 && shape_mm_ < 1e9)) throw input_error(where, "the length must be above 0 mm, got {}", shape_mm_);
+  if (!(shape_mm_ >= 1e-6 && shape_mm_ <= 1e6))
+    throw input_error(where, "the length must give a shape d of 1e-6 to 1e6 mm, got {} mm", shape_mm_);
 }
 
 double Burley::shape_mm(double a, optics::MeanFreePath length) { return length.mm / (1.85 - a + 7 * std::pow(std::abs(a - 0.8), 3)); }

@@ -6,27 +6,12 @@
 #include <numbers>
 
 #include "optics/fresnel.h"
+#include "profile/thin_slab.h"
 
 namespace dermis::profile {
 namespace {
 
 using std::numbers::pi;
-
-constexpr double thin = 1.1;  // mean free paths; see slab.h
-
-struct OneSide {
-  double reflect, transmit;
-};
-
-/// The two closed sums for light that enters at the side of extrapolation length z_b0.
-OneSide closed_sums(double kappa, double l, double d, double z_b0, double z_bd) {
-  const double period = 2 * (d + z_b0 + z_bd);
-  if (kappa * period < 1e-7) return {1 - 2 * (l + z_b0) / period, 2 * (l + z_b0) / period};  // the limit kappa -> 0
-  const auto e = [kappa](double z) { return std::exp(-z * kappa); };
-  const double all = -std::expm1(-period * kappa);
-  return {(e(l) - e(period - l) - e(period - l - 2 * z_b0) + e(l + 2 * z_b0)) / (2 * all),
-          (e(d - l) - e(period + l - d) - e(d + l + 2 * z_b0) + e(d + 2 * z_bd - l)) / (2 * all)};
-}
 
 double flux(double z, double radius, double s) {
   const double distance = std::sqrt(radius * radius + z * z);
@@ -35,22 +20,28 @@ double flux(double z, double radius, double s) {
 
 }  // namespace
 
+TwoFlux multipole_sums(double kappa, double l, double d, double z_b0, double z_bd) {
+  const double period = 2 * (d + z_b0 + z_bd);
+  if (kappa * period < 1e-7) return {1 - 2 * (l + z_b0) / period, 2 * (l + z_b0) / period};  // the limit kappa -> 0
+  const auto e = [kappa](double z) { return std::exp(-z * kappa); };
+  const double all = -std::expm1(-period * kappa);
+  return {(e(l) - e(period - l) - e(period - l - 2 * z_b0) + e(l + 2 * z_b0)) / (2 * all),
+          (e(d - l) - e(period + l - d) - e(d + l + 2 * z_b0) + e(d + 2 * z_bd - l)) / (2 * all)};
+}
+
 Multipole::Multipole(const optics::Layer& layer, double eta_above, double eta_below) {
   const optics::Medium medium = layer.medium();
   const double l = medium.mean_free_path().mm, diffusion = medium.diffusion_coefficient_mm();
   reduced_albedo_ = medium.reduced_albedo();
   sigma_tr_per_mm_ = medium.sigma_tr_per_mm();
-  thickness_mm_ = std::max(layer.thickness_mm, 0.02 * l);
+  thickness_mm_ = layer.thickness_mm;
   source_mm_ = l;
   above_mm_ = 2 * optics::boundary_factor_classical(layer.eta / eta_above) * diffusion;
   below_mm_ = 2 * optics::boundary_factor_classical(layer.eta / eta_below) * diffusion;
-  const double optical = layer.thickness_mm / l;
-  if (optical < thin) {
-    scale_ = std::expm1(-optical) / std::expm1(-thin);
-    source_mm_ = thickness_mm_ * (0.5 + (1 / thin - 0.5) * std::min(optical / thin, 1.0));
-  }
-  straight_ = 1 - scale_;
+  thin_ = thickness_mm_ < thin_limit(above_mm_ / l, below_mm_ / l) * l;
 }
+
+double Multipole::inner_mm() const { return thin_ ? std::min(source_mm_, thickness_mm_ / 2) : source_mm_; }
 
 double Multipole::outer_mm() const {
   const double reach = sigma_tr_per_mm_ > 0 ? 1 / sigma_tr_per_mm_ : 1e300;
@@ -59,15 +50,24 @@ double Multipole::outer_mm() const {
   return std::max(source_mm_, std::min(reach, leak));
 }
 
-Spectra Multipole::spectra(double k_per_mm) const {
+Spectra Multipole::closed_sums(double k_per_mm, double thickness_mm) const {
   const double kappa = std::hypot(sigma_tr_per_mm_, k_per_mm);
+  const TwoFlux above = multipole_sums(kappa, source_mm_, thickness_mm, above_mm_, below_mm_);
+  const TwoFlux below = multipole_sums(kappa, source_mm_, thickness_mm, below_mm_, above_mm_);
+  const double a = reduced_albedo_;
+  return {a * above.reflect, a * above.transmit, a * below.reflect, a * below.transmit, {a * above.reflect, a * above.transmit, 0}};
+}
+
+Spectra Multipole::spectra(double k_per_mm) const {
   if (!std::isfinite(thickness_mm_)) {  // the dipole
-    return {.reflect_above = reduced_albedo_ / 2 * (std::exp(-source_mm_ * kappa) + std::exp(-(source_mm_ + 2 * above_mm_) * kappa))};
+    const double kappa = std::hypot(sigma_tr_per_mm_, k_per_mm);
+    const double reflect = reduced_albedo_ / 2 * (std::exp(-source_mm_ * kappa) + std::exp(-(source_mm_ + 2 * above_mm_) * kappa));
+    return {.reflect_above = reflect, .beam = {.reflect = reflect}};
   }
-  const OneSide above = closed_sums(kappa, source_mm_, thickness_mm_, above_mm_, below_mm_);
-  const OneSide below = closed_sums(kappa, source_mm_, thickness_mm_, below_mm_, above_mm_);
-  const double scale = reduced_albedo_ * scale_;
-  return {scale * above.reflect, scale * above.transmit + straight_, scale * below.reflect, scale * below.transmit + straight_};
+  if (!thin_) return closed_sums(k_per_mm, thickness_mm_);
+  const double l = source_mm_, limit = thin_limit(above_mm_ / l, below_mm_ / l);
+  const ThinSlab thin({reduced_albedo_, sigma_tr_per_mm_ * l}, above_mm_ / l, below_mm_ / l);
+  return thin.spectra(k_per_mm * l, thickness_mm_ / l, closed_sums(k_per_mm, limit * l));
 }
 
 double Multipole::image_sum(double radius_mm, bool transmitted) const {
@@ -85,7 +85,7 @@ double Multipole::image_sum(double radius_mm, bool transmitted) const {
     sum += pair;
     if (std::abs(pair) < 1e-9 * std::abs(sum) && period * i > 3 * radius_mm) break;
   }
-  return scale_ * reduced_albedo_ / (4 * pi) * sum;
+  return reduced_albedo_ / (4 * pi) * sum;
 }
 
 double Multipole::reflectance_at(double radius_mm) const { return image_sum(radius_mm, false); }
@@ -95,20 +95,26 @@ SlabProfile::SlabProfile(const optics::Layer& layer, Side side, double eta_above
     : slab_(layer, eta_above, eta_below), side_(side) {}
 
 double SlabProfile::at(double radius_mm) const {
+  if (slab_.thin()) return inverse_hankel(*this, radius_mm);
   return side_ == Side::reflected ? slab_.reflectance_at(radius_mm) : slab_.transmittance_at(radius_mm);
 }
 
 double SlabProfile::hankel(double k_per_mm) const {
   const Spectra spectra = slab_.spectra(k_per_mm);
-  return side_ == Side::reflected ? spectra.reflect_above : spectra.transmit_above - slab_.straight();
+  return side_ == Side::reflected ? spectra.beam.reflect : spectra.beam.transmit;
 }
 
 Spectra add(const Spectra& upper, const Spectra& lower) {
   const double bounces = 1 / (1 - lower.reflect_above * upper.reflect_below);
+  const double turned = upper.beam.transmit - upper.beam.straight;
+  const double up = (upper.beam.straight * lower.beam.reflect + lower.reflect_above * turned) * bounces;
   return {upper.reflect_above + upper.transmit_above * lower.reflect_above * upper.transmit_below * bounces,
           upper.transmit_above * lower.transmit_above * bounces,
           lower.reflect_below + lower.transmit_below * upper.reflect_below * lower.transmit_above * bounces,
-          lower.transmit_below * upper.transmit_below * bounces};
+          lower.transmit_below * upper.transmit_below * bounces,
+          {upper.beam.reflect + upper.transmit_below * up,
+           upper.beam.straight * lower.beam.transmit + lower.transmit_above * (turned + upper.reflect_below * up),
+           upper.beam.straight * lower.beam.straight}};
 }
 
 LayeredProfile::LayeredProfile(const optics::Layers& layers, Side side, const std::string& where) : side_(side) {
@@ -116,7 +122,6 @@ LayeredProfile::LayeredProfile(const optics::Layers& layers, Side side, const st
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const double eta_above = i == 0 ? 1 : layers[i - 1].eta, eta_below = i + 1 == layers.size() ? 1 : layers[i + 1].eta;
     slabs_.emplace_back(layers[i], eta_above, eta_below);
-    straight_ *= slabs_.back().straight();
   }
   // Light from below a thin top layer still passes through it, so the finest structure is that of the finest layer,
   // and the longest reach that of the farthest-reaching one.
@@ -135,7 +140,7 @@ Spectra LayeredProfile::spectra(double k_per_mm) const {
 
 double LayeredProfile::hankel(double k_per_mm) const {
   const Spectra stack = spectra(k_per_mm);
-  return side_ == Side::reflected ? stack.reflect_above : stack.transmit_above - straight_;
+  return side_ == Side::reflected ? stack.beam.reflect : stack.beam.transmit;
 }
 
 std::string LayeredProfile::name() const {

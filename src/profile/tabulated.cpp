@@ -75,6 +75,7 @@ std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& wh
   std::vector<double> radii;
   std::array<std::vector<double>, 3> values;
   bool header = false;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // spreadsheets begin UTF-8 so
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t newline = text.find('\n');
     const std::string_view line = trim(text.substr(0, newline));

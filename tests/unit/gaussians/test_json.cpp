@@ -85,6 +85,8 @@ TEST(ProfileJson, Variances) {
   EXPECT_EQ(error_of(two_terms("[2, 2]", good_weights)), "p.json: variances_mm2 has 2 twice, expected different ones");
   EXPECT_NE(error_of(two_terms("[1, 1e999]", good_weights)).find("p.json: is not valid JSON"), std::string::npos);
   EXPECT_EQ(error_of(two_terms("[1, \"2\"]", good_weights)), "p.json: variances_mm2[1] must be a number, got string");
+  EXPECT_NE(error_of(two_terms("[[1, 1, 1], [2, 2, 2]]", good_weights)).find("make the profile with --variances shared"),
+            std::string::npos);
   EXPECT_EQ(error_of(two_terms("7", good_weights)), "p.json: variances_mm2 must be a list, got number");
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Files on disk: whole or not there.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -72,6 +74,25 @@ TEST_F(Files, OverwritingReplacesTheWholeFile) {
   save_png(folder_ / "map.png", {.width = 64, .height = 64, .rgba = noise(64 * 64 * 4, 2)});
   save_png(folder_ / "map.png", map_, true);
   EXPECT_EQ(load_image8(folder_ / "map.png").rgba, map_.rgba);
+}
+
+TEST_F(Files, APipeIsWrittenToAndStays) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  write_file(pipe, std::string_view("light"));
+  char read[8] = {};
+  EXPECT_EQ(::read(reader, read, sizeof read), 5);
+  ::close(reader);
+  EXPECT_EQ(std::string(read), "light");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_EQ(count(), 1u);
+}
+
+TEST_F(Files, AFullDeviceIsAnErrorAndStays) {
+  if (!fs::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  EXPECT_NE(error_of([] { write_file("/dev/full", std::string_view("light")); }).find("/dev/full: cannot be written"), std::string::npos);
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
 TEST_F(Files, ErrorsNameTheFile) {

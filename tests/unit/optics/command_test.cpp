@@ -116,6 +116,13 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
   EXPECT_NE(message_of({"--melanin", "0.02", "--model", "dipole"}).find("knows no layers"), std::string::npos);
   EXPECT_NE(message_of({"--csv", path("none.csv"), "--model", "beam"}).find("brings its own profile"), std::string::npos);
   EXPECT_NE(message_of({"--preset", "skin1", "--model", "dipole", "-o", path("no/such/a.json")}).find("no/such"), std::string::npos);
+  EXPECT_NE(message_of({"--burley", "reflectance=1 mfp_mm=1e-300"}).find("1e-6 to 1e6 mm"), std::string::npos);
+  EXPECT_NE(message_of({"--import", "cycles color=0.5 radius=1"}).find("as metres it is 1000"), std::string::npos);
+  EXPECT_NE(message_of({"--import", "radius=1"}).find("could be a mean free path, a diffuse mean free path"), std::string::npos);
+  std::ofstream(path("layers.json")) << R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"depth_mm":1}])";
+  EXPECT_NE(message_of({"--layers", path("layers.json")}).find("unknown key 'depth_mm'; known: sigma_a_per_mm"), std::string::npos);
+  std::ofstream(path("unsorted.csv")) << "r_mm,R,G,B\n1,1,1,1\n0.5,1,1,1\n";
+  EXPECT_NE(message_of({"--csv", path("unsorted.csv")}).find("line 3: radii must rise"), std::string::npos);
   std::ofstream(path("empty.csv")) << "";
   EXPECT_NE(message_of({"--csv", path("empty.csv")}).find("empty"), std::string::npos);
   std::ofstream(path("big.csv")) << "r_mm,R,G,B\n0,1,1,1\n5,1,1,1\n";

@@ -117,10 +117,13 @@ TEST(Exchange, AmbiguousImportsAreRefusedWithTheirReadings) {
   EXPECT_NE(message_of("openpbr subsurface_color=0.8 subsurface_radius=1").find("scene_unit_mm"), std::string::npos);
   EXPECT_NE(message_of("unreal surface_albedo=0.5 mean_free_path_color=1 mean_free_path_distance=1").find("two readings"),
             std::string::npos);
+  EXPECT_NE(message_of("unreal enable_mean_free_path=2 surface_albedo=0.5 mean_free_path_color=1 mean_free_path_distance=1")
+                .find("must be 0 or 1"),
+            std::string::npos);
   EXPECT_NE(message_of("separable width=1").find("do not say a profile"), std::string::npos);
   EXPECT_NE(message_of("unity reflectance=0.5 radius=1").find("known: reflectance, scattering_distance"), std::string::npos);
   EXPECT_NE(message_of("unity reflectance=0 scattering_distance=1").find("above 0"), std::string::npos);
-  EXPECT_NE(message_of("unity reflectance=0.5 scattering_distance=-1").find("above 0 mm"), std::string::npos);
+  EXPECT_NE(message_of("unity reflectance=0.5 scattering_distance=-1").find("1e-6 to 1e6 mm"), std::string::npos);
   EXPECT_THROW(gaussians::export_text("maya", burley_skin()), InputError);
 }
 

@@ -134,6 +134,9 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
   EXPECT_NE(parse("{").find("not JSON"), std::string::npos);
   EXPECT_NE(parse("{}").find("expected a list"), std::string::npos);
   EXPECT_NE(parse(R"([{"sigma_a":1}])").find("layer 0: unknown key 'sigma_a'; known: sigma_a_per_mm"), std::string::npos);
+  EXPECT_NE(parse(R"([{"eta":1.3,"eta":1.4}])").find("'eta' is given twice"), std::string::npos);
+  EXPECT_NE(parse(R"([{"eta":1e999}])").find("skin.json: a number is too large"), std::string::npos);
+  EXPECT_NE(parse(std::string(100'000, '[').c_str()).find("not JSON"), std::string::npos);
   EXPECT_NE(parse(R"([{"sigma_a_per_mm":1}])").find("'sigma_s_reduced_per_mm' is missing"), std::string::npos);
   EXPECT_NE(
       parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1},{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1}])").find("only the last"),
@@ -156,7 +159,7 @@ TEST(Tabulated, ReadsWhatItShouldAndNothingElse) {
   EXPECT_NE(parse("r_mm,R,G,B\n0,x,1,1\n").find("'x' is not a number"), std::string::npos);
   EXPECT_NE(parse("r_mm,R,G,B\n0,0,1,1\n1,0,1,1\n").find("0 everywhere"), std::string::npos);
   // A cone R = 1 - r: total pi / 3.
-  const auto cone = profile::parse_csv("# cone\r\nr_mm,R,G,B\r\n0,1,1,1\r\n1,0,0,0\r\n", "r.csv");
+  const auto cone = profile::parse_csv("\xEF\xBB\xBF# cone\r\nr_mm,R,G,B\r\n0,1,1,1\r\n1,0,0,0\r\n", "r.csv");
   EXPECT_NEAR(cone[0]->total(), M_PI / 3, 1e-12);
   EXPECT_NEAR(cone[0]->hankel(1e-6), M_PI / 3, 1e-3);
   EXPECT_EQ(cone[0]->at(0.25), 0.75);

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "optics/fresnel.h"
 #include "optics/presets.h"
+#include "optics/quadrature.h"
 #include "profile/beam.h"
 #include "profile/monte_carlo.h"
 #include "profile/single_rings.h"
@@ -54,32 +55,42 @@ TEST(MonteCarlo, ThreeLayersOfTheMcmlManual) {
   expect_sigma(entered * (r->transmitted_total + r->ballistic), entered * r->transmitted_total_error, .0962202, .00019, "T");
   const double absorbed[] = {.2612, .1488, .2316};
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(entered * r->absorbed[i], absorbed[i], 2e-3) << i;
-  // Rings of the manual: 0.1 mm, 1/cm^2.
-  const double rings[] = {30.924, 10.071, 6.1187, 4.4015, 3.5138, 2.8528, 2.4344, 2.0692, 1.7715, 1.5409};
-  for (int i = 1; i < 10; ++i) {
-    const double area_mm2 = M_PI * .01 * (2 * i + 1);
-    const double mean = entered * (r->reflected.within(.1 * (i + 1)) - r->reflected.within(.1 * i)) / area_mm2 * 100;
-    // Linear interpolation inside our rings, and the noise of 2e5 photons
-    EXPECT_NEAR(mean / rings[i], 1, 0.05) << i;
-  }
 }
 
-TEST(MonteCarlo, TransmittedRingsOfTheMcmlManual) {
+/// Three standard errors of a ring that holds the part `energy` of the light sent, ours of `photons` and theirs of 1e6: weights are at most
+/// 1, so no ring is noisier than counting.
+double three_sigma(double energy, double photons) { return 3 * std::sqrt(energy / photons + energy / 1e6); }
+
+// Rings of 0.1 mm, 1/cm^2: all 30 reflected ones, all 20 transmitted ones.
+TEST(MonteCarlo, RingsOfTheMcmlManual) {
   const ScatterScene skin{.layers = {{{1 * from_cm, 100 * from_cm, .9, 1.37}, 1},
                                      {{1 * from_cm, 10 * from_cm, 0, 1.37}, 1},
                                      {{2 * from_cm, 10 * from_cm, .7, 1.37}, 2}}};
+  const double reflected[] = {30.924, 10.071, 6.1187, 4.4015, 3.5138, 2.8528, 2.4344, 2.0692, 1.7715, 1.5409,
+                              1.3425, 1.2006, 1.0319, .89424, .79300, .70183, .61493, .54537, .48518, .42576,
+                              .37759, .32900, .29997, .26421, .23595, .20775, .18657, .16498, .14860, .14064};
+  const double transmitted[] = {.58942, .60085, .56453, .55132, .53655, .53603, .52027, .49193, .46582, .43591,
+                                .41109, .39854, .36636, .33945, .32122, .29694, .28041, .26182, .23866, .22141};
+  constexpr double photons = 200'000, entered = 1 - .0243729;
   const auto r = profile::monte_carlo(skin, {.photons = 200'000, .seed = 3, .cache = {}});  // kept from the test above
-  const double rings[] = {.58942, .60085, .56453, .55132, .53655, .53603, .52027, .49193, .46582, .43591,
-                          .41109, .39854, .36636, .33945, .32122, .29694, .28041, .26182, .23866, .22141};
-  double ours = 0, theirs = 0;
-  for (int i = 0; i < 20; ++i) theirs += rings[i] * M_PI * .0001 * (2 * i + 1);  // 1/cm^2 times cm^2
-  ours = (1 - .0243729) * (r->transmitted.within(2.0) + r->ballistic);
-  EXPECT_NEAR(ours / theirs, 1, .02);  // 1.7e3 of their photons, 3e3 of ours
-  for (const int i : {4, 9, 14, 19}) {
-    const double mean =
-        (1 - .0243729) * (r->transmitted.within(.1 * (i + 1)) - r->transmitted.within(.1 * i)) / (M_PI * .01 * (2 * i + 1)) * 100;
-    EXPECT_NEAR(mean / rings[i], 1, .15) << i;  // a ring of ours is wider than one of theirs; 1 to 4 % noise each
+  const auto area_cm2 = [](int i) { return M_PI * .0001 * (2 * i + 1); };
+  const profile::MonteCarloProfile curve(skin, {.photons = 200'000, .seed = 3, .cache = {}});
+  for (int i = 0; i < 30; ++i) {  // our rings are up to four times as wide as theirs: compared along the curve through them
+    double ours = i == 0 ? r->reflected.within(.1) : 0;
+    for (const auto& node : optics::gauss_legendre(8, .1 * std::max(i, 1), .1 * (i + 1)))
+      if (i > 0) ours += 2 * M_PI * node.x * curve.at(node.x) * node.weight;
+    const double theirs = reflected[i] * area_cm2(i);
+    EXPECT_NEAR(entered * ours, theirs, three_sigma(theirs, photons)) << "reflected " << i << ": " << entered * ours / theirs;
   }
+  double ours_all = 0, theirs_all = 0;
+  for (int i = 0; i < 20; ++i) {
+    const double ours = entered * (r->transmitted.within(.1 * (i + 1)) - r->transmitted.within(.1 * i)),
+                 theirs = transmitted[i] * area_cm2(i);
+    // Our rings are wider than theirs near the axis and spread their light evenly: 2 %
+    EXPECT_NEAR(ours, theirs, three_sigma(theirs, photons) + .02 * theirs) << "transmitted " << i << ": " << ours / theirs;
+    ours_all += ours, theirs_all += theirs;
+  }
+  EXPECT_NEAR(ours_all, theirs_all, three_sigma(theirs_all, photons));
 }
 
 TEST(MonteCarlo, HalfSpaceTotals) {
@@ -179,13 +190,14 @@ TEST(MonteCarlo, SinglyScatteredRingsAreThePhotonBeamsOwn) {
 // Totals per unit of flux that entered, n = 1.4: independent quadrature.
 TEST(PhotonBeam, Totals) {
   struct Row {
-    double albedo, multiple, single;
+    double albedo, multiple, single, both;
   };
-  for (const Row& row : {Row{.5, .02747, .03163}, Row{.8, .11615, .05061}, Row{.9, .21124, .05694}, Row{.95, .32198, .06010},
-                         Row{.99, .57886, .06263}, Row{.999, .81725, .06320}}) {
+  for (const Row& row : {Row{.5, .02747, .03163, .05910}, Row{.8, .11615, .05061, .16676}, Row{.9, .21124, .05694, .26818},
+                         Row{.95, .32198, .06010, .38208}, Row{.99, .57886, .06263, .64149}, Row{.999, .81725, .06320, .88045}}) {
     const Medium medium{1 - row.albedo, row.albedo, 0, 1.4};
     EXPECT_NEAR(profile::BeamMultiple(medium).total(), row.multiple, 1e-4 * row.multiple + 5e-6) << row.albedo;
     EXPECT_NEAR(profile::SingleScattering(medium).total(), row.single, 1e-4 * row.single + 5e-6) << row.albedo;
+    EXPECT_NEAR(profile::PhotonBeam(medium).total(), row.both, 1e-4 * row.both + 5e-6) << row.albedo;
   }
 }
 
