@@ -157,6 +157,7 @@ void read_picture(Picture& picture, frame::Executor& executor, const techniques:
   picture.linear_rgba = depth ? grey_of_depth(bytes) : floats_of_halves(bytes);
   const bool is_light = settings.show == "irradiance" || settings.show.rfind("blur:", 0) == 0;
   if (is_light) crop(picture, out.shown_origin, setup.heads.back().map_side);
+  if (settings.show == "visibility") crop(picture, {0, 0}, setup.heads.back().map_side);
   if (density) density_of_stretch(picture.linear_rgba, settings.map_size);
   for (std::size_t i = 0; i < picture.linear_rgba.size(); ++i) {
     const float value = std::clamp(picture.linear_rgba[i], 0.0f, 1.0f);

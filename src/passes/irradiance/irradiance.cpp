@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "passes/irradiance/irradiance.h"
 
-#include <algorithm>
-
 #include "frame/executor.h"
-#include "passes/irradiance/irradiance_io.h"
+#include "passes/seen.h"
 
 namespace dermis::passes {
 
@@ -32,8 +30,6 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
     const frame::Instance& instance = instance_of(frame, square);
     if (!instance.visible) continue;
     cmd.begin_rendering_area(std::span(&colour, 1), {}, used_area(frame, square), true);
-    io::IrradianceIo io{.offset_m = instance.offset_m, .can_cull = 0, .eye = frame.eye, .planes = {}};
-    std::copy(frame.clip_planes.begin(), frame.clip_planes.end(), io.planes);
     for (const GpuDraw& draw : mesh.draws) {
       const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
       Bindings bindings;
@@ -41,8 +37,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
       material.offer(bindings);
       samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
       bindings.bind(cmd, *pipeline_);
-      io.can_cull = material.double_sided ? 0 : 1;
-      cmd.push(*pipeline_, io);
+      cmd.push(*pipeline_, seen_io(frame, instance, material));
       cmd.draw(draw.index_count, 1, draw.first_index);
     }
     cmd.end_rendering();

@@ -3,9 +3,9 @@
 #include "shared/scene_io.h"
 #include "shared/vertex_pull.glsl"
 #include "shared/seen.glsl"
-#include "passes/irradiance/irradiance_io.h"
+#include "shared/seen_io.h"
 layout(constant_id = 0) const bool cull = false;
-layout(push_constant, scalar) uniform Push { IrradianceIo io; };
+layout(push_constant, scalar) uniform Push { SeenIo io; };
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;

@@ -13,6 +13,7 @@
 #include "passes/skin/skin.h"
 #include "passes/stretch/stretch.h"
 #include "passes/tiles/tiles.h"
+#include "passes/visibility/visibility.h"
 #include "techniques/screen.h"
 
 namespace dermis::techniques {
@@ -55,6 +56,7 @@ class TextureSpace {
     if (settings_.skin.empty()) return out;
     out.shows["irradiance"] = irradiance_;
     out.shows["stretch"] = stretch_.front();
+    if (settings_.visibility) out.shows["visibility"] = add_visibility();
     for (std::size_t k = 0; k < levels_.size(); ++k) out.shows[fmt::format("blur:{}", k)] = levels_[k];
     for (const auto& [name, id] : out.shows) plan_->read_back(id);
     out.shown_origin = square_of(settings_.heads - 1, 0).origin;
@@ -137,6 +139,17 @@ class TextureSpace {
     plan_->add<passes::Tiles>(name("border tiles"), {border_, screen_.counters()}, {.squares = all, .what = passes::Tiles::What::border});
     for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
       plan_->add<passes::Border>(name("border", mesh), {irradiance_, stretch_[mesh], border_}, {of_mesh(all, mesh)});
+  }
+
+  // Of the nearest head.
+  frame::TextureId add_visibility() {
+    const frame::TextureId picture =
+        plan_->texture("visibility", {.width = settings_.map_size, .height = settings_.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT},
+                       frame::Lifetime::persistent);
+    plan_->add<passes::Visibility>(
+        "visibility", {picture},
+        {.square = square_of(settings_.heads - 1, 0), .cull = settings_.optimise.cull, .clip = settings_.optimise.clip});
+    return picture;
   }
 
   // Gaussians compose: blurring a blurred map adds variances, so each term starts from the one before. Seams are refreshed after each step.

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What shared/seen.glsl needs of the frame.
+#pragma once
+
+#include <algorithm>
+
+#include "passes/frame_data.h"
+#include "shared/seen_io.h"
+
+namespace dermis::passes {
+
+inline io::SeenIo seen_io(const frame::FrameData& frame, const frame::Instance& instance, const GpuMaterial& material) {
+  io::SeenIo io{.offset_m = instance.offset_m, .can_cull = material.double_sided ? 0u : 1u, .eye = frame.eye, .planes = {}};
+  std::copy(frame.clip_planes.begin(), frame.clip_planes.end(), io.planes);
+  return io;
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#include "shared/seen_io.h"
+layout(constant_id = 0) const bool cull = true;
+layout(constant_id = 1) const bool clip = true;
+layout(push_constant, scalar) uniform Push { SeenIo io; };
+layout(location = 0) in vec3 in_position_m;
+layout(location = 1) flat in uint in_culled;
+layout(location = 0) out vec4 out_colour;
+void main() {
+  bool outside = false;
+  for (int i = 0; i < 5; ++i) outside = outside || dot(io.planes[i].xyz, in_position_m) + io.planes[i].w < 0.0;
+  const bool culled = cull && in_culled != 0u, clipped = clip && outside;
+  out_colour = vec4(culled ? 0.8 : 0.1, culled || clipped ? 0.1 : 0.7, clipped ? 0.9 : 0.1, 1.0);
+}
