@@ -68,6 +68,7 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
       !s.profile.empty() ? gaussians::from_name_or_file(s.profile, s.normalise_profile) : skin.profile.value_or(gaussians::skin_six());
   // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not wrong in width.
   part.max_texels_per_mm = std::max(subject.densities[number].largest_texels_per_mm.p95 * s.map_size, 1e-6);
+  part.mean_texels_per_mm = subject.densities[number].texels_per_mm.mean * s.map_size;
   return part;
 }
 

@@ -19,7 +19,8 @@ namespace dermis::techniques {
 /// One skin mesh as the plan needs to know it.
 struct SkinPart {
   gaussians::SumOfGaussians profile;
-  double max_texels_per_mm = 1;  ///< where its unwrap is densest, at the map size of the frame
+  double max_texels_per_mm = 1;   ///< where its unwrap is densest, at the map size of the frame
+  double mean_texels_per_mm = 1;  ///< of its unwrap, at the same size
   bool operator==(const SkinPart&) const = default;
 };
 

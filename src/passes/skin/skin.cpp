@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "passes/skin/skin.h"
 
+#include <algorithm>
+
 #include "frame/executor.h"
 #include "passes/skin/skin_io.h"
 
 namespace dermis::passes {
+namespace {
+
+float smoothstep(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+float direct_share(float sigma_texels, float shrink) { return smoothstep(1, 1.4f, shrink) * (1 - smoothstep(0.35f, 0.8f, sigma_texels)); }
 
 Skin::Out Skin::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::raster);
@@ -19,18 +31,24 @@ Skin::Out Skin::declare(frame::Declare& d, const In& in) {
 }
 
 void Skin::prepare(gpu::PipelineLibrary& library) {
-  gpu::GraphicsDesc desc{.vertex = "skin.vert",
-                         .fragment = "skin.frag",
-                         .constants = {{"term_count", static_cast<std::uint32_t>(settings_.weights.size())}},
-                         .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
-                         .depth_format = VK_FORMAT_D32_SFLOAT,
-                         .samples = settings_.samples,
-                         .cull = gpu::Cull::back,
-                         .depth_test = true,
-                         .depth_write = true};
-  single_sided_ = &library.graphics(desc);
-  desc.cull = gpu::Cull::none;
-  double_sided_ = &library.graphics(desc);
+  const auto pipelines = [&](bool direct) {
+    gpu::GraphicsDesc desc{
+        .vertex = "skin.vert",
+        .fragment = "skin.frag",
+        .constants = {{"term_count", static_cast<std::uint32_t>(settings_.weights.size())}, {"direct", direct ? 1u : 0u}},
+        .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
+        .depth_format = VK_FORMAT_D32_SFLOAT,
+        .samples = settings_.samples,
+        .cull = gpu::Cull::back,
+        .depth_test = true,
+        .depth_write = true};
+    Pipelines made{.single_sided = &library.graphics(desc)};
+    desc.cull = gpu::Cull::none;
+    made.double_sided = &library.graphics(desc);
+    return made;
+  };
+  mapped_ = pipelines(settings_.weights.empty());
+  if (settings_.mixes) mixed_ = pipelines(true);
   samplers_ = LightingSamplers(library);
   light_sampler_ = library.sampler({.filter = gpu::Filter::linear});
 }
@@ -46,13 +64,19 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
   cmd.begin_rendering(std::span(&colour_target, 1), depth_target, {colour.desc().width, colour.desc().height});
   io::SkinIo io{
       .offset_m = instance.offset_m, .weights = {}, .map_origin = settings_.square.origin, .map_side = instance.map_side, .slot = 0};
-  for (std::size_t i = 0; i < settings_.weights.size(); ++i)
-    io.weights[i] = {settings_.weights[i][0], settings_.weights[i][1], settings_.weights[i][2]};
+  bool mixed = false;
+  for (std::size_t i = 0; i < settings_.weights.size(); ++i) {
+    const float shrink = static_cast<float>(settings_.largest_side) / static_cast<float>(instance.map_side);
+    const float share = settings_.mixes ? direct_share(settings_.sigmas_mm[i] * settings_.texels_per_mm / shrink, shrink) : 0.0f;
+    mixed = mixed || share > 0;
+    io.weights[i] = (1 - share) * glm::vec3(settings_.weights[i][0], settings_.weights[i][1], settings_.weights[i][2]);
+  }
+  const Pipelines& pipelines = mixed ? mixed_ : mapped_;
   static constexpr std::array names{"light_0", "light_1", "light_2", "light_3", "light_4", "light_5", "light_6", "light_7"};
   for (const GpuDraw& draw : mesh.draws) {
     if (!instance.visible) break;
     const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
-    const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
+    const gpu::Pipeline& pipeline = material.double_sided ? *pipelines.double_sided : *pipelines.single_sided;
     Bindings bindings;
     mesh.offer(bindings);
     material.offer(bindings);

@@ -7,6 +7,7 @@
 #include "shared/scene_io.h"
 #include "shared/skin_point.glsl"
 layout(constant_id = 0) const int term_count = 6;
+layout(constant_id = 1) const bool direct = false;  // what the weights leave of 1 is lit here instead
 layout(push_constant, scalar) uniform Push { SkinIo io; };
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15) uniform sampler2D light_1;
@@ -65,11 +66,12 @@ void main() {
   vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   const SkinSpecular spec = skin_specular(s);
   const vec3 albedo = skin_albedo(s);
-  vec3 diffuse;
-  if (term_count == 0) {
-    diffuse = entering_irradiance(s, n, n_geometric, spec) * albedo * (frame.radiance_scale / pi);
-  } else {
-    diffuse = scattered() * albedo_power(albedo, 1.0 - material.mix_before);
+  vec3 diffuse = vec3(0.0);
+  if (term_count > 0) diffuse = scattered() * albedo_power(albedo, 1.0 - material.mix_before);
+  if (direct) {
+    vec3 share = vec3(1.0);
+    for (int i = 0; i < term_count; ++i) share -= io.weights[i];
+    diffuse += share * entering_irradiance(s, n, n_geometric, spec) * albedo * (frame.radiance_scale / pi);
   }
   // A mapped normal may face away from the eye at a silhouette; seen surfaces have a positive cosine.
   const float n_v = dot(n, v);

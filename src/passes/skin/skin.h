@@ -11,6 +11,11 @@
 
 namespace dermis::passes {
 
+/// How much of a term is lit at the pixel instead of read from the map, 0..1. A map at less than T_max holds light at about a texel a
+/// pixel: it cannot hold what a Gaussian narrower than its texels leaves sharp, while that Gaussian does not show at the pixel. Departs
+/// from [JG08] sec. 4, where all is read from the small map; changes smoothly with T so that nothing pops, and is 0 at T_max.
+float direct_share(float sigma_texels, float shrink);
+
 class Skin {
  public:
   struct Settings {
@@ -18,6 +23,10 @@ class Skin {
     std::uint32_t samples = 1;                  ///< of the targets
     bool clear = false;                         ///< the first to draw into them
     std::vector<std::array<float, 3>> weights;  ///< a term each, 0 to 8; none = Lambert
+    bool mixes = false;                         ///< where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
+    std::vector<float> sigmas_mm;               ///< a term each
+    float texels_per_mm = 0;                    ///< mean of the unwrap, at T_max
+    std::uint32_t largest_side = 0;             ///< T_max
   };
   struct In {
     std::vector<frame::TextureId> lights;  ///< RGBA16F pools, a term each
@@ -34,8 +43,11 @@ class Skin {
  private:
   Settings settings_;
   In in_;
-  const gpu::Pipeline* single_sided_ = nullptr;
-  const gpu::Pipeline* double_sided_ = nullptr;
+  struct Pipelines {
+    const gpu::Pipeline* single_sided = nullptr;
+    const gpu::Pipeline* double_sided = nullptr;
+  };
+  Pipelines mapped_, mixed_;  // all terms from the maps; some of their light at the pixel
   LightingSamplers samplers_;
   VkSampler light_sampler_ = VK_NULL_HANDLE;
 };

@@ -30,6 +30,12 @@ std::vector<std::array<float, 3>> weights(const gaussians::SumOfGaussians& profi
   return w;
 }
 
+std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
+  std::vector<float> sigmas;
+  for (const gaussians::Gaussian& term : profile.terms) sigmas.push_back(static_cast<float>(std::sqrt(term.variance_mm2)));
+  return sigmas;
+}
+
 class TextureSpace {
  public:
   TextureSpace(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&plan), settings_(settings), screen_(plan, settings) {
@@ -176,9 +182,16 @@ class TextureSpace {
   void add_final(const MapSquare& square) {
     const SkinPart& part = settings_.skin[square.mesh];
     const std::vector<frame::TextureId> lights(levels_.begin(), levels_.begin() + static_cast<std::ptrdiff_t>(part.profile.terms.size()));
-    plan_->add<passes::Skin>(
-        label("final", settings_, square.instance, square.mesh), {lights, screen_.shadow(), screen_.colour(), screen_.depth()},
-        {.square = square, .samples = settings_.samples, .clear = screen_.take_clear(), .weights = weights(part.profile)});
+    plan_->add<passes::Skin>(label("final", settings_, square.instance, square.mesh),
+                             {lights, screen_.shadow(), screen_.colour(), screen_.depth()},
+                             {.square = square,
+                              .samples = settings_.samples,
+                              .clear = screen_.take_clear(),
+                              .weights = weights(part.profile),
+                              .mixes = settings_.optimise.depth,
+                              .sigmas_mm = sigmas_mm(part.profile),
+                              .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
+                              .largest_side = settings_.map_size});
     plan_->add<passes::SkinReads>(label("count unshaded reads", settings_, square.instance, square.mesh),
                                   {lights.front(), screen_.depth(), screen_.counters()},
                                   {.square = square, .samples = settings_.samples, .slot = counter_unshaded_reads});

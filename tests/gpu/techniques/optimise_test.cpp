@@ -4,8 +4,6 @@
 #include <glm/glm.hpp>
 
 #include "gpu/techniques/support.h"
-#include "image/compare_flip.h"
-#include "image/metrics.h"
 #include "scene/coverage.h"
 #include "scene/framing.h"
 

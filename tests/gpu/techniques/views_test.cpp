@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// What the optimisations leave out is not missed: pictures with and without them, from all sides, near, far, in a row and on the move.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "gpu/techniques/support.h"
+#include "image/colour.h"
+#include "image/compare_flip.h"
+#include "image/metrics.h"
+
+namespace dermis::tests {
+namespace {
+
+constexpr int super = 4;  // samples a pixel, along each axis
+
+RenderSettings without(RenderSettings s) {
+  s.cull = s.depth = s.clip = false;
+  return s;
+}
+
+const Scene* scan() {
+  for (const Subject& subject : subjects())
+    if (subject.name == "scan" && subject.missing.empty()) {
+      static const Scene opened = subject.open();
+      return &opened;
+    }
+  return nullptr;
+}
+
+// The mean of super x super samples a pixel; light maps as for the picture at its own size.
+image::ImageF super_sampled(PreparedFrame& frame, RenderSettings s, double d_ref) {
+  const int width = s.width, height = s.height;
+  s.width *= super, s.height *= super;
+  s.samples = 1;
+  s.bloom = 0;
+  s.d_ref = d_ref;
+  frame.set(s);
+  const Picture fine = frame.picture();
+  image::ImageF coarse{.width = width, .height = height, .channels = 4, .values = {}};
+  coarse.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(s.height); ++y)
+    for (std::size_t x = 0; x < static_cast<std::size_t>(s.width) * 4; ++x) {
+      const std::size_t at = (y / super * static_cast<std::size_t>(width) + x / 4 / super) * 4 + x % 4;
+      coarse.values[at] += fine.linear_rgba[y * static_cast<std::size_t>(s.width) * 4 + x] / (super * super);
+    }
+  return coarse;
+}
+
+double mean_display(const image::Image8& picture, const std::vector<std::uint8_t>& mask) {
+  double sum = 0, pixels = 0;
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    if (mask[i]) sum += picture.rgba[4 * i] + picture.rgba[4 * i + 1] + picture.rgba[4 * i + 2], pixels += 3 * 255.0;
+  return sum / pixels;
+}
+
+void expose(image::ImageF& picture, float factor) {
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    if (i % 4 != 3) picture.values[i] *= factor;
+}
+
+struct Difference {
+  double psnr_db = 0, flip = 0, mean_display = 0;
+  std::size_t pixels = 0;
+};
+
+// Over the pixels that are skin in either picture, shown so that skin has a middling value.
+Difference difference(image::ImageF a, image::ImageF b) {
+  std::vector<std::uint8_t> mask(a.values.size() / 4);
+  Difference d;
+  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = a.values[4 * i + 3] > 0 || b.values[4 * i + 3] > 0, d.pixels += mask[i];
+  image::Image8 shown;
+  for (int step = 0; step < 12; ++step) {
+    shown = image::to_display(a, image::View::filmic);
+    d.mean_display = mean_display(shown, mask);
+    if (d.mean_display >= 0.25 && d.mean_display <= 0.5) break;
+    const float factor = d.mean_display < 0.25 ? 1.4f : 0.7f;
+    expose(a, factor), expose(b, factor);
+  }
+  const image::Image8 other = image::to_display(b, image::View::filmic);
+  d.psnr_db = image::psnr_db(shown, other, mask);
+  d.flip = image::mean_flip(shown, other, mask);
+  return d;
+}
+
+class Views : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!scan()) GTEST_SKIP() << "the scan is not there; ./run fetch-assets brings it";
+  }
+};
+
+void expect_same_picture(PreparedFrame& optimised, PreparedFrame& baseline, const RenderSettings& s, const std::string& view) {
+  SCOPED_TRACE(view);
+  optimised.set(s);
+  const Statistics st = optimised.picture().statistics;
+  EXPECT_EQ(st.unshaded_reads, 0u);
+  const Difference d = difference(super_sampled(baseline, without(s), st.d_ref), super_sampled(optimised, s, st.d_ref));
+  EXPECT_GE(d.psnr_db, 40);
+  EXPECT_LE(d.flip, 0.02);
+  EXPECT_TRUE(d.mean_display >= 0.25 && d.mean_display <= 0.5) << d.mean_display;
+  EXPECT_GT(d.pixels, 50u);
+  std::cout << view << ": " << d.psnr_db << " dB, FLIP " << d.flip << ", " << d.pixels << " pixels\n";
+}
+
+RenderSettings small_view() {
+  RenderSettings s = small_settings("texture-space");
+  s.width = 144, s.height = 90;
+  s.map_size = 512, s.shadow_size = 512;
+  return s;
+}
+
+TEST_F(Views, FromAllSides) {
+  PreparedFrame optimised = renderer().prepare(*scan(), small_view()), baseline = renderer().prepare(*scan(), without(small_view()));
+  const double elevations[] = {0, 30, -20};
+  for (int k = 0; k < 12; ++k) {
+    RenderSettings s = small_view();
+    s.orbit_deg = {30.0 * k + 1, elevations[k % 3]};
+    expect_same_picture(optimised, baseline, s, fmt::format("azimuth {}, elevation {}", s.orbit_deg[0], s.orbit_deg[1]));
+  }
+}
+
+TEST_F(Views, NearAndFarAndInARow) {
+  PreparedFrame optimised = renderer().prepare(*scan(), small_view()), baseline = renderer().prepare(*scan(), without(small_view()));
+  for (const auto& [distance, heads] : {std::pair(2.5, 1), {5.0, 1}, {5.0, 4}, {20.0, 1}, {50.0, 6}}) {
+    RenderSettings s = small_view();
+    s.distance = distance;
+    s.heads = heads;
+    expect_same_picture(optimised, baseline, s, fmt::format("{} heads at {} radii", heads, distance));
+  }
+}
+
+// Maps change their size on the way: that must not show as jumps.
+TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
+  RenderSettings s = small_view();
+  s.bloom = 0;
+  PreparedFrame optimised = renderer().prepare(*scan(), s), baseline = renderer().prepare(*scan(), without(s));
+  constexpr int steps = 200;
+  std::vector<std::uint8_t> last[2];
+  std::vector<float> last_alpha;
+  double worst = 0;
+  for (int i = 0; i < steps; ++i) {
+    s.distance = 2.5 * std::pow(100 / 2.5, i / (steps - 1.0));
+    baseline.set(without(s)), optimised.set(s);
+    const Picture a = baseline.picture(), b = optimised.picture();
+    if (i > 0) {
+      double change[2] = {}, values = 0;
+      for (std::size_t p = 0; p < a.display_rgba.size(); ++p) {
+        if (p % 4 == 3 || (a.linear_rgba[p | 3] == 0 && last_alpha[p / 4] == 0)) continue;
+        change[0] += std::abs(int{a.display_rgba[p]} - int{last[0][p]});
+        change[1] += std::abs(int{b.display_rgba[p]} - int{last[1][p]});
+        ++values;
+      }
+      EXPECT_LE(change[1], 2 * change[0]) << "from " << *s.distance << " radii on, over " << values << " values";
+      worst = std::max(worst, change[1] / change[0]);
+    }
+    last[0] = a.display_rgba, last[1] = b.display_rgba;
+    last_alpha.clear();
+    for (std::size_t p = 3; p < a.linear_rgba.size(); p += 4) last_alpha.push_back(a.linear_rgba[p]);
+  }
+  std::cout << "largest ratio of changes " << worst << "\n";
+}
+
+// Heads beyond the budget come in batches: memory holds their lights and shadow matrices, nothing else.
+TEST(Memory, DoesNotGrowWithTheNumberOfHeads) {
+  const auto images = [](int heads) {
+    RenderSettings s = small_settings("texture-space");
+    s.heads = heads;
+    s.distance = 20;
+    Renderer fresh;
+    const Statistics st = fresh.render(sphere(0.1), s).statistics;
+    return std::pair(st.image_bytes, st.peak_bytes);
+  };
+  const auto one = images(1), many = images(16);
+  EXPECT_EQ(many.first, one.first);
+  EXPECT_LE(many.second, one.second + 16 * 65536);
+}
+
+TEST(Memory, ABudgetSetsHowManyHeadsGoTogether) {
+  RenderSettings s = small_settings("texture-space");
+  s.heads = 5;
+  s.distance = 20;
+  const Picture four = renderer().render(sphere(0.1), s);
+  s.map_budget_mb = 5;  // one head at 256 takes 4.2 MB
+  const Picture single = renderer().render(sphere(0.1), s);
+  EXPECT_LT(single.statistics.image_bytes, four.statistics.image_bytes);
+  EXPECT_EQ(single.linear_rgba, four.linear_rgba);
+  EXPECT_GT(single.statistics.passes.size(), four.statistics.passes.size());
+  s.map_budget_mb = 1;
+  EXPECT_THROW(renderer().render(sphere(0.1), s), InputError);
+}
+
+}  // namespace
+}  // namespace dermis::tests
