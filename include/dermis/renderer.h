@@ -141,7 +141,7 @@ class PreparedFrame {
   /// Draws and times one frame, ms. The first after a change is preceded by one that warms up and counts.
   double draw();
 
-  /// The last frame, with the statistics of all that were drawn since the last change (one is drawn if there was none).
+  /// The last frame, with the statistics of all that were drawn since the last change. If there was none, of a frame that is not timed.
   Picture picture();
 
  private:

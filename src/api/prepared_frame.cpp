@@ -165,10 +165,10 @@ double PreparedFrame::draw() {
 
 Picture PreparedFrame::picture() {
   State& s = *state_;
-  if (s.times.empty()) draw();
+  s.count();
   Picture picture;
   Statistics& statistics = picture.statistics;
-  fill_times(statistics, s.times, s.executor->separate_submissions());
+  if (!s.times.empty()) fill_times(statistics, s.times, s.executor->separate_submissions());
   api::fill_counts(statistics, s.scene->subject, s.settings, s.setup, s.outputs, s.counters);
   statistics.upload_ms = s.scene->upload_ms;
   statistics.pipeline_ms = s.pipeline_ms;
