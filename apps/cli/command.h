@@ -5,23 +5,39 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "dermis/reference.h"
 #include "dermis/renderer.h"
 
 namespace dermis::cli {
 
+void add_bench_command(CLI::App& app, int& exit_status);
 void add_compare_command(CLI::App& app, int& exit_status);
 void add_info_command(CLI::App& app, int& exit_status);
 void add_plan_command(CLI::App& app, int& exit_status);
+void add_reference_command(CLI::App& app, int& exit_status);
 void add_render_command(CLI::App& app, int& exit_status);
 
-/// What render, plan and later commands have in common.
+/// What render, plan, reference and later commands have in common.
 struct SceneArguments {
   std::string scene;  ///< path; empty: the built-in head
   SceneOptions options;
   RenderSettings settings;
 };
-void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
+/// The reference knows no light maps, no shadow maps, no bloom and one head. A comparison has both: what would be ambiguous is called
+/// --scene (the file), --msaa (the renderer's samples), --techniques. The benchmark has lists of heads and distances, and chooses technique
+/// and optimisations itself.
+enum class SceneUse { real_time, reference, comparison, bench };
+void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use = SceneUse::real_time);
 Scene open_scene(const SceneArguments& arguments);
+
+/// Options of the reference that do not concern files.
+void add_reference_options(CLI::App& command, ReferenceSettings& settings);
+
+/// InputError: not .png or .exr, or it cannot be written there.
+void check_picture_name(const std::string& path);
+
+/// The command line as a shell would take it; main() sets it.
+std::string& command_line();
 
 /// Text to a file, atomically, or to standard output if path is "-".
 void write_text(const std::string& path, const std::string& text);

@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/compare_page.h"
+#include "cli/scene_comparison.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "image/codec.h"
@@ -20,9 +21,10 @@ namespace fs = std::filesystem;
 // Two PNG of this many pixels take 2 GB.
 constexpr image::DecodeLimits limits{.max_side = 16384, .max_pixels = std::size_t{1} << 26};
 
-struct CompareArguments {
-  std::string a, b, json, html, region, view = "filmic";
+struct CompareArguments : SceneArguments {
+  std::string a, b, json, html, region;
   std::vector<std::string> variances;
+  SceneComparisonSettings scene_settings;
 };
 
 image::View view_of(const std::string& name) {
@@ -36,8 +38,10 @@ image::View view_of(const std::string& name) {
 void check_outputs(const CompareArguments& arguments) {
   if (arguments.html == "-") throw input_error("--html", "needs a file, not standard output");
   const auto full = [](const std::string& path) { return fs::weakly_canonical(fs::absolute(path)); };
-  std::vector<std::string> taken{arguments.a, arguments.b};
-  if (!arguments.region.empty()) taken.push_back(arguments.region);
+  std::vector<std::string> taken;
+  for (const std::string* input : {&arguments.a, &arguments.b, &arguments.region, &arguments.scene,
+                                   &arguments.scene_settings.reference_file, &arguments.scene_settings.variance_file})
+    if (!input->empty()) taken.push_back(*input);
   taken.insert(taken.end(), arguments.variances.begin(), arguments.variances.end());
   for (const std::string& output : {arguments.json, arguments.html}) {
     if (output.empty() || output == "-") continue;
@@ -72,8 +76,8 @@ void compare_linear(const CompareArguments& arguments, std::span<const std::byte
     const auto negative = std::find_if(values.begin(), values.end(), [](float value) { return value < 0; });
     if (negative != values.end()) throw input_error(name, "holds {}; variances are 0 or more", *negative);
   }
-  const image::View view = view_of(arguments.view);
-  compared.view = arguments.view;
+  const image::View view = view_of(arguments.settings.view);
+  compared.view = arguments.settings.view;
   compared.found = image::compare(a, b, view, variances, compared.region);
   compared.shown_a = image::to_display(a, view);
   compared.shown_b = image::to_display(b, view);
@@ -89,9 +93,7 @@ void compare_display(const CompareArguments& arguments, std::span<const std::byt
   compared.found = image::compare(compared.shown_a, compared.shown_b, compared.region);
 }
 
-void run(const CompareArguments& arguments) {
-  view_of(arguments.view);
-  check_outputs(arguments);
+void compare_two(const CompareArguments& arguments) {
   Compared compared{.a = arguments.a, .b = arguments.b, .region_name = arguments.region};
   {
     const std::vector<std::byte> a = read_file(arguments.a), b = read_file(arguments.b);
@@ -111,14 +113,75 @@ void run(const CompareArguments& arguments) {
   if (arguments.json != "-") write_text("-", compared_text(compared));
 }
 
+void compare_techniques(const CompareArguments& arguments) {
+  SceneComparisonSettings settings = arguments.scene_settings;
+  settings.render = arguments.settings;
+  if (settings.techniques == std::vector<std::string>{"all"}) settings.techniques.clear();
+  const Scene scene = arguments.scene == "built-in" ? Scene::built_in() : Scene::load(arguments.scene, arguments.options);
+  const SceneComparison found = compare_scene(scene, settings);
+  const std::string page = arguments.html.empty() ? "" : scene_comparison_page(found);
+  if (!arguments.html.empty()) write_file(arguments.html, page);
+  if (!arguments.json.empty()) write_text(arguments.json, scene_comparison_json(found));
+  if (arguments.json != "-") write_text("-", scene_comparison_text(found));
+}
+
+void run(const CompareArguments& arguments) {
+  const bool two = !arguments.a.empty() || !arguments.b.empty();
+  if (arguments.scene.empty() && arguments.a.empty()) throw CLI::RequiredError("A (or --scene)");
+  if (arguments.scene.empty() && arguments.b.empty()) throw CLI::RequiredError("B");
+  if (!arguments.scene.empty() && two) throw CLI::ExcludesError("--scene", "A and B");
+  if (arguments.variances.size() > 2) throw CLI::ArgumentMismatch::AtMost("--z", 2, arguments.variances.size());
+  view_of(arguments.settings.view);
+  check_outputs(arguments);
+  arguments.scene.empty() ? compare_two(arguments) : compare_techniques(arguments);
+}
+
+// Everything that belongs to a scene says so when there is none.
+void add_scene_options(CLI::App& command, CompareArguments& a) {
+  a.settings.width = a.settings.height = 512;
+  a.settings.bloom = 0;  // the reference has none
+  const std::vector<CLI::Option*> before = command.get_options();
+  add_scene_arguments(command, a, SceneUse::comparison);
+  SceneComparisonSettings& s = a.scene_settings;
+  const char* group = "Technique";
+  command.add_option("--techniques", s.techniques, "all, or some of the list of `render --technique`")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES")
+      ->default_str("all")
+      ->group(group);
+  command
+      .add_flag("--each-optimisation", s.each_optimisation,
+                "further rows: nothing optimised, cull, depth and clip by themselves, all of them")
+      ->group(group);
+  command
+      .add_option("--supersample", s.supersample,
+                  "errors are of pictures this many times as wide and as high, averaged; times stay those of --size")
+      ->group(group);
+  command.add_option("--frames", a.settings.frames, "timed frames after one warm-up")->group(group);
+  command.add_option("--device", s.device, "best, an index or a part of a name of `dermis info`")->group(group);
+  add_reference_options(command, s.reference);
+  CLI::Option* file =
+      command.add_option("--reference", s.reference_file, "a picture of `dermis reference` instead of rendering it: EXR of the same size")
+          ->group("Model");
+  command.add_option("--variance", s.variance_file, "EXR: the variance of --reference, to say what its noise adds")
+      ->needs(file)
+      ->group("Model");
+  CLI::Option* scene = command.get_option("--scene");
+  for (CLI::Option* option : command.get_options())
+    if (option != scene && option->get_name() != "--view" && std::find(before.begin(), before.end(), option) == before.end())
+      option->needs(scene);
+}
+
 }  // namespace
 
 void add_compare_command(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("compare", "how far two pictures are apart: FLIP, PSNR, relative error");
+  CLI::App* command = app.add_subcommand(
+      "compare", "how far two pictures, or the techniques and ground truth of a scene, are apart: FLIP, PSNR, relative error");
   auto arguments = std::make_shared<CompareArguments>();
   command->option_defaults()->always_capture_default();
-  command->add_option("A", arguments->a, "the reference: PNG or JPEG, or EXR or HDR")->required();
-  command->add_option("B", arguments->b, "what is compared with it: of the same size, and linear if A is")->required();
+  command->add_option("A", arguments->a, "the reference: PNG or JPEG, or EXR or HDR");
+  command->add_option("B", arguments->b, "what is compared with it: of the same size, and linear if A is");
   command->add_option("--json", arguments->json, "write the figures as JSON, - for standard output");
   command->add_option("--html", arguments->html, "write a page: side by side, slider, map of errors, table; one file");
   command->add_option("--region", arguments->region, "PNG of the same size: only pixels that are not black there count");
@@ -126,9 +189,9 @@ void add_compare_command(CLI::App& app, int&) {
       ->add_option("--z", arguments->variances,
                    "EXR: variance of each pixel of A or B (squared standard error); how much of the difference is noise; up to 2 times")
       ->allow_extra_args(false)
-      ->expected(1, 2)
       ->default_str("");
-  command->add_option("--view", arguments->view, "how EXR is shown for PSNR and the page: filmic, srgb, linear");
+  add_scene_options(*command, *arguments);
+  for (const char* name : {"--region", "--z"}) command->get_option(name)->excludes("--scene");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -27,12 +27,24 @@ constexpr std::string_view style = R"(<style>
 body { margin: 2rem; background: #262626; color: #ddd; font: 15px/1.45 system-ui, sans-serif; }
 h1 { font-size: 1.25rem; font-weight: 600; overflow-wrap: anywhere; }
 h2 { font-size: 1rem; font-weight: 600; margin: 1.6rem 0 .5rem; }
+h3 { font-size: .95rem; font-weight: 600; margin: 1.4rem 0 .4rem; color: #bbb; }
+p { max-width: 60rem; }
 .figures { display: flex; flex-wrap: wrap; gap: 1rem; }
 figure { margin: 0; max-width: 100%; }
 figcaption { color: #aaa; margin-top: .3rem; overflow-wrap: anywhere; }
 img { display: block; max-width: 100%; height: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 td { padding: .15rem 1.2rem .15rem 0; border-bottom: 1px solid #444; overflow-wrap: anywhere; }
+.wide { overflow-x: auto; }
+td:first-child { white-space: nowrap; vertical-align: top; }
+.grid th, .grid td { text-align: right; padding: .2rem .9rem; border-bottom: 1px solid #444; white-space: nowrap; }
+.grid th { color: #aaa; font-weight: 500; }
+.grid th:first-child, .grid td:first-child { text-align: left; padding-left: 0; }
+.chart { max-width: 100%; height: auto; }
+.chart text { fill: #bbb; font: 11px system-ui, sans-serif; }
+.chart .title { fill: #ddd; font-weight: 600; font-size: 12px; }
+.chart .grid { stroke: #484848; stroke-width: 1; }
+.legend { display: flex; flex-wrap: wrap; gap: .3rem 1.3rem; margin: .5rem 0; }
 .slider { position: relative; display: inline-block; max-width: 100%; --at: 50%; cursor: ew-resize; touch-action: pan-y; overflow: hidden; }
 .slider .over { position: absolute; inset: 0; clip-path: inset(0 0 0 var(--at)); }
 .slider .line { position: absolute; top: 0; bottom: 0; left: var(--at); width: 2px; margin-left: -1px; background: #fff; mix-blend-mode: difference; }
@@ -145,6 +157,17 @@ std::string table(const std::vector<std::pair<std::string, std::string>>& rows) 
   std::string text = "<table>\n";
   for (const auto& [name, value] : rows) text += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escape(name), escape(value));
   return text + "</table>\n";
+}
+
+std::string grid(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
+  const auto row = [](const std::vector<std::string>& cells, const char* kind) {
+    std::string text = "<tr>";
+    for (const std::string& cell : cells) text += fmt::format("<{}>{}</{}>", kind, escape(cell), kind);
+    return text + "</tr>\n";
+  };
+  std::string text = "<div class=\"wide\"><table class=\"grid\">\n" + row(headings, "th");
+  for (const std::vector<std::string>& cells : rows) text += row(cells, "td");
+  return text + "</table></div>\n";
 }
 
 std::string page(std::string_view title, std::string_view body) {

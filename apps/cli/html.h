@@ -36,6 +36,9 @@ std::string magma_scale(double full_scale);
 /// Rows of text in two columns; escaped here.
 std::string table(const std::vector<std::pair<std::string, std::string>>& rows);
 
+/// A table with a row of headings; text, escaped here. All but the first column are set to the right.
+std::string grid(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows);
+
 /// The whole document. title is text, body is HTML.
 std::string page(std::string_view title, std::string_view body);
 

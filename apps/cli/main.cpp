@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "cli/command.h"
@@ -17,6 +18,15 @@ int fail(std::string line) {
   return 1;
 }
 
+std::string quoted(std::string_view word) {
+  const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+@%") ==
+                                          std::string_view::npos;
+  if (plain) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -26,11 +36,14 @@ int main(int argc, char** argv) {
   app.get_formatter()->column_width(38);
   app.option_defaults()->always_capture_default();
 
+  for (int i = 0; i < argc; ++i) dermis::cli::command_line() += (i ? " " : "") + quoted(argv[i]);
   int exit_status = 0;
   dermis::cli::add_render_command(app, exit_status);
+  dermis::cli::add_reference_command(app, exit_status);
   dermis::cli::add_plan_command(app, exit_status);
   dermis::cli::add_profile_command(app, exit_status);
   dermis::cli::add_compare_command(app, exit_status);
+  dermis::cli::add_bench_command(app, exit_status);
   dermis::cli::add_info_command(app, exit_status);
 
   // 2: the command line cannot be parsed. 1: everything else that goes wrong, in one line.

@@ -18,12 +18,6 @@ struct RenderArguments : SceneArguments {
   bool validate = false;
 };
 
-void check_output(const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending != ".png" && ending != ".exr") throw InputError(path, "pictures are written as .png or .exr, not as '" + ending + "'");
-  check_writable(path);
-}
-
 std::string summary(const Statistics& s) {
   std::string text = fmt::format("{} ({}, Vulkan {})\n{}, {}x{}, {} light{}\n", s.device, s.driver, s.api, s.technique, s.width, s.height,
                                  s.lights, s.lights == 1 ? "" : "s");
@@ -40,7 +34,7 @@ void progress(const char* what) {
 }
 
 void render(const RenderArguments& a, int& exit_status) {
-  check_output(a.output);
+  check_picture_name(a.output);
   if (!a.stats.empty() && a.stats != "-") {
     check_writable(a.stats);
     const auto full = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };

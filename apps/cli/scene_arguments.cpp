@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "cli/command.h"
 #include "core/error.h"
@@ -18,6 +19,26 @@ bool parse_size(const std::string& text, RenderSettings& settings) {
   if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return false;
   const auto height = std::from_chars(width.ptr + 1, end, settings.height);
   return height.ec == std::errc() && height.ptr == end;
+}
+
+// AZ,EL or AZ,EL,IRRADIANCE.
+PlacedLight parse_light(const std::string& text) {
+  PlacedLight light;
+  double* const numbers[] = {&light.azimuth_deg, &light.elevation_deg, &light.irradiance};
+  const char *at = text.data(), *const end = at + text.size();
+  std::size_t found = 0;
+  while (found < 3) {
+    const auto number = std::from_chars(at, end, *numbers[found]);
+    if (number.ec != std::errc()) break;
+    at = number.ptr;
+    if (++found < 3 && at != end && *at == ',') {
+      ++at;
+      continue;
+    }
+    if (at == end && found >= 2) return light;
+    break;
+  }
+  throw CLI::ValidationError("--light", "expected AZ,EL or AZ,EL,IRRADIANCE, got '" + text + "'");
 }
 
 void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help, const std::string& on = "on",
@@ -62,8 +83,14 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
           "all; "
           "none")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("NAMES")
       ->default_str("all")
+      ->group(group);
+  command
+      .add_option(
+          "--maps", s.maps,
+          "full: one map of full size a Gaussian; progressive: half the size, a quarter, an eighth where the light is smooth by then")
       ->group(group);
   command.add_option("--mask", s.mask, "how convolutions skip unlit texels: alpha, depth, tiles (default: fastest on this kind of device)")
       ->group(group);
@@ -85,13 +112,37 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
       ->group(group);
 }
 
-void add_technique_options(CLI::App& command, RenderSettings& s) {
-  std::string names;
-  for (const std::string& name : technique_names()) names += (names.empty() ? "" : ", ") + name;
-  command.add_option("--technique", s.technique, names)->group("Technique");
+void add_environment_options(CLI::App& command, RenderSettings& s) {
+  const char* group = "Light";
+  command
+      .add_option("--environment", s.environment,
+                  "light from all around: an equirectangular .hdr or .exr, or 'studio' (default: --ambient)")
+      ->group(group);
+  command.add_option("--environment-intensity", s.environment_intensity, "multiplies its radiance")->group(group);
+  command
+      .add_option("--environment-rotation", s.environment_rotation_deg,
+                  "degrees about the vertical, from the head's front towards its left")
+      ->group(group);
+}
+
+void add_real_time_options(CLI::App& command, RenderSettings& s, SceneUse use) {
+  if (use == SceneUse::real_time) {
+    std::string names;
+    for (const std::string& name : technique_names()) names += (names.empty() ? "" : ", ") + name;
+    command.add_option("--technique", s.technique, names)->group("Technique");
+    command.add_option("--heads", s.heads, "heads in a row, 1.6 radii apart")->group("Camera");
+  }
+  if (use != SceneUse::comparison) {  // the reference knows neither
+    add_environment_options(command, s);
+    command.add_option("--bloom", s.bloom, "share of the light that is spread over the picture, 0 to 1")->group("Camera");
+  }
   command.add_option("--map-size", s.map_size, "side of the light maps, texels")->group("Technique");
   command.add_option("--shadow-size", s.shadow_size, "side of a shadow map, texels")->group("Technique");
-  command.add_option("--samples", s.samples, "anti-aliasing, 1 or 4 samples a pixel")->group("Technique");
+  command.add_option(use == SceneUse::comparison ? "--msaa" : "--samples", s.samples, "anti-aliasing, 1 or 4 samples a pixel")
+      ->group("Technique");
+}
+
+void add_profile_options(CLI::App& command, RenderSettings& s) {
   command
       .add_option("--profile", s.profile,
                   "diffusion profile: a published name or a JSON file (default: the material's, else the published six Gaussians)")
@@ -110,7 +161,7 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
           },
           "picture, pixels")
       ->type_name("WxH")
-      ->default_str("1280x720")
+      ->default_str(fmt::format("{}x{}", s.width, s.height))
       ->group("Camera");
   command.add_option("--camera", s.camera, "a camera of the scene (default: its first, else the head is framed from the front)")
       ->group("Camera");
@@ -129,40 +180,75 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
       ->group("Camera");
   command.add_option("--distance", s.distance, "the eye stands this far from the middle head, in radii of its bounding sphere")
       ->group("Camera");
-  command.add_option("--heads", s.heads, "heads in a row, 1.6 radii apart")->group("Camera");
   command.add_option("--exposure", s.exposure_ev, "radiance is multiplied by 2^EV")->group("Camera");
   command.add_option("--view", s.view, "view transform of PNG: filmic, srgb, linear")->group("Camera");
-  command.add_option("--bloom", s.bloom, "share of the light that is spread over the picture, 0 to 1")->group("Camera");
 }
 
-void add_light_options(CLI::App& command, RenderSettings& s) {
+void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
   command
       .add_option("--lights", s.lights,
                   "this many lights of the rig (key, fill, rim, further ones) instead of the scene's (default: the scene's, else 2)")
       ->group("Light");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--light",
+          [&s](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) s.placed_lights.push_back(parse_light(text));
+          },
+          "one white spot instead of the scene's lights, 4 radii from the head's centre: azimuth from its front towards its left, "
+          "elevation "
+          "(degrees), irradiance at the centre (default: 3); may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("AZ,EL[,I]")
+      ->default_str("")
+      ->group("Light");
   command.add_option("--ambient", s.ambient, "uniform radiance from everywhere (1 shows white Lambert as 1)")->group("Light");
   add_switch(command, "--specular", s.specular, "reflection at the surface: on, off");
+  if (use == SceneUse::real_time || use == SceneUse::bench)
+    add_switch(command, "--translucency", s.translucency, "light also comes through the body: on, off");
   add_switch(command, "--albedo", s.white_albedo, "map, or white: every albedo is 1", "white", "map");
 }
 
 }  // namespace
 
-void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
+void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use) {
   command.option_defaults()->always_capture_default();
-  command.add_option("SCENE", arguments.scene, ".gltf or .glb file; without one, the built-in head");
+  if (use == SceneUse::comparison)
+    command
+        .add_option("--scene", arguments.scene, "techniques against ground truth: .gltf or .glb file, or 'built-in' for the built-in head")
+        ->group("Scene");
+  else
+    command.add_option("SCENE", arguments.scene, ".gltf or .glb file; without one, the built-in head");
   command
       .add_option("--skin", arguments.options.skin_material,
                   "the material that is skin (default: extras.dermis, else the name contains 'skin', else the only one)")
       ->group("Scene");
   command.add_option("--unit-scale", arguments.options.unit_scale, "multiplies all lengths of the file; glTF says metres")->group("Scene");
-  add_technique_options(command, arguments.settings);
-  add_optimise_options(command, arguments.settings);
+  if (use != SceneUse::reference) {
+    add_real_time_options(command, arguments.settings, use);
+    add_optimise_options(command, arguments.settings);
+  }
+  add_profile_options(command, arguments.settings);
   add_view_options(command, arguments.settings);
-  add_light_options(command, arguments.settings);
+  add_light_options(command, arguments.settings, use);
+  if (use == SceneUse::bench)
+    for (const char* own : {"--optimise", "--skip-unseen-heads", "--distance", "--camera", "--orbit", "--exposure", "--view"})
+      command.remove_option(command.get_option(own));
 }
 
 Scene open_scene(const SceneArguments& arguments) {
   return arguments.scene.empty() ? Scene::built_in() : Scene::load(arguments.scene, arguments.options);
+}
+
+void check_picture_name(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending != ".png" && ending != ".exr") throw InputError(path, "pictures are written as .png or .exr, not as '" + ending + "'");
+  check_writable(path);
+}
+
+std::string& command_line() {
+  static std::string line;
+  return line;
 }
 
 void write_text(const std::string& path, const std::string& text) {

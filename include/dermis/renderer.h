@@ -20,6 +20,14 @@
 
 namespace dermis {
 
+/// A white lamp as those of the rig: a spot 4 radii from the centre of the head's bounding sphere, aimed at it, its cone just around the
+/// sphere.
+struct PlacedLight {
+  double azimuth_deg = 0;    ///< from the head's front (0) towards its left (90)
+  double elevation_deg = 0;  ///< -90 (below) to 90 (above)
+  double irradiance = 3;     ///< at that centre, on a surface that faces the lamp; pi on white Lambert shows 1
+};
+
 /// What to render. Angles in degrees, distances in radii of the head's bounding sphere, radiance relative (white Lambert under irradiance
 /// pi shows 1).
 struct RenderSettings {
@@ -30,11 +38,12 @@ struct RenderSettings {
   int samples = 4;                          ///< anti-aliasing, 1 or 4
 
   // What is not computed because it is not seen; [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 to 5.
-  bool cull = true;                      ///< skin that faces away from the eye
-  bool depth = true;                     ///< light maps only as large as the head's distance needs
-  bool clip = true;                      ///< skin outside the picture and a margin
-  std::optional<std::string> mask;       ///< alpha, depth, tiles: how convolutions skip unlit texels; none: fastest on the kind of device
-  std::optional<double> d_ref;           ///< distance, in sphere radii, up to which maps have their full size; none: a texel a pixel
+  bool cull = true;                 ///< skin that faces away from the eye
+  bool depth = true;                ///< light maps only as large as the head's distance needs
+  bool clip = true;                 ///< skin outside the picture and a margin
+  std::optional<std::string> mask;  ///< alpha, depth, tiles: how convolutions skip unlit texels; none: fastest on the kind of device
+  std::string maps = "full";        ///< full: a Gaussian each at T_max; progressive: those of smooth light on half, a quarter, an eighth
+  std::optional<double> d_ref;      ///< distance, in sphere radii, up to which maps have their full size; none: a texel a pixel
   std::optional<double> clip_margin_mm;  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma
   std::optional<double> map_budget_mb;   ///< for light maps, 1e6 bytes; none: four heads at T_max, at most a quarter of the device's memory
   std::optional<bool> skip_unseen_heads;  ///< heads wholly outside the picture; none: if anything above is on
@@ -45,17 +54,24 @@ struct RenderSettings {
   int heads = 1;                          ///< in a row, 1.6 radii apart
   std::array<double, 2> orbit_deg{0, 0};  ///< azimuth, elevation of the framing camera
   std::optional<int> lights;              ///< that many of the rig instead of the scene's; none: the scene's, else 2
-  double ambient = 0.05;                  ///< uniform radiance from everywhere
+  double ambient = 0.05;                  ///< uniform radiance from everywhere, where there is no environment
+  std::string environment;                ///< surroundings: .hdr or .exr (equirectangular), "studio" (built in); empty: uniform
+  double environment_intensity = 1;       ///< multiplies their radiance
+  double environment_rotation_deg = 0;    ///< about the vertical, from the head's front towards its left
   std::string profile;                    ///< published name or file; empty: the material's, else the published six Gaussians
   bool normalise_profile = false;         ///< divide the weights of a profile file by their sum
   std::optional<double> mix;              ///< part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
   bool specular = true;
   bool white_albedo = false;     ///< every albedo is 1
+  bool translucency = true;      ///< light also comes through the body: ears lit from behind glow
   double bloom = 0.05;           ///< 0 to 1
   double exposure_ev = 0;        ///< radiance is multiplied by 2^EV
   std::string view = "filmic";   ///< filmic, srgb, linear
   int frames = 1;                ///< timed frames after one warm-up, >= 1
   std::string show = "picture";  ///< picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K
+
+  /// Instead of the scene's lights, at most 64; then `lights` must be none.
+  std::vector<PlacedLight> placed_lights{};
 };
 
 struct PassStatistics {
@@ -69,8 +85,10 @@ struct Statistics {
   std::string device, driver, api, technique;
   std::vector<std::string> optimise;  ///< of cull, depth, clip
   std::string mask;                   ///< alpha, depth, tiles; empty if nothing is masked
+  std::string maps;                   ///< full, progressive; empty for techniques without light maps
   int width = 0, height = 0, map_size = 0, heads = 1, lights = 0, gaussians = 0;
   std::optional<double> distance;
+  bool translucency = false;  ///< light came through the body
   double frame_ms_median = 0, frame_ms_min = 0, frame_ms_max = 0;
   int frames = 0;
   std::vector<PassStatistics> passes;
@@ -80,7 +98,8 @@ struct Statistics {
   std::uint64_t skin_pixels = 0;
   double d_ref = 0;
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0, unshaded_reads = 0;
-  std::vector<int> used_size;  ///< T of each head in the row; 0: skipped
+  std::uint64_t transmission_misses = 0;  ///< looks through the body whose lit point was not there to be read
+  std::vector<int> used_size;             ///< T of each head in the row; 0: skipped
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;
 
   std::string json() const;  ///< the keys of the command line's --stats
@@ -140,6 +159,9 @@ class PreparedFrame {
 
   /// Draws and times one frame, ms. The first after a change is preceded by one that warms up and counts.
   double draw();
+
+  /// The passes of the frame that draw() timed last, in order; empty before the first since a change.
+  std::vector<PassStatistics> last_passes() const;
 
   /// The last frame, with the statistics of all that were drawn since the last change. If there was none, of a frame that is not timed.
   Picture picture();

@@ -79,21 +79,49 @@ void check_show(const techniques::FrameOutputs& out, const RenderSettings& setti
 
 namespace {
 
+// Texels that hold light from the mesh itself, times the Gaussians that blur them; in halved maps those beside seams are among them.
+std::uint64_t convolved(const techniques::FrameOutputs& out, std::span<const std::uint32_t> counts) {
+  std::uint64_t sum = 0;
+  for (std::uint32_t mesh = 0; mesh < out.work.size(); ++mesh)
+    for (std::uint32_t halvings = 0; halvings <= passes::max_halvings; ++halvings) {
+      const auto which = halvings == 0 ? techniques::counter_lit_texels : techniques::counter_masked_texels;
+      sum += std::uint64_t{counts[techniques::mesh_counter(mesh, halvings, which)]} * out.work[mesh][halvings].terms;
+    }
+  return sum;
+}
+
+std::uint64_t irradiance_texels(const techniques::FrameOutputs& out, std::span<const std::uint32_t> counts) {
+  std::uint64_t sum = 0;
+  for (std::uint32_t mesh = 0; mesh < out.work.size(); ++mesh)
+    sum += counts[techniques::mesh_counter(mesh, 0, techniques::counter_lit_texels)];
+  return sum;
+}
+
+std::uint64_t used_texels(const FrameSetup& setup, std::uint32_t halvings) {
+  std::uint64_t sum = 0;
+  for (const HeadSetup& head : setup.heads) {
+    const std::uint64_t side = passes::halved_side(static_cast<std::uint32_t>(head.map_side), setup.plan.map_size, halvings);
+    if (head.visible) sum += side * side;
+  }
+  return sum;
+}
+
 // Shader invocations of shading and convolution. Drawn or computed whole, a convolution runs over the used squares; otherwise over what
 // its mask leaves of them.
 std::uint64_t launched(const FrameSetup& setup, const techniques::FrameOutputs& out, std::span<const std::uint32_t> counts) {
-  std::uint64_t used_texels = 0, sum = counts[techniques::counter_irradiance];
-  for (const HeadSetup& head : setup.heads)
-    if (head.visible) used_texels += static_cast<std::uint64_t>(head.map_side) * static_cast<std::uint64_t>(head.map_side);
+  std::uint64_t sum = irradiance_texels(out, counts);
   const bool sparse = setup.plan.optimise.cull || setup.plan.optimise.clip;
-  for (std::uint32_t mesh = 0; mesh < out.convolutions.size(); ++mesh) {
-    std::uint64_t texels = used_texels;
-    if (sparse && setup.plan.mask == passes::Mask::tiles)
-      texels = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counts[techniques::mesh_counter(mesh, techniques::counter_tiles)];
-    if (sparse && setup.plan.mask == passes::Mask::depth)
-      texels = counts[techniques::mesh_counter(mesh, techniques::counter_masked_texels)];
-    sum += texels * out.convolutions[mesh];
-  }
+  for (std::uint32_t mesh = 0; mesh < out.work.size(); ++mesh)
+    for (std::uint32_t halvings = 0; halvings <= passes::max_halvings; ++halvings) {
+      const techniques::FrameOutputs::LevelWork& work = out.work[mesh][halvings];
+      std::uint64_t texels = used_texels(setup, halvings);
+      if (work.halved) sum += texels;
+      if (sparse && setup.plan.mask == passes::Mask::tiles)
+        texels = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counts[techniques::mesh_counter(mesh, halvings, techniques::counter_tiles)];
+      if (sparse && setup.plan.mask == passes::Mask::depth)
+        texels = counts[techniques::mesh_counter(mesh, halvings, techniques::counter_masked_texels)];
+      sum += texels * work.convolutions;
+    }
   return sum;
 }
 
@@ -125,9 +153,12 @@ void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& s
     if (m.skin) st.skin_materials.push_back(m.name);
   if (!setup.technique->scatters) return;
   fill_optimise(st, setup.plan);
-  st.irradiance_texels = counts[techniques::counter_irradiance];
-  st.convolved_texels = st.irradiance_texels * static_cast<std::uint64_t>(setup.gaussians);
+  st.maps = setup.plan.progressive ? "progressive" : "full";
+  st.irradiance_texels = irradiance_texels(out, counts);
+  st.convolved_texels = convolved(out, counts);
   st.unshaded_reads = counts[techniques::counter_unshaded_reads];
+  st.translucency = setup.plan.translucency;
+  st.transmission_misses = counts[techniques::counter_transmission_misses];
   st.launched = launched(setup, out, counts);
   st.used_size.resize(setup.heads.size());
   for (const HeadSetup& head : setup.heads) st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;

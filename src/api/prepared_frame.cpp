@@ -7,6 +7,7 @@
 #include "api/renderer_state.h"
 #include "api/setup.h"
 #include "core/error.h"
+#include "environment/occlusion.h"
 #include "frame/executor.h"
 #include "passes/blur/blur.h"
 #include "passes/frame_data.h"
@@ -44,14 +45,13 @@ frame::FrameData frame_data(gpu::Device& device, const api::FrameSetup& setup, c
   return data;
 }
 
-void fill_times(Statistics& statistics, const std::vector<frame::FrameTime>& frames, bool separate) {
+void fill_times(Statistics& statistics, const std::vector<frame::FrameTime>& frames) {
   std::vector<double> totals;
   for (const frame::FrameTime& f : frames) totals.push_back(f.total_ms);
   statistics.frame_ms_median = median(totals);
   statistics.frame_ms_min = *std::min_element(totals.begin(), totals.end());
   statistics.frame_ms_max = *std::max_element(totals.begin(), totals.end());
   statistics.frames = static_cast<int>(frames.size());
-  statistics.timing = separate ? "submit" : "timestamp";
   for (std::size_t p = 0; p < frames.front().passes.size(); ++p) {
     std::vector<double> times;
     for (const frame::FrameTime& f : frames) times.push_back(f.passes[p].ms);
@@ -66,6 +66,7 @@ struct PreparedFrame::State {
   Scene source;
   RenderSettings settings;
   std::shared_ptr<api::SharedScene> scene;
+  std::shared_ptr<const api::Surroundings> surroundings;
   api::FrameSetup setup;
   techniques::FrameOutputs outputs;
   std::optional<frame::Executor> executor;
@@ -94,14 +95,18 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
     throw input_error(source.name(),
                       "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; --lights uses fewer", next.lights,
                       layers, next.plan.heads_per_batch, limits.max_array_layers);
+  const std::shared_ptr<const api::Surroundings> next_surroundings = renderer->surroundings(wanted);
+  if (next_surroundings) api::fill_surroundings(next.frame, *next_surroundings, wanted);
   // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work on its maps.
   if (!executor || next.plan != setup.plan || next.technique != setup.technique) plan(wanted, next);
   api::check_show(outputs, wanted);
   scene = next_scene;
+  surroundings = next_surroundings;
   setup = std::move(next);
   settings = wanted;
   upload();
   data = frame_data(device(), setup, *scene->gpu);
+  if (surroundings) data.environment = &surroundings->map;
   times.clear();
   counters.clear();
 }
@@ -118,11 +123,18 @@ void PreparedFrame::State::plan(const RenderSettings& wanted, const api::FrameSe
   outputs = made_outputs;
 }
 
-// The scene unless it is there, and the gutters of each size of map that this view uses.
+// The scene unless it is there, what its skin sees of the surroundings, and the gutters of each size of map that this view uses.
 void PreparedFrame::State::upload() {
   const auto start = std::chrono::steady_clock::now();
   api::SharedScene& shared = *scene;
   if (!shared.gpu) shared.gpu.emplace(renderer->library, *shared.subject.scene, shared.subject.skin, passes::GpuSceneSettings{shared.mix});
+  if (surroundings)
+    for (std::size_t i = 0; i < shared.subject.skin.size(); ++i) {
+      if (shared.gpu->skin[i].sky_seen) continue;
+      const environment::Occlusion seen =
+          environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], gpu::default_pipeline_cache().parent_path());
+      shared.gpu->set_sky_seen(device(), i, static_cast<std::uint32_t>(seen.side), seen.values);
+    }
   if (setup.technique->scatters)
     for (std::size_t i = 0; i < shared.subject.skin.size(); ++i) {
       const double density = shared.subject.densities[i].largest_texels_per_mm.p95;
@@ -132,7 +144,9 @@ void PreparedFrame::State::upload() {
       };
       make(settings.map_size);  // of the stretch map
       for (const api::HeadSetup& head : setup.heads)
-        if (head.visible) make(head.map_side);
+        for (std::uint32_t halvings = 0; halvings <= passes::max_halvings; ++halvings)
+          if (head.visible && (halvings == 0 || outputs.work[i][halvings].halved))
+            make(static_cast<int>(passes::halved_side(static_cast<std::uint32_t>(head.map_side), setup.plan.map_size, halvings)));
     }
   shared.upload_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -163,12 +177,20 @@ double PreparedFrame::draw() {
   return state_->times.back().total_ms;
 }
 
+std::vector<PassStatistics> PreparedFrame::last_passes() const {
+  std::vector<PassStatistics> passes;
+  if (!state_->times.empty())
+    for (const gpu::Timing& pass : state_->times.back().passes) passes.push_back({.name = pass.name, .ms = pass.ms, .calls = 1});
+  return passes;
+}
+
 Picture PreparedFrame::picture() {
   State& s = *state_;
   s.count();
   Picture picture;
   Statistics& statistics = picture.statistics;
-  if (!s.times.empty()) fill_times(statistics, s.times, s.executor->separate_submissions());
+  statistics.timing = s.executor->separate_submissions() ? "submit" : "timestamp";
+  if (!s.times.empty()) fill_times(statistics, s.times);
   api::fill_counts(statistics, s.scene->subject, s.settings, s.setup, s.outputs, s.counters);
   statistics.upload_ms = s.scene->upload_ms;
   statistics.pipeline_ms = s.pipeline_ms;

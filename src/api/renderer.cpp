@@ -20,6 +20,12 @@ std::shared_ptr<api::SharedScene> Renderer::State::shared(const Scene& scene, co
   return last_scene = made;
 }
 
+std::shared_ptr<const api::Surroundings> Renderer::State::surroundings(const RenderSettings& settings) {
+  if (settings.environment.empty()) return nullptr;
+  if (last_surroundings && api::is_current(*last_surroundings, settings.environment)) return last_surroundings;
+  return last_surroundings = std::make_shared<const api::Surroundings>(api::surroundings_of(device, settings.environment));
+}
+
 Renderer::Renderer(const Options& options) : state_(std::make_shared<State>(options)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "api/subject.h"
+#include "api/surroundings.h"
 #include "dermis/renderer.h"
 #include "gpu/device.h"
 #include "passes/gpu_scene.h"
@@ -29,9 +30,13 @@ struct Renderer::State {
   /// The last scene if it is this one, else this one, examined.
   std::shared_ptr<api::SharedScene> shared(const Scene& scene, const RenderSettings& settings);
 
+  /// The last surroundings if they are these, else these. None if the settings name none.
+  std::shared_ptr<const api::Surroundings> surroundings(const RenderSettings& settings);
+
   gpu::Device device;
   gpu::PipelineLibrary library;
   std::shared_ptr<api::SharedScene> last_scene;
+  std::shared_ptr<const api::Surroundings> last_surroundings;
 };
 
 }  // namespace dermis

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/choose.h"
 #include "core/error.h"
-#include "gaussians/json.h"
-#include "gaussians/known.h"
 #include "passes/blur/blur.h"
 #include "passes/shadow/fit.h"
+#include "passes/transmission.h"
 #include "scene/framing.h"
 
 namespace dermis::api {
@@ -63,9 +63,7 @@ void place_shadows(std::vector<HeadSetup>& heads, const techniques::FrameSetting
 techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const RenderSettings& s) {
   techniques::SkinPart part;
   const auto material = static_cast<std::size_t>(subject.skin[number].triangle_material.front());
-  const scene::SkinSettings& skin = subject.scene->materials[material].skin_settings;
-  part.profile =
-      !s.profile.empty() ? gaussians::from_name_or_file(s.profile, s.normalise_profile) : skin.profile.value_or(gaussians::skin_six());
+  part.profile = choose_profile(subject.scene->materials[material], s);
   // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not wrong in width.
   part.max_texels_per_mm = std::max(subject.densities[number].largest_texels_per_mm.p95 * s.map_size, 1e-6);
   part.mean_texels_per_mm = subject.densities[number].texels_per_mm.mean * s.map_size;
@@ -86,7 +84,8 @@ std::uint32_t heads_per_batch(const techniques::FrameSettings& plan, const Rende
   std::size_t terms = 0;
   for (const techniques::SkinPart& part : plan.skin) terms = std::max(terms, part.profile.terms.size());
   if (!plan.optimise.any() || terms == 0) return 1;
-  const double bytes_a_texel = 8.0 * (static_cast<double>(terms) + 2) + (plan.mask == passes::Mask::depth ? 4 : 0);
+  const std::size_t joining = plan.translucency ? passes::transmission_groups(terms).size() - 1 : 0;
+  const double bytes_a_texel = 8.0 * static_cast<double>(terms + 2 + joining) + (plan.mask == passes::Mask::depth ? 4 : 0);
   const double head_mb = bytes_a_texel * s.map_size * s.map_size * static_cast<double>(plan.skin.size()) / 1e6;
   double budget_mb = default_heads_per_batch * head_mb;
   if (device.memory_bytes > 0) budget_mb = std::min(budget_mb, std::max(head_mb, static_cast<double>(device.memory_bytes) / 4e6));
@@ -97,7 +96,11 @@ std::uint32_t heads_per_batch(const techniques::FrameSettings& plan, const Rende
   // As many rows and columns of squares as a texture of this device can have.
   const double squares = std::max<double>(1, device.max_image_side / static_cast<std::uint32_t>(s.map_size));
   const double most = std::max(1.0, std::floor(squares * squares / static_cast<double>(plan.skin.size())));
-  return static_cast<std::uint32_t>(std::clamp(std::floor(budget_mb / head_mb * (1 + 1e-12)), 1.0, std::min(most, 64.0)));
+  // Their shadow maps come on top; large ones must not drive the heads of a batch out of memory.
+  const double shadow_mb = (plan.translucency ? 8.0 : 4.0) * plan.shadow_layers * plan.shadow_size * plan.shadow_size / 1e6;
+  const double shadowed = device.memory_bytes > 0 ? std::max(1.0, static_cast<double>(device.memory_bytes) / 4e6 / shadow_mb) : most;
+  return static_cast<std::uint32_t>(
+      std::clamp(std::floor(budget_mb / head_mb * (1 + 1e-12)), 1.0, std::min({most, 64.0, std::floor(shadowed)})));
 }
 
 // From a measurement on each kind of device, docs/measuring.md; never from one at run time, or frames would not be bit-equal.
@@ -119,9 +122,13 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
   plan.bloom = static_cast<float>(s.bloom);
   plan.view = view_transform(s.view);
   plan.visibility = s.show == "visibility";
+  plan.environment = !s.environment.empty();
   if (setup.technique->scatters) {
     plan.optimise = {.cull = s.cull, .depth = s.depth, .clip = s.clip};
     plan.mask = mask_of(s, device);
+    plan.progressive = s.maps == "progressive";
+    plan.translucency = s.translucency && !subject.skin.empty() && setup.lights > 0;
+    plan.mm_per_unit = scene.mm_per_unit;
   }
   for (std::size_t i = 0; i < subject.skin.size(); ++i) {
     plan.skin.push_back(skin_part(subject, i, s));
@@ -152,10 +159,7 @@ FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceT
   setup.view = view_of(subject, s);
 
   const std::vector<glm::vec3> offsets = scene::head_row_offsets(s.heads, subject.sphere.radius_m);
-  const bool rig = s.lights || subject.scene->lights.empty();
-  const std::vector<scene::Light> lights =
-      rig ? (s.lights.value_or(2) == 0 ? std::vector<scene::Light>{} : scene::light_rig(subject.sphere, s.lights.value_or(2), offsets))
-          : subject.scene->lights;
+  const std::vector<scene::Light> lights = choose_lights(*subject.scene, s, subject.sphere, offsets);
   setup.lights = static_cast<int>(lights.size());
   setup.heads = set_up_heads(subject, s, setup.view, lights);
   set_up_plan(setup, subject, s, device);

@@ -13,6 +13,7 @@ std::string Statistics::json() const {
   j["api"] = api;
   j["technique"] = technique;
   j["optimise"] = optimise;
+  j["maps"] = maps.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(maps);
   j["mask"] = mask.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(mask);
   j["size"] = {width, height};
   j["map_size"] = map_size;
@@ -20,6 +21,7 @@ std::string Statistics::json() const {
   j["distance"] = distance ? nlohmann::ordered_json(*distance) : nlohmann::ordered_json(nullptr);
   j["lights"] = lights;
   j["gaussians"] = gaussians;
+  j["translucency"] = translucency;
   j["frame_ms"] = {{"median", frame_ms_median}, {"min", frame_ms_min}, {"max", frame_ms_max}, {"frames", frames}};
   j["passes"] = nlohmann::ordered_json::array();
   for (const PassStatistics& pass : passes) j["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
@@ -34,6 +36,7 @@ std::string Statistics::json() const {
                  {"convolved", convolved_texels},
                  {"launched", launched},
                  {"unshaded_reads", unshaded_reads},
+                 {"transmission_misses", transmission_misses},
                  {"used_size", used_size}};
   j["memory_bytes"] = {{"images", image_bytes}, {"buffers", buffer_bytes}, {"peak", peak_bytes}};
   return j.dump(2) + "\n";

@@ -3,37 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "core/error.h"
-#include "scene/framing.h"
+#include "api/choose.h"
 
 namespace dermis::api {
 namespace {
 
 constexpr int side_step = 32;  // texels
-
-scene::Camera find_camera(const scene::Scene& scene, const RenderSettings& s, const scene::BoundingSphere& sphere) {
-  const double aspect = static_cast<double>(s.width) / s.height;
-  const double fov = s.fov_deg.value_or(20);
-  if (s.distance) return scene::distance_camera(sphere, *s.distance, fov);
-  const auto with_fov = [&](scene::Camera camera) {
-    if (s.fov_deg) camera.fov_y_rad = static_cast<float>(fov * std::numbers::pi / 180);
-    return camera;
-  };
-  if (!s.camera.empty()) {
-    std::string names;
-    for (const scene::Camera& camera : scene.cameras) {
-      if (camera.name == s.camera) return with_fov(camera);
-      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
-    }
-    throw input_error("", "--camera '{}' is not in {}; {}", s.camera, scene.name,
-                      names.empty() ? "it has no cameras" : "there are: " + names);
-  }
-  const bool orbits = s.orbit_deg != std::array<double, 2>{0, 0};
-  if (!scene.cameras.empty() && !orbits && s.heads == 1) return with_fov(scene.cameras.front());
-  return scene::framing_camera(sphere, aspect, s.orbit_deg[0], s.orbit_deg[1], fov);
-}
 
 // Reversed depth without a far plane (glTF allows one; nothing here needs it): clip z = near, w = -z_view.
 glm::mat4 projection(const scene::Camera& camera, double aspect) {
@@ -81,7 +57,7 @@ std::array<glm::vec4, 5> planes_of(const glm::mat4& clip_from_world) {
 
 View view_of(const Subject& subject, const RenderSettings& s) {
   View view;
-  view.camera = find_camera(*subject.scene, s, subject.sphere);
+  view.camera = choose_camera(*subject.scene, s, subject.sphere);
   view.eye_m = glm::vec3(view.camera.world_from_camera[3]);
   view.direction = -glm::normalize(glm::vec3(view.camera.world_from_camera[2]));
   view.clip_from_world = projection(view.camera, static_cast<double>(s.width) / s.height) * glm::inverse(view.camera.world_from_camera);

@@ -31,6 +31,7 @@ struct FrameData {
   glm::vec4 eye{0, 0, 0, 1};  ///< eye_m, w = 1; for an orthographic camera the unit direction towards it, w = 0
   /// What lies outside any of these is clipped from light maps: dot(xyz, position_m) + w < 0.
   std::array<glm::vec4, 5> clip_planes{};
+  const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
   std::vector<Instance> instances;
 };
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "passes/gpu_scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
 #include "gpu/device.h"
 #include "image/colour.h"
 #include "image/resize.h"
-#include "passes/attenuation.h"
-#include "passes/fine_normals.h"
+#include "optics/attenuation.h"
 #include "passes/gutter_list.h"
+#include "scene/fine_normals.h"
 #include "shared/gutters_io.h"
 
 namespace dermis::passes {
@@ -110,10 +111,10 @@ GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vec
 // RG16F: bytes of the attenuation table as half floats.
 gpu::Texture upload_attenuation(gpu::Device& device) {
   std::vector<std::uint16_t> halves;
-  for (const float value : attenuation_table()) halves.push_back(image::float_to_half(value));
+  for (const float value : optics::attenuation_table()) halves.push_back(image::float_to_half(value));
   gpu::Texture texture(device, "attenuation",
-                       {.width = attenuation_columns + 2,
-                        .height = attenuation_rows,
+                       {.width = optics::attenuation_columns + 2,
+                        .height = optics::attenuation_rows,
                         .format = VK_FORMAT_R16G16_SFLOAT,
                         .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   gpu::upload(device, texture, std::as_bytes(std::span(halves)));
@@ -171,12 +172,13 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
     material.alpha_mode = m.alpha_mode;
     auto maps = maps_of(m);
     const gpu::Texture* fine = nullptr;
-    if (const auto normals = fine_normals(scene, materials.size(), skin_meshes)) {
+    if (const auto normals = scene::fine_normals(scene, materials.size(), skin_meshes)) {
       maps[MAP_NORMAL] = m.skin_settings.displacement;
       maps[MAP_NORMAL].scale = 1;
       fine = &upload_map(library, m.name + " fine normals", *normals, generated, false);
     }
     const io::MaterialIo constants = material_io(m, maps, settings.mix);
+    material.mixed = constants.mix_before > 0;
     material.constants = gpu::make_buffer(device, "material " + m.name, std::span(&constants, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     for (int i = 0; i < MAP_COUNT; ++i) {
       const scene::MapRef& map = maps[static_cast<std::size_t>(i)];
@@ -222,6 +224,17 @@ void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene
   made.width_texels = width_texels;
   made.count = static_cast<std::uint32_t>(list.size());
   if (!list.empty()) made.list = gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
+}
+
+void GpuScene::set_sky_seen(gpu::Device& device, std::size_t number, std::uint32_t side, const std::vector<float>& values) {
+  DERMIS_ASSERT_EQ(values.size(), std::size_t{side} * side * 4);
+  std::vector<std::uint16_t> halves(values.size());
+  std::transform(values.begin(), values.end(), halves.begin(), image::float_to_half);
+  GpuMesh& mesh = skin[number];
+  mesh.sky_seen =
+      gpu::Texture(device, mesh.name + " sky seen",
+                   {.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  gpu::upload(device, mesh.sky_seen, std::as_bytes(std::span(halves)));
 }
 
 const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb) {

@@ -27,6 +27,7 @@ struct GpuMaterial {
   std::array<gpu::SampledBinding, MAP_COUNT> maps{};  ///< a white or flat texel where the material has none
   bool skin = false;
   bool double_sided = false;
+  bool mixed = true;  ///< of skin: part of the albedo acts before the light scatters
   scene::AlphaMode alpha_mode = scene::AlphaMode::opaque;
 
   void offer(Bindings& bindings) const;  ///< "Material", "map_base_colour", ...
@@ -49,6 +50,7 @@ struct GpuMesh {
     int width_texels = 0;
   };
   std::map<std::uint32_t, Gutters> gutters;
+  gpu::Texture sky_seen;  ///< RGBA16F over the unwrap, see GpuScene::set_sky_seen; skin only
   std::vector<GpuDraw> draws;
   glm::vec3 centre_m{0};
 
@@ -69,6 +71,9 @@ class GpuScene {
   /// Makes the gutters of skin mesh `number`, which is `mesh`, for light maps of side x side texels, `width_texels` wide, unless it has
   /// them as wide or wider.
   void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side, int width_texels);
+
+  /// What skin mesh `number` sees of the sky: side x side x 4 values, environment/occlusion.h.
+  void set_sky_seen(gpu::Device& device, std::size_t number, std::uint32_t side, const std::vector<float>& values);
 
   std::vector<GpuMesh> skin;      ///< one a SkinMesh
   std::vector<GpuMesh> surfaces;  ///< everything else, one a primitive

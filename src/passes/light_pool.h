@@ -12,20 +12,35 @@
 
 namespace dermis::passes {
 
-/// One skin mesh of one head, and the corner of its square. How much of the square is used (T x T texels) is Instance::map_side, which
-/// may change from frame to frame.
+/// The side of a map that is halved `halvings` times when the head uses all T_max texels. A head that uses fewer halves less often: its
+/// light lies on at least half as many texels a side as a near head's, and never on more than T_max >> halvings.
+inline std::uint32_t halved_side(std::uint32_t side, std::uint32_t largest_side, std::uint32_t halvings) {
+  for (std::uint32_t scaled = 2 * side; halvings > 0 && scaled <= largest_side; scaled *= 2) --halvings;
+  return side >> halvings;
+}
+
+/// One skin mesh of one head, and the corner of its square. How much of the square is used follows from Instance::map_side (T), which may
+/// change from frame to frame.
 struct MapSquare {
   std::uint32_t instance = 0, mesh = 0;
-  glm::uvec2 origin{0};     ///< texels
-  std::uint32_t index = 0;  ///< of the square in the pool
+  glm::uvec2 origin{0};            ///< texels
+  std::uint32_t index = 0;         ///< of the square in the pool
+  std::uint32_t halvings = 0;      ///< of the pool: progressive maps keep wide light on fewer texels
+  std::uint32_t largest_side = 0;  ///< T_max; needed where halvings > 0
 };
 
 inline const frame::Instance& instance_of(const frame::FrameData& frame, const MapSquare& square) {
   return frame.instances[square.instance];
 }
 
-inline VkRect2D used_area(const frame::FrameData& frame, const MapSquare& square) {
+/// Texels of a side that are used.
+inline std::uint32_t side_of(const frame::FrameData& frame, const MapSquare& square) {
   const std::uint32_t side = instance_of(frame, square).map_side;
+  return square.halvings == 0 ? side : halved_side(side, square.largest_side, square.halvings);
+}
+
+inline VkRect2D used_area(const frame::FrameData& frame, const MapSquare& square) {
+  const std::uint32_t side = side_of(frame, square);
   return {{static_cast<std::int32_t>(square.origin.x), static_cast<std::int32_t>(square.origin.y)}, {side, side}};
 }
 

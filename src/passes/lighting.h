@@ -12,18 +12,23 @@ class LightingSamplers {
   LightingSamplers() = default;
   explicit LightingSamplers(gpu::PipelineLibrary& library)
       : shadow_(library.sampler({.filter = gpu::Filter::linear, .compare_greater = true})),
-        table_(library.sampler({.filter = gpu::Filter::linear})) {}
+        table_(library.sampler({.filter = gpu::Filter::linear})),
+        sky_(library.sampler({.filter = gpu::Filter::linear, .u = gpu::Address::repeat})) {}
 
   void offer(Bindings& bindings, const frame::FrameData& frame, const frame::Instance& instance, const gpu::Texture& shadow) const {
     bindings.add("Frame", frame.frame_io)
         .add("Lights", instance.lights)
         .add("ShadowMatrices", instance.shadow_matrices)
         .add("shadow_maps", gpu::SampledBinding{&shadow, shadow_})
-        .add("attenuation", gpu::SampledBinding{&frame.scene->attenuation, table_});
+        .add("attenuation", gpu::SampledBinding{&frame.scene->attenuation, table_})
+        .add("environment_map", gpu::SampledBinding{frame.environment ? frame.environment : &frame.scene->white(), sky_});
+  }
+  void offer_sky_seen(Bindings& bindings, const frame::FrameData& frame, const GpuMesh& mesh) const {
+    bindings.add("sky_seen", gpu::SampledBinding{mesh.sky_seen ? &mesh.sky_seen : &frame.scene->white(), table_});
   }
 
  private:
-  VkSampler shadow_ = VK_NULL_HANDLE, table_ = VK_NULL_HANDLE;
+  VkSampler shadow_ = VK_NULL_HANDLE, table_ = VK_NULL_HANDLE, sky_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

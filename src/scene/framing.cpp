@@ -39,16 +39,11 @@ Camera camera_at(const BoundingSphere& sphere, double distance_m, double azimuth
   return camera;
 }
 
-struct Lamp {
-  double azimuth_deg, elevation_deg;
-  glm::dvec3 irradiance;  ///< at the centre of the sphere, facing the lamp
-};
-
 Lamp rig_lamp(int index, int count) {
-  if (index == 0) return {45, 35, 3.0 * glm::dvec3(1, 0.96, 0.90)};
-  if (index == 1) return {-60, 10, 0.8 * glm::dvec3(0.85, 0.92, 1)};
-  if (index == 2) return {160, 25, glm::dvec3(2)};
-  return {360.0 * (index - 2) / (count - 3) + 15, 20, glm::dvec3(1)};
+  if (index == 0) return {"key", 45, 35, 3.0 * glm::dvec3(1, 0.96, 0.90)};
+  if (index == 1) return {"fill", -60, 10, 0.8 * glm::dvec3(0.85, 0.92, 1)};
+  if (index == 2) return {"rim", 160, 25, glm::dvec3(2)};
+  return {fmt::format("light {}", index + 1), 360.0 * (index - 2) / (count - 3) + 15, 20, glm::dvec3(1)};
 }
 
 /// Half angle of the cone from `from` along `axis` (unit) that holds the ball. A lamp inside the ball sees it everywhere.
@@ -115,19 +110,24 @@ std::vector<glm::vec3> head_row_offsets(int heads, double radius_m) {
 
 std::vector<Light> light_rig(const BoundingSphere& sphere, int count, std::span<const glm::vec3> head_offsets_m) {
   if (count < 0 || count > 256) throw input_error("--lights", "must be 0 to 256, got {}", count);
+  std::vector<Lamp> lamps;
+  for (int i = 0; i < count; ++i) lamps.push_back(rig_lamp(i, count));
+  return light_rig(sphere, lamps, head_offsets_m);
+}
+
+std::vector<Light> light_rig(const BoundingSphere& sphere, std::span<const Lamp> lamps, std::span<const glm::vec3> head_offsets_m) {
   require_sphere(sphere);
   const double radius = sphere.radius_m, distance = 4 * radius;
   const glm::dvec3 centre(sphere.centre_m);
   std::vector<Light> lights;
-  for (int i = 0; i < count; ++i) {
-    const Lamp lamp = rig_lamp(i, count);
+  for (const Lamp& lamp : lamps) {
     const glm::dvec3 towards = head_direction(lamp.azimuth_deg, lamp.elevation_deg);
     const glm::dvec3 position = centre + distance * towards;
     double cone = cone_around(position, -towards, centre, radius);
     for (const glm::vec3& offset : head_offsets_m)
       cone = std::max(cone, cone_around(position, -towards, centre + glm::dvec3(offset), radius));
     Light light;
-    light.name = i == 0 ? "key" : i == 1 ? "fill" : i == 2 ? "rim" : fmt::format("light {}", i + 1);
+    light.name = lamp.name;
     light.type = LightType::spot;
     light.colour = glm::vec3(lamp.irradiance * distance * distance);
     light.position_m = glm::vec3(position);

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -40,5 +41,15 @@ std::vector<glm::vec3> head_row_offsets(int heads, double radius_m);
 /// 85 degrees). The sphere lies within the inner cone, so a head is lit evenly; the outer cone is 2 degrees wider.
 /// InputError: count out of range, or an empty sphere.
 std::vector<Light> light_rig(const BoundingSphere& sphere, int count, std::span<const glm::vec3> head_offsets_m = {});
+
+/// Where a lamp of the rig stands, by head_direction(), and what it brings to the centre of the sphere on a surface that faces it.
+struct Lamp {
+  std::string name;
+  double azimuth_deg = 0, elevation_deg = 0;
+  glm::dvec3 irradiance{0};
+};
+
+/// Lamps of one's own in the geometry of the rig. InputError: an empty sphere.
+std::vector<Light> light_rig(const BoundingSphere& sphere, std::span<const Lamp> lamps, std::span<const glm::vec3> head_offsets_m = {});
 
 }  // namespace dermis::scene

@@ -84,6 +84,9 @@ struct FrameIo {
   uint light_count;
   uint specular_on;
   uint white_albedo;  // tests: every albedo is 1
+  float environment_intensity;
+  float environment_cos, environment_sin;  // of the angle by which the surroundings are turned about +Y
+  vec3 environment_irradiance[9];          // environment::Irradiance times the intensity
 };
 
 DERMIS_IO_END

@@ -13,10 +13,12 @@ layout(binding = 9) uniform sampler2D map_normal;
 layout(binding = 10) uniform sampler2D map_roughness;
 layout(binding = 11) uniform sampler2D map_occlusion;
 layout(binding = 12) uniform sampler2D map_specular;
+layout(binding = 27) uniform sampler2D sky_seen;  // over the unwrap: environment/occlusion.h
 
 #include "shared/specular.glsl"
 #include "shared/lights.glsl"
 #include "shared/material.glsl"
+#include "shared/surroundings.glsl"
 
 vec3 skin_albedo(SurfacePoint s) {
   if (frame.white_albedo != 0u) return vec3(1.0);
@@ -65,5 +67,21 @@ vec3 entering_irradiance(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular 
     const float kept = 1.0 - specular_albedo(attenuation, spec, cosine);
     e += a.irradiance * (cosine * kept * shadow_at(light, a, s.position_m, n_geometric));
   }
-  return e / kept_mean + frame.ambient * (pi * skin_occlusion(s));
+  return e / kept_mean;
+}
+
+// The share of the sky that a point sees.
+float skin_open(SurfacePoint s, vec2 unwrap) {
+  return environment ? clamp(textureLod(sky_seen, unwrap, 0.0).w, 0.002, 1.0) * max(skin_occlusion(s), 0.002) : skin_occlusion(s);
+}
+
+// Irradiance that enters from the surroundings; what is reflected and what the mean takes off cancel. Under a picture of them, skin that
+// hides the sky is seen in its place, lit as the point itself is: a geometric series of the albedo, so that folds keep their colour and white
+// skin in white surroundings stays white. Based on: Stewart, Langer: Toward Accurate Recovery of Shape from Shading Under Diffuse Lighting,
+// PAMI 19(9), 1997.
+vec3 entering_surroundings(SurfacePoint s, vec3 n, vec2 unwrap) {
+  const float open = skin_open(s, unwrap);
+  if (!environment) return surroundings_irradiance(n) * open;
+  const vec3 towards_sky = normalize(n + textureLod(sky_seen, unwrap, 0.0).xyz);
+  return surroundings_irradiance(towards_sky) * (open / (1.0 - min(skin_albedo(s), vec3(1.0)) * (1.0 - open)));
 }

@@ -28,7 +28,7 @@ float f0_of_ior(float ior) {
 }
 
 // rho(cos, m) = int f cos dw = f0 * table.x + table.y. Rows are m (0.05 to 1), columns cos (0 to 1), the last column the
-// cosine-weighted mean over cos. See passes/attenuation.h.
+// cosine-weighted mean over cos. See optics/attenuation.h.
 const int attenuation_columns = 64;
 const int attenuation_rows = 32;
 const float attenuation_min_m = 0.05;

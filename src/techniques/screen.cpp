@@ -28,11 +28,14 @@ Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&p
   depth.format = VK_FORMAT_D32_SFLOAT;
   colour_ = plan.texture("colour", colour);
   depth_ = plan.texture("depth", depth);
-  shadow_ = plan.texture("shadow maps", {.width = settings.shadow_size,
-                                         .height = settings.shadow_size,
-                                         .layers = std::max(settings.shadow_layers, 1u) * settings.heads_per_batch,
-                                         .format = VK_FORMAT_D32_SFLOAT,
-                                         .array = true});
+  gpu::TextureDesc shadow{.width = settings.shadow_size,
+                          .height = settings.shadow_size,
+                          .layers = std::max(settings.shadow_layers, 1u) * settings.heads_per_batch,
+                          .format = VK_FORMAT_D32_SFLOAT,
+                          .array = true};
+  shadow_ = plan.texture("shadow maps", shadow);
+  shadow.format = VK_FORMAT_R8G8B8A8_UNORM;
+  if (settings.translucency) entering_ = plan.texture("entering maps", shadow);
   counters_ = plan.buffer("counters", {.bytes = counter_count(settings.skin.size()) * sizeof(std::uint32_t)});
   plan.add<passes::ClearCounters>("clear counters", {counters_});
 }
@@ -40,7 +43,7 @@ Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&p
 bool Screen::take_clear() { return !std::exchange(cleared_, true); }
 
 void Screen::add_shadow(std::uint32_t head) {
-  plan_->add<passes::Shadow>(label("shadow", settings_, head), {shadow_},
+  plan_->add<passes::Shadow>(label("shadow", settings_, head), {shadow_, entering_},
                              {.instance = head, .layers = std::max(settings_.shadow_layers, 1u)});
 }
 
@@ -49,11 +52,12 @@ void Screen::add_surfaces(std::uint32_t head) {
   const bool clear = !cleared_;
   // A scene without any skin still needs its targets cleared.
   if (settings_.has_surfaces || clear)
-    plan_->add<passes::Surface>(label("surfaces", settings_, head), in,
-                                {.instance = head, .samples = settings_.samples, .clear = take_clear()});
+    plan_->add<passes::Surface>(
+        label("surfaces", settings_, head), in,
+        {.instance = head, .samples = settings_.samples, .clear = take_clear(), .environment = settings_.environment});
   if (settings_.has_blended)
     plan_->add<passes::Surface>(label("blended surfaces", settings_, head), in,
-                                {.instance = head, .samples = settings_.samples, .blended = true});
+                                {.instance = head, .samples = settings_.samples, .environment = settings_.environment, .blended = true});
 }
 
 FrameOutputs Screen::finish() {

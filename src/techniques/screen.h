@@ -13,6 +13,7 @@ class Screen {
   frame::TextureId colour() const { return colour_; }
   frame::TextureId depth() const { return depth_; }
   frame::TextureId shadow() const { return shadow_; }
+  frame::TextureId entering() const { return entering_; }  ///< valid with translucency: see passes::Shadow
   frame::BufferId counters() const { return counters_; }
   bool take_clear();  ///< true once: for the pass that draws first
 
@@ -23,7 +24,7 @@ class Screen {
  private:
   frame::FramePlan* plan_;
   FrameSettings settings_;
-  frame::TextureId colour_, depth_, shadow_;
+  frame::TextureId colour_, depth_, shadow_, entering_;
   frame::BufferId counters_;
   bool cleared_ = false;
 };

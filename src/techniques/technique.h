@@ -2,6 +2,7 @@
 /// How passes make a picture. A technique is a function that adds passes to a plan; the list in all.cpp is the only register.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -11,6 +12,7 @@
 
 #include "frame/plan.h"
 #include "gaussians/sum.h"
+#include "passes/halve/halve.h"
 #include "passes/light_pool.h"
 #include "passes/view/view.h"
 
@@ -43,20 +45,27 @@ struct FrameSettings {
   std::uint32_t heads = 1;
   std::uint32_t heads_per_batch = 1;  ///< that are lit and blurred together: squares of the pool and sets of shadow maps
   Optimise optimise;
+  bool translucency = false;                ///< light comes through the body: lit from behind, thin skin glows
+  double mm_per_unit = 1000;                ///< of the scene
   passes::Mask mask = passes::Mask::tiles;  ///< alpha, depth or tiles: how convolutions skip what cull and clip have left unlit
+  bool progressive = false;                 ///< wide terms are kept in smaller maps, see passes::Halve
   bool visibility = false;                  ///< also makes the map that `--show visibility` shows
   std::vector<SkinPart> skin;               ///< one a skin mesh of the scene
   bool has_surfaces = false, has_blended = false;
-  float bloom = 0;  ///< 0..1
+  bool environment = false;  ///< light from a picture of the surroundings, else uniform
+  float bloom = 0;           ///< 0..1
   passes::ViewTransform view = passes::ViewTransform::filmic;
   bool operator==(const FrameSettings&) const = default;
 };
 
-/// Slots of FrameOutputs::counters: three of the frame, then two a skin mesh.
-enum Counter : std::uint32_t { counter_irradiance, counter_skin_pixels, counter_unshaded_reads, counter_meshes };
-enum MeshCounter : std::uint32_t { counter_masked_texels, counter_tiles, counter_mesh_stride };
+/// Slots of FrameOutputs::counters: three of the frame, then for each skin mesh three for each size of its maps.
+enum Counter : std::uint32_t { counter_skin_pixels, counter_unshaded_reads, counter_transmission_misses, counter_meshes };
+enum MeshCounter : std::uint32_t { counter_lit_texels, counter_masked_texels, counter_tiles, counter_level_stride };
+inline constexpr std::uint32_t counter_mesh_stride = counter_level_stride * (passes::max_halvings + 1);
 inline std::size_t counter_count(std::size_t skin_meshes) { return counter_meshes + counter_mesh_stride * skin_meshes; }
-inline std::uint32_t mesh_counter(std::uint32_t mesh, MeshCounter which) { return counter_meshes + counter_mesh_stride * mesh + which; }
+inline std::uint32_t mesh_counter(std::uint32_t mesh, std::uint32_t halvings, MeshCounter which) {
+  return counter_meshes + counter_mesh_stride * mesh + counter_level_stride * halvings + which;
+}
 
 struct FrameOutputs {
   frame::TextureId picture;                       ///< RGBA16F, linear, with bloom; alpha = share of the pixel that is skin
@@ -64,7 +73,13 @@ struct FrameOutputs {
   frame::BufferId counters;                       ///< uint[counter_count()]
   std::map<std::string, frame::TextureId> shows;  ///< what `--show` can show: "irradiance", "blur:0", ...
   glm::uvec2 shown_origin{0};                     ///< of the square of light maps that is shown: the nearest head's, its first skin mesh
-  std::vector<std::uint32_t> convolutions;        ///< a skin mesh: passes over its square, both axes counted
+  /// A skin mesh, by halvings of the map: what runs over its square there.
+  struct LevelWork {
+    std::uint32_t terms = 0;         ///< Gaussians that end there
+    std::uint32_t convolutions = 0;  ///< passes, both axes counted
+    bool halved = false;             ///< the level is made by Halve
+  };
+  std::vector<std::array<LevelWork, passes::max_halvings + 1>> work;
 };
 
 struct Technique {

@@ -33,9 +33,14 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
   expect_not_understood(run({"render", scene, "-o", out, "--albedo", "black"}), "--albedo");
   for (const char* size : {"12", "12x", "x12", "12x12x12", "12 x 12", "12x12 ", "axb", "99999999999x10", "1.5x2", "0x10x10"})
     expect_not_understood(run({"render", scene, "-o", out, "--size", size}), "--size");
+  for (const char* names : {"everything", "cull,none", "cull;depth", ""})
+    expect_not_understood(run({"render", scene, "-o", out, "--optimise", names}), "--optimise");
+  expect_not_understood(run({"render", scene, "-o", out, "--skip-unseen-heads", "some"}), "--skip-unseen-heads");
   expect_not_understood(run({"render", scene, "-o", out, "--orbit", "1"}), "--orbit");
   expect_not_understood(run({"render", scene, "-o", out, "--orbit", "1,2,3"}), "--orbit");
   expect_not_understood(run({"render", scene, "-o", out, "--orbit", "left,up"}), "--orbit");
+  for (const char* light : {"90", "90,", ",10", "90,10,", "90,10,3,4", "90;10", "left,up", " 90,10", "90,10x", ""})
+    expect_not_understood(run({"render", scene, "-o", out, "--light", light}), "--light");
   expect_not_understood(run({"render", scene, "another.glb", "-o", out}), "another.glb");
   expect_not_understood(run({"info", "--brush"}), "--brush");
   expect_not_understood(run({"plan", "--brush"}), "--brush");
@@ -44,6 +49,8 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
 TEST_F(Options, UnknownNamesListTheKnownOnes) {
   refuse({"--technique", "oil"}, "texture-space, lambert");
   refuse({"--view", "sepia"}, "filmic, srgb, linear");
+  refuse({"--mask", "tape"}, "alpha, depth, tiles");
+  refuse({"--maps", "some"}, "full, progressive");
   refuse({"--camera", "main"}, "it has no cameras");
   refuse({"--show", "nothing"}, "picture, blur:0");
   refuse({"--show", "shadow:-1"}, "shadow:0");
@@ -53,6 +60,17 @@ TEST_F(Options, UnknownNamesListTheKnownOnes) {
   refuse({"--device", "-1"}, "there are: 0: ");
   refuse({"--skin", "leather"}, "'skin'");
   refuse({"--profile", "leather"}, "published are: skin");
+}
+
+TEST_F(Options, SurroundingsThatAreNone) {
+  refuse({"--environment", "moon"}, "studio");
+  refuse({"--environment", "no/such/file.hdr"}, "no/such/file.hdr");
+  refuse({"--environment", folder().string()}, "");
+  refuse({"--environment", file("empty.hdr", "")}, "empty.hdr");
+  refuse({"--environment", file("words.exr", "these are words")}, "words.exr");
+  refuse({"--environment", file("wide.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 15000 +X 30000\n")}, "wide.hdr");
+  refuse({"--environment", file("cut.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 512 +X 1024\n\2\2")}, "cut.hdr");
+  refuse({"--environment", head()}, "head.gltf");
 }
 
 TEST_F(Options, ValuesOutOfRange) {
@@ -70,8 +88,12 @@ TEST_F(Options, ValuesOutOfRange) {
   refuse({"--heads", "2000000000"}, "--heads");
   refuse({"--lights", "-1"}, "--lights");
   refuse({"--lights", "2000000000"}, "--lights");
+  refuse({"--map-budget", "0.001"}, "--map-budget");
+  for (const char* light : {"nan,0", "4000,0", "0,91", "0,inf", "0,0,-1", "0,0,nan", "0,0,1e30"}) refuse({"--light", light}, "--light");
+  refuse({"--lights", "2", "--light", "90,10"}, "--lights and --light");
   for (const char* value : {"nan", "inf", "-inf", "-1e300"})
-    for (const char* option : {"--fov", "--distance", "--ambient", "--mix", "--bloom", "--exposure", "--unit-scale"})
+    for (const char* option : {"--d-ref", "--clip-margin", "--map-budget", "--environment-intensity", "--environment-rotation", "--fov",
+                               "--distance", "--ambient", "--mix", "--bloom", "--exposure", "--unit-scale"})
       refuse({option, value}, option);
   refuse({"--orbit", "nan,0"}, "--orbit");
   refuse({"--fov", "180"}, "--fov");
@@ -92,7 +114,12 @@ TEST_F(Options, ExtremesThatAreAllowedGiveAPicture) {
                                                          {"--orbit", "-90,90"},
                                                          {"--samples", "1", "--bloom", "1"},
                                                          {"--unit-scale", "1e-6"},
-                                                         {"--heads", "2", "--lights", "0"}}) {
+                                                         {"--heads", "2", "--lights", "0"},
+                                                         {"--environment", "studio", "--environment-rotation", "-77.5"},
+                                                         {"--optimise", "none", "--maps", "progressive"},
+                                                         {"--optimise", "cull", "--mask", "alpha", "--clip-margin", "0"},
+                                                         {"--optimise", "clip", "--mask", "depth", "--distance", "0.5"},
+                                                         {"--d-ref", "0.000001", "--heads", "3", "--map-budget", "1"}}) {
     SCOPED_TRACE(options[0] + " " + options[1]);
     Arguments arguments{head()};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -100,8 +127,23 @@ TEST_F(Options, ExtremesThatAreAllowedGiveAPicture) {
   }
 }
 
+TEST_F(Options, LightsThatArePlacedReplaceThoseOfTheScene) {
+  const auto rendered = [&](const Arguments& options) {
+    Arguments arguments{head()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_TRUE(expect_rendered(render(arguments)));
+    return read_text(picture());
+  };
+  const std::string side = rendered({"--light", "-30,10"}), bright = rendered({"--light", "-30,10,9.5"});
+  EXPECT_NE(side, bright);
+  EXPECT_EQ(side, rendered({"--light", "-30,10,3"}));
+  EXPECT_EQ(side, rendered({"--light", "330,10", "--light", "0,0,0"})) << "a lamp without light changes nothing";
+  EXPECT_NE(side, rendered({"--light", "-30,10", "--light", "60,10"}));
+  EXPECT_TRUE(expect_rendered(render({"--light", "-30,10", "--optimise", "none", head()}))) << "the scene may come last";
+}
+
 TEST_F(Options, HelpNamesUnitsAndDefaults) {
-  for (const char* command : {"render", "plan", "info"}) {
+  for (const char* command : {"render", "reference", "plan", "info"}) {
     const Result help = run({command, "--help"});
     EXPECT_EQ(help.status, 0) << command;
     EXPECT_NE(help.out.find("Usage"), std::string::npos) << command;

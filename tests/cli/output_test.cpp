@@ -77,9 +77,10 @@ TEST_F(Output, AnOldFileSurvives) {
 TEST_F(Output, TooLittleDeviceMemory) { expect_refused(render({head(), "--shadow-size", "16384", "--lights", "64"}), "shadow"); }
 
 // Without a device in between: drivers may fall over when the system has no memory left, our own code must not.
+// Less than these and the libraries do not even load.
 TEST_F(Output, TooLittleMemory) {
   int refused = 0;
-  for (const std::uint64_t mib : {40, 60, 80}) {
+  for (const std::uint64_t mib : {100, 120, 140}) {
     SCOPED_TRACE(mib);
     const Result result = run({"plan", "-o", (folder() / "plan.txt").string()}, {.variables = {}, .address_space_bytes = mib << 20});
     if (result.status == 0) continue;

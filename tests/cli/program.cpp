@@ -94,11 +94,15 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
   const pid_t child = ::fork();
   if (child == 0) become(out, err, argv.data(), envp.data(), surroundings.address_space_bytes);
   const double allowed_s = surroundings.kill_after_s > 0 ? surroundings.kill_after_s : limit_s;
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(allowed_s);
+  const auto start = std::chrono::steady_clock::now();
+  const auto gone_s = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   int status = 0;
   pid_t done = 0;
-  while ((done = ::waitpid(child, &status, WNOHANG)) == 0 && std::chrono::steady_clock::now() < end)
+  bool interrupted = surroundings.interrupt_after_s <= 0;
+  while ((done = ::waitpid(child, &status, WNOHANG)) == 0 && gone_s() < allowed_s) {
+    if (!interrupted && gone_s() > surroundings.interrupt_after_s) ::kill(child, SIGINT), interrupted = true;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
   if (done == 0) {
     ::kill(child, SIGKILL);
     ::waitpid(child, &status, 0);

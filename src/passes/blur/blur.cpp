@@ -56,6 +56,14 @@ void Blur::draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area)
   cmd.end_rendering();
 }
 
+// What averaging r x r texels into one has already added to the variance, in texels of the smaller map: that of r points, one r-th apart.
+float Blur::averaged_texels2(const frame::FrameData& frame, const MapSquare& square) const {
+  MapSquare before = square;
+  before.halvings = settings_.halvings_before.value_or(square.halvings);
+  const float r = static_cast<float>(side_of(frame, before)) / static_cast<float>(side_of(frame, square));
+  return (1 - 1 / (r * r)) / 12;
+}
+
 void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
   Bindings bindings;
   bindings.add("light_in", resources.sampled(in_.light, sampler_))
@@ -68,21 +76,22 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
   if (!drawn()) bindings.add("light_out", gpu::StorageImageBinding{&resources.texture(in_.target)});
   bindings.bind(cmd, *pipeline_);
   for (const MapSquare& square : settings_.squares) {
-    const frame::Instance& instance = instance_of(frame, square);
-    if (!instance.visible) continue;
+    if (!instance_of(frame, square).visible) continue;
+    const std::uint32_t side = side_of(frame, square);
     cmd.push(*pipeline_, io::BlurIo{.variance_mm2 = static_cast<float>(settings_.variance_mm2),
                                     .axis = settings_.axis,
                                     .texel_averaged = settings_.texel_averaged ? 1u : 0u,
                                     .origin = square.origin,
-                                    .side = instance.map_side,
+                                    .side = side,
                                     .square = square.index,
-                                    .first_tile = square.index * in_.lists.room});
+                                    .first_tile = square.index * in_.lists.room,
+                                    .averaged_texels2 = averaged_texels2(frame, square)});
     if (drawn())
       draw(cmd, resources, used_area(frame, square));
     else if (tiled)
       cmd.dispatch_indirect(resources.buffer(in_.lists.arguments), square.index * sizeof(io::TileArgumentsIo));
     else
-      cmd.dispatch_over(*pipeline_, instance.map_side, instance.map_side);
+      cmd.dispatch_over(*pipeline_, side, side);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "frame/plan.h"
@@ -22,6 +23,7 @@ class Blur {
     std::uint32_t axis = 0;       ///< 0, then 1
     bool texel_averaged = false;  ///< the first step: its input is constant over each texel
     Mask mask = Mask::whole;
+    std::optional<std::uint32_t> halvings_before;  ///< the first step after Halve: of the map that it has read
   };
   struct In {
     frame::TextureId light, stretch;
@@ -40,6 +42,7 @@ class Blur {
  private:
   bool drawn() const { return settings_.mask != Mask::whole && settings_.mask != Mask::tiles; }
   void draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const;
+  float averaged_texels2(const frame::FrameData& frame, const MapSquare& square) const;
   Settings settings_;
   In in_;
   const gpu::Pipeline* pipeline_ = nullptr;

@@ -32,11 +32,11 @@ void Border::record(gpu::Cmd& cmd, const frame::Resources& resources, const fram
       .add("TileCounts", resources.buffer(in_.lists.counts))
       .bind(cmd, *pipeline_);
   for (const MapSquare& square : settings_.squares) {
-    const frame::Instance& instance = instance_of(frame, square);
-    if (!instance.visible) continue;
-    cmd.push(*pipeline_,
-             io::BorderIo{
-                 .origin = square.origin, .side = instance.map_side, .square = square.index, .first_tile = square.index * in_.lists.room});
+    if (!instance_of(frame, square).visible) continue;
+    cmd.push(
+        *pipeline_,
+        io::BorderIo{
+            .origin = square.origin, .side = side_of(frame, square), .square = square.index, .first_tile = square.index * in_.lists.room});
     cmd.dispatch_indirect(resources.buffer(in_.lists.arguments), square.index * sizeof(io::TileArgumentsIo));
   }
 }

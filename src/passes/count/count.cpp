@@ -34,7 +34,7 @@ void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame
   };
   if (settings_.squares.empty()) count({0, 0}, {picture.desc().width, picture.desc().height});
   for (const MapSquare& square : settings_.squares)
-    if (const frame::Instance& instance = instance_of(frame, square); instance.visible) count(square.origin, glm::uvec2(instance.map_side));
+    if (instance_of(frame, square).visible) count(square.origin, glm::uvec2(side_of(frame, square)));
 }
 
 ClearCounters::Out ClearCounters::declare(frame::Declare& d, const In& in) {

@@ -33,7 +33,7 @@ void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const fra
     if (settings_.what == What::stretch)
       refresh(cmd, target, mesh, {0, 0}, target.desc().width);
     else if (instance_of(frame, square).visible)
-      refresh(cmd, target, mesh, square.origin, instance_of(frame, square).map_side);
+      refresh(cmd, target, mesh, square.origin, side_of(frame, square));
   }
 }
 

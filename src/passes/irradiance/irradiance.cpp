@@ -11,33 +11,59 @@ Irradiance::Out Irradiance::declare(frame::Declare& d, const In& in) {
   in_ = in;
   d.colour(in.light);
   d.sample(in.shadow);
+  if (!settings_.through.empty()) {
+    DERMIS_ASSERT_LT(in.joining.size(), std::size_t{TRANSMISSION_GROUPS});
+    d.sample(in.entering);
+    for (const frame::TextureId joining : in.joining) d.colour(joining);
+  }
   return {in.light};
 }
 
 void Irradiance::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.graphics({.vertex = settings_.clip ? "irradiance_clipped.vert" : "irradiance.vert",
-                                 .fragment = "irradiance.frag",
-                                 .constants = {{"cull", settings_.cull ? 1u : 0u}},
-                                 .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
+  gpu::GraphicsDesc desc{.vertex = settings_.clip ? "irradiance_clipped.vert" : "irradiance.vert",
+                         .fragment = "irradiance.frag",
+                         .constants = {{"cull", settings_.cull ? 1u : 0u}, {"environment", settings_.environment ? 1u : 0u}},
+                         .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}};
   samplers_ = LightingSamplers(library);
+  if (settings_.through.empty()) {
+    pipelines_ = {&library.graphics(desc)};
+    return;
+  }
+  desc.fragment = fmt::format("irradiance_through_{}.frag", in_.joining.size() + 1);
+  desc.colour_formats.assign(in_.joining.size() + 1, VK_FORMAT_R16G16B16A16_SFLOAT);
+  desc.constants.emplace_back("through_terms", 0u);
+  pipelines_.clear();
+  for (const gaussians::SumOfGaussians& profile : settings_.through) {
+    desc.constants.back().second = static_cast<std::uint32_t>(profile.terms.size());
+    pipelines_.push_back(&library.graphics(desc));
+  }
+  through_ = ThroughBindings(library, settings_.through, settings_.mm_per_unit);
 }
 
 void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
-  const gpu::Texture& target = resources.texture(in_.light);
-  const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
+  std::vector<gpu::ColourTarget> targets;
+  const auto add_target = [&](frame::TextureId id) {
+    targets.push_back({.texture = &resources.texture(id), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}});
+  };
+  add_target(in_.light);
+  for (const frame::TextureId joining : in_.joining) add_target(joining);
+  const bool through = !settings_.through.empty();
   for (const MapSquare& square : settings_.squares) {
     const GpuMesh& mesh = frame.scene->skin[square.mesh];
     const frame::Instance& instance = instance_of(frame, square);
     if (!instance.visible) continue;
-    cmd.begin_rendering_area(std::span(&colour, 1), {}, used_area(frame, square), true);
+    const gpu::Pipeline& pipeline = *pipelines_[through ? square.mesh : 0];
+    cmd.begin_rendering_area(targets, {}, used_area(frame, square), true);
     for (const GpuDraw& draw : mesh.draws) {
       const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
       Bindings bindings;
       mesh.offer(bindings);
       material.offer(bindings);
       samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
-      bindings.bind(cmd, *pipeline_);
-      cmd.push(*pipeline_, seen_io(frame, instance, material));
+      samplers_.offer_sky_seen(bindings, frame, mesh);
+      if (through) through_.offer(bindings, resources, in_.shadow, in_.entering, square.mesh);
+      bindings.bind(cmd, pipeline);
+      cmd.push(pipeline, seen_io(frame, instance, material));
       cmd.draw(draw.index_count, 1, draw.first_index);
     }
     cmd.end_rendering();

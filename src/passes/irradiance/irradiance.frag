@@ -10,12 +10,13 @@ layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
 layout(location = 5) flat in uint in_chart;
+layout(location = 6) in vec2 in_unwrap;
 layout(location = 0) out vec4 out_light;
 void main() {
   const vec3 n_geometric = normalize(in_normal);
   const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
-  const vec3 e = entering_irradiance(s, n, n_geometric, skin_specular(s));
+  const vec3 e = entering_irradiance(s, n, n_geometric, skin_specular(s)) + entering_surroundings(s, n, in_unwrap);
   const vec3 before = albedo_power(skin_albedo(s), material.mix_before);
   out_light = vec4(storable(e * before * (frame.radiance_scale / pi)), float(in_chart));
 }

@@ -4,8 +4,10 @@
 /// [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 (cull), 4 (the used square), 5 (clip).
 #pragma once
 
+#include "gaussians/sum.h"
 #include "passes/light_pool.h"
 #include "passes/lighting.h"
+#include "passes/transmission.h"
 
 namespace dermis::passes {
 
@@ -13,12 +15,19 @@ class Irradiance {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-    bool cull = false;  ///< leave out triangles that face away from the eye; see shared/seen.glsl
-    bool clip = false;  ///< leave out what lies outside FrameData::clip_planes
+    bool cull = false;         ///< leave out triangles that face away from the eye; see shared/seen.glsl
+    bool environment = false;  ///< light from FrameData::environment, else FrameIo::ambient
+    bool clip = false;         ///< leave out what lies outside FrameData::clip_planes
+    /// Of each skin mesh, of 1 to 8 terms: light also comes through the body, by passes/transmission.h. None: it does not.
+    std::vector<gaussians::SumOfGaussians> through;
+    double mm_per_unit = 1000;  ///< of the scene
   };
   struct In {
-    frame::TextureId light;   ///< RGBA16F pool; the used squares are cleared here
-    frame::TextureId shadow;  ///< of these instances
+    frame::TextureId light;          ///< RGBA16F pool; the used squares are cleared here
+    frame::TextureId shadow;         ///< of these instances
+    frame::TextureId entering = {};  ///< with `through`: see Shadow
+    /// With `through`: RGBA16F pools for what joins at the second and the third group of terms, as many as the mesh with most groups needs.
+    std::vector<frame::TextureId> joining = {};
   };
   struct Out {
     frame::TextureId light;
@@ -31,7 +40,34 @@ class Irradiance {
  private:
   Settings settings_;
   In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
+  std::vector<const gpu::Pipeline*> pipelines_;  // one, or with `through` one a skin mesh
+  ThroughBindings through_;
+  LightingSamplers samplers_;
+};
+
+/// Counts, over the texels that Irradiance shades, the looks through the body that found nothing to read: see transmission_misses.frag.
+/// Stands behind Irradiance with the same settings, of which `through` is not empty; only in full frames.
+class TransmissionMisses {
+ public:
+  struct Settings {
+    Irradiance::Settings irradiance;
+    std::uint32_t slot = 0;  ///< of the counters
+  };
+  struct In {
+    frame::TextureId shadow, entering;
+    frame::BufferId counters;
+  };
+  struct Out {};
+  explicit TransmissionMisses(const Settings& settings) : settings_(settings) {}
+  Out declare(frame::Declare& d, const In& in);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+
+ private:
+  Settings settings_;
+  In in_;
+  std::vector<const gpu::Pipeline*> pipelines_;  // one a skin mesh
+  ThroughBindings through_;
   LightingSamplers samplers_;
 };
 

@@ -12,6 +12,7 @@ layout(location = 2) out vec4 out_tangent;
 layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;
 layout(location = 5) flat out uint out_chart;
+layout(location = 6) out vec2 out_unwrap;
 layout(binding = 13, scalar) readonly buffer Charts { uint charts[]; };
 #ifdef CLIP
 out gl_PerVertex {
@@ -27,6 +28,7 @@ void main() {
   out_uv = vec4(v.uv0, v.uv1);
   out_colour = v.colour;
   out_chart = charts[gl_VertexIndex / 3];
+  out_unwrap = v.unwrap;
   gl_Position = vec4(v.unwrap * 2.0 - 1.0, 0.5, 1.0);
 #ifdef CLIP
   for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = dot(io.planes[i].xyz, out_position_m) + io.planes[i].w;

@@ -2,41 +2,46 @@
 #include "passes/shadow/shadow.h"
 
 #include "frame/executor.h"
-#include "passes/shadow/shadow_io.h"
 
 namespace dermis::passes {
-namespace {
-
-void draw_meshes(gpu::Cmd& cmd, const std::vector<GpuMesh>& meshes, const GpuScene& scene, const gpu::Pipeline& pipeline, bool cut_out,
-                 const io::ShadowIo& io) {
-  for (const GpuMesh& mesh : meshes)
-    for (const GpuDraw& draw : mesh.draws) {
-      const GpuMaterial& material = scene.materials[static_cast<std::size_t>(draw.material)];
-      // Blended parts (lashes, brows) would cast the shadow of their whole card.
-      if (material.alpha_mode == scene::AlphaMode::blend || (material.alpha_mode == scene::AlphaMode::mask) != cut_out) continue;
-      Bindings bindings;
-      mesh.offer(bindings);
-      material.offer(bindings);
-      bindings.bind(cmd, pipeline);
-      cmd.push(pipeline, io);
-      cmd.draw(draw.index_count, 1, draw.first_index);
-    }
-}
-
-}  // namespace
-
 Shadow::Out Shadow::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::raster);
   in_ = in;
   d.depth(in.shadow);
+  if (in.entering.valid()) d.colour(in.entering);
   return {in.shadow};
 }
 
 void Shadow::prepare(gpu::PipelineLibrary& library) {
-  gpu::GraphicsDesc desc{.vertex = "shadow.vert", .depth_format = VK_FORMAT_D32_SFLOAT, .depth_test = true, .depth_write = true};
-  solid_ = &library.graphics(desc);
-  desc.fragment = "shadow.frag";
-  cut_out_ = &library.graphics(desc);
+  for (const bool skin : {false, true})
+    for (const bool cut_out : {false, true})
+      for (const bool mixed : {false, true}) {
+        gpu::GraphicsDesc desc{.vertex = "shadow.vert", .depth_format = VK_FORMAT_D32_SFLOAT, .depth_test = true, .depth_write = true};
+        if (cut_out) desc.fragment = "shadow.frag";
+        if (in_.entering.valid()) {
+          desc.fragment = "shadow_entering.frag";
+          desc.constants = {{"skin", skin ? 1u : 0u}, {"cut_out", cut_out ? 1u : 0u}, {"mixed", mixed ? 1u : 0u}};
+          desc.colour_formats = {VK_FORMAT_R8G8B8A8_UNORM};
+        }
+        pipelines_[skin][cut_out][mixed] = &library.graphics(desc);
+      }
+}
+
+void Shadow::draw(gpu::Cmd& cmd, const frame::FrameData& frame, bool skin, bool cut_out, const io::ShadowIo& io) const {
+  for (const GpuMesh& mesh : skin ? frame.scene->skin : frame.scene->surfaces)
+    for (const GpuDraw& draw : mesh.draws) {
+      const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
+      // Blended parts (lashes, brows) would cast the shadow of their whole card.
+      if (material.alpha_mode == scene::AlphaMode::blend || (material.alpha_mode == scene::AlphaMode::mask) != cut_out) continue;
+      const gpu::Pipeline& pipeline = *pipelines_[skin][cut_out][skin && material.mixed];
+      Bindings bindings;
+      mesh.offer(bindings);
+      material.offer(bindings);
+      bindings.add("Frame", frame.frame_io);
+      bindings.bind(cmd, pipeline);
+      cmd.push(pipeline, io);
+      cmd.draw(draw.index_count, 1, draw.first_index);
+    }
 }
 
 void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
@@ -44,14 +49,16 @@ void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const fram
   const frame::Instance& instance = frame.instances[settings_.instance];
   if (!instance.visible) return;
   for (std::uint32_t layer = 0; layer < settings_.layers; ++layer) {
-    cmd.begin_rendering({}, gpu::DepthTarget{.texture = &shadow, .layer = instance.first_shadow_layer + layer, .clear = 0.0f},
+    const std::uint32_t target = instance.first_shadow_layer + layer;
+    std::vector<gpu::ColourTarget> colour;
+    if (in_.entering.valid())
+      colour.push_back({.texture = &resources.texture(in_.entering), .layer = target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}});
+    cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
                         {shadow.desc().width, shadow.desc().height}, true);
     if (layer < instance.shadow_from_world.size()) {
       const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer], .offset_m = instance.offset_m};
-      for (const auto* meshes : {&frame.scene->skin, &frame.scene->surfaces}) {
-        draw_meshes(cmd, *meshes, *frame.scene, *solid_, false, io);
-        draw_meshes(cmd, *meshes, *frame.scene, *cut_out_, true, io);
-      }
+      for (const bool skin : {true, false})
+        for (const bool cut_out : {false, true}) draw(cmd, frame, skin, cut_out, io);
     }
     cmd.end_rendering();
   }

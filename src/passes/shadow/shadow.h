@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Depth as each light sees one head: a layer a light, six for a point light inside the scene. Reversed depth, 0 where nothing is.
+/// Depth as each light sees one head: a layer a light, six for a point light inside the scene. Reversed depth, 0 where nothing is. And,
+/// if wanted, what of the light enters there: for translucent shadow maps, [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, 2003.
 #pragma once
 
 #include "frame/plan.h"
 #include "passes/frame_data.h"
+#include "passes/shadow/shadow_io.h"
 
 namespace dermis::passes {
 
@@ -15,6 +17,8 @@ class Shadow {
   };
   struct In {
     frame::TextureId shadow;  ///< D32; this head's layers begin at Instance::first_shadow_layer
+    /// RGBA8, the same layers: square root of the part that enters (albedo^mix of skin, 0 of other things), alpha 1 where something is.
+    frame::TextureId entering = {};  ///< not valid: not stored
   };
   struct Out {
     frame::TextureId shadow;
@@ -27,8 +31,8 @@ class Shadow {
  private:
   Settings settings_;
   In in_;
-  const gpu::Pipeline* solid_ = nullptr;
-  const gpu::Pipeline* cut_out_ = nullptr;
+  void draw(gpu::Cmd& cmd, const frame::FrameData& frame, bool skin, bool cut_out, const io::ShadowIo& io) const;
+  const gpu::Pipeline* pipelines_[2][2][2] = {};  // [skin][cut out][mixed]
 };
 
 }  // namespace dermis::passes

@@ -6,11 +6,11 @@
 layout(push_constant, scalar) uniform Push { ShadowIo io; };
 layout(location = 0) out vec2 out_uv0;
 layout(location = 1) out vec2 out_uv1;
-layout(location = 2) out float out_alpha;
+layout(location = 2) out vec4 out_colour;
 void main() {
   const VertexIo v = pulled_vertex();
   out_uv0 = v.uv0;
   out_uv1 = v.uv1;
-  out_alpha = v.colour.a;
+  out_colour = v.colour;
   gl_Position = io.shadow_from_world * vec4(v.position_m + io.offset_m, 1.0);
 }

@@ -25,30 +25,36 @@ Skin::Out Skin::declare(frame::Declare& d, const In& in) {
   in_ = in;
   for (const frame::TextureId light : in.lights) d.sample(light);
   d.sample(in.shadow);
+  if (through()) d.sample(in.entering);
   d.colour(in.colour);
   d.depth(in.depth);
   return {in.colour, in.depth};
 }
 
 void Skin::prepare(gpu::PipelineLibrary& library) {
-  const auto pipelines = [&](bool direct) {
-    gpu::GraphicsDesc desc{
-        .vertex = "skin.vert",
-        .fragment = "skin.frag",
-        .constants = {{"term_count", static_cast<std::uint32_t>(settings_.weights.size())}, {"direct", direct ? 1u : 0u}},
-        .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
-        .depth_format = VK_FORMAT_D32_SFLOAT,
-        .samples = settings_.samples,
-        .cull = gpu::Cull::back,
-        .depth_test = true,
-        .depth_write = true};
+  const bool progressive = !settings_.halvings.empty() && settings_.halvings.back() > 0;
+  const auto pipelines = [&](bool direct, bool through) {
+    gpu::GraphicsDesc desc{.vertex = "skin.vert",
+                           .fragment = through ? "skin_through.frag" : "skin.frag",
+                           .constants = {{"term_count", static_cast<std::uint32_t>(settings_.weights.size())},
+                                         {"direct", direct ? 1u : 0u},
+                                         {"environment", settings_.environment ? 1u : 0u},
+                                         {"progressive", progressive ? 1u : 0u}},
+                           .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
+                           .depth_format = VK_FORMAT_D32_SFLOAT,
+                           .samples = settings_.samples,
+                           .cull = gpu::Cull::back,
+                           .depth_test = true,
+                           .depth_write = true};
+    if (through) desc.constants.emplace_back("through_terms", static_cast<std::uint32_t>(settings_.weights.size()));
     Pipelines made{.single_sided = &library.graphics(desc)};
     desc.cull = gpu::Cull::none;
     made.double_sided = &library.graphics(desc);
     return made;
   };
-  mapped_ = pipelines(settings_.weights.empty());
-  if (settings_.mixes) mixed_ = pipelines(true);
+  mapped_ = pipelines(settings_.weights.empty(), false);
+  if (settings_.mixes) mixed_ = pipelines(true, through());
+  if (through()) through_ = ThroughBindings(library, {*settings_.through}, settings_.mm_per_unit);
   samplers_ = LightingSamplers(library);
   light_sampler_ = library.sampler({.filter = gpu::Filter::linear});
 }
@@ -62,13 +68,19 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
   gpu::DepthTarget depth_target{.texture = &resources.texture(in_.depth)};
   if (settings_.clear) colour_target.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}, depth_target.clear = 0.0f;
   cmd.begin_rendering(std::span(&colour_target, 1), depth_target, {colour.desc().width, colour.desc().height});
-  io::SkinIo io{
-      .offset_m = instance.offset_m, .weights = {}, .map_origin = settings_.square.origin, .map_side = instance.map_side, .slot = 0};
+  io::SkinIo io{.offset_m = instance.offset_m,
+                .weights = {},
+                .map_origin = settings_.square.origin,
+                .map_side = instance.map_side,
+                .slot = 0,
+                .halvings = 0};
   bool mixed = false;
   for (std::size_t i = 0; i < settings_.weights.size(); ++i) {
     const float shrink = static_cast<float>(settings_.largest_side) / static_cast<float>(instance.map_side);
     const float share = settings_.mixes ? direct_share(settings_.sigmas_mm[i] * settings_.texels_per_mm / shrink, shrink) : 0.0f;
     mixed = mixed || share > 0;
+    const std::uint32_t side = halved_side(instance.map_side, settings_.largest_side, settings_.halvings[i]);
+    while (instance.map_side >> (io.halvings >> 4 * i & 15u) > side) io.halvings += 1u << 4 * i;
     io.weights[i] = (1 - share) * glm::vec3(settings_.weights[i][0], settings_.weights[i][1], settings_.weights[i][2]);
   }
   const Pipelines& pipelines = mixed ? mixed_ : mapped_;
@@ -81,6 +93,8 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
     mesh.offer(bindings);
     material.offer(bindings);
     samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
+    samplers_.offer_sky_seen(bindings, frame, mesh);
+    if (through()) through_.offer(bindings, resources, in_.shadow, in_.entering, 0);
     // A binding without a term is never read, but must be bound: any sampled texture serves.
     for (std::size_t i = 0; i < names.size(); ++i)
       bindings.add(names[i], i < in_.lights.size() ? resources.sampled(in_.lights[i], light_sampler_)

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "passes/light_pool.h"
 #include "passes/lighting.h"
+#include "passes/transmission.h"
 
 namespace dermis::passes {
 
@@ -23,14 +25,20 @@ class Skin {
     std::uint32_t samples = 1;                  ///< of the targets
     bool clear = false;                         ///< the first to draw into them
     std::vector<std::array<float, 3>> weights;  ///< a term each, 0 to 8; none = Lambert
+    std::vector<std::uint32_t> halvings;        ///< of the term's map, a term each; the first is 0
+    bool environment = false;                   ///< light from FrameData::environment, else FrameIo::ambient
     bool mixes = false;                         ///< where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
     std::vector<float> sigmas_mm;               ///< a term each
     float texels_per_mm = 0;                    ///< mean of the unwrap, at T_max
     std::uint32_t largest_side = 0;             ///< T_max
+    /// The profile, if light comes through the body: of what is lit at the pixel, too. See Irradiance.
+    std::optional<gaussians::SumOfGaussians> through;
+    double mm_per_unit = 1000;  ///< of the scene
   };
   struct In {
     std::vector<frame::TextureId> lights;  ///< RGBA16F pools, a term each
     frame::TextureId shadow, colour, depth;
+    frame::TextureId entering = {};  ///< with `through` and `mixes`: see Shadow
   };
   struct Out {
     frame::TextureId colour, depth;
@@ -48,7 +56,9 @@ class Skin {
     const gpu::Pipeline* double_sided = nullptr;
   };
   Pipelines mapped_, mixed_;  // all terms from the maps; some of their light at the pixel
+  bool through() const { return settings_.through && settings_.mixes; }
   LightingSamplers samplers_;
+  ThroughBindings through_;
   VkSampler light_sampler_ = VK_NULL_HANDLE;
 };
 

@@ -9,9 +9,10 @@ struct SkinIo {
   uvec2 map_origin;  // of the head's square in the pool of light maps
   uint map_side;     // T, texels
   uint slot;         // of the counters, see skin_reads.frag
+  uint halvings;     // four bits a term: the side of its map is T >> n
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::SkinIo) == 124);
+static_assert(sizeof(dermis::io::SkinIo) == 128);
 #endif
 #endif

@@ -46,7 +46,7 @@ void SkinReads::record(gpu::Cmd& cmd, const frame::Resources& resources, const f
     cmd.push(pipeline, io::SkinIo{.offset_m = instance.offset_m,
                                   .weights = {},
                                   .map_origin = settings_.square.origin,
-                                  .map_side = instance.map_side,
+                                  .map_side = side_of(frame, settings_.square),
                                   .slot = settings_.slot});
     cmd.draw(draw.index_count, 1, draw.first_index);
   }

@@ -20,6 +20,7 @@ Surface::Out Surface::declare(frame::Declare& d, const In& in) {
 void Surface::prepare(gpu::PipelineLibrary& library) {
   gpu::GraphicsDesc desc{.vertex = "surface.vert",
                          .fragment = "surface.frag",
+                         .constants = {{"environment", settings_.environment ? 1u : 0u}},
                          .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
                          .depth_format = VK_FORMAT_D32_SFLOAT,
                          .samples = settings_.samples,

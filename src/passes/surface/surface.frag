@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and height-correlated Smith.
-// The uniform surroundings are reflected by the split-sum fit of Karis, "Physically Based Shading on Mobile", 2014.
+// The surroundings are reflected by the split-sum fit of Karis, "Physically Based Shading on Mobile", 2014.
 #version 460
 #include "shared/scene_io.h"
 #include "shared/half.glsl"
@@ -17,15 +17,16 @@ layout(binding = 11) uniform sampler2D map_occlusion;
 layout(binding = 12) uniform sampler2D map_specular;
 layout(binding = 13) uniform sampler2D map_emissive;
 layout(binding = 14) uniform sampler2D map_specular_colour;
+const float pi = 3.14159265358979;
 #include "shared/lights.glsl"
 #include "shared/material.glsl"
+#include "shared/surroundings.glsl"
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
 layout(location = 0) out vec4 out_radiance;
-const float pi = 3.14159265358979;
 
 struct Look {
   vec3 albedo, f0;
@@ -105,7 +106,8 @@ void main() {
   const MapIo oc = material.maps[MAP_OCCLUSION];
   const float occlusion = oc.present != 0u ? 1.0 + oc.scale * (texture(map_occlusion, map_uv(oc, s)).r - 1.0) : 1.0;
   const vec3 mirrored = frame.specular_on != 0u ? reflected_surroundings(look, max(dot(n, v), 0.0)) : vec3(0.0);
-  radiance += frame.ambient * occlusion * (look.albedo * (1.0 - max(mirrored.x, max(mirrored.y, mirrored.z))) + mirrored);
+  const vec3 diffuse = surroundings_irradiance(n) / pi * look.albedo * (1.0 - max(mirrored.x, max(mirrored.y, mirrored.z)));
+  radiance += occlusion * (diffuse + surroundings_radiance(reflect(-v, n), look.alpha) * mirrored);
   vec3 emitted = material.emissive;
   const MapIo em = material.maps[MAP_EMISSIVE];
   if (em.present != 0u) emitted *= texture(map_emissive, map_uv(em, s)).rgb;

@@ -11,7 +11,7 @@ namespace dermis::passes {
 namespace {
 
 io::TilesIo tiles_io(const frame::FrameData& frame, const MapSquare& square, const TileLists& lists) {
-  const std::uint32_t side = instance_of(frame, square).map_side;
+  const std::uint32_t side = side_of(frame, square);
   return {.origin = square.origin,
           .side = side,
           .square = square.index,
@@ -115,13 +115,10 @@ void IdleTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const f
         .add("light", gpu::StorageImageBinding{&resources.texture(map)})
         .bind(cmd, *pipeline_);
     for (const MapSquare& square : settings_.squares) {
-      const frame::Instance& instance = instance_of(frame, square);
-      if (!instance.visible) continue;
-      const std::uint32_t first = square.index * in_.lists.room;
-      cmd.push(*pipeline_, io::IdleIo{.origin = square.origin,
-                                      .side = instance.map_side,
-                                      .square = square.index,
-                                      .last_tile = first + tile_room(instance.map_side) - 1});
+      if (!instance_of(frame, square).visible) continue;
+      const std::uint32_t side = side_of(frame, square), first = square.index * in_.lists.room;
+      cmd.push(*pipeline_,
+               io::IdleIo{.origin = square.origin, .side = side, .square = square.index, .last_tile = first + tile_room(side) - 1});
       cmd.dispatch_indirect(arguments, square.index * sizeof(io::TileArgumentsIo) + offsetof(io::TileArgumentsIo, idle_groups));
     }
   }

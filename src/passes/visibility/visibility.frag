@@ -11,5 +11,5 @@ void main() {
   bool outside = false;
   for (int i = 0; i < 5; ++i) outside = outside || dot(io.planes[i].xyz, in_position_m) + io.planes[i].w < 0.0;
   const bool culled = cull && in_culled != 0u, clipped = clip && outside;
-  out_colour = vec4(culled ? 0.8 : 0.1, culled || clipped ? 0.1 : 0.7, clipped ? 0.9 : 0.1, 1.0);
+  out_colour = vec4(clipped ? 0.8 : 0.1, culled || clipped ? 0.1 : 0.7, culled ? 0.9 : 0.1, 1.0);
 }

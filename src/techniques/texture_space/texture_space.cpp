@@ -9,10 +9,13 @@
 #include "passes/count/count.h"
 #include "passes/depth_mask/depth_mask.h"
 #include "passes/gutters/gutters.h"
+#include "passes/halve/halve.h"
 #include "passes/irradiance/irradiance.h"
+#include "passes/join/join.h"
 #include "passes/skin/skin.h"
 #include "passes/stretch/stretch.h"
 #include "passes/tiles/tiles.h"
+#include "passes/transmission.h"
 #include "passes/visibility/visibility.h"
 #include "techniques/screen.h"
 
@@ -36,10 +39,19 @@ std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
   return sigmas;
 }
 
+// Light maps of one size, and what says which of their texels convolutions skip.
+struct Level {
+  std::uint32_t halvings = 0;
+  frame::TextureId light;  // what its first convolution reads
+  frame::TextureId scratch, depth_mask;
+  std::vector<frame::TextureId> blurred;  // of the terms that end here
+  passes::TileLists border, lit;
+};
+
 class TextureSpace {
  public:
   TextureSpace(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&plan), settings_(settings), screen_(plan, settings) {
-    for (const SkinPart& part : settings_.skin) terms_ = std::max(terms_, part.profile.terms.size());
+    for (const SkinPart& part : settings_.skin) add_halvings(part);
     if (!settings_.skin.empty()) make_maps();
   }
 
@@ -60,14 +72,13 @@ class TextureSpace {
   FrameOutputs finish() {
     FrameOutputs out = screen_.finish();
     if (settings_.skin.empty()) return out;
-    out.shows["irradiance"] = irradiance_;
+    out.shows["irradiance"] = levels_.front().light;
     out.shows["stretch"] = stretch_.front();
     if (settings_.visibility) out.shows["visibility"] = add_visibility();
-    for (std::size_t k = 0; k < levels_.size(); ++k) out.shows[fmt::format("blur:{}", k)] = levels_[k];
+    for (std::size_t k = 0; k < blurred_.size(); ++k) out.shows[fmt::format("blur:{}", k)] = blurred_[k];
     for (const auto& [name, id] : out.shows) plan_->read_back(id);
     out.shown_origin = square_of(settings_.heads - 1, 0).origin;
-    for (const SkinPart& part : settings_.skin)
-      out.convolutions.push_back(static_cast<std::uint32_t>(2 * passes::blur_steps(part.profile, part.max_texels_per_mm).size()));
+    for (const SkinPart& part : settings_.skin) out.work.push_back(work_of(part));
     return out;
   }
 
@@ -78,8 +89,11 @@ class TextureSpace {
 
   MapSquare square_of(std::uint32_t head, std::uint32_t mesh) const {
     const std::uint32_t index = head % settings_.heads_per_batch * static_cast<std::uint32_t>(settings_.skin.size()) + mesh;
-    return {
-        .instance = head, .mesh = mesh, .origin = glm::uvec2(index % columns(), index / columns()) * settings_.map_size, .index = index};
+    return {.instance = head,
+            .mesh = mesh,
+            .origin = glm::uvec2(index % columns(), index / columns()) * settings_.map_size,
+            .index = index,
+            .largest_side = settings_.map_size};
   }
 
   // What cull and clip have left unlit is skipped; with neither, the whole used square is convolved by the same kind of pass.
@@ -89,6 +103,9 @@ class TextureSpace {
     return settings_.mask == Mask::tiles ? Mask::whole : Mask::drawn;
   }
 
+  static std::string at(std::string_view what, const Level& level) {
+    return level.halvings > 0 ? fmt::format("{} 1/{}", what, 1u << level.halvings) : std::string(what);
+  }
   std::string name(std::string_view what) const {
     return settings_.heads > settings_.heads_per_batch ? fmt::format("{} batch {}", what, batch_) : std::string(what);
   }
@@ -96,17 +113,37 @@ class TextureSpace {
     return name(settings_.skin.size() > 1 ? fmt::format("{} part {}", what, mesh) : std::string(what));
   }
 
+  // A term's map serves all skin meshes: it is halved as often as the one that needs it largest allows.
+  void add_halvings(const SkinPart& part) {
+    std::vector<std::uint32_t> halvings(part.profile.terms.size(), 0);
+    if (settings_.progressive) halvings = passes::map_halvings(part.profile, part.mean_texels_per_mm, settings_.map_size);
+    for (std::size_t k = 0; k < halvings.size(); ++k) {
+      if (k == halvings_.size()) halvings_.push_back(halvings[k]);
+      halvings_[k] = std::min(halvings_[k], halvings[k]);
+    }
+  }
+
+  std::array<FrameOutputs::LevelWork, passes::max_halvings + 1> work_of(const SkinPart& part) const {
+    std::array<FrameOutputs::LevelWork, passes::max_halvings + 1> work{};
+    std::size_t term = 0;
+    for (const passes::BlurStep& step : passes::blur_steps(part.profile, part.max_texels_per_mm)) {
+      FrameOutputs::LevelWork& level = work[halvings_[term]];
+      level.halved = halvings_[term] > 0;
+      level.convolutions += 2;
+      if (step.ends_term) ++level.terms, ++term;
+    }
+    return work;
+  }
+
   void make_maps() {
-    const std::uint32_t rows = (squares() + columns() - 1) / columns();
-    gpu::TextureDesc pool{
-        .width = columns() * settings_.map_size, .height = rows * settings_.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
-    irradiance_ = plan_->texture("irradiance", pool);
-    scratch_ = plan_->texture("scratch", pool);
-    for (std::size_t k = 0; k < terms_; ++k) levels_.push_back(plan_->texture(fmt::format("light {}", k), pool));
-    if (sparse()) border_ = passes::make_tile_lists(*plan_, "border", squares(), settings_.map_size);
-    if (mask() == Mask::tiles) lists_ = passes::make_tile_lists(*plan_, "lit", squares(), settings_.map_size);
-    pool.format = VK_FORMAT_D32_SFLOAT;
-    if (mask() == Mask::depth) depth_mask_ = plan_->texture("depth mask", pool);
+    for (std::size_t k = 0; k < halvings_.size(); ++k) {
+      if (levels_.empty() || levels_.back().halvings != halvings_[k]) levels_.push_back(make_level(halvings_[k]));
+      blurred_.push_back(plan_->texture(fmt::format("light {}", k), pool(halvings_[k])));
+      levels_.back().blurred.push_back(blurred_.back());
+    }
+    if (settings_.translucency)
+      for (std::size_t g = 1; g < passes::transmission_groups(halvings_.size()).size(); ++g)
+        joining_.push_back(plan_->texture(fmt::format("joining {}", g), pool(0)));
     const gpu::TextureDesc map{.width = settings_.map_size, .height = settings_.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
     for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh) {
       const std::string suffix = settings_.skin.size() > 1 ? fmt::format(" part {}", mesh) : "";
@@ -117,34 +154,87 @@ class TextureSpace {
     }
   }
 
+  gpu::TextureDesc pool(std::uint32_t halvings, VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) const {
+    const std::uint32_t rows = (squares() + columns() - 1) / columns(), side = settings_.map_size >> halvings;
+    return {.width = columns() * side, .height = rows * side, .format = format};
+  }
+
+  Level make_level(std::uint32_t halvings) {
+    const std::uint32_t side = settings_.map_size >> halvings;
+    const std::string suffix = halvings > 0 ? fmt::format(" 1/{}", 1u << halvings) : "";
+    Level level{.halvings = halvings};
+    level.light = plan_->texture("irradiance" + suffix, pool(halvings));
+    level.scratch = plan_->texture("scratch" + suffix, pool(halvings));
+    if (sparse()) level.border = passes::make_tile_lists(*plan_, "border" + suffix, squares(), side);
+    if (mask() == Mask::tiles) level.lit = passes::make_tile_lists(*plan_, "lit" + suffix, squares(), side);
+    if (mask() == Mask::depth) level.depth_mask = plan_->texture("depth mask" + suffix, pool(halvings, VK_FORMAT_D32_SFLOAT));
+    return level;
+  }
+
   void add_light(const std::vector<MapSquare>& all) {
-    plan_->add<passes::Irradiance>(name("irradiance"), {irradiance_, screen_.shadow()},
-                                   {.squares = all, .cull = settings_.optimise.cull, .clip = settings_.optimise.clip});
-    plan_->add<passes::Count>(name("count texels"), {irradiance_, screen_.counters()}, {.slot = counter_irradiance, .squares = all});
-    plan_->add<Gutters>(name("irradiance gutters"), {irradiance_}, {.squares = all});
-    if (sparse()) add_border(all);
+    const Level& level = levels_.front();
+    passes::Irradiance::Settings irradiance{.squares = all,
+                                            .cull = settings_.optimise.cull,
+                                            .environment = settings_.environment,
+                                            .clip = settings_.optimise.clip,
+                                            .through = {},
+                                            .mm_per_unit = settings_.mm_per_unit};
+    if (settings_.translucency)
+      for (const SkinPart& part : settings_.skin) irradiance.through.push_back(part.profile);
+    plan_->add<passes::Irradiance>(name("irradiance"), {level.light, screen_.shadow(), screen_.entering(), joining_}, irradiance);
+    if (settings_.translucency)
+      plan_->add<passes::TransmissionMisses>(name("count transmission misses"), {screen_.shadow(), screen_.entering(), screen_.counters()},
+                                             {.irradiance = irradiance, .slot = counter_transmission_misses});
     for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
-      plan_->add<passes::Count>(
-          name("count masked texels", mesh), {irradiance_, screen_.counters()},
-          {.slot = mesh_counter(mesh, counter_masked_texels), .threshold = 0.5f, .absolute = true, .squares = of_mesh(all, mesh)});
-    if (mask() == Mask::depth) plan_->add<passes::DepthMask>(name("depth mask"), {irradiance_, depth_mask_}, {.squares = all});
+      plan_->add<passes::Count>(name("count texels", mesh), {level.light, screen_.counters()},
+                                {.slot = mesh_counter(mesh, 0, counter_lit_texels), .squares = of_mesh(all, mesh)});
+    add_masks(level, all);
+  }
+
+  // Goes on in smaller maps with the light of one skin mesh.
+  void add_halved(const Level& level, frame::TextureId light, const std::vector<MapSquare>& from, const std::vector<MapSquare>& to) {
+    plan_->add<passes::Halve>(name(at("halve", level), to.front().mesh), {light, stretch_[to.front().mesh], level.light},
+                              {.from = from, .to = to});
+    add_masks(level, to);
+  }
+
+  // What the convolutions of a level need beside its light: the other side of seams, a border, and where there is none.
+  void add_masks(const Level& level, const std::vector<MapSquare>& all) {
+    const auto label = [&](std::string_view what) { return name(at(what, level)); };
+    plan_->add<Gutters>(label("irradiance gutters"), {level.light}, {.squares = all});
+    if (sparse()) add_border(level, all);
+    for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
+      if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
+        plan_->add<passes::Count>(
+            name(at("count masked texels", level), mesh), {level.light, screen_.counters()},
+            {.slot = mesh_counter(mesh, level.halvings, counter_masked_texels), .threshold = 0.5f, .absolute = true, .squares = squares});
+    if (mask() == Mask::depth) plan_->add<passes::DepthMask>(label("depth mask"), {level.light, level.depth_mask}, {.squares = all});
     if (mask() == Mask::tiles) {
-      std::vector<frame::TextureId> maps = levels_;
-      maps.push_back(scratch_);
-      plan_->add<passes::ClearTiles>(name("clear tiles"), {lists_});
-      plan_->add<passes::TileClasses>(name("tile classes"), {irradiance_, lists_}, {all});
-      plan_->add<passes::Tiles>(name("tiles"), {lists_, screen_.counters()},
-                                {.squares = all, .first_slot = mesh_counter(0, counter_tiles), .slot_stride = counter_mesh_stride});
-      plan_->add<passes::IdleTiles>(name("idle tiles"), {lists_, maps}, {.squares = all});
+      std::vector<frame::TextureId> maps = level.blurred;
+      maps.push_back(level.scratch);
+      plan_->add<passes::ClearTiles>(label("clear tiles"), {level.lit});
+      plan_->add<passes::TileClasses>(label("tile classes"), {level.light, level.lit}, {all});
+      plan_->add<passes::Tiles>(
+          label("tiles"), {level.lit, screen_.counters()},
+          {.squares = all, .first_slot = mesh_counter(0, level.halvings, counter_tiles), .slot_stride = counter_mesh_stride});
+      plan_->add<passes::IdleTiles>(label("idle tiles"), {level.lit, maps}, {.squares = all});
     }
   }
 
-  void add_border(const std::vector<MapSquare>& all) {
-    plan_->add<passes::ClearTiles>(name("clear border tiles"), {border_});
-    plan_->add<passes::TileClasses>(name("border tile classes"), {irradiance_, border_}, {all});
-    plan_->add<passes::Tiles>(name("border tiles"), {border_, screen_.counters()}, {.squares = all, .what = passes::Tiles::What::border});
+  void add_border(const Level& level, const std::vector<MapSquare>& all) {
+    const auto label = [&](std::string_view what) { return name(at(what, level)); };
+    plan_->add<passes::ClearTiles>(label("clear border tiles"), {level.border});
+    plan_->add<passes::TileClasses>(label("border tile classes"), {level.light, level.border}, {all});
+    plan_->add<passes::Tiles>(label("border tiles"), {level.border, screen_.counters()},
+                              {.squares = all, .what = passes::Tiles::What::border});
     for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
-      plan_->add<passes::Border>(name("border", mesh), {irradiance_, stretch_[mesh], border_}, {of_mesh(all, mesh)});
+      if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
+        plan_->add<passes::Border>(name(at("border", level), mesh), {level.light, stretch_[mesh], level.border}, {squares});
+    if (level.halvings > 0) return;
+    for (std::size_t g = 0; g < joining_.size(); ++g)
+      for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
+        plan_->add<passes::Border>(name(fmt::format("joining {} border", g + 1), mesh), {joining_[g], stretch_[mesh], level.border},
+                                   {of_mesh(all, mesh)});
   }
 
   // Of the nearest head.
@@ -159,42 +249,94 @@ class TextureSpace {
   }
 
   // Gaussians compose: blurring a blurred map adds variances, so each term starts from the one before. Seams are refreshed after each step.
-  void add_convolution(std::uint32_t mesh, const std::vector<MapSquare>& squares) {
-    frame::TextureId light = irradiance_;
+  void add_convolution(std::uint32_t mesh, const std::vector<MapSquare>& all) {
+    const Level* level = &levels_.front();
+    frame::TextureId light = level->light;
+    std::vector<MapSquare> squares = all;
     std::size_t term = 0, number = 0;
-    bool first = true;
+    bool first = true, joins = false;
+    const std::vector<std::size_t> groups = passes::transmission_groups(settings_.skin[mesh].profile.terms.size());
     for (const passes::BlurStep& step : passes::blur_steps(settings_.skin[mesh].profile, settings_.skin[mesh].max_texels_per_mm)) {
+      for (std::size_t g = 1; joins && g < groups.size(); ++g)
+        if (groups[g] == term) light = add_join(g, light, *level, all);
+      passes::Blur::Settings blur{.squares = squares, .variance_mm2 = step.variance_mm2, .texel_averaged = first, .mask = mask()};
+      if (halvings_[term] != level->halvings) {
+        blur.halvings_before = level->halvings;
+        level = &level_of(term);
+        blur.squares = on_level(all, *level);
+        add_halved(*level, light, squares, blur.squares);
+        squares = blur.squares;
+        light = level->light;
+      }
       const std::string step_name = fmt::format("blur {}", number++);
-      // A step between two terms is overwritten by the step that ends the next term: its level serves both.
-      const frame::TextureId target = levels_[term];
-      passes::Blur::Settings blur{
-          .squares = squares, .variance_mm2 = step.variance_mm2, .axis = 0, .texel_averaged = first, .mask = mask()};
-      plan_->add<passes::Blur>(name(step_name + " u", mesh), {light, stretch_[mesh], scratch_, lists_, depth_mask_}, blur);
+      // A step between two terms is overwritten by the step that ends the next term: its map serves both.
+      const frame::TextureId target = blurred_[term];
+      plan_->add<passes::Blur>(name(step_name + " u", mesh), {light, stretch_[mesh], level->scratch, level->lit, level->depth_mask}, blur);
       blur.axis = 1;
-      plan_->add<passes::Blur>(name(step_name + " v", mesh), {scratch_, stretch_[mesh], target, lists_, depth_mask_}, blur);
+      plan_->add<passes::Blur>(name(step_name + " v", mesh), {level->scratch, stretch_[mesh], target, level->lit, level->depth_mask}, blur);
       plan_->add<Gutters>(name(step_name + " gutters", mesh), {target}, {.squares = squares});
       light = target;
       first = false;
+      joins = step.ends_term && settings_.translucency;
       if (step.ends_term) ++term;
     }
   }
 
+  const Level& level_of(std::size_t term) const {
+    return *std::find_if(levels_.begin(), levels_.end(), [&](const Level& level) { return level.halvings == halvings_[term]; });
+  }
+
+  std::vector<MapSquare> on_level(std::vector<MapSquare> squares, const Level& level) const {
+    for (MapSquare& square : squares) square = on_level(square, level);
+    return squares;
+  }
+  MapSquare on_level(MapSquare square, const Level& level) const {
+    square.origin /= 1u << level.halvings;
+    square.halvings = level.halvings;
+    return square;
+  }
+
+  // Light that the terms from here on bring through the body joins what the terms before have spread: passes/transmission.h.
+  frame::TextureId add_join(std::size_t group, frame::TextureId light, const Level& level, const std::vector<MapSquare>& all) {
+    const std::uint32_t mesh = all.front().mesh;
+    const std::vector<MapSquare> squares = on_level(all, level);
+    frame::TextureId through = joining_[group - 1];
+    if (level.halvings > 0) {
+      const std::string what = at(fmt::format("joining {}", group), level);
+      through =
+          plan_
+              ->add<passes::Halve>(name(what, mesh), {through, stretch_[mesh], plan_->texture(name(what, mesh), pool(level.halvings))},
+                                   {.from = all, .to = squares})
+              .light;
+    }
+    const frame::TextureId joined =
+        plan_->add<passes::Join>(name(fmt::format("join {}", group), mesh), {light, through}, {.squares = squares}).light;
+    plan_->add<Gutters>(name(fmt::format("join {} gutters", group), mesh), {joined}, {.squares = squares});
+    return joined;
+  }
+
   void add_final(const MapSquare& square) {
     const SkinPart& part = settings_.skin[square.mesh];
-    const std::vector<frame::TextureId> lights(levels_.begin(), levels_.begin() + static_cast<std::ptrdiff_t>(part.profile.terms.size()));
+    const std::size_t terms = part.profile.terms.size();
+    const std::vector<frame::TextureId> lights(blurred_.begin(), blurred_.begin() + static_cast<std::ptrdiff_t>(terms));
     plan_->add<passes::Skin>(label("final", settings_, square.instance, square.mesh),
-                             {lights, screen_.shadow(), screen_.colour(), screen_.depth()},
+                             {lights, screen_.shadow(), screen_.colour(), screen_.depth(), screen_.entering()},
                              {.square = square,
                               .samples = settings_.samples,
                               .clear = screen_.take_clear(),
                               .weights = weights(part.profile),
+                              .halvings = {halvings_.begin(), halvings_.begin() + static_cast<std::ptrdiff_t>(terms)},
+                              .environment = settings_.environment,
                               .mixes = settings_.optimise.depth,
                               .sigmas_mm = sigmas_mm(part.profile),
                               .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
-                              .largest_side = settings_.map_size});
-    plan_->add<passes::SkinReads>(label("count unshaded reads", settings_, square.instance, square.mesh),
-                                  {lights.front(), screen_.depth(), screen_.counters()},
-                                  {.square = square, .samples = settings_.samples, .slot = counter_unshaded_reads});
+                              .largest_side = settings_.map_size,
+                              .through = settings_.translucency ? std::optional(part.profile) : std::nullopt,
+                              .mm_per_unit = settings_.mm_per_unit});
+    for (const Level& level : levels_)
+      plan_->add<passes::SkinReads>(label(at("count unshaded reads", level), settings_, square.instance, square.mesh),
+                                    {level.blurred.front(), screen_.depth(), screen_.counters()},
+                                    {.square = on_level(square, level), .samples = settings_.samples, .slot = counter_unshaded_reads});
   }
 
   static std::vector<MapSquare> of_mesh(const std::vector<MapSquare>& all, std::uint32_t mesh) {
@@ -206,12 +348,12 @@ class TextureSpace {
   frame::FramePlan* plan_;
   const FrameSettings& settings_;
   Screen screen_;
-  std::size_t terms_ = 0;
   std::uint32_t batch_ = 0;
-  frame::TextureId irradiance_, scratch_, depth_mask_;
+  std::vector<std::uint32_t> halvings_;    // one a term, of the profile with most terms
+  std::vector<Level> levels_;              // large to small; the first holds the irradiance
+  std::vector<frame::TextureId> blurred_;  // one a term
   std::vector<frame::TextureId> stretch_;  // one a skin mesh
-  std::vector<frame::TextureId> levels_;   // one a term, of the profile with most terms
-  passes::TileLists border_, lists_;
+  std::vector<frame::TextureId> joining_;  // with translucency: what joins at the second and third group of terms
 };
 
 }  // namespace

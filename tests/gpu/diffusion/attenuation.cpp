@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "passes/attenuation.h"
+#include "optics/attenuation.h"
 
 #include <gtest/gtest.h>
 
-namespace dermis::passes {
+namespace dermis::optics {
 namespace {
 
 constexpr double f0 = (0.4 / 2.4) * (0.4 / 2.4);
@@ -42,4 +42,4 @@ TEST(Attenuation, TableHoldsTheFunction) {
 }
 
 }  // namespace
-}  // namespace dermis::passes
+}  // namespace dermis::optics

@@ -85,15 +85,20 @@ TEST(FrameStatistics, SkinPixelsAreThoseOfThePicture) {
 TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
   for (const std::string& technique : technique_names()) {
     SCOPED_TRACE(technique);
-    const nlohmann::json j = nlohmann::json::parse(statistics_of(technique).json());
+    const nlohmann::json j = nlohmann::json::parse(renderer().render(sphere(0.1), small_settings(technique)).statistics.json());
     for (const char* key : {"dermis", "device", "driver", "api", "technique", "timing"})
       EXPECT_TRUE(j.at(key).is_string() && j.at(key) != "") << key;
     for (const char* key : {"map_size", "heads", "lights", "gaussians", "load_ms", "pipeline_ms", "skin_pixels", "d_ref"})
       EXPECT_TRUE(j.at(key).is_number()) << key;
     for (const char* key : {"median", "min", "max", "frames"}) EXPECT_TRUE(j.at("frame_ms").at(key).is_number()) << key;
-    for (const char* key : {"irradiance", "convolved", "launched"}) EXPECT_TRUE(j.at("texels").at(key).is_number_unsigned()) << key;
+    for (const char* key : {"irradiance", "convolved", "launched", "unshaded_reads", "transmission_misses"})
+      EXPECT_TRUE(j.at("texels").at(key).is_number_unsigned()) << key;
     for (const char* key : {"images", "buffers", "peak"}) EXPECT_GT(j.at("memory_bytes").at(key), 0) << key;
     EXPECT_TRUE(j.at("texels").at("used_size").is_array());
+    const bool scatters = technique != "lambert";
+    EXPECT_EQ(j.at("optimise"), scatters ? nlohmann::json({"cull", "depth", "clip"}) : nlohmann::json::array());
+    EXPECT_EQ(j.at("maps"), scatters ? nlohmann::json("full") : nlohmann::json());
+    EXPECT_EQ(j.at("mask").is_string(), scatters);
     EXPECT_EQ(j.at("size"), nlohmann::json({128, 128}));
     EXPECT_EQ(j.at("skin_materials"), nlohmann::json({"skin"}));
     EXPECT_TRUE(j.at("distance").is_null());

@@ -28,6 +28,7 @@ std::vector<Case> cases() {
             s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
             s.has_surfaces = s.has_blended = more;
             s.bloom = more ? 0.05f : 0.0f;
+            s.translucency = more && parts > 0 && technique.scatters;
             all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique.name, heads, parts, samples,
                                        more ? ", surfaces, bloom" : ""),
                            &technique, std::move(s)});
@@ -39,6 +40,7 @@ std::vector<Case> cases() {
         s.heads_per_batch = 2;
         s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
         s.mask = mask;
+        s.translucency = true;
         s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
         all.push_back({fmt::format("two batches, {} skin parts, mask {}{}", parts, static_cast<int>(mask), sparse ? ", cull and clip" : ""),
                        &techniques::find_technique("texture-space"), std::move(s)});

@@ -133,6 +133,21 @@ TEST(LightRig, DirectionsAndIrradianceAtTheCentre) {
   EXPECT_EQ(light_rig(head, 2).size(), 2u);
 }
 
+TEST(LightRig, LampsOfOnesOwn) {
+  const std::vector<Lamp> lamps{{"side", 90, 10, glm::dvec3(2.5)}, {"below", -30, -90, glm::dvec3(1, 0, 0)}};
+  const std::vector<Light> lights = light_rig(head, lamps);
+  ASSERT_EQ(lights.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const glm::dvec3 to = glm::dvec3(lights[i].position_m) - glm::dvec3(head.centre_m);
+    EXPECT_EQ(lights[i].name, lamps[i].name);
+    EXPECT_LT(glm::distance(to, 4.0 * head.radius_m * head_direction(lamps[i].azimuth_deg, lamps[i].elevation_deg)), 1e-5);
+    EXPECT_LT(glm::distance(glm::dvec3(lights[i].colour) / glm::dot(to, to), lamps[i].irradiance), 1e-4);
+  }
+  EXPECT_NEAR(lights[0].position_m.x - head.centre_m.x, 4 * head.radius_m * std::cos(10 * degrees), 1e-5) << "90 degrees is the left";
+  EXPECT_TRUE(light_rig(head, std::vector<Lamp>{}).empty());
+  EXPECT_THROW(light_rig(BoundingSphere{}, lamps), InputError);
+}
+
 TEST(LightRig, ConesHoldTheWholeRow) {
   const std::vector<glm::vec3> offsets = head_row_offsets(5, head.radius_m);
   for (const Light& light : light_rig(head, 4, offsets)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "passes/attenuation.h"
+#include "optics/attenuation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "core/parallel.h"
 
-namespace dermis::passes {
+namespace dermis::optics {
 namespace {
 
 constexpr int samples_theta = 48, samples_phi = 32;
@@ -67,4 +67,4 @@ std::vector<float> attenuation_table() {
   return table;
 }
 
-}  // namespace dermis::passes
+}  // namespace dermis::optics

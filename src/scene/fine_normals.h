@@ -9,9 +9,9 @@
 #include "scene/scene.h"
 #include "scene/unwrap.h"
 
-namespace dermis::passes {
+namespace dermis::scene {
 
 /// None if the material has no height map. The result is read where the height map is read, with scale 1.
-std::optional<image::Image8> fine_normals(const scene::Scene& scene, std::size_t material, const std::vector<scene::SkinMesh>& skin);
+std::optional<image::Image8> fine_normals(const Scene& scene, std::size_t material, const std::vector<SkinMesh>& skin);
 
-}  // namespace dermis::passes
+}  // namespace dermis::scene

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dermis::passes {
+namespace dermis::optics {
 
 inline constexpr int attenuation_columns = 64;  ///< cos 0..1, plus two columns that hold the cosine-weighted mean
 inline constexpr int attenuation_rows = 32;     ///< m from attenuation_min_m to 1
@@ -26,4 +26,4 @@ Attenuation mean_attenuation(double m);
 /// (of_f0, rest) pairs, attenuation_rows rows of attenuation_columns + 2.
 std::vector<float> attenuation_table();
 
-}  // namespace dermis::passes
+}  // namespace dermis::optics

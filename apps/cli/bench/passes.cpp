@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench/passes.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "cli/bench/statistics.h"
+#include "core/assert.h"
+
+namespace dermis::cli::bench {
+namespace {
+
+// "blur 2 u batch 1 part 0" -> "blur 2 u".
+std::string common_name(std::string name) {
+  for (const std::string_view what : {" head ", " batch ", " part "}) {
+    const std::size_t at = name.find(what);
+    if (at == std::string::npos) continue;
+    const std::size_t digits = at + what.size(), end = std::min(name.find_first_not_of("0123456789", digits), name.size());
+    if (end > digits) name.erase(at, end - at);
+  }
+  return name;
+}
+
+// By how the name of a pass begins; the first that fits.
+constexpr std::array<std::pair<std::string_view, std::size_t>, 18> beginnings{{
+    {"shadow", 0},
+    {"irradiance", 1},
+    {"stretch", 1},
+    {"border", 2},
+    {"clear border", 2},
+    {"depth mask", 2},
+    {"clear tiles", 2},
+    {"tile", 2},
+    {"idle tiles", 2},
+    {"halve", 3},
+    {"join", 3},
+    {"blur", 3},
+    {"final", 4},
+    {"surfaces", 5},
+    {"blended surfaces", 5},
+    {"resolve", 6},
+    {"bloom", 6},
+    {"view", 6},
+}};
+
+}  // namespace
+
+std::vector<PassStatistics> merge_passes(const std::vector<PassStatistics>& passes) {
+  std::vector<PassStatistics> merged;
+  for (const PassStatistics& pass : passes) {
+    const std::string name = common_name(pass.name);
+    const auto same = std::find_if(merged.begin(), merged.end(), [&](const PassStatistics& other) { return other.name == name; });
+    if (same == merged.end())
+      merged.push_back({.name = name, .ms = pass.ms, .calls = pass.calls});
+    else
+      same->ms += pass.ms, same->calls += pass.calls;
+  }
+  return merged;
+}
+
+const std::vector<std::string>& pass_groups() {
+  static const std::vector<std::string> groups{"shadow maps",      "irradiance",     "masks and borders", "convolutions",
+                                               "sum and specular", "other surfaces", "bloom and view",    "other"};
+  return groups;
+}
+
+std::size_t group_of(std::string_view pass) {
+  for (const auto& [beginning, group] : beginnings)
+    if (pass.starts_with(beginning)) return group;
+  return pass_groups().size() - 1;
+}
+
+std::vector<double> group_ms(const std::vector<PassStatistics>& passes) {
+  std::vector<double> groups(pass_groups().size());
+  for (const PassStatistics& pass : passes) groups[group_of(pass.name)] += pass.ms;
+  return groups;
+}
+
+std::vector<PassStatistics> median_passes(const std::vector<std::vector<PassStatistics>>& frames) {
+  if (frames.empty()) return {};
+  std::vector<PassStatistics> medians = frames.front();
+  for (std::size_t p = 0; p < medians.size(); ++p) {
+    std::vector<double> times;
+    for (const std::vector<PassStatistics>& frame : frames) {
+      DERMIS_ASSERT_EQ(frame.size(), medians.size());
+      times.push_back(frame[p].ms);
+    }
+    medians[p].ms = spread_of(times).median;
+  }
+  return medians;
+}
+
+}  // namespace dermis::cli::bench

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench/result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "cli/bench/paper.h"
+#include "core/assert.h"
+
+namespace dermis::cli::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class T>
+ordered_json or_null(const std::optional<T>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json texels_json(const Statistics& s) {
+  return {{"irradiance", s.irradiance_texels},
+          {"convolved", s.convolved_texels},
+          {"launched", s.launched},
+          {"unshaded_reads", s.unshaded_reads},
+          {"used_size", s.used_size}};
+}
+
+ordered_json variant_json(const Measured& m) {
+  const Spread spread = m.spread();
+  ordered_json passes = ordered_json::array();
+  for (const PassStatistics& pass : m.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
+  return {{"meaning", m.variant.meaning},
+          {"technique", m.counts.technique},
+          {"optimise", m.counts.optimise},
+          {"maps", m.counts.maps.empty() ? ordered_json(nullptr) : ordered_json(m.counts.maps)},
+          {"mask", m.counts.mask.empty() ? ordered_json(nullptr) : ordered_json(m.counts.mask)},
+          {"skip_unseen_heads", or_null(m.variant.settings.skip_unseen_heads)},
+          {"ms", {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}}},
+          {"rounds_ms", m.rounds_ms},
+          {"passes", passes}};
+}
+
+ordered_json cell_json(const Cell& cell) {
+  ordered_json json{{"heads", cell.heads}, {"distance", cell.distance}};
+  for (const Measured& m : cell.measured) json[m.variant.key + "_ms"] = m.ms();
+  json["speedup"] = cell.speedup();
+  json["speedup_over_skip"] = cell.speedup_over_skipping();
+  json["speedup_margin_0"] = cell.of(baseline_key).ms() / cell.of(cell.has(at_edge_key) ? at_edge_key : optimised_key).ms();
+  if (cell.has(progressive_key)) json["speedup_progressive"] = cell.of(progressive_key).ms() / cell.of(optimised_progressive_key).ms();
+  json["paper_speedup"] = or_null(paper_speedup(cell.heads, cell.distance));
+  const std::optional<PictureDifference>& d = cell.difference;
+  json["psnr_db"] = d ? ordered_json(d->psnr_db) : ordered_json(nullptr);
+  json["flip_mean"] = d ? ordered_json(d->flip_mean) : ordered_json(nullptr);
+  json["compared_pixels"] = d ? d->pixels : 0;
+  json["picture_samples"] = d ? d->samples : 0;
+  for (const Measured& m : cell.measured)
+    if (m.variant.key != floor_key) json["texels"][m.variant.key] = texels_json(m.counts);
+  for (const Measured& m : cell.measured) json["variants"][m.variant.key] = variant_json(m);
+  return json;
+}
+
+ordered_json settings_json(const Run& run) {
+  const RenderSettings& s = run.settings;
+  ordered_json placed = ordered_json::array();
+  for (const PlacedLight& light : s.placed_lights) placed.push_back({light.azimuth_deg, light.elevation_deg, light.irradiance});
+  return {{"size", {s.width, s.height}},
+          {"map_size", s.map_size},
+          {"shadow_size", s.shadow_size},
+          {"samples", s.samples},
+          {"lights", run.lights},
+          {"gaussians", run.gaussians},
+          {"placed_lights", placed},
+          {"environment", s.environment},
+          {"environment_intensity", s.environment_intensity},
+          {"environment_rotation_deg", s.environment_rotation_deg},
+          {"maps", s.maps},
+          {"mask", or_null(s.mask)},
+          {"d_ref", or_null(s.d_ref)},
+          {"clip_margin_mm", or_null(s.clip_margin_mm)},
+          {"map_budget_mb", or_null(s.map_budget_mb)},
+          {"fov_deg", or_null(s.fov_deg)},
+          {"profile", s.profile},
+          {"mix", or_null(s.mix)},
+          {"ambient", s.ambient},
+          {"specular", s.specular},
+          {"translucency", s.translucency},
+          {"white_albedo", s.white_albedo},
+          {"bloom", s.bloom}};
+}
+
+}  // namespace
+
+bool Cell::has(const std::string& key) const {
+  return std::any_of(measured.begin(), measured.end(), [&](const Measured& m) { return m.variant.key == key; });
+}
+
+const Measured& Cell::of(const std::string& key) const {
+  const auto found = std::find_if(measured.begin(), measured.end(), [&](const Measured& m) { return m.variant.key == key; });
+  DERMIS_ASSERT(found != measured.end());
+  return *found;
+}
+
+std::string run_json(const Run& run) {
+  ordered_json json{{"dermis", run.version},  {"commit", run.commit},
+                    {"command", run.command}, {"device", run.device},
+                    {"driver", run.driver},   {"api", run.api},
+                    {"cores", run.cores},     {"timing", run.timing},
+                    {"scene", run.scene},     {"settings", settings_json(run)},
+                    {"rounds", run.rounds},   {"complete", run.complete}};
+  json["cells"] = ordered_json::array();
+  for (const Cell& cell : run.cells) json["cells"].push_back(cell_json(cell));
+  // Names of files need not be UTF-8.
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::vector<int> heads_of(const std::vector<Cell>& cells) {
+  std::set<int> found;
+  for (const Cell& cell : cells) found.insert(cell.heads);
+  return {found.begin(), found.end()};
+}
+
+std::vector<double> distances_of(const std::vector<Cell>& cells) {
+  std::set<double> found;
+  for (const Cell& cell : cells) found.insert(cell.distance);
+  return {found.begin(), found.end()};
+}
+
+const Cell* find_cell(const std::vector<Cell>& cells, int heads, double distance) {
+  const auto found =
+      std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) { return cell.heads == heads && cell.distance == distance; });
+  return found == cells.end() ? nullptr : &*found;
+}
+
+}  // namespace dermis::cli::bench

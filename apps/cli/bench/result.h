@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What a run of the benchmark found.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/bench/statistics.h"
+#include "cli/bench/variants.h"
+#include "dermis/renderer.h"
+#include "image/image.h"
+
+namespace dermis::cli::bench {
+
+/// One variant of a cell.
+struct Measured {
+  Variant variant;
+  std::vector<double> rounds_ms;       ///< of whole frames, in the order they were drawn
+  std::vector<PassStatistics> passes;  ///< merged over heads, medians over rounds
+  Statistics counts;                   ///< of a frame that was not timed: texels, sizes, mask
+
+  Spread spread() const { return spread_of(rounds_ms); }
+  double ms() const { return spread().median; }
+};
+
+/// The optimised picture against the baseline's, over the pixels that are skin in either.
+struct PictureDifference {
+  double psnr_db = 0, flip_mean = 0;
+  std::uint64_t pixels = 0;
+  int samples = 0;  ///< super-samples along each axis
+};
+
+struct Cell {
+  int heads = 1;
+  double distance = 0;  ///< sphere radii
+  std::vector<Measured> measured;
+  std::optional<PictureDifference> difference;  ///< none: not compared, or no skin in the picture
+
+  const Measured& of(const std::string& key) const;
+  bool has(const std::string& key) const;
+  double speedup() const { return of(baseline_key).ms() / of(optimised_key).ms(); }
+  double speedup_over_skipping() const { return of(skipping_key).ms() / of(optimised_key).ms(); }
+};
+
+/// For the page: display pictures, cut to where skin is.
+struct CellPictures {
+  image::Image8 baseline, optimised;
+};
+
+/// What is coloured as in [JG08] figure 3, of one cell.
+struct MapPictures {
+  int heads = 1;
+  double distance = 0;
+  image::Image8 irradiance, visibility, picture;
+};
+
+struct Run {
+  std::string version, commit, command, scene;
+  std::string device, driver, api, timing;
+  int cores = 0;
+  int lights = 0, gaussians = 0, rounds = 0;
+  RenderSettings settings;  ///< common to all cells and variants
+  std::vector<Cell> cells;
+  bool complete = true;                ///< false: stopped by Ctrl-C
+  std::vector<CellPictures> pictures;  ///< one a cell, or none
+  std::optional<MapPictures> maps;
+};
+
+/// For programs. Keys that others rely on: see docs/measuring.md.
+std::string run_json(const Run& run);
+
+/// For people: a line for a cell as soon as it is there, and what stands above and below the lines.
+std::string table_head(const Run& run);
+std::string table_line(const Cell& cell);
+std::string table_foot(const Run& run);
+/// Speed-ups laid out as [JG08] table 1, ours over the paper's.
+std::string paper_table(const Run& run);
+
+/// Heads and distances that have a cell, ascending.
+std::vector<int> heads_of(const std::vector<Cell>& cells);
+std::vector<double> distances_of(const std::vector<Cell>& cells);
+/// nullptr: none.
+const Cell* find_cell(const std::vector<Cell>& cells, int heads, double distance);
+
+}  // namespace dermis::cli::bench

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench/variants.h"
+
+namespace dermis::cli::bench {
+namespace {
+
+RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
+  s.cull = cull, s.depth = depth, s.clip = clip;
+  s.skip_unseen_heads = true;
+  return s;
+}
+
+RenderSettings every_head(RenderSettings s) {
+  s = with(s, false, false, false);
+  s.skip_unseen_heads = false;
+  return s;
+}
+
+RenderSettings at_edge(RenderSettings s) {
+  s = with(s, true, true, true);
+  s.clip_margin_mm = 0;
+  return s;
+}
+
+RenderSettings progressive(RenderSettings s) {
+  s.maps = "progressive";
+  return s;
+}
+
+RenderSettings unscattered(RenderSettings s) {
+  s = with(s, false, false, false);
+  s.technique = "lambert";
+  return s;
+}
+
+}  // namespace
+
+std::vector<Variant> variants_of(const RenderSettings& common) {
+  std::vector<Variant> all{
+      {baseline_key, "baseline", "as published: every head, whole maps", every_head(common)},
+      {skipping_key, "skipping", "the baseline without heads wholly outside the picture; all but the baselines leave them out",
+       with(common, false, false, false)},
+      {"cull", "cull", "skin that faces away is not lit", with(common, true, false, false)},
+      {"depth", "depth", "maps as large as the distance needs", with(common, false, true, false)},
+      {"clip", "clip", "skin outside the picture and a margin is not lit", with(common, false, false, true)},
+      {optimised_key, "all", "cull, depth and clip", with(common, true, true, true)},
+  };
+  if (common.clip_margin_mm != 0.0)
+    all.push_back({at_edge_key, "margin 0", "all, clipped at the edge of the picture as in the paper", at_edge(common)});
+  if (common.maps == "full") {
+    all.push_back({progressive_key, "prog maps", "the baseline, every head, with progressive maps: wide Gaussians on smaller ones",
+                   progressive(every_head(common))});
+    all.push_back({optimised_progressive_key, "all prog", "all with progressive maps", progressive(with(common, true, true, true))});
+  }
+  all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor", unscattered(common)});
+  return all;
+}
+
+}  // namespace dermis::cli::bench

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "api/setup.h"
+#include "cli/bench/measure.h"
+#include "cli/bench/page.h"
+#include "cli/bench/paper.h"
+#include "cli/bench/recorded.h"
+#include "cli/command.h"
+#include "cli/commit.h"
+#include "cli/progress.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "gpu/device.h"
+
+namespace dermis::cli {
+namespace {
+
+struct BenchArguments : SceneArguments {
+  std::vector<int> heads{bench::paper_heads.begin(), bench::paper_heads.end()};
+  std::vector<double> distances{bench::paper_distances.begin(), bench::paper_distances.end()};
+  int rounds = 5, picture_samples = 4;
+  std::optional<double> frames_mb;
+  bool quick = false, fail_if_slower = false;
+  std::vector<std::string> compare;  // old, new
+  std::string json, html, device = "best";
+};
+
+// The paper's test at three sixteenths of its scale: as many texels a pixel, a thirtieth of the work. What is given on the command line
+// stays.
+void scale_down(BenchArguments& a, const CLI::App& command) {
+  const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
+  RenderSettings& s = a.settings;
+  if (!given("--size")) s.width = 360, s.height = 225;
+  if (!given("--map-size")) s.map_size = 384;
+  if (!given("--shadow-size")) s.shadow_size = 384;
+  if (!given("--heads")) a.heads = {1, 4};
+  if (!given("--distances")) a.distances = {2.5, 10, 50};
+  if (!given("--rounds")) a.rounds = 3;
+  if (!given("--picture-samples")) a.picture_samples = 2;
+}
+
+template <class T>
+void sort_list(const char* name, std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  const auto twice = std::adjacent_find(values.begin(), values.end());
+  if (twice != values.end()) throw input_error("", "{} names {} twice", name, *twice);
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  const auto full = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
+  return full(a) == full(b);
+}
+
+void check_files(const BenchArguments& a) {
+  if (a.html == "-") throw input_error("--html", "needs a file, not standard output");
+  if (!a.html.empty()) check_writable(a.html);
+  if (a.json.empty() || a.json == "-") return;
+  check_writable(a.json);
+  if (!a.html.empty() && same_file(a.json, a.html)) throw input_error(a.json, "is also the name of the page; --json needs its own");
+}
+
+// All that can be wrong with a cell hours from now is said at once.
+void check(const BenchArguments& a, const bench::Task& task) {
+  constexpr int largest_side = 16384;  // pixels; what devices commonly can
+  if (a.rounds < 1 || a.rounds > 100'000) throw input_error("", "--rounds must be 1 to 100000, got {}", a.rounds);
+  if (a.picture_samples < 0 || a.picture_samples > 16)
+    throw input_error("", "--picture-samples must be 0 to 16, got {}", a.picture_samples);
+  for (const bench::Place& place : bench::places_of(task)) api::check_settings(bench::settings_at(task, place));
+  if (a.frames_mb && !(*a.frames_mb >= 0 && *a.frames_mb <= 1e9))
+    throw input_error("", "--frames-memory must be 0 to 1e+09 MB, got {}", *a.frames_mb);
+  const RenderSettings& s = a.settings;
+  if (std::max(s.width, s.height) > largest_side / std::max(a.picture_samples, 1))
+    throw input_error("", "--picture-samples {} of {}x{} pixels is a picture of more than {} pixels' width or height", a.picture_samples,
+                      s.width, s.height, largest_side);
+  check_files(a);
+}
+
+// Half of the device: the other half is for the scene and for one frame that is on its way.
+std::uint64_t half_of(const std::string& device) {
+  for (const gpu::DeviceSummary& summary : gpu::list_devices())
+    if (summary.name == device && summary.memory_bytes > 0) return summary.memory_bytes / 2;
+  return std::uint64_t{2} << 30;
+}
+
+bench::Task task_of(const BenchArguments& a) {
+  const auto frames_bytes = [given = a.frames_mb, half = std::optional<std::uint64_t>()](const std::string& device) mutable {
+    if (given) return static_cast<std::uint64_t>(*given * 1e6);
+    if (!half) half = half_of(device);
+    return *half;
+  };
+  return {.settings = a.settings,
+          .heads = a.heads,
+          .distances = a.distances,
+          .rounds = a.rounds,
+          .picture_samples = a.picture_samples,
+          .keep_pictures = !a.html.empty(),
+          .frames_bytes = frames_bytes};
+}
+
+void compare(const BenchArguments& a, int& exit_status) {
+  if (!a.scene.empty()) throw input_error(a.scene, "--compare takes two results and renders nothing; it needs no scene");
+  if (!a.html.empty()) throw input_error("--html", "is for runs; --compare writes text, and JSON with --json");
+  if (!a.json.empty() && a.json != "-") {
+    check_writable(a.json);
+    for (const std::string& read : a.compare)
+      if (same_file(a.json, read)) throw input_error(a.json, "is also what is compared; --json needs a name of its own");
+  }
+  const bench::RunComparison found = bench::compare_runs(bench::read_recorded(a.compare[0]), bench::read_recorded(a.compare[1]));
+  if (!a.json.empty()) write_text(a.json, bench::comparison_json(found));
+  if (a.json != "-") write_text("-", bench::comparison_text(found));
+  if (!a.fail_if_slower || found.slower == 0) return;
+  fmt::print(stderr, "dermis: {} of {} times are slower beyond the spread\n", found.slower, found.compared);
+  exit_status = 1;
+}
+
+void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
+  if (!a.compare.empty()) return compare(a, exit_status);
+  if (a.fail_if_slower) throw input_error("--fail-if-slower", "is for --compare");
+  if (a.quick) scale_down(a, command);
+  // The two lights of the rig are a default, which --light replaces.
+  if (!a.settings.placed_lights.empty() && command.get_option("--lights")->count() == 0) a.settings.lights.reset();
+  sort_list("--heads", a.heads);
+  sort_list("--distances", a.distances);
+  bench::Task task = task_of(a);
+  check(a, task);
+  task.stop = &catch_interrupts();
+  Renderer renderer({.device = a.device, .validate = false});
+  const Scene scene = open_scene(a);
+  bench::Run found{.version = DERMIS_VERSION, .commit = commit(), .command = command_line(), .scene = scene.name()};
+  found.cores = static_cast<int>(std::thread::hardware_concurrency());
+  found.rounds = a.rounds;
+  found.settings = a.settings;
+  bool first = true;
+  bench::measure(renderer, scene, task, found, [&](const bench::Cell& cell) {
+    if (a.json == "-") return;
+    if (std::exchange(first, false)) write_text("-", bench::table_head(found));
+    write_text("-", bench::table_line(cell));
+  });
+  if (found.cells.empty()) throw input_error("", "stopped before the first cell was measured: nothing to write");
+  const std::string page = a.html.empty() ? "" : bench::run_page(found);
+  if (!a.html.empty()) write_file(a.html, page);
+  if (!a.json.empty()) write_text(a.json, bench::run_json(found));
+  if (a.json != "-") write_text("-", bench::table_foot(found));
+  if (found.complete) return;
+  fmt::print(stderr, "dermis: stopped after {} of {} cells; what is written holds those\n", found.cells.size(),
+             bench::places_of(task).size());
+  exit_status = 1;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, int& exit_status) {
+  CLI::App* command = app.add_subcommand(
+      "bench", "the paper's test: heads in a row near and far, with and without the optimisations, next to the published speed-ups");
+  auto a = std::make_shared<BenchArguments>();
+  a->settings.width = 1920, a->settings.height = 1200;
+  a->settings.lights = 2;
+  a->settings.profile = "skin";
+  a->settings.translucency = false;  // [JG08] sec. 7: their test has none
+  add_scene_arguments(*command, *a, SceneUse::bench);
+  // Of the paper's test, whatever the scene brings along.
+  command->get_option("--lights")->description("lights of the rig: key, fill, rim, further ones")->default_str("2");
+  command->get_option("--profile")->description("diffusion profile: a published name or a JSON file");
+  command->get_option("--fov")->description("vertical field of view, degrees")->default_str("20");
+  command->add_option("--heads", a->heads, "numbers of heads in a row, 1.6 radii apart")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group("Cells");
+  command->add_option("--distances", a->distances, "from the eye to the middle head, in radii of its bounding sphere")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group("Cells");
+  command->add_option("--rounds", a->rounds, "times that each variant is drawn, in turns, after it has warmed up")->group("Cells");
+  command
+      ->add_option("--picture-samples", a->picture_samples,
+                   "super-samples along each axis for the difference of the pictures; 0: no difference")
+      ->group("Cells");
+  command->add_flag(
+      "--quick", a->quick,
+      "for a first look, where not given: 360x225 pixels, maps of 384, 1 and 4 heads, 3 distances, 3 rounds, 2 super-samples");
+  command->add_option("--json", a->json, "write the results as JSON, - for standard output");
+  command->add_option("--html", a->html, "write a page: tables, curves, bars of passes, pictures of every cell under a slider; one file");
+  command->add_option("--device", a->device, "best, an index or a part of a name of `dermis info`");
+  command->add_option("--frames-memory", a->frames_mb,
+                      "device memory for frames that wait for their turn, MB; those beyond are made anew each time (default: half of it)");
+  command
+      ->add_option("--compare", a->compare,
+                   "two results written with --json, old and new: what has become slower or faster beyond the spread; renders nothing")
+      ->expected(2)
+      ->type_name("OLD NEW")
+      ->default_str("")
+      ->group("Comparison");
+  command->add_flag("--fail-if-slower", a->fail_if_slower, "with --compare: exit status 1 if anything is slower")->group("Comparison");
+  command->callback([a, command, &exit_status] { run(*a, *command, exit_status); });
+}
+
+}  // namespace dermis::cli

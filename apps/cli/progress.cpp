@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "cli/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+
+namespace dermis::cli {
+namespace {
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal handler may set it
+
+// The first one ends with what there is; the second one ends at once.
+void on_signal(int number) {
+  interrupted = true;
+  std::signal(number, SIG_DFL);
+}
+
+}  // namespace
+
+std::atomic<bool>& catch_interrupts() {
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  return interrupted;
+}
+
+std::string duration(double seconds) {
+  const auto s = static_cast<long>(std::min(seconds, 1e9));
+  if (s >= 3600) return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
+  return s >= 60 ? fmt::format("{} min {:02} s", s / 60, s % 60) : fmt::format("{} s", s);
+}
+
+Progress::Progress(double total_work) : terminal_(::isatty(STDERR_FILENO) != 0), total_(total_work) {}
+
+void Progress::show(const std::string& what) {
+  if (!terminal_) return;
+  const double gone_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  std::string left;
+  if (done_ > 0) left = fmt::format(", {} left", duration(gone_s / done_ * std::max(total_ - done_, 0.0)));
+  fmt::print(stderr, "\r\033[K{}: {:.0f} %, {} gone{}", what, 100 * std::min(done_ / total_, 1.0), duration(gone_s), left);
+}
+
+void Progress::clear() {
+  if (terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+}  // namespace dermis::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Long work: how far it is, on a terminal only, and Ctrl-C that ends it in order.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <string>
+
+namespace dermis::cli {
+
+/// From now on the first Ctrl-C (or SIGTERM) sets the returned flag, the second one ends the program at once.
+std::atomic<bool>& catch_interrupts();
+
+/// "2 h 05 min", "3 min 20 s", "7 s".
+std::string duration(double seconds);
+
+/// One line on standard error that is rewritten; nothing where standard error is no terminal.
+class Progress {
+ public:
+  explicit Progress(double total_work);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress() { clear(); }
+
+  /// What comes now. The time left is that of the work so far, scaled.
+  void show(const std::string& what);
+  void done(double work) { done_ += work; }
+  void clear();  ///< before anything else is printed
+
+ private:
+  bool terminal_;
+  double total_, done_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace dermis::cli

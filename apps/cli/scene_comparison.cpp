@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "cli/scene_comparison.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <tuple>
+
+#include "api/choose.h"
+#include "core/error.h"
+#include "gaussians/one.h"
+#include "image/codec.h"
+#include "image/colour.h"
+#include "image/compare_flip.h"
+#include "image/metrics.h"
+
+namespace dermis::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+image::View view_of(const std::string& name) {
+  if (name == "filmic") return image::View::filmic;
+  if (name == "srgb") return image::View::srgb;
+  if (name == "linear") return image::View::linear;
+  throw input_error("", "--view '{}' is not known; there are: filmic, srgb, linear", name);
+}
+
+// Progress on a terminal only: one line that is rewritten.
+void progress(const std::string& what) {
+  if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K{}", what);
+}
+
+/// Linear light as the errors see it: three channels.
+image::ImageF without_alpha(const std::vector<float>& rgba, int width, int height) {
+  image::ImageF out{.width = width, .height = height, .channels = 3, .values = {}};
+  out.values.reserve(rgba.size() / 4 * 3);
+  for (std::size_t i = 0; i < rgba.size(); i += 4) out.values.insert(out.values.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
+  return out;
+}
+
+/// Each pixel is the mean of times x times ones.
+image::ImageF averaged(const image::ImageF& fine, int times) {
+  if (times == 1) return fine;
+  image::ImageF out{.width = fine.width / times, .height = fine.height / times, .channels = 3, .values = {}};
+  out.values.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) * 3);
+  for (int y = 0; y < fine.height; ++y)
+    for (int x = 0; x < fine.width; ++x)
+      for (int c = 0; c < 3; ++c) out.at(x / times, y / times)[c] += fine.at(x, y)[c] / static_cast<float>(times * times);
+  return out;
+}
+
+struct Truth {
+  image::ImageF linear, variance;  // variance: no values if it is not known
+};
+
+/// The picture with as much Gaussian noise again as it has; the same every time.
+image::ImageF noisier(const image::ImageF& picture, const image::ImageF& variance) {
+  image::ImageF out = picture;
+  std::mt19937_64 random(1);
+  const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
+  for (std::size_t i = 0; i < out.values.size(); ++i) {
+    const double normal = std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform());
+    out.values[i] += static_cast<float>(std::sqrt(std::max(variance.values[i], 0.0f)) * normal);
+  }
+  return out;
+}
+
+class Comparer {
+ public:
+  Comparer(const SceneComparison& all, const Truth& truth) : all_(all), truth_(truth) {}
+
+  std::vector<std::optional<RegionError>> errors(const image::ImageF& linear, const image::Image8& shown, image::ImageF& flip_map) const {
+    flip_map = image::flip_map(all_.shown_reference, shown);
+    const image::ImageF hdr_map = image::hdr_flip(truth_.linear, linear).map;
+    std::vector<std::optional<RegionError>> out;
+    const auto sum = [&](const PictureRegion& r, double mean) { return mean * static_cast<double>(r.pixels); };
+    double skin = 0;
+    for (const PictureRegion& region : all_.regions) {
+      out.emplace_back();
+      if (region.pixels == 0) continue;
+      RegionError e;
+      e.flip = image::summarise_flip(flip_map, region.mask).mean;
+      e.hdr_flip = image::summarise_flip(hdr_map, region.mask).mean;
+      e.psnr_db = image::psnr_db(all_.shown_reference, shown, region.mask);
+      e.rel_mse = image::rel_mse(truth_.linear, linear, region.mask);
+      if (!truth_.variance.values.empty()) e.rel_mse_unbiased = e.rel_mse - noise_rel_mse(region.mask);
+      if (out.size() == 1) skin = sum(region, e.flip);
+      e.share = skin > 0 ? sum(region, e.flip) / skin : 0;
+      out.back() = e;
+    }
+    return out;
+  }
+
+ private:
+  // E (t - r - noise)^2 = (t - r)^2 + variance; the divisor is that of image::rel_mse.
+  double noise_rel_mse(const std::vector<std::uint8_t>& mask) const {
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < truth_.linear.values.size(); ++i) {
+      if (mask[i / 3] == 0) continue;
+      const double reference = truth_.linear.values[i];
+      sum += truth_.variance.values[i] / (reference * reference + 0.01);
+      ++count;
+    }
+    return sum / static_cast<double>(count);
+  }
+
+  const SceneComparison& all_;
+  const Truth& truth_;
+};
+
+/// The same scene, its skin with one Gaussian.
+Scene with_one_gaussian(const Scene& scene, const RenderSettings& s) {
+  auto copy = std::make_shared<scene::Scene>(scene.data());
+  for (scene::Material& material : copy->materials)
+    if (material.skin) material.skin_settings.profile = gaussians::one_gaussian(api::choose_profile(material, s));
+  return Scene(std::move(copy));
+}
+
+class Run {
+ public:
+  Run(const Scene& scene, const SceneComparisonSettings& settings)
+      : scene_(scene), settings_(settings), renderer_({.device = settings.device}) {
+    all_.scene = scene.name();
+    all_.view = settings.render.view;
+    all_.width = settings.render.width, all_.height = settings.render.height;
+    all_.supersample = settings.supersample;
+    view_of(all_.view);
+  }
+
+  SceneComparison result() {
+    progress("regions");
+    all_.regions = picture_regions(scene_, settings_.render);
+    if (all_.regions.front().pixels == 0) throw input_error(scene_.name(), "shows no skin from this camera: nothing to compare");
+    settings_.reference_file.empty() ? render_truth() : load_truth();
+    all_.shown_reference = image::to_display(truth_.linear, view_of(all_.view));
+    if (!truth_.variance.values.empty()) {
+      const image::ImageF noisy = noisier(truth_.linear, truth_.variance);
+      image::ImageF map;
+      all_.noise = Comparer(all_, truth_).errors(noisy, image::to_display(noisy, view_of(all_.view)), map);
+    }
+    std::vector<std::string> names = settings_.techniques;
+    if (names.empty()) names = technique_names();
+    for (const std::string& name : names) add_technique(name);
+    progress("");
+    return std::move(all_);
+  }
+
+ private:
+  void render_truth() {
+    ReferenceSettings r = settings_.reference;
+    if (::isatty(STDERR_FILENO))
+      r.progress = [](const ReferenceProgress& p) {
+        progress(fmt::format("reference: {} samples, noise {:.2f} %", p.samples, p.noise_percent));
+      };
+    const auto start = Clock::now();
+    const ReferencePicture picture = render_reference(scene_, settings_.render, r);
+    all_.reference_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    all_.model = r.model;
+    all_.samples = picture.samples;
+    all_.noise_percent = picture.noise_percent;
+    truth_.linear = without_alpha(picture.picture.linear_rgba, all_.width, all_.height);
+    truth_.variance = without_alpha(picture.variance_rgba, all_.width, all_.height);
+  }
+
+  image::ImageF load(const std::string& file) const {
+    image::ImageF picture = image::load_image_f(file);
+    if (picture.width != all_.width || picture.height != all_.height)
+      throw input_error(file, "is {} x {} pixels, --size says {} x {}", picture.width, picture.height, all_.width, all_.height);
+    return picture;
+  }
+
+  void load_truth() {
+    all_.reference_file = settings_.reference_file;
+    truth_.linear = load(settings_.reference_file);
+    if (settings_.variance_file.empty()) return;
+    truth_.variance = load(settings_.variance_file);
+    for (const float value : truth_.variance.values)
+      if (value < 0) throw input_error(settings_.variance_file, "holds {}; variances are 0 or more", value);
+  }
+
+  void add_technique(const std::string& name) {
+    RenderSettings s = settings_.render;
+    s.technique = name;
+    const Statistics first = add(name, scene_, s);
+    if (first.gaussians == 0) return;  // nothing spreads: no profile, nothing to optimise
+    if (settings_.each_optimisation) {
+      static constexpr struct {
+        const char* name;
+        bool cull, depth, clip;
+      } switches[] = {{"none", false, false, false},
+                      {"cull", true, false, false},
+                      {"depth", false, true, false},
+                      {"clip", false, false, true},
+                      {"all", true, true, true}};
+      for (const auto& on : switches) {
+        RenderSettings one = s;
+        one.cull = on.cull, one.depth = on.depth, one.clip = on.clip;
+        if (std::tie(one.cull, one.depth, one.clip) == std::tie(s.cull, s.depth, s.clip)) continue;  // the first row
+        add(fmt::format("{}, --optimise {}", name, on.name), scene_, one);
+      }
+    }
+    if (first.gaussians == 1) return;
+    const Scene one = with_one_gaussian(scene_, s);
+    s.profile.clear();
+    add(name + ", one Gaussian", one, s);
+  }
+
+  // Cost at the size that was asked for, error at as many samples a pixel as wanted, of light maps of the same size.
+  Statistics add(const std::string& name, const Scene& scene, RenderSettings s) {
+    progress(name);
+    ComparedTechnique row;
+    row.name = name;
+    Picture picture = renderer_.render(scene, s);
+    row.statistics = picture.statistics;
+    if (all_.supersample > 1) {
+      s.width *= all_.supersample, s.height *= all_.supersample;
+      s.samples = 1, s.frames = 1;
+      if (!s.d_ref && picture.statistics.d_ref > 0) s.d_ref = picture.statistics.d_ref;
+      picture = renderer_.render(scene, s);
+    }
+    const image::ImageF linear = averaged(without_alpha(picture.linear_rgba, picture.width, picture.height), all_.supersample);
+    row.shown = image::to_display(linear, view_of(all_.view));
+    row.errors = Comparer(all_, truth_).errors(linear, row.shown, row.flip_map);
+    all_.techniques.push_back(std::move(row));
+    return all_.techniques.back().statistics;
+  }
+
+  const Scene& scene_;
+  const SceneComparisonSettings& settings_;
+  Renderer renderer_;
+  SceneComparison all_;
+  Truth truth_;
+};
+
+void check(const SceneComparisonSettings& s) {
+  const std::vector<std::string> known = technique_names();
+  for (const std::string& name : s.techniques)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw input_error("", "--techniques '{}' is not known; there are: all, {}", name, fmt::join(known, ", "));
+  if (s.render.samples != 1 && s.render.samples != 4) throw input_error("", "--msaa must be 1 or 4, got {}", s.render.samples);
+  if (s.supersample < 1 || s.supersample > 16) throw input_error("", "--supersample must be 1 to 16, got {}", s.supersample);
+  const std::int64_t side = std::max(s.render.width, s.render.height);
+  if (s.supersample * side > 65536)
+    throw input_error("", "--supersample {} makes pictures of {} pixels a side, more than 65536", s.supersample, s.supersample * side);
+}
+
+}  // namespace
+
+SceneComparison compare_scene(const Scene& scene, const SceneComparisonSettings& settings) {
+  check(settings);
+  return Run(scene, settings).result();
+}
+
+}  // namespace dermis::cli

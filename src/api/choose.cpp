@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "api/choose.h"
+
+#include <numbers>
+
+#include "core/error.h"
+#include "gaussians/json.h"
+#include "gaussians/known.h"
+#include "scene/framing.h"
+
+namespace dermis::api {
+
+scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s, const scene::BoundingSphere& sphere) {
+  const double aspect = static_cast<double>(s.width) / s.height;
+  const double fov = s.fov_deg.value_or(20);
+  if (s.distance) return scene::distance_camera(sphere, *s.distance, fov);
+  const auto with_fov = [&](scene::Camera camera) {
+    if (s.fov_deg) camera.fov_y_rad = static_cast<float>(fov * std::numbers::pi / 180);
+    return camera;
+  };
+  if (!s.camera.empty()) {
+    std::string names;
+    for (const scene::Camera& camera : scene.cameras) {
+      if (camera.name == s.camera) return with_fov(camera);
+      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
+    }
+    throw input_error("", "--camera '{}' is not in {}; {}", s.camera, scene.name,
+                      names.empty() ? "it has no cameras" : "there are: " + names);
+  }
+  const bool orbits = s.orbit_deg != std::array<double, 2>{0, 0};
+  if (!scene.cameras.empty() && !orbits && s.heads == 1) return with_fov(scene.cameras.front());
+  return scene::framing_camera(sphere, aspect, s.orbit_deg[0], s.orbit_deg[1], fov);
+}
+
+std::vector<scene::Light> choose_lights(const scene::Scene& scene, const RenderSettings& s, const scene::BoundingSphere& sphere,
+                                        const std::vector<glm::vec3>& head_offsets_m) {
+  if (!s.placed_lights.empty()) {
+    std::vector<scene::Lamp> lamps;
+    for (const PlacedLight& light : s.placed_lights)
+      lamps.push_back({fmt::format("light {}", lamps.size() + 1), light.azimuth_deg, light.elevation_deg, glm::dvec3(light.irradiance)});
+    return scene::light_rig(sphere, lamps, head_offsets_m);
+  }
+  if (!s.lights && !scene.lights.empty()) return scene.lights;
+  const int count = s.lights.value_or(2);
+  return count == 0 ? std::vector<scene::Light>{} : scene::light_rig(sphere, count, head_offsets_m);
+}
+
+gaussians::SumOfGaussians choose_profile(const scene::Material& material, const RenderSettings& s) {
+  if (!s.profile.empty()) return gaussians::from_name_or_file(s.profile, s.normalise_profile);
+  return material.skin_settings.profile.value_or(gaussians::skin_six());
+}
+
+}  // namespace dermis::api

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+/// The reference sees and lights a scene as the renderer does.
+#pragma once
+
+#include "dermis/renderer.h"
+#include "reference/settings.h"
+
+namespace dermis::api {
+
+/// InputError: a setting out of range or that only the renderer knows (several heads, a picture of more than 2^26 pixels), an empty scene.
+reference::View reference_view(const scene::Scene& scene, const RenderSettings& settings);
+
+}  // namespace dermis::api

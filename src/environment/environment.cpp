@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "environment/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+#include "core/log.h"
+#include "image/codec.h"
+
+namespace dermis::environment {
+
+Environment load(const std::filesystem::path& path) {
+  Environment e{.name = path.filename().string(), .radiance = image::load_image_f(path)};
+  std::size_t negative = 0;
+  for (float& value : e.radiance.values)
+    if (value < 0) value = 0, ++negative;
+  if (negative > 0) warn("{}: {} negative values of radiance are taken as 0", path.string(), negative);
+  if (e.radiance.width != 2 * e.radiance.height)
+    warn("{}: {} x {} pixels is not twice as wide as high; it is stretched over all directions as if it were", path.string(),
+         e.radiance.width, e.radiance.height);
+  return e;
+}
+
+Environment from_name_or_file(const std::string& name) {
+  if (name == "studio") return studio();
+  std::error_code error;
+  if (!std::filesystem::exists(name, error))
+    throw input_error(name, "no such environment: neither a file (.hdr, .exr) nor the built-in 'studio'");
+  return load(name);
+}
+
+glm::dvec3 direction_of(double u, double v) {
+  const double azimuth = (u - 0.5) * 2 * std::numbers::pi, polar = v * std::numbers::pi;
+  return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
+}
+
+glm::dvec2 place_of(const glm::dvec3& d) {
+  return {0.5 + std::atan2(d.x, -d.z) / (2 * std::numbers::pi), std::acos(std::clamp(d.y, -1.0, 1.0)) / std::numbers::pi};
+}
+
+}  // namespace dermis::environment

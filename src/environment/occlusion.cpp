@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "environment/occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/assert.h"
+#include "core/parallel.h"
+#include "reference/ray_scene.h"
+#include "scene/coverage.h"
+
+namespace dermis::environment {
+namespace {
+
+constexpr int dilation = 6;  // texels; more than bilinear reads beside a seam ever need
+
+struct Texel {
+  std::uint32_t triangle = ~0u;
+  float u = 0, v = 0;  // weights of the second and third corner
+  bool covered() const { return triangle != ~0u; }
+};
+
+struct Grid {
+  int side;
+  std::vector<Texel> texels;
+  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x); }
+};
+
+Grid rasterise(const scene::SkinMesh& mesh, int side) {
+  Grid grid{side, std::vector<Texel>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side))};
+  for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) {
+    const auto uv = scene::triangle_uv(mesh, t);
+    const glm::dvec2 a(uv[0]), b = glm::dvec2(uv[1]) - a, c = glm::dvec2(uv[2]) - a;
+    const double area = b.x * c.y - b.y * c.x;
+    if (area == 0) continue;
+    scene::for_each_texel(uv, side, [&](int x, int y) {
+      const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) / static_cast<double>(side) - a;
+      const double u = std::clamp((p.x * c.y - p.y * c.x) / area, 0.0, 1.0), v = std::clamp((b.x * p.y - b.y * p.x) / area, 0.0, 1.0 - u);
+      grid.texels[grid.at(x, y)] = {static_cast<std::uint32_t>(t), static_cast<float>(u), static_cast<float>(v)};
+    });
+  }
+  return grid;
+}
+
+double radical_inverse(unsigned i) {
+  double value = 0, digit = 0.5;
+  for (; i > 0; i >>= 1, digit /= 2)
+    if (i & 1) value += digit;
+  return value;
+}
+
+// Two numbers in 0..1 that differ from texel to texel, so that what noise is left has no pattern.
+glm::dvec2 shift_of(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t h = x * 0x9E3779B1u ^ (y * 0x85EBCA77u + 0x165667B1u);
+  h = (h ^ h >> 15) * 0x2C1B3C6Du, h = (h ^ h >> 12) * 0x297A2D39u, h ^= h >> 15;
+  return glm::dvec2(h & 0xFFFFu, h >> 16) / 65536.0;
+}
+
+// Cosine-weighted directions around the normal. Those beneath the flat triangle are not asked: a coarse mesh would darken itself.
+glm::vec4 look_around(const reference::RayScene& rays, const glm::dvec3& p, const glm::dvec3& n, const glm::dvec3& face, glm::dvec2 shift,
+                      int count) {
+  const glm::dvec3 side = glm::normalize(glm::cross(std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
+  const glm::dvec3 up = glm::cross(n, side);
+  const glm::dvec3 origin = p + face * (4 * reference::stand_off_m(p));
+  glm::dvec3 open(0), all(0);
+  int seen = 0, asked = 0;
+  for (int i = 0; i < count; ++i) {
+    const double r2 = std::fmod((i + 0.5) / count + shift.x, 1.0),
+                 a = 2 * std::numbers::pi * std::fmod(radical_inverse(static_cast<unsigned>(i)) + shift.y, 1.0);
+    const double r = std::sqrt(r2);
+    const glm::dvec3 d = side * (r * std::cos(a)) + up * (r * std::sin(a)) + n * std::sqrt(1 - r2);
+    if (glm::dot(d, face) <= 1e-3) continue;
+    ++asked;
+    all += d;
+    if (rays.solid_between({.origin_m = origin, .direction = d})) continue;
+    ++seen;
+    open += d;
+  }
+  if (seen == 0) return asked == 0 ? glm::vec4(0, 0, 0, 1) : glm::vec4(0);
+  // Against the mean of all directions that were asked, so that noise and the triangle's tilt cancel where nothing is in the way.
+  return {glm::vec3(glm::normalize(open) - glm::normalize(all)), static_cast<float>(seen) / static_cast<float>(asked)};
+}
+
+// The mean of 3 x 3 texels of the same chart: what is left of the noise.
+std::vector<glm::vec4> smoothed(const scene::SkinMesh& mesh, const Grid& grid, const std::vector<glm::vec4>& values) {
+  std::vector<glm::vec4> out(values.size());
+  parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < grid.side; ++x) {
+      const Texel& own = grid.texels[grid.at(x, y)];
+      if (!own.covered()) continue;
+      glm::vec4 sum(0);
+      float total = 0;
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          if (x + dx < 0 || y + dy < 0 || x + dx >= grid.side || y + dy >= grid.side) continue;
+          const Texel& other = grid.texels[grid.at(x + dx, y + dy)];
+          if (!other.covered() || mesh.triangle_chart[other.triangle] != mesh.triangle_chart[own.triangle]) continue;
+          const float weight = static_cast<float>((2 - std::abs(dx)) * (2 - std::abs(dy)));
+          sum += weight * values[grid.at(x + dx, y + dy)];
+          total += weight;
+        }
+      out[grid.at(x, y)] = sum / total;
+    }
+  });
+  return out;
+}
+
+// Fills texels off the mesh from those beside them, ring by ring.
+void dilate(const Grid& grid, std::vector<glm::vec4>& values) {
+  std::vector<bool> filled(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) filled[i] = grid.texels[i].covered();
+  for (int ring = 0; ring < dilation; ++ring) {
+    std::vector<std::pair<std::size_t, glm::vec4>> added;
+    for (int y = 0; y < grid.side; ++y)
+      for (int x = 0; x < grid.side; ++x) {
+        if (filled[grid.at(x, y)]) continue;
+        glm::vec4 sum(0);
+        float total = 0;
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx) {
+            if (x + dx < 0 || y + dy < 0 || x + dx >= grid.side || y + dy >= grid.side || !filled[grid.at(x + dx, y + dy)]) continue;
+            sum += values[grid.at(x + dx, y + dy)];
+            ++total;
+          }
+        if (total > 0) added.emplace_back(grid.at(x, y), sum / total);
+      }
+    for (const auto& [i, value] : added) values[i] = value, filled[i] = true;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!filled[i]) values[i] = {0, 0, 0, 1};
+}
+
+}  // namespace
+
+Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh, const OcclusionSettings& settings) {
+  DERMIS_ASSERT_LE(16, settings.side);
+  DERMIS_ASSERT_LE(settings.side, 4096);
+  DERMIS_ASSERT_LE(1, settings.rays);
+  const reference::RayScene rays(scene);
+  const Grid grid = rasterise(mesh, settings.side);
+  std::vector<glm::vec4> values(grid.texels.size(), glm::vec4(0, 0, 0, 1));
+  parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
+    for (int x = 0; x < grid.side; ++x) {
+      const Texel& texel = grid.texels[grid.at(x, static_cast<int>(row))];
+      if (!texel.covered()) continue;
+      const scene::Vertex* corners[3];
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[3 * std::size_t{texel.triangle} + k]];
+      const glm::dvec3 a(corners[0]->position_m), b(corners[1]->position_m), c(corners[2]->position_m);
+      glm::dvec3 face = glm::cross(b - a, c - a);
+      const glm::dvec3 normal = glm::dvec3(corners[0]->normal) * (1.0 - texel.u - texel.v) +
+                                glm::dvec3(corners[1]->normal) * double{texel.u} + glm::dvec3(corners[2]->normal) * double{texel.v};
+      if (glm::length(face) < 1e-30 || glm::length(normal) < 1e-6) continue;
+      face = glm::normalize(face);
+      const glm::dvec3 n = glm::normalize(normal), p = a * (1.0 - texel.u - texel.v) + b * double{texel.u} + c * double{texel.v};
+      if (glm::dot(face, n) < 0) face = -face;
+      values[grid.at(x, static_cast<int>(row))] =
+          look_around(rays, p, n, face, shift_of(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(row)), settings.rays);
+    }
+  });
+  values = smoothed(mesh, grid, values);
+  dilate(grid, values);
+  Occlusion out{.side = settings.side, .values = {}};
+  for (const glm::vec4& value : values) out.values.insert(out.values.end(), {value.x, value.y, value.z, value.w});
+  return out;
+}
+
+}  // namespace dermis::environment

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstring>
+#include <span>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/log.h"
+#include "environment/occlusion.h"
+#include "image/colour.h"
+
+namespace dermis::environment {
+namespace {
+
+// FNV-1a, twice from different starts: 128 bits, so that two heads never share a file by chance.
+class Hash {
+ public:
+  template <class T>
+  void add(std::span<const T> values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    for (const std::byte b : std::as_bytes(values))
+      for (std::uint64_t& h : state_) h = (h ^ static_cast<std::uint64_t>(b)) * 0x100000001B3u;
+  }
+  template <class T>
+  void add(const T& value) {
+    add(std::span<const T>(&value, 1));
+  }
+  const std::array<std::uint64_t, 2>& state() const { return state_; }
+
+ private:
+  std::array<std::uint64_t, 2> state_{0xCBF29CE484222325u, 0x9E3779B97F4A7C15u};
+};
+
+constexpr std::uint32_t version = 1;  // of what bake_occlusion does and of the file
+
+Hash hash_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const OcclusionSettings& settings) {
+  Hash hash;
+  hash.add(version), hash.add(settings.side), hash.add(settings.rays);
+  for (const scene::Vertex& v : mesh.vertices) hash.add(v.position_m), hash.add(v.normal);
+  hash.add(std::span<const glm::vec2>(mesh.unwrap));
+  hash.add(std::span<const std::uint32_t>(mesh.indices));
+  hash.add(std::span<const std::uint16_t>(mesh.triangle_chart));
+  for (const scene::Primitive& p : scene.primitives) {
+    const scene::Material& material = scene.materials[static_cast<std::size_t>(p.material)];
+    hash.add(static_cast<int>(material.alpha_mode));
+    hash.add(material.skin);
+    for (const scene::Vertex& v : p.vertices) hash.add(v.position_m);
+    hash.add(std::span<const std::uint32_t>(p.indices));
+  }
+  return hash;
+}
+
+struct Header {
+  char magic[8] = {'d', 'e', 'r', 'm', 'i', 's', 'o', 'c'};
+  std::uint64_t hash[2] = {};
+  std::uint32_t side = 0, unused = 0;
+};
+
+std::vector<std::byte> write(const Occlusion& occlusion, const Hash& hash) {
+  Header header;
+  header.side = static_cast<std::uint32_t>(occlusion.side);
+  header.hash[0] = hash.state()[0], header.hash[1] = hash.state()[1];
+  std::vector<std::byte> bytes(sizeof header + occlusion.values.size() * 2);
+  std::memcpy(bytes.data(), &header, sizeof header);
+  for (std::size_t i = 0; i < occlusion.values.size(); ++i) {
+    const std::uint16_t half = image::float_to_half(occlusion.values[i]);
+    std::memcpy(bytes.data() + sizeof header + 2 * i, &half, 2);
+  }
+  return bytes;
+}
+
+// Empty if the bytes are not what write() has made for this hash and size.
+Occlusion read(std::span<const std::byte> bytes, const Hash& hash, int side) {
+  const std::size_t count = static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 4;
+  Header header, expected;
+  if (bytes.size() != sizeof header + 2 * count) return {};
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (std::memcmp(header.magic, expected.magic, sizeof header.magic) != 0 || header.side != static_cast<std::uint32_t>(side) ||
+      header.hash[0] != hash.state()[0] || header.hash[1] != hash.state()[1])
+    return {};
+  Occlusion out{.side = side, .values = {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint16_t half = 0;
+    std::memcpy(&half, bytes.data() + sizeof header + 2 * i, 2);
+    const float value = image::half_to_float(half);
+    if (!(value >= -2 && value <= 2)) return {};
+    out.values.push_back(value);
+  }
+  return out;
+}
+
+// As it would be read back: the first picture and later ones are equal to the bit.
+void round_to_half(Occlusion& occlusion) {
+  for (float& value : occlusion.values) value = image::half_to_float(image::float_to_half(value));
+}
+
+}  // namespace
+
+Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh, const std::filesystem::path& folder,
+                           const OcclusionSettings& settings) {
+  const Hash hash = hash_of(scene, mesh, settings);
+  const std::filesystem::path file = folder / fmt::format("occlusion-{:016x}.bin", hash.state()[0]);
+  std::error_code error;
+  if (!folder.empty() && std::filesystem::is_regular_file(file, error)) {
+    try {
+      if (Occlusion found = read(read_file(file, std::uint64_t{1} << 28), hash, settings.side); found.side > 0) return found;
+    } catch (const InputError&) {  // made again below
+    }
+    warn("{}: not what it should be; made again", file.string());
+  }
+  Occlusion made = bake_occlusion(scene, mesh, settings);
+  round_to_half(made);
+  if (folder.empty()) return made;
+  try {
+    std::filesystem::create_directories(folder, error);
+    write_file(file, write(made, hash));
+  } catch (const InputError& e) { warn("what the skin sees of its surroundings is not kept for the next run: {}", e.what()); }
+  return made;
+}
+
+}  // namespace dermis::environment

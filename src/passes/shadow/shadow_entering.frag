@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What of the light that falls on this texel's surface enters the skin: albedo^mix, its square root, as eight bits hold dark skin better.
+// What is not skin lets nothing in, what is cut out is not there. Alpha 1 marks what was shaded.
+#version 460
+#include "shared/scene_io.h"
+layout(constant_id = 0) const bool skin = true;
+layout(constant_id = 1) const bool cut_out = false;
+layout(constant_id = 2) const bool mixed = true;  // mix is not 0
+layout(binding = 2, scalar) uniform Material { MaterialIo material; };
+layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
+layout(binding = 8) uniform sampler2D map_base_colour;
+layout(location = 0) in vec2 in_uv0;
+layout(location = 1) in vec2 in_uv1;
+layout(location = 2) in vec4 in_colour;
+layout(location = 0) out vec4 out_entering;
+void main() {
+  out_entering = vec4(vec3(skin ? 1.0 : 0.0), 1.0);
+  if (!cut_out && !(skin && mixed)) return;
+  const MapIo map = material.maps[MAP_BASE_COLOUR];
+  const vec2 uv = map.uv_set == 0u ? in_uv0 : in_uv1;
+  vec4 colour = material.base_colour * in_colour;
+  if (map.present != 0u) colour *= texture(map_base_colour, map.u_axis * uv.x + map.v_axis * uv.y + map.offset);
+  if (cut_out && colour.a < material.alpha_cutoff) discard;
+  if (skin && mixed && frame.white_albedo == 0u)
+    out_entering.rgb = pow(clamp(colour.rgb, vec3(1e-6), vec3(1.0)), vec3(0.5 * material.mix_before));
+}

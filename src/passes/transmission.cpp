@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "passes/transmission.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/assert.h"
+#include "frame/executor.h"
+
+namespace dermis::passes {
+
+std::vector<std::size_t> transmission_groups(std::size_t terms) {
+  const std::size_t groups = std::min<std::size_t>(terms, TRANSMISSION_GROUPS);
+  std::vector<std::size_t> first;
+  for (std::size_t g = 0, at = 0; g < groups; ++g) {
+    first.push_back(at);
+    at += (terms - at + groups - g - 1) / (groups - g);  // what is left, shared out, rounded up
+  }
+  return first;
+}
+
+io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit) {
+  const std::size_t terms = profile.terms.size();
+  DERMIS_ASSERT_LE(terms, std::size_t{TRANSMISSION_TERMS});
+  io::TransmissionIo out{};
+  for (std::size_t i = 0; i < terms; ++i) {
+    out.two_sigma_m[i] = static_cast<float>(2 * std::sqrt(profile.terms[i].variance_mm2) / mm_per_unit);
+    out.falloff_per_m2[i] = static_cast<float>(mm_per_unit * mm_per_unit / (2 * profile.terms[i].variance_mm2));
+  }
+  std::vector<std::size_t> first = transmission_groups(terms);
+  first.push_back(terms);
+  for (int c = 0; c < 3; ++c) {
+    const auto weight = [&](std::size_t i) { return profile.terms[i].weight[static_cast<std::size_t>(c)]; };
+    const auto share = [&](std::size_t g, std::size_t i) -> float& { return out.share[g * TRANSMISSION_TERMS + i][c]; };
+    std::vector<double> before(terms, 0.0);  // the mean of the last group that had weight, as shares of the T_i
+    for (std::size_t g = 0; g + 1 < first.size(); ++g) {
+      double sum = 0;
+      for (std::size_t i = first[g]; i < first[g + 1]; ++i) sum += weight(i), out.group[i] = static_cast<std::uint32_t>(g);
+      out.group_weight[g][c] = static_cast<float>(sum);
+      if (!(sum > 0)) continue;
+      std::vector<double> mean(terms, 0.0);
+      for (std::size_t i = first[g]; i < first[g + 1]; ++i) mean[i] = weight(i) / sum;
+      for (std::size_t i = 0; i < terms; ++i) share(g, i) = static_cast<float>(mean[i] - before[i]);
+      before = mean;
+    }
+  }
+  return out;
+}
+
+ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library, const std::vector<gaussians::SumOfGaussians>& profiles, double mm_per_unit)
+    : nearest_(library.sampler({.filter = gpu::Filter::nearest})), linear_(library.sampler({.filter = gpu::Filter::linear})) {
+  for (const gaussians::SumOfGaussians& profile : profiles) {
+    const io::TransmissionIo io = transmission_io(profile, mm_per_unit);
+    constants_.push_back(gpu::make_buffer(library.device(), "transmission", std::span(&io, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
+  }
+}
+
+void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId shadow, frame::TextureId entering,
+                            std::size_t profile) const {
+  bindings.add("shadow_depths", resources.sampled(shadow, nearest_))
+      .add("entering_maps", resources.sampled(entering, linear_))
+      .add("Transmission", constants_[profile]);
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "reference/checkpoint.h"
+
+#include <cstring>
+#include <string>
+
+#include "core/error.h"
+#include "core/file.h"
+
+namespace dermis::reference {
+namespace {
+
+constexpr char magic[16] = "dermis sampled2";
+
+struct Header {
+  char name[16];
+  std::uint64_t fingerprint;
+  std::uint64_t check;  // of the state
+  std::int32_t width, height;
+};
+static_assert(sizeof(Header) == 40);
+
+/// Sixty-four bits that every byte changes (the mixer of splitmix64 over words).
+class Hash {
+ public:
+  void bytes(const void* data, std::size_t size) {
+    const char* p = static_cast<const char*>(data);
+    word(size);
+    for (; size >= 8; p += 8, size -= 8) {
+      std::uint64_t w = 0;
+      std::memcpy(&w, p, 8);
+      word(w);
+    }
+    std::uint64_t rest = 0;
+    std::memcpy(&rest, p, size);
+    word(rest);
+  }
+  void word(std::uint64_t w) {
+    state_ = (state_ ^ w) * 0x9E3779B97F4A7C15u;
+    state_ ^= state_ >> 29;
+  }
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void add(const T& value) {
+    std::uint64_t w = 0;
+    std::memcpy(&w, &value, sizeof value);
+    word(w);
+  }
+  template <glm::length_t N, class T>
+  void add(const glm::vec<N, T>& v) {
+    for (glm::length_t i = 0; i < N; ++i) add(v[i]);
+  }
+  void add(const std::string& text) { bytes(text.data(), text.size()); }
+  void add(const scene::MapRef& m) {
+    add(m.image), add(m.uv_set), add(m.wrap_u), add(m.wrap_v), add(m.nearest), add(m.channel), add(m.scale);
+    for (glm::length_t i = 0; i < 3; ++i) add(m.transform[i]);
+  }
+  std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0x632BE59BD9B4E019u;
+};
+
+void add_material(Hash& h, const scene::Material& m) {
+  h.add(m.skin), h.add(m.base_colour), h.add(m.metallic), h.add(m.roughness), h.add(m.emissive), h.add(m.ior), h.add(m.specular);
+  h.add(m.specular_colour), h.add(m.alpha_mode), h.add(m.alpha_cutoff), h.add(m.double_sided), h.add(m.unlit);
+  for (const scene::MapRef* map :
+       {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.emissive_map, &m.specular_map,
+        &m.specular_colour_map, &m.skin_settings.specular, &m.skin_settings.roughness, &m.skin_settings.displacement})
+    h.add(*map);
+  h.add(m.skin_settings.mix.value_or(-1.0f)), h.add(m.skin_settings.displacement_mm);
+  for (const scene::SpecularLobe& lobe : m.skin_settings.lobes) h.add(lobe.roughness_factor), h.add(lobe.weight);
+}
+
+void add_scene(Hash& h, const scene::Scene& scene) {
+  h.add(scene.mm_per_unit);
+  for (const scene::Primitive& p : scene.primitives) {
+    h.add(p.material), h.add(p.has_uv);
+    h.bytes(p.vertices.data(), p.vertices.size() * sizeof(scene::Vertex));
+    h.bytes(p.indices.data(), p.indices.size() * sizeof(std::uint32_t));
+  }
+  for (const scene::Material& m : scene.materials) add_material(h, m);
+  for (const scene::MapImage& image : scene.images) {
+    h.add(image.pixels->width), h.add(image.pixels->height);
+    h.bytes(image.pixels->rgba.data(), image.pixels->rgba.size());
+  }
+}
+
+void add_view(Hash& h, const View& view) {
+  const scene::Camera& camera = view.camera;
+  for (glm::length_t i = 0; i < 4; ++i) h.add(camera.world_from_camera[i]);
+  h.add(camera.fov_y_rad), h.add(camera.znear_m), h.add(camera.orthographic), h.add(camera.ymag_m);
+  h.add(view.width), h.add(view.height), h.add(view.ambient), h.add(view.radiance_scale), h.add(view.specular), h.add(view.white_albedo);
+  h.add(view.mix.value_or(-1));
+  for (const scene::Light& light : view.lights) {
+    h.add(light.type), h.add(light.colour), h.add(light.position_m), h.add(light.direction), h.add(light.range_m);
+    h.add(light.inner_cone_rad), h.add(light.outer_cone_rad);
+  }
+}
+
+}  // namespace
+
+std::uint64_t fingerprint(const scene::Scene& scene, const Job& job, std::uint64_t seed) {
+  Hash h;
+  add_scene(h, scene);
+  add_view(h, job.view);
+  h.add(job.model), h.add(seed);
+  for (const gaussians::SumOfGaussians& profile : job.profiles) {
+    h.word(profile.terms.size());
+    for (const gaussians::Gaussian& g : profile.terms) {
+      h.add(g.variance_mm2);
+      for (const double w : g.weight) h.add(w);
+    }
+  }
+  for (const optics::Medium& m : job.medium) h.add(m.sigma_a_per_mm), h.add(m.sigma_s_per_mm), h.add(m.g), h.add(m.eta);
+  return h.value();
+}
+
+void save_checkpoint(const std::filesystem::path& path, const Film& film, std::uint64_t fingerprint) {
+  const std::vector<std::byte> state = film.state();
+  Hash check;
+  check.bytes(state.data(), state.size());
+  Header header{.name = {}, .fingerprint = fingerprint, .check = check.value(), .width = film.width(), .height = film.height()};
+  std::memcpy(header.name, magic, sizeof magic);
+  std::vector<std::byte> bytes(sizeof header + state.size());
+  std::memcpy(bytes.data(), &header, sizeof header);
+  std::memcpy(bytes.data() + sizeof header, state.data(), state.size());
+  write_file(path, bytes);
+}
+
+bool load_checkpoint(const std::filesystem::path& path, Film& film, std::uint64_t fingerprint) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return false;
+  const std::vector<std::byte> bytes = read_file(path, std::uint64_t{1} << 40);
+  Header header{};
+  if (bytes.size() < sizeof header || std::memcmp(bytes.data(), magic, sizeof magic) != 0)
+    throw input_error(path.string(), "is not a checkpoint of `dermis reference`");
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.fingerprint != fingerprint)
+    throw input_error(path.string(),
+                      "belongs to another picture: scene, camera, lights, model, size or seed differ; without --resume it is replaced");
+  const std::span state = std::span(bytes).subspan(sizeof header);
+  Hash check;
+  check.bytes(state.data(), state.size());
+  if (header.width != film.width() || header.height != film.height() || check.value() != header.check || !film.restore(state))
+    throw input_error(path.string(), "is damaged; without --resume it is replaced");
+  return true;
+}
+
+}  // namespace dermis::reference

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Light that a profile brings to a point of the skin: the integral of R(|x - o|) times the light at x over all of the skin.
+// Based on: [KKCF13] King, Kulla, Conty, Fajardo: BSSRDF Importance Sampling. SIGGRAPH 2013 talks
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "gaussians/sum.h"
+#include "reference/random.h"
+#include "reference/ray_scene.h"
+#include "reference/surface_point.h"
+
+namespace dermis::reference {
+
+/// A sum of Gaussians, ready to sample. |x - o| is the straight line between both points, through the body or across a fold: so the far
+/// side of an ear counts, and on a sphere of radius a the weights still sum to 1 - sum_i w_i exp(-2 a^2 / v_i).
+class Diffusion {
+ public:
+  /// mm_per_unit: of the scene.
+  Diffusion(const gaussians::SumOfGaussians& profile, double mm_per_unit);
+
+  /// R(r) per channel, 1/mm^2.
+  glm::dvec3 profile(double radius_mm) const;
+
+  /// One sample of the integral of R(|x - o|) light(x) dA. Rays probe the skin along the normal at `o` and along one of two tangents; each
+  /// triangle they meet within five sigma counts, over the sum of the densities with which all three axes and all terms would have found
+  /// it [KKCF13]. Unbiased up to the 4e-6 of a term's light that lies beyond five sigma. `scratch` is emptied; it only saves memory.
+  glm::dvec3 sample(const RayScene& rays, const SurfacePoint& o, Random& random, std::vector<Hit>& scratch,
+                    const std::function<glm::dvec3(const SurfacePoint&)>& light) const;
+
+ private:
+  struct Term {
+    double variance_mm2, reach_mm;
+    double chance;   // of being the one that is sampled
+    double density;  // chance / (2 pi v) / (part within reach)
+    glm::dvec3 weight;
+  };
+  Ray probe(const SurfacePoint& o, const std::array<glm::dvec3, 3>& axes, std::size_t axis, double pick, double angle) const;
+  double density(const glm::dvec3& offset_mm, const std::array<glm::dvec3, 3>& axes, const glm::dvec3& face_normal) const;
+
+  std::vector<Term> terms_;
+  double mm_per_unit_;
+};
+
+}  // namespace dermis::reference

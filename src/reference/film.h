@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What has been gathered so far, and how sure it is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "image/image.h"
+#include "reference/tracer.h"
+
+namespace dermis::reference {
+
+class Film {
+ public:
+  Film(int width, int height);
+
+  /// One more sample of every pixel, row by row. Sums are in the order of the samples, whatever threads there were.
+  void add(const std::vector<Tracer::Sample>& pass);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::uint32_t samples() const { return samples_; }
+
+  /// Radiance, and the share of skin as alpha.
+  image::ImageF picture() const;
+  /// The variance of each channel of picture(), from the scatter of the means of blocks of samples, which are independent (random.h): (mean
+  /// of squares - square of mean) / (blocks - 1). Alpha: its own. 0 with fewer than two blocks, which say nothing.
+  image::ImageF variance() const;
+  /// Mean standard error in per cent of the mean, over skin (pixels at least half skin; over all if there is none) and channels. 100 with
+  /// fewer than two blocks; 0 for a black picture.
+  double noise_percent() const;
+
+  /// All sums as bytes, exactly; restore() refuses another number of them.
+  std::vector<std::byte> state() const;
+  bool restore(std::span<const std::byte> state);
+
+ private:
+  double variance_of_mean(std::size_t value) const;
+
+  int width_, height_;
+  std::uint32_t samples_ = 0;
+  std::vector<double> sums_;     // r g b skin, a pixel
+  std::vector<double> squares_;  // of the sums of whole blocks
+  std::vector<double> block_;    // sums of the block that is not whole yet
+};
+
+}  // namespace dermis::reference

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "reference/head_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dermis::reference {
+namespace {
+
+constexpr double head_height_mm = 260;
+
+template <class Visit>
+void for_each_skin_vertex(const scene::Scene& scene, const Visit& visit) {
+  for (const scene::Primitive& p : scene.primitives)
+    if (is_skin(scene, p))
+      for (const std::uint32_t index : p.indices) visit(glm::dvec3(p.vertices[index].position_m));
+}
+
+/// How far behind the tip the skin lies that is seen from the front at an offset (half breadths); infinity: nothing is there.
+double depth_behind(const RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m, const glm::dvec2& offset) {
+  const glm::dvec3 above = tip_m + half_breadth_m * glm::dvec3(offset, 1);
+  const auto hit = rays.nearest_skin({.origin_m = above, .direction = {0, 0, -1}});
+  return hit ? hit->t_m / half_breadth_m - 1 : std::numeric_limits<double>::infinity();
+}
+
+// Cheeks lie 20 mm behind the tip of a nose and more, its root 15; a ball of the head's size falls off by 4 mm so far out. Holes are no
+// face either.
+bool is_nose(const RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m) {
+  const auto deep = [&](const glm::dvec2& offset, double least) {
+    const double depth = depth_behind(rays, tip_m, half_breadth_m, offset);
+    return depth > least && depth < 1;
+  };
+  return deep({-0.28, 0}, 0.1) && deep({0.28, 0}, 0.1) && deep({0, 0.45}, 0.07);
+}
+
+/// The way of rays in a cone of 60 degrees around the axis to the nearest skin: `part` of them are no longer.
+double way_m(const RayScene& rays, const SurfacePoint& s, const glm::dvec3& axis, double part) {
+  constexpr std::size_t count = 24;
+  constexpr double cos_cone = 0.5;
+  const glm::dvec3 across = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const glm::dvec3 third = glm::cross(axis, across);
+  const double gap = stand_off_m(s.position_m);
+  std::array<double, count> ways{};
+  for (std::size_t i = 0; i < count; ++i) {
+    // A spiral by the golden angle, even in solid angle.
+    const double cosine = 1 - (1 - cos_cone) * (static_cast<double>(i) + 0.5) / count, sine = std::sqrt(1 - cosine * cosine);
+    const double angle = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0));
+    const glm::dvec3 direction = cosine * axis + sine * (std::cos(angle) * across + std::sin(angle) * third);
+    const auto hit = rays.nearest_skin({.origin_m = s.position_m + gap * axis, .direction = direction, .t_min_m = gap});
+    ways[i] = hit ? hit->t_m : std::numeric_limits<double>::infinity();
+  }
+  const auto nth = ways.begin() + static_cast<std::ptrdiff_t>(part * count);
+  std::nth_element(ways.begin(), nth, ways.end());
+  return *nth;
+}
+
+}  // namespace
+
+std::optional<HeadFrame> HeadFrame::find(const RayScene& rays) {
+  const scene::Scene& scene = rays.scene();
+  double top_m = -1e300;
+  for_each_skin_vertex(scene, [&](const glm::dvec3& p) { top_m = std::max(top_m, p.y); });
+  HeadFrame frame;
+  frame.tip_m_.z = -1e300;
+  const double lowest_m = top_m - head_height_mm / scene.mm_per_unit;
+  for_each_skin_vertex(scene, [&](const glm::dvec3& p) {
+    if (p.y >= lowest_m && p.z > frame.tip_m_.z) frame.tip_m_ = p;
+  });
+  // The breadth at the height of the nose and above it: there the ears stand out, and shoulders are far below.
+  for_each_skin_vertex(scene, [&](const glm::dvec3& p) {
+    if (p.y >= frame.tip_m_.y && p.y <= top_m) frame.half_breadth_m_ = std::max(frame.half_breadth_m_, std::abs(p.x - frame.tip_m_.x));
+  });
+  if (!(frame.half_breadth_m_ > 0) || !is_nose(rays, frame.tip_m_, frame.half_breadth_m_)) return std::nullopt;
+  return frame;
+}
+
+bool HeadFrame::on_nose(const glm::dvec3& position_m) const {
+  // From between the wings to the root, where the ridge is narrow.
+  const glm::dvec3 low(0, -0.03, -0.14), high(0, 0.42, -0.24);
+  constexpr double low_radius = 0.22, high_radius = 0.12;
+  const glm::dvec3 p = in_half_breadths(position_m);
+  const double along = std::clamp(glm::dot(p - low, high - low) / glm::dot(high - low, high - low), 0.0, 1.0);
+  return glm::distance(p, glm::mix(low, high, along)) <= std::lerp(low_radius, high_radius, along);
+}
+
+bool HeadFrame::beside_the_head(const glm::dvec3& position_m) const {
+  const glm::dvec3 p = in_half_breadths(position_m);
+  return std::abs(p.x) > 0.6 && p.y > -0.35 && p.y < 0.9 && p.z < -0.7;
+}
+
+double thickness_m(const RayScene& rays, const SurfacePoint& s) { return way_m(rays, s, -s.face_normal, 0.5); }
+
+double gap_m(const RayScene& rays, const SurfacePoint& s) { return way_m(rays, s, s.face_normal, 0.25); }
+
+}  // namespace dermis::reference

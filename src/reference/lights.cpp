@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "reference/shading.h"
+
+namespace dermis::reference {
+
+Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m) {
+  Arriving a;
+  const glm::dvec3 colour(light.colour), direction(light.direction);
+  if (light.type == scene::LightType::directional) {
+    a.irradiance = colour;
+    a.to_light = -direction;
+    return a;
+  }
+  const glm::dvec3 d = glm::dvec3(light.position_m) - position_m;
+  const double d2 = std::max(glm::dot(d, d), 1e-8);
+  a.distance_m = std::sqrt(d2);
+  a.to_light = d / a.distance_m;
+  a.irradiance = colour / d2;
+  if (light.range_m > 0) a.irradiance *= std::clamp(1 - std::pow(a.distance_m / light.range_m, 4), 0.0, 1.0);
+  if (light.type == scene::LightType::spot) {
+    const double outer = std::cos(light.outer_cone_rad), inner = std::cos(light.inner_cone_rad);
+    const double c = std::clamp((glm::dot(direction, -a.to_light) - outer) / std::max(inner - outer, 1e-4), 0.0, 1.0);
+    a.irradiance *= c * c;
+  }
+  return a;
+}
+
+Ray shadow_ray(const SurfacePoint& s, const Arriving& light) {
+  const double gap = stand_off_m(s.shadow_origin_m);
+  const double side = glm::dot(s.normal, light.to_light) < 0 ? -1 : 1;
+  return {.origin_m = s.shadow_origin_m + side * gap * s.normal,
+          .direction = light.to_light,
+          .t_min_m = gap,
+          .t_max_m = light.distance_m - 2 * gap};
+}
+
+// Everything opaque casts a shadow, from either side of its triangles; what is cut out casts what is left of it.
+bool Shading::shadowed(const SurfacePoint& s, const Arriving& light) const {
+  const Ray ray = shadow_ray(s, light);
+  if (ray.t_max_m <= ray.t_min_m) return false;
+  return rays_->solid_between(ray) || (rays_->has_cut_outs() && cut_out_between(ray));
+}
+
+bool Shading::cut_out_between(Ray ray) const {
+  while (const std::optional<Hit> hit = rays_->nearest_cut_out(ray)) {
+    const SurfacePoint s = surface_point(rays_->scene(), *hit);
+    const ShadingMaterial& m = materials_[s.material];
+    double alpha = m.source->base_colour.a * s.colour.a;
+    if (m.base_colour.present()) alpha *= m.base_colour.read(s.uv).a;
+    if (alpha >= m.source->alpha_cutoff) return true;
+    ray.t_min_m = std::nextafter(static_cast<float>(hit->t_m), 1e30f);
+  }
+  return false;
+}
+
+}  // namespace dermis::reference

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+
+#include "reference/shading.h"
+#include "scene/fine_normals.h"
+#include "scene/unwrap.h"
+
+namespace dermis::reference {
+
+std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::optional<double> mix) {
+  std::map<std::pair<int, bool>, std::shared_ptr<const MapPixels>> loaded;
+  const auto slot = [&](const scene::MapRef& map, bool srgb) {
+    MapSlot made{.map = map, .pixels = nullptr};
+    if (!map.present()) return made;
+    auto& pixels = loaded[{map.image, srgb}];
+    if (!pixels) pixels = std::make_shared<const MapPixels>(*scene.images[static_cast<std::size_t>(map.image)].pixels, srgb);
+    made.pixels = pixels;
+    return made;
+  };
+  const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
+  std::vector<ShadingMaterial> materials;
+  for (const scene::Material& m : scene.materials) {
+    ShadingMaterial made{.source = &m, .skin = m.skin};
+    made.mix_before = mix.value_or(m.skin_settings.mix.value_or(0.5f));
+    made.base_colour = slot(m.base_colour_map, true);
+    made.normal = slot(m.normal_map, false);
+    made.occlusion = slot(m.occlusion_map, false);
+    made.emissive = slot(m.emissive_map, true);
+    made.specular_colour = slot(m.specular_colour_map, true);
+    made.specular = slot(m.skin ? m.skin_settings.specular : m.specular_map, false);
+    made.roughness = slot(m.metallic_roughness_map, false);
+    if (m.skin) {
+      // glTF's metallic-roughness map serves where the skin names no map of its own: roughness in G, times the factor.
+      made.roughness.map.channel = 1;
+      made.roughness.map.scale = m.roughness;
+      if (m.skin_settings.roughness.present()) made.roughness = slot(m.skin_settings.roughness, false);
+    }
+    if (auto normals = scene::fine_normals(scene, materials.size(), skin)) {
+      made.normal = {.map = m.skin_settings.displacement, .pixels = std::make_shared<const MapPixels>(std::move(*normals), false)};
+      made.normal.map.scale = 1;
+    }
+    materials.push_back(std::move(made));
+  }
+  return materials;
+}
+
+}  // namespace dermis::reference

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "reference/ray_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <tuple>
+
+#include "core/error.h"
+#include "reference/embree.h"
+
+namespace dermis::reference {
+namespace {
+
+// A context that gathers: Embree hands the filter a pointer to the context, which is the first member.
+struct Gather {
+  embree::Context context;
+  std::vector<Hit>* hits;
+};
+
+// Notes each hit and refuses it, so that the search goes on to the end of the ray.
+void gather_hit(const RTCFilterFunctionNArguments* arguments) {
+  const auto* gather = reinterpret_cast<const Gather*>(arguments->context);
+  const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
+  const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+  gather->hits->push_back({hit->geomID, hit->primID, hit->u, hit->v, ray->tfar});
+  arguments->valid[0] = 0;
+}
+
+RTCRay embree_ray(const Ray& ray) {
+  RTCRay r{};
+  r.org_x = static_cast<float>(ray.origin_m.x), r.org_y = static_cast<float>(ray.origin_m.y), r.org_z = static_cast<float>(ray.origin_m.z);
+  r.dir_x = static_cast<float>(ray.direction.x), r.dir_y = static_cast<float>(ray.direction.y),
+  r.dir_z = static_cast<float>(ray.direction.z);
+  r.tnear = static_cast<float>(ray.t_min_m);
+  r.tfar = static_cast<float>(std::min(ray.t_max_m, 1e30));
+  r.mask = 0xffffffffu;
+  return r;
+}
+
+std::optional<Hit> nearest_in(RTCScene scene, const Ray& ray) {
+  embree::Context context;
+  embree::init(context);
+  RTCRayHit query{};
+  query.ray = embree_ray(ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect(scene, context, query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return Hit{query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
+}
+
+}  // namespace
+
+bool is_skin(const scene::Scene& scene, const scene::Primitive& primitive) {
+  return scene.materials[static_cast<std::size_t>(primitive.material)].skin && primitive.has_uv;
+}
+
+struct RayScene::Scenes {
+  RTCDevice device = nullptr;
+  RTCScene all = nullptr, solid = nullptr, cut_out = nullptr, skin = nullptr, skin_gathered = nullptr;
+
+  Scenes() : device(rtcNewDevice(nullptr)) {
+    if (!device) throw device_error("Embree could not start: error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
+    for (RTCScene* scene : {&all, &solid, &cut_out, &skin, &skin_gathered}) {
+      *scene = rtcNewScene(device);
+      // Robust: rays must not slip through between two triangles. Medium quality splits no triangles, so none is gathered twice.
+      rtcSetSceneFlags(*scene, RTC_SCENE_FLAG_ROBUST);
+      rtcSetSceneBuildQuality(*scene, RTC_BUILD_QUALITY_MEDIUM);
+    }
+  }
+  ~Scenes() {
+    for (RTCScene scene : {all, solid, cut_out, skin, skin_gathered}) rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+  Scenes(const Scenes&) = delete;
+  Scenes& operator=(const Scenes&) = delete;
+
+  RTCGeometry geometry(const scene::Primitive& primitive) const {
+    RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<float*>(
+        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), primitive.vertices.size()));
+    auto* indices = static_cast<std::uint32_t*>(
+        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), primitive.indices.size() / 3));
+    if (!vertices || !indices) {
+      rtcReleaseGeometry(g);
+      throw device_error("Embree: too little memory for '{}' ({} vertices)", primitive.name, primitive.vertices.size());
+    }
+    for (std::size_t i = 0; i < primitive.vertices.size(); ++i) std::memcpy(vertices + 3 * i, &primitive.vertices[i].position_m, 12);
+    std::copy(primitive.indices.begin(), primitive.indices.end(), indices);
+    return g;
+  }
+};
+
+RayScene::RayScene(const scene::Scene& scene) : scene_(&scene), scenes_(std::make_unique<Scenes>()) {
+  for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
+    const scene::Primitive& primitive = scene.primitives[i];
+    if (primitive.indices.empty()) continue;
+    const scene::AlphaMode alpha = scene.materials[static_cast<std::size_t>(primitive.material)].alpha_mode;
+    RTCGeometry g = scenes_->geometry(primitive);
+    rtcCommitGeometry(g);
+    rtcAttachGeometryByID(scenes_->all, g, i);
+    // As in the shadow maps: blended parts (lashes, brows) would cast the shadow of their whole card, so they cast none.
+    if (alpha == scene::AlphaMode::opaque) rtcAttachGeometryByID(scenes_->solid, g, i);
+    if (alpha == scene::AlphaMode::mask) rtcAttachGeometryByID(scenes_->cut_out, g, i), has_cut_outs_ = true;
+    if (is_skin(scene, primitive)) {
+      for (const std::uint32_t index : primitive.indices) {
+        const glm::dvec3 p(primitive.vertices[index].position_m);
+        low_m_ = glm::min(low_m_, p), high_m_ = glm::max(high_m_, p);
+      }
+      rtcAttachGeometryByID(scenes_->skin, g, i);
+      RTCGeometry gathered = scenes_->geometry(primitive);
+      rtcSetGeometryIntersectFilterFunction(gathered, gather_hit);
+      rtcCommitGeometry(gathered);
+      rtcAttachGeometryByID(scenes_->skin_gathered, gathered, i);
+      rtcReleaseGeometry(gathered);
+    }
+    rtcReleaseGeometry(g);
+  }
+  for (RTCScene s : {scenes_->all, scenes_->solid, scenes_->cut_out, scenes_->skin, scenes_->skin_gathered}) rtcCommitScene(s);
+  if (const RTCError error = rtcGetDeviceError(scenes_->device); error != RTC_ERROR_NONE)
+    throw device_error("Embree: error {} while it sorted the triangles of '{}'", static_cast<int>(error), scene.name);
+}
+
+RayScene::~RayScene() = default;
+
+std::optional<Hit> RayScene::nearest(const Ray& ray) const { return nearest_in(scenes_->all, ray); }
+std::optional<Hit> RayScene::nearest_skin(const Ray& ray) const { return nearest_in(scenes_->skin, ray); }
+std::optional<Hit> RayScene::nearest_cut_out(const Ray& ray) const { return nearest_in(scenes_->cut_out, ray); }
+
+bool RayScene::solid_between(const Ray& ray) const {
+  embree::Context context;
+  embree::init(context);
+  RTCRay r = embree_ray(ray);
+  embree::occluded(scenes_->solid, context, r);
+  return r.tfar < 0;
+}
+
+void RayScene::all_skin(const Ray& ray, std::vector<Hit>& hits) const {
+  hits.clear();
+  Gather gather{};
+  embree::init(gather.context);
+  gather.hits = &hits;
+  RTCRayHit query{};
+  query.ray = embree_ray(ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect(scenes_->skin_gathered, gather.context, query);
+  // The tree decides the order in which hits come, and threads may have built it differently.
+  std::sort(hits.begin(), hits.end(),
+            [](const Hit& a, const Hit& b) { return std::tie(a.t_m, a.primitive, a.triangle) < std::tie(b.t_m, b.primitive, b.triangle); });
+}
+
+}  // namespace dermis::reference

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Light at a point and what its surface does with it: the equations of the real-time shaders once more, in double and with shadow rays.
+// Written apart from the shaders on purpose, so that the reference cannot inherit their mistakes.
+#pragma once
+
+#include <vector>
+
+#include "reference/maps.h"
+#include "reference/ray_scene.h"
+#include "reference/settings.h"
+#include "reference/specular.h"
+#include "reference/surface_point.h"
+
+namespace dermis::reference {
+
+/// A material with its maps ready to read.
+struct ShadingMaterial {
+  const scene::Material* source = nullptr;
+  bool skin = false;
+  double mix_before = 0.5;  ///< part of the albedo, as an exponent, that is applied before the light scatters
+  MapSlot base_colour, normal, roughness, occlusion, specular, emissive, specular_colour;
+};
+
+/// Where light comes from, unshadowed. glTF's KHR_lights_punctual: inverse square, range window, smooth cone.
+struct Arriving {
+  glm::dvec3 irradiance{0};  ///< on a surface that faces the light
+  glm::dvec3 to_light{0, 0, 1};
+  double distance_m = 1e30;
+};
+Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m);
+
+/// From the surface to the light, clear of both; nothing lies on it if t_max_m <= t_min_m.
+Ray shadow_ray(const SurfacePoint& s, const Arriving& light);
+
+class Shading {
+ public:
+  Shading(const RayScene& rays, const View& view);
+
+  const ShadingMaterial& material(std::size_t index) const { return materials_[index]; }
+  const RayScene& rays() const { return *rays_; }
+  const View& view() const { return view_; }
+
+  /// Irradiance that enters the skin, over all lights and the surroundings, less what the surface reflects.
+  glm::dvec3 entering_irradiance(const SurfacePoint& s) const;
+  /// What spreads from a point of skin: E albedo^mix / pi.
+  glm::dvec3 light_in_skin(const SurfacePoint& s) const;
+  /// What becomes of light that has spread, on its way to the eye: albedo^(1 - mix) times what the surface lets out towards `to_eye`.
+  glm::dvec3 leaving_factor(const SurfacePoint& s, const glm::dvec3& to_eye) const;
+  /// What the surface of skin reflects towards the eye.
+  glm::dvec3 skin_reflection(const SurfacePoint& s, const glm::dvec3& to_eye) const;
+
+  /// What is not skin: glTF metallic-roughness. `normal_side`: +1 seen from the front, -1 from behind.
+  struct Surface {
+    glm::dvec3 radiance{0};
+    double alpha = 1;  ///< how much it covers; 0 where it is cut out
+  };
+  Surface surface(const SurfacePoint& s, double normal_side, const glm::dvec3& to_eye) const;
+
+  /// Is something opaque between the point and the light?
+  bool shadowed(const SurfacePoint& s, const Arriving& light) const;
+
+ private:
+  glm::dvec3 mapped_normal(const ShadingMaterial& m, const SurfacePoint& s, const glm::dvec3& normal) const;
+  glm::dvec3 eye_normal(const ShadingMaterial& m, const SurfacePoint& s, const glm::dvec3& normal, const glm::dvec3& to_eye) const;
+  glm::dvec3 skin_albedo(const ShadingMaterial& m, const SurfacePoint& s) const;
+  SkinSpecular skin_specular(const ShadingMaterial& m, const SurfacePoint& s) const;
+  double occlusion(const ShadingMaterial& m, const SurfacePoint& s) const;
+  bool cut_out_between(Ray ray) const;
+
+  const RayScene* rays_;
+  View view_;
+  std::vector<ShadingMaterial> materials_;
+  ReflectanceTable table_;
+};
+
+/// All materials of a scene with their maps; images are shared.
+std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::optional<double> mix);
+
+}  // namespace dermis::reference

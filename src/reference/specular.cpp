@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "reference/specular.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optics/attenuation.h"
+
+namespace dermis::reference {
+namespace {
+
+using optics::attenuation_columns;
+using optics::attenuation_min_m;
+using optics::attenuation_rows;
+
+/// Beckmann without 1/pi: exp(-tan^2 / m^2) / (m^2 cos^4).
+double beckmann(double n_h, double m) {
+  const double c2 = std::max(n_h * n_h, 1e-6);
+  return std::exp(-(1 - c2) / (c2 * m * m)) / (m * m * c2 * c2);
+}
+
+/// [KSK01] eq. 6 with Schlick's Fresnel.
+double kelemen(const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l, double m, double f0) {
+  const glm::dvec3 h_raw = l + v;
+  const double h2 = glm::dot(h_raw, h_raw);
+  if (h2 < 1e-8) return 0;
+  const glm::dvec3 h = h_raw / std::sqrt(h2);
+  const double x = std::pow(std::clamp(1 - glm::dot(v, h), 0.0, 1.0), 5);
+  return beckmann(std::max(glm::dot(n, h), 0.0), m) * (f0 + (1 - f0) * x) / h2;
+}
+
+}  // namespace
+
+double specular_brdf(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l) {
+  return s.rho_s * (s.weight[0] * kelemen(n, v, l, s.m[0], s.f0) + s.weight[1] * kelemen(n, v, l, s.m[1], s.f0));
+}
+
+ReflectanceTable::ReflectanceTable() : table_(optics::attenuation_table()) {}
+
+double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
+  const auto c0 = static_cast<std::size_t>(column);
+  const double cx = column - static_cast<double>(c0);
+  double sum = 0;
+  for (std::size_t lobe = 0; lobe < 2; ++lobe) {
+    if (s.weight[lobe] == 0) continue;
+    const double row = std::clamp((s.m[lobe] - attenuation_min_m) / (1 - attenuation_min_m), 0.0, 1.0) * (attenuation_rows - 1);
+    const auto r0 = static_cast<std::size_t>(row);
+    const double ry = row - static_cast<double>(r0);
+    const std::size_t r1 = std::min<std::size_t>(r0 + 1, attenuation_rows - 1);
+    const auto rho = [&](std::size_t r, std::size_t c) {
+      const std::size_t i = 2 * (r * (attenuation_columns + 2) + c);
+      return s.f0 * table_[i] + table_[i + 1];
+    };
+    const auto along = [&](std::size_t r) { return (1 - cx) * rho(r, c0) + (cx > 0 ? cx * rho(r, c0 + 1) : 0); };
+    sum += s.weight[lobe] * ((1 - ry) * along(r0) + ry * along(r1));
+  }
+  return std::min(s.rho_s * sum, 0.9);
+}
+
+double ReflectanceTable::at(const SkinSpecular& s, double cosine) const {
+  return s.rho_s == 0 ? 0 : lookup(s, std::clamp(cosine, 0.0, 1.0) * (attenuation_columns - 1));
+}
+
+double ReflectanceTable::mean(const SkinSpecular& s) const { return s.rho_s == 0 ? 0 : lookup(s, attenuation_columns); }
+
+}  // namespace dermis::reference

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The two lobes that skin reflects with. Based on: [DLE07] GPU Gems 3, ch. 14.3; [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled
+// Specular-Matte BRDF Model, EG 2001. The lobe carries a factor pi against a normalised Beckmann lobe; rho_s = 0.18 goes with that.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace dermis::reference {
+
+/// The lobes at one point of skin.
+struct SkinSpecular {
+  double rho_s = 0;  ///< 0: no reflection
+  double f0 = 0;
+  std::array<double, 2> m{1, 1}, weight{1, 0};
+};
+
+/// f, so that radiance = f * irradiance. All directions unit.
+double specular_brdf(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l);
+
+/// The part of light that the lobes reflect, tabulated by direction (optics/attenuation.h).
+class ReflectanceTable {
+ public:
+  ReflectanceTable();
+  /// Light from (or to) this direction. At most 0.9: painted maps must not take all of it.
+  double at(const SkinSpecular& s, double cosine) const;
+  /// Light from everywhere.
+  double mean(const SkinSpecular& s) const;
+
+ private:
+  double lookup(const SkinSpecular& s, double column) const;
+  std::vector<float> table_;
+};
+
+}  // namespace dermis::reference

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// A point of a surface: what the corners of its triangle hold, interpolated.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "reference/ray_scene.h"
+
+namespace dermis::reference {
+
+struct SurfacePoint {
+  glm::dvec3 position_m{0};
+  glm::dvec3 shadow_origin_m{0};    ///< where rays to the lights start
+  glm::dvec3 normal{0, 0, 1};       ///< interpolated, unit, on the front side
+  glm::dvec3 face_normal{0, 0, 1};  ///< of the triangle, unit, on the front side
+  glm::dvec4 tangent{1, 0, 0, 1};
+  std::array<glm::dvec2, 2> uv{};
+  glm::dvec4 colour{1};
+  std::size_t material = 0;
+};
+
+SurfacePoint surface_point(const scene::Scene& scene, const Hit& hit);
+
+}  // namespace dermis::reference

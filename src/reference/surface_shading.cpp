@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and height-correlated Smith.
+// The uniform surroundings are reflected by the split-sum fit of Karis, "Physically Based Shading on Mobile", 2014.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "reference/shading.h"
+
+namespace dermis::reference {
+namespace {
+
+using std::numbers::pi;
+
+struct Look {
+  glm::dvec3 albedo, f0;
+  double f90, alpha, roughness;
+};
+
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+Look look_at(const ShadingMaterial& m, const SurfacePoint& s, const glm::dvec3& base) {
+  const scene::Material& source = *m.source;
+  double metallic = source.metallic, roughness = source.roughness;
+  if (m.roughness.present()) {
+    const glm::dvec4 t = m.roughness.read(s.uv);
+    roughness *= t.g, metallic *= t.b;
+  }
+  double specular = source.specular;
+  if (m.specular.present()) specular *= m.specular.read(s.uv).a;
+  glm::dvec3 tint(source.specular_colour);
+  if (m.specular_colour.present()) tint *= glm::dvec3(m.specular_colour.read(s.uv));
+  const double r = (source.ior - 1.0) / (source.ior + 1.0);
+  const glm::dvec3 dielectric = glm::min(r * r * tint, glm::dvec3(1)) * specular;
+  Look look{};
+  look.f0 = glm::mix(dielectric, base, metallic);
+  look.f90 = glm::mix(specular, 1.0, metallic);
+  look.albedo = base * (1 - metallic);
+  look.roughness = std::clamp(roughness, 0.045, 1.0);
+  look.alpha = look.roughness * look.roughness;
+  return look;
+}
+
+glm::dvec3 brdf_times_cosine(const Look& look, bool specular, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l) {
+  const glm::dvec3 h = glm::normalize(v + l);
+  const double n_l = std::max(glm::dot(n, l), 0.0), n_v = std::max(glm::dot(n, v), 1e-3), n_h = std::max(glm::dot(n, h), 0.0),
+               v_h = std::max(glm::dot(v, h), 0.0);
+  const double a2 = look.alpha * look.alpha, d = n_h * n_h * (a2 - 1) + 1;
+  const double distribution = a2 / (pi * d * d);
+  const double visibility = 0.5 / std::max(n_l * std::sqrt(n_v * n_v * (1 - a2) + a2) + n_v * std::sqrt(n_l * n_l * (1 - a2) + a2), 1e-5);
+  const glm::dvec3 fresnel = look.f0 + (look.f90 - look.f0) * std::pow(1 - v_h, 5);
+  glm::dvec3 sum = look.albedo * ((1 - largest(fresnel)) / pi);
+  if (specular) sum += fresnel * (distribution * visibility);
+  return sum * n_l;
+}
+
+glm::dvec3 reflected_surroundings(const Look& look, double n_v) {
+  const glm::dvec4 c0(-1, -0.0275, -0.572, 0.022), c1(1, 0.0425, 1.04, -0.04);
+  const glm::dvec4 r = look.roughness * c0 + c1;
+  const double a = std::min(r.x * r.x, std::exp2(-9.28 * n_v)) * r.x + r.y;
+  return glm::max(look.f0 * (-1.04 * a + r.z) + look.f90 * (1.04 * a + r.w), glm::dvec3(0));
+}
+
+}  // namespace
+
+Shading::Surface Shading::surface(const SurfacePoint& s, double normal_side, const glm::dvec3& to_eye) const {
+  const ShadingMaterial& m = materials_[s.material];
+  const scene::Material& source = *m.source;
+  glm::dvec4 base = glm::dvec4(source.base_colour) * s.colour;
+  if (m.base_colour.present()) base *= m.base_colour.read(s.uv);
+  if (view_.white_albedo) base = glm::dvec4(1, 1, 1, base.a);
+  if (source.alpha_mode == scene::AlphaMode::mask && base.a < source.alpha_cutoff) return {.radiance = glm::dvec3(0), .alpha = 0};
+  Surface out;
+  if (source.alpha_mode == scene::AlphaMode::blend) out.alpha = std::clamp(base.a, 0.0, 1.0);
+  const glm::dvec3 albedo(base);
+  if (source.unlit) {
+    out.radiance = albedo;
+    return out;
+  }
+  SurfacePoint seen = s;
+  seen.normal *= normal_side;
+  const Look look = look_at(m, s, albedo);
+  const glm::dvec3 n = mapped_normal(m, s, seen.normal);
+  for (const scene::Light& light : view_.lights) {
+    const Arriving a = arriving_light(light, s.position_m);
+    if (glm::dot(n, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(seen, a)) continue;
+    out.radiance += a.irradiance * brdf_times_cosine(look, view_.specular, n, to_eye, a.to_light);
+  }
+  const glm::dvec3 mirrored = view_.specular ? reflected_surroundings(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
+  out.radiance += view_.ambient * occlusion(m, s) * (look.albedo * (1 - largest(mirrored)) + mirrored);
+  glm::dvec3 emitted(source.emissive);
+  if (m.emissive.present()) emitted *= glm::dvec3(m.emissive.read(s.uv));
+  out.radiance += emitted;
+  return out;
+}
+
+}  // namespace dermis::reference

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "reference/tracer.h"
+
+#include <cmath>
+
+#include "profile/monte_carlo.h"
+#include "reference/camera_ray.h"
+
+namespace dermis::reference {
+
+glm::dvec3 diffuse_total(const optics::RgbMedium& medium) {
+  glm::dvec3 total(1);
+  for (int c = 0; c < 3; ++c) {
+    const optics::Medium& m = medium[static_cast<std::size_t>(c)];
+    if (m.sigma_a_per_mm == 0) continue;  // all of it comes back
+    profile::ScatterScene scene = profile::scene_of(m);
+    scene.light = profile::ScatterScene::Light::diffuse;
+    total[c] = profile::monte_carlo(scene, {.photons = 400'000, .seed = 1, .cache = {}})->reflected_total;
+  }
+  return total;
+}
+
+Tracer::Tracer(const scene::Scene& scene, const Job& job)
+    : job_(job), rays_(scene), shading_(rays_, job.view), medium_(job.medium, scene.mm_per_unit) {
+  if (job.model == Model::bssrdf)
+    for (const gaussians::SumOfGaussians& profile : job.profiles) diffusion_.emplace_back(profile, scene.mm_per_unit);
+  if (job.model == Model::volume) medium_total_ = diffuse_total(job.medium);
+}
+
+glm::dvec3 Tracer::from_the_medium(const SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const {
+  // The eye's ray enters by Snell's law; by reciprocity that is the way on which light leaves.
+  const double facing = glm::dot(to_eye, s.face_normal);
+  if (facing <= 0) return glm::dvec3(0);
+  const glm::dvec3 inside = refracted(-to_eye, s.face_normal, 1 / medium_.eta);
+  const double gap = stand_off_m(s.position_m);
+  const WalkEnd end = walk(rays_, medium_, s.position_m - gap * s.face_normal, inside, random);
+  walks_.fetch_add(1, std::memory_order_relaxed);
+  if (end.how == WalkEnd::How::lost) lost_.fetch_add(1, std::memory_order_relaxed);
+  if (end.how != WalkEnd::How::left) return glm::dvec3(0);
+  // Light enters as through a rough surface, spread over all directions: then its radiance along the walk is E / pi.
+  return end.weight / medium_total_ * shading_.light_in_skin(surface_point(rays_.scene(), end.hit));
+}
+
+glm::dvec3 Tracer::skin_radiance(SurfacePoint& s, double side, const glm::dvec3& to_eye, Random& random, std::vector<Hit>& scratch) const {
+  glm::dvec3 scattered(0);
+  if (job_.model == Model::bssrdf)
+    scattered = diffusion_[s.material].sample(rays_, s, random, scratch, [&](const SurfacePoint& x) { return shading_.light_in_skin(x); });
+  else
+    scattered = from_the_medium(s, to_eye, random);
+  s.normal *= side;
+  return scattered * shading_.leaving_factor(s, to_eye) + shading_.skin_reflection(s, to_eye);
+}
+
+Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<Hit>& scratch) const {
+  const double px = x + random.next(), py = y + random.next();
+  Ray ray = camera_ray(job_.view, px, py);
+  const glm::dvec3 to_eye = -ray.direction;
+  const scene::Scene& scene = rays_.scene();
+  Sample out;
+  double through = 1;
+  while (through > 1e-6) {
+    const std::optional<Hit> hit = rays_.nearest(ray);
+    if (!hit) break;
+    SurfacePoint s = surface_point(scene, *hit);
+    const double side = glm::dot(s.face_normal, to_eye) >= 0 ? 1 : -1;
+    const ShadingMaterial& material = shading_.material(s.material);
+    if (side > 0 || material.source->double_sided) {
+      if (material.skin && scene.primitives[hit->primitive].has_uv) {
+        out.radiance += through * skin_radiance(s, side, to_eye, random, scratch);
+        out.skin = through;
+        break;
+      }
+      const Shading::Surface surface = shading_.surface(s, side, to_eye);
+      out.radiance += through * surface.alpha * surface.radiance;
+      through *= 1 - surface.alpha;
+    }
+    ray.t_min_m = std::nextafter(static_cast<float>(hit->t_m), 1e30f);
+  }
+  out.radiance *= job_.view.radiance_scale;
+  return out;
+}
+
+}  // namespace dermis::reference

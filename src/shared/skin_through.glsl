@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The light that enters at a point of the skin, and that which comes to it through the body, in one loop over the lights. Follows
+// skin_point.glsl.
+#include "shared/transmission_io.h"
+layout(binding = 22) uniform sampler2DArray shadow_depths;
+layout(binding = 23) uniform sampler2DArray entering_maps;
+layout(binding = 24, scalar) uniform Transmission { TransmissionIo transmission; };
+layout(constant_id = 8) const int through_terms = 6;
+#include "shared/transmission.glsl"
+
+struct EnteringAndThrough {
+  vec3 entering;                     // irradiance, as entering_irradiance()
+  vec3 through[TRANSMISSION_TERMS];  // for each Gaussian: irradiance of the far side, times its albedo^mix and the Gaussian's slab factor
+};
+
+// Where the surface faces a light it is lit by it, or lies in a shadow that the light may have reached by air: none of it comes through the
+// body. Where it faces away none of that light enters. So no light is counted twice.
+EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
+  const float kept_mean = 1.0 - specular_albedo_mean(attenuation, spec);
+  EnteringAndThrough r;
+  r.entering = vec3(0.0);
+  for (int i = 0; i < through_terms; ++i) r.through[i] = vec3(0.0);
+  for (uint k = 0u; k < frame.light_count; ++k) {
+    const LightIo light = lights[k];
+    const Arriving a = arriving_light(light, s.position_m);
+    const float cosine_here = dot(n_geometric, a.to_light);
+    const LightRead read = read_light(light, a, s.position_m, n_geometric, cosine_here);
+    const bool faces = cosine_here > 0.0;
+    const float cosine = faces ? max(dot(n, a.to_light), 0.0) : read.cosine;
+    const vec3 kept = a.irradiance * ((1.0 - specular_albedo(attenuation, spec, cosine)) / kept_mean);
+    r.entering += kept * (faces ? cosine * read.lit : 0.0);
+    add_slab_factors(read, cosine_here, kept * read.entering * (faces ? 0.0 : nearer_factor(light, a, read)), r.through);
+  }
+  return r;
+}
+
+// What of it joins the light map before the terms of a group: passes/transmission.h.
+vec3 joining(EnteringAndThrough r, int group) {
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < through_terms; ++i) sum += transmission.share[group * TRANSMISSION_TERMS + i] * r.through[i];
+  return sum;
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Light from everywhere: uniform, or from a picture of the surroundings (src/environment). Needs `frame`, pi.
+layout(constant_id = 7) const bool environment = false;  // a picture; else frame.ambient
+layout(binding = 26) uniform sampler2D environment_map;  // equirectangular, a lobe twice as wide each mip: environment/environment.h
+
+// The surroundings are turned about +Y, so directions are turned back.
+vec3 environment_frame(vec3 d) {
+  return vec3(d.x * frame.environment_cos - d.z * frame.environment_sin, d.y, d.x * frame.environment_sin + d.z * frame.environment_cos);
+}
+
+// Of an unoccluded surface.
+vec3 surroundings_irradiance(vec3 normal) {
+  if (!environment) return frame.ambient * pi;
+  const vec3 n = environment_frame(normal);
+  vec3 e = frame.environment_irradiance[0];
+  e += frame.environment_irradiance[1] * n.y + frame.environment_irradiance[2] * n.z + frame.environment_irradiance[3] * n.x;
+  e += frame.environment_irradiance[4] * (n.x * n.y) + frame.environment_irradiance[5] * (n.y * n.z);
+  e += frame.environment_irradiance[6] * (3.0 * n.z * n.z - 1.0) + frame.environment_irradiance[7] * (n.x * n.z);
+  e += frame.environment_irradiance[8] * (n.x * n.x - n.y * n.y);
+  return max(e, vec3(0.0));
+}
+
+// Averaged over a Beckmann lobe of slope m around the direction.
+vec3 surroundings_radiance(vec3 direction, float m) {
+  if (!environment) return frame.ambient;
+  const vec3 d = environment_frame(direction);
+  const vec2 at = vec2(0.5 + atan(d.x, -d.z) / (2.0 * pi), acos(clamp(d.y, -1.0, 1.0)) / pi);
+  const float level = m < 1.0 / 16.0 ? m * 16.0 : 5.0 + log2(m);
+  return textureLod(environment_map, at, level).rgb * frame.environment_intensity;
+}
+
+// What is left of a lobe's light where only a share of the sky is seen, [LR14] Lagarde, de Rousiers: Moving Frostbite to PBR, SIGGRAPH 2014.
+float specular_open(float n_v, float open, float m) { return clamp(pow(max(n_v, 0.0) + open, exp2(-16.0 * m - 1.0)) - 1.0 + open, 0.0, 1.0); }

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// One look into a light's map for both of its uses: how much of the light arrives where the surface faces it, and where and how the light
+// has entered that comes through the body to a surface that faces away. Translucent shadow maps; docs/techniques.md says why it is so.
+// Based on: [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, EGSR 2003 (what enters is a part of the shadow map, and is gathered
+// in the light's view); [DLE07] GPU Gems 3, ch. 14.5 (thickness with the normals' correction). Needs: `shadow_matrices`, shadow_depths,
+// entering_maps (sampler2DArray of the same layers), `transmission`, through_terms.
+
+const int last_term = through_terms - 1, term_before = through_terms > 1 ? through_terms - 2 : 0;  // both gather around the ray of light
+
+struct LightRead {
+  float lit;       // 0..1, where the surface faces the light: as shadow_at()
+  vec3 entering;   // albedo^mix of the skin at the lit point; 0 where the first thing that light meets is no skin
+  float cosine;    // of the light there
+  float facing;    // 0..1: how far the lit point faces away from here
+  float way_m;     // from there to here, along the light
+  // The same ways along rays beside, two sigma of the last term but one and of the last away; no light: far.
+  vec4 way_near_m, way_wide_m;
+  bool inside;     // the place lies in the map
+  bool shaded;     // what enters was stored wherever something is
+};
+
+// How metres along the light show in a map: depth of a point at `clip`, moved by m towards the light, is (clip.z + m zw.x) / (clip.w + m zw.y).
+struct MapRay {
+  vec4 clip;
+  vec2 zw;
+};
+float way_of(MapRay ray, float depth) { return (depth * ray.clip.w - ray.clip.z) / (ray.zw.x - depth * ray.zw.y); }
+
+// Texels base-1 .. base+2 along both axes, four gathers: [x + 2 y] = the block of two by two that begins at base - 1 + 2 (x, y), in the
+// order of textureGather: (0,1) (1,1) (1,0) (0,0).
+void gather_depths(vec2 base, vec2 size, float layer, out vec4 z[4]) {
+  for (int k = 0; k < 4; ++k) z[k] = textureGather(shadow_depths, vec3((base + 2.0 * vec2(k & 1, k >> 1)) / size, layer));
+}
+
+// The tent over 3 x 3 bilinear comparisons of shadow_at(), as weights of 4 x 4 comparisons.
+float share_not_beyond(vec4 z[4], vec2 f, float depth) {
+  const vec4 x = vec4(1.0 - f.x, 2.0 - f.x, 1.0 + f.x, f.x) * 0.25, y = vec4(1.0 - f.y, 2.0 - f.y, 1.0 + f.y, f.y) * 0.25;
+  float sum = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const vec2 u = (k & 1) == 0 ? x.xy : x.zw, v = (k >> 1) == 0 ? y.xy : y.zw;
+    sum += dot(vec4(u.x * v.y, u.y * v.y, u.y * v.x, u.x * v.x), step(z[k], vec4(depth)));
+  }
+  return sum;
+}
+
+// A plane stays a plane under projection, so differences of depth between the texels around give the surface there, in the world, without
+// the map's inverse.
+void find_lit_point(inout LightRead r, vec4 z[4], vec2 f, vec2 size, MapRay ray, mat4 from_world, vec3 to_light, vec3 n_geometric) {
+  const float z00 = z[0].y, z10 = z[1].x, z01 = z[2].z, z11 = z[3].w;
+  const float depth = mix(mix(z00, z10, f.x), mix(z01, z11, f.x), f.y);
+  const vec2 slope = vec2(mix(z10 - z00, z11 - z01, f.y), mix(z01 - z00, z11 - z10, f.x)) * size * 0.5;
+  const vec3 plane = (vec4(slope, -1.0, depth - dot(slope, ray.clip.xy / ray.clip.w)) * from_world).xyz;  // its normal, either way
+  const float along = dot(plane, to_light);
+  const float scale = (along < 0.0 ? -1.0 : 1.0) * inversesqrt(max(dot(plane, plane), 1e-30));
+  r.way_m = max(way_of(ray, depth), 0.0);
+  r.cosine = along * scale;
+  r.facing = clamp(-dot(plane, n_geometric) * scale, 0.0, 1.0);
+}
+
+// Of four rays beside, `side` and its quarter turns away, texels. Where nothing is no light enters.
+vec4 ways_beside(MapRay ray, vec2 at, vec2 side, int layer) {
+  const ivec2 largest = textureSize(shadow_depths, 0).xy - 1;
+  vec4 way_m;
+  for (int k = 0; k < 4; ++k) {
+    const vec2 turned = (k & 1) == 0 ? side : vec2(-side.y, side.x);
+    const ivec2 texel = clamp(ivec2(floor(at + (k < 2 ? turned : -turned))), ivec2(0), largest);
+    const float depth = texelFetch(shadow_depths, ivec3(texel, layer), 0).x;
+    way_m[k] = depth > 0.0 ? way_of(ray, depth) : 1e3;
+  }
+  return way_m;
+}
+
+LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float cosine_here) {
+  LightRead r = LightRead(1.0, vec3(0.0), 0.0, 0.0, 0.0, vec4(0.0), vec4(0.0), false, false);
+  if (light.shadow_layers == 0u) return r;
+  // Moved as in shadow_at() where the surface faces the light; what lies behind is measured from where it is.
+  const float texel = light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
+  const float sine = sqrt(clamp(1.0 - cosine_here * cosine_here, 0.0, 1.0));
+  const vec3 q = cosine_here > 0.0 ? p + n_geometric * (2.5 * texel * sine) + a.to_light * texel : p;
+  const uint layer = light.shadow_layer + (light.shadow_layers == 6u ? cube_face(q - light.position_m) : 0u);
+  const mat4 from_world = shadow_matrices[layer];
+  const MapRay ray = MapRay(from_world * vec4(q, 1.0), (from_world * vec4(a.to_light, 0.0)).zw);
+  const vec2 uv = ray.clip.xy / ray.clip.w * 0.5 + 0.5;
+  r.inside = ray.clip.w > 0.0 && all(greaterThanEqual(uv, vec2(0.0))) && all(lessThanEqual(uv, vec2(1.0)));
+  if (!r.inside) return r;
+  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), base = floor(uv * size - 0.5), f = uv * size - 0.5 - base;
+  vec4 z[4];
+  gather_depths(base, size, float(layer), z);
+  r.lit = share_not_beyond(z, f, ray.clip.z / ray.clip.w);
+  find_lit_point(r, z, f, size, ray, from_world, a.to_light, n_geometric);
+  r.way_near_m = ways_beside(ray, uv * size, vec2(transmission.two_sigma_m[term_before] / texel, 0.0), int(layer));
+  r.way_wide_m = ways_beside(ray, uv * size, vec2(0.70710678 * transmission.two_sigma_m[last_term] / texel), int(layer));
+  const vec4 stored = textureLod(entering_maps, vec3(uv, float(layer)), 0.0);
+  const vec3 root = stored.rgb / max(stored.a, 1e-3);
+  r.entering = root * root;
+  r.shaded = stored.a > 0.0 || z[0].y == 0.0;
+  return r;
+}
+
+// What a light that is not far away sends to the lit point, relative to here.
+float nearer_factor(LightIo light, Arriving a, LightRead r) {
+  if (light.type == LIGHT_DIRECTIONAL) return 1.0;
+  const float ratio = a.distance_m / max(a.distance_m - r.way_m, 0.01 * a.distance_m);
+  return ratio * ratio;
+}
+
+// For each Gaussian, of light that crosses the map's plane: how much of it arrives. cosine_here < 0.
+//
+// Light from everywhere on the lit side to a point is, for a Gaussian of variance v, the mean of exp(-z^2 / 2v) over rays of the light that
+// pass within a Gaussian of the same variance, z the way along each: exact on any lit surface. The wide terms, which see round a corner,
+// take that mean over five rays (a rule exact to the third degree). Narrow ones take the lit side for a plane, and so do wide ones where
+// both sides are parallel: then the mean is known.
+//
+// Near an edge the blur over the surface brings light round that these means hold as well. It hardly does where the lit point faces away
+// from here; where it does not, the share that is new grows with the angle to the light. The figures were fitted to the reference.
+void add_slab_factors(LightRead r, float cosine_here, vec3 light, inout vec3 through[TRANSMISSION_TERMS]) {
+  // [DLE07]: thickness counts between sides that face away from each other, elsewhere the way of the light.
+  const float d_m = r.way_m * mix(1.0, -cosine_here, r.facing);
+  const float d2 = d_m * d_m, plane = smoothstep(0.97, 1.0, r.facing);
+  const vec3 narrow = light * (r.cosine * r.facing);
+  for (int i = 0; i < term_before; ++i) through[i] += narrow * exp(-d2 * transmission.falloff_per_m2[i]);
+  const float is_new = mix(0.6 * smoothstep(0.0, 0.8, -cosine_here), 1.0, smoothstep(0.0, 0.5, r.facing));
+  const float here2 = r.way_m * r.way_m;
+  if (through_terms > 1) {
+    const float falloff = transmission.falloff_per_m2[term_before];
+    const float mean = 0.5 * exp(-here2 * falloff) + dot(vec4(0.125), exp(-r.way_near_m * r.way_near_m * falloff));
+    through[term_before] += light * (is_new * mix(mean, r.cosine * exp(-d2 * falloff), plane));
+  }
+  const float falloff = transmission.falloff_per_m2[last_term];
+  const float mean = 0.5 * exp(-here2 * falloff) + dot(vec4(0.125), exp(-r.way_wide_m * r.way_wide_m * falloff));
+  through[last_term] += light * (is_new * mix(mean, r.cosine * exp(-d2 * falloff), plane));
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Light from a picture of the surroundings: white stays white, turning it turns the light and nothing else, what is optimised shows
+// nothing.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "gpu/techniques/support.h"
+#include "image/codec.h"
+
+namespace dermis::tests {
+namespace {
+
+std::string white_surroundings() {
+  const std::string path = testing::TempDir() + "dermis_white_surroundings.exr";
+  image::save_exr(path, {.width = 2, .height = 1, .channels = 3, .values = std::vector<float>(6, 1.0f)});
+  return path;
+}
+
+RenderSettings lit_by_studio(const std::string& technique) {
+  RenderSettings s = small_settings(technique);
+  s.lights = 0;
+  s.environment = "studio";
+  return s;
+}
+
+class EveryTechniqueInSurroundings : public testing::TestWithParam<std::string> {};
+std::string test_name(const testing::TestParamInfo<std::string>& technique) {
+  std::string name = technique.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechniqueInSurroundings, testing::ValuesIn(technique_names()), test_name);
+
+// Folds see less of the sky, and white skin instead of it.
+TEST_P(EveryTechniqueInSurroundings, WhiteFurnace) {
+  for (const Subject& subject : subjects()) {
+    if (!subject.missing.empty() || (subject.name != "scan" && subject.name != "sphere" && subject.name != "built-in head")) continue;
+    const Scene scene = subject.open();
+    for (const bool specular : {false, true}) {
+      SCOPED_TRACE(subject.name + (specular ? " with specular" : ""));
+      RenderSettings s = furnace_settings(GetParam(), specular);
+      s.ambient = 0;
+      s.environment = white_surroundings();
+      const SkinRange skin = skin_range(renderer().render(scene, s));
+      EXPECT_GT(skin.pixels, 1000u);
+      EXPECT_GE(skin.low, 0.99);
+      EXPECT_LE(skin.high, 1.01);
+    }
+  }
+}
+
+// On a sphere, the eye turning with the surroundings sees the same picture.
+TEST_P(EveryTechniqueInSurroundings, TurningThemTurnsTheLight) {
+  const Scene ball = sphere(0.1);
+  RenderSettings s = lit_by_studio(GetParam());
+  std::array<double, 3> first{}, mean{};
+  for (int k = 0; k < 8; ++k) {
+    s.environment_rotation_deg = 45.0 * k;
+    s.orbit_deg = {45.0 * k, 0};
+    const std::array<double, 3> turned = sum(renderer().render(ball, s));
+    s.orbit_deg = {0, 0};
+    const std::array<double, 3> still = sum(renderer().render(ball, s));
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (k == 0) first[c] = turned[c];
+      EXPECT_NEAR(turned[c], first[c], 0.02 * first[c]) << k;
+      mean[c] += still[c] / 8;
+    }
+    EXPECT_TRUE(k != 4 || std::abs(still[0] - first[0]) > 0.1 * first[0]) << "the bright side is behind now";
+  }
+  // A full turn gives each side its share: as much as from a sky without sides.
+  s.environment_rotation_deg = 360;
+  const std::array<double, 3> whole = sum(renderer().render(ball, s));
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(whole[c], first[c], 1e-4 * first[c]);
+    EXPECT_GT(mean[c], 0.4 * first[c]);
+  }
+}
+
+TEST_P(EveryTechniqueInSurroundings, IntensityIsLinearAndZeroIsBlack) {
+  const Scene ball = sphere(0.1);
+  RenderSettings s = lit_by_studio(GetParam());
+  s.bloom = 0;
+  const std::array<double, 3> one = sum(renderer().render(ball, s));
+  s.environment_intensity = 2;
+  const std::array<double, 3> two = sum(renderer().render(ball, s));
+  s.environment_intensity = 0;
+  const std::array<double, 3> none = sum(renderer().render(ball, s));
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_GT(one[c], 0);
+    EXPECT_NEAR(two[c], 2 * one[c], 0.002 * two[c]);
+    EXPECT_EQ(none[c], 0);
+  }
+}
+
+TEST_P(EveryTechniqueInSurroundings, TwoRunsAreBitEqual) {
+  const RenderSettings s = lit_by_studio(GetParam());
+  Renderer other;
+  EXPECT_EQ(renderer().render(sphere(0.1), s).linear_rgba, other.render(sphere(0.1), s).linear_rgba);
+}
+
+TEST(Surroundings, WhatIsOptimisedDoesNotShow) {
+  const auto found = std::find_if(subjects().begin(), subjects().end(), [](const Subject& s) { return s.name == "scan"; });
+  ASSERT_NE(found, subjects().end());
+  if (!found->missing.empty()) GTEST_SKIP() << found->missing;
+  const Scene scan = found->open();
+  RenderSettings s = lit_by_studio("texture-space");
+  s.orbit_deg = {30, 10};
+  const Picture all = renderer().render(scan, s);
+  s.cull = s.depth = s.clip = false;
+  const Picture none = renderer().render(scan, s);
+  EXPECT_EQ(all.statistics.unshaded_reads, 0u);
+  EXPECT_LT(all.statistics.launched, none.statistics.launched);
+  double mean = 0;
+  for (std::size_t i = 0; i < all.display_rgba.size(); ++i)
+    mean += std::abs(all.display_rgba[i] - none.display_rgba[i]) / static_cast<double>(all.display_rgba.size());
+  EXPECT_LT(mean, 0.5);
+}
+
+TEST(Surroundings, ValidationIsSilent) {
+  std::unique_ptr<Renderer> validated;
+  try {
+    validated = std::make_unique<Renderer>(Renderer::Options{.device = "best", .validate = true});
+  } catch (const DeviceError& error) { GTEST_SKIP() << error.what(); }
+  validated->render(sphere(0.1), lit_by_studio("texture-space"));
+  for (const std::string& message : validated->validation_messages()) ADD_FAILURE() << message;
+}
+
+TEST(Surroundings, UnknownOnesAreRefusedAndNothingChanges) {
+  RenderSettings s = small_settings("texture-space");
+  PreparedFrame frame = renderer().prepare(sphere(0.1), s);
+  const std::vector<float> before = frame.picture().linear_rgba;
+  s.environment = "moon";
+  EXPECT_THROW(frame.set(s), InputError);
+  EXPECT_EQ(frame.picture().linear_rgba, before);
+}
+
+}  // namespace
+}  // namespace dermis::tests

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Light through slabs against the sum of Gaussians in closed form and against the reference, for one light and for four of all kinds.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "dermis/reference.h"
+#include "gpu/translucency/slab.h"
+#include "scene/primitives.h"
+
+namespace dermis::tests {
+namespace {
+
+constexpr double pi = 3.14159265358979;
+constexpr double thicknesses_mm[] = {0.5, 1, 2, 4, 8};
+
+struct Lit {
+  std::vector<scene::Light> lights;
+  glm::dvec3 irradiance{0};  // on the middle of the back
+};
+
+Lit lit(int lights, double thickness_mm) {
+  Lit out;
+  out.lights = {from_behind({3, 2, 1})};
+  out.irradiance = {3, 2, 1};
+  if (lights == 1) return out;
+  out.lights.push_back(spot_behind({0.4f, 0.8f, 1.2f}));
+  out.irradiance += glm::dvec3(0.4, 0.8, 1.2) / std::pow(0.6 - thickness_mm / 1000, 2);
+  out.lights.push_back(point_behind({0.2f, 0.2f, 0.1f}));
+  out.irradiance += glm::dvec3(0.2, 0.2, 0.1) / std::pow(0.3 - thickness_mm / 1000, 2);
+  out.lights.push_back(from_behind({0.5f, 1, 2}));
+  out.irradiance += glm::dvec3(0.5, 1, 2);
+  return out;
+}
+
+Scene lit_slab(double thickness_mm, const std::vector<scene::Light>& lights) {
+  scene::Scene scene = slab(thickness_mm);
+  scene.lights = lights;
+  return wrap(std::move(scene));
+}
+
+// The tolerance is 2 % of what half a millimetre lets through, per channel.
+TEST(Slab, ShowsTheSumOfGaussians) {
+  const auto thin = slab_factor(0.5);
+  for (const int lights : {1, 4})
+    for (const double d : thicknesses_mm) {
+      const Lit l = lit(lights, d);
+      const Picture picture = renderer().render(lit_slab(d, l.lights), slab_settings());
+      EXPECT_EQ(picture.statistics.lights, lights);
+      EXPECT_EQ(picture.statistics.transmission_misses, 0u);
+      const auto seen = middle(picture), wanted = slab_factor(d);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double back = l.irradiance[static_cast<int>(c)] / pi;
+        EXPECT_NEAR(seen[c], back * wanted[c], 0.02 * back * thin[c]) << d << " mm, " << lights << " lights, channel " << c;
+        std::printf("%4.1f mm, %d lights, channel %zu: %.5f, closed form %.5f\n", d, lights, c, seen[c] / back, wanted[c]);
+      }
+    }
+}
+
+// Without reflection both hold the same light; the tolerance also takes three standard errors.
+TEST(Slab, IsThatOfTheReference) {
+  const auto thin = slab_factor(0.5);
+  for (const int lights : {1, 4})
+    for (const double d : {0.5, 1.0, 2.0, 4.0}) {
+      const Lit l = lit(lights, d);
+      const Scene scene = lit_slab(d, l.lights);
+      const RenderSettings s = slab_settings();
+      const ReferencePicture truth = render_reference(scene, s, {.samples = 400});
+      const auto seen = middle(renderer().render(scene, s)), wanted = middle(truth.picture);
+      for (std::size_t c = 0; c < 3; ++c) {
+        double variance = 0;
+        for (std::size_t i = c; i < truth.variance_rgba.size(); i += 4) variance += double{truth.variance_rgba[i]};
+        const double error = std::sqrt(variance) / static_cast<double>(truth.variance_rgba.size() / 4);
+        const double back = l.irradiance[static_cast<int>(c)] / pi;
+        EXPECT_LT(error, 0.02 * back * thin[c]);
+        EXPECT_NEAR(seen[c], wanted[c], 0.02 * back * thin[c] + 3 * error) << d << " mm, " << lights << " lights, channel " << c;
+      }
+    }
+}
+
+// Light at an angle: the lit side gets less of it, the way is longer, the thickness is the same.
+TEST(Slab, AtAnAngleItIsTheThicknessThatCounts) {
+  const auto thin = slab_factor(0.5);
+  for (const double angle : {30.0, 60.0})
+    for (const double d : {0.5, 1.0, 2.0}) {
+      const auto seen = middle(renderer().render(lit_slab(d, {from_behind({2, 2, 2}, angle)}), slab_settings()));
+      const auto wanted = slab_factor(d);
+      const double back = 2 * std::cos(angle * pi / 180) / pi;
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(seen[c], back * wanted[c], 0.02 * back * thin[c]) << angle << " degrees, " << d << " mm, channel " << c;
+    }
+}
+
+TEST(Slab, LightsAddUp) {
+  const std::vector<scene::Light> lights = lit(4, 1).lights;
+  std::array<double, 3> sum{};
+  for (const scene::Light& light : lights) {
+    const auto one = middle(renderer().render(lit_slab(1, {light}), slab_settings()));
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += one[c];
+  }
+  const auto all = middle(renderer().render(lit_slab(1, lights), slab_settings()));
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(all[c] / sum[c], 1, 0.002);
+}
+
+TEST(Slab, SwitchedOffItIsDark) {
+  RenderSettings s = slab_settings();
+  s.translucency = false;
+  const Picture off = renderer().render(lit_slab(0.5, lit(4, 0.5).lights), s);
+  EXPECT_FALSE(off.statistics.translucency);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(middle(off)[c], 0);
+  s.translucency = true;
+  EXPECT_TRUE(renderer().render(lit_slab(0.5, lit(1, 0.5).lights), s).statistics.translucency);
+  s.technique = "lambert";
+  const Picture lambert = renderer().render(lit_slab(0.5, lit(1, 0.5).lights), s);
+  EXPECT_FALSE(lambert.statistics.translucency);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(middle(lambert)[c], 0);
+}
+
+// Only skin lets light in, and what it keeps depends on its colour there, not here.
+TEST(Slab, WhatCoversItKeepsTheLightOut) {
+  scene::Scene scene = slab(0.5);
+  scene.lights = {from_behind({2, 2, 2})};
+  scene::Primitive cover = scene::plane(0.06, glm::dmat2(1), {}, 1).primitives.front();
+  for (scene::Vertex& v : cover.vertices) v.position_m.z = -0.0006f;
+  cover.material = 1;
+  scene.materials.push_back({.name = "cloth"});
+  scene.primitives.push_back(cover);
+  const Picture covered = renderer().render(wrap(std::move(scene)), slab_settings());
+  EXPECT_EQ(covered.statistics.transmission_misses, 0u);
+  for (const double value : middle(covered)) EXPECT_EQ(value, 0);
+}
+
+TEST(Slab, TheColourOfTheLitSideActs) {
+  scene::Scene scene = slab(1);
+  scene.lights = {from_behind({2, 2, 2})};
+  RenderSettings s = slab_settings();
+  s.white_albedo = false;
+  s.mix = 1;
+  const auto white = middle(renderer().render(wrap(scene), s));
+  // The back's vertices stand behind those of the front.
+  auto& vertices = scene.primitives.front().vertices;
+  for (std::size_t i = vertices.size() / 2; i < vertices.size(); ++i) vertices[i].colour = {0.64f, 0.36f, 0.16f, 1};
+  const auto tinted = middle(renderer().render(wrap(scene), s));
+  const double wanted[] = {0.64, 0.36, 0.16};
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(tinted[c] / white[c], wanted[c], 0.01);
+}
+
+// From one term to eight: every number of groups and targets.
+TEST(Slab, AnyNumberOfTerms) {
+  const auto folder = std::filesystem::path(testing::TempDir());
+  for (const std::size_t terms : {1u, 2u, 3u, 4u, 5u, 8u}) {
+    std::string variances, weights;
+    double wanted = 0;
+    for (std::size_t i = 0; i < terms; ++i) {
+      const double variance = 0.05 * std::pow(3.0, static_cast<double>(i)), weight = 1.0 / static_cast<double>(terms);
+      const std::string comma = i ? ", " : "", w = std::to_string(weight);
+      variances += comma + std::to_string(variance);
+      weights += comma + "[" + w + ", " + w + ", " + w + "]";
+      wanted += weight * std::exp(-0.25 / (2 * variance));
+    }
+    const auto path = folder / ("dermis_terms_" + std::to_string(terms) + ".json");
+    FILE* file = std::fopen(path.c_str(), "w");
+    ASSERT_NE(file, nullptr);
+    std::fprintf(file, R"({"name": "made up", "variances_mm2": [%s], "weights": [%s]})", variances.c_str(), weights.c_str());
+    std::fclose(file);
+    RenderSettings s = slab_settings();
+    s.profile = path.string();
+    s.normalise_profile = true;
+    const auto seen = middle(renderer().render(lit_slab(0.5, {from_behind({2, 2, 2})}), s));
+    EXPECT_NEAR(seen[0] * pi / 2, wanted, 0.02 * wanted) << terms << " terms";
+    std::filesystem::remove(path);
+  }
+}
+
+}  // namespace
+}  // namespace dermis::tests

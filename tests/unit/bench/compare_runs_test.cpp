@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Two recorded runs: what changed is found, what did not is not, what is no result is refused.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/bench/recorded.h"
+#include "core/file.h"
+#include "dermis/error.h"
+#include "unit/bench/made_up.h"
+
+namespace dermis::cli::bench {
+namespace {
+
+using nlohmann::json;
+using tests::made_up_run;
+
+class CompareRuns : public testing::Test {
+ protected:
+  ~CompareRuns() override {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  Recorded recorded(const json& j) { return recorded(j.dump()); }
+  Recorded recorded(const std::string& text) {
+    write_file(path_, text);
+    return read_recorded(path_.string());
+  }
+  static json made_up() { return json::parse(run_json(made_up_run())); }
+  // All rounds of one variant of the second cell, times a factor.
+  static json changed(const std::string& variant, double factor) {
+    json j = made_up();
+    json& times = j["cells"][1]["variants"][variant];
+    for (json& ms : times["rounds_ms"]) ms = factor * ms.get<double>();
+    times["passes"][1]["ms"] = factor * times["passes"][1]["ms"].get<double>();
+    return j;
+  }
+
+ private:
+  std::filesystem::path path_ = std::filesystem::temp_directory_path() / ("dermis-compare-runs-" + std::to_string(::getpid()) + ".json");
+};
+
+TEST_F(CompareRuns, EqualRunsAreEqual) {
+  const RunComparison found = compare_runs(recorded(made_up()), recorded(made_up()));
+  EXPECT_EQ(found.compared, 4u * 10);
+  EXPECT_EQ(found.slower + found.faster + found.changes.size(), 0u);
+  EXPECT_NEAR(found.by_chance, 40 / 20.0, 1e-9);
+  EXPECT_NE(comparison_text(found).find("0 of 40 times are slower, 0 are faster"), std::string::npos) << comparison_text(found);
+}
+
+TEST_F(CompareRuns, ASlowdownIsFoundAndExplained) {
+  const RunComparison found = compare_runs(recorded(made_up()), recorded(changed("cull", 1.5)));
+  ASSERT_EQ(found.changes.size(), 1u);
+  EXPECT_EQ(found.slower, 1u);
+  const TimeChange& c = found.changes.front();
+  EXPECT_EQ(c.heads, 1);
+  EXPECT_EQ(c.distance, 7);
+  EXPECT_EQ(c.variant, "cull");
+  EXPECT_NEAR(c.found.ratio, 1.5, 1e-9);
+  EXPECT_EQ(c.pass, "blur 0 u");
+  EXPECT_NEAR(c.pass_ms, c.before_ms / 4, 1e-9);
+  // 32 ms in rounds of 31, 32, 33: 46.5 to 49.5.
+  EXPECT_NEAR(c.found.beyond, (46.5 - 33) / 32, 1e-9);
+  EXPECT_NE(comparison_text(found).find("+50.0%"), std::string::npos) << comparison_text(found);
+  EXPECT_EQ(json::parse(comparison_json(found)).at("slower").at(0).at("what"), "cull");
+}
+
+TEST_F(CompareRuns, OneWithinTheSpreadIsNot) {
+  EXPECT_EQ(compare_runs(recorded(made_up()), recorded(changed("cull", 1.03))).changes.size(), 0u);
+  EXPECT_EQ(compare_runs(recorded(made_up()), recorded(changed("cull", 0.97))).changes.size(), 0u);
+}
+
+TEST_F(CompareRuns, FasterComesAfterSlower) {
+  json j = changed("cull", 0.5);
+  for (json& ms : j["cells"][3]["variants"]["depth"]["rounds_ms"]) ms = 1.1 * ms.get<double>();
+  const RunComparison found = compare_runs(recorded(made_up()), recorded(j));
+  ASSERT_EQ(found.changes.size(), 2u);
+  EXPECT_EQ(found.changes[0].found.change, Change::slower);
+  EXPECT_EQ(found.changes[1].found.change, Change::faster);
+  EXPECT_LT(found.changes[1].pass_ms, 0);
+}
+
+TEST_F(CompareRuns, OnlyWhatBothHaveIsCompared) {
+  json j = made_up();
+  j["cells"].erase(0);
+  j["cells"][0]["variants"].erase("lambert");
+  const RunComparison found = compare_runs(recorded(made_up()), recorded(j));
+  EXPECT_EQ(found.compared, 3u * 10 - 1);
+  EXPECT_EQ(found.only_before, 11u);
+  EXPECT_EQ(found.only_after, 0u);
+  j["cells"] = json::array();
+  EXPECT_THROW(compare_runs(recorded(made_up()), recorded(j)), InputError);
+}
+
+TEST_F(CompareRuns, AnotherTestIsNotComparable) {
+  json j = made_up();
+  j["settings"]["map_size"] = 64;
+  try {
+    compare_runs(recorded(made_up()), recorded(j));
+    FAIL() << "compared";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("setting 'map_size' is 64, in "), std::string::npos) << error.what();
+  }
+  json scene = made_up();
+  scene["scene"] = "another.glb";
+  EXPECT_THROW(compare_runs(recorded(made_up()), recorded(scene)), InputError);
+  json device = made_up();
+  device["device"] = "another";
+  EXPECT_NE(comparison_text(compare_runs(recorded(made_up()), recorded(device))).find("devices differ"), std::string::npos);
+}
+
+TEST_F(CompareRuns, WhatIsNoResultIsRefusedWithItsPlace) {
+  const auto refuse = [&](const std::string& text, const std::string& says) {
+    try {
+      recorded(text);
+      FAIL() << "read: " << text.substr(0, 60);
+    } catch (const InputError& error) { EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what(); }
+  };
+  refuse("{", "is no JSON");
+  refuse("[]", "has no 'commit'");
+  refuse("{}", "has no 'commit'");
+  refuse(std::string(100000, '['), "is no JSON");
+  const auto broken = [&](const std::string& pointer, const json& value, const std::string& says) {
+    json j = made_up();
+    j[json::json_pointer(pointer)] = value;
+    refuse(j.dump(), says);
+  };
+  broken("/cells", 5, "cells: expected a list");
+  broken("/cells/1/heads", "two", "cells[1].heads: expected a number");
+  broken("/cells/1/heads", 1e300, "cells[1].heads: expected a number");
+  broken("/cells/0/variants", json::array(), "cells[0].variants: expected an object");
+  broken("/cells/0/variants/cull/rounds_ms", json::array(), "cells[0].variants.cull.rounds_ms: expected 1 to");
+  broken("/cells/0/variants/cull/rounds_ms/2", -1, "rounds_ms[2]: expected a number from 0");
+  broken("/cells/0/variants/cull/rounds_ms/2", nullptr, "rounds_ms[2]: expected a number");
+  broken("/cells/0/variants/cull/passes/0/name", 1, "passes[0].name: expected text");
+  json twice = made_up();
+  twice["cells"][1] = twice["cells"][0];
+  refuse(twice.dump(), "cells[1]: is there twice");
+  json settings = made_up();
+  settings.erase("settings");
+  refuse(settings.dump(), "has no 'settings'");
+}
+
+}  // namespace
+}  // namespace dermis::cli::bench

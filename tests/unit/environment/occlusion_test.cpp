@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "environment/occlusion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "scene/primitives.h"
+
+namespace dermis::environment {
+namespace {
+
+// A floor of skin in the xy plane, 1 m wide, with a wall of height h along x = -0.5 m (or none): what the floor sees is known.
+scene::Scene floor_with_wall(double height_m) {
+  scene::Scene made = scene::plane(1);
+  if (height_m <= 0) return made;
+  made.materials.push_back({.name = "wall"});
+  scene::Primitive wall{.name = "wall", .material = 1};
+  for (const glm::vec3 p : {glm::vec3(-0.5f, -50, 0), glm::vec3(-0.5f, 50, 0), glm::vec3(-0.5f, 50, static_cast<float>(height_m)),
+                            glm::vec3(-0.5f, -50, static_cast<float>(height_m))})
+    wall.vertices.push_back({.position_m = p});
+  wall.indices = {0, 1, 2, 0, 2, 3};
+  made.primitives.push_back(wall);
+  return made;
+}
+
+const float* texel(const Occlusion& o, int x, int y) {
+  return o.values.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(o.side) + static_cast<std::size_t>(x)) * 4;
+}
+
+TEST(Occlusion, BesideAWallIsTheFormFactor) {
+  for (const double height : {0.1, 0.5}) {
+    const scene::Scene scene = floor_with_wall(height);
+    const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
+    for (int x = 2; x < 62; x += 5) {
+      const double d = (x + 0.5) / 64, exact = 1 - 0.5 * (1 - d / std::sqrt(d * d + height * height));
+      double mean = 0;
+      for (int y = 20; y < 44; ++y) mean += texel(o, x, y)[3] / 24;
+      EXPECT_NEAR(mean, exact, 0.01) << d;
+    }
+    EXPECT_GT(texel(o, 1, 32)[0], 0.1) << "it opens away from the wall";
+    EXPECT_NEAR(texel(o, 1, 32)[1], 0, 0.05);
+  }
+}
+
+TEST(Occlusion, NothingInTheWayIsOpen) {
+  const scene::Scene flat = floor_with_wall(0), round = scene::sphere(0.1, 24);
+  for (const scene::Scene* scene : {&flat, &round}) {
+    const Occlusion o = bake_occlusion(*scene, scene::skin_meshes(*scene)[0], {.side = 96, .rays = 32});
+    for (std::size_t i = 0; i < o.values.size(); i += 4) {
+      EXPECT_EQ(o.values[i + 3], 1.0f);
+      EXPECT_LT(glm::length(glm::vec3(o.values[i], o.values[i + 1], o.values[i + 2])), 1e-5f);
+    }
+  }
+}
+
+TEST(Occlusion, IsKeptOnDiskAndCheckedWhenRead) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "dermis_occlusion_cache";
+  std::filesystem::remove_all(folder);
+  const scene::Scene scene = floor_with_wall(0.3);
+  const scene::SkinMesh mesh = scene::skin_meshes(scene)[0];
+  const OcclusionSettings settings{.side = 32, .rays = 16};
+  const Occlusion first = cached_occlusion(scene, mesh, folder, settings);
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
+  ASSERT_EQ(files.size(), 1u);
+  const auto written = std::filesystem::last_write_time(files[0]);
+  EXPECT_EQ(cached_occlusion(scene, mesh, folder, settings).values, first.values);
+  EXPECT_EQ(std::filesystem::last_write_time(files[0]), written);
+  EXPECT_EQ(cached_occlusion(scene, mesh, {}, settings).values, first.values) << "the same without a cache";
+
+  const auto size = std::filesystem::file_size(files[0]);
+  std::filesystem::resize_file(files[0], size / 2);
+  EXPECT_EQ(cached_occlusion(scene, mesh, folder, settings).values, first.values);
+  EXPECT_EQ(std::filesystem::file_size(files[0]), size);
+  std::ofstream(files[0], std::ios::binary) << std::string(size, '\x7f');
+  EXPECT_EQ(cached_occlusion(scene, mesh, folder, settings).values, first.values);
+
+  const scene::Scene other = floor_with_wall(0.2);
+  EXPECT_NE(cached_occlusion(other, scene::skin_meshes(other)[0], folder, settings).values, first.values);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace dermis::environment
