@@ -202,6 +202,11 @@ void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
       ->type_name("AZ,EL[,I]")
       ->default_str("")
       ->group("Light");
+  command
+      .add_option("--light-radius", s.light_radius,
+                  "lights are discs of this radius, m, and cast soft shadows; directional ones as if 4 radii away (default: the scene's, "
+                  "else points)")
+      ->group("Light");
   command.add_option("--ambient", s.ambient, "uniform radiance from everywhere (1 shows white Lambert as 1)")->group("Light");
   add_switch(command, "--specular", s.specular, "reflection at the surface: on, off");
   if (use == SceneUse::real_time || use == SceneUse::bench)

@@ -28,6 +28,7 @@ io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, st
   out.shadow_layer = static_cast<std::uint32_t>(first_layer);
   out.shadow_layers = static_cast<std::uint32_t>(fit.shadow_from_world.size());
   out.shadow_texel = fit.texel;
+  out.radius = light.radius;
   return out;
 }
 
@@ -109,7 +110,8 @@ passes::Mask mask_of(const RenderSettings& s, const DeviceTraits& device) {
   return *s.mask == "alpha" ? passes::Mask::alpha : *s.mask == "depth" ? passes::Mask::depth : passes::Mask::tiles;
 }
 
-void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings& s, const DeviceTraits& device) {
+void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings& s, const std::vector<scene::Light>& lights,
+                 const DeviceTraits& device) {
   const scene::Scene& scene = *subject.scene;
   techniques::FrameSettings& plan = setup.plan;
   plan.width = static_cast<std::uint32_t>(s.width);
@@ -123,6 +125,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
   plan.view = view_transform(s.view);
   plan.visibility = s.show == "visibility";
   plan.environment = !s.environment.empty();
+  plan.soft_shadows = std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
   if (setup.technique->scatters) {
     plan.optimise = {.cull = s.cull, .depth = s.depth, .clip = s.clip};
     plan.mask = mask_of(s, device);
@@ -162,7 +165,7 @@ FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceT
   const std::vector<scene::Light> lights = choose_lights(*subject.scene, s, subject.sphere, offsets);
   setup.lights = static_cast<int>(lights.size());
   setup.heads = set_up_heads(subject, s, setup.view, lights);
-  set_up_plan(setup, subject, s, device);
+  set_up_plan(setup, subject, s, lights, device);
   place_shadows(setup.heads, setup.plan);
   setup.clip_planes = with_margin(setup.view.planes, clip_margin_m(setup, subject, s));
 

@@ -12,6 +12,7 @@ class LightingSamplers {
   LightingSamplers() = default;
   explicit LightingSamplers(gpu::PipelineLibrary& library)
       : shadow_(library.sampler({.filter = gpu::Filter::linear, .compare_greater = true})),
+        depths_(library.sampler({.filter = gpu::Filter::nearest})),
         table_(library.sampler({.filter = gpu::Filter::linear})),
         sky_(library.sampler({.filter = gpu::Filter::linear, .u = gpu::Address::repeat})) {}
 
@@ -20,6 +21,7 @@ class LightingSamplers {
         .add("Lights", instance.lights)
         .add("ShadowMatrices", instance.shadow_matrices)
         .add("shadow_maps", gpu::SampledBinding{&shadow, shadow_})
+        .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
         .add("attenuation", gpu::SampledBinding{&frame.scene->attenuation, table_})
         .add("environment_map", gpu::SampledBinding{frame.environment ? frame.environment : &frame.scene->white(), sky_});
   }
@@ -28,7 +30,7 @@ class LightingSamplers {
   }
 
  private:
-  VkSampler shadow_ = VK_NULL_HANDLE, table_ = VK_NULL_HANDLE, sky_ = VK_NULL_HANDLE;
+  VkSampler shadow_ = VK_NULL_HANDLE, depths_ = VK_NULL_HANDLE, table_ = VK_NULL_HANDLE, sky_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

@@ -48,18 +48,15 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
 }
 
 ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library, const std::vector<gaussians::SumOfGaussians>& profiles, double mm_per_unit)
-    : nearest_(library.sampler({.filter = gpu::Filter::nearest})), linear_(library.sampler({.filter = gpu::Filter::linear})) {
+    : linear_(library.sampler({.filter = gpu::Filter::linear})) {
   for (const gaussians::SumOfGaussians& profile : profiles) {
     const io::TransmissionIo io = transmission_io(profile, mm_per_unit);
     constants_.push_back(gpu::make_buffer(library.device(), "transmission", std::span(&io, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
   }
 }
 
-void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId shadow, frame::TextureId entering,
-                            std::size_t profile) const {
-  bindings.add("shadow_depths", resources.sampled(shadow, nearest_))
-      .add("entering_maps", resources.sampled(entering, linear_))
-      .add("Transmission", constants_[profile]);
+void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering, std::size_t profile) const {
+  bindings.add("entering_maps", resources.sampled(entering, linear_)).add("Transmission", constants_[profile]);
 }
 
 }  // namespace dermis::passes

@@ -26,18 +26,16 @@ std::vector<std::size_t> transmission_groups(std::size_t terms);
 /// T_i counts w_i. A channel without weight in a group waits for the next. mm_per_unit: of the scene.
 io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit);
 
-/// What skin_through.glsl binds beside the lighting: the maps of the lights once more, to be read as they are, and the constants of a
-/// profile.
+/// What skin_through.glsl binds beside the lighting: what of the light enters, in the lights' maps, and the constants of a profile.
 class ThroughBindings {
  public:
   ThroughBindings() = default;
   ThroughBindings(gpu::PipelineLibrary& library, const std::vector<gaussians::SumOfGaussians>& profiles, double mm_per_unit);
-  void offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId shadow, frame::TextureId entering,
-             std::size_t profile) const;
+  void offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering, std::size_t profile) const;
 
  private:
   std::vector<gpu::Buffer> constants_;  // TransmissionIo, one a profile
-  VkSampler nearest_ = VK_NULL_HANDLE, linear_ = VK_NULL_HANDLE;
+  VkSampler linear_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

@@ -94,7 +94,7 @@ void add_view(Hash& h, const View& view) {
   h.add(view.mix.value_or(-1));
   for (const scene::Light& light : view.lights) {
     h.add(light.type), h.add(light.colour), h.add(light.position_m), h.add(light.direction), h.add(light.range_m);
-    h.add(light.inner_cone_rad), h.add(light.outer_cone_rad);
+    h.add(light.inner_cone_rad), h.add(light.outer_cone_rad), h.add(light.radius);
   }
 }
 

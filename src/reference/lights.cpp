@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "reference/shading.h"
 
@@ -25,6 +26,21 @@ Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m)
     const double c = std::clamp((glm::dot(direction, -a.to_light) - outer) / std::max(inner - outer, 1e-4), 0.0, 1.0);
     a.irradiance *= c * c;
   }
+  return a;
+}
+
+Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m, Random& random) {
+  Arriving a = arriving_light(light, position_m);
+  if (!(light.radius > 0)) return a;
+  const double tangent = light.radius / (light.type == scene::LightType::directional ? 1 : a.distance_m);
+  const double r = tangent * std::sqrt(random.next()), angle = 2 * std::numbers::pi * random.next();
+  const glm::dvec3 across =
+      glm::normalize(glm::cross(a.to_light, std::abs(a.to_light.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const glm::dvec3 towards = a.to_light + r * (std::cos(angle) * across + std::sin(angle) * glm::cross(a.to_light, across));
+  const double length = glm::length(towards);
+  a.to_light = towards / length;
+  a.distance_m *= length;
+  a.irradiance *= length;  // so that all of the disc together has the nominal irradiance where it is faced
   return a;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/maps.h"
+#include "reference/random.h"
 #include "reference/ray_scene.h"
 #include "reference/settings.h"
 #include "reference/specular.h"
@@ -28,6 +29,8 @@ struct Arriving {
   double distance_m = 1e30;
 };
 Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m);
+/// The same from one point of a light that is a disc, which faces the position; all of them send equally much.
+Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m, Random& random);
 
 /// From the surface to the light, clear of both; nothing lies on it if t_max_m <= t_min_m.
 Ray shadow_ray(const SurfacePoint& s, const Arriving& light);
@@ -41,20 +44,20 @@ class Shading {
   const View& view() const { return view_; }
 
   /// Irradiance that enters the skin, over all lights and the surroundings, less what the surface reflects.
-  glm::dvec3 entering_irradiance(const SurfacePoint& s) const;
+  glm::dvec3 entering_irradiance(const SurfacePoint& s, Random& random) const;
   /// What spreads from a point of skin: E albedo^mix / pi.
-  glm::dvec3 light_in_skin(const SurfacePoint& s) const;
+  glm::dvec3 light_in_skin(const SurfacePoint& s, Random& random) const;
   /// What becomes of light that has spread, on its way to the eye: albedo^(1 - mix) times what the surface lets out towards `to_eye`.
   glm::dvec3 leaving_factor(const SurfacePoint& s, const glm::dvec3& to_eye) const;
   /// What the surface of skin reflects towards the eye.
-  glm::dvec3 skin_reflection(const SurfacePoint& s, const glm::dvec3& to_eye) const;
+  glm::dvec3 skin_reflection(const SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const;
 
   /// What is not skin: glTF metallic-roughness. `normal_side`: +1 seen from the front, -1 from behind.
   struct Surface {
     glm::dvec3 radiance{0};
     double alpha = 1;  ///< how much it covers; 0 where it is cut out
   };
-  Surface surface(const SurfacePoint& s, double normal_side, const glm::dvec3& to_eye) const;
+  Surface surface(const SurfacePoint& s, double normal_side, const glm::dvec3& to_eye, Random& random) const;
 
   /// Is something opaque between the point and the light?
   bool shadowed(const SurfacePoint& s, const Arriving& light) const;

@@ -69,13 +69,13 @@ double Shading::occlusion(const ShadingMaterial& m, const SurfacePoint& s) const
 }
 
 // Sum over the lights of E (1 - rho(L)) / (1 - rho_mean), plus the surroundings: what the surface reflects does not enter.
-glm::dvec3 Shading::entering_irradiance(const SurfacePoint& s) const {
+glm::dvec3 Shading::entering_irradiance(const SurfacePoint& s, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const SkinSpecular spec = skin_specular(m, s);
   const glm::dvec3 n = mapped_normal(m, s, s.normal);
   glm::dvec3 e(0);
   for (const scene::Light& light : view_.lights) {
-    const Arriving a = arriving_light(light, s.position_m);
+    const Arriving a = arriving_light(light, s.position_m, random);
     const double cosine = glm::dot(n, a.to_light);
     if (cosine <= 0 || glm::dot(s.normal, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(s, a)) continue;
     e += a.irradiance * (cosine * (1 - table_.at(spec, cosine)));
@@ -83,10 +83,10 @@ glm::dvec3 Shading::entering_irradiance(const SurfacePoint& s) const {
   return e / (1 - table_.mean(spec)) + glm::dvec3(view_.ambient * pi * occlusion(m, s));
 }
 
-glm::dvec3 Shading::light_in_skin(const SurfacePoint& s) const {
+glm::dvec3 Shading::light_in_skin(const SurfacePoint& s, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const glm::dvec3 before = m.mix_before > 0 ? power(skin_albedo(m, s), m.mix_before) : glm::dvec3(1);
-  return entering_irradiance(s) * before / pi;
+  return entering_irradiance(s, random) * before / pi;
 }
 
 glm::dvec3 Shading::leaving_factor(const SurfacePoint& s, const glm::dvec3& to_eye) const {
@@ -95,14 +95,14 @@ glm::dvec3 Shading::leaving_factor(const SurfacePoint& s, const glm::dvec3& to_e
   return power(skin_albedo(m, s), 1 - m.mix_before) * (1 - table_.at(skin_specular(m, s), glm::dot(n, to_eye)));
 }
 
-glm::dvec3 Shading::skin_reflection(const SurfacePoint& s, const glm::dvec3& to_eye) const {
+glm::dvec3 Shading::skin_reflection(const SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const SkinSpecular spec = skin_specular(m, s);
   if (spec.rho_s <= 0) return glm::dvec3(0);
   const glm::dvec3 n = eye_normal(m, s, s.normal, to_eye);
   glm::dvec3 sum(0);
   for (const scene::Light& light : view_.lights) {
-    const Arriving a = arriving_light(light, s.position_m);
+    const Arriving a = arriving_light(light, s.position_m, random);
     const double cosine = glm::dot(n, a.to_light);
     if (cosine <= 0 || glm::dot(s.normal, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(s, a)) continue;
     sum += a.irradiance * (cosine * specular_brdf(spec, n, to_eye, a.to_light));

@@ -63,7 +63,7 @@ glm::dvec3 reflected_surroundings(const Look& look, double n_v) {
 
 }  // namespace
 
-Shading::Surface Shading::surface(const SurfacePoint& s, double normal_side, const glm::dvec3& to_eye) const {
+Shading::Surface Shading::surface(const SurfacePoint& s, double normal_side, const glm::dvec3& to_eye, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const scene::Material& source = *m.source;
   glm::dvec4 base = glm::dvec4(source.base_colour) * s.colour;
@@ -82,7 +82,7 @@ Shading::Surface Shading::surface(const SurfacePoint& s, double normal_side, con
   const Look look = look_at(m, s, albedo);
   const glm::dvec3 n = mapped_normal(m, s, seen.normal);
   for (const scene::Light& light : view_.lights) {
-    const Arriving a = arriving_light(light, s.position_m);
+    const Arriving a = arriving_light(light, s.position_m, random);
     if (glm::dot(n, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(seen, a)) continue;
     out.radiance += a.irradiance * brdf_times_cosine(look, view_.specular, n, to_eye, a.to_light);
   }

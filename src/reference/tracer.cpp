@@ -38,17 +38,18 @@ glm::dvec3 Tracer::from_the_medium(const SurfacePoint& s, const glm::dvec3& to_e
   if (end.how == WalkEnd::How::lost) lost_.fetch_add(1, std::memory_order_relaxed);
   if (end.how != WalkEnd::How::left) return glm::dvec3(0);
   // Light enters as through a rough surface, spread over all directions: then its radiance along the walk is E / pi.
-  return end.weight / medium_total_ * shading_.light_in_skin(surface_point(rays_.scene(), end.hit));
+  return end.weight / medium_total_ * shading_.light_in_skin(surface_point(rays_.scene(), end.hit), random);
 }
 
 glm::dvec3 Tracer::skin_radiance(SurfacePoint& s, double side, const glm::dvec3& to_eye, Random& random, std::vector<Hit>& scratch) const {
   glm::dvec3 scattered(0);
   if (job_.model == Model::bssrdf)
-    scattered = diffusion_[s.material].sample(rays_, s, random, scratch, [&](const SurfacePoint& x) { return shading_.light_in_skin(x); });
+    scattered =
+        diffusion_[s.material].sample(rays_, s, random, scratch, [&](const SurfacePoint& x) { return shading_.light_in_skin(x, random); });
   else
     scattered = from_the_medium(s, to_eye, random);
   s.normal *= side;
-  return scattered * shading_.leaving_factor(s, to_eye) + shading_.skin_reflection(s, to_eye);
+  return scattered * shading_.leaving_factor(s, to_eye) + shading_.skin_reflection(s, to_eye, random);
 }
 
 Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<Hit>& scratch) const {
@@ -70,7 +71,7 @@ Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<Hit>& sc
         out.skin = through;
         break;
       }
-      const Shading::Surface surface = shading_.surface(s, side, to_eye);
+      const Shading::Surface surface = shading_.surface(s, side, to_eye, random);
       out.radiance += through * surface.alpha * surface.radiance;
       through *= 1 - surface.alpha;
     }

@@ -117,7 +117,7 @@ std::vector<Light> light_rig(const BoundingSphere& sphere, int count, std::span<
 
 std::vector<Light> light_rig(const BoundingSphere& sphere, std::span<const Lamp> lamps, std::span<const glm::vec3> head_offsets_m) {
   require_sphere(sphere);
-  const double radius = sphere.radius_m, distance = 4 * radius;
+  const double radius = sphere.radius_m, distance = rig_distance_radii * radius;
   const glm::dvec3 centre(sphere.centre_m);
   std::vector<Light> lights;
   for (const Lamp& lamp : lamps) {

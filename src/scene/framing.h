@@ -36,6 +36,9 @@ Camera distance_camera(const BoundingSphere& middle_head, double distance_radii,
 /// Offsets of `heads` (>= 1) heads in a row along x, 1.6 radii apart; number floor(heads / 2) stands at the origin.
 std::vector<glm::vec3> head_row_offsets(int heads, double radius_m);
 
+/// From the centre to each light of the rig, in radii of the sphere.
+inline constexpr double rig_distance_radii = 4;
+
 /// The rig: key, fill, rim and the k-th further lights (at most 256), spots 4 radii from the centre, aimed at it, each with the irradiance
 /// at the centre that DESIGN states. `head_offsets_m`: where further heads of this size stand; cones are widened to hold them all (at most
 /// 85 degrees). The sphere lies within the inner cone, so a head is lit evenly; the outer cone is 2 degrees wider.

@@ -111,6 +111,8 @@ struct Light {
   glm::vec3 direction{0, 0, -1};                         ///< unit, the way the light travels (directional, spot)
   float range_m = 0;                                     ///< 0 = unlimited
   float inner_cone_rad = 0, outer_cone_rad = 0.785398f;  ///< half angles (spot)
+  /// Of a disc that faces what it lights, for penumbrae; 0 = a point. m; directional: tangent of half the angle under which it is seen.
+  float radius = 0;
 };
 
 /// Perspective unless orthographic. Looks along -Z of its frame.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light that arrives at a point, with its shadow. Needs: buffers `lights` (LightIo[]), `shadow_matrices` (mat4[]), sampler2DArrayShadow `shadow_maps`.
+// Light that arrives at a point, with its shadow. Needs: buffers `lights` (LightIo[]), `shadow_matrices` (mat4[]), sampler2DArrayShadow `shadow_maps`,
+// sampler2DArray `shadow_depths`, the same to be read as it is.
 
 struct Arriving {
   vec3 irradiance;       // on a surface that faces the light, unshadowed
@@ -40,6 +41,8 @@ uint cube_face(vec3 d) {
   return d.z > 0.0 ? 4u : 5u;
 }
 
+#include "shared/soft_shadow.glsl"
+
 // Percentage-closer filtering over 3 x 3 bilinear comparisons, tent weights: a stable soft edge about three texels wide. The receiver is moved along its
 // geometric normal by the filter's radius (so a plane never shadows itself, whatever its slope) and a texel towards the light.
 float shadow_at(LightIo light, Arriving a, vec3 p, vec3 n_geometric) {
@@ -47,9 +50,11 @@ float shadow_at(LightIo light, Arriving a, vec3 p, vec3 n_geometric) {
   const float texel = light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
   const float cosine = dot(n_geometric, a.to_light);
   const float sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
-  const vec3 q = p + n_geometric * (sign(cosine) * 2.5 * texel * sine) + a.to_light * texel;
+  const bool soft = soft_shadows && light.radius > 0.0;
+  const vec3 q = p + n_geometric * ((soft ? 1.5 : sign(cosine) * 2.5) * texel * sine) + a.to_light * texel;
   const uint layer = light.shadow_layer + (light.shadow_layers == 6u ? cube_face(q - light.position_m) : 0u);
-  const vec4 clip = shadow_matrices[layer] * vec4(q, 1.0);
+  const mat4 from_world = shadow_matrices[layer];
+  const vec4 clip = from_world * vec4(q, 1.0);
   if (clip.w <= 0.0) return 1.0;
   const vec3 ndc = clip.xyz / clip.w;
   const vec2 uv = ndc.xy * 0.5 + 0.5;
@@ -61,5 +66,6 @@ float shadow_at(LightIo light, Arriving a, vec3 p, vec3 n_geometric) {
       const float weight = float((2 - abs(x)) * (2 - abs(y))) / 16.0;
       lit += weight * texture(shadow_maps, vec4(uv + vec2(x, y) / size, float(layer), ndc.z));
     }
+  if (soft) return soft_shadow(light, a, from_world, clip, n_geometric, float(layer), lit);
   return lit;
 }

@@ -72,6 +72,7 @@ struct LightIo {
   uint shadow_layer;   // first layer in the shadow map
   uint shadow_layers;  // 0 = casts none, 1, or 6 for a point light inside the scene
   float shadow_texel;  // side of a shadow texel: m (directional) or m per m of distance
+  float radius;        // of the light: m; directional: tangent of half the angle under which it is seen
 };
 
 struct FrameIo {
@@ -94,6 +95,6 @@ DERMIS_IO_END
 #ifdef __cplusplus
 static_assert(sizeof(dermis::io::VertexIo) == 23 * 4);
 static_assert(sizeof(dermis::io::MapIo) == 40);
-static_assert(sizeof(dermis::io::LightIo) == 64);
+static_assert(sizeof(dermis::io::LightIo) == 68);
 #endif
 #endif

@@ -7,6 +7,7 @@ layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
 layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
 layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
 layout(binding = 6) uniform sampler2DArrayShadow shadow_maps;
+layout(binding = 22) uniform sampler2DArray shadow_depths;  // the same, as they are
 layout(binding = 7) uniform sampler2D attenuation;
 layout(binding = 8) uniform sampler2D map_base_colour;
 layout(binding = 9) uniform sampler2D map_normal;
@@ -62,8 +63,8 @@ vec3 entering_irradiance(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular 
   for (uint i = 0u; i < frame.light_count; ++i) {
     const LightIo light = lights[i];
     const Arriving a = arriving_light(light, s.position_m);
-    const float cosine = dot(n, a.to_light);
-    if (cosine <= 0.0 || dot(n_geometric, a.to_light) <= 0.0) continue;
+    const float tangent = light_tangent(light, a), cosine = light_cosine(dot(n, a.to_light), tangent);
+    if (cosine <= 0.0 || dot(n_geometric, a.to_light) <= -tangent) continue;
     const float kept = 1.0 - specular_albedo(attenuation, spec, cosine);
     e += a.irradiance * (cosine * kept * shadow_at(light, a, s.position_m, n_geometric));
   }

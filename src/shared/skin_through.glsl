@@ -2,7 +2,6 @@
 // The light that enters at a point of the skin, and that which comes to it through the body, in one loop over the lights. Follows
 // skin_point.glsl.
 #include "shared/transmission_io.h"
-layout(binding = 22) uniform sampler2DArray shadow_depths;
 layout(binding = 23) uniform sampler2DArray entering_maps;
 layout(binding = 24, scalar) uniform Transmission { TransmissionIo transmission; };
 layout(constant_id = 8) const int through_terms = 6;
@@ -25,11 +24,14 @@ EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric
     const Arriving a = arriving_light(light, s.position_m);
     const float cosine_here = dot(n_geometric, a.to_light);
     const LightRead read = read_light(light, a, s.position_m, n_geometric, cosine_here);
+    const float tangent = light_tangent(light, a);
     const bool faces = cosine_here > 0.0;
-    const float cosine = faces ? max(dot(n, a.to_light), 0.0) : read.cosine;
+    const float cosine_lit = light_cosine(dot(n, a.to_light), tangent), cosine = faces ? cosine_lit : read.cosine;
     const vec3 kept = a.irradiance * ((1.0 - specular_albedo(attenuation, spec, cosine)) / kept_mean);
-    r.entering += kept * (faces ? cosine * read.lit : 0.0);
-    add_slab_factors(read, cosine_here, kept * read.entering * (faces ? 0.0 : nearer_factor(light, a, read)), r.through);
+    r.entering += kept * (cosine_here > -tangent ? cosine_lit * read.lit : 0.0);
+    // A light that has not quite set comes half over the horizon and half through the body.
+    const float set = tangent > 0.0 ? min(-cosine_here / tangent, 1.0) : 1.0;
+    add_slab_factors(read, cosine_here, kept * read.entering * (faces ? 0.0 : set * nearer_factor(light, a, read)), r.through);
   }
   return r;
 }

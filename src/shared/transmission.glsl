@@ -2,7 +2,7 @@
 // One look into a light's map for both of its uses: how much of the light arrives where the surface faces it, and where and how the light
 // has entered that comes through the body to a surface that faces away. Translucent shadow maps; docs/techniques.md says why it is so.
 // Based on: [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, EGSR 2003 (what enters is a part of the shadow map, and is gathered
-// in the light's view); [DLE07] GPU Gems 3, ch. 14.5 (thickness with the normals' correction). Needs: `shadow_matrices`, shadow_depths,
+// in the light's view); [DLE07] GPU Gems 3, ch. 14.5 (thickness with the normals' correction). Needs: lights.glsl,
 // entering_maps (sampler2DArray of the same layers), `transmission`, through_terms.
 
 const int last_term = through_terms - 1, term_before = through_terms > 1 ? through_terms - 2 : 0;  // both gather around the ray of light
@@ -18,13 +18,6 @@ struct LightRead {
   bool inside;     // the place lies in the map
   bool shaded;     // what enters was stored wherever something is
 };
-
-// How metres along the light show in a map: depth of a point at `clip`, moved by m towards the light, is (clip.z + m zw.x) / (clip.w + m zw.y).
-struct MapRay {
-  vec4 clip;
-  vec2 zw;
-};
-float way_of(MapRay ray, float depth) { return (depth * ray.clip.w - ray.clip.z) / (ray.zw.x - depth * ray.zw.y); }
 
 // Texels base-1 .. base+2 along both axes, four gathers: [x + 2 y] = the block of two by two that begins at base - 1 + 2 (x, y), in the
 // order of textureGather: (0,1) (1,1) (1,0) (0,0).
@@ -87,6 +80,10 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   vec4 z[4];
   gather_depths(base, size, float(layer), z);
   r.lit = share_not_beyond(z, f, ray.clip.z / ray.clip.w);
+  if (soft_shadows && light.radius > 0.0) {
+    const vec3 outside = p + n_geometric * (1.5 * texel * sine) + a.to_light * texel;
+    r.lit = soft_shadow(light, a, from_world, from_world * vec4(outside, 1.0), n_geometric, float(layer), r.lit);
+  }
   find_lit_point(r, z, f, size, ray, from_world, a.to_light, n_geometric);
   r.way_near_m = ways_beside(ray, uv * size, vec2(transmission.two_sigma_m[term_before] / texel, 0.0), int(layer));
   r.way_wide_m = ways_beside(ray, uv * size, vec2(0.70710678 * transmission.two_sigma_m[last_term] / texel), int(layer));

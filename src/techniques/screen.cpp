@@ -52,12 +52,19 @@ void Screen::add_surfaces(std::uint32_t head) {
   const bool clear = !cleared_;
   // A scene without any skin still needs its targets cleared.
   if (settings_.has_surfaces || clear)
-    plan_->add<passes::Surface>(
-        label("surfaces", settings_, head), in,
-        {.instance = head, .samples = settings_.samples, .clear = take_clear(), .environment = settings_.environment});
+    plan_->add<passes::Surface>(label("surfaces", settings_, head), in,
+                                {.instance = head,
+                                 .samples = settings_.samples,
+                                 .clear = take_clear(),
+                                 .environment = settings_.environment,
+                                 .soft_shadows = settings_.soft_shadows});
   if (settings_.has_blended)
     plan_->add<passes::Surface>(label("blended surfaces", settings_, head), in,
-                                {.instance = head, .samples = settings_.samples, .environment = settings_.environment, .blended = true});
+                                {.instance = head,
+                                 .samples = settings_.samples,
+                                 .environment = settings_.environment,
+                                 .soft_shadows = settings_.soft_shadows,
+                                 .blended = true});
 }
 
 FrameOutputs Screen::finish() {

@@ -52,8 +52,9 @@ struct FrameSettings {
   bool visibility = false;                  ///< also makes the map that `--show visibility` shows
   std::vector<SkinPart> skin;               ///< one a skin mesh of the scene
   bool has_surfaces = false, has_blended = false;
-  bool environment = false;  ///< light from a picture of the surroundings, else uniform
-  float bloom = 0;           ///< 0..1
+  bool environment = false;   ///< light from a picture of the surroundings, else uniform
+  bool soft_shadows = false;  ///< some light has a radius
+  float bloom = 0;            ///< 0..1
   passes::ViewTransform view = passes::ViewTransform::filmic;
   bool operator==(const FrameSettings&) const = default;
 };

@@ -91,6 +91,7 @@ TEST_F(Options, ValuesOutOfRange) {
   refuse({"--map-budget", "0.001"}, "--map-budget");
   for (const char* light : {"nan,0", "4000,0", "0,91", "0,inf", "0,0,-1", "0,0,nan", "0,0,1e30"}) refuse({"--light", light}, "--light");
   refuse({"--lights", "2", "--light", "90,10"}, "--lights and --light");
+  for (const char* radius : {"-0.1", "nan", "inf", "1e9"}) refuse({"--light-radius", radius}, "--light-radius");
   for (const char* value : {"nan", "inf", "-inf", "-1e300"})
     for (const char* option : {"--d-ref", "--clip-margin", "--map-budget", "--environment-intensity", "--environment-rotation", "--fov",
                                "--distance", "--ambient", "--mix", "--bloom", "--exposure", "--unit-scale"})
@@ -137,6 +138,8 @@ TEST_F(Options, LightsThatArePlacedReplaceThoseOfTheScene) {
   const std::string side = rendered({"--light", "-30,10"}), bright = rendered({"--light", "-30,10,9.5"});
   EXPECT_NE(side, bright);
   EXPECT_EQ(side, rendered({"--light", "-30,10,3"}));
+  EXPECT_EQ(side, rendered({"--light", "-30,10", "--light-radius", "0"}));
+  EXPECT_NE(side, rendered({"--light", "-30,10", "--light-radius", "0.2"}));
   EXPECT_EQ(side, rendered({"--light", "330,10", "--light", "0,0,0"})) << "a lamp without light changes nothing";
   EXPECT_NE(side, rendered({"--light", "-30,10", "--light", "60,10"}));
   EXPECT_TRUE(expect_rendered(render({"--light", "-30,10", "--optimise", "none", head()}))) << "the scene may come last";

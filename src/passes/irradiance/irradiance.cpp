@@ -22,7 +22,9 @@ Irradiance::Out Irradiance::declare(frame::Declare& d, const In& in) {
 void Irradiance::prepare(gpu::PipelineLibrary& library) {
   gpu::GraphicsDesc desc{.vertex = settings_.clip ? "irradiance_clipped.vert" : "irradiance.vert",
                          .fragment = "irradiance.frag",
-                         .constants = {{"cull", settings_.cull ? 1u : 0u}, {"environment", settings_.environment ? 1u : 0u}},
+                         .constants = {{"cull", settings_.cull ? 1u : 0u},
+                                       {"environment", settings_.environment ? 1u : 0u},
+                                       {"soft_shadows", settings_.soft_shadows ? 1u : 0u}},
                          .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}};
   samplers_ = LightingSamplers(library);
   if (settings_.through.empty()) {
@@ -61,7 +63,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
       material.offer(bindings);
       samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
       samplers_.offer_sky_seen(bindings, frame, mesh);
-      if (through) through_.offer(bindings, resources, in_.shadow, in_.entering, square.mesh);
+      if (through) through_.offer(bindings, resources, in_.entering, square.mesh);
       bindings.bind(cmd, pipeline);
       cmd.push(pipeline, seen_io(frame, instance, material));
       cmd.draw(draw.index_count, 1, draw.first_index);

@@ -15,9 +15,10 @@ class Irradiance {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-    bool cull = false;         ///< leave out triangles that face away from the eye; see shared/seen.glsl
-    bool environment = false;  ///< light from FrameData::environment, else FrameIo::ambient
-    bool clip = false;         ///< leave out what lies outside FrameData::clip_planes
+    bool cull = false;          ///< leave out triangles that face away from the eye; see shared/seen.glsl
+    bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
+    bool soft_shadows = false;  ///< lights with a radius cast penumbrae
+    bool clip = false;          ///< leave out what lies outside FrameData::clip_planes
     /// Of each skin mesh, of 1 to 8 terms: light also comes through the body, by passes/transmission.h. None: it does not.
     std::vector<gaussians::SumOfGaussians> through;
     double mm_per_unit = 1000;  ///< of the scene

@@ -43,7 +43,7 @@ void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources
       material.offer(bindings);
       samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
       samplers_.offer_sky_seen(bindings, frame, mesh);
-      through_.offer(bindings, resources, in_.shadow, in_.entering, square.mesh);
+      through_.offer(bindings, resources, in_.entering, square.mesh);
       bindings.add("Counters", resources.buffer(in_.counters));
       bindings.bind(cmd, pipeline);
       cmd.push(pipeline, seen_io(frame, instance, material));

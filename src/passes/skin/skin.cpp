@@ -39,6 +39,7 @@ void Skin::prepare(gpu::PipelineLibrary& library) {
                            .constants = {{"term_count", static_cast<std::uint32_t>(settings_.weights.size())},
                                          {"direct", direct ? 1u : 0u},
                                          {"environment", settings_.environment ? 1u : 0u},
+                                         {"soft_shadows", settings_.soft_shadows ? 1u : 0u},
                                          {"progressive", progressive ? 1u : 0u}},
                            .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
                            .depth_format = VK_FORMAT_D32_SFLOAT,
@@ -94,7 +95,7 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
     material.offer(bindings);
     samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
     samplers_.offer_sky_seen(bindings, frame, mesh);
-    if (through()) through_.offer(bindings, resources, in_.shadow, in_.entering, 0);
+    if (through()) through_.offer(bindings, resources, in_.entering, 0);
     // A binding without a term is never read, but must be bound: any sampled texture serves.
     for (std::size_t i = 0; i < names.size(); ++i)
       bindings.add(names[i], i < in_.lights.size() ? resources.sampled(in_.lights[i], light_sampler_)

@@ -27,6 +27,7 @@ class Skin {
     std::vector<std::array<float, 3>> weights;  ///< a term each, 0 to 8; none = Lambert
     std::vector<std::uint32_t> halvings;        ///< of the term's map, a term each; the first is 0
     bool environment = false;                   ///< light from FrameData::environment, else FrameIo::ambient
+    bool soft_shadows = false;                  ///< lights with a radius cast penumbrae
     bool mixes = false;                         ///< where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
     std::vector<float> sigmas_mm;               ///< a term each
     float texels_per_mm = 0;                    ///< mean of the unwrap, at T_max

@@ -18,16 +18,17 @@ Surface::Out Surface::declare(frame::Declare& d, const In& in) {
 }
 
 void Surface::prepare(gpu::PipelineLibrary& library) {
-  gpu::GraphicsDesc desc{.vertex = "surface.vert",
-                         .fragment = "surface.frag",
-                         .constants = {{"environment", settings_.environment ? 1u : 0u}},
-                         .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
-                         .depth_format = VK_FORMAT_D32_SFLOAT,
-                         .samples = settings_.samples,
-                         .blend = settings_.blended ? gpu::Blend::over : gpu::Blend::none,
-                         .cull = gpu::Cull::back,
-                         .depth_test = true,
-                         .depth_write = !settings_.blended};
+  gpu::GraphicsDesc desc{
+      .vertex = "surface.vert",
+      .fragment = "surface.frag",
+      .constants = {{"environment", settings_.environment ? 1u : 0u}, {"soft_shadows", settings_.soft_shadows ? 1u : 0u}},
+      .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
+      .depth_format = VK_FORMAT_D32_SFLOAT,
+      .samples = settings_.samples,
+      .blend = settings_.blended ? gpu::Blend::over : gpu::Blend::none,
+      .cull = gpu::Cull::back,
+      .depth_test = true,
+      .depth_write = !settings_.blended};
   single_sided_ = &library.graphics(desc);
   desc.cull = gpu::Cull::none;
   double_sided_ = &library.graphics(desc);

@@ -10,6 +10,7 @@ layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
 layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
 layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
 layout(binding = 6) uniform sampler2DArrayShadow shadow_maps;
+layout(binding = 22) uniform sampler2DArray shadow_depths;  // the same, as they are
 layout(binding = 8) uniform sampler2D map_base_colour;
 layout(binding = 9) uniform sampler2D map_normal;
 layout(binding = 10) uniform sampler2D map_roughness;

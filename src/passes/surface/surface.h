@@ -15,9 +15,10 @@ class Surface {
   struct Settings {
     std::uint32_t instance = 0;
     std::uint32_t samples = 1;
-    bool clear = false;        ///< the first to draw into the targets
-    bool environment = false;  ///< light from FrameData::environment, else FrameIo::ambient
-    bool blended = false;      ///< draws only the blended parts, over what is there
+    bool clear = false;         ///< the first to draw into the targets
+    bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
+    bool soft_shadows = false;  ///< lights with a radius cast penumbrae
+    bool blended = false;       ///< draws only the blended parts, over what is there
   };
   struct In {
     frame::TextureId shadow, colour, depth;

@@ -69,7 +69,7 @@ Light place_light(Light light, const Node& node, const glm::dmat4& world, double
   light.direction = glm::vec3(-rotation_of(world)[2]);
   light.range_m *= scale;
   // The distance in colour / d^2 is scaled, so the intensity is too: a change of units must not change how bright the head is.
-  if (light.type != LightType::directional) light.colour *= scale * scale;
+  if (light.type != LightType::directional) light.colour *= scale * scale, light.radius *= scale;
   return light;
 }
 

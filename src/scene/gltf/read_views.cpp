@@ -62,6 +62,21 @@ void read_spot(const Value& value, Light& light) {
     value.fail("innerConeAngle {} must be less than outerConeAngle {}", light.inner_cone_rad, light.outer_cone_rad);
 }
 
+// extras.dermis: what KHR_lights_punctual has no word for. Strict, as that of materials is.
+void read_extras(const Value& value, Light& light) {
+  const std::optional<Value> extras = value.find("extras");
+  if (!extras || !extras->is_object() || !extras->has("dermis")) return;
+  const Value dermis = extras->at("dermis");
+  if (light.type == LightType::directional) {
+    dermis.object().only_keys({"angle_deg"});
+    const double angle_deg = dermis.number_or("angle_deg", 0, 0, 170);
+    light.radius = static_cast<float>(std::tan(angle_deg / 2 * std::numbers::pi / 180));
+  } else {
+    dermis.object().only_keys({"radius_m"});
+    light.radius = static_cast<float>(dermis.number_or("radius_m", 0, 0, 1e6));
+  }
+}
+
 std::optional<Light> read_light(const Document& document, const Value& value) {
   Light light;
   light.name = value.text_or("name", "");
@@ -86,6 +101,7 @@ std::optional<Light> read_light(const Document& document, const Value& value) {
     warn("{}: {}: light type '{}' is not known, the light is left out", document.file, value.place(), type.substr(0, 40));
     return std::nullopt;
   }
+  read_extras(value, light);
   return light;
 }
 

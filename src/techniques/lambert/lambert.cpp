@@ -17,6 +17,7 @@ FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings
                               .clear = screen.take_clear(),
                               .weights = {},
                               .environment = settings.environment,
+                              .soft_shadows = settings.soft_shadows,
                               .sigmas_mm = {},
                               .through = {}});
     screen.add_surfaces(head);

@@ -176,6 +176,7 @@ class TextureSpace {
     passes::Irradiance::Settings irradiance{.squares = all,
                                             .cull = settings_.optimise.cull,
                                             .environment = settings_.environment,
+                                            .soft_shadows = settings_.soft_shadows,
                                             .clip = settings_.optimise.clip,
                                             .through = {},
                                             .mm_per_unit = settings_.mm_per_unit};
@@ -327,6 +328,7 @@ class TextureSpace {
                               .weights = weights(part.profile),
                               .halvings = {halvings_.begin(), halvings_.begin() + static_cast<std::ptrdiff_t>(terms)},
                               .environment = settings_.environment,
+                              .soft_shadows = settings_.soft_shadows,
                               .mixes = settings_.optimise.depth,
                               .sigmas_mm = sigmas_mm(part.profile),
                               .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),

@@ -432,6 +432,30 @@ TEST(GltfViews, LightsOfEachKind) {
   EXPECT_EQ(lights[1].range_m, 5);
   EXPECT_EQ(lights[1].colour.x, 0.5f);  // half the distance, a quarter of the intensity: as bright as before
   EXPECT_EQ(lights[2].outer_cone_rad, 0.2f);
+  for (const Light& light : lights) EXPECT_EQ(light.radius, 0);
+}
+
+TEST(GltfViews, LightsWithARadius) {
+  const auto load = [](const std::string& light) {
+    Builder b;
+    b.triangle();
+    b.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse("[" + light + "]");
+    b.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    b.json["scenes"][0]["nodes"].push_back(1);
+    LoadOptions options;
+    options.unit_scale = 0.5;
+    return b.load(options).lights.at(0).radius;
+  };
+  EXPECT_FLOAT_EQ(load(R"({"type": "point", "extras": {"dermis": {"radius_m": 0.3}}})"), 0.15f);
+  EXPECT_FLOAT_EQ(load(R"({"type": "directional", "extras": {"dermis": {"angle_deg": 90}}})"), 1);  // tangent of half of it
+  EXPECT_EQ(load(R"({"type": "point", "extras": {"other": {"radius_m": 0.3}}})"), 0);
+  EXPECT_EQ(load(R"({"type": "point", "extras": 7})"), 0);
+  for (const char* wrong :
+       {R"({"type": "point", "extras": {"dermis": {"radius_m": -1}}})", R"({"type": "point", "extras": {"dermis": {"radius_m": "big"}}})",
+        R"({"type": "point", "extras": {"dermis": {"angle_deg": 1}}})", R"({"type": "point", "extras": {"dermis": 3}})",
+        R"({"type": "directional", "extras": {"dermis": {"angle_deg": 180}}})",
+        R"({"type": "directional", "extras": {"dermis": {"radius_m": 1}}})"})
+    EXPECT_THROW(load(wrong), InputError) << wrong;
 }
 
 TEST(GltfViews, CamerasOfBothKinds) {

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Penumbrae of lights with a radius: an edge and a sphere in closed form, the scan against ground truth.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <glm/gtc/constants.hpp>
+
+#include "dermis/reference.h"
+#include "image/colour.h"
+#include "image/compare_flip.h"
+#include "image/metrics.h"
+#include "image/resize.h"
+#include "scene/primitives.h"
+
+namespace dermis::tests {
+namespace {
+
+constexpr double pi = glm::pi<double>();
+
+Renderer& renderer() {
+  static Renderer shared;
+  return shared;
+}
+
+Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
+
+scene::Light directional(const glm::vec3& direction, double tangent) {
+  scene::Light light;
+  light.colour = glm::vec3(static_cast<float>(pi));
+  light.direction = glm::normalize(direction);
+  light.radius = static_cast<float>(tangent);
+  return light;
+}
+
+scene::Camera from_above(float half_height_m, const glm::vec3& position_m) {
+  scene::Camera camera;
+  camera.world_from_camera[3] = glm::vec4(position_m, 1);
+  camera.orthographic = true;
+  camera.ymag_m = half_height_m;
+  return camera;
+}
+
+// What is lit shows the irradiance over pi.
+RenderSettings plain(int width, int height) {
+  RenderSettings s;
+  s.technique = "lambert";
+  s.width = width, s.height = height;
+  s.samples = 1;
+  s.shadow_size = 2048;
+  s.ambient = s.bloom = 0;
+  s.specular = false;
+  s.white_albedo = true;
+  return s;
+}
+
+constexpr float height_m = 0.02f;
+
+// A floor of 120 mm, and over its half x < 0 a plate `height_m` above. Light comes from that side, at 45 degrees.
+Scene plate_over_floor(double tangent) {
+  scene::Scene made = scene::plane(0.12, glm::dmat2(0.46, 0, 0, 0.46), {0.02, 0.02}, 2);
+  const scene::Primitive plate = scene::plane(0.12, glm::dmat2(0.46, 0, 0, 0.46), {0.52, 0.52}, 2).primitives.front();
+  scene::Primitive& both = made.primitives.front();
+  const auto base = static_cast<std::uint32_t>(both.vertices.size());
+  for (scene::Vertex v : plate.vertices) {
+    v.position_m += glm::vec3(-0.06f, 0, height_m);
+    both.vertices.push_back(v);
+  }
+  for (const std::uint32_t i : plate.indices) both.indices.push_back(base + i);
+  made.lights = {directional({1, 0, -1}, tangent)};
+  made.cameras = {from_above(0.004f, {0.03f, 0, 0.3f})};
+  return wrap(std::move(made));
+}
+
+// Of the light that the floor would have without the plate. Seen from x, points u of the disc (-1 lowest, 1 highest) are over the edge from
+// x + h (t u - 1) / (t u + 1) = 0 on; each counts by its cosine, which goes as 1 + t u, and by how wide the disc is there.
+double share_past_the_edge(double x_m, double tangent) {
+  const double slope = x_m / double{height_m}, u = std::clamp((1 - slope) / (1 + slope) / tangent, -1.0, 1.0), root = std::sqrt(1 - u * u);
+  return 0.5 - (u * root + std::asin(u)) / pi + tangent * 2 / (3 * pi) * root * root * root;
+}
+
+TEST(SoftShadow, OfAnEdge) {
+  for (const double tangent : {0.05, 0.2, 0.5}) {
+    const Picture picture = renderer().render(plate_over_floor(tangent), plain(60, 8));  // 1 mm a pixel along x, from 0
+    double worst = 0;
+    for (int x = 0; x < picture.width; ++x) {
+      double seen = 0;
+      for (int y = 0; y < picture.height; ++y)
+        seen += double{picture.linear_rgba[4 * static_cast<std::size_t>(y * picture.width + x)]} / picture.height;
+      const double wanted = share_past_the_edge((x + 0.5) / 1000, tangent) * std::sqrt(0.5);
+      worst = std::max(worst, std::abs(seen - wanted));
+    }
+    std::printf("tangent %.2f: off by %.4f of the light at most\n", tangent, worst);
+    EXPECT_LT(worst, 0.08) << tangent;
+  }
+}
+
+// Nothing shades a sphere but itself, and that is in the cosine: mean over the disc of max(c + t u, 0).
+TEST(SoftShadow, OfASphereIsItsHorizon) {
+  for (const double tangent : {0.05, 0.2, 0.5}) {
+    scene::Scene made = scene::sphere(0.1, 64);
+    made.lights = {directional({-1, 0, 0}, tangent)};
+    made.cameras = {from_above(0.1f, {0, 0, 0.5f})};
+    const Picture picture = renderer().render(wrap(std::move(made)), plain(200, 201));
+    const int middle = picture.height / 2;
+    double worst = 0;
+    for (int x = 4; x < picture.width - 4; ++x) {
+      const double c = (x + 0.5) / 100 - 1;
+      double wanted = 0;
+      for (int i = 0; i < 1000; ++i) {
+        const double u = (i + 0.5) / 500 - 1;
+        wanted += std::max(c + tangent * u, 0.0) * 2 / pi * std::sqrt(1 - u * u) / 500;
+      }
+      const double seen = double{picture.linear_rgba[4 * static_cast<std::size_t>(middle * picture.width + x)]};
+      worst = std::max(worst, std::abs(seen - wanted));
+    }
+    std::printf("tangent %.2f: off by %.4f of the light at most\n", tangent, worst);
+    EXPECT_LT(worst, 0.02) << tangent;
+  }
+}
+
+class SoftScan : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::filesystem::path heads = std::filesystem::path(DERMIS_SOURCE_DIR) / "assets" / "heads";
+    if (!std::filesystem::exists(heads / "LeePerrySmith.glb") || !std::filesystem::exists(heads / "Map-COL.jpg"))
+      GTEST_SKIP() << "the scan is not there; ./run fetch-assets brings it";
+    static const Scene opened = Scene::load(heads / "lee-perry-smith.gltf");
+    scan = &opened;
+    settings.width = 160, settings.height = 180;
+    settings.map_size = 1024, settings.shadow_size = 1024;
+    settings.bloom = 0;
+    settings.placed_lights = {{.azimuth_deg = 70, .elevation_deg = 35}};
+    settings.light_radius = 0.2;
+  }
+  const Scene* scan = nullptr;
+  RenderSettings settings;
+};
+
+image::ImageF linear(Picture picture) {
+  return {.width = picture.width, .height = picture.height, .channels = 4, .values = std::move(picture.linear_rgba)};
+}
+
+image::Image8 shown(const Picture& picture) { return image::to_display(linear(picture), image::View::filmic); }
+
+image::Image8 super_sampled(const Scene& scene, RenderSettings s) {
+  constexpr int times = 4;
+  s.width *= times, s.height *= times, s.samples = 1;
+  return image::to_display(image::downsample_box(linear(renderer().render(scene, s)), times), image::View::filmic);
+}
+
+// Nearer to the truth than the hard shadows are by far.
+TEST_F(SoftScan, IsThatOfTheReference) {
+  const Picture reference = render_reference(*scan, settings, {.samples = 64}).picture;
+  const image::Image8 truth = shown(reference), soft = super_sampled(*scan, settings);
+  settings.light_radius = 0.0;
+  const image::Image8 hard = super_sampled(*scan, settings);
+  std::vector<std::uint8_t> skin(static_cast<std::size_t>(settings.width * settings.height));
+  for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = reference.linear_rgba[4 * i + 3] > 0.5f;
+  const double soft_db = image::psnr_db(truth, soft, skin), hard_db = image::psnr_db(truth, hard, skin);
+  const double soft_flip = image::mean_flip(truth, soft, skin), hard_flip = image::mean_flip(truth, hard, skin);
+  std::printf("against the reference: soft %.2f dB, FLIP %.4f; hard %.2f dB, %.4f\n", soft_db, soft_flip, hard_db, hard_flip);
+  EXPECT_GE(soft_db, 38);
+  EXPECT_GE(soft_db, hard_db + 2);
+  EXPECT_LT(soft_flip, 0.9 * hard_flip);
+}
+
+// The pattern of rays belongs to the light: the eye may move.
+TEST_F(SoftScan, StaysWhereItIs) {
+  settings.cull = settings.depth = settings.clip = false;
+  settings.show = "irradiance";
+  const Picture one = renderer().render(*scan, settings);
+  settings.orbit_deg = {25, 10};
+  const Picture other = renderer().render(*scan, settings);
+  EXPECT_EQ(one.display_rgba, other.display_rgba);
+}
+
+TEST_F(SoftScan, OptimisedIsTheSame) {
+  settings.width *= 4, settings.height *= 4, settings.samples = 1;
+  const Picture optimised = renderer().render(*scan, settings);
+  settings.cull = settings.depth = settings.clip = false;
+  const Picture whole = renderer().render(*scan, settings);
+  std::vector<std::uint8_t> skin(static_cast<std::size_t>(settings.width * settings.height));
+  for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = whole.linear_rgba[4 * i + 3] > 0;
+  EXPECT_GE(image::psnr_db(shown(whole), shown(optimised), skin), 40);
+  EXPECT_EQ(optimised.statistics.unshaded_reads, 0u);
+  EXPECT_EQ(optimised.statistics.transmission_misses, 0u);
+}
+
+}  // namespace
+}  // namespace dermis::tests
