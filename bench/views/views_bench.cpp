@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the optimisations of texture-space change in a picture: views from all around a head, and a camera that moves away from it.
 //   views_bench OUT.json [--dolly] SCENE...
-// For each scene 64 views: 16 azimuths, elevations -30, 0, 30 and 60 degrees; PSNR and FLIP over the skin as DESIGN section 9 has them
-// (super- sampled 4 x 4, exposed fairly), and texels that were read and never lit. With --dolly, of the first scene: 200 steps from 2.5 to
+// For each scene 64 views: 16 azimuths, elevations -30, 0, 30 and 60 degrees; PSNR and FLIP over the skin
+// (super-sampled 4 x 4, exposed fairly), and texels that were read and never lit. With --dolly, of the first scene: 200 steps from 2.5 to
 // 100 radii at 480 x 300, how much the picture changes from step to step with and without the optimisations.
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/error.h"
 #include "gpu/device.h"
@@ -11,6 +12,7 @@
 #include "optics/attenuation.h"
 #include "passes/gutter_list.h"
 #include "scene/fine_normals.h"
+#include "scene/turned.h"
 #include "shared/gutters_io.h"
 
 namespace dermis::passes {
@@ -96,6 +98,18 @@ gpu::Texture single_texel(gpu::Device& device, const char* name, std::array<std:
   return texture;
 }
 
+// RGBA16F of an sRGB level: colours linear, alpha as it is.
+void append_halves(std::vector<std::uint8_t>& bytes, const image::Image8& level) {
+  std::array<std::uint16_t, 256> plain{}, linear{};
+  for (std::size_t i = 0; i < 256; ++i) {
+    plain[i] = image::float_to_half(static_cast<float>(i) / 255.0f);
+    linear[i] = image::float_to_half(image::srgb8_to_linear(static_cast<std::uint8_t>(i)));
+  }
+  const std::size_t first = bytes.size();
+  bytes.resize(first + 2 * level.rgba.size());
+  for (std::size_t i = 0; i < level.rgba.size(); ++i) std::memcpy(&bytes[first + 2 * i], &(i % 4 == 3 ? plain : linear)[level.rgba[i]], 2);
+}
+
 GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vector<io::VertexIo>& vertices,
                     const std::vector<std::uint32_t>& indices) {
   GpuMesh mesh;
@@ -132,6 +146,8 @@ GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_
   GpuMesh mesh = upload_mesh(device, fmt::format("skin {}", number), vertices, skin.indices);
   const std::vector<std::uint32_t> charts(skin.triangle_chart.begin(), skin.triangle_chart.end());
   mesh.charts = gpu::make_buffer(device, mesh.name + " charts", std::span<const std::uint32_t>(charts), storage);
+  const std::vector<std::uint32_t> turned = scene::turned_neighbours(skin);
+  mesh.turned_neighbours = gpu::make_buffer(device, mesh.name + " turned neighbours", std::span<const std::uint32_t>(turned), storage);
   for (std::uint32_t t = 0; t < skin.triangle_material.size(); ++t) {
     const int material = skin.triangle_material[t];
     if (mesh.draws.empty() || mesh.draws.back().material != material)
@@ -156,7 +172,7 @@ void GpuMaterial::offer(Bindings& bindings) const {
 
 void GpuMesh::offer(Bindings& bindings) const {
   bindings.add("Vertices", vertices).add("Indices", indices);
-  if (charts) bindings.add("Charts", charts);
+  if (charts) bindings.add("Charts", charts).add("TurnedNeighbours", turned_neighbours);
 }
 
 GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin_meshes,
@@ -247,13 +263,21 @@ const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene
 const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const std::string& name, const image::Image8& pixels, int image,
                                          bool srgb) {
   const std::vector<image::Image8> mips = image::mip_chain(pixels, srgb);
+  // The software driver decodes sRGB with an error of 0.2 to 0.4 %, which any comparison with the truth would show.
+  const bool halves = srgb && library.device().limits().software;
   std::vector<std::uint8_t> bytes;
-  for (const image::Image8& mip : mips) bytes.insert(bytes.end(), mip.rgba.begin(), mip.rgba.end());
+  for (const image::Image8& mip : mips)
+    if (halves)
+      append_halves(bytes, mip);
+    else
+      bytes.insert(bytes.end(), mip.rgba.begin(), mip.rgba.end());
   auto made = std::make_unique<gpu::Texture>(library.device(), "map " + name,
                                              gpu::TextureDesc{.width = static_cast<std::uint32_t>(pixels.width),
                                                               .height = static_cast<std::uint32_t>(pixels.height),
                                                               .mips = static_cast<std::uint32_t>(mips.size()),
-                                                              .format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
+                                                              .format = halves ? VK_FORMAT_R16G16B16A16_SFLOAT
+                                                                        : srgb ? VK_FORMAT_R8G8B8A8_SRGB
+                                                                               : VK_FORMAT_R8G8B8A8_UNORM,
                                                               .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   gpu::upload(library.device(), *made, std::as_bytes(std::span(bytes)));
   textures_.push_back({image, srgb, std::move(made)});

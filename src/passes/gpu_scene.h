@@ -40,9 +40,10 @@ struct GpuDraw {
 
 struct GpuMesh {
   std::string name;
-  gpu::Buffer vertices;  ///< VertexIo[]
-  gpu::Buffer indices;   ///< uint[]
-  gpu::Buffer charts;    ///< uint per triangle; skin only
+  gpu::Buffer vertices;           ///< VertexIo[]
+  gpu::Buffer indices;            ///< uint[]
+  gpu::Buffer charts;             ///< uint per triangle; skin only
+  gpu::Buffer turned_neighbours;  ///< uint[], scene::turned_neighbours; skin only
   /// By the side of the light map, see GpuScene::make_gutters; skin only.
   struct Gutters {
     gpu::Buffer list;  ///< GutterIo[]
@@ -54,7 +55,7 @@ struct GpuMesh {
   std::vector<GpuDraw> draws;
   glm::vec3 centre_m{0};
 
-  void offer(Bindings& bindings) const;  ///< "Vertices", "Indices", "Charts"
+  void offer(Bindings& bindings) const;  ///< "Vertices", "Indices", "Charts", "TurnedNeighbours"
 };
 
 /// What of the frame's settings the upload depends on.

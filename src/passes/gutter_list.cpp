@@ -31,17 +31,19 @@ ChartMap rasterise(const scene::SkinMesh& mesh, int side) {
   return map;
 }
 
-// Square rings outwards; a ring at distance r cannot hold anything nearer than r.
-glm::uvec2 nearest(const ChartMap& map, const scene::GutterTexel& g) {
-  glm::ivec2 best(g.x, g.y);
+// The texel nearest to (x, y) that `wanted` says is one; (x, y) if there is none. Square rings outwards; a ring at distance r cannot hold
+// anything nearer than r.
+template <class Wanted>
+glm::ivec2 nearest(int x, int y, const Wanted& wanted) {
+  glm::ivec2 best(x, y);
   int best2 = max_ring * max_ring;
   for (int r = 1; r < max_ring && r * r < best2; ++r)
     for (int d = -r; d <= r; ++d)
       for (const glm::ivec2 offset : {glm::ivec2(d, -r), glm::ivec2(d, r), glm::ivec2(-r, d), glm::ivec2(r, d)}) {
         const int distance2 = offset.x * offset.x + offset.y * offset.y;
-        if (distance2 < best2 && map.has(g.x + offset.x, g.y + offset.y, g.chart)) best2 = distance2, best = glm::ivec2(g.x, g.y) + offset;
+        if (distance2 < best2 && wanted(x + offset.x, y + offset.y)) best2 = distance2, best = glm::ivec2(x, y) + offset;
       }
-  return glm::uvec2(best);
+  return best;
 }
 
 // The nearest covered texel within two; itself if there is none.
@@ -57,38 +59,76 @@ glm::ivec2 nearest_covered(const ChartMap& map, int x, int y) {
   return best;
 }
 
-// Appends what build_gutters left empty beside the charts.
-void fill_corners(std::vector<scene::GutterTexel>& gutters, const ChartMap& covered) {
-  std::vector<bool> listed(covered.chart.size());
-  const auto index = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(covered.side) + static_cast<std::size_t>(x);
-  };
-  for (const scene::GutterTexel& g : gutters) listed[index(g.x, g.y)] = true;
-  for (int y = 0; y < covered.side; ++y)
-    for (int x = 0; x < covered.side; ++x) {
-      if (listed[index(x, y)] || covered.chart[index(x, y)] != 0) continue;
-      const glm::ivec2 near = nearest_covered(covered, x, y);
-      if (near == glm::ivec2(x, y)) continue;
-      gutters.push_back({.x = static_cast<std::uint16_t>(x),
-                         .y = static_cast<std::uint16_t>(y),
-                         .chart = 0,
-                         .source_x = static_cast<float>(near.x) + 0.5f,
-                         .source_y = static_cast<float>(near.y) + 0.5f});
+// What build_gutters left empty although a pixel may read it.
+class Leftovers {
+ public:
+  Leftovers(std::vector<scene::GutterTexel>& gutters, const ChartMap& covered)
+      : gutters_(gutters), covered_(covered), listed_(covered.chart.size()) {
+    for (const scene::GutterTexel& g : gutters) listed_[index(g.x, g.y)] = true;
+  }
+
+  void fill_corners() {
+    for (int y = 0; y < covered_.side; ++y)
+      for (int x = 0; x < covered_.side; ++x)
+        if (empty(x, y)) add(x, y, nearest_covered(covered_, x, y));
+  }
+
+  // Triangles narrower than a texel may reach far out of what is covered: along their edges each read finds the chart's nearest light.
+  void fill_slivers(const scene::SkinMesh& mesh) {
+    for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) {
+      const std::array<glm::vec2, 3> uv = scene::triangle_uv(mesh, t);
+      for (std::size_t i = 0; i < 3; ++i) fill_along(uv[i], uv[(i + 1) % 3], mesh.triangle_chart[t]);
     }
-}
+  }
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(covered_.side) + static_cast<std::size_t>(x);
+  }
+  bool empty(int x, int y) const {
+    return x >= 0 && y >= 0 && x < covered_.side && y < covered_.side && covered_.has(x, y, 0) && !listed_[index(x, y)];
+  }
+  void add(int x, int y, const glm::ivec2& source) {
+    if (source == glm::ivec2(x, y)) return;
+    listed_[index(x, y)] = true;
+    gutters_.push_back({.x = static_cast<std::uint16_t>(x),
+                        .y = static_cast<std::uint16_t>(y),
+                        .chart = 0,
+                        .source_x = static_cast<float>(source.x) + 0.5f,
+                        .source_y = static_cast<float>(source.y) + 0.5f});
+  }
+  void fill_along(const glm::vec2& from, const glm::vec2& to, std::uint16_t chart) {
+    const float side = static_cast<float>(covered_.side);
+    const float steps = std::ceil(2 * side * glm::distance(from, to));
+    if (!(steps < 8 * side)) return;  // not an edge of a map
+    for (float k = 0; k <= steps; ++k) {
+      const glm::vec2 corner = glm::floor(side * glm::mix(from, to, k / std::max(steps, 1.0f)) - 0.5f);
+      for (int i = 0; i < 4; ++i) {
+        const int x = static_cast<int>(corner.x) + (i & 1), y = static_cast<int>(corner.y) + (i >> 1);
+        if (empty(x, y)) add(x, y, nearest(x, y, [&](int sx, int sy) { return covered_.has(sx, sy, chart); }));
+      }
+    }
+  }
+
+  std::vector<scene::GutterTexel>& gutters_;
+  const ChartMap& covered_;
+  std::vector<bool> listed_;
+};
 
 }  // namespace
 
 GutterList gutter_list(const scene::SkinMesh& mesh, int map_size, int width_texels) {
   const ChartMap covered = rasterise(mesh, map_size);
   GutterList list{.texels = scene::build_gutters(mesh, map_size, width_texels), .own = {}};
-  fill_corners(list.texels, covered);
+  Leftovers leftovers(list.texels, covered);
+  leftovers.fill_corners();
+  leftovers.fill_slivers(mesh);
   list.own.resize(list.texels.size());
   constexpr std::size_t block = 4096;
   parallel_for((list.texels.size() + block - 1) / block, [&](std::size_t b) {
     for (std::size_t i = b * block; i < std::min(list.texels.size(), (b + 1) * block); ++i) {
       const scene::GutterTexel& g = list.texels[i];
-      list.own[i] = g.chart != 0 ? nearest(covered, g) : glm::uvec2(g.x, g.y);
+      list.own[i] = g.chart != 0 ? nearest(g.x, g.y, [&](int x, int y) { return covered.has(x, y, g.chart); }) : glm::ivec2(g.x, g.y);
     }
   });
   return list;

@@ -10,7 +10,11 @@
 namespace dermis::passes {
 
 inline io::SeenIo seen_io(const frame::FrameData& frame, const frame::Instance& instance, const GpuMaterial& material) {
-  io::SeenIo io{.offset_m = instance.offset_m, .can_cull = material.double_sided ? 0u : 1u, .eye = frame.eye, .planes = {}};
+  io::SeenIo io{.offset_m = instance.offset_m,
+                .can_cull = material.double_sided ? 0u : 1u,
+                .eye = frame.eye,
+                .planes = {},
+                .map_side = static_cast<float>(instance.map_side)};
   std::copy(frame.clip_planes.begin(), frame.clip_planes.end(), io.planes);
   return io;
 }

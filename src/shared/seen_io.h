@@ -9,9 +9,10 @@ struct SeenIo {
   uint can_cull;   // 0: both sides of this material are seen
   vec4 eye;        // position, w = 1; orthographic: direction towards it, w = 0
   vec4 planes[5];  // dot(xyz, position) + w < 0 is outside
+  float map_side;  // of its light maps, texels
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::SeenIo) == 112);
+static_assert(sizeof(dermis::io::SeenIo) == 116);
 #endif
 #endif

@@ -23,18 +23,18 @@ void main() {
   if (any(greaterThanEqual(uvec2(p), uvec2(io.side)))) return;
   if (imageLoad(light, origin + p).a != 0.0) return;
   const float chart = texelFetch(stretch, ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side))), 0).a;
-  vec3 sum = vec3(0.0);
-  float total = 0.0;
+  vec4 same = vec4(0.0), any_chart = vec4(0.0);
   for (int y = -reach; y <= reach; ++y)
     for (int x = -reach; x <= reach; ++x) {
       const ivec2 q = p + ivec2(x, y);
       if (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, ivec2(io.side)))) continue;
       const vec4 texel = imageLoad(light, origin + q);
-      const bool lit = chart != 0.0 ? texel.a == chart : texel.a > 0.0 && texel.a != BORDER_ALPHA;
       // Nearest first: each step outwards counts for a hundredth.
-      const float weight = lit ? exp2(-6.64 * float(max(abs(x), abs(y)))) : 0.0;
-      sum += weight * texel.rgb;
-      total += weight;
+      const float weight = texel.a > 0.0 && texel.a != BORDER_ALPHA ? exp2(-6.64 * float(max(abs(x), abs(y)))) : 0.0;
+      any_chart += weight * vec4(texel.rgb, 1.0);
+      if (texel.a == chart) same += weight * vec4(texel.rgb, 1.0);
     }
-  if (total > 0.0) imageStore(light, origin + p, vec4(round_to_half(sum / total), chart != 0.0 ? -chart : BORDER_ALPHA));
+  // A chart that is not lit at all may lie so close to one that is that reads of that touch it.
+  const vec4 sum = same.w > 0.0 ? same : any_chart;
+  if (sum.w > 0.0) imageStore(light, origin + p, vec4(round_to_half(sum.rgb / sum.w), chart != 0.0 ? -chart : BORDER_ALPHA));
 }

@@ -1,7 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Where a point of the skin lies in a pool of light maps, texels: in the square of that side and origin. Seen edge on, even a sample on the
-// triangle may be interpolated far outside of it: unwrap is kept in the triangle's box, and the bilinear footprint within the square.
-vec2 light_point(vec2 unwrap, vec4 box, float side, vec2 origin) {
-  return clamp(clamp(unwrap, box.xy, box.zw) * side, 0.5, side - 0.5) + origin;
+// triangle may be interpolated far outside of it: unwrap is kept in the triangle, and the bilinear footprint within the square.
+layout(location = 6) flat in vec4 in_unwrap_ab;  // the triangle's corners
+layout(location = 7) flat in vec2 in_unwrap_c;
+
+float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+
+vec2 within_triangle(vec2 p) {
+  const vec2 a = in_unwrap_ab.xy, ab = in_unwrap_ab.zw - a, ac = in_unwrap_c - a;
+  const float area = cross2(ab, ac), b_share = cross2(p - a, ac) / area, c_share = cross2(ab, p - a) / area;
+  const vec3 share = vec3(1.0 - b_share - c_share, b_share, c_share);
+  if (all(greaterThanEqual(share, vec3(0.0)))) return p;
+  const vec3 kept = max(share, vec3(0.0));
+  // A triangle without area on the map has no shares; its box still holds p.
+  if (!(abs(area) > 0.0)) return clamp(p, min(a, min(a + ab, a + ac)), max(a, max(a + ab, a + ac)));
+  return a + (kept.y * ab + kept.z * ac) / (kept.x + kept.y + kept.z);
 }
-vec2 light_point(vec2 unwrap, vec4 box) { return light_point(unwrap, box, float(io.map_side), vec2(io.map_origin)); }
+
+vec2 light_point(vec2 unwrap, float side, vec2 origin) { return clamp(within_triangle(unwrap) * side, 0.5, side - 0.5) + origin; }
+vec2 light_point(vec2 unwrap) { return light_point(unwrap, float(io.map_side), vec2(io.map_origin)); }

@@ -12,7 +12,8 @@ layout(location = 2) out vec4 out_tangent;
 layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;
 layout(location = 5) centroid out vec2 out_unwrap;
-layout(location = 6) flat out vec4 out_unwrap_box;  // of the triangle: low, high
+layout(location = 6) flat out vec4 out_unwrap_ab;  // of the triangle's corners
+layout(location = 7) flat out vec2 out_unwrap_c;
 void main() {
   const VertexIo v = pulled_vertex();
   out_position_m = v.position_m + io.offset_m;
@@ -22,7 +23,7 @@ void main() {
   out_colour = v.colour;
   out_unwrap = v.unwrap;
   const int first = gl_VertexIndex / 3 * 3;
-  const vec2 a = vertices[indices[first]].unwrap, b = vertices[indices[first + 1]].unwrap, c = vertices[indices[first + 2]].unwrap;
-  out_unwrap_box = vec4(min(a, min(b, c)), max(a, max(b, c)));
+  out_unwrap_ab = vec4(vertices[indices[first]].unwrap, vertices[indices[first + 1]].unwrap);
+  out_unwrap_c = vertices[indices[first + 2]].unwrap;
   gl_Position = frame.clip_from_world * vec4(out_position_m, 1.0);
 }

@@ -27,7 +27,6 @@ layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
 // Centroid: beside a silhouette or a seam the pixel's centre may lie off the triangle, and the map there may hold nothing.
 layout(location = 5) centroid in vec2 in_unwrap;
-layout(location = 6) flat in vec4 in_unwrap_box;
 layout(location = 0) out vec4 out_radiance;
 
 #include "passes/skin/light_point.glsl"
@@ -36,14 +35,14 @@ vec3 light_of(sampler2D light, int term, vec2 at) {
   if (progressive) {
     const uint side = io.map_side >> ((io.halvings >> (4 * term)) & 15u);
     const vec2 size = vec2(textureSize(light, 0));
-    at = light_point(in_unwrap, in_unwrap_box, float(side), vec2(io.map_origin) * (size / vec2(textureSize(light_0, 0)))) / size;
+    at = light_point(in_unwrap, float(side), vec2(io.map_origin) * (size / vec2(textureSize(light_0, 0)))) / size;
   }
   return textureLod(light, at, 0.0).rgb;
 }
 
 // sum_i w_i (light blurred by term i), already times 2^EV / pi.
 vec3 scattered() {
-  const vec2 at = light_point(in_unwrap, in_unwrap_box) / vec2(textureSize(light_0, 0));
+  const vec2 at = light_point(in_unwrap) / vec2(textureSize(light_0, 0));
   vec3 sum = vec3(0.0);
   if (term_count > 0) sum += io.weights[0] * light_of(light_0, 0, at);
   if (term_count > 1) sum += io.weights[1] * light_of(light_1, 1, at);

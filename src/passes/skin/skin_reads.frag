@@ -9,11 +9,10 @@ layout(push_constant, scalar) uniform Push { SkinIo io; };
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15, scalar) buffer Counters { uint counters[]; };
 layout(location = 5) centroid in vec2 in_unwrap;
-layout(location = 6) flat in vec4 in_unwrap_box;
 #include "passes/skin/light_point.glsl"
 
 void main() {
-  const vec2 at = light_point(in_unwrap, in_unwrap_box) - 0.5;
+  const vec2 at = light_point(in_unwrap) - 0.5;
   const ivec2 corner = ivec2(floor(at));
   const vec2 f = at - vec2(corner);
   bool unshaded = false;

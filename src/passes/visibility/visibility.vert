@@ -10,6 +10,6 @@ layout(location = 1) flat out uint out_culled;
 void main() {
   const VertexIo v = pulled_vertex();
   out_position_m = v.position_m + io.offset_m;
-  out_culled = io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3 * 3, io.offset_m, io.eye) ? 1u : 0u;
+  out_culled = io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.offset_m, io.eye, io.map_side) ? 1u : 0u;
   gl_Position = vec4(v.unwrap * 2.0 - 1.0, 0.5, 1.0);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the optimisations leave out is not missed: pictures with and without them, from all sides, near, far, in a row and on the move.
 #include <fmt/format.h>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
 
 #include <cmath>
 #include <iostream>
@@ -121,6 +124,30 @@ TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
     for (std::size_t p = 3; p < a.linear_rgba.size(); p += 4) last_alpha.push_back(a.linear_rgba[p]);
   }
   std::cout << "largest ratio of changes " << worst << "\n";
+}
+
+// Triangles of the crowd's coarsest heads are thinner than a texel where others around them are culled: views in which such were read
+// unlit.
+TEST(CoarseHeads, EveryReadFindsLight) {
+  const char* folder = std::getenv("DERMIS_ASSET_CACHE");
+  const std::filesystem::path crowd =
+      (folder ? std::filesystem::path(folder) : std::filesystem::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets") / "makehuman" /
+      "crowd";
+  const std::pair<const char*, std::array<double, 2>> views[] = {
+      {"african-man-old", {90, -30}},      {"african-man-old", {135, -30}},          {"african-man-old", {180, 0}},
+      {"asian-woman-young", {45, -30}},    {"asian-woman-young", {22.5, 60}},        {"european-man-young", {90, 0}},
+      {"european-woman-young", {45, -30}}, {"south-asian-man-middleage", {112.5, 0}}};
+  for (const auto& [name, orbit_deg] : views) {
+    const std::filesystem::path file = crowd / ("mh-crowd-" + std::string(name) + "-lod2.glb");
+    if (!std::filesystem::exists(file))
+      GTEST_SKIP() << file.filename() << " is not there; set DERMIS_ASSET_CACHE to the folder that holds it";
+    RenderSettings s;
+    s.width = 192, s.height = 120;
+    s.map_size = s.shadow_size = 512;
+    s.lights = 2;
+    s.orbit_deg = orbit_deg;
+    EXPECT_EQ(renderer().render(Scene::load(file), s).statistics.unshaded_reads, 0u) << name << " " << orbit_deg[0] << " " << orbit_deg[1];
+  }
 }
 
 // Heads beyond the budget come in batches: memory holds their lights and shadow matrices, nothing else.

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "scene/turned.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/weld.h"
+
+namespace dermis::scene {
+namespace {
+
+constexpr double cosine_14_degrees = 0.97029573;  // one degree less than 105 - 90: the eye is not equally far from all vertices
+
+bool turned(const SkinMesh& mesh, std::size_t triangle) {
+  const auto corner = [&](std::size_t k) -> const Vertex& { return mesh.vertices[mesh.indices[3 * triangle + k]]; };
+  const glm::dvec3 a(corner(0).position_m), face = glm::cross(glm::dvec3(corner(1).position_m) - a, glm::dvec3(corner(2).position_m) - a);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec3 n(corner(k).normal);
+    if (!(glm::dot(face, n) > cosine_14_degrees * glm::length(face) * glm::length(n))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh) {
+  const std::size_t triangles = mesh.triangle_chart.size();
+  const std::vector<std::uint32_t> place = weld_positions(mesh.vertices);
+  std::vector<std::vector<std::uint32_t>> at_place(mesh.vertices.size());
+  for (std::size_t t = 0; t < triangles; ++t)
+    if (turned(mesh, t))
+      for (std::size_t k = 0; k < 3; ++k) at_place[place[mesh.indices[3 * t + k]]].push_back(static_cast<std::uint32_t>(t));
+  std::vector<std::uint32_t> packed(triangles + 1), found;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    packed[t] = static_cast<std::uint32_t>(packed.size());
+    found.clear();
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const std::uint32_t other : at_place[place[mesh.indices[3 * t + k]]])
+        if (other != t) found.push_back(other);
+    std::sort(found.begin(), found.end());
+    packed.insert(packed.end(), found.begin(), std::unique(found.begin(), found.end()));
+  }
+  packed[triangles] = static_cast<std::uint32_t>(packed.size());
+  return packed;
+}
+
+}  // namespace dermis::scene
