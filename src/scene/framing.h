@@ -40,7 +40,7 @@ std::vector<glm::vec3> head_row_offsets(int heads, double radius_m);
 inline constexpr double rig_distance_radii = 4;
 
 /// The rig: key, fill, rim and the k-th further lights (at most 256), spots 4 radii from the centre, aimed at it, each with the irradiance
-/// at the centre that DESIGN states. `head_offsets_m`: where further heads of this size stand; cones are widened to hold them all (at most
+/// at the centre given at rig_lamp(). `head_offsets_m`: where further heads of this size stand; cones are widened to hold them all (at most
 /// 85 degrees). The sphere lies within the inner cone, so a head is lit evenly; the outer cone is 2 degrees wider.
 /// InputError: count out of range, or an empty sphere.
 std::vector<Light> light_rig(const BoundingSphere& sphere, int count, std::span<const glm::vec3> head_offsets_m = {});

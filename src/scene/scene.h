@@ -48,7 +48,7 @@ struct SpecularLobe {
   float weight = 1;
 };
 
-/// What `extras.dermis` says of a skin material; defaults are the facts of DESIGN: rho_s 0.18, two lobes.
+/// What `extras.dermis` says of a skin material; defaults: rho_s 0.18, two lobes.
 struct SkinSettings {
   std::optional<gaussians::SumOfGaussians> profile;  ///< none: the command's default
   std::optional<float> mix;                          ///< 0..1, part of the albedo applied before scattering; none: 0.5

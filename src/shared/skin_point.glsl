@@ -56,7 +56,7 @@ float skin_occlusion(SurfacePoint s) {
 }
 
 // Irradiance that enters the skin, sum over the lights. What the surface reflects does not enter; dividing by the mean over all directions
-// here, where the light enters, keeps a white furnace white with maps that vary: (1-rho(L)) (1-rho(V)) / (1-rho_mean), DESIGN of the house sec. 3.
+// here, where the light enters, keeps a white furnace white with maps that vary: (1-rho(L)) (1-rho(V)) / (1-rho_mean).
 vec3 entering_irradiance(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
   const float kept_mean = 1.0 - specular_albedo_mean(attenuation, spec);
   vec3 e = vec3(0.0);

@@ -50,7 +50,7 @@ std::set<std::string> rooms_of(const std::vector<SourceFile>& tree);
 /// Shaders count too: they share headers with C++.
 Violations check_includes(const std::vector<SourceFile>& tree, const Rules& rules);
 
-/// What DESIGN forbids whatever the CMake files say: gpu and frame know nothing of skin's side of the chain, the reference nothing of the
+/// What is forbidden whatever the CMake files say: gpu and frame know nothing of skin's side of the chain, the reference nothing of the
 /// GPU.
 Violations check_rules(const Rules& rules);
 

@@ -16,7 +16,7 @@ namespace dermis::scene::gltf {
 namespace {
 
 constexpr std::uint64_t max_pixels_in_all = std::uint64_t{1} << 30;  // 4 GiB decoded; each picture alone is limited by its decoder
-constexpr float skin_ior = 1.4f;                                     // DESIGN: F0 of skin
+constexpr float skin_ior = 1.4f;                                     // F0 of skin 0.028
 
 bool says_skin(const std::string& name) {
   std::string lower = name;
