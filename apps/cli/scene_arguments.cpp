@@ -203,7 +203,7 @@ void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
       ->default_str("")
       ->group("Light");
   command
-      .add_option("--light-radius", s.light_radius,
+      .add_option("--light-radius", s.light_radius_m,
                   "lights are discs of this radius, m, and cast soft shadows; directional ones as if 4 radii away (default: the scene's, "
                   "else points)")
       ->group("Light");

@@ -54,7 +54,7 @@ struct RenderSettings {
   int heads = 1;                          ///< in a row, 1.6 radii apart
   std::array<double, 2> orbit_deg{0, 0};  ///< azimuth, elevation of the framing camera
   std::optional<int> lights;              ///< that many of the rig instead of the scene's; none: the scene's, else 2
-  std::optional<double> light_radius;     ///< m, of discs that cast soft shadows, see docs/techniques.md; none: the scene's, else points
+  std::optional<double> light_radius_m;   ///< m, of discs that cast soft shadows, see docs/techniques.md; none: the scene's, else points
   double ambient = 0.05;                  ///< uniform radiance from everywhere, where there is no environment
   std::string environment;                ///< surroundings: .hdr or .exr (equirectangular), "studio" (built in); empty: uniform
   double environment_intensity = 1;       ///< multiplies their radiance

@@ -52,11 +52,11 @@ scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s, 
 std::vector<scene::Light> choose_lights(const scene::Scene& scene, const RenderSettings& s, const scene::BoundingSphere& sphere,
                                         const std::vector<glm::vec3>& head_offsets_m) {
   std::vector<scene::Light> lights = lights_of(scene, s, sphere, head_offsets_m);
-  if (s.light_radius)
+  if (s.light_radius_m)
     for (scene::Light& light : lights) {
       // A directional light as if it stood where the rig does.
       const double distance = light.type == scene::LightType::directional ? scene::rig_distance_radii * sphere.radius_m : 1;
-      light.radius = static_cast<float>(*s.light_radius / distance);
+      light.radius = static_cast<float>(*s.light_radius_m / distance);
     }
   return lights;
 }

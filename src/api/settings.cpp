@@ -36,7 +36,7 @@ void check_settings(const RenderSettings& s) {
     require("light (elevation)", light.elevation_deg, -90.0, 90.0, " degrees");
     require("light (irradiance)", light.irradiance, 0.0, 1e6, "");
   }
-  if (s.light_radius) require("light-radius", *s.light_radius, 0.0, 1000.0, " m");
+  if (s.light_radius_m) require("light-radius", *s.light_radius_m, 0.0, 1000.0, " m");
   require("ambient", s.ambient, 0.0, 1e6, "");
   require("environment-intensity", s.environment_intensity, 0.0, 1e6, "");
   require("environment-rotation", s.environment_rotation_deg, -3600.0, 3600.0, " degrees");

@@ -65,7 +65,7 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   c.roughness = m.roughness;
   c.ior = m.ior;
   c.specular = m.specular;
-  c.alpha_cutoff = m.alpha_cutoff;
+  c.alpha_cutoff = m.alpha_cutoff - 1.0f / 4096;  // alphas of 8 bits may be half floats: a cutoff equal to one must keep it
   c.specular_colour = m.specular_colour;
   c.flags = (m.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) | (m.unlit ? MATERIAL_UNLIT : 0u) |
             (m.alpha_mode == scene::AlphaMode::mask ? MATERIAL_ALPHA_MASK : 0u) |

@@ -12,6 +12,7 @@ namespace dermis::passes {
 namespace {
 
 constexpr int max_ring = 128;
+constexpr int most_failures = 4096;
 
 struct ChartMap {
   int side;
@@ -85,12 +86,10 @@ class Leftovers {
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(covered_.side) + static_cast<std::size_t>(x);
   }
-  bool empty(int x, int y) const {
-    return x >= 0 && y >= 0 && x < covered_.side && y < covered_.side && covered_.has(x, y, 0) && !listed_[index(x, y)];
-  }
+  bool inside(int x, int y) const { return x >= 0 && y >= 0 && x < covered_.side && y < covered_.side; }
+  bool empty(int x, int y) const { return inside(x, y) && covered_.has(x, y, 0) && !listed_[index(x, y)]; }
   void add(int x, int y, const glm::ivec2& source) {
     if (source == glm::ivec2(x, y)) return;
-    listed_[index(x, y)] = true;
     gutters_.push_back({.x = static_cast<std::uint16_t>(x),
                         .y = static_cast<std::uint16_t>(y),
                         .chart = 0,
@@ -100,12 +99,16 @@ class Leftovers {
   void fill_along(const glm::vec2& from, const glm::vec2& to, std::uint16_t chart) {
     const float side = static_cast<float>(covered_.side);
     const float steps = std::ceil(2 * side * glm::distance(from, to));
-    if (!(steps < 8 * side)) return;  // not an edge of a map
     for (float k = 0; k <= steps; ++k) {
       const glm::vec2 corner = glm::floor(side * glm::mix(from, to, k / std::max(steps, 1.0f)) - 0.5f);
       for (int i = 0; i < 4; ++i) {
         const int x = static_cast<int>(corner.x) + (i & 1), y = static_cast<int>(corner.y) + (i >> 1);
-        if (empty(x, y)) add(x, y, nearest(x, y, [&](int sx, int sy) { return covered_.has(sx, sy, chart); }));
+        if (!empty(x, y) || failures_ > most_failures) continue;
+        glm::ivec2 source = nearest(x, y, [&](int sx, int sy) { return covered_.has(sx, sy, chart); });
+        if (source == glm::ivec2(x, y)) source = nearest(x, y, [&](int sx, int sy) { return inside(sx, sy) && !covered_.has(sx, sy, 0); });
+        if (source == glm::ivec2(x, y)) ++failures_;
+        listed_[index(x, y)] = true;  // found or not: it is not searched for again
+        add(x, y, source);
       }
     }
   }
@@ -113,6 +116,7 @@ class Leftovers {
   std::vector<scene::GutterTexel>& gutters_;
   const ChartMap& covered_;
   std::vector<bool> listed_;
+  int failures_ = 0;  // searches far and wide; an unwrap of lines across an empty map would take hours
 };
 
 }  // namespace

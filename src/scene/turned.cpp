@@ -9,11 +9,13 @@
 namespace dermis::scene {
 namespace {
 
+constexpr std::size_t most_at_a_place = 64;       // real heads have a dozen; a hostile one must not cost the square of its size
 constexpr double cosine_14_degrees = 0.97029573;  // one degree less than 105 - 90: the eye is not equally far from all vertices
 
 bool turned(const SkinMesh& mesh, std::size_t triangle) {
   const auto corner = [&](std::size_t k) -> const Vertex& { return mesh.vertices[mesh.indices[3 * triangle + k]]; };
   const glm::dvec3 a(corner(0).position_m), face = glm::cross(glm::dvec3(corner(1).position_m) - a, glm::dvec3(corner(2).position_m) - a);
+  if (face == glm::dvec3(0)) return false;  // no pixel shows it
   for (std::size_t k = 0; k < 3; ++k) {
     const glm::dvec3 n(corner(k).normal);
     if (!(glm::dot(face, n) > cosine_14_degrees * glm::length(face) * glm::length(n))) return true;
@@ -34,9 +36,15 @@ std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh) {
   for (std::size_t t = 0; t < triangles; ++t) {
     packed[t] = static_cast<std::uint32_t>(packed.size());
     found.clear();
-    for (std::size_t k = 0; k < 3; ++k)
-      for (const std::uint32_t other : at_place[place[mesh.indices[3 * t + k]]])
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::vector<std::uint32_t>& here = at_place[place[mesh.indices[3 * t + k]]];
+      if (here.size() > most_at_a_place) {
+        found = {always_kept};
+        break;
+      }
+      for (const std::uint32_t other : here)
         if (other != t) found.push_back(other);
+    }
     std::sort(found.begin(), found.end());
     packed.insert(packed.end(), found.begin(), std::unique(found.begin(), found.end()));
   }

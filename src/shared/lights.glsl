@@ -50,8 +50,7 @@ float shadow_at(LightIo light, Arriving a, vec3 p, vec3 n_geometric) {
   const float texel = light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
   const float cosine = dot(n_geometric, a.to_light);
   const float sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
-  const bool soft = soft_shadows && light.radius > 0.0;
-  const vec3 q = p + n_geometric * ((soft ? 1.5 : sign(cosine) * 2.5) * texel * sine) + a.to_light * texel;
+  const vec3 q = p + n_geometric * (sign(cosine) * 2.5 * texel * sine) + a.to_light * texel;
   const uint layer = light.shadow_layer + (light.shadow_layers == 6u ? cube_face(q - light.position_m) : 0u);
   const mat4 from_world = shadow_matrices[layer];
   const vec4 clip = from_world * vec4(q, 1.0);
@@ -66,6 +65,6 @@ float shadow_at(LightIo light, Arriving a, vec3 p, vec3 n_geometric) {
       const float weight = float((2 - abs(x)) * (2 - abs(y))) / 16.0;
       lit += weight * texture(shadow_maps, vec4(uv + vec2(x, y) / size, float(layer), ndc.z));
     }
-  if (soft) return soft_shadow(light, a, from_world, clip, n_geometric, float(layer), lit);
+  if (soft_shadows && light.radius > 0.0) return soft_shadow(light, a, from_world, p, n_geometric, float(layer), lit);
   return lit;
 }

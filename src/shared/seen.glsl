@@ -11,7 +11,7 @@ bool faces_away(uint first, vec3 offset_m, vec4 eye) {
   return dot(cross(ab, ac), eye.w != 0.0 ? eye.xyz - (p + offset_m) : eye.xyz) < 0.0;
 }
 
-// So thin on a map of this side that no texel's centre may lie in it: an inscribed circle under 0.75 texels.
+// So thin on a map of this side that no texel's centre may lie in it: an inscribed circle whose radius is under 0.75 texels.
 bool falls_between_texels(uint first, float map_side) {
   const vec2 a = vertices[indices[first]].unwrap, b = vertices[indices[first + 1]].unwrap, c = vertices[indices[first + 2]].unwrap;
   const vec2 ab = b - a, ac = c - a;
@@ -29,6 +29,7 @@ bool triangle_culled(uint triangle, vec3 offset_m, vec4 eye, float map_side) {
   // One that is seen but holds no texel reads the light of those beside it.
   if (away)
     for (uint k = turned_neighbours[triangle]; k < turned_neighbours[triangle + 1u]; ++k) {
+      if (turned_neighbours[k] == 0xFFFFFFFFu) return false;
       const uint first = 3u * turned_neighbours[k];
       if (falls_between_texels(first, map_side) && !faces_away(first, offset_m, eye)) return false;
     }

@@ -28,7 +28,10 @@ EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric
     const bool faces = cosine_here > 0.0;
     const float cosine_lit = light_cosine(dot(n, a.to_light), tangent), cosine = faces ? cosine_lit : read.cosine;
     const vec3 kept = a.irradiance * ((1.0 - specular_albedo(attenuation, spec, cosine)) / kept_mean);
-    r.entering += kept * (cosine_here > -tangent ? cosine_lit * read.lit : 0.0);
+    if (faces)
+      r.entering += kept * (cosine_lit * read.lit);
+    else if (soft_shadows && cosine_here > -tangent)
+      r.entering += a.irradiance * (cosine_lit * read.lit * (1.0 - specular_albedo(attenuation, spec, cosine_lit)) / kept_mean);
     // A light that has not quite set comes half over the horizon and half through the body.
     const float set = tangent > 0.0 ? min(-cosine_here / tangent, 1.0) : 1.0;
     add_slab_factors(read, cosine_here, kept * read.entering * (faces ? 0.0 : set * nearer_factor(light, a, read)), r.through);

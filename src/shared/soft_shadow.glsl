@@ -40,9 +40,12 @@ float light_tangent(LightIo light, Arriving a) {
   return light.type == LIGHT_DIRECTIONAL ? light.radius : light.radius / a.distance_m;
 }
 
-// Mean over the light of its cosine where that is positive: c + t y over the unit disc. The light sets over an angle, not at once.
+// Mean over the light of its cosine where that is positive: c + t s y over the unit disc, s the sine. The light sets over an angle, not at
+// once.
 float light_cosine(float c, float tangent) {
-  if (!soft_shadows || tangent <= 0.0 || c >= tangent) return max(c, 0.0);
+  if (!soft_shadows) return max(c, 0.0);
+  tangent *= sqrt(max(1.0 - c * c, 0.0));
+  if (tangent <= 0.0 || c >= tangent) return max(c, 0.0);
   if (c <= -tangent) return 0.0;
   const float x = c / tangent, root = sqrt(1.0 - x * x);
   return tangent * (x * (0.5 + (x * root + asin(x)) / 3.14159265) + 0.21220659 * root * root * root);
@@ -54,20 +57,24 @@ uint rings(float from, float to) {
   return last <= first ? 0u : (0xFFFFFFFFu >> (32u - (last - first))) << first;
 }
 
-// The share of what light_cosine() has that arrives at q, which lies at `clip` in that layer; `hard`: that of a light that is a point.
+// The share of what light_cosine() has that arrives at p, which lies in that layer; `hard`: that of a light that is a point.
 // Directions are turned by an angle that belongs to the texel of the shadow map: what they get wrong stays where it is when the eye moves.
-float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec4 clip, vec3 n_geometric, float layer, float hard) {
+float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geometric, float layer, float hard) {
+  const float texel_m = light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
+  const float cosine = dot(n_geometric, a.to_light), tangent = light_tangent(light, a), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
+  // Clear of the surface, which is not quite the plane of its normal.
+  const vec4 clip = from_world * vec4(p + n_geometric * (1.5 * texel_m * sine) + a.to_light * texel_m, 1.0);
+  if (clip.w <= 0.0) return hard;
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), uv = clip.xy / clip.w * 0.5 + 0.5;
   const MapRay ray = MapRay(clip, (from_world * vec4(a.to_light, 0.0)).zw);
   const vec2 slope = depth_slope(from_world, clip, n_geometric, a.to_light) / size;  // a texel
   const float depth = clip.z / clip.w, steepness = length(slope);
-  const float texel_m = light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
-  const float cosine = dot(n_geometric, a.to_light), tangent = light_tangent(light, a);
-  const float horizon = tangent * sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0)) / max(steepness, 1e-15);
+  const float horizon = tangent * sine / max(steepness, 1e-15);
   const vec2 here = uv * size;
   const vec2 noise = fract(52.9829189 * fract(floor(here) * mat2(0.06711056, 0.00583715, 0.00583715, 0.07711056)));
-  const float reach = penumbra_texels(light, a, way_of(ray, 1.0));  // of the nearest thing that a map can hold
-  float all = 0.0, lit = 0.0, widest = 0.0;
+  // Of the nearest thing that a map can hold, but no more than half of it: maps of lights inside the scene begin close to those.
+  const float reach = clamp(penumbra_texels(light, a, way_of(ray, 1.0)), 0.0, 0.5 * size.x);
+  float whole = 0.0, lit = 0.0, widest = 0.0;
   for (int i = 0; i < soft_directions; ++i) {
     const float angle = 6.2831853 * (noise.x + float(i)) / float(soft_directions), jitter = fract(noise.y + 0.61803399 * float(i));
     const vec2 direction = vec2(cos(angle), sin(angle));
@@ -79,8 +86,9 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec4 clip, vec3 n_
       const float t = (float(k) + jitter) / float(soft_steps), t_next = t + 1.0 / float(soft_steps), next = reach * t_next * t_next * t_next;
       const vec2 at = floor(here + direction * (0.5 * (r + next))) + 0.5;
       const float way_m = way_of(ray, textureLod(shadow_depths, vec3(at / size, layer), 0.0).x);
-      const float plane_m = max(way_of(ray, depth + dot(slope, at - here)), 0.0);
-      if (way_m > plane_m + texel_m * (0.3 + 0.02 * next)) {
+      const float plane_m = max(way_of(ray, max(depth + dot(slope, at - here), 0.0)), 0.0);
+      const bool known = all(greaterThan(at, vec2(0.0))) && all(lessThan(at, size));  // six maps around a light end at their edges
+      if (known && way_m > plane_m + texel_m * (0.3 + 0.02 * next)) {
         // A plate from r to next.
         const float penumbra = max(penumbra_texels(light, a, way_m), 1.5);
         hidden |= rings(r / penumbra, next / max(penumbra_texels(light, a, way_m - solid_m), 1e-3));
@@ -92,11 +100,11 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec4 clip, vec3 n_
     const float across = -horizon * rise;
     for (int g = 0; g < 4; ++g) {
       const float weight = max(cosine + across * sqrt((float(g) + 0.5) / 4.0), 0.0);
-      all += 8.0 * weight;
+      whole += 8.0 * weight;
       lit += weight * float(8 - bitCount(hidden >> (8 * g) & 255u));
     }
   }
   // Contacts closer than the map resolves are seen by its filter; not near the horizon, where that sees the surface itself.
   if (widest <= 1.5) return mix(1.0, hard, smoothstep(0.5 * tangent, tangent, cosine));
-  return lit / max(all, 1e-6);
+  return lit / max(whole, 1e-6);
 }

@@ -80,10 +80,7 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   vec4 z[4];
   gather_depths(base, size, float(layer), z);
   r.lit = share_not_beyond(z, f, ray.clip.z / ray.clip.w);
-  if (soft_shadows && light.radius > 0.0) {
-    const vec3 outside = p + n_geometric * (1.5 * texel * sine) + a.to_light * texel;
-    r.lit = soft_shadow(light, a, from_world, from_world * vec4(outside, 1.0), n_geometric, float(layer), r.lit);
-  }
+  if (soft_shadows && light.radius > 0.0) r.lit = soft_shadow(light, a, from_world, p, n_geometric, float(layer), r.lit);
   find_lit_point(r, z, f, size, ray, from_world, a.to_light, n_geometric);
   r.way_near_m = ways_beside(ray, uv * size, vec2(transmission.two_sigma_m[term_before] / texel, 0.0), int(layer));
   r.way_wide_m = ways_beside(ray, uv * size, vec2(0.70710678 * transmission.two_sigma_m[last_term] / texel), int(layer));

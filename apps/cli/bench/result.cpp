@@ -84,7 +84,7 @@ ordered_json settings_json(const Run& run) {
           {"fov_deg", or_null(s.fov_deg)},
           {"profile", s.profile},
           {"mix", or_null(s.mix)},
-          {"light_radius", or_null(s.light_radius)},
+          {"light_radius_m", or_null(s.light_radius_m)},
           {"ambient", s.ambient},
           {"specular", s.specular},
           {"translucency", s.translucency},

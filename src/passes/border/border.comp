@@ -34,7 +34,7 @@ void main() {
       any_chart += weight * vec4(texel.rgb, 1.0);
       if (texel.a == chart) same += weight * vec4(texel.rgb, 1.0);
     }
-  // A chart that is not lit at all may lie so close to one that is that reads of that touch it.
+  // A chart that is not lit here may lie so close to one that is that reads of that touch it: light for bilinear reads alone.
   const vec4 sum = same.w > 0.0 ? same : any_chart;
-  if (sum.w > 0.0) imageStore(light, origin + p, vec4(round_to_half(sum.rgb / sum.w), chart != 0.0 ? -chart : BORDER_ALPHA));
+  if (sum.w > 0.0) imageStore(light, origin + p, vec4(round_to_half(sum.rgb / sum.w), same.w > 0.0 ? -chart : BORDER_ALPHA));
 }

@@ -30,7 +30,7 @@ void main() {
   for (int k = 0; k < 4; ++k) {
     const ivec2 d = ivec2(k & 1, k >> 1);
     const vec4 texel = imageLoad(target, origin + clamp(corner + d, ivec2(0), limit));
-    const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y) * (texel.a != 0.0 ? 1.0 : 0.0);
+    const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y) * (texel.a != 0.0 && (g.chart == 0u || texel.a != BORDER_ALPHA) ? 1.0 : 0.0);
     sum += weight * texel.rgb;
     total += weight;
   }

@@ -80,7 +80,7 @@ vec3 specular_radiance(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpe
     if (cosine <= 0.0 || dot(n_geometric, a.to_light) <= 0.0) continue;
     SkinSpecular seen = spec;
     // A disc blurs the lobes: slopes of the half vector vary by a sixteenth of tangent^2, those of the surface by m^2 / 2.
-    if (soft_shadows) seen.m = sqrt(seen.m * seen.m + light_tangent(light, a) * light_tangent(light, a) / 8.0);
+    if (soft_shadows) seen.m = min(sqrt(seen.m * seen.m + light_tangent(light, a) * light_tangent(light, a) / 8.0), vec2(1.0));
     sum += a.irradiance * (cosine * specular_brdf(seen, n, v, a.to_light) * shadow_at(light, a, s.position_m, n_geometric));
   }
   return sum;

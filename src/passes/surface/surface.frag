@@ -59,7 +59,7 @@ Look look_at(SurfacePoint s, vec3 base) {
   return look;
 }
 
-vec3 brdf_times_cosine(Look look, vec3 n, vec3 v, vec3 l) {
+vec3 brdf_times_cosine(Look look, vec3 n, vec3 v, vec3 l, float cosine) {
   const vec3 h = normalize(v + l);
   const float n_l = max(dot(n, l), 0.0), n_v = max(dot(n, v), 1e-3), n_h = max(dot(n, h), 0.0), v_h = max(dot(v, h), 0.0);
   const float a2 = look.alpha * look.alpha;
@@ -70,7 +70,7 @@ vec3 brdf_times_cosine(Look look, vec3 n, vec3 v, vec3 l) {
   const float kept = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
   vec3 sum = look.albedo * (kept / pi);
   if (frame.specular_on != 0u) sum += fresnel * (distribution * visibility);
-  return sum * n_l;
+  return sum * cosine;
 }
 
 vec3 reflected_surroundings(Look look, float n_v) {
@@ -101,8 +101,11 @@ void main() {
   for (uint i = 0u; i < frame.light_count; ++i) {
     const LightIo light = lights[i];
     const Arriving a = arriving_light(light, s.position_m);
-    if (dot(n, a.to_light) <= 0.0) continue;
-    radiance += a.irradiance * brdf_times_cosine(look, n, v, a.to_light) * shadow_at(light, a, s.position_m, n_geometric);
+    const float tangent = light_tangent(light, a), cosine = light_cosine(dot(n, a.to_light), tangent);
+    if (cosine <= 0.0) continue;
+    Look seen = look;
+    if (soft_shadows) seen.alpha = sqrt(min(look.alpha * look.alpha + tangent * tangent / 8.0, 1.0));  // as skin's lobes
+    radiance += a.irradiance * brdf_times_cosine(seen, n, v, a.to_light, cosine) * shadow_at(light, a, s.position_m, n_geometric);
   }
   const MapIo oc = material.maps[MAP_OCCLUSION];
   const float occlusion = oc.present != 0u ? 1.0 + oc.scale * (texture(map_occlusion, map_uv(oc, s)).r - 1.0) : 1.0;

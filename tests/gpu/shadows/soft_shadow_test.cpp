@@ -97,9 +97,9 @@ TEST(SoftShadow, OfAnEdge) {
   }
 }
 
-// Nothing shades a sphere but itself, and that is in the cosine: mean over the disc of max(c + t u, 0).
+// Nothing shades a sphere but itself, and that is in the cosine: mean over the disc of max(c + t s u, 0), s the sine.
 TEST(SoftShadow, OfASphereIsItsHorizon) {
-  for (const double tangent : {0.05, 0.2, 0.5}) {
+  for (const double tangent : {0.05, 0.2, 0.5, 3.0}) {
     scene::Scene made = scene::sphere(0.1, 64);
     made.lights = {directional({-1, 0, 0}, tangent)};
     made.cameras = {from_above(0.1f, {0, 0, 0.5f})};
@@ -111,13 +111,32 @@ TEST(SoftShadow, OfASphereIsItsHorizon) {
       double wanted = 0;
       for (int i = 0; i < 1000; ++i) {
         const double u = (i + 0.5) / 500 - 1;
-        wanted += std::max(c + tangent * u, 0.0) * 2 / pi * std::sqrt(1 - u * u) / 500;
+        wanted += std::max(c + tangent * std::sqrt(1 - c * c) * u, 0.0) * 2 / pi * std::sqrt(1 - u * u) / 500;
       }
       const double seen = double{picture.linear_rgba[4 * static_cast<std::size_t>(middle * picture.width + x)]};
       worst = std::max(worst, std::abs(seen - wanted));
     }
     std::printf("tangent %.2f: off by %.4f of the light at most\n", tangent, worst);
     EXPECT_LT(worst, 0.02) << tangent;
+  }
+}
+
+// Six maps, which begin close to the light. Straight below it the plate is between, beside the plate nothing is.
+TEST(SoftShadow, OfALightInsideTheScene) {
+  for (const double radius : {0.002, 0.02, 100.0}) {
+    scene::Scene made = plate_over_floor(0.1).data();
+    scene::Light lamp;
+    lamp.type = scene::LightType::point;
+    lamp.colour = glm::vec3(0.02f);
+    lamp.position_m = {-0.04f, 0, 0.05f};
+    lamp.radius = static_cast<float>(radius);
+    made.lights = {lamp};
+    const Picture picture = renderer().render(wrap(std::move(made)), plain(60, 8));
+    for (const float value : picture.linear_rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0);
+    if (radius > 1) continue;
+    EXPECT_EQ(picture.linear_rgba[0], 0) << radius;  // 0.5 mm beside the plate's edge, under it as the lamp sees it
+    const double x = 0.0595, d2 = std::pow(x + 0.04, 2) + 0.05 * 0.05;
+    EXPECT_NEAR(double{picture.linear_rgba[4 * 59]}, 0.02 / d2 * 0.05 / std::sqrt(d2) / pi, 0.02 * 0.02 / d2 / pi) << radius;
   }
 }
 
@@ -133,7 +152,7 @@ class SoftScan : public testing::Test {
     settings.map_size = 1024, settings.shadow_size = 1024;
     settings.bloom = 0;
     settings.placed_lights = {{.azimuth_deg = 70, .elevation_deg = 35}};
-    settings.light_radius = 0.2;
+    settings.light_radius_m = 0.2;
   }
   const Scene* scan = nullptr;
   RenderSettings settings;
@@ -155,7 +174,7 @@ image::Image8 super_sampled(const Scene& scene, RenderSettings s) {
 TEST_F(SoftScan, IsThatOfTheReference) {
   const Picture reference = render_reference(*scan, settings, {.samples = 64}).picture;
   const image::Image8 truth = shown(reference), soft = super_sampled(*scan, settings);
-  settings.light_radius = 0.0;
+  settings.light_radius_m = 0.0;
   const image::Image8 hard = super_sampled(*scan, settings);
   std::vector<std::uint8_t> skin(static_cast<std::size_t>(settings.width * settings.height));
   for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = reference.linear_rgba[4 * i + 3] > 0.5f;
