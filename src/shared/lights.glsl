@@ -41,17 +41,30 @@ uint cube_face(vec3 d) {
   return d.z > 0.0 ? 4u : 5u;
 }
 
+// The layer of a light's map that holds p.
+uint shadow_layer_of(LightIo light, vec3 p) {
+  return light.shadow_layer + (light.shadow_layers == 6u ? cube_face(p - light.position_m) : 0u);
+}
+
+// Side of a texel of a light's map where its light arrives.
+float shadow_texel_m(LightIo light, Arriving a) {
+  return light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
+}
+
+// p moved off its surface: so many texels along the normal where light grazes it, fewer where it is faced, and one towards the light.
+vec3 off_the_surface(vec3 p, vec3 n_geometric, Arriving a, float texel_m, float texels) {
+  const float cosine = dot(n_geometric, a.to_light), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
+  return p + n_geometric * (texels * texel_m * sine) + a.to_light * texel_m;
+}
+
 #include "shared/soft_shadow.glsl"
 
 // Percentage-closer filtering over 3 x 3 bilinear comparisons, tent weights: a stable soft edge about three texels wide. The receiver is moved along its
 // geometric normal by the filter's radius (so a plane never shadows itself, whatever its slope) and a texel towards the light.
 float shadow_at(LightIo light, Arriving a, vec3 p, vec3 n_geometric) {
   if (light.shadow_layers == 0u) return 1.0;
-  const float texel = light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
-  const float cosine = dot(n_geometric, a.to_light);
-  const float sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
-  const vec3 q = p + n_geometric * (sign(cosine) * 2.5 * texel * sine) + a.to_light * texel;
-  const uint layer = light.shadow_layer + (light.shadow_layers == 6u ? cube_face(q - light.position_m) : 0u);
+  const vec3 q = off_the_surface(p, n_geometric, a, shadow_texel_m(light, a), sign(dot(n_geometric, a.to_light)) * 2.5);
+  const uint layer = shadow_layer_of(light, q);
   const mat4 from_world = shadow_matrices[layer];
   const vec4 clip = from_world * vec4(q, 1.0);
   if (clip.w <= 0.0) return 1.0;

@@ -4,6 +4,7 @@
 // whole: all its vertices are beyond 105 degrees from the true direction to the eye, and it faces away. Needs vertex_pull.glsl.
 layout(binding = 28, scalar) readonly buffer TurnedNeighbours { uint turned_neighbours[]; };  // scene/turned.h
 const float cos_105_degrees = -0.2588190451;
+const uint always_kept = 0xFFFFFFFFu;  // as there
 
 bool faces_away(uint first, vec3 offset_m, vec4 eye) {
   const vec3 p = vertices[indices[first]].position_m;
@@ -29,7 +30,7 @@ bool triangle_culled(uint triangle, vec3 offset_m, vec4 eye, float map_side) {
   // One that is seen but holds no texel reads the light of those beside it.
   if (away)
     for (uint k = turned_neighbours[triangle]; k < turned_neighbours[triangle + 1u]; ++k) {
-      if (turned_neighbours[k] == 0xFFFFFFFFu) return false;
+      if (turned_neighbours[k] == always_kept) return false;
       const uint first = 3u * turned_neighbours[k];
       if (falls_between_texels(first, map_side) && !faces_away(first, offset_m, eye)) return false;
     }

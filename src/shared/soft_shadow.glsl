@@ -60,10 +60,10 @@ uint rings(float from, float to) {
 // The share of what light_cosine() has that arrives at p, which lies in that layer; `hard`: that of a light that is a point.
 // Directions are turned by an angle that belongs to the texel of the shadow map: what they get wrong stays where it is when the eye moves.
 float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geometric, float layer, float hard) {
-  const float texel_m = light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
+  const float texel_m = shadow_texel_m(light, a);
   const float cosine = dot(n_geometric, a.to_light), tangent = light_tangent(light, a), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
   // Clear of the surface, which is not quite the plane of its normal.
-  const vec4 clip = from_world * vec4(p + n_geometric * (1.5 * texel_m * sine) + a.to_light * texel_m, 1.0);
+  const vec4 clip = from_world * vec4(off_the_surface(p, n_geometric, a, texel_m, 1.5), 1.0);
   if (clip.w <= 0.0) return hard;
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), uv = clip.xy / clip.w * 0.5 + 0.5;
   const MapRay ray = MapRay(clip, (from_world * vec4(a.to_light, 0.0)).zw);

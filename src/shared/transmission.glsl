@@ -67,10 +67,9 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   LightRead r = LightRead(1.0, vec3(0.0), 0.0, 0.0, 0.0, vec4(0.0), vec4(0.0), false, false);
   if (light.shadow_layers == 0u) return r;
   // Moved as in shadow_at() where the surface faces the light; what lies behind is measured from where it is.
-  const float texel = light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
-  const float sine = sqrt(clamp(1.0 - cosine_here * cosine_here, 0.0, 1.0));
-  const vec3 q = cosine_here > 0.0 ? p + n_geometric * (2.5 * texel * sine) + a.to_light * texel : p;
-  const uint layer = light.shadow_layer + (light.shadow_layers == 6u ? cube_face(q - light.position_m) : 0u);
+  const float texel_m = shadow_texel_m(light, a);
+  const vec3 q = cosine_here > 0.0 ? off_the_surface(p, n_geometric, a, texel_m, 2.5) : p;
+  const uint layer = shadow_layer_of(light, q);
   const mat4 from_world = shadow_matrices[layer];
   const MapRay ray = MapRay(from_world * vec4(q, 1.0), (from_world * vec4(a.to_light, 0.0)).zw);
   const vec2 uv = ray.clip.xy / ray.clip.w * 0.5 + 0.5;
@@ -82,8 +81,8 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   r.lit = share_not_beyond(z, f, ray.clip.z / ray.clip.w);
   if (soft_shadows && light.radius > 0.0) r.lit = soft_shadow(light, a, from_world, p, n_geometric, float(layer), r.lit);
   find_lit_point(r, z, f, size, ray, from_world, a.to_light, n_geometric);
-  r.way_near_m = ways_beside(ray, uv * size, vec2(transmission.two_sigma_m[term_before] / texel, 0.0), int(layer));
-  r.way_wide_m = ways_beside(ray, uv * size, vec2(0.70710678 * transmission.two_sigma_m[last_term] / texel), int(layer));
+  r.way_near_m = ways_beside(ray, uv * size, vec2(transmission.two_sigma_m[term_before] / texel_m, 0.0), int(layer));
+  r.way_wide_m = ways_beside(ray, uv * size, vec2(0.70710678 * transmission.two_sigma_m[last_term] / texel_m), int(layer));
   const vec4 stored = textureLod(entering_maps, vec3(uv, float(layer)), 0.0);
   const vec3 root = stored.rgb / max(stored.a, 1e-3);
   r.entering = root * root;
