@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -50,11 +49,6 @@ void sort_list(const char* name, std::vector<T>& values) {
   std::sort(values.begin(), values.end());
   const auto twice = std::adjacent_find(values.begin(), values.end());
   if (twice != values.end()) throw input_error("", "{} names {} twice", name, *twice);
-}
-
-bool same_file(const std::string& a, const std::string& b) {
-  const auto full = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
-  return full(a) == full(b);
 }
 
 void check_files(const BenchArguments& a) {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -16,8 +15,6 @@
 namespace dermis::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 // Two PNG of this many pixels take 2 GB.
 constexpr image::DecodeLimits limits{.max_side = 16384, .max_pixels = std::size_t{1} << 26};
 
@@ -27,17 +24,9 @@ struct CompareArguments : SceneArguments {
   SceneComparisonSettings scene_settings;
 };
 
-image::View view_of(const std::string& name) {
-  if (name == "filmic") return image::View::filmic;
-  if (name == "srgb") return image::View::srgb;
-  if (name == "linear") return image::View::linear;
-  throw input_error("--view", "'{}' is not known; known: filmic, srgb, linear", name);
-}
-
 /// What can be refused before pictures are read.
 void check_outputs(const CompareArguments& arguments) {
   if (arguments.html == "-") throw input_error("--html", "needs a file, not standard output");
-  const auto full = [](const std::string& path) { return fs::weakly_canonical(fs::absolute(path)); };
   std::vector<std::string> taken;
   for (const std::string* input : {&arguments.a, &arguments.b, &arguments.region, &arguments.scene,
                                    &arguments.scene_settings.reference_file, &arguments.scene_settings.variance_file})
@@ -47,7 +36,7 @@ void check_outputs(const CompareArguments& arguments) {
     if (output.empty() || output == "-") continue;
     check_writable(output);
     for (const std::string& other : taken)
-      if (full(output) == full(other)) throw input_error(output, "is also another file of this command; outputs need names of their own");
+      if (same_file(output, other)) throw input_error(output, "is also another file of this command; outputs need names of their own");
     taken.push_back(output);
   }
 }
@@ -76,7 +65,7 @@ void compare_linear(const CompareArguments& arguments, std::span<const std::byte
     const auto negative = std::find_if(values.begin(), values.end(), [](float value) { return value < 0; });
     if (negative != values.end()) throw input_error(name, "holds {}; variances are 0 or more", *negative);
   }
-  const image::View view = view_of(arguments.settings.view);
+  const image::View view = image::view_named(arguments.settings.view);
   compared.view = arguments.settings.view;
   compared.found = image::compare(a, b, view, variances, compared.region);
   compared.shown_a = image::to_display(a, view);
@@ -131,7 +120,7 @@ void run(const CompareArguments& arguments) {
   if (arguments.scene.empty() && arguments.b.empty()) throw CLI::RequiredError("B");
   if (!arguments.scene.empty() && two) throw CLI::ExcludesError("--scene", "A and B");
   if (arguments.variances.size() > 2) throw CLI::ArgumentMismatch::AtMost("--z", 2, arguments.variances.size());
-  view_of(arguments.settings.view);
+  image::view_named(arguments.settings.view);
   check_outputs(arguments);
   arguments.scene.empty() ? compare_two(arguments) : compare_techniques(arguments);
 }

@@ -33,18 +33,19 @@ std::string duration(double seconds) {
   return s >= 60 ? fmt::format("{} min {:02} s", s / 60, s % 60) : fmt::format("{} s", s);
 }
 
-Progress::Progress(double total_work) : terminal_(::isatty(STDERR_FILENO) != 0), total_(total_work) {}
+void show_line(const std::string& what) {
+  if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K{}", what);
+}
+
+Progress::Progress(double total_work) : total_(total_work) {}
 
 void Progress::show(const std::string& what) {
-  if (!terminal_) return;
   const double gone_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   std::string left;
   if (done_ > 0) left = fmt::format(", {} left", duration(gone_s / done_ * std::max(total_ - done_, 0.0)));
-  fmt::print(stderr, "\r\033[K{}: {:.0f} %, {} gone{}", what, 100 * std::min(done_ / total_, 1.0), duration(gone_s), left);
+  show_line(fmt::format("{}: {:.0f} %, {} gone{}", what, 100 * std::min(done_ / total_, 1.0), duration(gone_s), left));
 }
 
-void Progress::clear() {
-  if (terminal_) fmt::print(stderr, "\r\033[K");
-}
+void Progress::clear() { show_line(""); }
 
 }  // namespace dermis::cli

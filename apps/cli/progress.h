@@ -14,7 +14,10 @@ std::atomic<bool>& catch_interrupts();
 /// "2 h 05 min", "3 min 20 s", "7 s".
 std::string duration(double seconds);
 
-/// One line on standard error that is rewritten; nothing where standard error is no terminal.
+/// One line on standard error that is rewritten; nothing where standard error is no terminal. Empty: it is cleared.
+void show_line(const std::string& what);
+
+/// The same with how far the work is.
 class Progress {
  public:
   explicit Progress(double total_work);
@@ -28,7 +31,6 @@ class Progress {
   void clear();  ///< before anything else is printed
 
  private:
-  bool terminal_;
   double total_, done_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

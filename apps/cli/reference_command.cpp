@@ -35,8 +35,7 @@ void check_files(const ReferenceArguments& a) {
   if (a.variance.empty()) return;
   if (std::filesystem::path(a.variance).extension() != ".exr") throw input_error(a.variance, "the variance is written as .exr");
   check_writable(a.variance);
-  const auto full = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
-  if (full(a.variance) == full(a.output)) throw input_error(a.variance, "is also the name of the picture; --variance needs its own");
+  if (same_file(a.variance, a.output)) throw input_error(a.variance, "is also the name of the picture; --variance needs its own");
 }
 
 void run(ReferenceArguments& a, int& exit_status) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/progress.h"
 #include "core/error.h"
 #include "core/file.h"
 
@@ -28,26 +27,20 @@ std::string summary(const Statistics& s) {
   return text;
 }
 
-// Progress on a terminal only: one line that is rewritten.
-void progress(const char* what) {
-  if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K{}", what);
-}
-
 void render(const RenderArguments& a, int& exit_status) {
   check_picture_name(a.output);
   if (!a.stats.empty() && a.stats != "-") {
     check_writable(a.stats);
-    const auto full = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
-    if (full(a.stats) == full(a.output)) throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
+    if (same_file(a.stats, a.output)) throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
   }
   Renderer renderer({.device = a.device, .validate = a.validate});
-  progress("loading");
+  show_line("loading");
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = open_scene(a);
   const double load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  progress("rendering");
+  show_line("rendering");
   Picture picture = renderer.render(scene, a.settings);
-  progress("");
+  show_line("");
   picture.statistics.load_ms = load_ms;
   const std::vector<std::string> messages = renderer.validation_messages();
   for (const std::string& message : messages) fmt::print(stderr, "dermis: validation: {}\n", message);

@@ -13,46 +13,25 @@
 #include <tuple>
 
 #include "api/choose.h"
+#include "cli/progress.h"
 #include "core/error.h"
 #include "gaussians/one.h"
 #include "image/codec.h"
 #include "image/colour.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
+#include "image/resize.h"
 
 namespace dermis::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-image::View view_of(const std::string& name) {
-  if (name == "filmic") return image::View::filmic;
-  if (name == "srgb") return image::View::srgb;
-  if (name == "linear") return image::View::linear;
-  throw input_error("", "--view '{}' is not known; there are: filmic, srgb, linear", name);
-}
-
-// Progress on a terminal only: one line that is rewritten.
-void progress(const std::string& what) {
-  if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K{}", what);
-}
-
 /// Linear light as the errors see it: three channels.
 image::ImageF without_alpha(const std::vector<float>& rgba, int width, int height) {
   image::ImageF out{.width = width, .height = height, .channels = 3, .values = {}};
   out.values.reserve(rgba.size() / 4 * 3);
   for (std::size_t i = 0; i < rgba.size(); i += 4) out.values.insert(out.values.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
-  return out;
-}
-
-/// Each pixel is the mean of times x times ones.
-image::ImageF averaged(const image::ImageF& fine, int times) {
-  if (times == 1) return fine;
-  image::ImageF out{.width = fine.width / times, .height = fine.height / times, .channels = 3, .values = {}};
-  out.values.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) * 3);
-  for (int y = 0; y < fine.height; ++y)
-    for (int x = 0; x < fine.width; ++x)
-      for (int c = 0; c < 3; ++c) out.at(x / times, y / times)[c] += fine.at(x, y)[c] / static_cast<float>(times * times);
   return out;
 }
 
@@ -132,24 +111,24 @@ class Run {
     all_.view = settings.render.view;
     all_.width = settings.render.width, all_.height = settings.render.height;
     all_.supersample = settings.supersample;
-    view_of(all_.view);
+    image::view_named(all_.view);
   }
 
   SceneComparison result() {
-    progress("regions");
+    show_line("regions");
     all_.regions = picture_regions(scene_, settings_.render);
     if (all_.regions.front().pixels == 0) throw input_error(scene_.name(), "shows no skin from this camera: nothing to compare");
     settings_.reference_file.empty() ? render_truth() : load_truth();
-    all_.shown_reference = image::to_display(truth_.linear, view_of(all_.view));
+    all_.shown_reference = image::to_display(truth_.linear, image::view_named(all_.view));
     if (!truth_.variance.values.empty()) {
       const image::ImageF noisy = noisier(truth_.linear, truth_.variance);
       image::ImageF map;
-      all_.noise = Comparer(all_, truth_).errors(noisy, image::to_display(noisy, view_of(all_.view)), map);
+      all_.noise = Comparer(all_, truth_).errors(noisy, image::to_display(noisy, image::view_named(all_.view)), map);
     }
     std::vector<std::string> names = settings_.techniques;
     if (names.empty()) names = technique_names();
     for (const std::string& name : names) add_technique(name);
-    progress("");
+    show_line("");
     return std::move(all_);
   }
 
@@ -158,7 +137,7 @@ class Run {
     ReferenceSettings r = settings_.reference;
     if (::isatty(STDERR_FILENO))
       r.progress = [](const ReferenceProgress& p) {
-        progress(fmt::format("reference: {} samples, noise {:.2f} %", p.samples, p.noise_percent));
+        show_line(fmt::format("reference: {} samples, noise {:.2f} %", p.samples, p.noise_percent));
       };
     const auto start = Clock::now();
     const ReferencePicture picture = render_reference(scene_, settings_.render, r);
@@ -215,7 +194,7 @@ class Run {
 
   // Cost at the size that was asked for, error at as many samples a pixel as wanted, of light maps of the same size.
   Statistics add(const std::string& name, const Scene& scene, RenderSettings s) {
-    progress(name);
+    show_line(name);
     ComparedTechnique row;
     row.name = name;
     Picture picture = renderer_.render(scene, s);
@@ -226,8 +205,8 @@ class Run {
       if (!s.d_ref && picture.statistics.d_ref > 0) s.d_ref = picture.statistics.d_ref;
       picture = renderer_.render(scene, s);
     }
-    const image::ImageF linear = averaged(without_alpha(picture.linear_rgba, picture.width, picture.height), all_.supersample);
-    row.shown = image::to_display(linear, view_of(all_.view));
+    const image::ImageF linear = image::downsample_box(without_alpha(picture.linear_rgba, picture.width, picture.height), all_.supersample);
+    row.shown = image::to_display(linear, image::view_named(all_.view));
     row.errors = Comparer(all_, truth_).errors(linear, row.shown, row.flip_map);
     all_.techniques.push_back(std::move(row));
     return all_.techniques.back().statistics;

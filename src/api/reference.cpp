@@ -108,15 +108,12 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
 }
 
 Picture picture_of(const reference::Film& film, const std::string& view) {
-  static constexpr std::pair<const char*, image::View> views[] = {
-      {"filmic", image::View::filmic}, {"srgb", image::View::srgb}, {"linear", image::View::linear}};
-  const auto found = std::find_if(std::begin(views), std::end(views), [&](const auto& v) { return v.first == view; });
-  if (found == std::end(views)) throw input_error("", "--view '{}' is not known; there are: filmic, srgb, linear", view);
+  const image::View shown = image::view_named(view);
   image::ImageF linear = film.picture();
   Picture picture;
   picture.width = picture.statistics.width = linear.width;
   picture.height = picture.statistics.height = linear.height;
-  picture.display_rgba = image::to_display(linear, found->second).rgba;
+  picture.display_rgba = image::to_display(linear, shown).rgba;
   for (std::size_t i = 3; i < picture.display_rgba.size(); i += 4) picture.display_rgba[i] = 255;
   picture.linear_rgba = std::move(linear.values);
   return picture;

@@ -90,4 +90,9 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes) {
 
 void write_file(const fs::path& path, std::string_view text) { write_file(path, std::as_bytes(std::span(text.data(), text.size()))); }
 
+bool same_file(const fs::path& a, const fs::path& b) {
+  const auto full = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
+  return full(a) == full(b);
+}
+
 }  // namespace dermis

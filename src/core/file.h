@@ -22,4 +22,7 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 /// InputError if path could not be written (its folder is missing, it is a directory). Creates nothing: called before long work.
 void check_writable(const std::filesystem::path& path);
 
+/// Do both names lead to one place, whether or not it exists?
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 }  // namespace dermis

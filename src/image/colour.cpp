@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/assert.h"
+#include "core/error.h"
 #include "core/parallel.h"
 
 namespace dermis::image {
@@ -71,6 +72,13 @@ float filmic(float linear) {
   if (linear > 1e6f) return 1;  // the squares below would overflow
   const float mapped = linear * (2.51f * linear + 0.03f) / (linear * (2.43f * linear + 0.59f) + 0.14f);
   return mapped < 1 ? mapped : 1;
+}
+
+View view_named(const std::string& name) {
+  if (name == "filmic") return View::filmic;
+  if (name == "srgb") return View::srgb;
+  if (name == "linear") return View::linear;
+  throw input_error("", "--view '{}' is not known; there are: filmic, srgb, linear", name);
 }
 
 float apply_view(View view, float linear) {
