@@ -118,10 +118,8 @@ TEST(Surroundings, WhatIsOptimisedDoesNotShow) {
 }
 
 TEST(Surroundings, ValidationIsSilent) {
-  std::unique_ptr<Renderer> validated;
-  try {
-    validated = std::make_unique<Renderer>(Renderer::Options{.device = "best", .validate = true});
-  } catch (const DeviceError& error) { GTEST_SKIP() << error.what(); }
+  const std::unique_ptr<Renderer> validated = validated_renderer();
+  if (!validated) GTEST_SKIP() << "the validation layers are not installed";
   validated->render(sphere(0.1), lit_by_studio("texture-space"));
   for (const std::string& message : validated->validation_messages()) ADD_FAILURE() << message;
 }

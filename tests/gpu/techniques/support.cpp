@@ -33,6 +33,15 @@ Renderer& renderer() {
   return shared;
 }
 
+std::unique_ptr<Renderer> validated_renderer() {
+  try {
+    return std::make_unique<Renderer>(Renderer::Options{.device = "best", .validate = true});
+  } catch (const DeviceError& error) {
+    if (std::string(error.what()).find("layer") == std::string::npos) throw;
+    return nullptr;
+  }
+}
+
 RenderSettings small_settings(const std::string& technique) {
   RenderSettings s;
   s.technique = technique;

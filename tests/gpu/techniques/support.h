@@ -6,6 +6,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace dermis::tests {
 
 /// One renderer for the whole process: pipelines are made once.
 Renderer& renderer();
+
+/// One with the validation layers; none where they are not installed. Any other trouble is thrown.
+std::unique_ptr<Renderer> validated_renderer();
 
 /// A picture small enough for a software driver.
 RenderSettings small_settings(const std::string& technique);
