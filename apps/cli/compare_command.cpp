@@ -24,6 +24,11 @@ struct CompareArguments : SceneArguments {
   SceneComparisonSettings scene_settings;
 };
 
+image::View view_of(const std::string& name) {
+  if (const std::optional<image::View> view = image::view_named(name)) return *view;
+  throw input_error("--view", "'{}' is not known; known: filmic, srgb, linear", name);
+}
+
 /// What can be refused before pictures are read.
 void check_outputs(const CompareArguments& arguments) {
   if (arguments.html == "-") throw input_error("--html", "needs a file, not standard output");
@@ -65,7 +70,7 @@ void compare_linear(const CompareArguments& arguments, std::span<const std::byte
     const auto negative = std::find_if(values.begin(), values.end(), [](float value) { return value < 0; });
     if (negative != values.end()) throw input_error(name, "holds {}; variances are 0 or more", *negative);
   }
-  const image::View view = image::view_named(arguments.settings.view);
+  const image::View view = view_of(arguments.settings.view);
   compared.view = arguments.settings.view;
   compared.found = image::compare(a, b, view, variances, compared.region);
   compared.shown_a = image::to_display(a, view);
@@ -120,7 +125,7 @@ void run(const CompareArguments& arguments) {
   if (arguments.scene.empty() && arguments.b.empty()) throw CLI::RequiredError("B");
   if (!arguments.scene.empty() && two) throw CLI::ExcludesError("--scene", "A and B");
   if (arguments.variances.size() > 2) throw CLI::ArgumentMismatch::AtMost("--z", 2, arguments.variances.size());
-  image::view_named(arguments.settings.view);
+  view_of(arguments.settings.view);
   check_outputs(arguments);
   arguments.scene.empty() ? compare_two(arguments) : compare_techniques(arguments);
 }

@@ -27,6 +27,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+image::View view_of(const std::string& name) {
+  if (const std::optional<image::View> view = image::view_named(name)) return *view;
+  throw input_error("", "--view '{}' is not known; there are: filmic, srgb, linear", name);
+}
+
 /// Linear light as the errors see it: three channels.
 image::ImageF without_alpha(const std::vector<float>& rgba, int width, int height) {
   image::ImageF out{.width = width, .height = height, .channels = 3, .values = {}};
@@ -111,7 +116,7 @@ class Run {
     all_.view = settings.render.view;
     all_.width = settings.render.width, all_.height = settings.render.height;
     all_.supersample = settings.supersample;
-    image::view_named(all_.view);
+    view_of(all_.view);
   }
 
   SceneComparison result() {
@@ -119,11 +124,11 @@ class Run {
     all_.regions = picture_regions(scene_, settings_.render);
     if (all_.regions.front().pixels == 0) throw input_error(scene_.name(), "shows no skin from this camera: nothing to compare");
     settings_.reference_file.empty() ? render_truth() : load_truth();
-    all_.shown_reference = image::to_display(truth_.linear, image::view_named(all_.view));
+    all_.shown_reference = image::to_display(truth_.linear, view_of(all_.view));
     if (!truth_.variance.values.empty()) {
       const image::ImageF noisy = noisier(truth_.linear, truth_.variance);
       image::ImageF map;
-      all_.noise = Comparer(all_, truth_).errors(noisy, image::to_display(noisy, image::view_named(all_.view)), map);
+      all_.noise = Comparer(all_, truth_).errors(noisy, image::to_display(noisy, view_of(all_.view)), map);
     }
     std::vector<std::string> names = settings_.techniques;
     if (names.empty()) names = technique_names();
@@ -206,7 +211,7 @@ class Run {
       picture = renderer_.render(scene, s);
     }
     const image::ImageF linear = image::downsample_box(without_alpha(picture.linear_rgba, picture.width, picture.height), all_.supersample);
-    row.shown = image::to_display(linear, image::view_named(all_.view));
+    row.shown = image::to_display(linear, view_of(all_.view));
     row.errors = Comparer(all_, truth_).errors(linear, row.shown, row.flip_map);
     all_.techniques.push_back(std::move(row));
     return all_.techniques.back().statistics;

@@ -108,12 +108,13 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
 }
 
 Picture picture_of(const reference::Film& film, const std::string& view) {
-  const image::View shown = image::view_named(view);
+  const std::optional<image::View> shown = image::view_named(view);
+  if (!shown) throw input_error("", "--view '{}' is not known; there are: filmic, srgb, linear", view);
   image::ImageF linear = film.picture();
   Picture picture;
   picture.width = picture.statistics.width = linear.width;
   picture.height = picture.statistics.height = linear.height;
-  picture.display_rgba = image::to_display(linear, shown).rgba;
+  picture.display_rgba = image::to_display(linear, *shown).rgba;
   for (std::size_t i = 3; i < picture.display_rgba.size(); i += 4) picture.display_rgba[i] = 255;
   picture.linear_rgba = std::move(linear.values);
   return picture;

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/assert.h"
-#include "core/error.h"
 #include "core/parallel.h"
 
 namespace dermis::image {
@@ -74,11 +73,11 @@ float filmic(float linear) {
   return mapped < 1 ? mapped : 1;
 }
 
-View view_named(const std::string& name) {
+std::optional<View> view_named(std::string_view name) {
   if (name == "filmic") return View::filmic;
   if (name == "srgb") return View::srgb;
   if (name == "linear") return View::linear;
-  throw input_error("", "--view '{}' is not known; there are: filmic, srgb, linear", name);
+  return std::nullopt;
 }
 
 float apply_view(View view, float linear) {

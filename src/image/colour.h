@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <optional>
+#include <string_view>
 
 #include "image/image.h"
 
@@ -33,8 +34,7 @@ float filmic(float linear);
 
 /// How a linear picture is shown. filmic: the curve above, then sRGB. srgb: clamped, then sRGB. linear: clamped only.
 enum class View { filmic, srgb, linear };
-/// InputError lists the names when there is none such.
-View view_named(const std::string& name);
+std::optional<View> view_named(std::string_view name);
 
 /// Linear light to a display value in 0..1. NaN gives 0.
 float apply_view(View view, float linear);
