@@ -8,7 +8,7 @@ namespace dermis {
 
 std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings) {
   const reference::View view = api::reference_view(scene.data(), settings);
-  const reference::RayScene rays(scene.data());
+  const rays::RayScene rays(scene.data());
   std::vector<PictureRegion> out;
   for (reference::Region& region : reference::regions(rays, view))
     out.push_back({.name = std::move(region.name), .mask = std::move(region.mask), .pixels = region.pixels});

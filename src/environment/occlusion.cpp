@@ -7,7 +7,7 @@
 
 #include "core/assert.h"
 #include "core/parallel.h"
-#include "reference/ray_scene.h"
+#include "rays/ray_scene.h"
 #include "scene/coverage.h"
 
 namespace dermis::environment {
@@ -58,11 +58,11 @@ glm::dvec2 shift_of(std::uint32_t x, std::uint32_t y) {
 }
 
 // Cosine-weighted directions around the normal. Those beneath the flat triangle are not asked: a coarse mesh would darken itself.
-glm::vec4 look_around(const reference::RayScene& rays, const glm::dvec3& p, const glm::dvec3& n, const glm::dvec3& face, glm::dvec2 shift,
+glm::vec4 look_around(const rays::RayScene& rays, const glm::dvec3& p, const glm::dvec3& n, const glm::dvec3& face, glm::dvec2 shift,
                       int count) {
   const glm::dvec3 side = glm::normalize(glm::cross(std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
   const glm::dvec3 up = glm::cross(n, side);
-  const glm::dvec3 origin = p + face * (4 * reference::stand_off_m(p));
+  const glm::dvec3 origin = p + face * (4 * rays::stand_off_m(p));
   glm::dvec3 open(0), all(0);
   int seen = 0, asked = 0;
   for (int i = 0; i < count; ++i) {
@@ -138,7 +138,7 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
   DERMIS_ASSERT_LE(16, settings.side);
   DERMIS_ASSERT_LE(settings.side, 4096);
   DERMIS_ASSERT_LE(1, settings.rays);
-  const reference::RayScene rays(scene);
+  const rays::RayScene rays(scene);
   const Grid grid = rasterise(mesh, settings.side);
   std::vector<glm::vec4> values(grid.texels.size(), glm::vec4(0, 0, 0, 1));
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {

@@ -5,14 +5,14 @@
 
 namespace dermis::reference {
 
-Ray camera_ray(const View& view, double px, double py) {
+rays::Ray camera_ray(const View& view, double px, double py) {
   const scene::Camera& camera = view.camera;
   const double aspect = static_cast<double>(view.width) / view.height;
   const double x = (2 * px / view.width - 1) * aspect, y = 1 - 2 * py / view.height;
   const glm::dmat4 world_from_camera(camera.world_from_camera);
   const glm::dmat3 turn(world_from_camera);
   const glm::dvec3 eye(world_from_camera[3]);
-  Ray ray;
+  rays::Ray ray;
   if (camera.orthographic) {
     ray.origin_m = eye + turn * glm::dvec3(x * camera.ymag_m, y * camera.ymag_m, 0);
     ray.direction = glm::normalize(turn * glm::dvec3(0, 0, -1));

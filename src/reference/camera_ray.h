@@ -2,12 +2,12 @@
 // The ray of a camera through a point of its picture.
 #pragma once
 
-#include "reference/ray_scene.h"
+#include "rays/ray_scene.h"
 #include "reference/settings.h"
 
 namespace dermis::reference {
 
 /// (px, py) in pixels from the upper left corner; width and height as in the view. Begins at the camera's near plane.
-Ray camera_ray(const View& view, double px, double py);
+rays::Ray camera_ray(const View& view, double px, double py);
 
 }  // namespace dermis::reference

@@ -65,7 +65,8 @@ double Diffusion::density(const glm::dvec3& offset_mm, const std::array<glm::dve
 }
 
 // The radius of a Gaussian in the plane across the axis, cut off at its reach; the ray is a chord of the ball of that size.
-Ray Diffusion::probe(const SurfacePoint& o, const std::array<glm::dvec3, 3>& axes, std::size_t axis, double pick, double angle) const {
+rays::Ray Diffusion::probe(const rays::SurfacePoint& o, const std::array<glm::dvec3, 3>& axes, std::size_t axis, double pick,
+                           double angle) const {
   std::size_t index = 0;
   while (index + 1 < terms_.size() && pick >= terms_[index].chance) pick -= terms_[index++].chance;
   const Term& term = terms_[index];
@@ -78,16 +79,16 @@ Ray Diffusion::probe(const SurfacePoint& o, const std::array<glm::dvec3, 3>& axe
   return {.origin_m = centre - half_m * axes[axis], .direction = axes[axis], .t_min_m = 0, .t_max_m = 2 * half_m};
 }
 
-glm::dvec3 Diffusion::sample(const RayScene& rays, const SurfacePoint& o, Random& random, std::vector<Hit>& scratch,
-                             const std::function<glm::dvec3(const SurfacePoint&)>& light) const {
+glm::dvec3 Diffusion::sample(const rays::RayScene& rays, const rays::SurfacePoint& o, Random& random, std::vector<rays::Hit>& scratch,
+                             const std::function<glm::dvec3(const rays::SurfacePoint&)>& light) const {
   const std::array<glm::dvec3, 3> axes = axes_of(o.face_normal);
   glm::dvec3 sum(0);
   for (int probed = 0; probed < 2 * strata; ++probed) {
     const std::size_t axis = probed % 2 == 0 ? 0 : random.next() < 0.5 ? 1 : 2;
     const double pick = (probed / 2 + random.next()) / strata, angle = 2 * pi * random.next();
     rays.all_skin(probe(o, axes, axis, pick, angle), scratch);
-    for (const Hit& hit : scratch) {
-      const SurfacePoint x = surface_point(rays.scene(), hit);
+    for (const rays::Hit& hit : scratch) {
+      const rays::SurfacePoint x = rays::surface_point(rays.scene(), hit);
       const glm::dvec3 offset_mm = (x.position_m - o.position_m) * mm_per_unit_;
       const double found = density(offset_mm, axes, x.face_normal);
       if (found > 0) sum += profile(glm::length(offset_mm)) * light(x) / found;

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "gaussians/sum.h"
+#include "rays/ray_scene.h"
+#include "rays/surface_point.h"
 #include "reference/random.h"
-#include "reference/ray_scene.h"
-#include "reference/surface_point.h"
 
 namespace dermis::reference {
 
@@ -27,8 +27,8 @@ class Diffusion {
   /// One sample of the integral of R(|x - o|) light(x) dA. Rays probe the skin along the normal at `o` and along one of two tangents; each
   /// triangle they meet within five sigma counts, over the sum of the densities with which all three axes and all terms would have found
   /// it [KKCF13]. Unbiased up to the 4e-6 of a term's light that lies beyond five sigma. `scratch` is emptied; it only saves memory.
-  glm::dvec3 sample(const RayScene& rays, const SurfacePoint& o, Random& random, std::vector<Hit>& scratch,
-                    const std::function<glm::dvec3(const SurfacePoint&)>& light) const;
+  glm::dvec3 sample(const rays::RayScene& rays, const rays::SurfacePoint& o, Random& random, std::vector<rays::Hit>& scratch,
+                    const std::function<glm::dvec3(const rays::SurfacePoint&)>& light) const;
 
  private:
   struct Term {
@@ -37,7 +37,7 @@ class Diffusion {
     double density;  // chance / (2 pi v) / (part within reach)
     glm::dvec3 weight;
   };
-  Ray probe(const SurfacePoint& o, const std::array<glm::dvec3, 3>& axes, std::size_t axis, double pick, double angle) const;
+  rays::Ray probe(const rays::SurfacePoint& o, const std::array<glm::dvec3, 3>& axes, std::size_t axis, double pick, double angle) const;
   double density(const glm::dvec3& offset_mm, const std::array<glm::dvec3, 3>& axes, const glm::dvec3& face_normal) const;
 
   std::vector<Term> terms_;

@@ -15,12 +15,12 @@ constexpr double head_height_mm = 260;
 template <class Visit>
 void for_each_skin_vertex(const scene::Scene& scene, const Visit& visit) {
   for (const scene::Primitive& p : scene.primitives)
-    if (is_skin(scene, p))
+    if (rays::is_skin(scene, p))
       for (const std::uint32_t index : p.indices) visit(glm::dvec3(p.vertices[index].position_m));
 }
 
 /// How far behind the tip the skin lies that is seen from the front at an offset (half breadths); infinity: nothing is there.
-double depth_behind(const RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m, const glm::dvec2& offset) {
+double depth_behind(const rays::RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m, const glm::dvec2& offset) {
   const glm::dvec3 above = tip_m + half_breadth_m * glm::dvec3(offset, 1);
   const auto hit = rays.nearest_skin({.origin_m = above, .direction = {0, 0, -1}});
   return hit ? hit->t_m / half_breadth_m - 1 : std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ double depth_behind(const RayScene& rays, const glm::dvec3& tip_m, double half_b
 
 // Cheeks lie 20 mm behind the tip of a nose and more, its root 15; a ball of the head's size falls off by 4 mm so far out. Holes are no
 // face either.
-bool is_nose(const RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m) {
+bool is_nose(const rays::RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m) {
   const auto deep = [&](const glm::dvec2& offset, double least) {
     const double depth = depth_behind(rays, tip_m, half_breadth_m, offset);
     return depth > least && depth < 1;
@@ -37,12 +37,12 @@ bool is_nose(const RayScene& rays, const glm::dvec3& tip_m, double half_breadth_
 }
 
 /// The way of rays in a cone of 60 degrees around the axis to the nearest skin: `part` of them are no longer.
-double way_m(const RayScene& rays, const SurfacePoint& s, const glm::dvec3& axis, double part) {
+double way_m(const rays::RayScene& rays, const rays::SurfacePoint& s, const glm::dvec3& axis, double part) {
   constexpr std::size_t count = 24;
   constexpr double cos_cone = 0.5;
   const glm::dvec3 across = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
   const glm::dvec3 third = glm::cross(axis, across);
-  const double gap = stand_off_m(s.position_m);
+  const double gap = rays::stand_off_m(s.position_m);
   std::array<double, count> ways{};
   for (std::size_t i = 0; i < count; ++i) {
     // A spiral by the golden angle, even in solid angle.
@@ -59,7 +59,7 @@ double way_m(const RayScene& rays, const SurfacePoint& s, const glm::dvec3& axis
 
 }  // namespace
 
-std::optional<HeadFrame> HeadFrame::find(const RayScene& rays) {
+std::optional<HeadFrame> HeadFrame::find(const rays::RayScene& rays) {
   const scene::Scene& scene = rays.scene();
   double top_m = -1e300;
   for_each_skin_vertex(scene, [&](const glm::dvec3& p) { top_m = std::max(top_m, p.y); });
@@ -91,8 +91,8 @@ bool HeadFrame::beside_the_head(const glm::dvec3& position_m) const {
   return std::abs(p.x) > 0.6 && p.y > -0.35 && p.y < 0.9 && p.z < -0.7;
 }
 
-double thickness_m(const RayScene& rays, const SurfacePoint& s) { return way_m(rays, s, -s.face_normal, 0.5); }
+double thickness_m(const rays::RayScene& rays, const rays::SurfacePoint& s) { return way_m(rays, s, -s.face_normal, 0.5); }
 
-double gap_m(const RayScene& rays, const SurfacePoint& s) { return way_m(rays, s, s.face_normal, 0.25); }
+double gap_m(const rays::RayScene& rays, const rays::SurfacePoint& s) { return way_m(rays, s, s.face_normal, 0.25); }
 
 }  // namespace dermis::reference

@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "reference/ray_scene.h"
-#include "reference/surface_point.h"
+#include "rays/ray_scene.h"
+#include "rays/surface_point.h"
 
 namespace dermis::reference {
 
@@ -18,7 +18,7 @@ class HeadFrame {
   /// The tip of the nose is the foremost point of skin in the upper 260 mm (a head is 230 mm high; a chest begins below). It counts as one
   /// if the skin beside it and above it, at the cheeks and at the root of the nose, lies clearly deeper, which tells a face from a ball or
   /// a plane. None if it does not.
-  static std::optional<HeadFrame> find(const RayScene& rays);
+  static std::optional<HeadFrame> find(const rays::RayScene& rays);
 
   /// Is the point on the nose: within a cone along its ridge?
   bool on_nose(const glm::dvec3& position_m) const;
@@ -36,10 +36,10 @@ class HeadFrame {
 
 /// How thick the body is under a point of skin, metres: the median way of 24 rays inwards, in a cone of 60 degrees to each side of the
 /// normal, to where they leave [SSC08] (there, a mean after outliers are left out). Infinity where most rays meet nothing.
-double thickness_m(const RayScene& rays, const SurfacePoint& s);
+double thickness_m(const rays::RayScene& rays, const rays::SurfacePoint& s);
 
 /// How near other skin is outside of a point of skin, metres: a quarter of 24 rays outwards, in the same cone, meet it sooner. Infinity in
 /// the open.
-double gap_m(const RayScene& rays, const SurfacePoint& s);
+double gap_m(const rays::RayScene& rays, const rays::SurfacePoint& s);
 
 }  // namespace dermis::reference

@@ -44,8 +44,8 @@ Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m,
   return a;
 }
 
-Ray shadow_ray(const SurfacePoint& s, const Arriving& light) {
-  const double gap = stand_off_m(s.shadow_origin_m);
+rays::Ray shadow_ray(const rays::SurfacePoint& s, const Arriving& light) {
+  const double gap = rays::stand_off_m(s.shadow_origin_m);
   const double side = glm::dot(s.normal, light.to_light) < 0 ? -1 : 1;
   return {.origin_m = s.shadow_origin_m + side * gap * s.normal,
           .direction = light.to_light,
@@ -54,15 +54,15 @@ Ray shadow_ray(const SurfacePoint& s, const Arriving& light) {
 }
 
 // Everything opaque casts a shadow, from either side of its triangles; what is cut out casts what is left of it.
-bool Shading::shadowed(const SurfacePoint& s, const Arriving& light) const {
-  const Ray ray = shadow_ray(s, light);
+bool Shading::shadowed(const rays::SurfacePoint& s, const Arriving& light) const {
+  const rays::Ray ray = shadow_ray(s, light);
   if (ray.t_max_m <= ray.t_min_m) return false;
   return rays_->solid_between(ray) || (rays_->has_cut_outs() && cut_out_between(ray));
 }
 
-bool Shading::cut_out_between(Ray ray) const {
-  while (const std::optional<Hit> hit = rays_->nearest_cut_out(ray)) {
-    const SurfacePoint s = surface_point(rays_->scene(), *hit);
+bool Shading::cut_out_between(rays::Ray ray) const {
+  while (const std::optional<rays::Hit> hit = rays_->nearest_cut_out(ray)) {
+    const rays::SurfacePoint s = rays::surface_point(rays_->scene(), *hit);
     const ShadingMaterial& m = materials_[s.material];
     double alpha = m.source->base_colour.a * s.colour.a;
     if (m.base_colour.present()) alpha *= m.base_colour.read(s.uv).a;

@@ -30,7 +30,7 @@ using Mask = std::vector<std::uint8_t>;
 /// What a pixel shows.
 struct Seen {
   bool skin = false;
-  SurfacePoint point;
+  rays::SurfacePoint point;
   double pixel_m = 0;  ///< size of a pixel there
   double thickness = 0, gap = 0;
   std::uint32_t chart = 0;
@@ -54,7 +54,7 @@ std::vector<std::vector<std::uint32_t>> charts_of(const scene::Scene& scene) {
 
 class Finder {
  public:
-  Finder(const RayScene& rays, const View& view) : rays_(rays), view_(view) {
+  Finder(const rays::RayScene& rays, const View& view) : rays_(rays), view_(view) {
     const auto width = static_cast<std::size_t>(view.width);
     seen_.resize(width * static_cast<std::size_t>(view.height));
     const std::vector<std::vector<std::uint32_t>> charts = charts_of(rays.scene());
@@ -94,7 +94,7 @@ class Finder {
       const Arriving a = arriving_light(light, seen_[i].point.position_m);
       cosine[i] = glm::dot(seen_[i].point.normal, a.to_light);
       if (cosine[i] <= 0 || a.irradiance == glm::dvec3(0)) return;
-      const Ray ray = shadow_ray(seen_[i].point, a);
+      const rays::Ray ray = shadow_ray(seen_[i].point, a);
       lit[i] = ray.t_max_m <= ray.t_min_m || !rays_.solid_between(ray);
     });
     const auto index = [&](const Seen& s) { return static_cast<std::size_t>(&s - seen_.data()); };
@@ -115,15 +115,15 @@ class Finder {
 
   Seen look(int x, int y, const std::vector<std::vector<std::uint32_t>>& charts) const {
     Seen seen;
-    Ray ray = camera_ray(view_, x + 0.5, y + 0.5);
+    rays::Ray ray = camera_ray(view_, x + 0.5, y + 0.5);
     while (const auto hit = rays_.nearest(ray)) {
       const scene::Primitive& primitive = rays_.scene().primitives[hit->primitive];
       const scene::Material& material = rays_.scene().materials[static_cast<std::size_t>(primitive.material)];
-      seen.point = surface_point(rays_.scene(), *hit);
+      seen.point = rays::surface_point(rays_.scene(), *hit);
       const bool front = material.double_sided || glm::dot(seen.point.face_normal, ray.direction) < 0;
       // Lashes and brows that lie over the skin do not hide it from a mask.
       if (front && material.alpha_mode == scene::AlphaMode::opaque) {
-        seen.skin = is_skin(rays_.scene(), primitive);
+        seen.skin = rays::is_skin(rays_.scene(), primitive);
         if (!seen.skin) break;
         seen.chart = charts[hit->primitive][hit->triangle];
         seen.thickness = thickness_m(rays_, seen.point);
@@ -187,7 +187,7 @@ class Finder {
     return out;
   }
 
-  const RayScene& rays_;
+  const rays::RayScene& rays_;
   const View& view_;
   std::optional<HeadFrame> frame_ = HeadFrame::find(rays_);
   std::vector<Seen> seen_;
@@ -195,7 +195,7 @@ class Finder {
 
 }  // namespace
 
-std::vector<Region> regions(const RayScene& rays, const View& view) {
+std::vector<Region> regions(const rays::RayScene& rays, const View& view) {
   const Finder find(rays, view);
   Mask terminator(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height)), shadow_edges = terminator;
   for (const scene::Light& light : view.lights)

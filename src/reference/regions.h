@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/ray_scene.h"
+#include "rays/ray_scene.h"
 #include "reference/settings.h"
 
 namespace dermis::reference {
@@ -29,6 +29,6 @@ struct Region {
 ///   the rest      skin in none of these
 /// Distances are straight lines between points that the picture shows. Lights without light do not count; parts that are cut out by a map
 /// (alpha mode mask) cast no shadow here.
-std::vector<Region> regions(const RayScene& rays, const View& view);
+std::vector<Region> regions(const rays::RayScene& rays, const View& view);
 
 }  // namespace dermis::reference

@@ -17,7 +17,7 @@ bool stopped(const Limits& limits) { return limits.stop && limits.stop->load(std
 void trace_pass(const Tracer& tracer, std::uint32_t number, const Limits& limits, std::vector<Tracer::Sample>& pass) {
   oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, pass.size(), pixels_a_task), [&](const auto& range) {
     if (stopped(limits)) return;
-    std::vector<Hit> scratch;
+    std::vector<rays::Hit> scratch;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       Random random = random_of(limits.seed, static_cast<std::uint32_t>(i), number);
       const int x = static_cast<int>(i % static_cast<std::size_t>(tracer.width())),

@@ -5,12 +5,12 @@
 
 #include <vector>
 
+#include "rays/ray_scene.h"
+#include "rays/surface_point.h"
 #include "reference/maps.h"
 #include "reference/random.h"
-#include "reference/ray_scene.h"
 #include "reference/settings.h"
 #include "reference/specular.h"
-#include "reference/surface_point.h"
 
 namespace dermis::reference {
 
@@ -33,44 +33,44 @@ Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m)
 Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m, Random& random);
 
 /// From the surface to the light, clear of both; nothing lies on it if t_max_m <= t_min_m.
-Ray shadow_ray(const SurfacePoint& s, const Arriving& light);
+rays::Ray shadow_ray(const rays::SurfacePoint& s, const Arriving& light);
 
 class Shading {
  public:
-  Shading(const RayScene& rays, const View& view);
+  Shading(const rays::RayScene& rays, const View& view);
 
   const ShadingMaterial& material(std::size_t index) const { return materials_[index]; }
-  const RayScene& rays() const { return *rays_; }
+  const rays::RayScene& rays() const { return *rays_; }
   const View& view() const { return view_; }
 
   /// Irradiance that enters the skin, over all lights and the surroundings, less what the surface reflects.
-  glm::dvec3 entering_irradiance(const SurfacePoint& s, Random& random) const;
+  glm::dvec3 entering_irradiance(const rays::SurfacePoint& s, Random& random) const;
   /// What spreads from a point of skin: E albedo^mix / pi.
-  glm::dvec3 light_in_skin(const SurfacePoint& s, Random& random) const;
+  glm::dvec3 light_in_skin(const rays::SurfacePoint& s, Random& random) const;
   /// What becomes of light that has spread, on its way to the eye: albedo^(1 - mix) times what the surface lets out towards `to_eye`.
-  glm::dvec3 leaving_factor(const SurfacePoint& s, const glm::dvec3& to_eye) const;
+  glm::dvec3 leaving_factor(const rays::SurfacePoint& s, const glm::dvec3& to_eye) const;
   /// What the surface of skin reflects towards the eye.
-  glm::dvec3 skin_reflection(const SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const;
+  glm::dvec3 skin_reflection(const rays::SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const;
 
   /// What is not skin: glTF metallic-roughness. `normal_side`: +1 seen from the front, -1 from behind.
   struct Surface {
     glm::dvec3 radiance{0};
     double alpha = 1;  ///< how much it covers; 0 where it is cut out
   };
-  Surface surface(const SurfacePoint& s, double normal_side, const glm::dvec3& to_eye, Random& random) const;
+  Surface surface(const rays::SurfacePoint& s, double normal_side, const glm::dvec3& to_eye, Random& random) const;
 
   /// Is something opaque between the point and the light?
-  bool shadowed(const SurfacePoint& s, const Arriving& light) const;
+  bool shadowed(const rays::SurfacePoint& s, const Arriving& light) const;
 
  private:
-  glm::dvec3 mapped_normal(const ShadingMaterial& m, const SurfacePoint& s, const glm::dvec3& normal) const;
-  glm::dvec3 eye_normal(const ShadingMaterial& m, const SurfacePoint& s, const glm::dvec3& normal, const glm::dvec3& to_eye) const;
-  glm::dvec3 skin_albedo(const ShadingMaterial& m, const SurfacePoint& s) const;
-  SkinSpecular skin_specular(const ShadingMaterial& m, const SurfacePoint& s) const;
-  double occlusion(const ShadingMaterial& m, const SurfacePoint& s) const;
-  bool cut_out_between(Ray ray) const;
+  glm::dvec3 mapped_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal) const;
+  glm::dvec3 eye_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal, const glm::dvec3& to_eye) const;
+  glm::dvec3 skin_albedo(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
+  SkinSpecular skin_specular(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
+  double occlusion(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
+  bool cut_out_between(rays::Ray ray) const;
 
-  const RayScene* rays_;
+  const rays::RayScene* rays_;
   View view_;
   std::vector<ShadingMaterial> materials_;
   ReflectanceTable table_;

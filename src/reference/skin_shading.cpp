@@ -19,10 +19,10 @@ glm::dvec3 power(const glm::dvec3& albedo, double exponent) {
 
 }  // namespace
 
-Shading::Shading(const RayScene& rays, const View& view)
+Shading::Shading(const rays::RayScene& rays, const View& view)
     : rays_(&rays), view_(view), materials_(shading_materials(rays.scene(), view.mix)) {}
 
-glm::dvec3 Shading::mapped_normal(const ShadingMaterial& m, const SurfacePoint& s, const glm::dvec3& normal) const {
+glm::dvec3 Shading::mapped_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal) const {
   if (!m.normal.present()) return normal;
   glm::dvec3 t = glm::dvec3(m.normal.read(s.uv)) * 2.0 - 1.0;
   t.x *= m.normal.map.scale, t.y *= m.normal.map.scale;
@@ -34,20 +34,21 @@ glm::dvec3 Shading::mapped_normal(const ShadingMaterial& m, const SurfacePoint& 
 }
 
 // A mapped normal may face away from the eye at a silhouette; what is seen has a positive cosine.
-glm::dvec3 Shading::eye_normal(const ShadingMaterial& m, const SurfacePoint& s, const glm::dvec3& normal, const glm::dvec3& to_eye) const {
+glm::dvec3 Shading::eye_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal,
+                               const glm::dvec3& to_eye) const {
   const glm::dvec3 n = mapped_normal(m, s, normal);
   const double n_v = glm::dot(n, to_eye);
   return n_v < 0.05 ? glm::normalize(n + to_eye * (0.05 - n_v)) : n;
 }
 
-glm::dvec3 Shading::skin_albedo(const ShadingMaterial& m, const SurfacePoint& s) const {
+glm::dvec3 Shading::skin_albedo(const ShadingMaterial& m, const rays::SurfacePoint& s) const {
   if (view_.white_albedo) return glm::dvec3(1);
   glm::dvec3 albedo = glm::dvec3(m.source->base_colour) * glm::dvec3(s.colour);
   if (m.base_colour.present()) albedo *= glm::dvec3(m.base_colour.read(s.uv));
   return glm::max(albedo, glm::dvec3(0));
 }
 
-SkinSpecular Shading::skin_specular(const ShadingMaterial& m, const SurfacePoint& s) const {
+SkinSpecular Shading::skin_specular(const ShadingMaterial& m, const rays::SurfacePoint& s) const {
   SkinSpecular spec;
   spec.rho_s = view_.specular ? 0.18 : 0;  // [DLE07] GPU Gems 3, ch. 14.3
   if (m.specular.present()) spec.rho_s *= m.specular.map.scale * m.specular.channel(s.uv);
@@ -64,12 +65,12 @@ SkinSpecular Shading::skin_specular(const ShadingMaterial& m, const SurfacePoint
   return spec;
 }
 
-double Shading::occlusion(const ShadingMaterial& m, const SurfacePoint& s) const {
+double Shading::occlusion(const ShadingMaterial& m, const rays::SurfacePoint& s) const {
   return m.occlusion.present() ? 1 + m.occlusion.map.scale * (m.occlusion.read(s.uv).r - 1) : 1;
 }
 
 // Sum over the lights of E (1 - rho(L)) / (1 - rho_mean), plus the surroundings: what the surface reflects does not enter.
-glm::dvec3 Shading::entering_irradiance(const SurfacePoint& s, Random& random) const {
+glm::dvec3 Shading::entering_irradiance(const rays::SurfacePoint& s, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const SkinSpecular spec = skin_specular(m, s);
   const glm::dvec3 n = mapped_normal(m, s, s.normal);
@@ -83,19 +84,19 @@ glm::dvec3 Shading::entering_irradiance(const SurfacePoint& s, Random& random) c
   return e / (1 - table_.mean(spec)) + glm::dvec3(view_.ambient * pi * occlusion(m, s));
 }
 
-glm::dvec3 Shading::light_in_skin(const SurfacePoint& s, Random& random) const {
+glm::dvec3 Shading::light_in_skin(const rays::SurfacePoint& s, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const glm::dvec3 before = m.mix_before > 0 ? power(skin_albedo(m, s), m.mix_before) : glm::dvec3(1);
   return entering_irradiance(s, random) * before / pi;
 }
 
-glm::dvec3 Shading::leaving_factor(const SurfacePoint& s, const glm::dvec3& to_eye) const {
+glm::dvec3 Shading::leaving_factor(const rays::SurfacePoint& s, const glm::dvec3& to_eye) const {
   const ShadingMaterial& m = materials_[s.material];
   const glm::dvec3 n = eye_normal(m, s, s.normal, to_eye);
   return power(skin_albedo(m, s), 1 - m.mix_before) * (1 - table_.at(skin_specular(m, s), glm::dot(n, to_eye)));
 }
 
-glm::dvec3 Shading::skin_reflection(const SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const {
+glm::dvec3 Shading::skin_reflection(const rays::SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const SkinSpecular spec = skin_specular(m, s);
   if (spec.rho_s <= 0) return glm::dvec3(0);

@@ -19,7 +19,7 @@ struct Look {
 
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
-Look look_at(const ShadingMaterial& m, const SurfacePoint& s, const glm::dvec3& base) {
+Look look_at(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& base) {
   const scene::Material& source = *m.source;
   double metallic = source.metallic, roughness = source.roughness;
   if (m.roughness.present()) {
@@ -63,7 +63,7 @@ glm::dvec3 reflected_surroundings(const Look& look, double n_v) {
 
 }  // namespace
 
-Shading::Surface Shading::surface(const SurfacePoint& s, double normal_side, const glm::dvec3& to_eye, Random& random) const {
+Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_side, const glm::dvec3& to_eye, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const scene::Material& source = *m.source;
   glm::dvec4 base = glm::dvec4(source.base_colour) * s.colour;
@@ -77,7 +77,7 @@ Shading::Surface Shading::surface(const SurfacePoint& s, double normal_side, con
     out.radiance = albedo;
     return out;
   }
-  SurfacePoint seen = s;
+  rays::SurfacePoint seen = s;
   seen.normal *= normal_side;
   const Look look = look_at(m, s, albedo);
   const glm::dvec3 n = mapped_normal(m, s, seen.normal);

@@ -27,42 +27,43 @@ Tracer::Tracer(const scene::Scene& scene, const Job& job)
   if (job.model == Model::volume) medium_total_ = diffuse_total(job.medium);
 }
 
-glm::dvec3 Tracer::from_the_medium(const SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const {
+glm::dvec3 Tracer::from_the_medium(const rays::SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const {
   // The eye's ray enters by Snell's law; by reciprocity that is the way on which light leaves.
   const double facing = glm::dot(to_eye, s.face_normal);
   if (facing <= 0) return glm::dvec3(0);
   const glm::dvec3 inside = refracted(-to_eye, s.face_normal, 1 / medium_.eta);
-  const double gap = stand_off_m(s.position_m);
+  const double gap = rays::stand_off_m(s.position_m);
   const WalkEnd end = walk(rays_, medium_, s.position_m - gap * s.face_normal, inside, random);
   walks_.fetch_add(1, std::memory_order_relaxed);
   if (end.how == WalkEnd::How::lost) lost_.fetch_add(1, std::memory_order_relaxed);
   if (end.how != WalkEnd::How::left) return glm::dvec3(0);
   // Light enters as through a rough surface, spread over all directions: then its radiance along the walk is E / pi.
-  return end.weight / medium_total_ * shading_.light_in_skin(surface_point(rays_.scene(), end.hit), random);
+  return end.weight / medium_total_ * shading_.light_in_skin(rays::surface_point(rays_.scene(), end.hit), random);
 }
 
-glm::dvec3 Tracer::skin_radiance(SurfacePoint& s, double side, const glm::dvec3& to_eye, Random& random, std::vector<Hit>& scratch) const {
+glm::dvec3 Tracer::skin_radiance(rays::SurfacePoint& s, double side, const glm::dvec3& to_eye, Random& random,
+                                 std::vector<rays::Hit>& scratch) const {
   glm::dvec3 scattered(0);
   if (job_.model == Model::bssrdf)
-    scattered =
-        diffusion_[s.material].sample(rays_, s, random, scratch, [&](const SurfacePoint& x) { return shading_.light_in_skin(x, random); });
+    scattered = diffusion_[s.material].sample(rays_, s, random, scratch,
+                                              [&](const rays::SurfacePoint& x) { return shading_.light_in_skin(x, random); });
   else
     scattered = from_the_medium(s, to_eye, random);
   s.normal *= side;
   return scattered * shading_.leaving_factor(s, to_eye) + shading_.skin_reflection(s, to_eye, random);
 }
 
-Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<Hit>& scratch) const {
+Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<rays::Hit>& scratch) const {
   const double px = x + random.next(), py = y + random.next();
-  Ray ray = camera_ray(job_.view, px, py);
+  rays::Ray ray = camera_ray(job_.view, px, py);
   const glm::dvec3 to_eye = -ray.direction;
   const scene::Scene& scene = rays_.scene();
   Sample out;
   double through = 1;
   while (through > 1e-6) {
-    const std::optional<Hit> hit = rays_.nearest(ray);
+    const std::optional<rays::Hit> hit = rays_.nearest(ray);
     if (!hit) break;
-    SurfacePoint s = surface_point(scene, *hit);
+    rays::SurfacePoint s = rays::surface_point(scene, *hit);
     const double side = glm::dot(s.face_normal, to_eye) >= 0 ? 1 : -1;
     const ShadingMaterial& material = shading_.material(s.material);
     if (side > 0 || material.source->double_sided) {

@@ -21,7 +21,7 @@ class Tracer {
     double skin = 0;         ///< share of the ray that ends on skin
   };
   /// The ray passes through (x, y) + a random point of the pixel. `scratch` only saves memory.
-  Sample sample(int x, int y, Random& random, std::vector<Hit>& scratch) const;
+  Sample sample(int x, int y, Random& random, std::vector<rays::Hit>& scratch) const;
 
   int width() const { return job_.view.width; }
   int height() const { return job_.view.height; }
@@ -34,11 +34,12 @@ class Tracer {
   WalkCount walks() const { return {walks_.load(), lost_.load()}; }
 
  private:
-  glm::dvec3 skin_radiance(SurfacePoint& s, double side, const glm::dvec3& to_eye, Random& random, std::vector<Hit>& scratch) const;
-  glm::dvec3 from_the_medium(const SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const;
+  glm::dvec3 skin_radiance(rays::SurfacePoint& s, double side, const glm::dvec3& to_eye, Random& random,
+                           std::vector<rays::Hit>& scratch) const;
+  glm::dvec3 from_the_medium(const rays::SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const;
 
   Job job_;
-  RayScene rays_;
+  rays::RayScene rays_;
   Shading shading_;
   std::vector<Diffusion> diffusion_;  // one a material
   WalkMedium medium_;

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "optics/fresnel.h"
-#include "reference/surface_point.h"
+#include "rays/surface_point.h"
 
 namespace dermis::reference {
 namespace {
@@ -68,7 +68,7 @@ glm::dvec3 refracted(const glm::dvec3& d, const glm::dvec3& n, double n_ratio) {
   return glm::normalize(n_ratio * d + (n_ratio * cosine - std::sqrt(k)) * n);
 }
 
-WalkEnd walk(const RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m, const glm::dvec3& direction, Random& random) {
+WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m, const glm::dvec3& direction, Random& random) {
   WalkEnd end;
   const int hero = std::min(2, static_cast<int>(3 * random.next()));
   const double sigma_hero = medium.sigma_t[hero];
@@ -76,7 +76,7 @@ WalkEnd walk(const RayScene& rays, const WalkMedium& medium, const glm::dvec3& s
   glm::dvec3 at = start_m, to = direction;
   for (int event = 0; event < max_events; ++event) {
     const double free_path = -std::log(random.next()) / sigma_hero;
-    const std::optional<Hit> hit = rays.nearest_skin({.origin_m = at, .direction = to, .t_min_m = 0, .t_max_m = free_path});
+    const std::optional<rays::Hit> hit = rays.nearest_skin({.origin_m = at, .direction = to, .t_min_m = 0, .t_max_m = free_path});
     if (!hit) {
       at += free_path * to;
       if (!rays.in_skin_box(at)) break;  // out through a hole
@@ -92,11 +92,11 @@ WalkEnd walk(const RayScene& rays, const WalkMedium& medium, const glm::dvec3& s
       }
       continue;
     }
-    const SurfacePoint s = surface_point(rays.scene(), *hit);
+    const rays::SurfacePoint s = rays::surface_point(rays.scene(), *hit);
     const double cosine = glm::dot(s.face_normal, to);
     if (cosine <= 0) break;  // the front of a face: it is outside
     carried.move(medium, hit->t_m, sigma_hero);
-    const double gap = stand_off_m(s.position_m);
+    const double gap = rays::stand_off_m(s.position_m);
     if (random.next() >= optics::fresnel(std::min(cosine, 1.0), medium.eta)) {
       end.how = WalkEnd::How::left;
       end.weight = carried.weight();

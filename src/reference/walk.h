@@ -7,8 +7,8 @@
 #include <glm/glm.hpp>
 
 #include "optics/media.h"
+#include "rays/ray_scene.h"
 #include "reference/random.h"
-#include "reference/ray_scene.h"
 
 namespace dermis::reference {
 
@@ -28,7 +28,7 @@ struct WalkEnd {
     lost,      ///< through a hole of the mesh: it counts as absorbed
   } how = How::absorbed;
   glm::dvec3 weight{0};     ///< what is left per channel, for 1 that entered
-  Hit hit;                  ///< where it left
+  rays::Hit hit;            ///< where it left
   glm::dvec3 direction{0};  ///< outside, refracted
   int scatterings = 0;
 };
@@ -40,6 +40,6 @@ glm::dvec3 refracted(const glm::dvec3& d, const glm::dvec3& n, double n_ratio);
 /// From a point under the skin, in a direction inside it. Free paths are drawn for one channel and weighed for all three by the balance
 /// heuristic; at a face the walk turns back with Fresnel's probability; roulette ends it under a weight of 0.05. A walk is lost when it
 /// meets the front of a face or leaves the box around the skin, which a closed mesh does not allow.
-WalkEnd walk(const RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m, const glm::dvec3& direction, Random& random);
+WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m, const glm::dvec3& direction, Random& random);
 
 }  // namespace dermis::reference

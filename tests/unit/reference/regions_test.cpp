@@ -38,24 +38,24 @@ const Region& named(const std::vector<Region>& all, const std::string& name) {
 
 /// Calls visit(point that pixel i shows, i) for each pixel of skin.
 template <class Visit>
-void for_each_point(const RayScene& rays, const View& view, const Visit& visit) {
+void for_each_point(const rays::RayScene& rays, const View& view, const Visit& visit) {
   for (int y = 0; y < view.height; ++y)
     for (int x = 0; x < view.width; ++x) {
       const auto hit = rays.nearest_skin(camera_ray(view, x + 0.5, y + 0.5));
-      if (hit) visit(surface_point(rays.scene(), *hit), static_cast<std::size_t>(y * view.width + x));
+      if (hit) visit(rays::surface_point(rays.scene(), *hit), static_cast<std::size_t>(y * view.width + x));
     }
 }
 
 TEST(Regions, ABallHasATerminatorAndNeitherNoseNorEars) {
   const scene::Scene ball = scene::sphere(0.1, 64);
-  const RayScene rays(ball);
+  const rays::RayScene rays(ball);
   View view = framed(ball, 96);
   view.lights = {from({1, 0, 0})};
   const std::vector<Region> all = regions(rays, view);
   for (const char* empty : {"ears", "nose", "shadow edges", "thin parts", "folds"}) EXPECT_EQ(named(all, empty).pixels, 0u) << empty;
   EXPECT_GT(named(all, "skin").pixels, 5000u);
   const Region& terminator = named(all, "terminator");
-  for_each_point(rays, view, [&](const SurfacePoint& p, std::size_t i) {
+  for_each_point(rays, view, [&](const rays::SurfacePoint& p, std::size_t i) {
     const double cosine = p.position_m.x / 0.1;
     // On the dark side only as far as 12 mm from light.
     if (cosine > -0.11 && cosine < 0.19) { EXPECT_TRUE(terminator.mask[i]) << cosine; }
@@ -67,12 +67,12 @@ TEST(Regions, ABallHasATerminatorAndNeitherNoseNorEars) {
 
 TEST(Regions, SeamsAreWhereTheUnwrapIsCut) {
   const scene::Scene ball = scene::sphere(0.1, 32);  // six charts, cut where two coordinates are equal
-  const RayScene rays(ball);
+  const rays::RayScene rays(ball);
   const View view = framed(ball, 128);
   const std::vector<Region> all = regions(rays, view);
   const Region &seams = named(all, "seams"), &rest = named(all, "the rest");
   EXPECT_GT(seams.pixels, 100u);
-  for_each_point(rays, view, [&](const SurfacePoint& p, std::size_t i) {
+  for_each_point(rays, view, [&](const rays::SurfacePoint& p, std::size_t i) {
     const glm::dvec3 a = glm::abs(p.position_m);
     const double off_mm = 1000 * std::abs(a.z - std::max(a.x, a.y)) / std::sqrt(2.0);  // from the nearest cut that is seen
     if (off_mm < 1) { EXPECT_TRUE(seams.mask[i]) << off_mm; }
@@ -93,7 +93,7 @@ TEST(Regions, ShadowEdgesReachFiveMillimetres) {
   }
   sheet.indices = {0, 1, 3, 0, 3, 2};
   scene.primitives.push_back(sheet);
-  const RayScene rays(scene);
+  const rays::RayScene rays(scene);
   View view;
   view.camera = tests::from_above(0.02, 0.02);  // between skin and sheet
   view.width = view.height = 80;                // half a millimetre each
@@ -110,17 +110,17 @@ TEST(Regions, ShadowEdgesReachFiveMillimetres) {
 TEST(Regions, ThicknessOfABox) {
   for (const double depth_mm : {3.0, 12.0}) {
     const scene::Scene box = tests::box(depth_mm, 100);
-    const RayScene rays(box);
+    const rays::RayScene rays(box);
     const auto hit = rays.nearest_skin({.origin_m = {0.001, 0.002, 1}, .direction = {0, 0, -1}});
     ASSERT_TRUE(hit);
     // Half of a cone of 60 degrees lies within acos(3/4) of its axis.
-    EXPECT_NEAR(1000 * thickness_m(rays, surface_point(box, *hit)), depth_mm / 0.75, 0.05 * depth_mm);
+    EXPECT_NEAR(1000 * thickness_m(rays, rays::surface_point(box, *hit)), depth_mm / 0.75, 0.05 * depth_mm);
   }
   View view;
   view.camera = tests::from_above(0.5, 0.05);
   view.width = view.height = 16;
-  EXPECT_EQ(named(regions(RayScene(tests::box(5, 100)), view), "thin parts").pixels, 256u);
-  EXPECT_EQ(named(regions(RayScene(tests::box(50, 100)), view), "thin parts").pixels, 0u);
+  EXPECT_EQ(named(regions(rays::RayScene(tests::box(5, 100)), view), "thin parts").pixels, 256u);
+  EXPECT_EQ(named(regions(rays::RayScene(tests::box(50, 100)), view), "thin parts").pixels, 0u);
 }
 
 // Two boxes side by side with a slit of 2 mm between them: a fold is where one sees the other.
@@ -129,18 +129,18 @@ TEST(Regions, ASlitIsAFold) {
   scene::Primitive other = scene.primitives.front();
   for (scene::Vertex& v : other.vertices) v.position_m.x += 0.022f;
   scene.primitives.push_back(other);
-  const RayScene rays(scene);
+  const rays::RayScene rays(scene);
   const auto inside = rays.nearest_skin({.origin_m = {0.011, 0.001, -0.01}, .direction = {-1, 0, 0}});
   const auto top = rays.nearest_skin({.origin_m = {0.001, 0.002, 1}, .direction = {0, 0, -1}});
   ASSERT_TRUE(inside && top);
-  EXPECT_NEAR(1000 * gap_m(rays, surface_point(scene, *inside)), 2.3, 0.2);
-  EXPECT_GT(gap_m(rays, surface_point(scene, *top)), 1);
-  EXPECT_EQ(named(regions(RayScene(tests::box(50, 100)), framed(tests::box(50, 100), 16)), "folds").pixels, 0u);
+  EXPECT_NEAR(1000 * gap_m(rays, rays::surface_point(scene, *inside)), 2.3, 0.2);
+  EXPECT_GT(gap_m(rays, rays::surface_point(scene, *top)), 1);
+  EXPECT_EQ(named(regions(rays::RayScene(tests::box(50, 100)), framed(tests::box(50, 100), 16)), "folds").pixels, 0u);
 }
 
 TEST(Regions, OfTheBuiltInHead) {
   const scene::Scene head = scene::builtin_head({.map_size = 64});
-  const RayScene rays(head);
+  const rays::RayScene rays(head);
   const std::optional<HeadFrame> frame = HeadFrame::find(rays);
   ASSERT_TRUE(frame);
   EXPECT_NEAR(1000 * frame->half_breadth_m(), 85, 15);
@@ -149,7 +149,7 @@ TEST(Regions, OfTheBuiltInHead) {
   const std::vector<Region> all = regions(rays, front);
   std::array<int, 2> ears{};  // right, left
   double nose_mm = 0;
-  for_each_point(rays, front, [&](const SurfacePoint& p, std::size_t i) {
+  for_each_point(rays, front, [&](const rays::SurfacePoint& p, std::size_t i) {
     const glm::dvec3 from_tip_mm = 1000.0 * (p.position_m - frame->nose_tip_m());
     if (named(all, "ears").mask[i]) {
       ++ears[from_tip_mm.x > 0];

@@ -10,7 +10,7 @@
 #include "core/parallel.h"
 #include "optics/fresnel.h"
 #include "optics/radiative.h"
-#include "reference/surface_point.h"
+#include "rays/surface_point.h"
 #include "reference/walk.h"
 #include "unit/reference/scenes.h"
 
@@ -37,7 +37,7 @@ enum class Light { perpendicular, diffuse };
 
 std::array<Totals, 3> totals(const optics::RgbMedium& medium, double depth_mm, double half_mm, Light light, std::uint64_t seed) {
   const scene::Scene box = tests::box(depth_mm, half_mm);
-  const RayScene rays(box);
+  const rays::RayScene rays(box);
   const WalkMedium walked(medium, box.mm_per_unit);
   constexpr std::size_t batches = 64;
   const std::size_t per_batch = walks_per_case() / batches;
@@ -52,10 +52,10 @@ std::array<Totals, 3> totals(const optics::RgbMedium& medium, double depth_mm, d
         entered = 1 - optics::fresnel(cosine, 1 / walked.eta);
         d = {sine, 0, -cosine};
       }
-      const glm::dvec3 start(0, 0, -stand_off_m(glm::dvec3(0)));
+      const glm::dvec3 start(0, 0, -rays::stand_off_m(glm::dvec3(0)));
       const WalkEnd end = walk(rays, walked, start, refracted(d, glm::dvec3(0, 0, 1), 1 / walked.eta), random);
       EXPECT_NE(end.how, WalkEnd::How::lost);
-      const double z = end.how == WalkEnd::How::left ? surface_point(box, end.hit).face_normal.z : 0;
+      const double z = end.how == WalkEnd::How::left ? rays::surface_point(box, end.hit).face_normal.z : 0;
       for (std::size_t c = 0; c < 3; ++c) {
         const double weight = entered * end.weight[static_cast<int>(c)];
         sums[batch][c].reflected.add(z > 0.5 ? weight : 0);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Based on: [H21] Hanika: Hacking the Shadow Terminator. Ray Tracing Gems II, 2021, ch. 4
-#include "reference/surface_point.h"
+#include "rays/surface_point.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace dermis::reference {
+namespace dermis::rays {
 namespace {
 
 struct Corners {
@@ -51,4 +51,4 @@ SurfacePoint surface_point(const scene::Scene& scene, const Hit& hit) {
   return s;
 }
 
-}  // namespace dermis::reference
+}  // namespace dermis::rays

@@ -8,7 +8,7 @@
 #include <embree3/rtcore.h>
 #endif
 
-namespace dermis::reference::embree {
+namespace dermis::rays::embree {
 
 #if DERMIS_EMBREE_MAJOR >= 4
 
@@ -36,4 +36,4 @@ inline void occluded(RTCScene scene, Context& context, RTCRay& ray) { rtcOcclude
 
 #endif
 
-}  // namespace dermis::reference::embree
+}  // namespace dermis::rays::embree

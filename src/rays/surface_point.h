@@ -5,9 +5,9 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "reference/ray_scene.h"
+#include "rays/ray_scene.h"
 
-namespace dermis::reference {
+namespace dermis::rays {
 
 struct SurfacePoint {
   glm::dvec3 position_m{0};
@@ -22,4 +22,4 @@ struct SurfacePoint {
 
 SurfacePoint surface_point(const scene::Scene& scene, const Hit& hit);
 
-}  // namespace dermis::reference
+}  // namespace dermis::rays

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/ray_scene.h"
+#include "rays/ray_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "core/error.h"
-#include "reference/embree.h"
+#include "rays/embree.h"
 
-namespace dermis::reference {
+namespace dermis::rays {
 namespace {
 
 // A context that gathers: Embree hands the filter a pointer to the context, which is the first member.
@@ -152,4 +152,4 @@ void RayScene::all_skin(const Ray& ray, std::vector<Hit>& hits) const {
             [](const Hit& a, const Hit& b) { return std::tie(a.t_m, a.primitive, a.triangle) < std::tie(b.t_m, b.primitive, b.triangle); });
 }
 
-}  // namespace dermis::reference
+}  // namespace dermis::rays

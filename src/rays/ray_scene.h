@@ -12,7 +12,7 @@
 
 #include "scene/scene.h"
 
-namespace dermis::reference {
+namespace dermis::rays {
 
 /// A ray from `origin_m`, points at origin + t * direction (unit) with t in (t_min, t_max).
 struct Ray {
@@ -64,4 +64,4 @@ class RayScene {
 /// reference.
 bool is_skin(const scene::Scene& scene, const scene::Primitive& primitive);
 
-}  // namespace dermis::reference
+}  // namespace dermis::rays
