@@ -132,10 +132,8 @@ void add_real_time_options(CLI::App& command, RenderSettings& s, SceneUse use) {
     command.add_option("--technique", s.technique, names)->group("Technique");
     command.add_option("--heads", s.heads, "heads in a row, 1.6 radii apart")->group("Camera");
   }
-  if (use != SceneUse::comparison) {  // the reference knows neither
-    add_environment_options(command, s);
+  if (use != SceneUse::comparison)  // the reference has none
     command.add_option("--bloom", s.bloom, "share of the light that is spread over the picture, 0 to 1")->group("Camera");
-  }
   command.add_option("--map-size", s.map_size, "side of the light maps, texels")->group("Technique");
   command.add_option("--shadow-size", s.shadow_size, "side of a shadow map, texels")->group("Technique");
   command.add_option(use == SceneUse::comparison ? "--msaa" : "--samples", s.samples, "anti-aliasing, 1 or 4 samples a pixel")
@@ -236,6 +234,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
   add_profile_options(command, arguments.settings);
   add_view_options(command, arguments.settings);
   add_light_options(command, arguments.settings, use);
+  add_environment_options(command, arguments.settings);
   if (use == SceneUse::bench)
     for (const char* own : {"--optimise", "--skip-unseen-heads", "--distance", "--camera", "--orbit", "--exposure", "--view"})
       command.remove_option(command.get_option(own));

@@ -88,6 +88,9 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
   reference::Job setup;
   setup.model = model_of(r.model);
   setup.view = api::reference_view(scene, s);
+  if (!s.environment.empty())
+    setup.view.surroundings = std::make_shared<const reference::Surroundings>(environment::from_name_or_file(s.environment),
+                                                                              s.environment_intensity, s.environment_rotation_deg);
   setup.profiles.resize(scene.materials.size());
   for (const scene::SkinMesh& mesh : skin) {
     // One profile a mesh, that of its first triangle, as the renderer has it.

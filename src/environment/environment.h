@@ -36,6 +36,9 @@ Environment from_name_or_file(const std::string& name);
 glm::dvec3 direction_of(double u, double v);
 glm::dvec2 place_of(const glm::dvec3& direction);
 
+/// The picture at a place 0..1 x 0..1, bilinear between the middles of pixels; goes round in u, stops at the poles.
+glm::dvec3 radiance_at(const image::ImageF& picture, const glm::dvec2& place);
+
 /// Irradiance as a polynomial of the normal's components: nine terms 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2.
 /// Based on: Ramamoorthi, Hanrahan: An Efficient Representation for Irradiance Environment Maps. SIGGRAPH 2001 (order 2; on average
 /// within 1 % of the mean, up to 9 % under a single point).

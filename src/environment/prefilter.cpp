@@ -19,18 +19,6 @@ image::ImageF empty(int width, int height) {
           .values = std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
 }
 
-// Bilinear; wraps around in u, stops at the poles.
-glm::dvec3 sample(const image::ImageF& picture, glm::dvec2 at) {
-  const double x = at.x * picture.width - 0.5, y = std::clamp(at.y * picture.height - 0.5, 0.0, picture.height - 1.0);
-  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(y);
-  const double fx = x - x0, fy = y - y0;
-  const auto pixel = [&](int px, int py) {
-    const float* p = picture.at((px % picture.width + picture.width) % picture.width, std::min(py, picture.height - 1));
-    return glm::dvec3(p[0], p[1], p[2]);
-  };
-  return glm::mix(glm::mix(pixel(x0, y0), pixel(x0 + 1, y0), fx), glm::mix(pixel(x0, y0 + 1), pixel(x0 + 1, y0 + 1), fx), fy);
-}
-
 // Every pixel is the mean of the area that it covers; enlarges bilinearly.
 image::ImageF resampled(const image::ImageF& from, int width, int height) {
   image::ImageF to = empty(width, height);
@@ -40,7 +28,7 @@ image::ImageF resampled(const image::ImageF& from, int width, int height) {
       glm::dvec3 sum(0);
       for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i)
-          sum += sample(from, {(x + (i + 0.5) / nx) / width, (static_cast<double>(y) + (j + 0.5) / ny) / height});
+          sum += radiance_at(from, {(x + (i + 0.5) / nx) / width, (static_cast<double>(y) + (j + 0.5) / ny) / height});
       for (int c = 0; c < 3; ++c) to.at(x, static_cast<int>(y))[c] = static_cast<float>(sum[c] / (nx * ny));
     }
   });
@@ -85,7 +73,7 @@ glm::dvec3 average(const std::vector<image::ImageF>& chain, const std::vector<Lo
     const glm::dvec2 at = place_of(side * s.direction.x + up * s.direction.y + axis * s.direction.z);
     const double level = std::min(s.level, static_cast<double>(chain.size() - 1));
     const auto low = static_cast<std::size_t>(level), high = std::min(low + 1, chain.size() - 1);
-    sum += s.weight * glm::mix(sample(chain[low], at), sample(chain[high], at), level - static_cast<double>(low));
+    sum += s.weight * glm::mix(radiance_at(chain[low], at), radiance_at(chain[high], at), level - static_cast<double>(low));
     total += s.weight;
   }
   return sum / total;

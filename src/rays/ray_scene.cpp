@@ -127,6 +127,7 @@ RayScene::~RayScene() = default;
 
 std::optional<Hit> RayScene::nearest(const Ray& ray) const { return nearest_in(scenes_->all, ray); }
 std::optional<Hit> RayScene::nearest_skin(const Ray& ray) const { return nearest_in(scenes_->skin, ray); }
+std::optional<Hit> RayScene::nearest_solid(const Ray& ray) const { return nearest_in(scenes_->solid, ray); }
 std::optional<Hit> RayScene::nearest_cut_out(const Ray& ray) const { return nearest_in(scenes_->cut_out, ray); }
 
 bool RayScene::solid_between(const Ray& ray) const {

@@ -43,6 +43,7 @@ class RayScene {
   std::optional<Hit> nearest(const Ray& ray) const;          ///< of all triangles
   std::optional<Hit> nearest_skin(const Ray& ray) const;     ///< of skin
   std::optional<Hit> nearest_cut_out(const Ray& ray) const;  ///< of materials with alpha mode mask
+  std::optional<Hit> nearest_solid(const Ray& ray) const;    ///< of opaque materials
   bool solid_between(const Ray& ray) const;                  ///< does an opaque triangle lie on the ray?
   bool has_cut_outs() const { return has_cut_outs_; }
   /// Is the point in the bounding box of the skin?

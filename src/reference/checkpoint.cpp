@@ -92,6 +92,11 @@ void add_view(Hash& h, const View& view) {
   h.add(camera.fov_y_rad), h.add(camera.znear_m), h.add(camera.orthographic), h.add(camera.ymag_m);
   h.add(view.width), h.add(view.height), h.add(view.ambient), h.add(view.radiance_scale), h.add(view.specular), h.add(view.white_albedo);
   h.add(view.mix.value_or(-1));
+  if (view.surroundings) {
+    const image::ImageF& picture = view.surroundings->picture().radiance;
+    h.add(view.surroundings->intensity()), h.add(view.surroundings->rotation_rad()), h.add(picture.width);
+    h.bytes(picture.values.data(), picture.values.size() * sizeof(float));
+  }
   for (const scene::Light& light : view.lights) {
     h.add(light.type), h.add(light.colour), h.add(light.position_m), h.add(light.direction), h.add(light.range_m);
     h.add(light.inner_cone_rad), h.add(light.outer_cone_rad), h.add(light.radius);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/axes.h"
+
 namespace dermis::reference {
 namespace {
 
@@ -16,12 +18,6 @@ constexpr double reach_in_sigma = 5;
 constexpr int strata = 4;
 // The normal finds nearly everything and is always probed; of the two tangents, which find what stands steep, one is.
 constexpr std::array axis_chance{1.0, 0.5, 0.5};
-
-/// The face's normal and two directions square to it (Duff et al.: Building an Orthonormal Basis, Revisited. JCGT 2017).
-std::array<glm::dvec3, 3> axes_of(const glm::dvec3& n) {
-  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-  return {n, glm::dvec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x), glm::dvec3(b, sign + n.y * n.y * a, -n.y)};
-}
 
 /// With these chances the sum of the channels' variances is least, as long as the terms hardly overlap.
 double importance(const gaussians::Gaussian& g) { return std::hypot(g.weight[0], g.weight[1], g.weight[2]); }

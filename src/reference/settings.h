@@ -3,11 +3,13 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "gaussians/sum.h"
 #include "optics/media.h"
+#include "reference/surroundings.h"
 #include "scene/scene.h"
 
 namespace dermis::reference {
@@ -19,8 +21,9 @@ struct View {
   scene::Camera camera;
   int width = 0, height = 0;  ///< pixels, >= 1
   std::vector<scene::Light> lights;
-  double ambient = 0;         ///< uniform radiance from everywhere
-  double radiance_scale = 1;  ///< 2^EV
+  double ambient = 0;                                ///< uniform radiance from everywhere
+  std::shared_ptr<const Surroundings> surroundings;  ///< a picture of them instead
+  double radiance_scale = 1;                         ///< 2^EV
   bool specular = true, white_albedo = false;
   std::optional<double> mix;  ///< overrides the materials'
 };

@@ -65,8 +65,16 @@ class Shading {
  private:
   glm::dvec3 mapped_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal) const;
   glm::dvec3 eye_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal, const glm::dvec3& to_eye) const;
-  glm::dvec3 skin_albedo(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
+  glm::dvec3 albedo(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
   SkinSpecular skin_specular(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
+  /// Under a picture of the surroundings: what of them enters skin with the mapped normal n, and what its lobes reflect. `bounces`: how
+  /// often the light has been sent on by something in the way, on its path from the eye.
+  glm::dvec3 entering_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n, const SkinSpecular& spec, Random& random) const;
+  glm::dvec3 reflected_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n, const SkinSpecular& spec, const glm::dvec3& to_eye,
+                                    Random& random) const;
+  /// Radiance that reaches the point from a direction: the surroundings', or what is in the way sends on.
+  glm::dvec3 arriving_from(const rays::SurfacePoint& s, const glm::dvec3& direction, Random& random, int bounces) const;
+  glm::dvec3 sent_on(const rays::SurfacePoint& s, Random& random, int bounces) const;
   double occlusion(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
   bool cut_out_between(rays::Ray ray) const;
 

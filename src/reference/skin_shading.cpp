@@ -41,11 +41,11 @@ glm::dvec3 Shading::eye_normal(const ShadingMaterial& m, const rays::SurfacePoin
   return n_v < 0.05 ? glm::normalize(n + to_eye * (0.05 - n_v)) : n;
 }
 
-glm::dvec3 Shading::skin_albedo(const ShadingMaterial& m, const rays::SurfacePoint& s) const {
+glm::dvec3 Shading::albedo(const ShadingMaterial& m, const rays::SurfacePoint& s) const {
   if (view_.white_albedo) return glm::dvec3(1);
-  glm::dvec3 albedo = glm::dvec3(m.source->base_colour) * glm::dvec3(s.colour);
-  if (m.base_colour.present()) albedo *= glm::dvec3(m.base_colour.read(s.uv));
-  return glm::max(albedo, glm::dvec3(0));
+  glm::dvec3 colour = glm::dvec3(m.source->base_colour) * glm::dvec3(s.colour);
+  if (m.base_colour.present()) colour *= glm::dvec3(m.base_colour.read(s.uv));
+  return glm::max(colour, glm::dvec3(0));
 }
 
 SkinSpecular Shading::skin_specular(const ShadingMaterial& m, const rays::SurfacePoint& s) const {
@@ -81,19 +81,20 @@ glm::dvec3 Shading::entering_irradiance(const rays::SurfacePoint& s, Random& ran
     if (cosine <= 0 || glm::dot(s.normal, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(s, a)) continue;
     e += a.irradiance * (cosine * (1 - table_.at(spec, cosine)));
   }
-  return e / (1 - table_.mean(spec)) + glm::dvec3(view_.ambient * pi * occlusion(m, s));
+  e /= 1 - table_.mean(spec);
+  return e + (view_.surroundings ? entering_surroundings(s, n, spec, random) : glm::dvec3(view_.ambient * pi * occlusion(m, s)));
 }
 
 glm::dvec3 Shading::light_in_skin(const rays::SurfacePoint& s, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
-  const glm::dvec3 before = m.mix_before > 0 ? power(skin_albedo(m, s), m.mix_before) : glm::dvec3(1);
+  const glm::dvec3 before = m.mix_before > 0 ? power(albedo(m, s), m.mix_before) : glm::dvec3(1);
   return entering_irradiance(s, random) * before / pi;
 }
 
 glm::dvec3 Shading::leaving_factor(const rays::SurfacePoint& s, const glm::dvec3& to_eye) const {
   const ShadingMaterial& m = materials_[s.material];
   const glm::dvec3 n = eye_normal(m, s, s.normal, to_eye);
-  return power(skin_albedo(m, s), 1 - m.mix_before) * (1 - table_.at(skin_specular(m, s), glm::dot(n, to_eye)));
+  return power(albedo(m, s), 1 - m.mix_before) * (1 - table_.at(skin_specular(m, s), glm::dot(n, to_eye)));
 }
 
 glm::dvec3 Shading::skin_reflection(const rays::SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const {
@@ -108,6 +109,7 @@ glm::dvec3 Shading::skin_reflection(const rays::SurfacePoint& s, const glm::dvec
     if (cosine <= 0 || glm::dot(s.normal, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(s, a)) continue;
     sum += a.irradiance * (cosine * specular_brdf(spec, n, to_eye, a.to_light));
   }
+  if (view_.surroundings) return sum + reflected_surroundings(s, n, spec, to_eye, random);
   // Uniform surroundings are reflected by the lobes' albedo.
   return sum + glm::dvec3(view_.ambient * table_.at(spec, glm::dot(n, to_eye)) * occlusion(m, s));
 }

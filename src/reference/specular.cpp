@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "optics/attenuation.h"
+#include "reference/axes.h"
 
 namespace dermis::reference {
 namespace {
@@ -29,10 +31,34 @@ double kelemen(const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l, do
   return beckmann(std::max(glm::dot(n, h), 0.0), m) * (f0 + (1 - f0) * x) / h2;
 }
 
+/// How often the first lobe is drawn.
+double share_of_first(const SkinSpecular& s) {
+  const double sum = s.weight[0] + s.weight[1];
+  return sum > 0 ? s.weight[0] / sum : 1;
+}
+
 }  // namespace
 
 double specular_brdf(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l) {
   return s.rho_s * (s.weight[0] * kelemen(n, v, l, s.m[0], s.f0) + s.weight[1] * kelemen(n, v, l, s.m[1], s.f0));
+}
+
+glm::dvec3 lobe_drawn(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, Random& random) {
+  const double m = random.next() < share_of_first(s) ? s.m[0] : s.m[1];
+  const double tan2 = -m * m * std::log(random.next());
+  const glm::dvec3 h = around(n, 1 / std::sqrt(1 + tan2), 2 * std::numbers::pi * random.next());
+  return glm::normalize(2 * glm::dot(v, h) * h - v);
+}
+
+double lobe_density(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l) {
+  const glm::dvec3 h_raw = l + v;
+  const double length = glm::length(h_raw);
+  if (length < 1e-6) return 0;
+  const double n_h = glm::dot(n, h_raw) / length, v_h = glm::dot(v, h_raw) / length;
+  if (n_h <= 0 || v_h <= 0) return 0;
+  const double first = share_of_first(s);
+  const double normals = (first * beckmann(n_h, s.m[0]) + (1 - first) * beckmann(n_h, s.m[1])) / std::numbers::pi;
+  return normals * n_h / (4 * v_h);
 }
 
 ReflectanceTable::ReflectanceTable() : table_(optics::attenuation_table()) {}

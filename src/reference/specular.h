@@ -7,6 +7,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "reference/random.h"
+
 namespace dermis::reference {
 
 /// The lobes at one point of skin.
@@ -18,6 +20,11 @@ struct SkinSpecular {
 
 /// f, so that radiance = f * irradiance. All directions unit.
 double specular_brdf(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l);
+
+/// A direction l drawn by the lobes: their normals by Beckmann's distribution, mirrored; it may lie beneath the surface.
+glm::dvec3 lobe_drawn(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, Random& random);
+/// Of lobe_drawn(), per steradian.
+double lobe_density(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l);
 
 /// The part of light that the lobes reflect, tabulated by direction (optics/attenuation.h).
 class ReflectanceTable {

@@ -3,8 +3,10 @@
 // The uniform surroundings are reflected by the split-sum fit of Karis, "Physically Based Shading on Mobile", 2014.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
+#include "reference/axes.h"
 #include "reference/shading.h"
 
 namespace dermis::reference {
@@ -54,7 +56,33 @@ glm::dvec3 brdf_times_cosine(const Look& look, bool specular, const glm::dvec3& 
   return sum * n_l;
 }
 
-glm::dvec3 reflected_surroundings(const Look& look, double n_v) {
+/// GGX's normals, mirrored about v: a direction, and how likely a direction is, per steradian.
+glm::dvec3 highlight_drawn(const Look& look, const glm::dvec3& n, const glm::dvec3& v, Random& random) {
+  const double u = random.next();
+  const glm::dvec3 h = around(n, 1 / std::sqrt(1 + look.alpha * look.alpha * u / (1 - u)), 2 * pi * random.next());
+  return glm::normalize(2 * glm::dot(v, h) * h - v);
+}
+double highlight_density(const Look& look, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l) {
+  const glm::dvec3 h = glm::normalize(v + l);
+  const double n_h = glm::dot(n, h), v_h = glm::dot(v, h), a2 = look.alpha * look.alpha, d = n_h * n_h * (a2 - 1) + 1;
+  return n_h > 0 && v_h > 0 ? a2 * n_h / (4 * pi * d * d * v_h) : 0;
+}
+
+/// What a picture of the surroundings shows in a surface; `arriving` says what comes from a direction.
+glm::dvec3 mirrored_picture(const Look& look, bool specular, const Surroundings& sky, const glm::dvec3& n, const glm::dvec3& v,
+                            Random& random, const std::function<glm::dvec3(const glm::dvec3&)>& arriving) {
+  const double r2 = random.next();
+  glm::dvec3 sum(0);
+  for (const glm::dvec3& d :
+       {sky.draw(random), around(n, std::sqrt(1 - r2), 2 * pi * random.next()), highlight_drawn(look, n, v, random)}) {
+    const double cosine = glm::dot(n, d);
+    if (cosine <= 0) continue;
+    sum += arriving(d) * brdf_times_cosine(look, specular, n, v, d) / (sky.density(d) + cosine / pi + highlight_density(look, n, v, d));
+  }
+  return sum;
+}
+
+glm::dvec3 mirrored_uniform(const Look& look, double n_v) {
   const glm::dvec4 c0(-1, -0.0275, -0.572, 0.022), c1(1, 0.0425, 1.04, -0.04);
   const glm::dvec4 r = look.roughness * c0 + c1;
   const double a = std::min(r.x * r.x, std::exp2(-9.28 * n_v)) * r.x + r.y;
@@ -86,8 +114,13 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
     if (glm::dot(n, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(seen, a)) continue;
     out.radiance += a.irradiance * brdf_times_cosine(look, view_.specular, n, to_eye, a.to_light);
   }
-  const glm::dvec3 mirrored = view_.specular ? reflected_surroundings(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
-  out.radiance += view_.ambient * occlusion(m, s) * (look.albedo * (1 - largest(mirrored)) + mirrored);
+  if (view_.surroundings) {
+    const auto arriving = [&](const glm::dvec3& d) { return arriving_from(seen, d, random, 0); };
+    out.radiance += occlusion(m, s) * mirrored_picture(look, view_.specular, *view_.surroundings, n, to_eye, random, arriving);
+  } else {
+    const glm::dvec3 mirrored = view_.specular ? mirrored_uniform(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
+    out.radiance += view_.ambient * occlusion(m, s) * (look.albedo * (1 - largest(mirrored)) + mirrored);
+  }
   glm::dvec3 emitted(source.emissive);
   if (m.emissive.present()) emitted *= glm::dvec3(m.emissive.read(s.uv));
   out.radiance += emitted;

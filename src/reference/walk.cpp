@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "optics/fresnel.h"
 #include "rays/surface_point.h"
+#include "reference/axes.h"
 
 namespace dermis::reference {
 namespace {
@@ -25,10 +26,7 @@ glm::dvec3 scattered(const glm::dvec3& d, double g, Random& random) {
     const double part = (1 - g * g) / (1 - g + 2 * g * (1 - u));
     cosine = std::clamp((1 + g * g - part * part) / (2 * g), -1.0, 1.0);
   }
-  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-  const double sign = std::copysign(1.0, d.z), a = -1 / (sign + d.z), b = d.x * d.y * a;
-  const glm::dvec3 x(1 + sign * d.x * d.x * a, sign * b, -sign * d.x), y(b, sign + d.y * d.y * a, -d.y);
-  return glm::normalize(sine * (std::cos(phi) * x + std::sin(phi) * y) + cosine * d);
+  return around(d, cosine, phi);
 }
 
 /// What the walk carries: throughput over the density of the channel that draws, and the densities of all three over the same.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A picture of the surroundings as a light: how bright it is in a direction, and directions drawn where it is bright.
+// Based on: [PJH16] Pharr, Jakob, Humphreys: Physically Based Rendering. 3rd edition 2016, sec. 14.2.4 (infinite area lights)
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "environment/environment.h"
+#include "reference/random.h"
+
+namespace dermis::reference {
+
+class Surroundings {
+ public:
+  /// Radiance is multiplied by intensity >= 0. The picture is turned about +Y by rotation_deg, from the head's front (+Z) towards its
+  /// left (+X).
+  Surroundings(environment::Environment picture, double intensity, double rotation_deg);
+
+  /// What arrives from a unit direction, bilinear between pixels.
+  glm::dvec3 radiance(const glm::dvec3& direction) const;
+  /// A direction, drawn by the brightness of cells of at most 1024 x 512, evenly over the solid angle of each. Any where all is black.
+  glm::dvec3 draw(Random& random) const;
+  /// Of draw(), per steradian; 0 where all is black.
+  double density(const glm::dvec3& direction) const;
+
+  const environment::Environment& picture() const { return picture_; }
+  double intensity() const { return intensity_; }
+  double rotation_rad() const { return rotation_rad_; }
+
+ private:
+  glm::dvec3 to_picture(const glm::dvec3& direction) const;
+  double solid_angle(int row) const;
+
+  environment::Environment picture_;
+  double intensity_, rotation_rad_;
+  int columns_ = 0, rows_ = 0;
+  std::vector<double> cumulative_;  // share of the light in the cells up to and with this one, row by row
+};
+
+}  // namespace dermis::reference
