@@ -7,7 +7,6 @@
 #include "api/renderer_state.h"
 #include "api/setup.h"
 #include "core/error.h"
-#include "environment/occlusion.h"
 #include "frame/executor.h"
 #include "passes/blur/blur.h"
 #include "passes/frame_data.h"
@@ -67,6 +66,7 @@ struct PreparedFrame::State {
   RenderSettings settings;
   std::shared_ptr<api::SharedScene> scene;
   std::shared_ptr<const api::Surroundings> surroundings;
+  api::SkyLight sky_light;
   api::FrameSetup setup;
   techniques::FrameOutputs outputs;
   std::optional<frame::Executor> executor;
@@ -79,6 +79,7 @@ struct PreparedFrame::State {
   void set(const RenderSettings& wanted);
   void plan(const RenderSettings& wanted, const api::FrameSetup& next);
   void upload();
+  void look_at_the_sky();
   void count();
 };
 
@@ -106,7 +107,10 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   settings = wanted;
   upload();
   data = frame_data(device(), setup, *scene->gpu);
-  if (surroundings) data.environment = &surroundings->map;
+  if (surroundings) {
+    data.environment = &surroundings->map;
+    for (const gpu::Texture& map : sky_light.maps) data.sky_light.push_back(&map);
+  }
   times.clear();
   counters.clear();
 }
@@ -128,13 +132,7 @@ void PreparedFrame::State::upload() {
   const auto start = std::chrono::steady_clock::now();
   api::SharedScene& shared = *scene;
   if (!shared.gpu) shared.gpu.emplace(renderer->library, *shared.subject.scene, shared.subject.skin, passes::GpuSceneSettings{shared.mix});
-  if (surroundings)
-    for (std::size_t i = 0; i < shared.subject.skin.size(); ++i) {
-      if (shared.gpu->skin[i].sky_seen) continue;
-      const environment::Occlusion seen =
-          environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], gpu::default_pipeline_cache().parent_path());
-      shared.gpu->set_sky_seen(device(), i, static_cast<std::uint32_t>(seen.side), seen.values);
-    }
+  if (surroundings) look_at_the_sky();
   if (setup.technique->scatters)
     for (std::size_t i = 0; i < shared.subject.skin.size(); ++i) {
       const double density = shared.subject.densities[i].largest_texels_per_mm.p95;
@@ -149,6 +147,20 @@ void PreparedFrame::State::upload() {
             make(static_cast<int>(passes::halved_side(static_cast<std::uint32_t>(head.map_side), setup.plan.map_size, halvings)));
     }
   shared.upload_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void PreparedFrame::State::look_at_the_sky() {
+  api::SharedScene& shared = *scene;
+  for (std::size_t i = shared.sky_seen.size(); i < shared.subject.skin.size(); ++i) {
+    environment::Occlusion seen =
+        environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], gpu::default_pipeline_cache().parent_path());
+    shared.gpu->skin[i].sky_seen = passes::unwrap_map(device(), shared.gpu->skin[i].name + " sky seen", seen.side, seen.values);
+    seen.values = {};
+    shared.sky_seen.push_back(std::move(seen));
+  }
+  const double rotation_deg = settings.environment_rotation_deg;
+  if (sky_light.of != surroundings || sky_light.rotation_deg != rotation_deg || sky_light.maps.size() != shared.sky_seen.size())
+    sky_light = api::sky_light_of(device(), surroundings, rotation_deg, shared.sky_seen);
 }
 
 // The first frame of a view warms up (the first use of a pipeline compiles on software devices), makes what lasts, and counts.

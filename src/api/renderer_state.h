@@ -18,8 +18,9 @@ namespace api {
 /// A scene, examined and (once a frame has found room) on the device; shared by all frames that show it.
 struct SharedScene {
   Subject subject;
-  std::optional<float> mix;             ///< it is uploaded with
-  std::optional<passes::GpuScene> gpu;  ///< its materials point into it: never moved
+  std::optional<float> mix;                      ///< it is uploaded with
+  std::optional<passes::GpuScene> gpu;           ///< its materials point into it: never moved
+  std::vector<environment::Occlusion> sky_seen;  ///< one a skin mesh, once an environment was asked for; values are on the device only
   double upload_ms = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "image/colour.h"
+#include "passes/gpu_scene.h"
 
 namespace dermis::api {
 namespace {
@@ -18,11 +19,13 @@ std::filesystem::file_time_type time_of(const std::string& name) {
 }  // namespace
 
 Surroundings surroundings_of(gpu::Device& device, const std::string& name) {
-  Surroundings made{.name = name, .written = time_of(name), .irradiance = {}, .map = {}};
+  Surroundings made{.name = name, .written = time_of(name), .irradiance = {}, .sky = {}, .map = {}};
   const environment::Environment source = environment::from_name_or_file(name);
   made.irradiance = environment::irradiance_of(source);
+  const std::vector<image::ImageF> levels = environment::prefilter(source);
+  made.sky = environment::sky_of(levels.front());
   std::vector<std::uint16_t> halves;
-  for (const image::ImageF& level : environment::prefilter(source))
+  for (const image::ImageF& level : levels)
     for (std::size_t i = 0; i < level.values.size(); i += 3) {
       // The sun may be brighter than a half float can say.
       for (std::size_t c = 0; c < 3; ++c) halves.push_back(image::float_to_half(std::min(level.values[i + c], image::max_half)));
@@ -40,6 +43,15 @@ Surroundings surroundings_of(gpu::Device& device, const std::string& name) {
 
 bool is_current(const Surroundings& surroundings, const std::string& name) {
   return surroundings.name == name && surroundings.written == time_of(name);
+}
+
+SkyLight sky_light_of(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings, double rotation_deg,
+                      const std::vector<environment::Occlusion>& seen) {
+  SkyLight made{.of = std::move(surroundings), .rotation_deg = rotation_deg, .maps = {}};
+  const environment::SkyHarmonics sky = environment::turned(made.of->sky, rotation_deg * std::numbers::pi / 180);
+  for (const environment::Occlusion& mesh : seen)
+    made.maps.push_back(passes::unwrap_map(device, "sky light", mesh.side, environment::sky_light(mesh, sky)));
+  return made;
 }
 
 void fill_surroundings(io::FrameIo& frame, const Surroundings& surroundings, const RenderSettings& settings) {

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "dermis/renderer.h"
 #include "environment/environment.h"
+#include "environment/occlusion.h"
 #include "gpu/resources.h"
 #include "shared/scene_io.h"
 
@@ -16,6 +19,7 @@ struct Surroundings {
   std::string name;                         ///< RenderSettings::environment
   std::filesystem::file_time_type written;  ///< of the file when it was read
   environment::Irradiance irradiance;
+  environment::SkyHarmonics sky;
   gpu::Texture map;  ///< RGBA16F, prefiltered
 };
 
@@ -24,6 +28,17 @@ Surroundings surroundings_of(gpu::Device& device, const std::string& name);
 
 /// Is it still what this name means? A file may have changed.
 bool is_current(const Surroundings& surroundings, const std::string& name);
+
+/// What light of the surroundings arrives on each texel of each skin mesh, of intensity 1, on the device.
+struct SkyLight {
+  std::shared_ptr<const Surroundings> of;  ///< none: no maps
+  double rotation_deg = 0;
+  std::vector<gpu::Texture> maps;
+};
+
+/// `seen`: one a skin mesh. Some 15 ms a mesh: product of harmonics on the processor.
+SkyLight sky_light_of(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings, double rotation_deg,
+                      const std::vector<environment::Occlusion>& seen);
 
 void fill_surroundings(io::FrameIo& frame, const Surroundings& surroundings, const RenderSettings& settings);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
+#include "environment/harmonics.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -8,46 +9,84 @@
 namespace dermis::environment {
 namespace {
 
-using Basis = std::array<double, 9>;
+constexpr double pi = std::numbers::pi;
+constexpr int order = harmonic_order;
 
-// The polynomials of Irradiance, without their factors.
-Basis polynomials(const glm::dvec3& n) {
-  return {1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
+constexpr std::size_t number(int l, int m) { return static_cast<std::size_t>(l * (l + 1) + m); }
+
+/// sqrt((2 l + 1) / 4 pi (l - m)! / (l + m)!), times sqrt 2 for m > 0, where cosine and sine share it.
+double norm(int l, int m) {
+  double factorials = 1;
+  for (int i = l - m + 1; i <= l + m; ++i) factorials *= i;
+  return std::sqrt((m > 0 ? 2 : 1) * (2 * l + 1) / (4 * pi) / factorials);
 }
 
-// Squares of the harmonics' normalisation: Y = k * polynomial, so the projection onto Y and its evaluation multiply by k^2.
-constexpr double pi = std::numbers::pi;
-constexpr Basis squared_factors{1 / (4 * pi),  3 / (4 * pi),  3 / (4 * pi),  3 / (4 * pi),  15 / (4 * pi),
-                                15 / (4 * pi), 5 / (16 * pi), 15 / (4 * pi), 15 / (16 * pi)};
-// What a cosine lobe does to each band: pi, 2 pi / 3, pi / 4.
-constexpr Basis cosine_factors{pi, 2 * pi / 3, 2 * pi / 3, 2 * pi / 3, pi / 4, pi / 4, pi / 4, pi / 4, pi / 4};
+const std::array<double, harmonic_terms>& norms() {
+  static const std::array<double, harmonic_terms> table = [] {
+    std::array<double, harmonic_terms> made{};
+    for (int l = 0; l <= order; ++l)
+      for (int m = -l; m <= l; ++m) made[number(l, m)] = norm(l, std::abs(m));
+    return made;
+  }();
+  return table;
+}
 
 }  // namespace
 
-Irradiance irradiance_of(const Environment& environment) {
-  const image::ImageF& picture = environment.radiance;
-  // Pixels of a small picture are wide: the polynomials vary within them.
-  const int nx = std::max(1, 128 / picture.width), ny = std::max(1, 64 / picture.height);
-  Irradiance sum{};
+Harmonics harmonics(const glm::dvec3& d) {
+  Harmonics out{};
+  double cosine = 1, sine = 0;  // sin(polar)^m times those of m azimuths: the real and imaginary part of (z + i x)^m
+  double diagonal = 1;          // the Legendre function of l = m without sin^m: 1 3 5 ... (2 m - 1)
+  for (int m = 0; m <= order; ++m) {
+    double before = 0, here = diagonal;
+    for (int l = m; l <= order; ++l) {
+      out[number(l, m)] = norms()[number(l, m)] * here * cosine;
+      if (m > 0) out[number(l, -m)] = norms()[number(l, m)] * here * sine;
+      const double next = (d.y * (2 * l + 1) * here - (l + m) * before) / (l - m + 1);
+      before = here, here = next;
+    }
+    diagonal *= 2 * m + 1;
+    const double turned_cosine = cosine * d.z - sine * d.x;
+    sine = cosine * d.x + sine * d.z, cosine = turned_cosine;
+  }
+  return out;
+}
+
+Harmonics cosine_lobe(const glm::dvec3& normal) {
+  constexpr std::array<double, order + 1> zonal{pi, 2 * pi / 3, pi / 4, 0, -pi / 24, 0};
+  Harmonics lobe = harmonics(normal);
+  for (int l = 0; l <= order; ++l)
+    for (int m = -l; m <= l; ++m) lobe[number(l, m)] *= zonal[static_cast<std::size_t>(l)];
+  return lobe;
+}
+
+SkyHarmonics sky_of(const image::ImageF& picture) {
+  SkyHarmonics sky{};
   double solid_angle = 0;
-  for (int y = 0; y < picture.height * ny; ++y) {
-    const double v = (y + 0.5) / (picture.height * ny), share = std::sin(pi * v);
-    for (int x = 0; x < picture.width * nx; ++x) {
-      const float* rgb = picture.at(x / nx, y / ny);
-      const Basis p = polynomials(direction_of((x + 0.5) / (picture.width * nx), v));
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += glm::dvec3(rgb[0], rgb[1], rgb[2]) * (p[k] * share);
+  for (int y = 0; y < picture.height; ++y) {
+    const double v = (y + 0.5) / picture.height, share = std::sin(pi * v);
+    for (int x = 0; x < picture.width; ++x) {
+      const float* rgb = picture.at(x, y);
+      const Harmonics basis = harmonics(direction_of((x + 0.5) / picture.width, v));
+      for (std::size_t k = 0; k < sky.size(); ++k) sky[k] += glm::dvec3(rgb[0], rgb[1], rgb[2]) * (basis[k] * share);
       solid_angle += share;
     }
   }
-  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] *= squared_factors[k] * cosine_factors[k] * 4 * pi / solid_angle;
-  return sum;
+  for (glm::dvec3& value : sky) value *= 4 * pi / solid_angle;
+  return sky;
 }
 
-glm::dvec3 evaluate(const Irradiance& irradiance, const glm::dvec3& normal) {
-  const Basis p = polynomials(normal);
-  glm::dvec3 e(0);
-  for (std::size_t k = 0; k < p.size(); ++k) e += irradiance[k] * p[k];
-  return glm::max(e, glm::dvec3(0));
+SkyHarmonics turned(const SkyHarmonics& sky, double angle_rad) {
+  SkyHarmonics out = sky;
+  for (int m = 1; m <= order; ++m) {
+    const double c = std::cos(m * angle_rad), s = std::sin(m * angle_rad);
+    for (int l = m; l <= order; ++l) {
+      const glm::dvec3 &cosine = sky[number(l, m)], &sine = sky[number(l, -m)];
+      out[number(l, m)] = cosine * c - sine * s;
+      out[number(l, -m)] = cosine * s + sine * c;
+    }
+  }
+  return out;
 }
 
 }  // namespace dermis::environment

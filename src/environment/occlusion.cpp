@@ -2,11 +2,13 @@
 #include "environment/occlusion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/assert.h"
 #include "core/parallel.h"
+#include "image/colour.h"
 #include "rays/ray_scene.h"
 #include "scene/coverage.h"
 
@@ -57,40 +59,80 @@ glm::dvec2 shift_of(std::uint32_t x, std::uint32_t y) {
   return glm::dvec2(h & 0xFFFFu, h >> 16) / 65536.0;
 }
 
-// Cosine-weighted directions around the normal. Those beneath the flat triangle are not asked: a coarse mesh would darken itself.
-glm::vec4 look_around(const rays::RayScene& rays, const glm::dvec3& p, const glm::dvec3& n, const glm::dvec3& face, glm::dvec2 shift,
-                      int count) {
+// What is known of a texel: four values of the sky that it sees, then its transfer.
+using Seen = std::array<float, 4 + harmonic_terms>;
+const Seen all_of_it = [] {  // from no direction in particular: pi times the mean radiance
+  Seen made{0, 0, 0, 1};
+  made[4] = static_cast<float>(std::sqrt(std::numbers::pi) / 2);
+  return made;
+}();
+
+void add(Seen& sum, float weight, const Seen& more) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * more[i];
+}
+Seen divided(Seen sum, float by) {
+  for (float& value : sum) value /= by;
+  return sum;
+}
+
+// Adds up what rays find. Directions beneath the flat triangle are not asked: a coarse mesh would darken itself.
+struct Gathered {
+  glm::dvec3 open{0}, all{0};
+  Harmonics open_harmonics{}, all_harmonics{};
+  int seen = 0, asked = 0;
+
+  void add(const glm::dvec3& d, bool free) {
+    const Harmonics y = harmonics(d);
+    ++asked, all += d;
+    for (std::size_t k = 0; k < y.size(); ++k) all_harmonics[k] += y[k];
+    if (!free) return;
+    ++seen, open += d;
+    for (std::size_t k = 0; k < y.size(); ++k) open_harmonics[k] += y[k];
+  }
+
+  Seen result(const glm::dvec3& n) const {
+    Seen out = all_of_it;
+    const Harmonics lobe = cosine_lobe(n);
+    const double share = asked == 0 ? 1 : static_cast<double>(seen) / asked, each = asked == 0 ? 0 : std::numbers::pi / asked;
+    // The exact lobe of all directions less that of the rays is noise alone: as much of it is taken off as is seen, so that nothing is left
+    // of it where nothing is in the way, and nothing is brought in where nothing is seen.
+    for (std::size_t k = 0; k < lobe.size(); ++k)
+      out[4 + k] = static_cast<float>(each * open_harmonics[k] + share * (lobe[k] - each * all_harmonics[k]));
+    if (asked == 0) return out;
+    out[3] = static_cast<float>(share);
+    if (seen == 0) return out;
+    const glm::dvec3 turned = glm::normalize(open) - glm::normalize(all);  // noise and the triangle's tilt cancel here, too
+    for (glm::length_t i = 0; i < 3; ++i) out[static_cast<std::size_t>(i)] = static_cast<float>(turned[i]);
+    return out;
+  }
+};
+
+// Cosine-weighted directions around the normal.
+Seen look_around(const rays::RayScene& rays, const glm::dvec3& p, const glm::dvec3& n, const glm::dvec3& face, glm::dvec2 shift,
+                 int count) {
   const glm::dvec3 side = glm::normalize(glm::cross(std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
   const glm::dvec3 up = glm::cross(n, side);
   const glm::dvec3 origin = p + face * (4 * rays::stand_off_m(p));
-  glm::dvec3 open(0), all(0);
-  int seen = 0, asked = 0;
+  Gathered gathered;
   for (int i = 0; i < count; ++i) {
     const double r2 = std::fmod((i + 0.5) / count + shift.x, 1.0),
                  a = 2 * std::numbers::pi * std::fmod(radical_inverse(static_cast<unsigned>(i)) + shift.y, 1.0);
     const double r = std::sqrt(r2);
     const glm::dvec3 d = side * (r * std::cos(a)) + up * (r * std::sin(a)) + n * std::sqrt(1 - r2);
-    if (glm::dot(d, face) <= 1e-3) continue;
-    ++asked;
-    all += d;
-    if (rays.solid_between({.origin_m = origin, .direction = d})) continue;
-    ++seen;
-    open += d;
+    if (glm::dot(d, face) > 1e-3) gathered.add(d, !rays.solid_between({.origin_m = origin, .direction = d}));
   }
-  if (seen == 0) return asked == 0 ? glm::vec4(0, 0, 0, 1) : glm::vec4(0);
-  // Against the mean of all directions that were asked, so that noise and the triangle's tilt cancel where nothing is in the way.
-  return {glm::vec3(glm::normalize(open) - glm::normalize(all)), static_cast<float>(seen) / static_cast<float>(asked)};
+  return gathered.result(n);
 }
 
 // The mean of 3 x 3 texels of the same chart: what is left of the noise.
-std::vector<glm::vec4> smoothed(const scene::SkinMesh& mesh, const Grid& grid, const std::vector<glm::vec4>& values) {
-  std::vector<glm::vec4> out(values.size());
+std::vector<Seen> smoothed(const scene::SkinMesh& mesh, const Grid& grid, const std::vector<Seen>& values) {
+  std::vector<Seen> out(values.size(), Seen{});
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < grid.side; ++x) {
       const Texel& own = grid.texels[grid.at(x, y)];
       if (!own.covered()) continue;
-      glm::vec4 sum(0);
+      Seen sum{};
       float total = 0;
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
@@ -98,38 +140,38 @@ std::vector<glm::vec4> smoothed(const scene::SkinMesh& mesh, const Grid& grid, c
           const Texel& other = grid.texels[grid.at(x + dx, y + dy)];
           if (!other.covered() || mesh.triangle_chart[other.triangle] != mesh.triangle_chart[own.triangle]) continue;
           const float weight = static_cast<float>((2 - std::abs(dx)) * (2 - std::abs(dy)));
-          sum += weight * values[grid.at(x + dx, y + dy)];
+          add(sum, weight, values[grid.at(x + dx, y + dy)]);
           total += weight;
         }
-      out[grid.at(x, y)] = sum / total;
+      out[grid.at(x, y)] = divided(sum, total);
     }
   });
   return out;
 }
 
 // Fills texels off the mesh from those beside them, ring by ring.
-void dilate(const Grid& grid, std::vector<glm::vec4>& values) {
+void dilate(const Grid& grid, std::vector<Seen>& values) {
   std::vector<bool> filled(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) filled[i] = grid.texels[i].covered();
   for (int ring = 0; ring < dilation; ++ring) {
-    std::vector<std::pair<std::size_t, glm::vec4>> added;
+    std::vector<std::pair<std::size_t, Seen>> added;
     for (int y = 0; y < grid.side; ++y)
       for (int x = 0; x < grid.side; ++x) {
         if (filled[grid.at(x, y)]) continue;
-        glm::vec4 sum(0);
+        Seen sum{};
         float total = 0;
         for (int dy = -1; dy <= 1; ++dy)
           for (int dx = -1; dx <= 1; ++dx) {
             if (x + dx < 0 || y + dy < 0 || x + dx >= grid.side || y + dy >= grid.side || !filled[grid.at(x + dx, y + dy)]) continue;
-            sum += values[grid.at(x + dx, y + dy)];
+            add(sum, 1, values[grid.at(x + dx, y + dy)]);
             ++total;
           }
-        if (total > 0) added.emplace_back(grid.at(x, y), sum / total);
+        if (total > 0) added.emplace_back(grid.at(x, y), divided(sum, total));
       }
     for (const auto& [i, value] : added) values[i] = value, filled[i] = true;
   }
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (!filled[i]) values[i] = {0, 0, 0, 1};
+    if (!filled[i]) values[i] = all_of_it;
 }
 
 }  // namespace
@@ -140,7 +182,7 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
   DERMIS_ASSERT_LE(1, settings.rays);
   const rays::RayScene rays(scene);
   const Grid grid = rasterise(mesh, settings.side);
-  std::vector<glm::vec4> values(grid.texels.size(), glm::vec4(0, 0, 0, 1));
+  std::vector<Seen> values(grid.texels.size(), all_of_it);
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
     for (int x = 0; x < grid.side; ++x) {
       const Texel& texel = grid.texels[grid.at(x, static_cast<int>(row))];
@@ -161,9 +203,30 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
   });
   values = smoothed(mesh, grid, values);
   dilate(grid, values);
-  Occlusion out{.side = settings.side, .values = {}};
-  for (const glm::vec4& value : values) out.values.insert(out.values.end(), {value.x, value.y, value.z, value.w});
+  Occlusion out{.side = settings.side, .values = {}, .transfer = {}};
+  out.values.reserve(4 * values.size()), out.transfer.reserve(harmonic_terms * values.size());
+  for (const Seen& seen : values) {
+    out.values.insert(out.values.end(), seen.begin(), seen.begin() + 4);
+    for (std::size_t k = 0; k < harmonic_terms; ++k) out.transfer.push_back(image::float_to_half(seen[4 + k]));
+  }
   return out;
+}
+
+std::vector<float> sky_light(const Occlusion& occlusion, const SkyHarmonics& sky) {
+  const auto side = static_cast<std::size_t>(occlusion.side);
+  DERMIS_ASSERT_EQ(occlusion.transfer.size(), side * side * harmonic_terms);
+  std::array<glm::vec3, harmonic_terms> radiance;
+  for (std::size_t k = 0; k < harmonic_terms; ++k) radiance[k] = glm::vec3(sky[k]);
+  std::vector<float> light(4 * side * side);
+  parallel_for(side, [&](std::size_t row) {
+    for (std::size_t i = row * side; i < (row + 1) * side; ++i) {
+      glm::vec3 e(0);
+      for (std::size_t k = 0; k < harmonic_terms; ++k) e += image::half_to_float(occlusion.transfer[i * harmonic_terms + k]) * radiance[k];
+      for (glm::length_t c = 0; c < 3; ++c) light[4 * i + static_cast<std::size_t>(c)] = std::max(e[c], 0.0f);
+      light[4 * i + 3] = 1;
+    }
+  });
+  return light;
 }
 
 }  // namespace dermis::environment

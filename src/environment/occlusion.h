@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// How much of the sky each point of the skin sees, and where it opens: what darkens nostrils, eye sockets and the fold behind an ear.
-/// Based on: Landis: Production-Ready Global Illumination. SIGGRAPH 2002 course 16 (bent normals).
+/// What each point of the skin sees of the sky: how much, where it opens, and what light from there adds up to. It darkens nostrils, eye
+/// sockets and the fold behind an ear, and the side of a nose that is turned from a window.
+/// Based on: Landis: Production-Ready Global Illumination. SIGGRAPH 2002 course 16 (bent normals); [SKS02] Sloan, Kautz, Snyder:
+/// Precomputed Radiance Transfer. SIGGRAPH 2002 (shadowed transfer, diffuse)
 #pragma once
 
 #include <cstdint>
@@ -8,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "environment/harmonics.h"
 #include "scene/unwrap.h"
 
 namespace dermis::environment {
@@ -19,6 +22,9 @@ struct Occlusion {
   /// hemisphere that is seen, weighted by the cosine, 0..1. Texels off the mesh continue those beside it for some texels, then hold 0 0
   /// 0 1.
   std::vector<float> values;
+  /// side * side * harmonic_terms half floats: the cosine lobe about the normal where the sky is seen, Int V cos Y. Its product with the
+  /// harmonics of radiance is irradiance.
+  std::vector<std::uint16_t> transfer;
 };
 
 struct OcclusionSettings {
@@ -34,5 +40,8 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
 /// that cannot be read or written costs time, with a warning, and nothing else.
 Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh, const std::filesystem::path& folder,
                            const OcclusionSettings& settings = {});
+
+/// Irradiance on each texel from what it sees of a sky: side * side * 4 values, R G B and 1; never negative.
+std::vector<float> sky_light(const Occlusion& occlusion, const SkyHarmonics& sky);
 
 }  // namespace dermis::environment

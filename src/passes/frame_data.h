@@ -32,6 +32,8 @@ struct FrameData {
   /// What lies outside any of these is clipped from light maps: dot(xyz, position_m) + w < 0.
   std::array<glm::vec4, 5> clip_planes{};
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
+  std::vector<const gpu::Texture*>
+      sky_light;  ///< of each skin mesh under an environment: RGBA16F over its unwrap, environment::sky_light()
   std::vector<Instance> instances;
 };
 

@@ -175,6 +175,18 @@ void GpuMesh::offer(Bindings& bindings) const {
   if (charts) bindings.add("Charts", charts).add("TurnedNeighbours", turned_neighbours);
 }
 
+gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side, const std::vector<float>& values) {
+  const auto texels = static_cast<std::uint32_t>(side);
+  DERMIS_ASSERT_EQ(values.size(), std::size_t{texels} * texels * 4);
+  std::vector<std::uint16_t> halves(values.size());
+  std::transform(values.begin(), values.end(), halves.begin(),
+                 [](float value) { return image::float_to_half(std::min(value, image::max_half)); });
+  gpu::Texture map(device, name,
+                   {.width = texels, .height = texels, .format = VK_FORMAT_R16G16B16A16_SFLOAT, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  gpu::upload(device, map, std::as_bytes(std::span(halves)));
+  return map;
+}
+
 GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin_meshes,
                    const GpuSceneSettings& settings) {
   gpu::Device& device = library.device();
@@ -240,17 +252,6 @@ void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene
   made.width_texels = width_texels;
   made.count = static_cast<std::uint32_t>(list.size());
   if (!list.empty()) made.list = gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
-}
-
-void GpuScene::set_sky_seen(gpu::Device& device, std::size_t number, std::uint32_t side, const std::vector<float>& values) {
-  DERMIS_ASSERT_EQ(values.size(), std::size_t{side} * side * 4);
-  std::vector<std::uint16_t> halves(values.size());
-  std::transform(values.begin(), values.end(), halves.begin(), image::float_to_half);
-  GpuMesh& mesh = skin[number];
-  mesh.sky_seen =
-      gpu::Texture(device, mesh.name + " sky seen",
-                   {.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
-  gpu::upload(device, mesh.sky_seen, std::as_bytes(std::span(halves)));
 }
 
 const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb) {

@@ -51,7 +51,7 @@ struct GpuMesh {
     int width_texels = 0;
   };
   std::map<std::uint32_t, Gutters> gutters;
-  gpu::Texture sky_seen;  ///< RGBA16F over the unwrap, see GpuScene::set_sky_seen; skin only
+  gpu::Texture sky_seen;  ///< see unwrap_map(), Occlusion::values of environment/occlusion.h; skin only, and only under an environment
   std::vector<GpuDraw> draws;
   glm::vec3 centre_m{0};
 
@@ -63,6 +63,9 @@ struct GpuSceneSettings {
   std::optional<float> mix;  ///< overrides the materials' mix
 };
 
+/// RGBA16F over an unwrap, from side x side x 4 values; those that half floats cannot hold become their largest.
+gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side, const std::vector<float>& values);
+
 class GpuScene {
  public:
   /// Uploads. DeviceError: a map or buffer over the device's limits, no memory.
@@ -72,9 +75,6 @@ class GpuScene {
   /// Makes the gutters of skin mesh `number`, which is `mesh`, for light maps of side x side texels, `width_texels` wide, unless it has
   /// them as wide or wider.
   void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side, int width_texels);
-
-  /// What skin mesh `number` sees of the sky: side x side x 4 values, environment/occlusion.h.
-  void set_sky_seen(gpu::Device& device, std::size_t number, std::uint32_t side, const std::vector<float>& values);
 
   std::vector<GpuMesh> skin;      ///< one a SkinMesh
   std::vector<GpuMesh> surfaces;  ///< everything else, one a primitive

@@ -25,8 +25,12 @@ class LightingSamplers {
         .add("attenuation", gpu::SampledBinding{&frame.scene->attenuation, table_})
         .add("environment_map", gpu::SampledBinding{frame.environment ? frame.environment : &frame.scene->white(), sky_});
   }
-  void offer_sky_seen(Bindings& bindings, const frame::FrameData& frame, const GpuMesh& mesh) const {
-    bindings.add("sky_seen", gpu::SampledBinding{mesh.sky_seen ? &mesh.sky_seen : &frame.scene->white(), table_});
+  /// What skin mesh `number` sees of the surroundings.
+  void offer_sky(Bindings& bindings, const frame::FrameData& frame, std::size_t number) const {
+    const GpuMesh& mesh = frame.scene->skin[number];
+    const gpu::Texture* light = number < frame.sky_light.size() ? frame.sky_light[number] : nullptr;
+    bindings.add("sky_seen", gpu::SampledBinding{mesh.sky_seen ? &mesh.sky_seen : &frame.scene->white(), table_})
+        .add("sky_light", gpu::SampledBinding{light ? light : &frame.scene->white(), table_});
   }
 
  private:

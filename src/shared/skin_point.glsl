@@ -15,6 +15,7 @@ layout(binding = 10) uniform sampler2D map_roughness;
 layout(binding = 11) uniform sampler2D map_occlusion;
 layout(binding = 12) uniform sampler2D map_specular;
 layout(binding = 27) uniform sampler2D sky_seen;  // over the unwrap: environment/occlusion.h
+layout(binding = 29) uniform sampler2D sky_light;  // likewise, what light of the sky arrives there
 
 #include "shared/specular.glsl"
 #include "shared/lights.glsl"
@@ -71,9 +72,11 @@ vec3 entering_irradiance(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular 
   return e / kept_mean;
 }
 
+const float least_open = 0.002;  // white skin in a hole without a way out has no answer
+
 // The share of the sky that a point sees.
 float skin_open(SurfacePoint s, vec2 unwrap) {
-  return environment ? clamp(textureLod(sky_seen, unwrap, 0.0).w, 0.002, 1.0) * max(skin_occlusion(s), 0.002) : skin_occlusion(s);
+  return environment ? clamp(textureLod(sky_seen, unwrap, 0.0).w, least_open, 1.0) * max(skin_occlusion(s), least_open) : skin_occlusion(s);
 }
 
 // Irradiance that enters from the surroundings; what is reflected and what the mean takes off cancel. Under a picture of them, skin that
@@ -83,6 +86,10 @@ float skin_open(SurfacePoint s, vec2 unwrap) {
 vec3 entering_surroundings(SurfacePoint s, vec3 n, vec2 unwrap) {
   const float open = skin_open(s, unwrap);
   if (!environment) return surroundings_irradiance(n) * open;
-  const vec3 towards_sky = normalize(n + textureLod(sky_seen, unwrap, 0.0).xyz);
-  return surroundings_irradiance(towards_sky) * (open / (1.0 - min(skin_albedo(s), vec3(1.0)) * (1.0 - open)));
+  // The map knows the normal of the mesh; a mapped one faces another part of the sky.
+  const vec4 seen = textureLod(sky_seen, unwrap, 0.0);
+  const vec3 mapped = surroundings_irradiance(normalize(n + seen.xyz)), unmapped = surroundings_irradiance(normalize(s.normal + seen.xyz));
+  vec3 sky = max(textureLod(sky_light, unwrap, 0.0).rgb * frame.environment_intensity + (mapped - unmapped) * seen.w, vec3(0.0));
+  sky += mapped * max(least_open - seen.w, 0.0);
+  return sky * (max(skin_occlusion(s), least_open) / (1.0 - min(skin_albedo(s), vec3(1.0)) * (1.0 - open)));
 }

@@ -62,7 +62,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
       mesh.offer(bindings);
       material.offer(bindings);
       samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
-      samplers_.offer_sky_seen(bindings, frame, mesh);
+      samplers_.offer_sky(bindings, frame, square.mesh);
       if (through) through_.offer(bindings, resources, in_.entering, square.mesh);
       bindings.bind(cmd, pipeline);
       cmd.push(pipeline, seen_io(frame, instance, material));

@@ -42,7 +42,7 @@ void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources
       mesh.offer(bindings);
       material.offer(bindings);
       samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
-      samplers_.offer_sky_seen(bindings, frame, mesh);
+      samplers_.offer_sky(bindings, frame, square.mesh);
       through_.offer(bindings, resources, in_.entering, square.mesh);
       bindings.add("Counters", resources.buffer(in_.counters));
       bindings.bind(cmd, pipeline);

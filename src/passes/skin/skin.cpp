@@ -94,7 +94,7 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
     mesh.offer(bindings);
     material.offer(bindings);
     samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
-    samplers_.offer_sky_seen(bindings, frame, mesh);
+    samplers_.offer_sky(bindings, frame, settings_.square.mesh);
     if (through()) through_.offer(bindings, resources, in_.entering, 0);
     // A binding without a term is never read, but must be bound: any sampled texture serves.
     for (std::size_t i = 0; i < names.size(); ++i)

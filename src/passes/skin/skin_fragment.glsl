@@ -89,7 +89,7 @@ vec3 specular_radiance(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpe
 // The surroundings in both lobes, by their directional albedo. Where skin hides them, it is mirrored in their place: `skin`, the radiance
 // that leaves it here.
 vec3 mirrored_surroundings(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec, vec3 skin) {
-  const float n_v = dot(n, v), all = specular_albedo(attenuation, spec, n_v), open = skin_open(s, in_unwrap);
+  const float n_v = dot(n, v), all = specular_albedo(attenuation, spec, n_v), open = skin_open(s, within_triangle(in_unwrap));
   if (!environment) return frame.ambient * (all * open);
   const vec3 mirrored = reflect(-v, n);
   const float above = clamp(1.0 + 1.3 * dot(mirrored, n_geometric), 0.0, 1.0);  // a mapped normal may mirror what lies beneath the surface
@@ -117,10 +117,10 @@ void main() {
     for (int i = 0; i < term_count; ++i) share -= io.weights[i];
 #ifdef THROUGH
     const EnteringAndThrough r = entering_and_through(s, n, n_geometric, spec);
-    const vec3 entering = r.entering + entering_surroundings(s, n, in_unwrap);
+    const vec3 entering = r.entering + entering_surroundings(s, n, within_triangle(in_unwrap));
     diffuse += (share * entering * albedo + through_share(r) * albedo_power(albedo, 1.0 - material.mix_before)) * (frame.radiance_scale / pi);
 #else
-    const vec3 entering = entering_irradiance(s, n, n_geometric, spec) + entering_surroundings(s, n, in_unwrap);
+    const vec3 entering = entering_irradiance(s, n, n_geometric, spec) + entering_surroundings(s, n, within_triangle(in_unwrap));
     diffuse += share * entering * albedo * (frame.radiance_scale / pi);
 #endif
   }

@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 
+#include "environment/environment.h"
 #include "scene/primitives.h"
 
 namespace dermis::environment {
@@ -52,6 +54,39 @@ TEST(Occlusion, NothingInTheWayIsOpen) {
       EXPECT_EQ(o.values[i + 3], 1.0f);
       EXPECT_LT(glm::length(glm::vec3(o.values[i], o.values[i + 1], o.values[i + 2])), 1e-5f);
     }
+    SkyHarmonics white{};
+    white[0] = glm::dvec3(std::sqrt(4 * std::numbers::pi));
+    const std::vector<float> light = sky_light(o, white);
+    for (std::size_t i = 0; i < light.size(); i += 4) EXPECT_NEAR(light[i], std::numbers::pi, 2e-3);
+  }
+}
+
+// A sky that is brighter towards +x, or -x, or above: what is left of it beside the wall, against a sum over fine steps.
+TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
+  const scene::Scene scene = floor_with_wall(0.5);
+  const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
+  const auto radiance = [](const glm::dvec3& d) { return glm::dvec3(1 + d.x, 1 - d.x, 0.5 + d.z * d.z); };
+  constexpr int rows = 128;
+  image::ImageF picture{.width = 2 * rows, .height = rows, .channels = 3, .values = {}};
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < 2 * rows; ++x) {
+      const glm::dvec3 rgb = radiance(direction_of((x + 0.5) / (2 * rows), (y + 0.5) / rows));
+      for (int c = 0; c < 3; ++c) picture.values.push_back(static_cast<float>(rgb[c]));
+    }
+  const std::vector<float> light = sky_light(o, sky_of(picture));
+  for (int x = 2; x < 62; x += 5) {
+    const double distance = (x + 0.5) / 64;
+    glm::dvec3 exact(0), mean(0);
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j < 2 * rows; ++j) {
+        const double v = (i + 0.5) / rows;
+        const glm::dvec3 d = direction_of((j + 0.5) / (2 * rows), v);
+        if (d.z <= 0 || (d.x < 0 && distance * d.z < -d.x * 0.5)) continue;
+        exact += radiance(d) * (d.z * std::sin(std::numbers::pi * v) * std::numbers::pi * std::numbers::pi / (rows * rows));
+      }
+    for (int y = 20; y < 44; ++y)
+      for (int c = 0; c < 3; ++c) mean[c] += double{light[static_cast<std::size_t>((y * 64 + x) * 4 + c)]} / 24;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], exact[c], 0.02 * std::numbers::pi) << distance << ", channel " << c;
   }
 }
 
@@ -68,6 +103,7 @@ TEST(Occlusion, IsKeptOnDiskAndCheckedWhenRead) {
   const auto written = std::filesystem::last_write_time(files[0]);
   EXPECT_EQ(cached_occlusion(scene, mesh, folder, settings).values, first.values);
   EXPECT_EQ(std::filesystem::last_write_time(files[0]), written);
+  EXPECT_EQ(cached_occlusion(scene, mesh, folder, settings).transfer, first.transfer);
   EXPECT_EQ(cached_occlusion(scene, mesh, {}, settings).values, first.values) << "the same without a cache";
 
   const auto size = std::filesystem::file_size(files[0]);
