@@ -66,7 +66,7 @@ struct PreparedFrame::State {
   RenderSettings settings;
   std::shared_ptr<api::SharedScene> scene;
   std::shared_ptr<const api::Surroundings> surroundings;
-  api::SkyLight sky_light;
+  api::SkyOnSkin sky;
   api::FrameSetup setup;
   techniques::FrameOutputs outputs;
   std::optional<frame::Executor> executor;
@@ -109,7 +109,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   data = frame_data(device(), setup, *scene->gpu);
   if (surroundings) {
     data.environment = &surroundings->map;
-    for (const gpu::Texture& map : sky_light.maps) data.sky_light.push_back(&map);
+    data.sky = sky.maps;
   }
   times.clear();
   counters.clear();
@@ -159,8 +159,8 @@ void PreparedFrame::State::look_at_the_sky() {
     shared.sky_seen.push_back(std::move(seen));
   }
   const double rotation_deg = settings.environment_rotation_deg;
-  if (sky_light.of != surroundings || sky_light.rotation_deg != rotation_deg || sky_light.maps.size() != shared.sky_seen.size())
-    sky_light = api::sky_light_of(device(), surroundings, rotation_deg, shared.sky_seen);
+  if (sky.of != surroundings || sky.rotation_deg != rotation_deg || sky.maps.size() != shared.sky_seen.size())
+    sky = api::sky_on_skin(device(), surroundings, rotation_deg, shared.sky_seen);
 }
 
 // The first frame of a view warms up (the first use of a pipeline compiles on software devices), makes what lasts, and counts.

@@ -45,12 +45,15 @@ bool is_current(const Surroundings& surroundings, const std::string& name) {
   return surroundings.name == name && surroundings.written == time_of(name);
 }
 
-SkyLight sky_light_of(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings, double rotation_deg,
+SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings, double rotation_deg,
                       const std::vector<environment::Occlusion>& seen) {
-  SkyLight made{.of = std::move(surroundings), .rotation_deg = rotation_deg, .maps = {}};
+  SkyOnSkin made{.of = std::move(surroundings), .rotation_deg = rotation_deg, .maps = {}};
   const environment::SkyHarmonics sky = environment::turned(made.of->sky, rotation_deg * std::numbers::pi / 180);
-  for (const environment::Occlusion& mesh : seen)
-    made.maps.push_back(passes::unwrap_map(device, "sky light", mesh.side, environment::sky_light(mesh, sky)));
+  for (const environment::Occlusion& mesh : seen) {
+    const environment::SkyLight light = environment::sky_light(mesh, sky);
+    made.maps.push_back({.direct = passes::unwrap_map(device, "light of the sky", mesh.side, light.direct),
+                         .bounced = passes::unwrap_map(device, "light of the sky, bounced", mesh.side, light.bounced)});
+  }
   return made;
 }
 

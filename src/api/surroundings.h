@@ -11,6 +11,7 @@
 #include "environment/environment.h"
 #include "environment/occlusion.h"
 #include "gpu/resources.h"
+#include "passes/frame_data.h"
 #include "shared/scene_io.h"
 
 namespace dermis::api {
@@ -30,14 +31,14 @@ Surroundings surroundings_of(gpu::Device& device, const std::string& name);
 bool is_current(const Surroundings& surroundings, const std::string& name);
 
 /// What light of the surroundings arrives on each texel of each skin mesh, of intensity 1, on the device.
-struct SkyLight {
+struct SkyOnSkin {
   std::shared_ptr<const Surroundings> of;  ///< none: no maps
   double rotation_deg = 0;
-  std::vector<gpu::Texture> maps;
+  std::vector<frame::SkyMaps> maps;
 };
 
 /// `seen`: one a skin mesh. Some 15 ms a mesh: product of harmonics on the processor.
-SkyLight sky_light_of(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings, double rotation_deg,
+SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings, double rotation_deg,
                       const std::vector<environment::Occlusion>& seen);
 
 void fill_surroundings(io::FrameIo& frame, const Surroundings& surroundings, const RenderSettings& settings);

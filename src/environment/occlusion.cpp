@@ -5,17 +5,20 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/assert.h"
 #include "core/parallel.h"
 #include "image/colour.h"
 #include "rays/ray_scene.h"
+#include "rays/surface_point.h"
 #include "scene/coverage.h"
 
 namespace dermis::environment {
 namespace {
 
-constexpr int dilation = 6;  // texels; more than bilinear reads beside a seam ever need
+constexpr double least_open = 0.002;  // as the shaders have it
+constexpr int dilation = 6;           // texels; more than bilinear reads beside a seam ever need
 
 struct Texel {
   std::uint32_t triangle = ~0u;
@@ -61,19 +64,28 @@ glm::dvec2 shift_of(std::uint32_t x, std::uint32_t y) {
 
 // What is known of a texel: four values of the sky that it sees, then its transfer.
 using Seen = std::array<float, 4 + harmonic_terms>;
+// What hides the sky: its transfer over how much it sees of the sky itself, then that.
+using Hidden = std::array<float, bounced_terms>;
+constexpr std::size_t blockers_open = bounced_terms - 1;
 const Seen all_of_it = [] {  // from no direction in particular: pi times the mean radiance
   Seen made{0, 0, 0, 1};
   made[4] = static_cast<float>(std::sqrt(std::numbers::pi) / 2);
   return made;
 }();
 
-void add(Seen& sum, float weight, const Seen& more) {
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * more[i];
+template <std::size_t n>
+void add(std::array<float, n>& sum, float weight, const std::array<float, n>& more) {
+  for (std::size_t i = 0; i < n; ++i) sum[i] += weight * more[i];
 }
-Seen divided(Seen sum, float by) {
+template <std::size_t n>
+std::array<float, n> divided(std::array<float, n> sum, float by) {
   for (float& value : sum) value /= by;
   return sum;
 }
+
+// The texels that a texel's blocked rays meet; `itself` for what is no skin of this mesh, or is seen from within.
+constexpr std::uint32_t itself = ~0u;
+using Blockers = std::vector<std::uint32_t>;
 
 // Adds up what rays find. Directions beneath the flat triangle are not asked: a coarse mesh would darken itself.
 struct Gathered {
@@ -107,32 +119,75 @@ struct Gathered {
   }
 };
 
+std::uint32_t texel_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const rays::Hit& hit, const glm::dvec3& direction,
+                       int side) {
+  const scene::Primitive& primitive = scene.primitives[hit.primitive];
+  if (primitive.node != mesh.node || !rays::is_skin(scene, primitive)) return itself;
+  const rays::SurfacePoint s = rays::surface_point(scene, hit);
+  if (glm::dot(s.face_normal, direction) > 0) return itself;
+  const glm::ivec2 at(glm::floor((s.uv[0] * mesh.unwrap_scale + mesh.unwrap_offset) * static_cast<double>(side)));
+  if (at.x < 0 || at.y < 0 || at.x >= side || at.y >= side) return itself;
+  return static_cast<std::uint32_t>(at.y * side + at.x);
+}
+
+struct Around {
+  Seen seen = all_of_it;
+  Blockers blockers;
+  int asked = 0;
+};
+
 // Cosine-weighted directions around the normal.
-Seen look_around(const rays::RayScene& rays, const glm::dvec3& p, const glm::dvec3& n, const glm::dvec3& face, glm::dvec2 shift,
-                 int count) {
+Around look_around(const rays::RayScene& rays, const scene::SkinMesh& mesh, const glm::dvec3& p, const glm::dvec3& n,
+                   const glm::dvec3& face, glm::dvec2 shift, const OcclusionSettings& settings) {
+  const int count = settings.rays;
   const glm::dvec3 side = glm::normalize(glm::cross(std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
   const glm::dvec3 up = glm::cross(n, side);
   const glm::dvec3 origin = p + face * (4 * rays::stand_off_m(p));
   Gathered gathered;
+  Around out;
   for (int i = 0; i < count; ++i) {
     const double r2 = std::fmod((i + 0.5) / count + shift.x, 1.0),
                  a = 2 * std::numbers::pi * std::fmod(radical_inverse(static_cast<unsigned>(i)) + shift.y, 1.0);
     const double r = std::sqrt(r2);
     const glm::dvec3 d = side * (r * std::cos(a)) + up * (r * std::sin(a)) + n * std::sqrt(1 - r2);
-    if (glm::dot(d, face) > 1e-3) gathered.add(d, !rays.solid_between({.origin_m = origin, .direction = d}));
+    if (glm::dot(d, face) <= 1e-3) continue;
+    const std::optional<rays::Hit> hit = rays.nearest_solid({.origin_m = origin, .direction = d});
+    gathered.add(d, !hit);
+    if (hit) out.blockers.push_back(texel_of(rays.scene(), mesh, *hit, d, settings.side));
   }
-  return gathered.result(n);
+  out.seen = gathered.result(n), out.asked = gathered.asked;
+  return out;
+}
+
+// [SKS02] sec. 3.3, one bounce: a blocked ray brings what the texel that it meets has of the sky. `all`: of all texels, smoothed.
+Hidden bounced(const Around& around, const Seen& own, const std::vector<Seen>& all) {
+  Hidden out{};
+  out[blockers_open] = 1;
+  if (around.blockers.empty()) return out;
+  double open = 0;
+  std::array<double, blockers_open> sum{};
+  for (const std::uint32_t blocker : around.blockers) {
+    const Seen& seen = blocker == itself ? own : all[blocker];
+    const double missing = std::max(0.0, least_open - double{seen[3]});  // of white skin in a hole without a way out
+    open += double{seen[3]} + missing;
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += double{seen[4 + k]} + missing * double{all_of_it[4 + k]};
+  }
+  for (std::size_t k = 0; k < sum.size(); ++k)
+    out[k] = static_cast<float>(sum[k] / open * static_cast<double>(around.blockers.size()) / around.asked);
+  out[blockers_open] = static_cast<float>(open / static_cast<double>(around.blockers.size()));
+  return out;
 }
 
 // The mean of 3 x 3 texels of the same chart: what is left of the noise.
-std::vector<Seen> smoothed(const scene::SkinMesh& mesh, const Grid& grid, const std::vector<Seen>& values) {
-  std::vector<Seen> out(values.size(), Seen{});
+template <class Values>
+std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid, const std::vector<Values>& values) {
+  std::vector<Values> out(values.size(), Values{});
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < grid.side; ++x) {
       const Texel& own = grid.texels[grid.at(x, y)];
       if (!own.covered()) continue;
-      Seen sum{};
+      Values sum{};
       float total = 0;
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
@@ -149,16 +204,17 @@ std::vector<Seen> smoothed(const scene::SkinMesh& mesh, const Grid& grid, const 
   return out;
 }
 
-// Fills texels off the mesh from those beside them, ring by ring.
-void dilate(const Grid& grid, std::vector<Seen>& values) {
+// Fills texels off the mesh from those beside them, ring by ring, and what is left with `rest`.
+template <class Values>
+void dilate(const Grid& grid, std::vector<Values>& values, const Values& rest) {
   std::vector<bool> filled(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) filled[i] = grid.texels[i].covered();
   for (int ring = 0; ring < dilation; ++ring) {
-    std::vector<std::pair<std::size_t, Seen>> added;
+    std::vector<std::pair<std::size_t, Values>> added;
     for (int y = 0; y < grid.side; ++y)
       for (int x = 0; x < grid.side; ++x) {
         if (filled[grid.at(x, y)]) continue;
-        Seen sum{};
+        Values sum{};
         float total = 0;
         for (int dy = -1; dy <= 1; ++dy)
           for (int dx = -1; dx <= 1; ++dx) {
@@ -171,7 +227,26 @@ void dilate(const Grid& grid, std::vector<Seen>& values) {
     for (const auto& [i, value] : added) values[i] = value, filled[i] = true;
   }
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (!filled[i]) values[i] = all_of_it;
+    if (!filled[i]) values[i] = rest;
+}
+
+struct Place {
+  glm::dvec3 position_m, normal, face;  // the latter two unit, on one side
+};
+
+// None where a triangle has no area or no normal.
+std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const Texel& texel) {
+  const scene::Vertex* corners[3];
+  for (std::size_t k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[3 * std::size_t{texel.triangle} + k]];
+  const glm::dvec3 a(corners[0]->position_m), b(corners[1]->position_m), c(corners[2]->position_m);
+  const double u = double{texel.u}, v = double{texel.v}, w = 1.0 - texel.u - texel.v;
+  glm::dvec3 face = glm::cross(b - a, c - a);
+  const glm::dvec3 normal = glm::dvec3(corners[0]->normal) * w + glm::dvec3(corners[1]->normal) * u + glm::dvec3(corners[2]->normal) * v;
+  if (glm::length(face) < 1e-30 || glm::length(normal) < 1e-6) return std::nullopt;
+  face = glm::normalize(face);
+  const glm::dvec3 n = glm::normalize(normal);
+  if (glm::dot(face, n) < 0) face = -face;
+  return Place{a * w + b * u + c * v, n, face};
 }
 
 }  // namespace
@@ -182,51 +257,61 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
   DERMIS_ASSERT_LE(1, settings.rays);
   const rays::RayScene rays(scene);
   const Grid grid = rasterise(mesh, settings.side);
-  std::vector<Seen> values(grid.texels.size(), all_of_it);
+  std::vector<Around> around(grid.texels.size());
+  std::vector<Seen> seen(grid.texels.size(), all_of_it);
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
     for (int x = 0; x < grid.side; ++x) {
-      const Texel& texel = grid.texels[grid.at(x, static_cast<int>(row))];
-      if (!texel.covered()) continue;
-      const scene::Vertex* corners[3];
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[3 * std::size_t{texel.triangle} + k]];
-      const glm::dvec3 a(corners[0]->position_m), b(corners[1]->position_m), c(corners[2]->position_m);
-      glm::dvec3 face = glm::cross(b - a, c - a);
-      const glm::dvec3 normal = glm::dvec3(corners[0]->normal) * (1.0 - texel.u - texel.v) +
-                                glm::dvec3(corners[1]->normal) * double{texel.u} + glm::dvec3(corners[2]->normal) * double{texel.v};
-      if (glm::length(face) < 1e-30 || glm::length(normal) < 1e-6) continue;
-      face = glm::normalize(face);
-      const glm::dvec3 n = glm::normalize(normal), p = a * (1.0 - texel.u - texel.v) + b * double{texel.u} + c * double{texel.v};
-      if (glm::dot(face, n) < 0) face = -face;
-      values[grid.at(x, static_cast<int>(row))] =
-          look_around(rays, p, n, face, shift_of(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(row)), settings.rays);
+      const std::size_t i = grid.at(x, static_cast<int>(row));
+      if (!grid.texels[i].covered()) continue;
+      const std::optional<Place> place = place_of_texel(mesh, grid.texels[i]);
+      if (!place) continue;
+      const glm::dvec2 shift = shift_of(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(row));
+      around[i] = look_around(rays, mesh, place->position_m, place->normal, place->face, shift, settings);
+      seen[i] = around[i].seen;
     }
   });
-  values = smoothed(mesh, grid, values);
-  dilate(grid, values);
-  Occlusion out{.side = settings.side, .values = {}, .transfer = {}};
-  out.values.reserve(4 * values.size()), out.transfer.reserve(harmonic_terms * values.size());
-  for (const Seen& seen : values) {
-    out.values.insert(out.values.end(), seen.begin(), seen.begin() + 4);
-    for (std::size_t k = 0; k < harmonic_terms; ++k) out.transfer.push_back(image::float_to_half(seen[4 + k]));
+  seen = smoothed(mesh, grid, seen);
+  dilate(grid, seen, all_of_it);
+  std::vector<Hidden> hidden(grid.texels.size());
+  parallel_for(hidden.size(), [&](std::size_t i) { hidden[i] = bounced(around[i], seen[i], seen); });
+  hidden = smoothed(mesh, grid, hidden);
+  Hidden nothing{};
+  nothing[blockers_open] = 1;
+  dilate(grid, hidden, nothing);
+  Occlusion out{.side = settings.side, .values = {}, .transfer = {}, .bounced = {}};
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    out.values.insert(out.values.end(), seen[i].begin(), seen[i].begin() + 4);
+    for (std::size_t k = 0; k < harmonic_terms; ++k) out.transfer.push_back(image::float_to_half(seen[i][4 + k]));
+    for (const float value : hidden[i]) out.bounced.push_back(image::float_to_half(value));
   }
   return out;
 }
 
-std::vector<float> sky_light(const Occlusion& occlusion, const SkyHarmonics& sky) {
+SkyLight sky_light(const Occlusion& occlusion, const SkyHarmonics& sky) {
   const auto side = static_cast<std::size_t>(occlusion.side);
   DERMIS_ASSERT_EQ(occlusion.transfer.size(), side * side * harmonic_terms);
+  DERMIS_ASSERT_EQ(occlusion.bounced.size(), side * side * bounced_terms);
   std::array<glm::vec3, harmonic_terms> radiance;
   for (std::size_t k = 0; k < harmonic_terms; ++k) radiance[k] = glm::vec3(sky[k]);
-  std::vector<float> light(4 * side * side);
+  const auto product = [&](const std::uint16_t* transfer, std::size_t terms) {
+    glm::vec3 e(0);
+    for (std::size_t k = 0; k < terms; ++k) e += image::half_to_float(transfer[k]) * radiance[k];
+    return glm::max(e, glm::vec3(0));
+  };
+  SkyLight out{.direct = std::vector<float>(4 * side * side), .bounced = std::vector<float>(4 * side * side)};
   parallel_for(side, [&](std::size_t row) {
     for (std::size_t i = row * side; i < (row + 1) * side; ++i) {
-      glm::vec3 e(0);
-      for (std::size_t k = 0; k < harmonic_terms; ++k) e += image::half_to_float(occlusion.transfer[i * harmonic_terms + k]) * radiance[k];
-      for (glm::length_t c = 0; c < 3; ++c) light[4 * i + static_cast<std::size_t>(c)] = std::max(e[c], 0.0f);
-      light[4 * i + 3] = 1;
+      const std::uint16_t* hidden = &occlusion.bounced[i * bounced_terms];
+      const glm::vec3 direct = product(&occlusion.transfer[i * harmonic_terms], harmonic_terms), bounced = product(hidden, blockers_open);
+      for (glm::length_t c = 0; c < 3; ++c) {
+        out.direct[4 * i + static_cast<std::size_t>(c)] = direct[c];
+        out.bounced[4 * i + static_cast<std::size_t>(c)] = bounced[c];
+      }
+      out.direct[4 * i + 3] = 1;
+      out.bounced[4 * i + 3] = image::half_to_float(hidden[blockers_open]);
     }
   });
-  return light;
+  return out;
 }
 
 }  // namespace dermis::environment

@@ -2,7 +2,7 @@
 /// What each point of the skin sees of the sky: how much, where it opens, and what light from there adds up to. It darkens nostrils, eye
 /// sockets and the fold behind an ear, and the side of a nose that is turned from a window.
 /// Based on: Landis: Production-Ready Global Illumination. SIGGRAPH 2002 course 16 (bent normals); [SKS02] Sloan, Kautz, Snyder:
-/// Precomputed Radiance Transfer. SIGGRAPH 2002 (shadowed transfer, diffuse)
+/// Precomputed Radiance Transfer. SIGGRAPH 2002 (shadowed and interreflected transfer, diffuse)
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,11 @@ struct Occlusion {
   /// side * side * harmonic_terms half floats: the cosine lobe about the normal where the sky is seen, Int V cos Y. Its product with the
   /// harmonics of radiance is irradiance.
   std::vector<std::uint16_t> transfer;
+  /// side * side * bounced_terms half floats: the same of what is hidden, lit by the sky as its blockers are, up to order 3, over the mean
+  /// share of the sky that these see; then that share.
+  std::vector<std::uint16_t> bounced;
 };
+inline constexpr std::size_t bounced_terms = 16 + 1;
 
 struct OcclusionSettings {
   int side = 512;  ///< 16 .. 4096
@@ -41,7 +45,12 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
 Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh, const std::filesystem::path& folder,
                            const OcclusionSettings& settings = {});
 
-/// Irradiance on each texel from what it sees of a sky: side * side * 4 values, R G B and 1; never negative.
-std::vector<float> sky_light(const Occlusion& occlusion, const SkyHarmonics& sky);
+/// Irradiance on each texel, side * side * 4 values, RGB never negative.
+struct SkyLight {
+  std::vector<float> direct;   ///< from what it sees of the sky; and 1
+  std::vector<float> bounced;  ///< from what hides the sky, as if that were white and saw as much of the sky as it does at each further
+                               ///< bounce; and that share of the sky, m: albedo a makes of it B a m / (1 - a (1 - m))
+};
+SkyLight sky_light(const Occlusion& occlusion, const SkyHarmonics& sky);
 
 }  // namespace dermis::environment

@@ -31,7 +31,7 @@ class Hash {
   std::array<std::uint64_t, 2> state_{0xCBF29CE484222325u, 0x9E3779B97F4A7C15u};
 };
 
-constexpr std::uint32_t version = 3;  // of what bake_occlusion does and of the file
+constexpr std::uint32_t version = 4;  // of what bake_occlusion does and of the file
 
 Hash hash_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const OcclusionSettings& settings) {
   Hash hash;
@@ -60,28 +60,30 @@ std::vector<std::byte> write(const Occlusion& occlusion, const Hash& hash) {
   Header header;
   header.side = static_cast<std::uint32_t>(occlusion.side);
   header.hash[0] = hash.state()[0], header.hash[1] = hash.state()[1];
-  const std::size_t values = occlusion.values.size() * 2, transfer = occlusion.transfer.size() * 2;
-  std::vector<std::byte> bytes(sizeof header + values + transfer);
+  const std::size_t values = occlusion.values.size() * 2, transfer = occlusion.transfer.size() * 2, bounced = occlusion.bounced.size() * 2;
+  std::vector<std::byte> bytes(sizeof header + values + transfer + bounced);
   std::memcpy(bytes.data(), &header, sizeof header);
   for (std::size_t i = 0; i < occlusion.values.size(); ++i) {
     const std::uint16_t half = image::float_to_half(occlusion.values[i]);
     std::memcpy(bytes.data() + sizeof header + 2 * i, &half, 2);
   }
   std::memcpy(bytes.data() + sizeof header + values, occlusion.transfer.data(), transfer);
+  std::memcpy(bytes.data() + sizeof header + values + transfer, occlusion.bounced.data(), bounced);
   return bytes;
 }
 
 // Empty if the bytes are not what write() has made for this hash and size.
 Occlusion read(std::span<const std::byte> bytes, const Hash& hash, int side) {
   const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side), count = 4 * texels,
-                    transfer = harmonic_terms * texels;
+                    transfer = harmonic_terms * texels, bounced = bounced_terms * texels;
   Header header, expected;
-  if (bytes.size() != sizeof header + 2 * (count + transfer)) return {};
+  if (bytes.size() != sizeof header + 2 * (count + transfer + bounced)) return {};
   std::memcpy(&header, bytes.data(), sizeof header);
   if (std::memcmp(header.magic, expected.magic, sizeof header.magic) != 0 || header.side != static_cast<std::uint32_t>(side) ||
       header.hash[0] != hash.state()[0] || header.hash[1] != hash.state()[1])
     return {};
-  Occlusion out{.side = side, .values = {}, .transfer = std::vector<std::uint16_t>(transfer)};
+  Occlusion out{
+      .side = side, .values = {}, .transfer = std::vector<std::uint16_t>(transfer), .bounced = std::vector<std::uint16_t>(bounced)};
   for (std::size_t i = 0; i < count; ++i) {
     std::uint16_t half = 0;
     std::memcpy(&half, bytes.data() + sizeof header + 2 * i, 2);
@@ -90,8 +92,10 @@ Occlusion read(std::span<const std::byte> bytes, const Hash& hash, int side) {
     out.values.push_back(value);
   }
   std::memcpy(out.transfer.data(), bytes.data() + sizeof header + 2 * count, 2 * transfer);
-  for (const std::uint16_t half : out.transfer)
-    if (!(std::abs(image::half_to_float(half)) <= 8)) return {};
+  std::memcpy(out.bounced.data(), bytes.data() + sizeof header + 2 * (count + transfer), 2 * bounced);
+  for (const auto* values : {&out.transfer, &out.bounced})
+    for (const std::uint16_t half : *values)
+      if (!(std::abs(image::half_to_float(half)) <= 8)) return {};
   return out;
 }
 

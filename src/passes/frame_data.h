@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "frame/plan.h"
@@ -24,6 +25,11 @@ struct Instance {
   bool visible = true;                       ///< false: wholly outside the picture, nothing of it is drawn
 };
 
+/// RGBA16F over the unwrap of a skin mesh, environment::SkyLight.
+struct SkyMaps {
+  gpu::Texture direct, bounced;
+};
+
 struct FrameData {
   const passes::GpuScene* scene = nullptr;
   gpu::Buffer frame_io;  ///< FrameIo
@@ -32,8 +38,7 @@ struct FrameData {
   /// What lies outside any of these is clipped from light maps: dot(xyz, position_m) + w < 0.
   std::array<glm::vec4, 5> clip_planes{};
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
-  std::vector<const gpu::Texture*>
-      sky_light;  ///< of each skin mesh under an environment: RGBA16F over its unwrap, environment::sky_light()
+  std::span<const SkyMaps> sky;               ///< of each skin mesh under an environment
   std::vector<Instance> instances;
 };
 

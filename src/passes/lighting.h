@@ -28,9 +28,11 @@ class LightingSamplers {
   /// What skin mesh `number` sees of the surroundings.
   void offer_sky(Bindings& bindings, const frame::FrameData& frame, std::size_t number) const {
     const GpuMesh& mesh = frame.scene->skin[number];
-    const gpu::Texture* light = number < frame.sky_light.size() ? frame.sky_light[number] : nullptr;
-    bindings.add("sky_seen", gpu::SampledBinding{mesh.sky_seen ? &mesh.sky_seen : &frame.scene->white(), table_})
-        .add("sky_light", gpu::SampledBinding{light ? light : &frame.scene->white(), table_});
+    const gpu::Texture& white = frame.scene->white();
+    const frame::SkyMaps* sky = number < frame.sky.size() ? &frame.sky[number] : nullptr;
+    bindings.add("sky_seen", gpu::SampledBinding{mesh.sky_seen ? &mesh.sky_seen : &white, table_})
+        .add("sky_direct", gpu::SampledBinding{sky ? &sky->direct : &white, table_})
+        .add("sky_bounced", gpu::SampledBinding{sky ? &sky->bounced : &white, table_});
   }
 
  private:

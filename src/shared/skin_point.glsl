@@ -15,7 +15,8 @@ layout(binding = 10) uniform sampler2D map_roughness;
 layout(binding = 11) uniform sampler2D map_occlusion;
 layout(binding = 12) uniform sampler2D map_specular;
 layout(binding = 27) uniform sampler2D sky_seen;  // over the unwrap: environment/occlusion.h
-layout(binding = 29) uniform sampler2D sky_light;  // likewise, what light of the sky arrives there
+layout(binding = 29) uniform sampler2D sky_direct;   // likewise: environment::SkyLight
+layout(binding = 30) uniform sampler2D sky_bounced;
 
 #include "shared/specular.glsl"
 #include "shared/lights.glsl"
@@ -79,17 +80,19 @@ float skin_open(SurfacePoint s, vec2 unwrap) {
   return environment ? clamp(textureLod(sky_seen, unwrap, 0.0).w, least_open, 1.0) * max(skin_occlusion(s), least_open) : skin_occlusion(s);
 }
 
-// Irradiance that enters from the surroundings; what is reflected and what the mean takes off cancel. Under a picture of them, skin that
-// hides the sky is seen in its place, lit as the point itself is: a geometric series of the albedo, so that folds keep their colour and white
-// skin in white surroundings stays white. Based on: Stewart, Langer: Toward Accurate Recovery of Shape from Shading Under Diffuse Lighting,
-// PAMI 19(9), 1997.
+// Irradiance that enters from the surroundings; what is reflected and what the mean takes off cancel. Under a picture of them, what hides the
+// sky sends on what it has of it, over any number of bounces, as white skin in white surroundings stays white. What a painted map hides
+// is lit as the point itself is: a geometric series of the albedo. Based on: Stewart, Langer: Toward Accurate Recovery of Shape from Shading
+// Under Diffuse Lighting, PAMI 19(9), 1997.
 vec3 entering_surroundings(SurfacePoint s, vec3 n, vec2 unwrap) {
-  const float open = skin_open(s, unwrap);
-  if (!environment) return surroundings_irradiance(n) * open;
-  // The map knows the normal of the mesh; a mapped one faces another part of the sky.
-  const vec4 seen = textureLod(sky_seen, unwrap, 0.0);
+  if (!environment) return surroundings_irradiance(n) * skin_occlusion(s);
+  // The maps know the normal of the mesh; a mapped one faces another part of the sky.
+  const vec4 seen = textureLod(sky_seen, unwrap, 0.0), bounced = textureLod(sky_bounced, unwrap, 0.0);
   const vec3 mapped = surroundings_irradiance(normalize(n + seen.xyz)), unmapped = surroundings_irradiance(normalize(s.normal + seen.xyz));
-  vec3 sky = max(textureLod(sky_light, unwrap, 0.0).rgb * frame.environment_intensity + (mapped - unmapped) * seen.w, vec3(0.0));
-  sky += mapped * max(least_open - seen.w, 0.0);
-  return sky * (max(skin_occlusion(s), least_open) / (1.0 - min(skin_albedo(s), vec3(1.0)) * (1.0 - open)));
+  vec3 e = max(textureLod(sky_direct, unwrap, 0.0).rgb * frame.environment_intensity + (mapped - unmapped) * seen.w, vec3(0.0));
+  e += mapped * max(least_open - seen.w, 0.0);
+  const vec3 albedo = min(skin_albedo(s), vec3(1.0));
+  e += bounced.rgb * frame.environment_intensity * albedo * bounced.w / (1.0 - albedo * (1.0 - bounced.w));
+  const float painted = max(skin_occlusion(s), least_open);
+  return e * (painted / (1.0 - albedo * (1.0 - painted)));
 }

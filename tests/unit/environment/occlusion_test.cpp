@@ -56,7 +56,7 @@ TEST(Occlusion, NothingInTheWayIsOpen) {
     }
     SkyHarmonics white{};
     white[0] = glm::dvec3(std::sqrt(4 * std::numbers::pi));
-    const std::vector<float> light = sky_light(o, white);
+    const std::vector<float> light = sky_light(o, white).direct;
     for (std::size_t i = 0; i < light.size(); i += 4) EXPECT_NEAR(light[i], std::numbers::pi, 2e-3);
   }
 }
@@ -73,7 +73,7 @@ TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
       const glm::dvec3 rgb = radiance(direction_of((x + 0.5) / (2 * rows), (y + 0.5) / rows));
       for (int c = 0; c < 3; ++c) picture.values.push_back(static_cast<float>(rgb[c]));
     }
-  const std::vector<float> light = sky_light(o, sky_of(picture));
+  const std::vector<float> light = sky_light(o, sky_of(picture)).direct;
   for (int x = 2; x < 62; x += 5) {
     const double distance = (x + 0.5) / 64;
     glm::dvec3 exact(0), mean(0);
