@@ -124,6 +124,18 @@ TEST(Truth, TheBuiltInHeadDoesNotDriftAway) {
   EXPECT_LT(scattered["skin"].rel_mse, 1.5e-4);
 }
 
+// Surroundings alone: what a head hides of them, and what it sends on. The bounds are a fifth over what was measured.
+TEST(Truth, TheBuiltInHeadInAStudio) {
+  RenderSettings s = small(96, 96);
+  s.placed_lights.clear();
+  s.lights = 0;
+  s.environment = "studio";
+  const Truth truth(Scene::built_in(), s, 128);
+  auto scattered = truth.errors("texture-space", true);
+  EXPECT_LT(scattered["skin"].flip, 0.07);
+  EXPECT_LT(scattered["skin"].rel_mse, 2.8e-3);
+}
+
 /// A plane of skin under a light from straight above, half of it in the shadow of a sheet; a camera between both sees 12 mm of it.
 Scene knife_edge() {
   scene::Scene made = scene::plane(0.06, glm::dmat2(1), {}, 1);

@@ -90,6 +90,47 @@ TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
   }
 }
 
+/// Two strips of skin that meet at a right angle along the y axis: a floor and a wall, each 1 m wide, on one half of the unwrap each.
+scene::Scene corner() {
+  scene::Scene made = scene::plane(1);
+  scene::Primitive& p = made.primitives.front();
+  p.vertices.clear(), p.indices.clear();
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < 4; ++i) {
+      const float across = i & 1 ? 1.0f : 0.0f, along = i & 2 ? 50.0f : -50.0f;
+      scene::Vertex v;
+      v.position_m = k == 0 ? glm::vec3(across, along, 0) : glm::vec3(0, along, across);
+      v.normal = k == 0 ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
+      v.uv0 = {0.5f * static_cast<float>(k) + 0.45f * across + 0.02f, i & 2 ? 0.95f : 0.05f};
+      p.vertices.push_back(v);
+    }
+  p.indices = {0, 1, 3, 0, 3, 2, 4, 7, 5, 4, 6, 7};
+  return made;
+}
+
+// White skin in white surroundings is white, whatever hides what; and in a corner the floor at a distance d sees the wall, whose share of
+// the sky is known.
+TEST(Occlusion, WhatHidesTheSkySendsItOn) {
+  const scene::Scene scene = corner();
+  const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
+  SkyHarmonics white{};
+  white[0] = glm::dvec3(std::sqrt(4 * std::numbers::pi));
+  const SkyLight light = sky_light(o, white);
+  for (std::size_t i = 0; i < light.direct.size(); i += 4) EXPECT_NEAR(light.direct[i] + light.bounced[i], std::numbers::pi, 0.01);
+  // 0.25 m from the wall: of the height z of the wall a strip dz has the form factor below, and sees the floor as the floor sees it.
+  const auto share = [](double distance) { return 1 - 0.5 * (1 - distance / std::sqrt(distance * distance + 1)); };
+  constexpr double d = 0.25;
+  double hidden = 0, open = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double z = (i + 0.5) / 1000, factor = 0.5 * d * z / std::pow(d * d + z * z, 1.5) / 1000;
+    hidden += factor, open += factor * share(z);
+  }
+  const int x = static_cast<int>((0.02 + 0.45 * d) * 64);
+  const float* at = &light.bounced[static_cast<std::size_t>((32 * 64 + x) * 4)];
+  EXPECT_NEAR(at[3], open / hidden, 0.03);
+  EXPECT_NEAR(at[0], hidden * std::numbers::pi, 0.1);
+}
+
 TEST(Occlusion, IsKeptOnDiskAndCheckedWhenRead) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "dermis_occlusion_cache";
   std::filesystem::remove_all(folder);
