@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/assert.h"
+#include "core/error.h"
 #include "gaussians/projection.h"
 
 namespace dermis::gaussians {
@@ -101,6 +102,12 @@ Solution search(std::span<const Target> channels, const Range& range, int terms)
     Projected end = descend(channels, start, range);
     if (best.log_variance.size() == 0 || end.residual2 < best.projected.residual2) best = {start, std::move(end)};
   }
+  for (Index c = 0; c < best.projected.weights.cols(); ++c) {
+    const bool finite =
+        best.log_variance.allFinite() && best.projected.weights.col(c).allFinite() && std::isfinite(best.projected.residual2);
+    const bool some = range.any_sign || best.projected.weights.col(c).sum() > 0;
+    if (!finite || !some) throw input_error(channels[c].where(), "no sum of Gaussians fits this profile");
+  }
   return best;
 }
 
@@ -131,7 +138,7 @@ double ChannelFit::weight_sum() const {
 
 ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Weights weights) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
-  const Target target(profile);
+  const Target target(profile, profile.name());
   Range range = range_of(profile);
   range.any_sign = weights == Weights::any_sign;
   const Solution solution = search({&target, 1}, range, terms);
@@ -151,9 +158,10 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
   std::vector<Target> targets;
   Range range{.low = 1e300, .high = -1e300, .floor = 1e300};
-  for (const auto& profile : profiles) {
-    targets.emplace_back(*profile);
-    const Range one = range_of(*profile);
+  constexpr const char* colour[] = {"red", "green", "blue"};
+  for (int c = 0; c < 3; ++c) {
+    targets.emplace_back(*profiles[c], name + ": " + colour[c]);
+    const Range one = range_of(*profiles[c]);
     range = {.low = std::min(range.low, one.low), .high = std::max(range.high, one.high), .floor = std::min(range.floor, one.floor)};
   }
   const Solution solution = search(targets, range, terms);
@@ -176,7 +184,7 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
 }
 
 double error_percent(const profile::RadialProfile& profile, std::span<const Term> terms) {
-  const Target target(profile);
+  const Target target(profile, profile.name());
   VectorXd residual = target.value(), basis(target.rows()), slope(target.rows());
   for (const Term& term : terms) {
     target.column(term.variance_mm2, basis, slope);

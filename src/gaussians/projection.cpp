@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "gaussians/projection.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/error.h"
+#include "optics/quadrature.h"
 
 namespace dermis::gaussians {
 
@@ -13,29 +16,102 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-Target::Target(const profile::RadialProfile& profile) : spectral_(profile.hankel_is_exact() || profile.has_pole()) {
-  if (!(profile.total() > 0)) throw input_error(profile.name(), "the profile reflects nothing: there is no sum of Gaussians to fit");
-  // Trapezoid rule in log x: integrands are analytic there and vanish at both ends, so the error falls like e^{-5/step}.
+namespace {
+
+using profile::RadialProfile;
+
+/// The rows of a target, as they are gathered.
+struct Rows {
+  std::vector<double> x, weight, value;  // weight: square root of the quadrature's
+  void add(double at, double of, double is) { x.push_back(at), weight.push_back(of), value.push_back(of * is); }
+};
+
+/// Trapezoid rule in log x: integrands are analytic there and vanish at both ends, so the error falls like e^{-5/step}.
+Rows smooth_rows(const RadialProfile& profile, bool spectral) {
   constexpr double step = 0.1;
   const double beam_mm2 = profile.has_pole() ? core_variance_mm2(profile) : 0;
-  double low, high;
-  if (spectral_) {
+  double low = 1e-6 * profile.inner_mm(), high = 45 * profile.outer_mm();
+  if (spectral) {
     low = 1e-6 / profile.outer_mm();
     high = profile.has_pole() ? 6.5 / std::sqrt(beam_mm2) : 45 / profile.inner_mm();
-  } else {
-    low = 1e-6 * profile.inner_mm();
-    high = 45 * profile.outer_mm();
   }
-  const Index count = static_cast<Index>(std::ceil(std::log(high / low) / step)) + 1;
-  x2_.resize(count), row_weight_.resize(count), value_.resize(count);
-  for (Index i = 0; i < count; ++i) {
-    const double x = low * std::exp(step * static_cast<double>(i));
-    x2_[i] = x * x;
-    row_weight_[i] = x * std::sqrt(step) / (spectral_ ? 2 * pi : 1) * std::exp(-beam_mm2 * x * x / 2);
-    value_[i] = row_weight_[i] * (spectral_ ? profile.hankel(x) : profile.at(x));
+  Rows rows;
+  for (double i = 0; i <= std::ceil(std::log(high / low) / step); ++i) {
+    const double x = low * std::exp(step * i);
+    const double weight = x * std::sqrt(step) / (spectral ? 2 * pi : 1) * std::exp(-beam_mm2 * x * x / 2);
+    rows.add(x, weight, spectral ? profile.hankel(x) : profile.at(x));
   }
+  return rows;
+}
+
+constexpr int cell_nodes = 4;
+
+/// Lagrange polynomial n of the nodes, at x: 1 at node n, 0 at the others.
+double lagrange(const std::array<double, cell_nodes>& node, int n, double x) {
+  double product = 1;
+  for (int m = 0; m < cell_nodes; ++m)
+    if (m != n) product *= (x - node[m]) / (node[n] - node[m]);
+  return product;
+}
+
+/// One cell low..high, over which Gaussians are as good as cubic: its rows hold the cubic that is nearest to R, so that Int r R S dr and
+/// Int r S^2 dr are right, whatever R does inside. Returns Int r (R - cubic)^2 dr, which no sum can take away.
+double add_cell(Rows& rows, const RadialProfile& profile, double low, double high) {
+  static const std::vector<optics::Node> cell_rule = optics::gauss_legendre(cell_nodes, 0, 1), piece_rule = optics::gauss_legendre(3, 0, 1);
+  std::array<double, cell_nodes> node{}, moment{};
+  for (int n = 0; n < cell_nodes; ++n) node[n] = low + (high - low) * cell_rule[n].x;
+  double square = 0;  // Int r R^2 dr
+  const auto add_piece = [&](double from, double to) {
+    for (const optics::Node& at : piece_rule) {
+      const double r = from + (to - from) * at.x, value = profile.at(r), weight = (to - from) * at.weight * r;
+      square += weight * value * value;
+      for (int n = 0; n < cell_nodes; ++n) moment[n] += weight * value * lagrange(node, n, r);
+    }
+  };
+  const std::span<const double> breaks = profile.break_points_mm();
+  double from = low;
+  for (auto next = std::upper_bound(breaks.begin(), breaks.end(), low); next != breaks.end() && *next < high; ++next) {
+    add_piece(from, *next);
+    from = *next;
+  }
+  add_piece(from, high);
+  for (int n = 0; n < cell_nodes; ++n) {
+    const double weight = (high - low) * cell_rule[n].weight * node[n];
+    rows.add(node[n], std::sqrt(weight), moment[n] / weight);
+    square -= moment[n] * moment[n] / weight;
+  }
+  return std::max(square, 0.0);
+}
+
+/// A profile with break points, cell by cell, and one row for what lies between its rows.
+Rows broken_rows(const RadialProfile& profile) {
+  const double end = profile.break_points_mm().back();
+  Rows rows;
+  double low = 1e-5 * profile.inner_mm();
+  double rest = add_cell(rows, profile, 0, low);
+  while (low < 10 * end) {
+    const double grown = low * std::exp(0.2), high = low < end && grown > end ? end : grown;  // R may jump at its end
+    rest += add_cell(rows, profile, low, high);
+    low = high;
+  }
+  rows.x.push_back(0), rows.weight.push_back(0), rows.value.push_back(std::sqrt(rest));
+  return rows;
+}
+
+}  // namespace
+
+Target::Target(const RadialProfile& profile, std::string where)
+    : where_(std::move(where)), spectral_(profile.hankel_is_exact() || profile.has_pole()) {
+  if (!(profile.total() > 0)) throw input_error(where_, "the profile reflects nothing: there is no sum of Gaussians to fit");
+  const Rows rows = spectral_ || profile.break_points_mm().empty() ? smooth_rows(profile, spectral_) : broken_rows(profile);
+  const auto vector = [](const std::vector<double>& from) {
+    return Eigen::Map<const VectorXd>(from.data(), static_cast<Index>(from.size()));
+  };
+  x2_ = vector(rows.x).array().square();
+  row_weight_ = vector(rows.weight);
+  value_ = vector(rows.value);
   const double norm = value_.norm();
-  if (!(norm > 0) || !std::isfinite(norm)) throw input_error(profile.name(), "the profile cannot be fitted: its norm is {}", norm);
+  if (!(norm > 0) || !std::isfinite(norm)) throw input_error(where_, "the profile cannot be fitted: its norm is {}", norm);
   value_ /= norm;
   row_weight_ /= norm;
 }

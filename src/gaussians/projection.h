@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "profile/radial.h"
@@ -16,14 +17,17 @@ double core_variance_mm2(const profile::RadialProfile& profile);
 /// A profile as rows of a least-squares problem, sqrt(quadrature weight) (R(x) - S(x)), x = r or k, scaled so that Int r R^2 dr = 1.
 class Target {
  public:
-  explicit Target(const profile::RadialProfile& profile);
+  /// InputError (place `where`, such as a channel) if the profile is 0 everywhere, or so wide or narrow that its norm leaves the numbers.
+  Target(const profile::RadialProfile& profile, std::string where);
 
+  const std::string& where() const { return where_; }
   Eigen::Index rows() const { return value_.size(); }
   const Eigen::VectorXd& value() const { return value_; }
   /// Column of G(v, .) on the rows, and its derivative by log v.
   void column(double variance_mm2, Eigen::Ref<Eigen::VectorXd> basis, Eigen::Ref<Eigen::VectorXd> slope) const;
 
  private:
+  std::string where_;
   bool spectral_ = false;  // x is k, the rows hold R^
   Eigen::VectorXd x2_;     // x^2
   Eigen::VectorXd row_weight_;

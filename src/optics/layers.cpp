@@ -13,13 +13,15 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr double largest_mm = 1e6;  // a kilometre of skin: numbers stay far from overflow
+
 double number(const Json& value, const std::string& where) {
   if (!value.is_number()) throw input_error(where, "expected a number, got {}", value.type_name());
-  return value.get<double>();
+  return value.get<double>() + 0.0;  // -0 becomes 0: one over it must not be -inf
 }
 
 Rgb triple(const Json& value, const std::string& where) {
-  if (value.is_number()) return {value.get<double>(), value.get<double>(), value.get<double>()};
+  if (value.is_number()) return {number(value, where), number(value, where), number(value, where)};
   if (!value.is_array() || value.size() != 3) throw input_error(where, "expected a number or [R, G, B]");
   return {number(value[0], where), number(value[1], where), number(value[2], where)};
 }
@@ -65,6 +67,9 @@ void check(const Layers& layers, const std::string& where) {
     check(layers[i].medium(), place);
     const double thickness_mm = layers[i].thickness_mm;
     if (!(thickness_mm > 0)) throw input_error(place, "thickness_mm must be above 0, got {}", thickness_mm);
+    if (std::isfinite(thickness_mm) && thickness_mm > largest_mm)
+      throw input_error(place, "thickness_mm must be at most {:g}, got {}; a last layer without it is a half-space", largest_mm,
+                        thickness_mm);
     if (!std::isfinite(thickness_mm) && i + 1 < layers.size()) throw input_error(place, "only the last layer may be without thickness_mm");
     if (std::isfinite(thickness_mm) && thickness_mm * layers[i].medium().sigma_t_reduced_per_mm() < 1e-9)
       throw input_error(place, "thickness_mm {} is no layer: less than 1e-9 mean free paths", thickness_mm);

@@ -18,7 +18,7 @@ struct Layer {
   double sigma_a_per_mm = 0;                                      ///< >= 0
   double sigma_s_reduced_per_mm = 0;                              ///< >= 0
   double eta = 1.4;                                               ///< 1 to 3, relative to air
-  double thickness_mm = std::numeric_limits<double>::infinity();  ///< > 0; infinite only for the last
+  double thickness_mm = std::numeric_limits<double>::infinity();  ///< > 0 to 1e6; infinite only for the last
 
   /// The layer as a medium with g = 0.
   Medium medium() const { return {.sigma_a_per_mm = sigma_a_per_mm, .sigma_s_per_mm = sigma_s_reduced_per_mm, .g = 0, .eta = eta}; }

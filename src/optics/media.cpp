@@ -18,7 +18,9 @@ void check_range(const std::string& where, const char* name, double value, doubl
 
 }  // namespace
 
-double Medium::sigma_tr_per_mm() const { return std::sqrt(3 * sigma_a_per_mm * sigma_t_reduced_per_mm()); }
+double Medium::sigma_tr_per_mm() const {
+  return std::sqrt(3 * std::abs(sigma_a_per_mm) * sigma_t_reduced_per_mm());  // the root of -0 is -0, and one over it -inf
+}
 
 void check(const Medium& medium, const std::string& where) {
   check_range(where, "sigma_a", medium.sigma_a_per_mm, 0, largest_per_mm, " per mm");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profile/radial.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,24 +11,36 @@ namespace dermis::profile {
 
 using std::numbers::pi;
 
+namespace {
+
+/// Energy between two radii, low > 0: two-point Gauss in log r in each smooth piece, r dr = r^2 d(log r).
+double ring_energy(const RadialProfile& profile, double low, double high) {
+  double sum = 0;
+  const auto add_piece = [&](double from, double to) {
+    const double half = std::log(to / from) / 2;
+    for (const double side : {-1.0, 1.0}) {
+      const double r = std::sqrt(from * to) * std::exp(side * half / std::numbers::sqrt3);
+      sum += 2 * pi * r * r * profile.at(r) * half;
+    }
+  };
+  const std::span<const double> breaks = profile.break_points_mm();
+  for (auto next = std::upper_bound(breaks.begin(), breaks.end(), low); next != breaks.end() && *next < high; ++next) {
+    add_piece(low, *next);
+    low = *next;
+  }
+  add_piece(low, high);
+  return sum;
+}
+
+}  // namespace
+
 const Annuli& RadialProfile::annuli() const {
   std::call_once(once_, [this] {
     std::vector<double> edges = log_edges(1e-4 * inner_mm(), 60 * outer_mm(), 46);
     std::vector<double> energies;
-    const double half = std::log(edges[2] / edges[1]) / 2;
-    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-      if (i == 0) {  // so small that R is either flat or 1/r there
-        const double r = edges[1];
-        energies.push_back((has_pole() ? 2 : 1) * pi * r * r * at(r));
-        continue;
-      }
-      double sum = 0;  // two-point Gauss in log r: r dr = r^2 d(log r)
-      for (const double side : {-1.0, 1.0}) {
-        const double r = std::sqrt(edges[i] * edges[i + 1]) * std::exp(side * half / std::numbers::sqrt3);
-        sum += 2 * pi * r * r * at(r) * half;
-      }
-      energies.push_back(sum);
-    }
+    const double core_mm = edges[1];  // so small that R is either flat or 1/r there
+    energies.push_back((has_pole() ? 2 : 1) * pi * core_mm * core_mm * at(core_mm));
+    for (std::size_t i = 1; i + 1 < edges.size(); ++i) energies.push_back(ring_energy(*this, edges[i], edges[i + 1]));
     annuli_ = Annuli(std::move(edges), std::move(energies));
   });
   return annuli_;

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 
 #include "profile/annuli.h"
@@ -36,6 +37,8 @@ class RadialProfile {
   virtual bool hankel_is_exact() const { return false; }
   /// R grows like 1/r towards 0: Int r R^2 dr diverges, and fits must start at a radius > 0.
   virtual bool has_pole() const { return false; }
+  /// Radii [mm], rising, between which R is smooth; past the last it is 0. Empty where R is smooth everywhere.
+  virtual std::span<const double> break_points_mm() const { return {}; }
   /// Model and what it was made from, for people.
   virtual std::string name() const = 0;
 

@@ -44,9 +44,10 @@ Multipole::Multipole(const optics::Layer& layer, double eta_above, double eta_be
 double Multipole::inner_mm() const { return thin_ ? std::min(source_mm_, thickness_mm_ / 2) : source_mm_; }
 
 double Multipole::outer_mm() const {
-  const double reach = sigma_tr_per_mm_ > 0 ? 1 / sigma_tr_per_mm_ : 1e300;
+  // Where nothing else ends the tail it is a power law without a length: a thousand mean free paths hold 99.9 % of the light.
+  const double reach = std::min(sigma_tr_per_mm_ > 0 ? 1 / sigma_tr_per_mm_ : HUGE_VAL, 1000 * source_mm_);
   // Without absorption light leaves through the boundaries: the slowest mode decays over period / (2 pi).
-  const double leak = std::isfinite(thickness_mm_) ? (thickness_mm_ + above_mm_ + below_mm_) / pi : 1000 * source_mm_;
+  const double leak = (thickness_mm_ + above_mm_ + below_mm_) / pi;
   return std::max(source_mm_, std::min(reach, leak));
 }
 

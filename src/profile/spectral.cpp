@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "core/error.h"
 #include "optics/observer.h"
@@ -33,16 +35,24 @@ std::vector<optics::Rgb> sample_weights() {
   return weights;
 }
 
-struct Lowest {
-  double albedo = 2, nm = 0;
-};
-
-Lowest lowest_albedo(const optics::Skin& skin) {
-  Lowest lowest;
+/// A model for skin, and why: diffusion theory wants a high albedo and thick layers, here at every wavelength.
+std::pair<Model, std::string> choose(const optics::Skin& skin) {
+  double albedo = 2, albedo_nm = 0, thickness = HUGE_VAL, thickness_nm = 0;
   for (std::size_t i = 0; i < samples; ++i)
-    for (const optics::Layer& layer : optics::skin_layers(skin, sample_nm(i)))
-      if (layer.medium().reduced_albedo() < lowest.albedo) lowest = {layer.medium().reduced_albedo(), sample_nm(i)};
-  return lowest;
+    for (const optics::Layer& layer : optics::skin_layers(skin, sample_nm(i))) {
+      const optics::Medium medium = layer.medium();
+      if (medium.reduced_albedo() < albedo) albedo = medium.reduced_albedo(), albedo_nm = sample_nm(i);
+      const double optical = layer.thickness_mm * medium.sigma_t_reduced_per_mm();
+      if (optical < thickness) thickness = optical, thickness_nm = sample_nm(i);
+    }
+  if (albedo >= diffusion_albedo && thickness < diffusion_thickness)
+    return {Model::monte_carlo,
+            fmt::format("model chosen: the epidermis measures {:.2f} mean free paths ({} nm), under {} where diffusion theory holds",
+                        thickness, thickness_nm, diffusion_thickness)};
+  const bool high = albedo >= diffusion_albedo;
+  return {high ? Model::multipole : Model::monte_carlo,
+          fmt::format("model chosen: the lowest reduced albedo is {:.3f} ({} nm), {} {} where diffusion theory holds", albedo, albedo_nm,
+                      high ? "not under" : "under", diffusion_albedo)};
 }
 
 }  // namespace
@@ -95,12 +105,7 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
     throw input_error("--model", "'{}' knows no layers; spectral skin takes multipole, monte-carlo or auto", model_name(model));
   ModelledProfiles out;
   out.model = model;
-  if (model == Model::automatic) {
-    const Lowest lowest = lowest_albedo(skin);
-    out.model = lowest.albedo >= diffusion_albedo ? Model::multipole : Model::monte_carlo;
-    out.reason = fmt::format("model chosen: the lowest reduced albedo is {:.3f} ({} nm), {} {} where diffusion theory holds", lowest.albedo,
-                             lowest.nm, lowest.albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
-  }
+  if (model == Model::automatic) std::tie(out.model, out.reason) = choose(skin);
   MonteCarloOptions each = options;
   each.photons = std::max<std::uint64_t>(options.photons / 16, 1000);
   const auto weights = sample_weights();

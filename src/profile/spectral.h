@@ -44,8 +44,9 @@ class WeightedProfile final : public RadialProfile {
 /// r) with the very weights that make a reflectance spectrum a colour (optics::rec709_weights). So the integral of each channel's profile
 /// *is* that channel of the colour, and no single wavelength has to stand for "red". R(nm, r) is computed every 10 nm from 400 to 700 nm
 /// and interpolated in between; each channel is then scaled (by a few per cent at most) to the exact total of 81 wavelengths. Models:
-/// multipole, monte-carlo, automatic (Monte-Carlo where the epidermis or dermis has a reduced albedo under diffusion_albedo at some
-/// wavelength that matters, which is all skin but the palest). Monte-Carlo shares photons among wavelengths: 1/16 of options.photons each.
+/// multipole, monte-carlo, automatic (Monte-Carlo where at some wavelength a layer has a reduced albedo under diffusion_albedo or the
+/// epidermis is thinner than diffusion_thickness, which is all skin but the palest and thickest). Monte-Carlo shares photons among
+/// wavelengths: 1/16 of options.photons each.
 ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const MonteCarloOptions& options, const std::string& where);
 
 }  // namespace dermis::profile

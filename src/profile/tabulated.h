@@ -23,6 +23,7 @@ class Tabulated final : public RadialProfile {
   double total() const override { return total_; }
   double inner_mm() const override;
   double outer_mm() const override { return radii_mm_.back() / 10; }
+  std::span<const double> break_points_mm() const override { return radii_mm_; }
   std::string name() const override { return "table"; }
 
  private:
