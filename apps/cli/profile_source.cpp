@@ -34,8 +34,8 @@ Source from_models(std::string name, profile::ModelledProfiles modelled) {
   return source;
 }
 
-void summarise(Source& source) {
-  for (int c = 0; c < 3; ++c) source.medium[c] = profile::equivalent_medium(*source.profiles[c], default_eta);
+void summarise(Source& source, double eta = default_eta) {
+  for (int c = 0; c < 3; ++c) source.medium[c] = profile::equivalent_medium(*source.profiles[c], eta);
   source.equivalent = true;
 }
 
@@ -47,7 +47,7 @@ Source from_medium(const std::string& name, const optics::RgbMedium& medium, con
 
 Source from_layers(const std::string& name, const optics::RgbLayers& layers, const SourceOptions& options, const std::string& where) {
   Source source = from_models(name, make_profiles(layers, profile::parse_model(options.model), options.monte_carlo, where));
-  summarise(source);
+  summarise(source, layers.front().eta);  // the surface that light meets
   return source;
 }
 
@@ -111,7 +111,7 @@ optics::Skin refined(optics::Skin skin, const SourceOptions& options) {
 Source from_skin(const std::string& name, const optics::Skin& skin, const SourceOptions& options) {
   Source source = from_models(name, make_profiles(skin, profile::parse_model(options.model), options.monte_carlo, "skin"));
   source.skin = skin;
-  summarise(source);
+  summarise(source, skin.eta);
   return source;
 }
 

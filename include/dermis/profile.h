@@ -21,9 +21,10 @@ struct ScatterProfile {
   std::vector<double> variances_mm2;                  ///< 1 to 8, rising
   std::vector<std::array<double, 3>> weights;         ///< as many, >= 0, summing to 1 per channel
   std::array<double, 3> error_percent{};              ///< of the fit, docs/theory.md
-  std::array<double, 3> total_reflectance{};          ///< 0..1
+  std::array<double, 3> total_reflectance{};          ///< 0..1: model_total, cut to 1
   std::array<double, 3> mean_free_path_mm{};          ///< 1 / sigma_t'; of the equivalent half-space where skin has layers
   std::array<double, 3> diffuse_mean_free_path_mm{};  ///< 1 / sigma_tr; 0 where there is no absorption
+  std::array<double, 3> model_total{};                ///< what the model itself reflects; "beam" can give more light back than entered
 };
 
 /// A homogeneous half-space per channel.

@@ -162,6 +162,20 @@ Json separable(const Exported& input) {
             "what reaches past three sigmas of the widest term is folded in by normalising"}}};
 }
 
+/// What every system with a total and an index loses.
+void lose(Json& lost, std::string_view system, const Exported& input) {
+  if (system == "separable") return;  // a kernel holds neither
+  const auto& medium = input.medium;
+  if (medium[1].eta != medium[0].eta || medium[2].eta != medium[0].eta)
+    lost.push_back(fmt::format("indices that differ between channels ({:.6g}, {:.6g}, {:.6g}): the red one stands for all", medium[0].eta,
+                               medium[1].eta, medium[2].eta));
+  Rgb total{};
+  for (int c = 0; c < 3; ++c) total[c] = input.profiles[c]->total();
+  if (system != "unity" && largest(total) > 1 + 1e-6)  // a conservative medium may round past 1
+    lost.push_back(
+        fmt::format("light: the total reflectance is cut to 1, the model gives {:.6g}, {:.6g}, {:.6g}", total[0], total[1], total[2]));
+}
+
 }  // namespace
 
 std::vector<std::string_view> exchange_names() { return {std::begin(names), std::end(names)}; }
@@ -173,6 +187,7 @@ std::string export_text(std::string_view system, const Exported& input) {
     if (names[i] != system) continue;
     Json root{{"name", input.name}, {"system", names[i]}};
     root.update(makers[i](input));
+    lose(root["lost"], system, input);
     return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   }
   throw input_error("--export", "no system '{}'; known: {}", system, fmt::join(names, ", "));

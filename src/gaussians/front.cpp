@@ -33,7 +33,8 @@ gaussians::SumOfGaussians to_sum(const ScatterProfile& from) {
   return sum;
 }
 
-ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made, const optics::RgbMedium* medium,
+/// medium: the one that was modelled, or null, and then eta is the index of the surface.
+ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made, const optics::RgbMedium* medium, double eta,
                       const ProfileOptions& options) {
   if (options.gaussians < 1 || options.gaussians > gaussians::max_terms)
     throw input_error("gaussians", "1 to {}, got {}", gaussians::max_terms, options.gaussians);
@@ -45,9 +46,10 @@ ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& 
     out.weights.push_back(term.weight);
   }
   for (int c = 0; c < 3; ++c) {
-    const optics::Medium one = medium != nullptr ? (*medium)[c] : profile::equivalent_medium(*made.profiles[c], 1.4);
+    const optics::Medium one = medium != nullptr ? (*medium)[c] : profile::equivalent_medium(*made.profiles[c], eta);
     const double diffuse_mm = one.diffuse_mean_free_path().mm;
-    out.total_reflectance[c] = std::min(sum.total_reflectance[c], 1.0);
+    out.model_total[c] = sum.total_reflectance[c];
+    out.total_reflectance[c] = std::min(out.model_total[c], 1.0);
     out.mean_free_path_mm[c] = one.mean_free_path().mm;
     out.diffuse_mean_free_path_mm[c] = diffuse_mm < 1e9 ? diffuse_mm : 0;
   }
@@ -55,15 +57,18 @@ ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& 
 }
 
 ScatterProfile of_medium(const std::string& name, const optics::RgbMedium& medium, const ProfileOptions& options) {
-  return finish(name, make_profiles(medium, profile::parse_model(options.model), photons_of(options), name), &medium, options);
+  return finish(name, make_profiles(medium, profile::parse_model(options.model), photons_of(options), name), &medium, medium[0].eta,
+                options);
 }
 
 }  // namespace
 
 ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options) {
-  if (name == "skin-layers")
-    return finish(name, make_profiles(optics::donner_jensen_skin(), profile::parse_model(options.model), photons_of(options), name),
-                  nullptr, options);
+  if (name == "skin-layers") {
+    const optics::RgbLayers skin = optics::donner_jensen_skin();
+    return finish(name, make_profiles(skin, profile::parse_model(options.model), photons_of(options), name), nullptr, skin.front().eta,
+                  options);
+  }
   const optics::Material* material = optics::find_material(name);
   if (material == nullptr) optics::unknown_preset(name);
   return of_medium(name, material->medium(), options);
@@ -82,7 +87,8 @@ ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& o
                            .haemoglobin = skin.haemoglobin,
                            .oxygenation = skin.oxygenation,
                            .epidermis_mm = skin.epidermis_mm};
-  return finish("skin", make_profiles(inner, profile::parse_model(options.model), photons_of(options), "skin"), nullptr, options);
+  return finish("skin", make_profiles(inner, profile::parse_model(options.model), photons_of(options), "skin"), nullptr, inner.eta,
+                options);
 }
 
 SpectralSkin skin_of_colour(const std::string& colour, double* delta_e) {

@@ -47,6 +47,18 @@ Imported medium_of(const char* name, const Rgb& total, const Rgb& mfp_mm, double
   return imported;
 }
 
+/// A value that the system has once, not per channel.
+double one_value(const Values& values, const char* key, const std::string& where) {
+  const Rgb& v = values.at(key);
+  if (v[1] != v[0] || v[2] != v[0]) throw input_error(where, "{} is one number for all channels, got {},{},{}", key, v[0], v[1], v[2]);
+  return v[0];
+}
+
+void check_lengths(const Rgb& mm, const char* what, const std::string& where) {
+  for (const double length_mm : mm)
+    if (!(length_mm > 0)) throw input_error(where, "{} must be above 0, got {} mm", what, length_mm);
+}
+
 /// The size of a scene unit in mm, without which a length in scene units means nothing.
 double scene_unit_mm(const Values& values, const Rgb& lengths, const std::string& where) {
   const auto found = values.find("scene_unit_mm");
@@ -55,7 +67,7 @@ double scene_unit_mm(const Values& values, const Rgb& lengths, const std::string
                       "the length is in scene units, whose size is not given: as metres it is {}, as centimetres {}, as millimetres {}; "
                       "add scene_unit_mm=1000, 10 or 1",
                       shown(product(lengths, single(1000))), shown(product(lengths, single(10))), shown(lengths));
-  return found->second[0];
+  return one_value(values, "scene_unit_mm", where);
 }
 
 Imported unity(const std::string& text, const std::string& where) {
@@ -71,6 +83,7 @@ Imported unreal(const std::string& text, const std::string& where) {
   const Rgb& total = need(v, "surface_albedo", where);
   check_reflectance(total, where);
   const Rgb length_mm = product(need(v, "mean_free_path_color", where), need(v, "mean_free_path_distance", where), 10);  // from cm
+  check_lengths(length_mm, "mean_free_path_color * mean_free_path_distance", where);
   Rgb as_mean{}, as_diffuse{};
   for (int c = 0; c < 3; ++c) {
     as_mean[c] = Burley::shape_mm(total[c], optics::MeanFreePath(length_mm[c] / 0.6));  // the engine's own factor
@@ -81,7 +94,7 @@ Imported unreal(const std::string& text, const std::string& where) {
                       "mean_free_path_distance has two readings: with bEnableMeanFreePath a mean free path (Burley's d {}), without it, as "
                       "before 5.1, a diffuse one (d {}); add enable_mean_free_path=1 or 0",
                       shown(as_mean), shown(as_diffuse));
-  const double mean = v.at("enable_mean_free_path")[0];
+  const double mean = one_value(v, "enable_mean_free_path", where);
   if (mean != 0 && mean != 1) throw input_error(where, "enable_mean_free_path must be 0 or 1, got {}", mean);
   return burley_of("unreal", total, mean == 1 ? as_mean : as_diffuse, where);
 }
@@ -92,6 +105,7 @@ Imported cycles(const std::string& text, const std::string& where) {
   check_reflectance(total, where);
   Rgb radius = product(need(v, "radius", where), v.contains("scale") ? v.at("scale") : single(1));
   radius = product(radius, single(scene_unit_mm(v, radius, where)));
+  check_lengths(radius, "radius * scale", where);
   Rgb shape{};
   for (int c = 0; c < 3; ++c) shape[c] = Burley::shape_all_angles_mm(total[c], optics::MeanFreePath(radius[c] / (4 * std::numbers::pi)));
   return burley_of("cycles", total, shape, where);
@@ -103,8 +117,8 @@ Imported openpbr(const std::string& text, const std::string& where) {
   const Rgb radius = product(need(v, "subsurface_radius", where),
                              v.contains("subsurface_radius_scale") ? v.at("subsurface_radius_scale") : Rgb{1, 0.5, 0.25});
   const Rgb mfp_mm = product(radius, single(scene_unit_mm(v, radius, where)));
-  return medium_of("openpbr", need(v, "subsurface_color", where), mfp_mm, v.contains("specular_ior") ? v.at("specular_ior")[0] : 1.5,
-                   where);
+  return medium_of("openpbr", need(v, "subsurface_color", where), mfp_mm,
+                   v.contains("specular_ior") ? one_value(v, "specular_ior", where) : 1.5, where);
 }
 
 Imported gltf(const std::string& text, const std::string& where) {
@@ -115,7 +129,7 @@ Imported gltf(const std::string& text, const std::string& where) {
     if (!(colour[c] > 0 && colour[c] < 1)) throw input_error(where, "attenuation_color must be above 0 and below 1, got {}", colour[c]);
     mfp_mm[c] = 1000 * distance_m[c] / -std::log(colour[c]);
   }
-  return medium_of("gltf", need(v, "multiscatter_color", where), mfp_mm, v.contains("ior") ? v.at("ior")[0] : 1.5, where);
+  return medium_of("gltf", need(v, "multiscatter_color", where), mfp_mm, v.contains("ior") ? one_value(v, "ior", where) : 1.5, where);
 }
 
 [[noreturn]] void no_system(const std::string& text, const std::string& where) {

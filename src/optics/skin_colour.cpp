@@ -55,6 +55,8 @@ Candidate evaluate(Skin skin, std::array<double, 2> log_fraction, std::size_t st
   return {log_fraction, lab_of(skin, stride)};
 }
 
+constexpr int grid_columns = 10, grid_rows = 7;
+
 /// 70 skins over the range, for a start; the last set of fixed parameters is remembered, as colours come in series.
 std::vector<Candidate> coarse_grid(const Skin& fixed) {
   static std::mutex mutex;
@@ -63,10 +65,10 @@ std::vector<Candidate> coarse_grid(const Skin& fixed) {
   const std::array<double, 5> key{fixed.blend, fixed.oxygenation, fixed.oiliness, fixed.epidermis_mm, fixed.eta};
   const std::lock_guard lock(mutex);
   if (!grid.empty() && made_for == key) return grid;
-  constexpr int columns = 10, rows = 7;
-  grid.assign(columns * rows, {});
+  grid.assign(grid_columns * grid_rows, {});
   parallel_for(grid.size(), [&](std::size_t i) {
-    const double m = static_cast<double>(i % columns) / (columns - 1), h = static_cast<double>(i / columns) / (rows - 1);
+    const double m = static_cast<double>(i % grid_columns) / (grid_columns - 1),
+                 h = static_cast<double>(i / grid_columns) / (grid_rows - 1);
     grid[i] = evaluate(fixed,
                        {std::log(least_melanin) + m * std::log(most_melanin / least_melanin),
                         std::log(least_blood) + h * std::log(most_blood / least_blood)},
@@ -95,6 +97,38 @@ std::array<double, 2> newton_step(const Lab& wanted, const Skin& fixed, const Ca
   return {std::clamp((d * p - b * q) / determinant, -1.0, 1.0), std::clamp((a * q - b * p) / determinant, -1.0, 1.0)};
 }
 
+/// Damped steps until they no longer pay.
+Candidate descend(const Lab& wanted, const Skin& fixed, Candidate here) {
+  double damping = 1e-3;
+  for (int step = 0; step < 30 && damping < 1e3; ++step) {
+    const auto change = newton_step(wanted, fixed, here, damping);
+    const Candidate there = evaluate(fixed, {here.log_fraction[0] + change[0], here.log_fraction[1] + change[1]}, 2);
+    const double before = delta_e76(here.lab, wanted), after = delta_e76(there.lab, wanted);
+    if (after < before) here = there;
+    damping = after < before ? damping / 4 : damping * 8;
+    if (after < before && (before - after < 1e-3 || after < 1e-3)) break;
+  }
+  return here;
+}
+
+/// The three nearest points of the grid of which no two are neighbours: the colours of skin fold back on themselves (yellow by little
+/// blood, and by much melanin), so the nearest point need not lie in the right fold.
+std::vector<Candidate> starts(std::vector<Candidate> grid, const Lab& wanted) {
+  const auto apart = [](const Candidate& a, const Candidate& b) {
+    const double melanin = std::log(most_melanin / least_melanin) / (grid_columns - 1),
+                 blood = std::log(most_blood / least_blood) / (grid_rows - 1);
+    return std::abs(a.log_fraction[0] - b.log_fraction[0]) > 1.5 * melanin || std::abs(a.log_fraction[1] - b.log_fraction[1]) > 1.5 * blood;
+  };
+  std::sort(grid.begin(), grid.end(),
+            [&](const Candidate& a, const Candidate& b) { return delta_e76(a.lab, wanted) < delta_e76(b.lab, wanted); });
+  std::vector<Candidate> chosen;
+  for (const Candidate& point : grid) {
+    if (chosen.size() == 3) break;
+    if (std::all_of(chosen.begin(), chosen.end(), [&](const Candidate& other) { return apart(point, other); })) chosen.push_back(point);
+  }
+  return chosen;
+}
+
 }  // namespace
 
 Rgb skin_reflectance(const Skin& skin) { return integrate(skin, 1); }
@@ -110,19 +144,13 @@ Skin measured_skin() { return {.blend = 0.1, .epidermis_mm = 0.12}; }
 
 SkinMatch nearest_skin(const Lab& wanted, const Skin& fixed) {
   check(fixed, "skin");
-  const auto grid = coarse_grid(fixed);
-  const auto start = std::min_element(grid.begin(), grid.end(), [&](const Candidate& a, const Candidate& b) {
-    return delta_e76(a.lab, wanted) < delta_e76(b.lab, wanted);
-  });
-  Candidate here = evaluate(fixed, start->log_fraction, 2);
-  double damping = 1e-3;
-  for (int step = 0; step < 30 && damping < 1e3; ++step) {
-    const auto change = newton_step(wanted, fixed, here, damping);
-    const Candidate there = evaluate(fixed, {here.log_fraction[0] + change[0], here.log_fraction[1] + change[1]}, 2);
-    const double before = delta_e76(here.lab, wanted), after = delta_e76(there.lab, wanted);
-    if (after < before) here = there;
-    damping = after < before ? damping / 4 : damping * 8;
-    if (after < before && (before - after < 1e-3 || after < 1e-3)) break;
+  Candidate here;
+  double nearest = HUGE_VAL;
+  for (const Candidate& start : starts(coarse_grid(fixed), wanted)) {
+    const Candidate end = descend(wanted, fixed, evaluate(fixed, start.log_fraction, 2));
+    if (delta_e76(end.lab, wanted) >= nearest) continue;
+    here = end;
+    nearest = delta_e76(end.lab, wanted);
   }
   SkinMatch match{.skin = fixed, .lab = {}};
   match.skin.melanin = std::min(std::exp(here.log_fraction[0]), most_melanin);

@@ -29,7 +29,7 @@ struct SkinMatch {
 Skin measured_skin();
 
 /// The melanin and haemoglobin whose skin_colour() is nearest to `wanted` in CIE76; all else from `fixed`. A coarse grid, then Gauss-Newton
-/// until the distance no longer falls by 0.001; deterministic, some 30 ms. InputError: fixed out of range.
+/// from its three best points apart until the distance no longer falls by 0.001; deterministic, some 0.1 s. InputError: fixed out of range.
 SkinMatch nearest_skin(const Lab& wanted, const Skin& fixed = measured_skin());
 
 /// "#c58c85" (sRGB) or "L,a,b" (CIELAB, D65). InputError with `where` otherwise, also for L outside 0..100.

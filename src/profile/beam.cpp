@@ -50,8 +50,9 @@ double SingleScattering::at(double radius_mm) const {
   double sum = 0;
   for (double beyond = 1e-7 * std::min(radius_mm, 1 / sigma_t); beyond < 40 / sigma_t; beyond *= std::exp(step)) {
     const double t = critical_mm + beyond, d = std::hypot(radius_mm, t), cosine = t / d;
-    const double turn = 1 + g * g + 2 * g * cosine;  // the beam goes down, the light comes up: cos(theta) = -cosine
-    const double phase = (1 - g * g) / (4 * pi * turn * std::sqrt(turn));
+    // The beam goes down, the light comes up: cos(theta) = -cosine. 1 + g^2 + 2 g cosine, so that nothing cancels for g near -1.
+    const double turn = (1 + g) * (1 + g) - 2 * g * radius_mm * radius_mm / (d * (d + t));
+    const double phase = (1 - g) * (1 + g) / (4 * pi * turn * std::sqrt(turn));
     sum += std::exp(-sigma_t * (t + d)) * phase * (1 - optics::fresnel(cosine, medium_.eta)) * cosine / (d * d) * beyond * step;
   }
   return medium_.sigma_s_per_mm * sum;

@@ -39,7 +39,8 @@ class SingleScattering final : public RadialProfile {
  public:
   explicit SingleScattering(const optics::Medium& medium) : medium_(medium) {}
   double at(double radius_mm) const override;
-  double inner_mm() const override { return 1 / medium_.sigma_t_per_mm(); }
+  /// A backward lobe (g < 0) throws light back within about 1 + g of a mean free path.
+  double inner_mm() const override { return std::min(1.0, 1 + medium_.g) / medium_.sigma_t_per_mm(); }
   double outer_mm() const override { return 1 / medium_.sigma_t_per_mm(); }
   bool has_pole() const override { return true; }
   std::string name() const override { return "single scattering"; }

@@ -15,7 +15,7 @@ using std::numbers::pi;
 Burley::Burley(double total_reflectance, double shape_mm, const std::string& where) : total_(total_reflectance), shape_mm_(shape_mm) {
   if (!(total_ >= 0 && total_ <= 1)) throw input_error(where, "reflectance must be 0 to 1, got {}", total_);
   if (!(shape_mm_ >= 1e-6 && shape_mm_ <= 1e6))
-    throw input_error(where, "the length must give a shape d of 1e-6 to 1e6 mm, got {} mm", shape_mm_);
+    throw input_error(where, "the length must give a shape d of 1e-6 to 1e6 mm, got a d of {} mm", shape_mm_);
 }
 
 double Burley::shape_mm(double a, optics::MeanFreePath length) { return length.mm / (1.85 - a + 7 * std::pow(std::abs(a - 0.8), 3)); }
@@ -54,16 +54,19 @@ BurleyDescription parse_burley(const std::string& text, const std::string& where
   const auto values = optics::parse_key_values(text, {"reflectance", "mfp_mm", "dmfp_mm", "shape_mm"}, where);
   if (!values.contains("reflectance")) throw input_error(where, "'reflectance' is missing");
   if (values.size() != 2) throw input_error(where, "give exactly one length: mfp_mm, dmfp_mm or shape_mm");
+  const char* key = values.contains("mfp_mm") ? "mfp_mm" : values.contains("dmfp_mm") ? "dmfp_mm" : "shape_mm";
   BurleyDescription out{.total_reflectance = values.at("reflectance"), .shape_mm = {}};
   for (int c = 0; c < 3; ++c) {
     const double a = out.total_reflectance[c];
     if (!(a > 0 && a <= 1)) throw input_error(where, "reflectance must be above 0 and at most 1, got {}", a);
+    const double length_mm = values.at(key)[c];
+    if (!(length_mm > 0)) throw input_error(where, "{} must be above 0, got {}", key, length_mm);
     if (values.contains("mfp_mm"))
-      out.shape_mm[c] = Burley::shape_mm(a, optics::MeanFreePath(values.at("mfp_mm")[c]));
+      out.shape_mm[c] = Burley::shape_mm(a, optics::MeanFreePath(length_mm));
     else if (values.contains("dmfp_mm"))
-      out.shape_mm[c] = Burley::shape_mm(a, optics::DiffuseMeanFreePath(values.at("dmfp_mm")[c]));
+      out.shape_mm[c] = Burley::shape_mm(a, optics::DiffuseMeanFreePath(length_mm));
     else
-      out.shape_mm[c] = values.at("shape_mm")[c];
+      out.shape_mm[c] = length_mm;
     Burley(a, out.shape_mm[c], where);  // checks the length
   }
   return out;

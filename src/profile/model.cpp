@@ -23,6 +23,13 @@ ProfilePtr homogeneous(const optics::Medium& medium, Model model, const MonteCar
   }
 }
 
+/// A channel that sends nothing back has no shape to speak of; `where` and the channel say which.
+void check_reflects(const ModelledProfiles& made, const std::string& where) {
+  for (int c = 0; c < 3; ++c)
+    if (!(made.profiles[c]->total() > 0))
+      throw input_error(fmt::format("{}: {}", where, channel_name[c]), "reflects nothing, so there is no profile: sigma_s must be above 0");
+}
+
 }  // namespace
 
 Model parse_model(std::string_view name) {
@@ -48,6 +55,7 @@ ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, con
                              channel_name[lowest], albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
   for (int c = 0; c < 3; ++c) out.profiles[c] = homogeneous(medium[c], out.model, options);
+  check_reflects(out, where);
   return out;
 }
 
@@ -90,6 +98,7 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
     else
       out.profiles[c] = std::make_shared<LayeredProfile>(one, LayeredProfile::Side::reflected, where);
   }
+  check_reflects(out, where);
   return out;
 }
 

@@ -13,6 +13,9 @@ namespace {
 
 using std::numbers::pi;
 
+/// 1 + g^2 + 2 g mu, so that nothing cancels for g near -1: light that came down leaves upwards at cosine mu.
+double turn_of(double g, double mu) { return (1 + g) * (1 + g) - 2 * g * (1 - mu); }
+
 /// What a scattering at depth t with optical depth tau adds to every ring, times `weight`.
 void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, const PhotonLayer& layer, double t, double tau,
                double weight) {
@@ -22,15 +25,25 @@ void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, 
   for (std::size_t i = 0; i < rings.size(); ++i) {
     const double low = std::max(t / std::hypot(t, edges_mm[i + 1]), critical);
     if (low >= high) break;  // past the escape cone
+    const auto leaves = [&](double mu) { return std::exp(-tau / mu) * (1 - optics::fresnel(mu, layer.eta)); };
     double sum = 0;
-    for (const optics::Node& node : rule) {
-      // squares: near the critical angle 1 - F starts like a square root
-      const double mu = low + (high - low) * node.x * node.x;
-      const double turn = 1 + layer.g * layer.g + 2 * layer.g * mu;
-      const double phase = (1 - layer.g * layer.g) / (4 * pi * turn * std::sqrt(turn));
-      sum += node.weight * 2 * node.x * phase * std::exp(-tau / mu) * (1 - optics::fresnel(mu, layer.eta));
+    if (i == 0 && layer.g < -0.5) {
+      // All of a backward lobe may lie here: in s = turn^{-1/2} it is flat, p_HG dmu = (1 - g^2) / (4 pi |g|) ds
+      const double lowest = 1 / std::sqrt(turn_of(layer.g, low)), highest = 1 / (1 + layer.g);
+      for (const optics::Node& node : rule) {
+        const double s = lowest + (highest - lowest) * node.x;
+        const double mu = 1 - (1 / (s * s) - (1 + layer.g) * (1 + layer.g)) / (-2 * layer.g);
+        sum += node.weight * (highest - lowest) * (1 - layer.g) * (1 + layer.g) / (4 * pi * -layer.g) * leaves(mu);
+      }
+    } else {
+      for (const optics::Node& node : rule) {
+        // squares: near the critical angle 1 - F starts like a square root
+        const double mu = low + (high - low) * node.x * node.x, turn = turn_of(layer.g, mu);
+        const double phase = (1 - layer.g) * (1 + layer.g) / (4 * pi * turn * std::sqrt(turn));
+        sum += node.weight * (high - low) * 2 * node.x * phase * leaves(mu);
+      }
     }
-    rings[i] += weight * 2 * pi * (high - low) * sum;
+    rings[i] += weight * 2 * pi * sum;
     high = low;
   }
 }

@@ -57,7 +57,7 @@ std::pair<Model, std::string> choose(const optics::Skin& skin) {
 
 }  // namespace
 
-WeightedProfile::WeightedProfile(std::vector<Part> parts, double total, std::string name)
+WeightedProfile::WeightedProfile(std::vector<Part> parts, double total, std::string name, const std::string& where)
     : parts_(std::move(parts)), name_(std::move(name)) {
   double own = 0;
   for (const Part& part : parts_) {
@@ -67,7 +67,7 @@ WeightedProfile::WeightedProfile(std::vector<Part> parts, double total, std::str
     exact_ = exact_ && part.profile->hankel_is_exact();
     pole_ = pole_ || part.profile->has_pole();
   }
-  if (!(own > 0) || !(total > 0)) throw input_error(name_, "this skin is so saturated that a channel of linear Rec.709 is not above 0");
+  if (!(own > 0) || !(total > 0)) throw input_error(where, "this skin is so saturated that a channel of linear Rec.709 is not above 0");
   for (Part& part : parts_) part.weight *= total / own;
 }
 
@@ -123,7 +123,9 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
     for (int c = 0; c < 3; ++c) parts[c].push_back({weights[i][c], one});
   }
   const std::string name = out.model == Model::monte_carlo ? "Monte-Carlo, 31 wavelengths" : "multipole, 31 wavelengths";
-  for (int c = 0; c < 3; ++c) out.profiles[c] = std::make_shared<WeightedProfile>(std::move(parts[c]), exact[c], name);
+  constexpr const char* channel[] = {"red", "green", "blue"};
+  for (int c = 0; c < 3; ++c)
+    out.profiles[c] = std::make_shared<WeightedProfile>(std::move(parts[c]), exact[c], name, where + ": " + channel[c]);
   return out;
 }
 

@@ -19,8 +19,8 @@ class WeightedProfile final : public RadialProfile {
     double weight;
     ProfilePtr profile;
   };
-  /// scaled so that the total is `total` (> 0, else InputError: the colour is outside Rec.709).
-  WeightedProfile(std::vector<Part> parts, double total, std::string name);
+  /// scaled so that the total is `total` (> 0, else InputError with `where` as the place: the colour is outside Rec.709).
+  WeightedProfile(std::vector<Part> parts, double total, std::string name, const std::string& where);
 
   double at(double radius_mm) const override;
   double hankel(double k_per_mm) const override;
