@@ -45,10 +45,12 @@ Projected descend(std::span<const Target> channels, VectorXd& log_variance, cons
     if (range.any_sign) keep_apart(there_at);
     Projected there = project(channels, there_at, range.any_sign);
     if (there.residual2 < here.residual2) {
-      stalled = here.residual2 - there.residual2 < 1e-9 * here.residual2 ? stalled + 1 : 0;
+      const bool stalls = here.residual2 - there.residual2 < 1e-9 * here.residual2;
+      stalled = stalls ? stalled + 1 : 0;
       log_variance = there_at;
       here = std::move(there);
-      damping = std::max(damping * 0.2, 1e-12);
+      // Where little of the profile can be fitted, steps overshoot to the other side of the optimum, just as far: shorter ones settle that
+      damping = stalls ? std::max(damping * 4, 0.5) : std::max(damping * 0.2, 1e-12);
     } else {
       damping *= 4;
     }

@@ -144,14 +144,11 @@ Skin measured_skin() { return {.blend = 0.1, .epidermis_mm = 0.12}; }
 
 SkinMatch nearest_skin(const Lab& wanted, const Skin& fixed) {
   check(fixed, "skin");
-  Candidate here;
-  double nearest = HUGE_VAL;
-  for (const Candidate& start : starts(coarse_grid(fixed), wanted)) {
-    const Candidate end = descend(wanted, fixed, evaluate(fixed, start.log_fraction, 2));
-    if (delta_e76(end.lab, wanted) >= nearest) continue;
-    here = end;
-    nearest = delta_e76(end.lab, wanted);
-  }
+  std::vector<Candidate> ends = starts(coarse_grid(fixed), wanted);
+  parallel_for(ends.size(), [&](std::size_t i) { ends[i] = descend(wanted, fixed, evaluate(fixed, ends[i].log_fraction, 2)); });
+  const Candidate here = *std::min_element(ends.begin(), ends.end(), [&](const Candidate& a, const Candidate& b) {
+    return delta_e76(a.lab, wanted) < delta_e76(b.lab, wanted);
+  });
   SkinMatch match{.skin = fixed, .lab = {}};
   match.skin.melanin = std::min(std::exp(here.log_fraction[0]), most_melanin);
   match.skin.haemoglobin = std::min(std::exp(here.log_fraction[1]), most_blood);

@@ -55,6 +55,13 @@ TEST(SkinColour, FindsItsOwnColours) {
     }
 }
 
+// The colours of skin fold back on themselves; these two are met in the other fold than the nearest grid point's, one by swatches at 5.0
+// and 9.8 dE.
+TEST(SkinColour, FindsTheBetterFold) {
+  EXPECT_LT(optics::nearest_skin({28.1595, 0.3932, 3.7488}, optics::Skin{}).delta_e, 5.0);
+  EXPECT_LT(optics::nearest_skin({49.7161, -3.8881, 12.5156}, optics::Skin{}).delta_e, 9.8);
+}
+
 TEST(SkinColour, CoarseAndFineAgree) {
   for (const double nm : {420.0, 550.0, 650.0})
     for (const double melanin : {0.005, 0.3}) {
@@ -108,6 +115,15 @@ TEST(Model, AutomaticSaysWhatDecided) {
   EXPECT_EQ(mixed.model, profile::Model::monte_carlo);
   EXPECT_NE(mixed.reason.find("0.500 (green)"), std::string::npos);
   EXPECT_THROW(profile::make_profiles(optics::RgbLayers{thick}, profile::Model::beam, few, "test"), InputError);
+  // Spectral skin without melanin and blood: pale enough for diffusion, if the epidermis is thick enough
+  const auto skin = [&](double epidermis_mm) {
+    return profile::make_profiles(optics::Skin{.melanin = 0, .haemoglobin = 0, .epidermis_mm = epidermis_mm}, profile::Model::automatic,
+                                  few, "test");
+  };
+  EXPECT_EQ(skin(1).model, profile::Model::multipole);
+  const auto film = skin(0.01);
+  EXPECT_EQ(film.model, profile::Model::monte_carlo);
+  EXPECT_NE(film.reason.find("the epidermis measures 0.04 mean free paths (700 nm), under 2"), std::string::npos);
   EXPECT_THROW(profile::parse_model("tripole"), InputError);
 }
 

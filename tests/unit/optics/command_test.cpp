@@ -78,6 +78,14 @@ TEST_F(ProfileCommand, OnlyJsonGoesToStandardOutput) {
   EXPECT_EQ(unity["system"], "unity");
 }
 
+TEST_F(ProfileCommand, LayersKeepTheIndexOfTheirSurface) {
+  std::ofstream(path("l.json")) << R"([{"sigma_a_per_mm":0.01,"sigma_s_reduced_per_mm":2,"thickness_mm":2,"eta":1.33},
+                                       {"sigma_a_per_mm":0.02,"sigma_s_reduced_per_mm":3}])";
+  const auto cycles =
+      nlohmann::json::parse(run({"--layers", path("l.json"), "--model", "multipole", "--gaussians", "2", "--export", "cycles"}));
+  EXPECT_EQ(cycles["parameters"]["IOR"], 1.33);
+}
+
 TEST_F(ProfileCommand, EverySourceYieldsAProfile) {
   std::ofstream(path("l.json"))
       << R"([{"sigma_a_per_mm":[0.02,0.1,0.2],"sigma_s_reduced_per_mm":5,"thickness_mm":0.5},{"sigma_a_per_mm":0.05,"sigma_s_reduced_per_mm":2}])";
@@ -117,6 +125,9 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
   EXPECT_NE(message_of({"--csv", path("none.csv"), "--model", "beam"}).find("brings its own profile"), std::string::npos);
   EXPECT_NE(message_of({"--preset", "skin1", "--model", "dipole", "-o", path("no/such/a.json")}).find("no/such"), std::string::npos);
   EXPECT_NE(message_of({"--burley", "reflectance=1 mfp_mm=1e-300"}).find("1e-6 to 1e6 mm"), std::string::npos);
+  EXPECT_NE(message_of({"--burley", "reflectance=0.5 mfp_mm=-1"}).find("mfp_mm must be above 0, got -1"), std::string::npos);
+  EXPECT_NE(message_of({"--coefficients", "sigma_a=1 sigma_s=1,0,1", "--model", "dipole"}).find("--coefficients: green: reflects nothing"),
+            std::string::npos);
   EXPECT_NE(message_of({"--import", "cycles color=0.5 radius=1"}).find("as metres it is 1000"), std::string::npos);
   EXPECT_NE(message_of({"--import", "radius=1"}).find("could be a mean free path, a diffuse mean free path"), std::string::npos);
   std::ofstream(path("layers.json")) << R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"depth_mm":1}])";

@@ -10,6 +10,7 @@
 #include "gaussians/known.h"
 #include "gaussians/plot.h"
 #include "optics/presets.h"
+#include "profile/beam.h"
 #include "profile/burley.h"
 #include "profile/dipole.h"
 #include "profile/equivalent.h"
@@ -30,6 +31,65 @@ gaussians::Exported burley_skin() {
     for (const auto& term : fit.terms) input.terms[c].push_back({term.variance_mm2, term.weight / fit.weight_sum()});
   }
   return input;
+}
+
+/// Each value within 1e-5 of what the formula of docs/exports.md gives by hand.
+void expect_triple(const Json& values, const Rgb& by_hand, const char* what) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(values[c].get<double>() / by_hand[c], 1, 1e-5) << what << c;
+}
+
+// d = 0.8, 0.35, 0.2 mm and A = 0.7, 0.4, 0.2 in each system's own numbers. Nothing here shares a factor with the code.
+TEST(Exchange, NumbersByHandOfBurleySystems) {
+  const auto input = burley_skin();
+  const Json unity = Json::parse(gaussians::export_text("unity", input))["parameters"];
+  EXPECT_NEAR(unity["scatteringDistanceMultiplier"].get<double>(), 0.8, 1e-5);  // d in mm
+  expect_triple(unity["scatteringDistance"], {1, 0.4375, 0.25}, "unity");
+  // mfp_cm = 0.06 s d, s = 1.85 - A + 7 |A - 0.8|^3 = 1.157, 1.898, 3.162; the smallest distance is 0.1
+  const Json unreal = Json::parse(gaussians::export_text("unreal", input))["parameters"];
+  EXPECT_NEAR(unreal["MeanFreePathDistance"].get<double>(), 0.1, 1e-12);
+  expect_triple(unreal["MeanFreePathColor"], {0.55536, 0.39858, 0.37944}, "unreal");
+  expect_triple(unreal["SurfaceAlbedo"], totals, "unreal");
+  // radius = 4 pi s d, s = 1.9 - A + 3.5 (A - 0.8)^2 = 1.235, 2.06, 2.96: 12.41557, 9.060353, 7.439291 mm
+  const Json cycles = Json::parse(gaussians::export_text("cycles", input))["parameters"];
+  EXPECT_NEAR(cycles["Scale"].get<double>(), 0.01241557, 1e-7);
+  expect_triple(cycles["Radius"], {1, 0.7297570, 0.5991900}, "cycles");
+}
+
+// skin1: sigma_t' = 0.772, 1.05, 1.49 per mm; one term as wide as the published skin's widest.
+TEST(Exchange, NumbersByHandOfMediaAndKernels) {
+  gaussians::Exported input{.name = "skin1", .profiles = {}, .terms = {}, .medium = optics::find_material("skin1")->medium()};
+  for (int c = 0; c < 3; ++c) {
+    input.profiles[c] = std::make_shared<profile::Dipole>(input.medium[c]);
+    input.terms[c] = {{7.41, 1}};
+  }
+  const Json pbr = Json::parse(gaussians::export_text("openpbr", input))["parameters"];
+  EXPECT_NEAR(pbr["subsurface_radius"].get<double>(), 1.295337e-3, 1e-8);  // 1 / 0.772 mm, in metres
+  expect_triple(pbr["subsurface_radius_scale"], {1, 0.7352381, 0.5181208}, "openpbr");
+  EXPECT_EQ(pbr["specular_ior"], 1.3);
+  const Json gltf = Json::parse(gaussians::export_text("gltf", input))["parameters"]["extensions"];
+  EXPECT_NEAR(gltf["KHR_materials_volume"]["attenuationDistance"].get<double>(), 6.711409e-4, 1e-9);           // 1 / 1.49 mm, in metres
+  expect_triple(gltf["KHR_materials_volume"]["attenuationColor"], {0.5956386, 0.4942580, 0.3678794}, "gltf");  // e^{-sigma_t' / 1.49}
+  EXPECT_EQ(gltf["KHR_materials_ior"]["ior"], 1.3);
+  // 1.5 sqrt(7.41) mm in metres; taps of a unit Gaussian between +-1/96, and from there to 5/96
+  const Json separable = Json::parse(gaussians::export_text("separable", input))["parameters"];
+  EXPECT_NEAR(separable["sssWidth"].get<double>(), 4.083197e-3, 1e-8);
+  ASSERT_EQ(separable["kernel"].size(), 25u);
+  EXPECT_NEAR(separable["kernel"][0][0].get<double>(), 0.00833365, 1e-7);
+  EXPECT_NEAR(separable["kernel"][12][3].get<double>(), -3.0 / 144, 1e-12);
+  EXPECT_NEAR(separable["kernel"][12][1].get<double>(), 0.01665825, 1e-7);
+}
+
+// What one number cannot hold is said.
+TEST(Exchange, SaysWhatIsMergedAndCut) {
+  gaussians::Exported input = burley_skin();
+  const auto lost = [&](const char* system) { return Json::parse(gaussians::export_text(system, input))["lost"].dump(); };
+  EXPECT_EQ(lost("unreal").find("the red one"), std::string::npos);
+  EXPECT_EQ(lost("unreal").find("cut to 1"), std::string::npos);
+  input.medium[2].eta = 1.5;
+  for (const char* system : {"unity", "unreal", "gltf", "openpbr", "cycles"})
+    EXPECT_NE(lost(system).find("(1.4, 1.4, 1.5): the red one stands for all"), std::string::npos) << system;
+  input.profiles[0] = std::make_shared<profile::PhotonBeam>(optics::Medium{0.001, 0.999, 0, 1});
+  EXPECT_NE(lost("cycles").find("cut to 1, the model gives 1.005"), std::string::npos);
 }
 
 std::string triple(const Json& values) {
@@ -124,6 +184,14 @@ TEST(Exchange, AmbiguousImportsAreRefusedWithTheirReadings) {
   EXPECT_NE(message_of("unity reflectance=0.5 radius=1").find("known: reflectance, scattering_distance"), std::string::npos);
   EXPECT_NE(message_of("unity reflectance=0 scattering_distance=1").find("above 0"), std::string::npos);
   EXPECT_NE(message_of("unity reflectance=0.5 scattering_distance=-1").find("1e-6 to 1e6 mm"), std::string::npos);
+  EXPECT_NE(message_of("cycles scene_unit_mm=1 color=0.5 radius=-2").find("radius * scale must be above 0, got -2 mm"), std::string::npos);
+  // One number where the system has one
+  for (const char* text :
+       {"cycles scene_unit_mm=1000,1,1 color=0.5 radius=1", "openpbr scene_unit_mm=1,1,10 subsurface_color=0.5 subsurface_radius=1",
+        "openpbr scene_unit_mm=1 specular_ior=1.3,1.4,1.5 subsurface_color=0.5 subsurface_radius=1",
+        "gltf ior=1.3,1.4,1.5 multiscatter_color=0.5 attenuation_color=0.5 attenuation_distance=0.001",
+        "unreal enable_mean_free_path=1,0,0 surface_albedo=0.5 mean_free_path_color=1 mean_free_path_distance=1"})
+    EXPECT_NE(message_of(text).find("is one number for all channels"), std::string::npos) << text;
   EXPECT_THROW(gaussians::export_text("maya", burley_skin()), InputError);
 }
 

@@ -7,6 +7,7 @@
 #include "gaussians/fit.h"
 #include "optics/presets.h"
 #include "profile/dipole.h"
+#include "profile/slab.h"
 #include "profile/tabulated.h"
 #include "truth.h"
 
@@ -142,6 +143,76 @@ TEST(Fit, FindsASumThatIsOneAlready) {
   }
   EXPECT_LT(fit.error_percent, 0.1);
 }
+
+/// The best single Gaussian of a table by fine quadrature: {variance in mm^2, error in per cent}.
+std::array<double, 2> best_gaussian(const profile::RadialProfile& table, double end_mm) {
+  constexpr int count = 20'000;
+  const double step = 6 * end_mm / count;
+  double square = 0;
+  std::vector<double> radius, value;
+  for (int i = 0; i < count; ++i) {  // midpoints: a jump at the end falls between two
+    radius.push_back((i + 0.5) * step), value.push_back(table.at(radius.back()));
+    square += radius[i] * value[i] * value[i] * step;
+  }
+  const auto explained = [&](double v) {
+    double product = 0;
+    for (int i = 0; i < count; ++i) product += radius[i] * value[i] * std::exp(-radius[i] * radius[i] / (2 * v)) * step;
+    return product * product / (v / 2) / square;  // Int r G^2 dr, G = e^{-r^2/2v}, is v/2
+  };
+  double low = std::log(1e-2 * end_mm * end_mm), high = std::log(4 * end_mm * end_mm);
+  for (int i = 0; i < 40; ++i) {
+    const double a = low + 0.382 * (high - low), b = low + 0.618 * (high - low);
+    (explained(std::exp(a)) < explained(std::exp(b)) ? low : high) = explained(std::exp(a)) < explained(std::exp(b)) ? a : b;
+  }
+  return {std::exp(low), 100 * std::sqrt(1 - explained(std::exp(low)))};
+}
+
+// Tables are straight between their rows and jump at their end; a grid of its own would see neither.
+TEST(Fit, TablesAreIntegratedFromRowToRow) {
+  std::string decay = "r_mm,R,G,B\n";
+  for (int i = 0; i < 16; ++i) decay += fmt::format("{0},{1},{1},{1}\n", i / 10.0, 0.05 * std::exp(-i / 10.0));
+  struct Table {
+    std::string csv;
+    double end_mm;
+  };
+  for (const Table& table : {Table{decay, 1.5}, Table{"r_mm,R,G,B\n0,.3,.3,.3\n1,.3,.3,.3\n", 1},
+                             Table{"r_mm,R,G,B\n0,0,0,0\n1,0,0,0\n1.03,2,2,2\n1.06,0,0,0\n", 1.06}}) {
+    const auto profile = profile::parse_csv(table.csv, "table.csv")[0];
+    const ChannelFit fit = gaussians::fit_channel(*profile, 1);
+    const auto [variance, error] = best_gaussian(*profile, table.end_mm);
+    ASSERT_EQ(fit.terms.size(), 1u);
+    EXPECT_NEAR(fit.error_percent, error, 2e-3 * error) << table.csv;
+    EXPECT_NEAR(fit.terms[0].variance_mm2 / variance, 1, 5e-3) << table.csv;
+    EXPECT_NEAR(gaussians::error_percent(*profile, fit.terms), fit.error_percent, 1e-9);
+    EXPECT_NEAR(profile->hankel(0) / profile->total(), 1, 1e-3);
+  }
+  // A box of radius 1: (1 - e^{-t})^2 / t is largest for t = 1/2v = 1.2564
+  const auto box = gaussians::fit_channel(*profile::parse_csv("r_mm,R,G,B\n0,.3,.3,.3\n1,.3,.3,.3\n", "box.csv")[0], 1);
+  EXPECT_NEAR(box.terms[0].variance_mm2, 0.39796, 1e-4);
+  EXPECT_NEAR(box.error_percent, 43.066, 5e-3);
+}
+
+// Without absorption a thick slab is a half-space, however thick.
+TEST(Fit, ThickSlabsOfClearMediaStayFinite) {
+  const auto dipole = gaussians::fit_channel(Dipole(optics::Medium{.sigma_a_per_mm = 0, .sigma_s_per_mm = 1}), 6);
+  for (const double thickness_mm : {1e5, 1e6}) {
+    const profile::LayeredProfile slab({{0, 1, 1.4, thickness_mm}}, profile::SlabProfile::Side::reflected);
+    EXPECT_NEAR(gaussians::fit_channel(slab, 6).error_percent, dipole.error_percent, 1e-3) << thickness_mm;
+  }
+}
+
+/// A profile that says what it likes.
+class MadeUp final : public profile::RadialProfile {
+ public:
+  double at(double) const override { return NAN; }
+  double hankel(double k) const override { return k > 0 ? NAN : 0.5; }
+  double inner_mm() const override { return 1; }
+  double outer_mm() const override { return 1; }
+  bool hankel_is_exact() const override { return true; }
+  std::string name() const override { return "made up"; }
+};
+
+TEST(Fit, WhatIsNotFiniteIsRefused) { EXPECT_THROW(gaussians::fit_channel(MadeUp(), 2), InputError); }
 
 TEST(Fit, BlackProfilesAreRefused) {
   const Dipole black(optics::Medium{.sigma_a_per_mm = 1, .sigma_s_per_mm = 0});

@@ -47,12 +47,32 @@ TEST(PublicProfile, SkinAndColours) {
   EXPECT_GT(a.total_reflectance[0], a.total_reflectance[2]);
 }
 
+// Photon beam diffusion of a pale medium without a boundary gives more light back than entered; the exact total is 0.9128.
+TEST(PublicProfile, CutTotalsAreNotHidden) {
+  const ScatterProfile beam = profile_of_coefficients({{.001, .001, .001}, {.999, .999, .999}, 0, 1}, {.gaussians = 2, .model = "beam"});
+  EXPECT_EQ(beam.total_reflectance[0], 1);
+  EXPECT_NEAR(beam.model_total[0], 1.0057, 1e-3);
+  const ScatterProfile dipole = profile_of_preset("skin1", {.gaussians = 2, .model = "dipole"});
+  EXPECT_EQ(dipole.model_total, dipole.total_reflectance);
+}
+
+TEST(PublicProfile, MinusZeroIsZero) {
+  const ScatterProfile clear = profile_of_coefficients({{-0.0, -0.0, -0.0}, {1, 1, 1}}, {.gaussians = 2, .model = "dipole"});
+  EXPECT_EQ(clear.diffuse_mean_free_path_mm[0], 0);  // unknown, not -inf
+}
+
 TEST(PublicProfile, MistakesAreNamed) {
   EXPECT_THROW(profile_of_preset("skin3"), InputError);
   EXPECT_THROW(profile_of_preset("skin1", {.gaussians = 0, .model = "dipole"}), InputError);
   EXPECT_THROW(profile_of_coefficients({{-1, 1, 1}, {1, 1, 1}}), InputError);
   EXPECT_THROW(profile_of_coefficients({{1, 1, 1}, {1, 1, 1}, 1.0}), InputError);
   EXPECT_THROW(profile_of_skin({.melanin = 2}), InputError);
+  try {
+    profile_of_coefficients({{1, 1, 1}, {1, 0, 1}}, {.model = "dipole"});
+    FAIL() << "a black channel has no profile";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("coefficients: green: reflects nothing"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

@@ -17,10 +17,12 @@ struct FitRow {
 };
 extern const std::array<FitRow, 33> fit_rows;
 
-/// Totals of the classical dipole in closed form, computed independently; rounded to 4 digits.
+/// Totals of the classical dipole in closed form, computed independently, rounded to 4 digits; and the column that was printed
+/// with the coefficients in 2001.
 struct TotalRow {
   const char* material;
   Rgb computed;
+  Rgb published;
 };
 extern const std::array<TotalRow, 12> totals;
 
