@@ -33,7 +33,7 @@ TEST(Radiative, ChandrasekharH) {
     EXPECT_NEAR(optics::exact_reflectance_perpendicular(row.a), row.normal, 1e-5) << row.a;
     EXPECT_NEAR(optics::exact_reflectance_diffuse(row.a), row.diffuse, 1e-5) << row.a;
     if (row.a < 1) {  // the same half-space by adding and doubling
-      EXPECT_NEAR(optics::adding_doubling({{1 - row.a, row.a, 1, infinite}}).reflectance, row.normal, 2e-4) << row.a;
+      EXPECT_NEAR(optics::adding_doubling({{1 - row.a, row.a, 1, infinite}}).reflectance, row.normal, 1e-6) << row.a;
     }
   }
 }
@@ -44,13 +44,33 @@ TEST(Radiative, AddingDoublingAgainstMonteCarlo) {
   };  // n = 1.4, per flux sent; 2e6 photons
   const double into = 1 - optics::fresnel(1, 1 / 1.4);
   for (const Row& row : {Row{.5, .05234}, Row{.8, .15300}, Row{.9, .25088}, Row{.95, .35900}, Row{.99, .60359}, Row{.999, .83023}})
-    EXPECT_NEAR(into * optics::adding_doubling({{1 - row.albedo, row.albedo, 1.4, infinite}}).reflectance, row.total, 7e-4) << row.albedo;
+    EXPECT_NEAR(into * optics::adding_doubling({{1 - row.albedo, row.albedo, 1.4, infinite}}).reflectance, row.total, 4e-4) << row.albedo;
   const optics::Totals slab = optics::adding_doubling({{.1, 1, 1.4, 4}});
-  EXPECT_NEAR(into * slab.reflectance, .26404, 6e-4);
-  EXPECT_NEAR(into * slab.transmittance, .08188 + .01158, 6e-4);
+  EXPECT_NEAR(into * slab.reflectance, .26404, 4e-4);
+  EXPECT_NEAR(into * slab.transmittance, .08188 + .01158, 4e-4);
   const optics::Totals clear = optics::adding_doubling({{0, 1, 1.4, 3}});
   EXPECT_NEAR(clear.reflectance + clear.transmittance, 1, 1e-6);
   EXPECT_THROW(optics::adding_doubling({{.1, 1, 1.4, 1}, {.1, 1, 1.3, 1}}), InputError);
+}
+
+// What 64 directions converge to (48 agree to 5e-6): the accuracy that radiative.h states.
+TEST(Radiative, AsExactAsStated) {
+  struct Row {
+    optics::Layers layers;
+    double reflectance, transmittance;
+  };
+  for (const Row& row :
+       {Row{{{.5, .5, 1.4, infinite}}, .053797, 0}, Row{{{.1, .9, 1.4, infinite}}, .257759, 0},
+        Row{{{.01, .99, 1.4, infinite}}, .620838, 0}, Row{{{.05, .95, 1.3, 1}}, .261938, .603778}, Row{{{.1, 1, 1.4, 4}}, .271535, .096408},
+        Row{{{.1, 1, 1.4, 1}}, .216967, .521081}, Row{{{.5, 4, 1.4, .25}, {.05, 2, 1.4, infinite}}, .320177, 0}}) {
+    const optics::Totals fine = optics::adding_doubling(row.layers), coarse = optics::adding_doubling_coarse(row.layers);
+    EXPECT_NEAR(fine.reflectance, row.reflectance, 3e-4);
+    EXPECT_NEAR(fine.transmittance, row.transmittance, 3e-4);
+    EXPECT_NEAR(coarse.reflectance, row.reflectance, 2e-3);
+    EXPECT_NEAR(coarse.transmittance, row.transmittance, 2e-3);
+  }
+  // Giovanelli 1955, isotropic, n = 1.5, with what the surface reflects
+  EXPECT_NEAR(.04 + .96 * optics::adding_doubling({{1, 9, 1.5, infinite}}).reflectance, .2600, 3e-4);
 }
 
 struct TypeRow {
@@ -193,10 +213,14 @@ TEST(Tables, AreTheSourcesOwn) {
     EXPECT_EQ(optics::wavelengths_nm()[i], cie[i][0]);
     y += cie[i][2] * cie[i][4];
   }
-  // Luminance of the weights is the observer's own, wavelength by wavelength
+  // By the matrix of Rec.709 the weights are the observer's own three columns again, wavelength by wavelength;
+  // x and z to the 2e-4 by which the white that the matrix is printed for differs from that of the tables
   for (std::size_t i = 0; i < cie.size(); ++i) {
     const optics::Rgb w = optics::rec709_weights()[i];
+    const double x = cie[i][1] * cie[i][4] / y, z = cie[i][3] * cie[i][4] / y;
     EXPECT_NEAR(.2126 * w[0] + .7152 * w[1] + .0722 * w[2], cie[i][2] * cie[i][4] / y, 2e-5) << cie[i][0];
+    EXPECT_NEAR(.4124 * w[0] + .3576 * w[1] + .1805 * w[2], x, 2e-5 + 3e-4 * x) << cie[i][0] << " x";
+    EXPECT_NEAR(.0193 * w[0] + .1192 * w[1] + .9505 * w[2], z, 2e-5 + 3e-4 * z) << cie[i][0] << " z";
   }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "core/error.h"
 #include "optics/presets.h"
@@ -42,12 +43,51 @@ TEST(Multipole, ClosedFormAndImagesAgree) {
 }
 
 TEST(Multipole, ThickSlabIsTheDipole) {
-  const Layer layer{0.05, 1.2, 1.4, 100};
-  const SlabProfile slab(layer, Side::reflected);
-  const profile::Dipole dipole(layer.medium());
-  EXPECT_NEAR(slab.total(), dipole.total(), 1e-9);
-  for (const double r : {0.1, 1.0, 5.0}) EXPECT_NEAR(slab.at(r) / dipole.at(r), 1, 1e-6);
-  EXPECT_NEAR(SlabProfile(layer, Side::transmitted).total(), 0, 1e-9);
+  for (const Layer& medium : {Layer{0.05, 1.2, 1.4}, Layer{0.5, 1, 1.4}, Layer{0.001, 3, 1.3}, Layer{2, 8, 1.5}, Layer{0.3, 0.2, 1}}) {
+    const double diffuse_mm = medium.medium().diffuse_mean_free_path().mm, mean_mm = medium.medium().mean_free_path().mm;
+    const profile::Dipole dipole(medium.medium());
+    double before = 1;
+    for (const double lengths : {3.0, 6.0, 12.0, 25.0}) {  // thicknesses in diffuse mean free paths
+      Layer layer = medium;
+      layer.thickness_mm = lengths * diffuse_mm + 2 * mean_mm;
+      const SlabProfile slab(layer, Side::reflected);
+      const double deviation = std::abs(slab.total() - dipole.total());
+      EXPECT_LE(deviation, 2 * std::exp(-2 * lengths)) << medium.sigma_a_per_mm << " " << lengths;  // light goes there and back
+      EXPECT_LE(deviation, before);
+      EXPECT_LE(SlabProfile(layer, Side::transmitted).total(), 8 * std::exp(-lengths)) << medium.sigma_a_per_mm << " " << lengths;
+      before = deviation + 1e-12;
+      if (lengths < 25) continue;
+      for (const double r : {0.1, 1.0, 3.0}) EXPECT_NEAR(slab.at(r * diffuse_mm) / dipole.at(r * diffuse_mm), 1, 1e-6) << r;
+    }
+  }
+}
+
+// Unequal layers with index steps, thin and thick: light is neither made nor, without absorption, lost.
+TEST(Layers, RandomStacksKeepTheLight) {
+  std::mt19937 random(3);
+  const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
+  double worst = 0;
+  for (int i = 0; i < 300; ++i) {
+    optics::Layers clear, absorbing;
+    for (int layer = 0; layer < 2 + i % 4; ++layer) {
+      const double sigma_s = std::exp(between(std::log(0.1), std::log(30))), depth = std::exp(between(std::log(0.02), std::log(20)));
+      const double eta = between(1, 1.6), sigma_a = sigma_s * std::exp(between(std::log(1e-4), std::log(10)));
+      clear.push_back({0, sigma_s, eta, depth / sigma_s});
+      absorbing.push_back({sigma_a, sigma_s, eta, depth / (sigma_s + sigma_a)});
+    }
+    const profile::Spectra kept = LayeredProfile(clear, Side::reflected).spectra(0),
+                           less = LayeredProfile(absorbing, Side::reflected).spectra(0);
+    for (const double all :
+         {kept.beam.reflect + kept.beam.transmit, kept.reflect_above + kept.transmit_above, kept.reflect_below + kept.transmit_below})
+      worst = std::max(worst, std::abs(all - 1));
+    for (const double all :
+         {less.beam.reflect + less.beam.transmit, less.reflect_above + less.transmit_above, less.reflect_below + less.transmit_below}) {
+      EXPECT_LE(all, 1) << "stack " << i;
+      EXPECT_GT(all, 0) << "stack " << i;
+    }
+  }
+  EXPECT_LE(worst, 0.005);
+  EXPECT_LE(worst, 1e-6);
 }
 
 TEST(Multipole, NeverMoreLightThanEntered) {
@@ -228,9 +268,40 @@ TEST(Burley, TotalQuantilesAndTransform) {
   } numeric(burley);
   for (const double k : {0.0, 0.5, 2.0, 10.0}) EXPECT_NEAR(numeric.hankel(k), burley.hankel(k), 1e-3 * 0.7) << k;
   EXPECT_NEAR(numeric.quantile(0.9), burley.quantile(0.9), 2e-3);
-  // Equal albedo: the same curve described by either length.
-  const double d = profile::Burley::shape_mm(0.7, optics::MeanFreePath(1.0));
-  EXPECT_NEAR(d, 1 / (1.85 - 0.7 + 7 * 0.001), 1e-12);
+}
+
+// The published fits by hand, A = 0.7: s = 1.157 (perpendicular), 1.235 (from everywhere), 5.374161 (diffuse mean free path).
+TEST(Burley, ShapesFromLengths) {
+  using profile::Burley;
+  EXPECT_NEAR(Burley::shape_mm(0.7, optics::MeanFreePath(2)), 2 / 1.157, 1e-12);
+  EXPECT_NEAR(Burley::shape_all_angles_mm(0.7, optics::MeanFreePath(2)), 2 / 1.235, 1e-12);
+  EXPECT_NEAR(Burley::shape_mm(0.7, optics::DiffuseMeanFreePath(2)), 2 / 5.374161, 1e-7);
+  EXPECT_NEAR(Burley::shape_mm(0.33, optics::DiffuseMeanFreePath(1)), 1 / 3.5, 1e-12);
+  EXPECT_NEAR(Burley::shape_mm(0.4, optics::MeanFreePath(1)), 1 / 1.898, 1e-12);
+  EXPECT_NEAR(Burley::shape_all_angles_mm(0.4, optics::MeanFreePath(1)), 1 / 2.06, 1e-12);
+  // One curve by either length: l_dmfp = l_mfp s_dmfp / s_mfp = 1 mm 5.374161 / 1.157
+  const auto by_mean = profile::parse_burley("reflectance=0.7 mfp_mm=1", "x"),
+             by_diffuse = profile::parse_burley("reflectance=0.7 dmfp_mm=4.644911", "x");
+  EXPECT_NEAR(by_mean.shape_mm[0], 0.8643042, 1e-7);
+  EXPECT_NEAR(by_diffuse.shape_mm[2], by_mean.shape_mm[2], 1e-6);
+}
+
+// T(t) = A/4 (e^{-t/d} + 3 e^{-t/3d}): A = 0.7, d = 0.5 mm, t = 1 mm: 0.175 (0.1353353 + 3 0.5134171)
+TEST(Burley, SlabTransmittance) {
+  const profile::Burley burley(0.7, 0.5, "test");
+  EXPECT_NEAR(burley.slab_transmittance(1), 0.2932277, 1e-7);
+  EXPECT_NEAR(burley.slab_transmittance(1.5), 0.175 * (std::exp(-3.0) + 3 * std::exp(-1.0)), 1e-12);
+  EXPECT_NEAR(burley.slab_transmittance(2), 0.7 - burley.within(2), 1e-12);  // what a half-space sends back from beyond t
+  EXPECT_NEAR(burley.slab_transmittance(60), 0, 1e-12);
+}
+
+TEST(Burley, MistakesAreNamed) {
+  for (const char* key : {"mfp_mm", "dmfp_mm", "shape_mm"}) {
+    try {
+      profile::parse_burley(fmt::format("reflectance=0.5 {}=1,-1,1", key), "--burley");
+      FAIL() << key;
+    } catch (const InputError& error) { EXPECT_EQ(std::string(error.what()), fmt::format("--burley: {} must be above 0, got -1", key)); }
+  }
   EXPECT_THROW(profile::Burley(1.5, 1, "x"), InputError);
   EXPECT_THROW(profile::Burley(0.5, 0, "x"), InputError);
   EXPECT_THROW(profile::Burley(0.5, 1e-300, "x"), InputError);
