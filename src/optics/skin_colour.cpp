@@ -55,7 +55,7 @@ Candidate evaluate(Skin skin, std::array<double, 2> log_fraction, std::size_t st
   return {log_fraction, lab_of(skin, stride)};
 }
 
-constexpr int grid_columns = 10, grid_rows = 7;
+constexpr std::size_t grid_columns = 10, grid_rows = 7;
 
 /// 70 skins over the range, for a start; the last set of fixed parameters is remembered, as colours come in series.
 std::vector<Candidate> coarse_grid(const Skin& fixed) {
@@ -67,8 +67,8 @@ std::vector<Candidate> coarse_grid(const Skin& fixed) {
   if (!grid.empty() && made_for == key) return grid;
   grid.assign(grid_columns * grid_rows, {});
   parallel_for(grid.size(), [&](std::size_t i) {
-    const double m = static_cast<double>(i % grid_columns) / (grid_columns - 1),
-                 h = static_cast<double>(i / grid_columns) / (grid_rows - 1);
+    const std::size_t column = i % grid_columns, row = i / grid_columns;
+    const double m = static_cast<double>(column) / (grid_columns - 1), h = static_cast<double>(row) / (grid_rows - 1);
     grid[i] = evaluate(fixed,
                        {std::log(least_melanin) + m * std::log(most_melanin / least_melanin),
                         std::log(least_blood) + h * std::log(most_blood / least_blood)},
