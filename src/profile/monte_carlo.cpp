@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numbers>
 
 #include "core/error.h"
@@ -20,7 +21,7 @@ constexpr std::size_t batches = 64;
 constexpr int rings_per_decade = 16;
 
 void check(const ScatterScene& scene, const MonteCarloOptions& options) {
-  if (options.photons < 1000 || options.photons > 1'000'000'000) throw input_error("photons", "1,000 to 1e9, got {}", options.photons);
+  check_photons(options.photons, "photons");
   if (scene.layers.empty() || scene.layers.size() > optics::max_layers)
     throw input_error("monte-carlo", "1 to {} layers", optics::max_layers);
   for (std::size_t i = 0; i < scene.layers.size(); ++i) {
@@ -76,6 +77,7 @@ MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vect
     for (std::size_t i = 0; i < result.absorbed.size(); ++i) result.absorbed[i] += tally.absorbed[i] / photons;
     r += tally.reflected_sum, r2 += tally.reflected_sum2, t += tally.transmitted_sum, t2 += tally.transmitted_sum2;
     result.ballistic += tally.ballistic / photons;
+    result.cut += tally.cut / photons;
   }
   const double n = static_cast<double>(tallies.size());
   for (std::size_t i = 0; i < rings; ++i) {  // from the spread of the batches
@@ -99,11 +101,16 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
   PhotonTally empty(edges, layers.size());
   empty.leave_single_out = single_is_exact(layers, scene.light);
   std::vector<PhotonTally> tallies(batches, empty);
+  std::mutex mutex;
+  std::size_t finished = 0;
   parallel_for(batches, [&](std::size_t batch) {
     const std::uint64_t begin = options.photons * batch / batches, end = options.photons * (batch + 1) / batches;
     PhotonTally tally = tallies[batch];  // a copy of its own: neighbours in memory would slow each other down
     for (std::uint64_t photon = begin; photon < end; ++photon) trace_photon(layers, scene.light, PhotonRandom(options.seed, photon), tally);
     tallies[batch] = std::move(tally);
+    if (!options.progress) return;
+    const std::lock_guard lock(mutex);
+    options.progress(static_cast<double>(++finished) / batches);
   });
   const auto exact = empty.leave_single_out ? single_rings(layers, edges) : std::vector<double>(edges.size() - 1, 0.0);
   return gather(tallies, edges, static_cast<double>(options.photons), exact);
@@ -111,17 +118,26 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
 
 }  // namespace
 
-double MonteCarloResult::noise_percent() const {
-  double error2 = 0, signal2 = 0;
+void check_photons(std::uint64_t photons, const std::string& where) {
+  if (photons < 1000 || photons > 1'000'000'000) throw input_error(where, "1,000 to 1e9, got {}", photons);
+}
+
+MonteCarloResult::Squares MonteCarloResult::squares() const {
+  Squares squares;
   const auto& edges = reflected.edges_mm();
-  const double start = reflected.quantile(0.05);  // fits even out what is inside
+  const double start = reflected.quantile(0.05);
   for (std::size_t i = 1; i < reflected_error.size(); ++i) {
     if (edges[i] < start) continue;
     const double area = pi * (edges[i + 1] * edges[i + 1] - edges[i] * edges[i]);
-    error2 += reflected_error[i] * reflected_error[i] / area;
-    signal2 += reflected.energies()[i] * reflected.energies()[i] / area;
+    squares.error_per_mm2 += reflected_error[i] * reflected_error[i] / area;
+    squares.signal_per_mm2 += reflected.energies()[i] * reflected.energies()[i] / area;
   }
-  return signal2 > 0 ? 100 * std::sqrt(error2 / signal2) : 0;
+  return squares;
+}
+
+double MonteCarloResult::noise_percent() const {
+  const Squares s = squares();
+  return s.signal_per_mm2 > 0 ? 100 * std::sqrt(s.error_per_mm2 / s.signal_per_mm2) : 0;
 }
 
 ScatterScene scene_of(const optics::Medium& medium) { return {.layers = {{medium, std::numeric_limits<double>::infinity()}}}; }
@@ -135,7 +151,10 @@ ScatterScene scene_of(const optics::Layers& layers) {
 std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene, const MonteCarloOptions& options) {
   check(scene, options);
   const std::string key = cache_key(scene, options);
-  if (auto found = cached(key, options.cache)) return found;
+  if (auto found = cached(key, options.cache)) {
+    if (options.progress) options.progress(1);
+    return found;
+  }
   auto result = std::make_shared<const MonteCarloResult>(simulate(scene, options));
   remember(key, options.cache, result);
   return result;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +20,13 @@ struct MonteCarloOptions {
   std::uint64_t photons = 500'000;  ///< 1,000 to 1e9 a channel
   std::uint64_t seed = 1;
   std::filesystem::path cache;  ///< a folder in which results are kept; empty: only in memory. A damaged entry is made again.
+  /// How much of a run is done, above 0 to 1: called after each of its batches, from one thread at a time; once, with 1, if the result was
+  /// kept. It must not throw, and has no part in the result.
+  std::function<void(double)> progress = {};
 };
+
+/// InputError, place `where`, if photons is out of range.
+void check_photons(std::uint64_t photons, const std::string& where);
 
 /// One layer as photons see it: true scattering with a Henyey-Greenstein phase function, per mm.
 struct ScatterLayer {
@@ -44,7 +51,13 @@ struct MonteCarloResult {
   double reflected_total = 0, reflected_total_error = 0;      ///< with standard error
   double transmitted_total = 0, transmitted_total_error = 0;  ///< scattered light only
   double ballistic = 0;                                       ///< transmitted without a scattering
-  std::vector<double> absorbed;                               ///< by layer
+  std::vector<double> absorbed;                               ///< by layer, with what was cut
+  double cut = 0;                                             ///< still on its way after 200,000 scatterings, and given up
+  /// 2 pi Int r R^2 dr and the same of R's standard error [1/mm^2], from the radius of 5 % of the light on: what is inside, fits even out.
+  struct Squares {
+    double signal_per_mm2 = 0, error_per_mm2 = 0;
+  };
+  Squares squares() const;
   /// Noise as the fits see it: 100 sqrt( Int r error^2 dr / Int r R^2 dr ).
   double noise_percent() const;
 };

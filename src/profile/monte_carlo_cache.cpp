@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -23,11 +24,18 @@ struct Entry {
 std::mutex mutex;
 std::deque<Entry> memory;
 
-std::filesystem::path file_of(const std::string& key, const std::filesystem::path& folder) {
-  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a; the key inside the file settles collisions
-  for (const char c : key) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
-  return folder / fmt::format("monte-carlo-{:016x}.txt", hash);
+std::uint64_t fnv1a(std::string_view text) {
+  std::uint64_t hash = 0xCBF29CE484222325u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
+  return hash;
 }
+
+std::filesystem::path file_of(const std::string& key, const std::filesystem::path& folder) {
+  return folder / fmt::format("monte-carlo-{:016x}.txt", fnv1a(key));  // the key inside the file settles collisions
+}
+
+/// The last line of a file. A changed digit would be a wrong skin that nobody notices.
+std::string checksum_line(std::string_view body) { return fmt::format("checksum {:016x}\n", fnv1a(body)); }
 
 void put(std::string& text, const std::vector<double>& values) {
   text += fmt::format("{}", values.size());
@@ -37,13 +45,13 @@ void put(std::string& text, const std::vector<double>& values) {
 
 std::string write(const std::string& key, const MonteCarloResult& r) {
   std::string text = key + "\n";
-  put(text, {r.reflected_total, r.reflected_total_error, r.transmitted_total, r.transmitted_total_error, r.ballistic});
+  put(text, {r.reflected_total, r.reflected_total_error, r.transmitted_total, r.transmitted_total_error, r.ballistic, r.cut});
   put(text, r.absorbed);
   put(text, r.reflected.edges_mm());
   put(text, r.reflected.energies());
   put(text, r.reflected_error);
   put(text, r.transmitted.energies());
-  return text;
+  return text + checksum_line(text);
 }
 
 bool get(std::istream& in, std::vector<double>& values, std::size_t expected) {
@@ -56,18 +64,20 @@ bool get(std::istream& in, std::vector<double>& values, std::size_t expected) {
 }
 
 std::optional<MonteCarloResult> read(const std::string& key, const std::string& text) {
+  const std::size_t size = checksum_line("").size(), body = text.size() < size ? 0 : text.size() - size;
+  if (text.substr(body) != checksum_line(std::string_view(text).substr(0, body))) return std::nullopt;
   std::istringstream in(text);
   std::string line;
   std::vector<double> totals, edges, reflected, transmitted;
   MonteCarloResult r;
   if (!std::getline(in, line) || line != key) return std::nullopt;
-  if (!get(in, totals, 5) || !get(in, r.absorbed, 0) || !get(in, edges, 0) || edges.size() < 3) return std::nullopt;
+  if (!get(in, totals, 6) || !get(in, r.absorbed, 0) || !get(in, edges, 0) || edges.size() < 3) return std::nullopt;
   const std::size_t rings = edges.size() - 1;
   if (!get(in, reflected, rings) || !get(in, r.reflected_error, rings) || !get(in, transmitted, rings)) return std::nullopt;
   for (std::size_t i = 0; i < rings; ++i)
     if (!(edges[i] < edges[i + 1])) return std::nullopt;
   r.reflected_total = totals[0], r.reflected_total_error = totals[1];
-  r.transmitted_total = totals[2], r.transmitted_total_error = totals[3], r.ballistic = totals[4];
+  r.transmitted_total = totals[2], r.transmitted_total_error = totals[3], r.ballistic = totals[4], r.cut = totals[5];
   r.reflected = Annuli(edges, std::move(reflected));
   r.transmitted = Annuli(std::move(edges), std::move(transmitted));
   return r;
@@ -83,7 +93,7 @@ void keep(const std::string& key, const std::shared_ptr<const MonteCarloResult>&
 
 std::string cache_key(const ScatterScene& scene, const MonteCarloOptions& options) {
   std::string key =
-      fmt::format("dermis monte-carlo 2 photons {} seed {} light {}", options.photons, options.seed, static_cast<int>(scene.light));
+      fmt::format("dermis monte-carlo 3 photons {} seed {} light {}", options.photons, options.seed, static_cast<int>(scene.light));
   for (const ScatterLayer& layer : scene.layers) {
     const optics::Medium& m = layer.medium;
     key += fmt::format(" | {:a} {:a} {:a} {:a} {:a}", m.sigma_a_per_mm, m.sigma_s_per_mm, m.g, m.eta, layer.thickness_mm);

@@ -123,6 +123,7 @@ void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light li
     photon.weight *= layer.albedo;
     if (++photon.scatterings >= max_scatterings) {
       tally.absorbed[photon.layer] += photon.weight;
+      tally.cut += photon.weight;
       break;
     }
     if (photon.weight < roulette_below) photon.weight = random.next() < roulette_survivors ? photon.weight / roulette_survivors : 0;

@@ -44,7 +44,7 @@ struct PhotonTally {
   double log_inner, rings_per_log;  // radius^2 to ring
   std::vector<double> reflected, transmitted, absorbed;
   bool leave_single_out = false;  // what single_rings() knows is not counted
-  double reflected_sum = 0, reflected_sum2 = 0, transmitted_sum = 0, transmitted_sum2 = 0, ballistic = 0;
+  double reflected_sum = 0, reflected_sum2 = 0, transmitted_sum = 0, transmitted_sum2 = 0, ballistic = 0, cut = 0;
 };
 
 /// Traces photon number `photon` and counts it.

@@ -15,7 +15,7 @@ namespace dermis::profile {
 namespace {
 
 constexpr double first_nm = 400, step_nm = 10;
-constexpr std::size_t samples = 31;
+constexpr std::size_t samples = spectral_samples;
 
 double sample_nm(std::size_t i) { return first_nm + step_nm * static_cast<double>(i); }
 
@@ -101,6 +101,7 @@ double WeightedProfile::quantile(double p) const {
 
 ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const MonteCarloOptions& options, const std::string& where) {
   optics::check(skin, where);
+  check_photons(options.photons, "photons");  // the caller's own number, before it is shared among the wavelengths
   if (model == Model::dipole || model == Model::better || model == Model::beam)
     throw input_error("--model", "'{}' knows no layers; spectral skin takes multipole, monte-carlo or auto", model_name(model));
   ModelledProfiles out;

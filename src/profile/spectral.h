@@ -3,6 +3,7 @@
 // Based on: [DJ06] Donner, Jensen: A Spectral BSSRDF for Shading Human Skin. EGSR 2006
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "profile/model.h"
 
 namespace dermis::profile {
+
+/// At how many wavelengths the profile of spectral skin is computed, 400 to 700 nm.
+inline constexpr std::size_t spectral_samples = 31;
 
 /// Sum_i w_i R_i(r): profiles of single wavelengths as one colour channel sees them. Weights may be negative (the Rec.709 primaries do not
 /// span the spectrum's colours), so R may dip below 0 near the source although its total does not.
@@ -32,6 +36,8 @@ class WeightedProfile final : public RadialProfile {
   bool hankel_is_exact() const override { return exact_; }
   bool has_pole() const override { return pole_; }
   std::string name() const override { return name_; }
+  /// What it is made of, the weights scaled to the total.
+  const std::vector<Part>& parts() const { return parts_; }
 
  private:
   std::vector<Part> parts_;
