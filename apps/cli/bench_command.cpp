@@ -12,6 +12,7 @@
 #include "cli/bench/recorded.h"
 #include "cli/command.h"
 #include "cli/commit.h"
+#include "cli/output.h"
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/file.h"

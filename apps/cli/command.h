@@ -39,7 +39,4 @@ void check_picture_name(const std::string& path);
 /// The command line as a shell would take it; main() sets it.
 std::string& command_line();
 
-/// Text to a file, atomically, or to standard output if path is "-".
-void write_text(const std::string& path, const std::string& text);
-
 }  // namespace dermis::cli

@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/compare_page.h"
+#include "cli/output.h"
 #include "cli/scene_comparison.h"
 #include "core/error.h"
 #include "core/file.h"

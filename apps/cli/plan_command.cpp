@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/output.h"
 
 namespace dermis::cli {
 

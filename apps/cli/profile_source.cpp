@@ -31,6 +31,9 @@ Source from_models(std::string name, profile::ModelledProfiles modelled) {
                 .profiles = modelled.profiles,
                 .medium = {},
                 .skin = {}};
+  if (modelled.model == profile::Model::better)
+    source.note =
+        "the better dipole leaves light out that scattered only once: totals and the core are too low, most where skin absorbs most";
   return source;
 }
 
@@ -153,7 +156,8 @@ Source open_source(const SourceOptions& options) {
        [](const SourceOptions& o) {
          return from_layers(std::filesystem::path(o.layers).stem().string(), optics::load_layers(o.layers), o, o.layers);
        }},
-      {"--melanin", melanin, [](const SourceOptions& o) { return from_skin("skin", refined({}, o), o); }},
+      {"--melanin", melanin,
+       [](const SourceOptions& o) { return from_skin(fmt::format("spectral skin, melanin {:.4g}", *o.melanin), refined({}, o), o); }},
       {"--colour", options.colour, from_colour},
       {"--burley", options.burley, from_burley},
       {"--csv", options.csv, from_csv},

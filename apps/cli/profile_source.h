@@ -22,10 +22,10 @@ struct SourceOptions {
 struct Source {
   std::string name;
   std::string model;  ///< for people
-  std::string note;   ///< why that model; empty if it was asked for
+  std::string note;   ///< why that model, and what it leaves out; lines, empty if there is nothing to say
   std::array<profile::ProfilePtr, 3> profiles;
   optics::RgbMedium medium;          ///< the medium itself, or the homogeneous one that is equivalent
-  bool equivalent = false;           ///< medium is a summary: equal total and mean square radius
+  bool equivalent = false;           ///< medium is a summary: equal total and half frequency
   std::optional<optics::Skin> skin;  ///< of spectral skin and of colours
 };
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 
 #include "cli/command.h"
@@ -253,15 +250,6 @@ void check_picture_name(const std::string& path) {
 std::string& command_line() {
   static std::string line;
   return line;
-}
-
-void write_text(const std::string& path, const std::string& text) {
-  if (path == "-") {
-    if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-      throw input_error("standard output", "cannot be written: {}", std::strerror(errno));
-    return;
-  }
-  write_file(path, text);
 }
 
 }  // namespace dermis::cli

@@ -47,6 +47,9 @@ ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Weights
 /// total_reflectance is the profile's own total. Mean free paths stay 0: the caller knows them.
 SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms, const std::string& name);
 
+/// Variance [mm^2] of the narrow beam through which a profile with a 1/r pole is fitted and its error measured.
+double core_variance_mm2(const profile::RadialProfile& profile);
+
 /// The error of any sum against a profile, in per cent as above.
 double error_percent(const profile::RadialProfile& profile, std::span<const Term> terms);
 

@@ -8,8 +8,6 @@
 #include <functional>
 #include <numbers>
 
-#include "gaussians/projection.h"
-
 namespace dermis::gaussians {
 namespace {
 
@@ -19,10 +17,32 @@ constexpr const char* colour[] = {"#c0392b", "#1e8449",
                                   "#2455a4"};  // legible on white, and apart for the colour-blind by their order in the legend
 constexpr const char* channel_name[] = {"red", "green", "blue"};
 
+/// Bytes of the UTF-8 character at `at`, 0 if there is none (RFC 3629: no overlong forms, no surrogates, nothing past U+10FFFF).
+std::size_t utf8_length(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[i])) : 0u; };
+  const unsigned first = byte(at), second = byte(at + 1);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F)) return 0;
+  if (first == 0xEF && second == 0xBF && byte(at + 2) > 0xBD) return 0;  // U+FFFE and U+FFFF, which XML refuses
+  if ((first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F)) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(at + i) & 0xC0) != 0x80) return 0;
+  return length;
+}
+
+/// As XML takes it: names of files may hold any bytes, an SVG only UTF-8.
 std::string escaped(const std::string& text) {
   std::string out;
-  for (const char c : text) {
-    if (c == '<')
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    const char c = text[i];
+    if (length == 0)
+      out += "\xEF\xBF\xBD";  // U+FFFD
+    else if (length > 1)
+      out.append(text, i, length);
+    else if (c == '<')
       out += "&lt;";
     else if (c == '>')
       out += "&gt;";
@@ -30,6 +50,7 @@ std::string escaped(const std::string& text) {
       out += "&amp;";
     else if (static_cast<unsigned char>(c) >= ' ')
       out += c;
+    i += std::max<std::size_t>(length, 1);
   }
   return out;
 }
@@ -112,9 +133,30 @@ Scale scale_of(const Plot& plot) {
       const double r = scale.r_low * std::pow(scale.r_high / scale.r_low, i / 240.0);
       const double exact = scaled(*plot.profiles[c], r), fitted = scaled(plot.fit.channels[c], r);
       scale.peak = std::max({scale.peak, exact, fitted});
+      for (const PlottedSum& other : plot.others) scale.peak = std::max(scale.peak, scaled(other.channels[c], r));
       scale.residual = std::max(scale.residual, std::abs(exact - fitted));
     }
   return scale;
+}
+
+constexpr const char* dashed = "7 4";
+constexpr const char* dots[] = {"2 3", "1 5", "6 3 1 3"};
+
+/// Which line is which: a sample of each, at the top left where curves are low.
+std::string legend(const Plot& plot, const Panel& panel) {
+  std::string svg;
+  double y = panel.top + 18;
+  const auto entry = [&](const std::string& label, const char* dash, double thickness) {
+    svg += fmt::format(
+        "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#333\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>\n",
+        left + 10, y - 4, left + 46, y - 4, thickness, dash);
+    svg += text_at(left + 54, y, label);
+    y += 17;
+  };
+  entry("profile", "", 1.6);
+  entry(plot.fit.label, dashed, 2.4);
+  for (std::size_t i = 0; i < plot.others.size() && i < std::size(dots); ++i) entry(plot.others[i].label, dots[i], 1.4);
+  return svg;
 }
 
 double wide_reach_mm(const PlottedSum& sum) {
@@ -155,18 +197,18 @@ std::string svg_plot(const Plot& plot) {
       "font-size=\"13\">\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
       width, height);
-  svg += text_at(left, 30, plot.title + "  (solid: profile; dashed: " + plot.fit.label + (plot.others.empty() ? ")" : "; dotted: others)"));
+  svg += text_at(left, 30, plot.title);
   svg += main.frame("r R(r) / total   [1/mm]", false) + below.frame("residual of the fit   [1/mm]", true);
-  constexpr const char* dots[] = {"2 3", "1 5", "6 3 1 3"};
   for (int c = 0; c < 3; ++c) {
     const auto exact = [&](double r) { return scaled(*plot.profiles[c], r); };
     const auto fitted = [&](double r) { return scaled(plot.fit.channels[c], r); };
-    svg += main.curve(exact, colour[c], "", 1.6) + main.curve(fitted, colour[c], "7 4", 2.4);
-    for (std::size_t i = 0; i < plot.others.size() && i < 3; ++i)
+    svg += main.curve(exact, colour[c], "", 1.6) + main.curve(fitted, colour[c], dashed, 2.4);
+    for (std::size_t i = 0; i < plot.others.size() && i < std::size(dots); ++i)
       svg += main.curve([&](double r) { return scaled(plot.others[i].channels[c], r); }, colour[c], dots[i], 1.4);
     svg += below.curve([&](double r) { return exact(r) - fitted(r); }, colour[c], "", 1.4);
     svg += text_at(width - right - 10, main.top + 18 + 17 * c, channel_name[c], "end", colour[c]);
   }
+  svg += legend(plot, main);
   double reach_mm = wide_reach_mm(plot.fit);
   for (const PlottedSum& other : plot.others) reach_mm = std::max(reach_mm, wide_reach_mm(other));
   svg += text_at(left, strips_top - 10,

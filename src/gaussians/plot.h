@@ -22,12 +22,12 @@ struct Plot {
   std::string title;
   std::array<profile::ProfilePtr, 3> profiles;  ///< solid
   PlottedSum fit;                               ///< dashed
-  std::vector<PlottedSum> others;               ///< dotted, at most 3
+  std::vector<PlottedSum> others;               ///< dotted, each in its own way; at most 3
 };
 
 /// Top to bottom: r R(r) over log r per channel with the fit and others; the residual r (R - S); and the colours of light that bleeds from
-/// a white edge into the dark, x = -2 to 8 mm or what the profile reaches, E(x) = Sum w_i erfc(x / sqrt(2 v_i)) / 2, one strip a sum. About
-/// 60 kB; depends on nothing but its arguments.
+/// a white edge into the dark, x = -2 to 8 mm or what the profile reaches, E(x) = Sum w_i erfc(x / sqrt(2 v_i)) / 2, one strip a sum. A
+/// legend names the lines. About 60 kB of valid XML whatever the names hold; depends on nothing but its arguments.
 std::string svg_plot(const Plot& plot);
 
 /// E(x), the light at distance x [mm] into the dark (negative: in the light) from a straight edge, 0..1 for normalised weights. [DLE07]

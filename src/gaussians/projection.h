@@ -7,12 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "gaussians/fit.h"
 #include "profile/radial.h"
 
 namespace dermis::gaussians {
-
-/// Variance [mm^2] of the narrow beam through which a profile with a 1/r pole is fitted; see fit_channel.
-double core_variance_mm2(const profile::RadialProfile& profile);
 
 /// A profile as rows of a least-squares problem, sqrt(quadrature weight) (R(x) - S(x)), x = r or k, scaled so that Int r R^2 dr = 1.
 class Target {

@@ -21,6 +21,14 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
+/// As it may stand in a message: one line, and not cut short by a byte 0.
+std::string shown(std::string_view text) {
+  std::string out(text.substr(0, 60));
+  for (char& c : out)
+    if (static_cast<unsigned char>(c) < ' ') c = '?';
+  return out;
+}
+
 std::array<double, 4> parse_row(std::string_view line, const std::string& place) {
   std::array<double, 4> row{};
   for (int column = 0; column < 4; ++column) {
@@ -28,7 +36,7 @@ std::array<double, 4> parse_row(std::string_view line, const std::string& place)
     if ((comma == std::string_view::npos) != (column == 3)) throw input_error(place, "expected four numbers r_mm,R,G,B");
     const std::string_view field = trim(line.substr(0, comma));
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), row[column]);
-    if (error != std::errc() || end != field.data() + field.size()) throw input_error(place, "'{}' is not a number", field);
+    if (error != std::errc() || end != field.data() + field.size()) throw input_error(place, "'{}' is not a number", shown(field));
     if (!(row[column] >= 0 && row[column] <= 1e12)) throw input_error(place, "values must be 0 to 1e12, got {}", row[column]);
     if (comma != std::string_view::npos) line.remove_prefix(comma + 1);
   }
@@ -83,8 +91,10 @@ std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& wh
     if (line.empty() || line.front() == '#') continue;
     const std::string place = fmt::format("{}: line {}", where, number);
     if (!header) {
+      if (line.find('\r') != std::string_view::npos)
+        throw input_error(where, "its lines end with a carriage return alone; save it with line feeds");
       if (without_spaces(line) != "r_mm,R,G,B")
-        throw input_error(place, "expected the header r_mm,R,G,B (mm, 1/mm^2), got '{}'", line.substr(0, 60));
+        throw input_error(place, "expected the header r_mm,R,G,B (mm, 1/mm^2), got '{}'", shown(line));
       header = true;
       continue;
     }

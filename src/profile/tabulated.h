@@ -31,8 +31,8 @@ class Tabulated final : public RadialProfile {
   double total_ = 0;
 };
 
-/// CSV with the header line `r_mm,R,G,B`, radii in mm and rising, R in 1/mm^2; at most 100,000 lines; lines that start with # are skipped.
-/// InputError names the line: wrong header, not four numbers, negative, not finite, not rising, fewer than two rows.
+/// CSV with the header line `r_mm,R,G,B`, radii in mm and rising, R in 1/mm^2; at most 100,000 rows below it; lines that start with # are
+/// skipped. InputError names the line: wrong header, not four numbers, negative, not finite, not rising, fewer than two rows.
 std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& where);
 std::array<ProfilePtr, 3> load_csv(const std::filesystem::path& path);
 
