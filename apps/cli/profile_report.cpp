@@ -32,13 +32,23 @@ gaussians::Rgb finite_or_0(gaussians::Rgb lengths_mm) {
   return lengths_mm;
 }
 
-/// What no renderer can use must not reach a file.
-void check_weights(const std::vector<gaussians::Term>& terms, int c, const std::string& name) {
+bool usable(const std::vector<gaussians::Term>& terms) {
   double sum = 0;
   for (const gaussians::Term& term : terms) sum += term.weight;
-  if (terms.empty() || !std::isfinite(sum) || !(sum > 0))
-    throw input_error(name, "{}: no sum of Gaussians fits this profile; is its total 0, or its reach out of all proportion?",
-                      channel_name[c]);
+  return !terms.empty() && std::isfinite(sum) && sum > 0;
+}
+
+/// What no renderer can use must not reach a file.
+void check_weights(const Source& source, const Fitted& fitted, int terms) {
+  int bad = 0;
+  while (bad < 3 && usable(normalised(fitted, bad))) ++bad;
+  if (bad == 3) return;
+  // Shared variances take all channels down with one: which it is, each by itself tells.
+  if (!fitted.shared.terms.empty())
+    for (int c = 2; c >= 0; --c)
+      if (!usable(gaussians::fit_channel(*source.profiles[c], terms).terms)) bad = c;
+  throw input_error(source.name, "{}: no sum of Gaussians fits this profile; is its total 0, or its reach out of all proportion?",
+                    channel_name[bad]);
 }
 
 std::string row(const std::string& label, const gaussians::Rgb& values) {
@@ -123,7 +133,7 @@ Fitted fit(const Source& source, int terms, bool shared) {
       out.error_percent[c] = out.channels[c].error_percent;
     }
   }
-  for (int c = 0; c < 3; ++c) check_weights(normalised(out, c), c, source.name);
+  check_weights(source, out, terms);
   return out;
 }
 

@@ -2,6 +2,7 @@
 // `dermis profile` as its callback sees it: exit status 2 is a CLI::ParseError here, 1 an InputError.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -138,6 +139,146 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
   EXPECT_NE(message_of({"--csv", path("empty.csv")}).find("empty"), std::string::npos);
   std::ofstream(path("big.csv")) << "r_mm,R,G,B\n0,1,1,1\n5,1,1,1\n";
   EXPECT_NE(message_of({"--csv", path("big.csv")}).find("times what enters"), std::string::npos);
+}
+
+std::string text_of(const std::string& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+// Nothing that is written may be something else that is written or read, by whatever name.
+TEST_F(ProfileCommand, EveryOutputHasAFileOfItsOwn) {
+  const std::string same = path("same"), table = "r_mm,R,G,B\n0,0.1,0.1,0.1\n2,0,0,0\n";
+  std::ofstream(same) << table;
+  std::filesystem::create_symlink(same, path("link"));
+  const std::vector<std::string> dipole{"--preset", "skin1", "--model", "dipole"};
+  for (std::vector<std::string> files : std::vector<std::vector<std::string>>{{"-o", same, "--plot", same},
+                                                                              {"--plot", same, "--swatches", path("./same")},
+                                                                              {"-o", path("link"), "--swatches", same},
+                                                                              {"--compare", same, "-o", same},
+                                                                              {"--compare", same, "--plot", path("link")}}) {
+    files.insert(files.begin(), dipole.begin(), dipole.end());
+    EXPECT_NE(message_of(files).find("name the same file"), std::string::npos) << files[4] << " " << files[6];
+  }
+  EXPECT_NE(message_of({"--csv", same, "-o", same}).find("-o and --csv name the same file"), std::string::npos);
+  EXPECT_NE(message_of({"--layers", same, "--plot", same}).find("--plot and --layers"), std::string::npos);
+  EXPECT_EQ(text_of(same), table) << "the input was touched";
+}
+
+TEST_F(ProfileCommand, NumbersThatWouldTurnIntoOthersAreRefused) {
+  for (const char* option : {"--seed", "--photons"})
+    for (const char* number : {"-1", "99999999999999999999", "1.5", "many", "", "1 "})
+      EXPECT_THROW(run({"--preset", "skin1", option, number}), CLI::ParseError) << option << " " << number;
+  for (const char* source : {"--preset", "--coefficients", "--layers", "--colour", "--burley", "--csv", "--import"})
+    EXPECT_THROW(run({source, "", "--melanin", "0.02", "--model", "multipole"}), CLI::ParseError) << source;
+  // The user's own number, before it is shared among 31 wavelengths.
+  for (const char* photons : {"0", "10", "100000000000000000"})
+    EXPECT_NE(message_of({"--melanin", "0.02", "--photons", photons}).find(std::string("--photons: 1,000 to 1e9, got ") + photons),
+              std::string::npos);
+}
+
+TEST_F(ProfileCommand, WhatIsWrongIsSaidBeforeTheLongWork) {
+  const std::vector<std::string> long_work{"--preset", "spectralon", "--model", "monte-carlo", "--photons", "1000000000"};
+  const auto refused = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), long_work.begin(), long_work.end());
+    return message_of(more);
+  };
+  EXPECT_NE(refused({"--compare", path("none.json")}).find("neither a file nor a published name"), std::string::npos);
+  EXPECT_NE(refused({"-o", path("no/such/a.json")}).find("no/such"), std::string::npos);
+  std::ofstream(path("file")) << "x";
+  EXPECT_NE(refused({"--cache", path("file")}).find("file: is a file; --cache needs a folder"), std::string::npos);
+}
+
+// A layer that no number holds: the fit comes back empty in one channel only.
+TEST_F(ProfileCommand, AFitThatCannotBeUsedNamesItsChannel) {
+  std::ofstream(path("oob.json")) << R"([{"sigma_a_per_mm":[0.1,0,0.1],"sigma_s_reduced_per_mm":1,"thickness_mm":1e300}])";
+  for (const char* variances : {"shared", "per-channel"}) {
+    std::string message;
+    try {
+      const auto json =
+          nlohmann::json::parse(run({"--layers", path("oob.json"), "--model", "multipole", "--variances", variances, "-o", "-"}));
+      for (const auto& row : json["weights"])
+        for (const auto& weight : row) EXPECT_TRUE(weight.is_number()) << variances;  // null: not finite
+    } catch (const InputError& error) {
+      message = error.what();
+      EXPECT_TRUE(message.find("green") != std::string::npos || message.find("thickness") != std::string::npos) << message;
+    }
+  }
+}
+
+TEST_F(ProfileCommand, TheTableSaysWhatANumberAloneDoesNot) {
+  const std::string better = run({"--preset", "skin1", "--model", "better"});
+  EXPECT_NE(better.find("scattered only once"), std::string::npos);
+  EXPECT_NE(better.find("\nerror, %"), std::string::npos);
+  EXPECT_EQ(better.find("noise"), std::string::npos);
+  const std::string beam = run({"--coefficients", "sigma_a=0.001,0.1,0.1 sigma_s=0.999 eta=1", "--model", "beam"});
+  EXPECT_NE(beam.find("red: this model gives back 1.00"), std::string::npos) << beam;
+  EXPECT_EQ(beam.find("green: this model"), std::string::npos);
+  EXPECT_NE(beam.find("error through a narrow beam, %"), std::string::npos);
+  EXPECT_NE(beam.find("sigma of that beam, mm"), std::string::npos);
+  const std::string endless = run({"--coefficients", "sigma_a=0,1,1 sigma_s=1", "--model", "monte-carlo", "--photons", "1000"});
+  EXPECT_NE(endless.find("Monte-Carlo noise, %"), std::string::npos) << endless;
+  EXPECT_NE(endless.find("% of the light is missing; Monte-Carlo gives photons up"), std::string::npos) << endless;
+  EXPECT_NE(endless.find("    infinite"), std::string::npos) << endless;
+  EXPECT_EQ(endless.find("green: "), std::string::npos) << "what is absorbed is not missing";
+  const std::string spectral = run({"--melanin", "0.02", "--photons", "16000"});
+  EXPECT_TRUE(spectral.starts_with("spectral skin, melanin 0.02: Monte-Carlo, 31 wavelengths\n")) << spectral;
+  EXPECT_NE(spectral.find("Monte-Carlo noise, %"), std::string::npos);
+}
+
+TEST_F(ProfileCommand, NoLengthIsInventedWhereNothingAbsorbs) {
+  const auto conservative = nlohmann::json::parse(run({"--coefficients", "sigma_a=0 sigma_s=1", "--model", "dipole", "-o", "-"}));
+  EXPECT_EQ(conservative["diffuse_mean_free_path_mm"][0], 0);
+  std::ofstream(path("c.json")) << R"([{"sigma_a_per_mm":0,"sigma_s_reduced_per_mm":1}])";
+  const auto stack = nlohmann::json::parse(run({"--layers", path("c.json"), "--model", "multipole", "-o", "-"}));
+  EXPECT_EQ(stack["diffuse_mean_free_path_mm"][0], 0);
+  EXPECT_NE(run({"--layers", path("c.json"), "--model", "multipole"}).find("diffuse m.f.p. (equivalent), mm       infinite    infinite"),
+            std::string::npos);
+}
+
+TEST_F(ProfileCommand, ThePlotHoldsAndNamesEveryCurve) {
+  std::ofstream(path("narrow.json")) << R"({"name":"a <narrow> one","variances_mm2":[0.05],"weights":[[1,1,1]]})";
+  std::ofstream(path("wide.json")) << R"({"name":"wide","variances_mm2":[50],"weights":[[1,1,1]]})";
+  // A name of bytes that are not UTF-8: latin-1, cut off, overlong, a surrogate, U+FFFF. An SVG with them is no XML.
+  const std::string odd = "gr\xFC\xDF \xE2\x82 \xC0\xAF \xED\xA0\x80 \xEF\xBF\xBF m\xC3\xBC";
+  std::ofstream(path(odd + ".csv")) << "r_mm,R,G,B\n0,0.1,0.1,0.1\n1,0,0,0\n2,0,0,0\n";
+  run({"--csv", path(odd + ".csv"), "--gaussians", "3", "--plot", path("a.svg"), "--compare", path("narrow.json"), "--compare",
+       path("wide.json")});
+  const std::string svg = text_of(path("a.svg"));
+  EXPECT_NO_THROW(nlohmann::json(svg).dump()) << "not UTF-8";
+  EXPECT_EQ(svg.find("\xEF\xBF\xBF"), std::string::npos);
+  EXPECT_NE(svg.find("m\xC3\xBC"), std::string::npos) << "what is UTF-8 stays";
+  for (const char* label : {">profile<", " Gaussian", ">a &lt;narrow&gt; one<", ">wide<"})
+    EXPECT_NE(svg.find(label), std::string::npos) << label;
+  // 50 is the top of the panel: a curve that touches it was cut.
+  EXPECT_EQ(svg.find(",50.0 "), std::string::npos);
+}
+
+TEST_F(ProfileCommand, LabelsCountTheTermsThatThereAre) {
+  // One Gaussian asked for six times is one.
+  std::ofstream table(path("one.csv"));
+  table << "r_mm,R,G,B\n";
+  for (int i = 0; i <= 400; ++i) {
+    const double r = 0.02 * i, value = 0.05 * std::exp(-r * r / 2);
+    table << r << "," << value << "," << value << "," << value << "\n";
+  }
+  table.close();
+  const auto json = nlohmann::json::parse(run({"--csv", path("one.csv"), "-o", "-", "--plot", path("a.svg")}));
+  const std::size_t terms = json["variances_mm2"].size();
+  const std::string label = ">" + std::to_string(terms) + (terms == 1 ? " Gaussian<" : " Gaussians<");
+  EXPECT_NE(text_of(path("a.svg")).find(label), std::string::npos) << label;
+}
+
+TEST_F(ProfileCommand, TablesThatAreNoneAreQuotedWhole) {
+  std::ofstream(path("zero.csv")) << std::string("r_mm,R\0,G,B and more\n1,1,1,1\n", 31);
+  EXPECT_NE(message_of({"--csv", path("zero.csv")}).find("and more'"), std::string::npos) << "cut short by a byte 0";
+  std::ofstream(path("field.csv")) << std::string("r_mm,R,G,B\n0,1\0x,1,1\n", 22);
+  EXPECT_NE(message_of({"--csv", path("field.csv")}).find("is not a number"), std::string::npos);
+  std::ofstream(path("cr.csv")) << "r_mm,R,G,B\r0,0.1,0.1,0.1\r1,0,0,0\r";
+  EXPECT_NE(message_of({"--csv", path("cr.csv")}).find("carriage return"), std::string::npos);
+  std::ofstream(path("crlf.csv")) << "r_mm,R,G,B\r\n0,0.1,0.1,0.1\r\n1,0,0,0\r\n";
+  EXPECT_EQ(message_of({"--csv", path("crlf.csv"), "--gaussians", "2"}), "no error");
 }
 
 }  // namespace
