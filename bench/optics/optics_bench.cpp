@@ -56,7 +56,7 @@ void monte_carlo_to_one_percent(benchmark::State& state) {
   state.counters["photons"] = static_cast<double>(photons);
   state.counters["noise_percent"] = noise;
 }
-BENCHMARK(monte_carlo_to_one_percent)->DenseRange(0, 2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(monte_carlo_to_one_percent)->DenseRange(0, 2)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void adding_doubling_one_wavelength(benchmark::State& state) {
   const auto layers = optics::skin_layers({}, 550);

@@ -153,7 +153,7 @@ std::string legend(const Plot& plot, const Panel& panel) {
     svg += text_at(left + 54, y, label);
     y += 17;
   };
-  entry("profile", "", 1.6);
+  entry("profile", "none", 1.6);
   entry(plot.fit.label, dashed, 2.4);
   for (std::size_t i = 0; i < plot.others.size() && i < std::size(dots); ++i) entry(plot.others[i].label, dots[i], 1.4);
   return svg;
@@ -202,10 +202,10 @@ std::string svg_plot(const Plot& plot) {
   for (int c = 0; c < 3; ++c) {
     const auto exact = [&](double r) { return scaled(*plot.profiles[c], r); };
     const auto fitted = [&](double r) { return scaled(plot.fit.channels[c], r); };
-    svg += main.curve(exact, colour[c], "", 1.6) + main.curve(fitted, colour[c], dashed, 2.4);
+    svg += main.curve(exact, colour[c], "none", 1.6) + main.curve(fitted, colour[c], dashed, 2.4);
     for (std::size_t i = 0; i < plot.others.size() && i < std::size(dots); ++i)
       svg += main.curve([&](double r) { return scaled(plot.others[i].channels[c], r); }, colour[c], dots[i], 1.4);
-    svg += below.curve([&](double r) { return exact(r) - fitted(r); }, colour[c], "", 1.4);
+    svg += below.curve([&](double r) { return exact(r) - fitted(r); }, colour[c], "none", 1.4);
     svg += text_at(width - right - 10, main.top + 18 + 17 * c, channel_name[c], "end", colour[c]);
   }
   svg += legend(plot, main);

@@ -46,7 +46,9 @@ ScatterScene scene_of(const optics::Layers& layers);
 
 /// Everything as a part of the flux that entered (multiply by 1 - F for what was sent).
 struct MonteCarloResult {
-  Annuli reflected, transmitted;                              ///< scattered light by distance from where it entered; 16 rings a decade
+  /// By distance from where it entered, 16 rings a decade. reflected: all that leaves upwards, also what only a boundary below has turned;
+  /// transmitted: what leaves downwards after a scattering at least.
+  Annuli reflected, transmitted;
   std::vector<double> reflected_error;                        ///< standard error of each ring's energy
   double reflected_total = 0, reflected_total_error = 0;      ///< with standard error
   double transmitted_total = 0, transmitted_total_error = 0;  ///< scattered light only
