@@ -142,15 +142,16 @@ Scale scale_of(const Plot& plot) {
 constexpr const char* dashed = "7 4";
 constexpr const char* dots[] = {"2 3", "1 5", "6 3 1 3"};
 
-/// Which line is which: a sample of each, at the top left where curves are low.
+/// Which line is which, beneath the names of the channels: at the right every curve has come down.
 std::string legend(const Plot& plot, const Panel& panel) {
+  constexpr double line_right = width - right - 10, line_left = line_right - 40;
   std::string svg;
-  double y = panel.top + 18;
+  double y = panel.top + 76;
   const auto entry = [&](const std::string& label, const char* dash, double thickness) {
+    svg += text_at(line_left - 8, y, label, "end");
     svg += fmt::format(
         "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#333\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>\n",
-        left + 10, y - 4, left + 46, y - 4, thickness, dash);
-    svg += text_at(left + 54, y, label);
+        line_left, y - 4, line_right, y - 4, thickness, dash);
     y += 17;
   };
   entry("profile", "none", 1.6);
