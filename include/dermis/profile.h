@@ -54,7 +54,9 @@ struct ProfileOptions {
 
 /// "skin1", "skin2", "marble", ..., "skin-layers"; an unknown name lists all. 10 ms by the dipole, seconds by Monte-Carlo.
 ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options = {});
+/// Of a half-space with these coefficients (per mm, ranges above): [JMLH01] and the other models of docs/theory.md; times as above.
 ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const ProfileOptions& options = {});
+/// Of spectral skin, R_c(r) = Sum w_c(nm) R(nm, r) over 31 wavelengths under D65 (docs/theory.md); multipole, monte-carlo or auto. Seconds.
 ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& options = {});
 /// The nearest skin to "#rrggbb" (sRGB) or "L,a,b" (CIELAB); delta_e, if given, receives the distance (CIE76).
 SpectralSkin skin_of_colour(const std::string& colour, double* delta_e = nullptr);

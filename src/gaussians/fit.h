@@ -56,7 +56,7 @@ double error_percent(const profile::RadialProfile& profile, std::span<const Term
 /// Channel c (0..2) of a sum, its weights times total_reflectance.
 std::vector<Term> channel(const SumOfGaussians& sum, int c);
 
-/// S(r) = Sum w_i G(v_i, r) [1/mm^2]. [DLE07] sec. 4.
+/// S(r) = Sum w_i G(v_i, r) [1/mm^2], r >= 0 in mm. [DLE07] sec. 4.
 double evaluate(std::span<const Term> terms, double radius_mm);
 
 }  // namespace dermis::gaussians

@@ -15,7 +15,9 @@ namespace dermis::gaussians {
 /// negative weight, weights that do not sum to 1 within 1e-3 per channel (unless normalise: they are divided by their sum), 0 or more than
 /// 8 terms.
 SumOfGaussians parse_json(std::string_view text, const std::string& where, bool normalise = false);
+/// The same from a file of at most 1 MiB, whose name is the place; also InputError if it cannot be read.
 SumOfGaussians load_json(const std::filesystem::path& path, bool normalise = false);
+/// The text that parse_json() reads back to the last bit; bytes of the name that are not UTF-8 are replaced. All numbers must be finite.
 std::string to_json(const SumOfGaussians& sum);
 
 /// A published name, else a file. InputError lists the known names when it is neither.

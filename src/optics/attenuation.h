@@ -18,9 +18,10 @@ struct Attenuation {
   double rho(double f0) const { return f0 * of_f0 + rest; }
 };
 
-/// cosine 0..1 (clamped to 1e-3), m > 0.
+/// rho(cos, m) = Int f(l, v) cos_l dl over the hemisphere with Schlick's F0 factored out, dimensionless; cosine of the view 0..1 (clamped
+/// to 1e-3), m the roughness of Beckmann's distribution, attenuation_min_m to 1. [KSK01] eq. 6 for f.
 Attenuation attenuation(double cosine, double m);
-/// 2 int rho(mu) mu dmu.
+/// Its mean over diffuse light, 2 Int_0^1 rho(mu, m) mu dmu, by 64 midpoints; m as above.
 Attenuation mean_attenuation(double m);
 
 /// (of_f0, rest) pairs, attenuation_rows rows of attenuation_columns + 2.

@@ -46,6 +46,7 @@ void check(const Layers& layers, const std::string& where);
 /// to 1.4; thickness_mm may be left out (or null) in the last layer, which is then a half-space. InputError: unknown key (lists the known
 /// ones), missing key, wrong type, out of range.
 RgbLayers parse_layers(std::string_view json, const std::string& where);
+/// The same from a file, whose name is the place; also InputError if it cannot be read.
 RgbLayers load_layers(const std::filesystem::path& path);
 
 }  // namespace dermis::optics

@@ -56,6 +56,7 @@ using RgbMedium = std::array<Medium, 3>;
 
 /// The ranges above, all values finite and at most 1e6 per mm, and sigma_t' > 0. InputError with `where` as the place.
 void check(const Medium& medium, const std::string& where);
+/// The same for each channel; the message names it.
 void check(const RgbMedium& medium, const std::string& where);
 
 /// "sigma_a=0.03,0.17,0.48 sigma_s=0.74,0.88,1.01 g=0 eta=1.4": coefficients per mm; each value one number or three (R,G,B);

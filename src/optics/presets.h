@@ -22,6 +22,7 @@ struct Material {
   double eta;                 ///< 1.3; marble 1.5. Not printed in the table, but the printed reflectances follow from it to 0.01
   Rgb published_reflectance;  ///< column "diffuse reflectance" of [JMLH01] fig. 5
 
+  /// Its coefficients per channel [1/mm], scattering as reduced (g = 0).
   RgbMedium medium() const;
 };
 

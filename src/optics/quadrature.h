@@ -13,7 +13,8 @@ struct Node {
   double weight = 0;
 };
 
-/// Gauss-Legendre rule with `count` nodes (1 to 512) on [low, high]; exact for polynomials of degree 2 count - 1.
+/// Gauss-Legendre rule, Int_low^high f(x) dx = Sum_i w_i f(x_i), with `count` nodes (1 to 512), low < high; exact for polynomials of degree
+/// 2 count - 1. The nodes are the zeros of the Legendre polynomial (Abramowitz and Stegun 25.4.29), rising.
 std::vector<Node> gauss_legendre(int count, double low, double high);
 
 /// Int_0^inf f(x) J0(x) dx by [O05]: nodes at the zeros of J0, bent double-exponentially, so that what is left of the oscillation dies out.

@@ -24,9 +24,9 @@ Totals adding_doubling_coarse(const Layers& layers, const std::string& where = "
 /// H(mu) of [C60] for isotropic scattering of albedo 0..1, half-space without a boundary: 1/H = sqrt(1-a) + (a/2) Int_0^1 mu' H/(mu+mu')
 /// dmu', solved on 200 Gauss points to 1e-12; mu 0..1.
 double chandrasekhar_h(double albedo, double mu);
-/// Exact reflectance of that half-space: 1 - sqrt(1-a) H(1) for a perpendicular beam, 1 - 2 sqrt(1-a) Int mu H dmu for diffuse light. [C60]
-/// ch. 5
+/// Exact reflectance of that half-space (0..1, albedo 0..1) for a perpendicular beam: 1 - sqrt(1-a) H(1). [C60] ch. 5
 double exact_reflectance_perpendicular(double albedo);
+/// The same for diffuse light: 1 - 2 sqrt(1-a) Int_0^1 mu H(mu) dmu. [C60] ch. 5
 double exact_reflectance_diffuse(double albedo);
 
 }  // namespace dermis::optics

@@ -21,6 +21,7 @@ namespace dermis::profile {
 /// Grosjean's D = (2 sigma_a + sigma_s')/(3 sigma_t'^2), z_v = -t - 4 A D, A = (1 + 3 C2)/(1 - 2 C1). [HCJ13] sec. 4, in [PBRT4]'s form.
 class BeamMultiple final : public RadialProfile {
  public:
+  /// medium as optics::check wants it; scattering counts as reduced, and without any the profile is 0.
   explicit BeamMultiple(const optics::Medium& medium);
   double at(double radius_mm) const override;
   double inner_mm() const override { return 1 / sigma_t_per_mm_; }
@@ -37,6 +38,7 @@ class BeamMultiple final : public RadialProfile {
 /// Grows like 1/r towards r = 0. Uses the true sigma_s and g.
 class SingleScattering final : public RadialProfile {
  public:
+  /// medium as optics::check wants it.
   explicit SingleScattering(const optics::Medium& medium) : medium_(medium) {}
   double at(double radius_mm) const override;
   /// A backward lobe (g < 0) throws light back within about 1 + g of a mean free path.
@@ -52,6 +54,7 @@ class SingleScattering final : public RadialProfile {
 /// Both together.
 class PhotonBeam final : public RadialProfile {
  public:
+  /// medium as optics::check wants it.
   explicit PhotonBeam(const optics::Medium& medium) : multiple_(medium), single_(medium) {}
   double at(double radius_mm) const override { return multiple_.at(radius_mm) + single_.at(radius_mm); }
   double inner_mm() const override { return std::min(multiple_.inner_mm(), single_.inner_mm()); }

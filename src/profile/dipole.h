@@ -39,6 +39,7 @@ class Dipole final : public RadialProfile {
 ///   R^(k) = alpha'^2/2 { C_E (e^{-z_r kappa} + e^{-z_v kappa}) + C_phi/(D kappa) (e^{-z_r kappa} - e^{-z_v kappa}) }.
 class BetterDipole final : public RadialProfile {
  public:
+  /// medium as optics::check wants it.
   explicit BetterDipole(const optics::Medium& medium);
 
   double at(double radius_mm) const override;

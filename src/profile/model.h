@@ -18,7 +18,9 @@ enum class Model { dipole, better, multipole, beam, monte_carlo, automatic };
 
 /// "dipole", "better", "multipole", "beam", "monte-carlo", "auto"; InputError lists them.
 Model parse_model(std::string_view name);
+/// The name that parse_model() takes for it.
 std::string_view model_name(Model model);
+/// All of them, "auto" last.
 std::vector<std::string_view> model_names();
 
 /// Under this reduced albedo diffusion totals are more than a few per cent off: the dipole's by 4 % at 0.95, 10 % at 0.9, 37 % at 0.5

@@ -40,8 +40,9 @@ struct ScatterScene {
   enum class Light { perpendicular, diffuse } light = Light::perpendicular;  ///< a pencil beam, or light from everywhere into one point
 };
 
+/// A half-space of the medium (ranges as optics::check wants them, sigma_t > 0) under a perpendicular beam; its true sigma_s and g.
 ScatterScene scene_of(const optics::Medium& medium);
-/// Reduced scattering as isotropic scattering (similarity: g = 0).
+/// Reduced scattering as isotropic scattering (similarity: g = 0, [JMLH01] sec. 2) under a perpendicular beam.
 ScatterScene scene_of(const optics::Layers& layers);
 
 /// Everything as a part of the flux that entered (multiply by 1 - F for what was sent).
@@ -73,6 +74,7 @@ std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene, c
 /// Reflected light as a profile: R between ring centres by straight lines in log-log; total, quantiles and R^ from the rings themselves.
 class MonteCarloProfile final : public RadialProfile {
  public:
+  /// Follows the photons, or takes a kept result, as monte_carlo() does and with its errors.
   MonteCarloProfile(const ScatterScene& scene, const MonteCarloOptions& options);
 
   double at(double radius_mm) const override;
@@ -84,6 +86,7 @@ class MonteCarloProfile final : public RadialProfile {
   double outer_mm() const override { return result_->reflected.edges_mm().back() / 45; }
   bool has_pole() const override { return true; }
   std::string name() const override { return "Monte-Carlo"; }
+  /// Everything else that the photons told: errors, transmitted and absorbed light.
   const MonteCarloResult& result() const { return *result_; }
 
  private:

@@ -39,6 +39,7 @@ struct PhotonLayer {
 /// Where a batch of photons is counted. One per batch: no locks.
 struct PhotonTally {
   explicit PhotonTally(const std::vector<double>& edges_mm, std::size_t layers);
+  /// Adds weight (part of a photon) to the ring that holds the distance sqrt(radius2_mm2) >= 0; past the last edge to the last ring.
   void add(std::vector<double>& rings, double radius2_mm2, double weight) const;
 
   double log_inner, rings_per_log;  // radius^2 to ring

@@ -53,8 +53,8 @@ class RadialProfile {
 
 using ProfilePtr = std::shared_ptr<const RadialProfile>;
 
-/// Int_0^inf f(k) J0(k r) k dk / (2 pi): R(r) from a closed form R^ that dies out past 40 / inner_mm. Relative accuracy 1e-5 where R > 1e-8
-/// R(0).
+/// R(r) = Int_0^inf R^(k) J0(k r) k dk / (2 pi) [1/mm^2], r > 0 in mm, from a closed form R^ that dies out past 45 / inner_mm. Relative
+/// accuracy 1e-5 where R > 1e-8 R(0).
 double inverse_hankel(const RadialProfile& profile, double radius_mm);
 
 }  // namespace dermis::profile

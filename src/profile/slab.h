@@ -71,6 +71,8 @@ class Multipole {
 class SlabProfile final : public RadialProfile {
  public:
   enum class Side { reflected, transmitted };
+  /// layer with a thickness > 0 mm that may be infinite; eta_above and eta_below are the indices of what lies on its two sides, relative to
+  /// air as the layer's own, 1 to 3 (1: air).
   SlabProfile(const optics::Layer& layer, Side side, double eta_above = 1, double eta_below = 1);
 
   double at(double radius_mm) const override;

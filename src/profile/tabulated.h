@@ -34,6 +34,7 @@ class Tabulated final : public RadialProfile {
 /// CSV with the header line `r_mm,R,G,B`, radii in mm and rising, R in 1/mm^2; at most 100,000 rows below it; lines that start with # are
 /// skipped. InputError names the line: wrong header, not four numbers, negative, not finite, not rising, fewer than two rows.
 std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& where);
+/// The same from a file of at most 32 MiB, whose name is the place; also InputError if it cannot be read.
 std::array<ProfilePtr, 3> load_csv(const std::filesystem::path& path);
 
 }  // namespace dermis::profile
