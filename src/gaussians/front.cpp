@@ -33,11 +33,16 @@ gaussians::SumOfGaussians to_sum(const ScatterProfile& from) {
   return sum;
 }
 
+/// Before the work: Monte-Carlo takes seconds.
+profile::Model checked_model(const ProfileOptions& options) {
+  if (options.gaussians < 1 || options.gaussians > gaussians::max_terms)
+    throw input_error("gaussians", "1 to {}, got {}", gaussians::max_terms, options.gaussians);
+  return profile::parse_model(options.model);
+}
+
 /// medium: the one that was modelled, or null, and then eta is the index of the surface.
 ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made, const optics::RgbMedium* medium, double eta,
                       const ProfileOptions& options) {
-  if (options.gaussians < 1 || options.gaussians > gaussians::max_terms)
-    throw input_error("gaussians", "1 to {}, got {}", gaussians::max_terms, options.gaussians);
   const gaussians::SumOfGaussians sum = gaussians::fit_shared(made.profiles, options.gaussians, name);
   ScatterProfile out{
       .name = name, .model = made.profiles[0]->name(), .variances_mm2 = {}, .weights = {}, .error_percent = sum.error_percent};
@@ -57,8 +62,7 @@ ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& 
 }
 
 ScatterProfile of_medium(const std::string& name, const optics::RgbMedium& medium, const ProfileOptions& options) {
-  return finish(name, make_profiles(medium, profile::parse_model(options.model), photons_of(options), name), &medium, medium[0].eta,
-                options);
+  return finish(name, make_profiles(medium, checked_model(options), photons_of(options), name), &medium, medium[0].eta, options);
 }
 
 }  // namespace
@@ -66,8 +70,7 @@ ScatterProfile of_medium(const std::string& name, const optics::RgbMedium& mediu
 ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options) {
   if (name == "skin-layers") {
     const optics::RgbLayers skin = optics::donner_jensen_skin();
-    return finish(name, make_profiles(skin, profile::parse_model(options.model), photons_of(options), name), nullptr, skin.front().eta,
-                  options);
+    return finish(name, make_profiles(skin, checked_model(options), photons_of(options), name), nullptr, skin.front().eta, options);
   }
   const optics::Material* material = optics::find_material(name);
   if (material == nullptr) optics::unknown_preset(name);
@@ -87,8 +90,8 @@ ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& o
                            .haemoglobin = skin.haemoglobin,
                            .oxygenation = skin.oxygenation,
                            .epidermis_mm = skin.epidermis_mm};
-  return finish("skin", make_profiles(inner, profile::parse_model(options.model), photons_of(options), "skin"), nullptr, inner.eta,
-                options);
+  const std::string name = fmt::format("spectral skin, melanin {:.4g}", skin.melanin);
+  return finish(name, make_profiles(inner, checked_model(options), photons_of(options), name), nullptr, inner.eta, options);
 }
 
 SpectralSkin skin_of_colour(const std::string& colour, double* delta_e) {
