@@ -29,5 +29,10 @@ vec3 surroundings_radiance(vec3 direction, float m) {
   return textureLod(environment_map, at, level).rgb * frame.environment_intensity;
 }
 
-// What is left of a lobe's light where only a share of the sky is seen, [LR14] Lagarde, de Rousiers: Moving Frostbite to PBR, SIGGRAPH 2014.
-float specular_open(float n_v, float open, float m) { return clamp(pow(max(n_v, 0.0) + open, exp2(-16.0 * m - 1.0)) - 1.0 + open, 0.0, 1.0); }
+// What of a lobe about `towards`, of slope m, lies in the cone in which the sky is seen: about `sky`, as wide as the share `open` of a
+// hemisphere. Two cones, as [J16] Jimenez, Wu, Pesce, Jarabo: Practical Real-Time Strategies for Accurate Indirect Occlusion, SIGGRAPH 2016.
+float sky_in_lobe(vec3 sky, float open, vec3 towards, float m) {
+  const float cone = asin(sqrt(clamp(open, 0.0, 1.0))), lobe = 1.4 * atan(max(m, 0.01));
+  const float between = acos(clamp(dot(sky, towards), -1.0, 1.0));
+  return smoothstep(0.0, 1.0, clamp((cone + lobe - between) / (2.0 * lobe), 0.0, 1.0));
+}

@@ -95,6 +95,8 @@ TEST_F(Reference, RefusesWhatMakesNoSense) {
   refuse({"--model", "volume", "--medium", "sigma_a=1"}, "sigma_s");
   refuse({"--model", "volume", "--medium", "sigma_a=-1 sigma_s=1"}, "sigma_a");
   refuse({"--variance", in_folder("v.png")}, ".exr");
+  refuse({"--environment", in_folder("nowhere.hdr")}, "no such environment");
+  refuse({"--environment-intensity", "-1"}, "--environment-intensity");
   refuse({"--variance", in_folder("r.exr")}, "its own");
   expect_refused(run({"reference", head(), "-o", in_folder("a.bmp")}), ".bmp");
   expect_not_understood(reference("r.exr", {"--technique", "lambert"}), "--technique");
