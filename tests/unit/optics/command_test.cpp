@@ -271,9 +271,10 @@ TEST_F(ProfileCommand, LabelsCountTheTermsThatThereAre) {
 }
 
 TEST_F(ProfileCommand, TablesThatAreNoneAreQuotedWhole) {
-  std::ofstream(path("zero.csv")) << std::string("r_mm,R\0,G,B and more\n1,1,1,1\n", 31);
+  constexpr char header[] = "r_mm,R\0,G,B and more\n1,1,1,1\n", field[] = "r_mm,R,G,B\n0,1\0x,1,1\n";
+  std::ofstream(path("zero.csv")) << std::string(header, sizeof header - 1);
   EXPECT_NE(message_of({"--csv", path("zero.csv")}).find("and more'"), std::string::npos) << "cut short by a byte 0";
-  std::ofstream(path("field.csv")) << std::string("r_mm,R,G,B\n0,1\0x,1,1\n", 22);
+  std::ofstream(path("field.csv")) << std::string(field, sizeof field - 1);
   EXPECT_NE(message_of({"--csv", path("field.csv")}).find("is not a number"), std::string::npos);
   std::ofstream(path("cr.csv")) << "r_mm,R,G,B\r0,0.1,0.1,0.1\r1,0,0,0\r";
   EXPECT_NE(message_of({"--csv", path("cr.csv")}).find("carriage return"), std::string::npos);
