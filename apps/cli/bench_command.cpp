@@ -31,8 +31,8 @@ struct BenchArguments : SceneArguments {
   std::string json, html, device = "best";
 };
 
-// The paper's test at three sixteenths of its scale: as many texels a pixel, a thirtieth of the work. What is given on the command line
-// stays.
+// The paper's test at three sixteenths of its scale: as many texels a pixel, a thirtieth of the work. What is
+// given on the command line stays.
 void scale_down(BenchArguments& a, const CLI::App& command) {
   const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
   RenderSettings& s = a.settings;
@@ -57,22 +57,26 @@ void check_files(const BenchArguments& a) {
   if (!a.html.empty()) check_writable(a.html);
   if (a.json.empty() || a.json == "-") return;
   check_writable(a.json);
-  if (!a.html.empty() && same_file(a.json, a.html)) throw input_error(a.json, "is also the name of the page; --json needs its own");
+  if (!a.html.empty() && same_file(a.json, a.html))
+    throw input_error(a.json, "is also the name of the page; --json needs its own");
 }
 
 // All that can be wrong with a cell hours from now is said at once.
 void check(const BenchArguments& a, const bench::Task& task) {
   constexpr int largest_side = 16384;  // pixels; what devices commonly can
-  if (a.rounds < 1 || a.rounds > 100'000) throw input_error("", "--rounds must be 1 to 100000, got {}", a.rounds);
+  if (a.rounds < 1 || a.rounds > 100'000)
+    throw input_error("", "--rounds must be 1 to 100000, got {}", a.rounds);
   if (a.picture_samples < 0 || a.picture_samples > 16)
     throw input_error("", "--picture-samples must be 0 to 16, got {}", a.picture_samples);
-  for (const bench::Place& place : bench::places_of(task)) api::check_settings(bench::settings_at(task, place));
+  for (const bench::Place& place : bench::places_of(task))
+    api::check_settings(bench::settings_at(task, place));
   if (a.frames_mb && !(*a.frames_mb >= 0 && *a.frames_mb <= 1e9))
     throw input_error("", "--frames-memory must be 0 to 1e+09 MB, got {}", *a.frames_mb);
   const RenderSettings& s = a.settings;
   if (std::max(s.width, s.height) > largest_side / std::max(a.picture_samples, 1))
-    throw input_error("", "--picture-samples {} of {}x{} pixels is a picture of more than {} pixels' width or height", a.picture_samples,
-                      s.width, s.height, largest_side);
+    throw input_error(
+        "", "--picture-samples {} of {}x{} pixels is a picture of more than {} pixels' width or height",
+        a.picture_samples, s.width, s.height, largest_side);
   check_files(a);
 }
 
@@ -84,7 +88,8 @@ std::uint64_t half_of(const std::string& device) {
 }
 
 bench::Task task_of(const BenchArguments& a) {
-  const auto frames_bytes = [given = a.frames_mb, half = std::optional<std::uint64_t>()](const std::string& device) mutable {
+  const auto frames_bytes = [given = a.frames_mb,
+                             half = std::optional<std::uint64_t>()](const std::string& device) mutable {
     if (given) return static_cast<std::uint64_t>(*given * 1e6);
     if (!half) half = half_of(device);
     return *half;
@@ -99,14 +104,18 @@ bench::Task task_of(const BenchArguments& a) {
 }
 
 void compare(const BenchArguments& a, int& exit_status) {
-  if (!a.scene.empty()) throw input_error(a.scene, "--compare takes two results and renders nothing; it needs no scene");
-  if (!a.html.empty()) throw input_error("--html", "is for runs; --compare writes text, and JSON with --json");
+  if (!a.scene.empty())
+    throw input_error(a.scene, "--compare takes two results and renders nothing; it needs no scene");
+  if (!a.html.empty())
+    throw input_error("--html", "is for runs; --compare writes text, and JSON with --json");
   if (!a.json.empty() && a.json != "-") {
     check_writable(a.json);
     for (const std::string& read : a.compare)
-      if (same_file(a.json, read)) throw input_error(a.json, "is also what is compared; --json needs a name of its own");
+      if (same_file(a.json, read))
+        throw input_error(a.json, "is also what is compared; --json needs a name of its own");
   }
-  const bench::RunComparison found = bench::compare_runs(bench::read_recorded(a.compare[0]), bench::read_recorded(a.compare[1]));
+  const bench::RunComparison found =
+      bench::compare_runs(bench::read_recorded(a.compare[0]), bench::read_recorded(a.compare[1]));
   if (!a.json.empty()) write_text(a.json, bench::comparison_json(found));
   if (a.json != "-") write_text("-", bench::comparison_text(found));
   if (!a.fail_if_slower || found.slower == 0) return;
@@ -119,7 +128,8 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   if (a.fail_if_slower) throw input_error("--fail-if-slower", "is for --compare");
   if (a.quick) scale_down(a, command);
   // The two lights of the rig are a default, which --light replaces.
-  if (!a.settings.placed_lights.empty() && command.get_option("--lights")->count() == 0) a.settings.lights.reset();
+  if (!a.settings.placed_lights.empty() && command.get_option("--lights")->count() == 0)
+    a.settings.lights.reset();
   sort_list("--heads", a.heads);
   sort_list("--distances", a.distances);
   bench::Task task = task_of(a);
@@ -127,7 +137,8 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   task.stop = &catch_interrupts();
   Renderer renderer({.device = a.device, .validate = false});
   const Scene scene = open_scene(a);
-  bench::Run found{.version = DERMIS_VERSION, .commit = commit(), .command = command_line(), .scene = scene.name()};
+  bench::Run found{
+      .version = DERMIS_VERSION, .commit = commit(), .command = command_line(), .scene = scene.name()};
   found.cores = static_cast<int>(std::thread::hardware_concurrency());
   found.rounds = a.rounds;
   found.settings = a.settings;
@@ -137,22 +148,24 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
     if (std::exchange(first, false)) write_text("-", bench::table_head(found));
     write_text("-", bench::table_line(cell));
   });
-  if (found.cells.empty()) throw input_error("", "stopped before the first cell was measured: nothing to write");
+  if (found.cells.empty())
+    throw input_error("", "stopped before the first cell was measured: nothing to write");
   const std::string page = a.html.empty() ? "" : bench::run_page(found);
   if (!a.html.empty()) write_file(a.html, page);
   if (!a.json.empty()) write_text(a.json, bench::run_json(found));
   if (a.json != "-") write_text("-", bench::table_foot(found));
   if (found.complete) return;
-  fmt::print(stderr, "dermis: stopped after {} of {} cells; what is written holds those\n", found.cells.size(),
-             bench::places_of(task).size());
+  fmt::print(stderr, "dermis: stopped after {} of {} cells; what is written holds those\n",
+             found.cells.size(), bench::places_of(task).size());
   exit_status = 1;
 }
 
 }  // namespace
 
 void add_bench_command(CLI::App& app, int& exit_status) {
-  CLI::App* command = app.add_subcommand(
-      "bench", "the paper's test: heads in a row near and far, with and without the optimisations, next to the published speed-ups");
+  CLI::App* command = app.add_subcommand("bench",
+                                         "the paper's test: heads in a row near and far, with and without "
+                                         "the optimisations, next to the published speed-ups");
   auto a = std::make_shared<BenchArguments>();
   a->settings.width = 1920, a->settings.height = 1200;
   a->settings.lights = 2;
@@ -160,38 +173,51 @@ void add_bench_command(CLI::App& app, int& exit_status) {
   a->settings.translucency = false;  // [JG08] sec. 7: their test has none
   add_scene_arguments(*command, *a, SceneUse::bench);
   // Of the paper's test, whatever the scene brings along.
-  command->get_option("--lights")->description("lights of the rig: key, fill, rim, further ones")->default_str("2");
+  command->get_option("--lights")
+      ->description("lights of the rig: key, fill, rim, further ones")
+      ->default_str("2");
   command->get_option("--profile")->description("diffusion profile: a published name or a JSON file");
   command->get_option("--fov")->description("vertical field of view, degrees")->default_str("20");
   command->add_option("--heads", a->heads, "numbers of heads in a row, 1.6 radii apart")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->group("Cells");
-  command->add_option("--distances", a->distances, "from the eye to the middle head, in radii of its bounding sphere")
+  command
+      ->add_option("--distances", a->distances,
+                   "from the eye to the middle head, in radii of its bounding sphere")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->group("Cells");
-  command->add_option("--rounds", a->rounds, "times that each variant is drawn, in turns, after it has warmed up")->group("Cells");
+  command
+      ->add_option("--rounds", a->rounds,
+                   "times that each variant is drawn, in turns, after it has warmed up")
+      ->group("Cells");
   command
       ->add_option("--picture-samples", a->picture_samples,
                    "super-samples along each axis for the difference of the pictures; 0: no difference")
       ->group("Cells");
-  command->add_flag(
-      "--quick", a->quick,
-      "for a first look, where not given: 360x225 pixels, maps of 384, 1 and 4 heads, 3 distances, 3 rounds, 2 super-samples");
+  command->add_flag("--quick", a->quick,
+                    "for a first look, where not given: 360x225 pixels, maps of 384, 1 and 4 heads, 3 "
+                    "distances, 3 rounds, 2 super-samples");
   command->add_option("--json", a->json, "write the results as JSON, - for standard output");
-  command->add_option("--html", a->html, "write a page: tables, curves, bars of passes, pictures of every cell under a slider; one file");
+  command->add_option(
+      "--html", a->html,
+      "write a page: tables, curves, bars of passes, pictures of every cell under a slider; one file");
   command->add_option("--device", a->device, "best, an index or a part of a name of `dermis info`");
   command->add_option("--frames-memory", a->frames_mb,
-                      "device memory for frames that wait for their turn, MB; those beyond are made anew each time (default: half of it)");
+                      "device memory for frames that wait for their turn, MB; those beyond are made anew "
+                      "each time (default: half of it)");
   command
       ->add_option("--compare", a->compare,
-                   "two results written with --json, old and new: what has become slower or faster beyond the spread; renders nothing")
+                   "two results written with --json, old and new: what has become slower or faster beyond "
+                   "the spread; renders nothing")
       ->expected(2)
       ->type_name("OLD NEW")
       ->default_str("")
       ->group("Comparison");
-  command->add_flag("--fail-if-slower", a->fail_if_slower, "with --compare: exit status 1 if anything is slower")->group("Comparison");
+  command
+      ->add_flag("--fail-if-slower", a->fail_if_slower, "with --compare: exit status 1 if anything is slower")
+      ->group("Comparison");
   command->callback([a, command, &exit_status] { run(*a, *command, exit_status); });
 }
 

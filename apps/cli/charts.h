@@ -37,7 +37,8 @@ struct BarChart {
   std::vector<std::string> parts;  ///< names; their place is their colour
   std::vector<Bar> bars;
 };
-/// An svg element: a row for each bar, its parts stacked from the left, its sum at the end; bars of one chart share a scale.
+/// An svg element: a row for each bar, its parts stacked from the left, its sum at the end; bars of one chart
+/// share a scale.
 std::string bar_chart(const BarChart& chart);
 
 /// A row of coloured squares (or dashes, for lines) with their names.

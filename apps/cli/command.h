@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The commands of the program. Each adds itself to the application; its callback returns the exit status through the shared variable.
+/// The commands of the program. Each adds itself to the application; its callback returns the exit status
+/// through the shared variable.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,9 +24,10 @@ struct SceneArguments {
   SceneOptions options;
   RenderSettings settings;
 };
-/// The reference knows no light maps, no shadow maps, no bloom and one head. A comparison has both: what would be ambiguous is called
-/// --scene (the file), --msaa (the renderer's samples), --techniques. The benchmark has lists of heads and distances, and chooses technique
-/// and optimisations itself.
+/// The reference knows no light maps, no shadow maps, no bloom and one head. A comparison has both: what
+/// would be ambiguous is called
+/// --scene (the file), --msaa (the renderer's samples), --techniques. The benchmark has lists of heads and
+/// distances, and chooses technique and optimisations itself.
 enum class SceneUse { real_time, reference, comparison, bench };
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use = SceneUse::real_time);
 Scene open_scene(const SceneArguments& arguments);

@@ -3,7 +3,8 @@
 
 namespace dermis::cli {
 
-/// The commit that the program was built from, as `git describe --always --dirty` names it; "unknown" outside of a repository.
+/// The commit that the program was built from, as `git describe --always --dirty` names it; "unknown" outside
+/// of a repository.
 const char* commit();
 
 }  // namespace dermis::cli

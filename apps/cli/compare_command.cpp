@@ -34,15 +34,17 @@ image::View view_of(const std::string& name) {
 void check_outputs(const CompareArguments& arguments) {
   if (arguments.html == "-") throw input_error("--html", "needs a file, not standard output");
   std::vector<std::string> taken;
-  for (const std::string* input : {&arguments.a, &arguments.b, &arguments.region, &arguments.scene,
-                                   &arguments.scene_settings.reference_file, &arguments.scene_settings.variance_file})
+  for (const std::string* input :
+       {&arguments.a, &arguments.b, &arguments.region, &arguments.scene,
+        &arguments.scene_settings.reference_file, &arguments.scene_settings.variance_file})
     if (!input->empty()) taken.push_back(*input);
   taken.insert(taken.end(), arguments.variances.begin(), arguments.variances.end());
   for (const std::string& output : {arguments.json, arguments.html}) {
     if (output.empty() || output == "-") continue;
     check_writable(output);
     for (const std::string& other : taken)
-      if (same_file(output, other)) throw input_error(output, "is also another file of this command; outputs need names of their own");
+      if (same_file(output, other))
+        throw input_error(output, "is also another file of this command; outputs need names of their own");
     taken.push_back(output);
   }
 }
@@ -50,17 +52,18 @@ void check_outputs(const CompareArguments& arguments) {
 template <class Image>
 void check_size(const Image& a, const std::string& a_name, const Image& b, const std::string& b_name) {
   if (a.width != b.width || a.height != b.height)
-    throw input_error(b_name, "is {} x {} pixels, {} is {} x {}; only pictures of one size can be compared", b.width, b.height, a_name,
-                      a.width, a.height);
+    throw input_error(b_name, "is {} x {} pixels, {} is {} x {}; only pictures of one size can be compared",
+                      b.width, b.height, a_name, a.width, a.height);
 }
 
 image::Region region_for(const CompareArguments& arguments, int width, int height) {
   return arguments.region.empty() ? image::Region() : image::load_region(arguments.region, width, height);
 }
 
-void compare_linear(const CompareArguments& arguments, std::span<const std::byte> a_bytes, std::span<const std::byte> b_bytes,
-                    Compared& compared) {
-  const image::ImageF a = image::decode_image_f(a_bytes, arguments.a, limits), b = image::decode_image_f(b_bytes, arguments.b, limits);
+void compare_linear(const CompareArguments& arguments, std::span<const std::byte> a_bytes,
+                    std::span<const std::byte> b_bytes, Compared& compared) {
+  const image::ImageF a = image::decode_image_f(a_bytes, arguments.a, limits),
+                      b = image::decode_image_f(b_bytes, arguments.b, limits);
   check_size(a, arguments.a, b, arguments.b);
   compared.region = region_for(arguments, a.width, a.height);
   std::vector<image::ImageF> variances;
@@ -78,9 +81,10 @@ void compare_linear(const CompareArguments& arguments, std::span<const std::byte
   compared.shown_b = image::to_display(b, view);
 }
 
-void compare_display(const CompareArguments& arguments, std::span<const std::byte> a_bytes, std::span<const std::byte> b_bytes,
-                     Compared& compared) {
-  if (!arguments.variances.empty()) throw input_error("--z", "needs two linear pictures (EXR); {} holds display values", arguments.a);
+void compare_display(const CompareArguments& arguments, std::span<const std::byte> a_bytes,
+                     std::span<const std::byte> b_bytes, Compared& compared) {
+  if (!arguments.variances.empty())
+    throw input_error("--z", "needs two linear pictures (EXR); {} holds display values", arguments.a);
   compared.shown_a = image::decode_image8(a_bytes, arguments.a, limits);
   compared.shown_b = image::decode_image8(b_bytes, arguments.b, limits);
   check_size(compared.shown_a, arguments.a, compared.shown_b, arguments.b);
@@ -96,13 +100,14 @@ void compare_two(const CompareArguments& arguments) {
     if (image::picture_kind(b, arguments.b) != kind) {
       const auto name = [](bool linear) { return linear ? "linear light" : "display values"; };
       const bool linear = kind == image::PictureKind::linear;
-      throw input_error(arguments.b, "holds {}, {} holds {}; compare two PNG or two EXR pictures", name(!linear), arguments.a,
-                        name(linear));
+      throw input_error(arguments.b, "holds {}, {} holds {}; compare two PNG or two EXR pictures",
+                        name(!linear), arguments.a, name(linear));
     }
     (kind == image::PictureKind::linear ? compare_linear : compare_display)(arguments, a, b, compared);
   }
   // All there is to say before anything is written.
-  const std::string json = compared_json(compared), page = arguments.html.empty() ? "" : compared_page(compared);
+  const std::string json = compared_json(compared),
+                    page = arguments.html.empty() ? "" : compared_page(compared);
   if (!arguments.html.empty()) write_file(arguments.html, page);
   if (!arguments.json.empty()) write_text(arguments.json, json);
   if (arguments.json != "-") write_text("-", compared_text(compared));
@@ -112,7 +117,8 @@ void compare_techniques(const CompareArguments& arguments) {
   SceneComparisonSettings settings = arguments.scene_settings;
   settings.render = arguments.settings;
   if (settings.techniques == std::vector<std::string>{"all"}) settings.techniques.clear();
-  const Scene scene = arguments.scene == "built-in" ? Scene::built_in() : Scene::load(arguments.scene, arguments.options);
+  const Scene scene =
+      arguments.scene == "built-in" ? Scene::built_in() : Scene::load(arguments.scene, arguments.options);
   const SceneComparison found = compare_scene(scene, settings);
   const std::string page = arguments.html.empty() ? "" : scene_comparison_page(found);
   if (!arguments.html.empty()) write_file(arguments.html, page);
@@ -125,7 +131,8 @@ void run(const CompareArguments& arguments) {
   if (arguments.scene.empty() && arguments.a.empty()) throw CLI::RequiredError("A (or --scene)");
   if (arguments.scene.empty() && arguments.b.empty()) throw CLI::RequiredError("B");
   if (!arguments.scene.empty() && two) throw CLI::ExcludesError("--scene", "A and B");
-  if (arguments.variances.size() > 2) throw CLI::ArgumentMismatch::AtMost("--z", 2, arguments.variances.size());
+  if (arguments.variances.size() > 2)
+    throw CLI::ArgumentMismatch::AtMost("--z", 2, arguments.variances.size());
   view_of(arguments.settings.view);
   check_outputs(arguments);
   arguments.scene.empty() ? compare_two(arguments) : compare_techniques(arguments);
@@ -150,39 +157,50 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
                 "further rows: nothing optimised, cull, depth and clip by themselves, all of them")
       ->group(group);
   command
-      .add_option("--supersample", s.supersample,
-                  "errors are of pictures this many times as wide and as high, averaged; times stay those of --size")
+      .add_option(
+          "--supersample", s.supersample,
+          "errors are of pictures this many times as wide and as high, averaged; times stay those of --size")
       ->group(group);
   command.add_option("--frames", a.settings.frames, "timed frames after one warm-up")->group(group);
-  command.add_option("--device", s.device, "best, an index or a part of a name of `dermis info`")->group(group);
+  command.add_option("--device", s.device, "best, an index or a part of a name of `dermis info`")
+      ->group(group);
   add_reference_options(command, s.reference);
   CLI::Option* file =
-      command.add_option("--reference", s.reference_file, "a picture of `dermis reference` instead of rendering it: EXR of the same size")
+      command
+          .add_option("--reference", s.reference_file,
+                      "a picture of `dermis reference` instead of rendering it: EXR of the same size")
           ->group("Model");
-  command.add_option("--variance", s.variance_file, "EXR: the variance of --reference, to say what its noise adds")
+  command
+      .add_option("--variance", s.variance_file,
+                  "EXR: the variance of --reference, to say what its noise adds")
       ->needs(file)
       ->group("Model");
   CLI::Option* scene = command.get_option("--scene");
   for (CLI::Option* option : command.get_options())
-    if (option != scene && option->get_name() != "--view" && std::find(before.begin(), before.end(), option) == before.end())
+    if (option != scene && option->get_name() != "--view" &&
+        std::find(before.begin(), before.end(), option) == before.end())
       option->needs(scene);
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand(
-      "compare", "how far two pictures, or the techniques and ground truth of a scene, are apart: FLIP, PSNR, relative error");
+  CLI::App* command = app.add_subcommand("compare",
+                                         "how far two pictures, or the techniques and ground truth of a "
+                                         "scene, are apart: FLIP, PSNR, relative error");
   auto arguments = std::make_shared<CompareArguments>();
   command->option_defaults()->always_capture_default();
   command->add_option("A", arguments->a, "the reference: PNG or JPEG, or EXR or HDR");
   command->add_option("B", arguments->b, "what is compared with it: of the same size, and linear if A is");
   command->add_option("--json", arguments->json, "write the figures as JSON, - for standard output");
-  command->add_option("--html", arguments->html, "write a page: side by side, slider, map of errors, table; one file");
-  command->add_option("--region", arguments->region, "PNG of the same size: only pixels that are not black there count");
+  command->add_option("--html", arguments->html,
+                      "write a page: side by side, slider, map of errors, table; one file");
+  command->add_option("--region", arguments->region,
+                      "PNG of the same size: only pixels that are not black there count");
   command
       ->add_option("--z", arguments->variances,
-                   "EXR: variance of each pixel of A or B (squared standard error); how much of the difference is noise; up to 2 times")
+                   "EXR: variance of each pixel of A or B (squared standard error); how much of the "
+                   "difference is noise; up to 2 times")
       ->allow_extra_args(false)
       ->default_str("");
   add_scene_options(*command, *arguments);

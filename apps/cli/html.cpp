@@ -77,18 +77,25 @@ std::string base64(std::span<const std::byte> bytes) {
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t triple = 0;
-    for (std::size_t k = 0; k < 3; ++k) triple = triple << 8 | (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[triple >> (18 - 6 * k) & 63] : '=';
+    for (std::size_t k = 0; k < 3; ++k)
+      triple = triple << 8 | (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? digits[triple >> (18 - 6 * k) & 63] : '=';
   }
   return text;
 }
 
 /// Length of the UTF-8 character that begins at `at`; 0 if none does.
 std::size_t character(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[i])) : 0u; };
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[i])) : 0u;
+  };
   const unsigned first = byte(at);
   if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
+  const std::size_t length = first >= 0xc2 && first < 0xe0   ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                             : 0;
   for (std::size_t i = 1; i < length; ++i)
     if ((byte(at + i) & 0xc0) != 0x80) return 0;
   return length;
@@ -123,22 +130,28 @@ std::string escape(std::string_view text) {
   return out;
 }
 
-std::string png_uri(const image::Image8& picture) { return "data:image/png;base64," + base64(image::encode_png(picture)); }
+std::string png_uri(const image::Image8& picture) {
+  return "data:image/png;base64," + base64(image::encode_png(picture));
+}
 
 std::string picture(std::string_view id, const image::Image8& pixels, std::string_view alt) {
-  return fmt::format("<img id=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\">", escape(id), pixels.width, pixels.height,
-                     escape(alt), png_uri(pixels));
+  return fmt::format("<img id=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\">", escape(id),
+                     pixels.width, pixels.height, escape(alt), png_uri(pixels));
 }
 
 std::string figure(std::string_view caption, std::string_view inner) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", inner, caption);
 }
 
-std::string slider(std::string_view left_id, std::string_view right_id, std::string_view left_label, std::string_view right_label) {
+std::string slider(std::string_view left_id, std::string_view right_id, std::string_view left_label,
+                   std::string_view right_label) {
   return fmt::format(
-      "<div class=\"slider\"><img data-from=\"{}\" alt=\"\"><img class=\"over\" data-from=\"{}\" alt=\"\"><span class=\"line\"></span>"
-      "<span class=\"label\" style=\"left:.4rem\">{}</span><span class=\"label\" style=\"right:.4rem\">{}</span>"
-      "<input type=\"range\" min=\"0\" max=\"100\" step=\"0.1\" value=\"50\" aria-label=\"border between the two pictures\"></div>\n",
+      "<div class=\"slider\"><img data-from=\"{}\" alt=\"\"><img class=\"over\" data-from=\"{}\" "
+      "alt=\"\"><span class=\"line\"></span>"
+      "<span class=\"label\" style=\"left:.4rem\">{}</span><span class=\"label\" "
+      "style=\"right:.4rem\">{}</span>"
+      "<input type=\"range\" min=\"0\" max=\"100\" step=\"0.1\" value=\"50\" aria-label=\"border between the "
+      "two pictures\"></div>\n",
       escape(left_id), escape(right_id), escape(left_label), escape(right_label));
 }
 
@@ -149,17 +162,21 @@ std::string magma_scale(double full_scale) {
     stops += fmt::format(",#{:02x}{:02x}{:02x}", c[0], c[1], c[2]);
   }
   for (int i = 0; i <= 4; ++i) ticks += fmt::format("<span>{:.3g}</span>", full_scale * i / 4);
-  return fmt::format("<div class=\"scale\" style=\"background:linear-gradient(to right{})\"></div><div class=\"ticks\">{}</div>", stops,
-                     ticks);
+  return fmt::format(
+      "<div class=\"scale\" style=\"background:linear-gradient(to right{})\"></div><div "
+      "class=\"ticks\">{}</div>",
+      stops, ticks);
 }
 
 std::string table(const std::vector<std::pair<std::string, std::string>>& rows) {
   std::string text = "<table>\n";
-  for (const auto& [name, value] : rows) text += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escape(name), escape(value));
+  for (const auto& [name, value] : rows)
+    text += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escape(name), escape(value));
   return text + "</table>\n";
 }
 
-std::string grid(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
+std::string grid(const std::vector<std::string>& headings,
+                 const std::vector<std::vector<std::string>>& rows) {
   const auto row = [](const std::vector<std::string>& cells, const char* kind) {
     std::string text = "<tr>";
     for (const std::string& cell : cells) text += fmt::format("<{}>{}</{}>", kind, escape(cell), kind);
@@ -171,8 +188,8 @@ std::string grid(const std::vector<std::string>& headings, const std::vector<std
 }
 
 std::string page(std::string_view title, std::string_view body) {
-  return fmt::format("{}<title>{}</title>\n{}</head>\n<body>\n<h1>{}</h1>\n{}{}</body>\n</html>\n", head, escape(title), style,
-                     escape(title), body, script);
+  return fmt::format("{}<title>{}</title>\n{}</head>\n<body>\n<h1>{}</h1>\n{}{}</body>\n</html>\n", head,
+                     escape(title), style, escape(title), body, script);
 }
 
 }  // namespace dermis::cli::html

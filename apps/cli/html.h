@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Pages for people: one file each, pictures and all, that asks nothing of the network (and says so to the browser).
+// Pages for people: one file each, pictures and all, that asks nothing of the network (and says so to the
+// browser).
 //
-//   std::string body = html::figure("A", html::picture("a", before)) + html::figure("B", html::picture("b", after));
-//   write_text("page.html", html::page("before and after", body + html::slider("a", "b")));
+//   std::string body = html::figure("A", html::picture("a", before)) + html::figure("B", html::picture("b",
+//   after)); write_text("page.html", html::page("before and after", body + html::slider("a", "b")));
 #pragma once
 
 #include <string>
@@ -14,21 +15,25 @@
 
 namespace dermis::cli::html {
 
-/// Text that stands for itself in an element or in a quoted attribute. Bytes that are no UTF-8 become U+FFFD, control characters spaces.
+/// Text that stands for itself in an element or in a quoted attribute. Bytes that are no UTF-8 become U+FFFD,
+/// control characters spaces.
 std::string escape(std::string_view text);
 
 /// "data:image/png;base64,..."; alpha is left out.
 std::string png_uri(const image::Image8& picture);
 
-/// An img element. id: a name of its own on the page, which slider() refers to. Pictures keep their size up to the width of the window.
+/// An img element. id: a name of its own on the page, which slider() refers to. Pictures keep their size up
+/// to the width of the window.
 std::string picture(std::string_view id, const image::Image8& pixels, std::string_view alt = {});
 
-/// A block with a caption below it; figures stand side by side while there is room. caption and inner are HTML: escape() what is text.
+/// A block with a caption below it; figures stand side by side while there is room. caption and inner are
+/// HTML: escape() what is text.
 std::string figure(std::string_view caption, std::string_view inner);
 
-/// Two pictures of one size over each other, named by their ids; the pointer or the arrow keys move the border between them. The pixels are
-/// those of the other elements: they are in the file once.
-std::string slider(std::string_view left_id, std::string_view right_id, std::string_view left_label, std::string_view right_label);
+/// Two pictures of one size over each other, named by their ids; the pointer or the arrow keys move the
+/// border between them. The pixels are those of the other elements: they are in the file once.
+std::string slider(std::string_view left_id, std::string_view right_id, std::string_view left_label,
+                   std::string_view right_label);
 
 /// The colours of image::error_colours from 0 to full_scale, with numbers.
 std::string magma_scale(double full_scale);

@@ -19,7 +19,8 @@ std::string as_text(const std::vector<gpu::DeviceSummary>& devices) {
   for (std::size_t i = 0; i < devices.size(); ++i) {
     const gpu::DeviceSummary& d = devices[i];
     text += fmt::format("{}: {}\n   {}, Vulkan {}, {:.1f} GiB, driver {}\n", i, d.name, d.type, d.api,
-                        static_cast<double>(d.memory_bytes) / (std::uint64_t{1} << 30), d.driver.empty() ? "unknown" : d.driver);
+                        static_cast<double>(d.memory_bytes) / (std::uint64_t{1} << 30),
+                        d.driver.empty() ? "unknown" : d.driver);
     if (d.missing.empty()) text += "   usable\n";
     for (const std::string& missing : d.missing) text += fmt::format("   cannot be used: {}\n", missing);
   }
@@ -39,7 +40,9 @@ std::string as_json(const std::vector<gpu::DeviceSummary>& devices) {
                     {"usable", d.missing.empty()},
                     {"missing", d.missing}});
   }
-  return nlohmann::ordered_json{{"devices", list}}.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return nlohmann::ordered_json{{"devices", list}}.dump(2, ' ', false,
+                                                        nlohmann::ordered_json::error_handler_t::replace) +
+         "\n";
 }
 
 }  // namespace
@@ -50,12 +53,15 @@ int run_info(bool json) {
   if (std::ranges::any_of(devices, [](const gpu::DeviceSummary& d) { return d.missing.empty(); })) return 0;
   try {
     const gpu::Device device(gpu::Device::Options{});  // says why, in the words that every other command uses
-  } catch (const DeviceError& error) { std::fputs(fmt::format("dermis: {}\n", error.what()).c_str(), stderr); }
+  } catch (const DeviceError& error) {
+    std::fputs(fmt::format("dermis: {}\n", error.what()).c_str(), stderr);
+  }
   return 1;
 }
 
 void add_info_command(CLI::App& app, int& exit_status) {
-  CLI::App* command = app.add_subcommand("info", "list the devices, and what is missing on those that cannot be used");
+  CLI::App* command =
+      app.add_subcommand("info", "list the devices, and what is missing on those that cannot be used");
   auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "as JSON");
   command->callback([json, &exit_status] { exit_status = run_info(*json); });

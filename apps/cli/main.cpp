@@ -19,8 +19,10 @@ int fail(std::string line) {
 }
 
 std::string quoted(std::string_view word) {
-  const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+@%") ==
-                                          std::string_view::npos;
+  const bool plain =
+      !word.empty() &&
+      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+@%") ==
+          std::string_view::npos;
   if (plain) return std::string(word);
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -49,11 +51,15 @@ int main(int argc, char** argv) {
   // 2: the command line cannot be parsed. 1: everything else that goes wrong, in one line.
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) { return app.exit(error) == 0 ? 0 : 2; } catch (const std::bad_alloc&) {
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::bad_alloc&) {
     return fail("too little memory");
   } catch (const std::system_error& error) {
     // A thread that cannot be started says no more than "resource temporarily unavailable".
-    return fail(error.code() == std::errc::resource_unavailable_try_again ? "the system allows no more threads or memory" : error.what());
+    return fail(error.code() == std::errc::resource_unavailable_try_again
+                    ? "the system allows no more threads or memory"
+                    : error.what());
   } catch (const std::exception& error) { return fail(error.what()); }
   return exit_status;
 }

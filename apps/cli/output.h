@@ -6,8 +6,8 @@
 
 namespace dermis::cli {
 
-/// Text to a file, atomically, or to standard output if path is "-". InputError if it does not get there whole: a full disk behind a pipe
-/// is a failure, too.
+/// Text to a file, atomically, or to standard output if path is "-". InputError if it does not get there
+/// whole: a full disk behind a pipe is a failure, too.
 void write_text(const std::string& path, const std::string& text);
 
 }  // namespace dermis::cli

@@ -7,15 +7,16 @@
 namespace dermis::cli {
 
 void add_plan_command(CLI::App& app, int&) {
-  CLI::App* command =
-      app.add_subcommand("plan", "print the passes of a frame, what each reads and writes, and the memory; needs no device");
+  CLI::App* command = app.add_subcommand(
+      "plan", "print the passes of a frame, what each reads and writes, and the memory; needs no device");
   auto arguments = std::make_shared<SceneArguments>();
   auto dot = std::make_shared<bool>(false);
   auto output = std::make_shared<std::string>("-");
   add_scene_arguments(*command, *arguments);
   command->add_flag("--dot", *dot, "for Graphviz");
   command->add_option("-o,--output", *output, "file, or - for standard output");
-  command->callback([=] { write_text(*output, describe_plan(open_scene(*arguments), arguments->settings, *dot)); });
+  command->callback(
+      [=] { write_text(*output, describe_plan(open_scene(*arguments), arguments->settings, *dot)); });
 }
 
 }  // namespace dermis::cli

@@ -47,12 +47,14 @@ void check_files(const ProfileOptions& options) {
     check_writable(files[i].path);
     for (std::size_t j = i + 1; j < files.size(); ++j)
       if (!files[j].path.empty() && same_file(files[i].path, files[j].path))
-        throw input_error(files[i].path, "{} and {} name the same file; what is written needs a name of its own", files[i].option,
-                          files[j].option);
+        throw input_error(files[i].path,
+                          "{} and {} name the same file; what is written needs a name of its own",
+                          files[i].option, files[j].option);
   }
   const std::filesystem::path& cache = options.source.monte_carlo.cache;
   std::error_code ignored;
-  if (!cache.empty() && std::filesystem::exists(cache, ignored) && !std::filesystem::is_directory(cache, ignored))
+  if (!cache.empty() && std::filesystem::exists(cache, ignored) &&
+      !std::filesystem::is_directory(cache, ignored))
     throw input_error(cache.string(), "is a file; --cache needs a folder");
 }
 
@@ -63,12 +65,16 @@ void check(const ProfileOptions& options) {
   if (options.variances != "shared" && options.variances != "per-channel")
     throw input_error("--variances", "'{}' is not known; known: shared, per-channel", options.variances);
   profile::check_photons(options.source.monte_carlo.photons, "--photons");
-  if (options.plot == "-" || options.swatches == "-") throw input_error("--plot, --swatches", "need a file, not standard output");
+  if (options.plot == "-" || options.swatches == "-")
+    throw input_error("--plot, --swatches", "need a file, not standard output");
   const auto systems = gaussians::exchange_names();
-  if (!options.export_to.empty() && std::find(systems.begin(), systems.end(), options.export_to) == systems.end())
+  if (!options.export_to.empty() &&
+      std::find(systems.begin(), systems.end(), options.export_to) == systems.end())
     throw input_error("--export", "no system '{}'; known: {}", options.export_to, fmt::join(systems, ", "));
-  if (!options.export_to.empty() && options.output == "-") throw input_error("--export", "both it and -o - would write to standard output");
-  if (options.compare.size() > 3) throw input_error("--compare", "at most 3 sums, got {}", options.compare.size());
+  if (!options.export_to.empty() && options.output == "-")
+    throw input_error("--export", "both it and -o - would write to standard output");
+  if (options.compare.size() > 3)
+    throw input_error("--compare", "at most 3 sums, got {}", options.compare.size());
   check_files(options);
 }
 
@@ -86,9 +92,11 @@ Source open_with_progress(SourceOptions options) {
 }
 
 std::string exported(const Source& source, const Fitted& fitted, const std::string& system) {
-  gaussians::Exported input{.name = source.name, .profiles = source.profiles, .terms = {}, .medium = source.medium};
+  gaussians::Exported input{
+      .name = source.name, .profiles = source.profiles, .terms = {}, .medium = source.medium};
   for (int c = 0; c < 3; ++c)
-    for (const gaussians::Term& term : normalised(fitted, c)) input.terms[c].push_back({term.variance_mm2, term.weight});
+    for (const gaussians::Term& term : normalised(fitted, c))
+      input.terms[c].push_back({term.variance_mm2, term.weight});
   return gaussians::export_text(system, input);
 }
 
@@ -98,10 +106,13 @@ void run(const ProfileOptions& options) {
   for (const std::string& name : options.compare) others.push_back(plotted(name));
   const Source source = open_with_progress(options.source);
   const Fitted fitted = fit(source, options.gaussians, options.variances == "shared");
-  const gaussians::Plot plot{
-      .title = source.name + ": " + source.model, .profiles = source.profiles, .fit = plotted(fitted), .others = std::move(others)};
+  const gaussians::Plot plot{.title = source.name + ": " + source.model,
+                             .profiles = source.profiles,
+                             .fit = plotted(fitted),
+                             .others = std::move(others)};
   if (!options.plot.empty()) write_file(options.plot, gaussians::svg_plot(plot));
-  if (!options.swatches.empty()) image::save_png(options.swatches, skin_swatches(source.skin.value_or(optics::Skin{})));
+  if (!options.swatches.empty())
+    image::save_png(options.swatches, skin_swatches(source.skin.value_or(optics::Skin{})));
   if (!options.output.empty()) write_text(options.output, profile_json(source, fitted));
   if (options.output == "-") return;  // only JSON goes to standard output
   write_text("-", options.export_to.empty() ? table(source, fitted) + differences(plot.fit, plot.others)
@@ -117,15 +128,18 @@ void add_count(CLI::App& command, const std::string& name, std::uint64_t& value,
             const char* const end = text.data() + text.size();
             const auto [at, error] = std::from_chars(text.data(), end, value);
             if (error != std::errc() || at != end)
-              throw CLI::ValidationError(name, "expected a whole number, at least 0 and under 2^64, got '" + text + "'");
+              throw CLI::ValidationError(
+                  name, "expected a whole number, at least 0 and under 2^64, got '" + text + "'");
           },
           help)
       ->type_name("UINT")
       ->default_str(std::to_string(value));
 }
 
-/// An option given without content is a slip (an unset variable of a script), not an option that was left out.
-CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& value, const std::string& help) {
+/// An option given without content is a slip (an unset variable of a script), not an option that was left
+/// out.
+CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& value,
+                      const std::string& help) {
   return command.add_option(name, value, help)->check([](const std::string& text) {
     return text.empty() ? std::string("must not be empty") : std::string();
   });
@@ -135,51 +149,72 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
   const auto add = [&](const char* name, std::string& value, const char* help) {
     add_text(command, name, value, help)->group("Source (exactly one)");
   };
-  add("--preset", source.preset, "a measured material: skin1, skin2, marble, ..., or skin-layers (an unknown name lists all)");
+  add("--preset", source.preset,
+      "a measured material: skin1, skin2, marble, ..., or skin-layers (an unknown name lists all)");
   add("--coefficients", source.coefficients, "\"sigma_a=R,G,B sigma_s=R,G,B g=0 eta=1.4\", per mm");
-  add("--layers", source.layers, "JSON list of {sigma_a_per_mm, sigma_s_reduced_per_mm, eta, thickness_mm}, from the surface down");
-  command.add_option("--melanin", source.melanin, "spectral skin: volume fraction of melanin in the epidermis, 0 to 0.5")
+  add("--layers", source.layers,
+      "JSON list of {sigma_a_per_mm, sigma_s_reduced_per_mm, eta, thickness_mm}, from the surface down");
+  command
+      .add_option("--melanin", source.melanin,
+                  "spectral skin: volume fraction of melanin in the epidermis, 0 to 0.5")
       ->group("Source (exactly one)");
   add("--colour,--color", source.colour, "the skin nearest to \"#rrggbb\" (sRGB) or \"L,a,b\" (CIELAB)");
-  add("--burley", source.burley, "\"reflectance=R,G,B mfp_mm=R,G,B\" (or dmfp_mm, or shape_mm): normalised diffusion");
+  add("--burley", source.burley,
+      "\"reflectance=R,G,B mfp_mm=R,G,B\" (or dmfp_mm, or shape_mm): normalised diffusion");
   add("--csv", source.csv, "table with the header r_mm,R,G,B; mm and 1/mm^2");
   add("--import", source.import,
-      "another system's values: \"unity reflectance=R,G,B scattering_distance=R,G,B\", unreal, cycles, openpbr, gltf");
+      "another system's values: \"unity reflectance=R,G,B scattering_distance=R,G,B\", unreal, cycles, "
+      "openpbr, gltf");
   const std::string spectral = "Spectral skin (with --melanin or --colour)";
-  command.add_option("--blend", source.blend, "eumelanin's share, 0 to 1 (default 0.7; 0.1 with --colour)")->group(spectral);
-  command.add_option("--hemoglobin,--haemoglobin", source.haemoglobin, "volume fraction of blood in the dermis, 0 to 0.1 (default 0.01)")
+  command.add_option("--blend", source.blend, "eumelanin's share, 0 to 1 (default 0.7; 0.1 with --colour)")
+      ->group(spectral);
+  command
+      .add_option("--hemoglobin,--haemoglobin", source.haemoglobin,
+                  "volume fraction of blood in the dermis, 0 to 0.1 (default 0.01)")
       ->group(spectral);
   command.add_option("--oxygenation", source.oxygenation, "0 to 1 (default 0.75)")->group(spectral);
   command
       .add_option("--oiliness", source.oiliness,
-                  "strength of the surface reflection, 0 to 1 (default 0.3); changes colours (--colour, --swatches), not the profile")
+                  "strength of the surface reflection, 0 to 1 (default 0.3); changes colours (--colour, "
+                  "--swatches), not the profile")
       ->group(spectral);
-  command.add_option("--epidermis-mm", source.epidermis_mm, "thickness in mm, 0.01 to 2 (default 0.25; 0.12 with --colour)")
+  command
+      .add_option("--epidermis-mm", source.epidermis_mm,
+                  "thickness in mm, 0.01 to 2 (default 0.25; 0.12 with --colour)")
       ->group(spectral);
-  command.add_option("--model", source.model, "dipole, better, multipole, beam, monte-carlo or auto")->capture_default_str();
+  command.add_option("--model", source.model, "dipole, better, multipole, beam, monte-carlo or auto")
+      ->capture_default_str();
   add_count(command, "--photons", source.monte_carlo.photons, "Monte-Carlo: photons a channel, 1000 to 1e9");
   add_count(command, "--seed", source.monte_carlo.seed, "Monte-Carlo: equal seeds give equal bits");
-  command.add_option("--cache", source.monte_carlo.cache, "Monte-Carlo: folder that keeps results (default: none are kept)");
+  command.add_option("--cache", source.monte_carlo.cache,
+                     "Monte-Carlo: folder that keeps results (default: none are kept)");
 }
 
 }  // namespace
 
 void add_profile_command(CLI::App& app, int&) {
-  CLI::App* command =
-      app.add_subcommand("profile", "compute how light spreads in skin, and the sum of Gaussians that `render --profile` takes");
+  CLI::App* command = app.add_subcommand(
+      "profile", "compute how light spreads in skin, and the sum of Gaussians that `render --profile` takes");
   auto options = std::make_shared<ProfileOptions>();
   add_source_options(*command, options->source);
   command->add_option("--gaussians", options->gaussians, "terms of the sum, 1 to 8")->capture_default_str();
-  command->add_option("--variances", options->variances, "shared (one set for three channels, what render takes) or per-channel")
+  command
+      ->add_option("--variances", options->variances,
+                   "shared (one set for three channels, what render takes) or per-channel")
       ->capture_default_str();
   add_text(*command, "-o,--output", options->output, "the profile as JSON; - for standard output");
-  add_text(*command, "--plot", options->plot, "SVG: r R(r) and the fit per channel, the residual, and light that bleeds from a white edge");
-  command->add_option("--compare", options->compare, "published sum or profile file to draw and measure beside; up to 3 times")
+  add_text(*command, "--plot", options->plot,
+           "SVG: r R(r) and the fit per channel, the residual, and light that bleeds from a white edge");
+  command
+      ->add_option("--compare", options->compare,
+                   "published sum or profile file to draw and measure beside; up to 3 times")
       ->allow_extra_args(false)
       ->default_str("");
   add_text(*command, "--export", options->export_to,
-           "print the parameters of another system as JSON instead of the table: separable, unity, unreal, gltf, openpbr or cycles");
-  add_text(*command, "--swatches", options->swatches, "PNG: colours of spectral skin, melanin to the right, hemoglobin downwards");
+           "print the parameters of another system as JSON instead of the table: separable, unity, unreal, "
+           "gltf, openpbr or cycles");
+  add_text(*command, "--swatches", options->swatches,
+           "PNG: colours of spectral skin, melanin to the right, hemoglobin downwards");
   command->callback([options] { run(*options); });
 }
 

@@ -19,7 +19,8 @@ constexpr const char* channel_name[] = {"red", "green", "blue"};
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double worth_a_note = 1e-4;  // of the light
 
-/// A stack that gives everything back has no diffuse length; its equivalent medium is held just short of that.
+/// A stack that gives everything back has no diffuse length; its equivalent medium is held just short of
+/// that.
 double diffuse_length_mm(const Source& source, int c, double total) {
   if (source.equivalent && total >= 1 - 1e-6) return infinite;
   return source.medium[c].diffuse_mean_free_path().mm;
@@ -47,18 +48,22 @@ void check_weights(const Source& source, const Fitted& fitted, int terms) {
   if (!fitted.shared.terms.empty())
     for (int c = 2; c >= 0; --c)
       if (!usable(gaussians::fit_channel(*source.profiles[c], terms).terms)) bad = c;
-  throw input_error(source.name, "{}: no sum of Gaussians fits this profile; is its total 0, or its reach out of all proportion?",
-                    channel_name[bad]);
+  throw input_error(
+      source.name,
+      "{}: no sum of Gaussians fits this profile; is its total 0, or its reach out of all proportion?",
+      channel_name[bad]);
 }
 
 std::string row(const std::string& label, const gaussians::Rgb& values) {
   std::string line = fmt::format("{:<34}", label);
-  for (const double value : values) line += std::isinf(value) ? fmt::format("{:>12}", "infinite") : fmt::format("{:>12.6g}", value);
+  for (const double value : values)
+    line += std::isinf(value) ? fmt::format("{:>12}", "infinite") : fmt::format("{:>12.6g}", value);
   return line + "\n";
 }
 
 bool any_pole(const Source& source) {
-  return std::any_of(source.profiles.begin(), source.profiles.end(), [](const auto& profile) { return profile->has_pole(); });
+  return std::any_of(source.profiles.begin(), source.profiles.end(),
+                     [](const auto& profile) { return profile->has_pole(); });
 }
 
 /// What a number alone would not tell.
@@ -66,25 +71,31 @@ std::string notes(const Source& source, const Fitted& fitted) {
   std::string text = source.note.empty() ? "" : source.note + "\n";
   for (int c = 0; c < 3; ++c) {
     if (fitted.model_total[c] > 1 + worth_a_note)
-      text += fmt::format("{}: this model gives back {:.4g} times the light that entered; the total is cut to 1\n", channel_name[c],
-                          fitted.model_total[c]);
+      text += fmt::format(
+          "{}: this model gives back {:.4g} times the light that entered; the total is cut to 1\n",
+          channel_name[c], fitted.model_total[c]);
     const auto sampled = profile::sampled(*source.profiles[c]);
     if (sampled && sampled->cut > worth_a_note)
-      text += fmt::format("{}: {:.2g} % of the light is missing; Monte-Carlo gives photons up after 200,000 scatterings\n", channel_name[c],
-                          100 * sampled->cut);
+      text += fmt::format(
+          "{}: {:.2g} % of the light is missing; Monte-Carlo gives photons up after 200,000 scatterings\n",
+          channel_name[c], 100 * sampled->cut);
   }
   return text;
 }
 
 /// What the error per cent means, and what chance adds to it.
 std::string error_rows(const Source& source, const Fitted& fitted) {
-  // A profile with a pole has no mean square: it is compared as a narrow beam would see it, and that number is no dipole's.
-  std::string text = row(any_pole(source) ? "error through a narrow beam, %" : "error, %", fitted.error_percent);
+  // A profile with a pole has no mean square: it is compared as a narrow beam would see it, and that number
+  // is no dipole's.
+  std::string text =
+      row(any_pole(source) ? "error through a narrow beam, %" : "error, %", fitted.error_percent);
   gaussians::Rgb sigma_mm{}, noise_percent{};
   bool noisy = false;
   for (int c = 0; c < 3; ++c) {
-    if (source.profiles[c]->has_pole()) sigma_mm[c] = std::sqrt(gaussians::core_variance_mm2(*source.profiles[c]));
-    if (const auto sampled = profile::sampled(*source.profiles[c])) noise_percent[c] = sampled->noise_percent, noisy = true;
+    if (source.profiles[c]->has_pole())
+      sigma_mm[c] = std::sqrt(gaussians::core_variance_mm2(*source.profiles[c]));
+    if (const auto sampled = profile::sampled(*source.profiles[c]))
+      noise_percent[c] = sampled->noise_percent, noisy = true;
   }
   if (any_pole(source)) text += row("sigma of that beam, mm", sigma_mm);
   if (noisy) text += row("Monte-Carlo noise, %", noise_percent);
@@ -141,7 +152,8 @@ std::vector<gaussians::Term> normalised(const Fitted& fitted, int c) {
   std::vector<gaussians::Term> terms = fitted.channels[c].terms;
   const double sum = fitted.channels[c].weight_sum();
   for (gaussians::Term& term : terms) term.weight /= sum;
-  for (const gaussians::Gaussian& gaussian : fitted.shared.terms) terms.push_back({gaussian.variance_mm2, gaussian.weight[c]});
+  for (const gaussians::Gaussian& gaussian : fitted.shared.terms)
+    terms.push_back({gaussian.variance_mm2, gaussian.weight[c]});
   return terms;
 }
 
@@ -153,7 +165,8 @@ std::string table(const Source& source, const Fitted& fitted) {
   if (fitted.shared.terms.empty())
     for (int c = 0; c < 3; ++c)
       for (const gaussians::Term& term : normalised(fitted, c))
-        text += fmt::format("{:<6} variance {:>10.5g} mm^2   weight {:>12.6g}\n", channel_name[c], term.variance_mm2, term.weight);
+        text += fmt::format("{:<6} variance {:>10.5g} mm^2   weight {:>12.6g}\n", channel_name[c],
+                            term.variance_mm2, term.weight);
   text += error_rows(source, fitted);
   text += row("total reflectance", fitted.total);
   const char* which = source.equivalent ? " (equivalent)" : "";
@@ -166,7 +179,8 @@ std::string differences(const gaussians::PlottedSum& fit, const std::vector<gaus
   std::string text;
   for (const gaussians::PlottedSum& other : others) {
     gaussians::Rgb percent{};
-    for (int c = 0; c < 3; ++c) percent[c] = gaussians::difference_percent(fit.channels[c], other.channels[c]);
+    for (int c = 0; c < 3; ++c)
+      percent[c] = gaussians::difference_percent(fit.channels[c], other.channels[c]);
     text += row(fmt::format("difference from {}, %", other.label), percent);
   }
   return text;

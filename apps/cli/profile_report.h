@@ -17,7 +17,8 @@ struct Fitted {
   gaussians::SumOfGaussians shared;               ///< terms empty if per channel
   std::array<gaussians::ChannelFit, 3> channels;  ///< terms empty if shared
   gaussians::Rgb error_percent{};
-  gaussians::Rgb model_total{};                                     ///< what the model gives back, which may be more than entered
+  /// what the model gives back, which may be more than entered
+  gaussians::Rgb model_total{};
   gaussians::Rgb total{};                                           ///< the same, at most 1
   gaussians::Rgb mean_free_path_mm{}, diffuse_mean_free_path_mm{};  ///< infinite where nothing absorbs
 };
@@ -32,7 +33,8 @@ std::vector<gaussians::Term> normalised(const Fitted& fitted, int c);
 std::string table(const Source& source, const Fitted& fitted);
 /// How far each sum is from the fit, a row a sum.
 std::string differences(const gaussians::PlottedSum& fit, const std::vector<gaussians::PlottedSum>& others);
-/// The profile file; with variances_mm2 [k][3] if they are per channel, where a channel with fewer terms is filled with terms of weight 0.
+/// The profile file; with variances_mm2 [k][3] if they are per channel, where a channel with fewer terms is
+/// filled with terms of weight 0.
 std::string profile_json(const Source& source, const Fitted& fitted);
 
 /// The fit as curves: its label is the number of terms that it has.

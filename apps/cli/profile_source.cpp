@@ -21,7 +21,8 @@ constexpr double default_eta = 1.4;  // skin [JMLH01]: 1.3 to 1.5
 
 /// "auto" decides; anything else must be a model that knows the source.
 void only_automatic(const SourceOptions& options, const char* source) {
-  if (options.model != "auto") throw input_error("--model", "'{}' is not for {}, which brings its own profile", options.model, source);
+  if (options.model != "auto")
+    throw input_error("--model", "'{}' is not for {}, which brings its own profile", options.model, source);
 }
 
 Source from_models(std::string name, profile::ModelledProfiles modelled) {
@@ -33,7 +34,8 @@ Source from_models(std::string name, profile::ModelledProfiles modelled) {
                 .skin = {}};
   if (modelled.model == profile::Model::better)
     source.note =
-        "the better dipole leaves light out that scattered only once: totals and the core are too low, most where skin absorbs most";
+        "the better dipole leaves light out that scattered only once: totals and the core are too low, most "
+        "where skin absorbs most";
   return source;
 }
 
@@ -42,20 +44,25 @@ void summarise(Source& source, double eta = default_eta) {
   source.equivalent = true;
 }
 
-Source from_medium(const std::string& name, const optics::RgbMedium& medium, const SourceOptions& options, const std::string& where) {
-  Source source = from_models(name, make_profiles(medium, profile::parse_model(options.model), options.monte_carlo, where));
+Source from_medium(const std::string& name, const optics::RgbMedium& medium, const SourceOptions& options,
+                   const std::string& where) {
+  Source source = from_models(
+      name, make_profiles(medium, profile::parse_model(options.model), options.monte_carlo, where));
   source.medium = medium;
   return source;
 }
 
-Source from_layers(const std::string& name, const optics::RgbLayers& layers, const SourceOptions& options, const std::string& where) {
-  Source source = from_models(name, make_profiles(layers, profile::parse_model(options.model), options.monte_carlo, where));
+Source from_layers(const std::string& name, const optics::RgbLayers& layers, const SourceOptions& options,
+                   const std::string& where) {
+  Source source = from_models(
+      name, make_profiles(layers, profile::parse_model(options.model), options.monte_carlo, where));
   summarise(source, layers.front().eta);  // the surface that light meets
   return source;
 }
 
 Source from_preset(const SourceOptions& options) {
-  if (options.preset == "skin-layers") return from_layers(options.preset, optics::donner_jensen_skin(), options, "--preset skin-layers");
+  if (options.preset == "skin-layers")
+    return from_layers(options.preset, optics::donner_jensen_skin(), options, "--preset skin-layers");
   const optics::Material* material = optics::find_material(options.preset);
   if (material == nullptr) optics::unknown_preset(options.preset);
   return from_medium(options.preset, material->medium(), options, "--preset " + options.preset);
@@ -72,8 +79,9 @@ Source from_csv(const SourceOptions& options) {
   constexpr const char* column[] = {"R", "G", "B"};
   for (int c = 0; c < 3; ++c)
     if (source.profiles[c]->total() > 1.0001)
-      throw input_error(options.csv, "column {} reflects {:.4g} times what enters; is R in 1/mm^2, and r in mm?", column[c],
-                        source.profiles[c]->total());
+      throw input_error(options.csv,
+                        "column {} reflects {:.4g} times what enters; is R in 1/mm^2, and r in mm?",
+                        column[c], source.profiles[c]->total());
   summarise(source);
   return source;
 }
@@ -83,7 +91,8 @@ Source from_burley(const SourceOptions& options) {
   const profile::BurleyDescription burley = profile::parse_burley(options.burley, "--burley");
   Source source{.name = "burley", .model = "Burley", .note = {}, .profiles = {}, .medium = {}, .skin = {}};
   for (int c = 0; c < 3; ++c)
-    source.profiles[c] = std::make_shared<profile::Burley>(burley.total_reflectance[c], burley.shape_mm[c], "--burley");
+    source.profiles[c] =
+        std::make_shared<profile::Burley>(burley.total_reflectance[c], burley.shape_mm[c], "--burley");
   summarise(source);
   return source;
 }
@@ -92,9 +101,11 @@ Source from_import(const SourceOptions& options) {
   const gaussians::Imported imported = gaussians::parse_import(options.import, "--import");
   if (!imported.is_burley) return from_medium(imported.name, imported.medium, options, "--import");
   only_automatic(options, "--import of a Burley profile");
-  Source source{.name = imported.name, .model = "Burley", .note = {}, .profiles = {}, .medium = {}, .skin = {}};
+  Source source{
+      .name = imported.name, .model = "Burley", .note = {}, .profiles = {}, .medium = {}, .skin = {}};
   for (int c = 0; c < 3; ++c)
-    source.profiles[c] = std::make_shared<profile::Burley>(imported.total_reflectance[c], imported.burley_shape_mm[c], "--import");
+    source.profiles[c] = std::make_shared<profile::Burley>(imported.total_reflectance[c],
+                                                           imported.burley_shape_mm[c], "--import");
   summarise(source);
   return source;
 }
@@ -112,7 +123,8 @@ optics::Skin refined(optics::Skin skin, const SourceOptions& options) {
 }
 
 Source from_skin(const std::string& name, const optics::Skin& skin, const SourceOptions& options) {
-  Source source = from_models(name, make_profiles(skin, profile::parse_model(options.model), options.monte_carlo, "skin"));
+  Source source = from_models(
+      name, make_profiles(skin, profile::parse_model(options.model), options.monte_carlo, "skin"));
   source.skin = skin;
   summarise(source, skin.eta);
   return source;
@@ -124,16 +136,20 @@ Source from_colour(const SourceOptions& options) {
   const optics::SkinMatch match = optics::nearest_skin(wanted, refined(optics::measured_skin(), options));
   Source source = from_skin("colour " + options.colour, match.skin, options);
   source.note += fmt::format(
-      "{}nearest skin: melanin {:.4f}, hemoglobin {:.4f}; L*a*b* {:.1f} {:.1f} {:.1f}, {:.1f} dE (CIE76) from the colour asked for",
-      source.note.empty() ? "" : "\n", match.skin.melanin, match.skin.haemoglobin, match.lab.l, match.lab.a, match.lab.b, match.delta_e);
+      "{}nearest skin: melanin {:.4f}, hemoglobin {:.4f}; L*a*b* {:.1f} {:.1f} {:.1f}, {:.1f} dE (CIE76) "
+      "from the colour asked for",
+      source.note.empty() ? "" : "\n", match.skin.melanin, match.skin.haemoglobin, match.lab.l, match.lab.a,
+      match.lab.b, match.delta_e);
   return source;
 }
 
 void check_refinements(const SourceOptions& options) {
-  const bool refines = options.blend || options.haemoglobin || options.oxygenation || options.oiliness || options.epidermis_mm;
+  const bool refines =
+      options.blend || options.haemoglobin || options.oxygenation || options.oiliness || options.epidermis_mm;
   if (refines && !options.melanin && options.colour.empty())
     throw CLI::RequiredError(
-        "--blend, --hemoglobin, --oxygenation, --oiliness and --epidermis-mm refine --melanin or --colour, one of which");
+        "--blend, --hemoglobin, --oxygenation, --oiliness and --epidermis-mm refine --melanin or --colour, "
+        "one of which");
 }
 
 }  // namespace
@@ -150,14 +166,18 @@ Source open_source(const SourceOptions& options) {
       {"--preset", options.preset, from_preset},
       {"--coefficients", options.coefficients,
        [](const SourceOptions& o) {
-         return from_medium("coefficients", optics::parse_coefficients(o.coefficients, "--coefficients"), o, "--coefficients");
+         return from_medium("coefficients", optics::parse_coefficients(o.coefficients, "--coefficients"), o,
+                            "--coefficients");
        }},
       {"--layers", options.layers,
        [](const SourceOptions& o) {
-         return from_layers(std::filesystem::path(o.layers).stem().string(), optics::load_layers(o.layers), o, o.layers);
+         return from_layers(std::filesystem::path(o.layers).stem().string(), optics::load_layers(o.layers), o,
+                            o.layers);
        }},
       {"--melanin", melanin,
-       [](const SourceOptions& o) { return from_skin(fmt::format("spectral skin, melanin {:.4g}", *o.melanin), refined({}, o), o); }},
+       [](const SourceOptions& o) {
+         return from_skin(fmt::format("spectral skin, melanin {:.4g}", *o.melanin), refined({}, o), o);
+       }},
       {"--colour", options.colour, from_colour},
       {"--burley", options.burley, from_burley},
       {"--csv", options.csv, from_csv},

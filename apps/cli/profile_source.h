@@ -13,7 +13,8 @@ namespace dermis::cli {
 /// The options of the command that name a source and a model, as given.
 struct SourceOptions {
   std::string preset, coefficients, layers, burley, csv, colour, import;
-  std::optional<double> melanin, blend, haemoglobin, oxygenation, oiliness, epidermis_mm;  ///< melanin makes it a source; the rest refine
+  /// melanin makes it a source; the rest refine
+  std::optional<double> melanin, blend, haemoglobin, oxygenation, oiliness, epidermis_mm;
   std::string model = "auto";
   profile::MonteCarloOptions monte_carlo;
 };
@@ -29,7 +30,8 @@ struct Source {
   std::optional<optics::Skin> skin;  ///< of spectral skin and of colours
 };
 
-/// Exactly one source must be set: CLI::ParseError (exit status 2) if none or several are; InputError if what it says is wrong.
+/// Exactly one source must be set: CLI::ParseError (exit status 2) if none or several are; InputError if what
+/// it says is wrong.
 Source open_source(const SourceOptions& options);
 
 }  // namespace dermis::cli

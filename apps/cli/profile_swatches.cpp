@@ -19,10 +19,12 @@ image::Image8 skin_swatches(const optics::Skin& fixed) {
     skin.melanin = 0.001 * std::pow(500.0, static_cast<double>(i % columns) / (columns - 1));
     skin.haemoglobin = 0.001 * std::pow(100.0, static_cast<double>(i / columns) / (rows - 1));
     const optics::Rgb linear = optics::skin_colour(skin);
-    for (int c = 0; c < 3; ++c) colours[i][c] = image::to_display8(image::View::srgb, static_cast<float>(linear[c]));
+    for (int c = 0; c < 3; ++c)
+      colours[i][c] = image::to_display8(image::View::srgb, static_cast<float>(linear[c]));
   });
-  image::Image8 picture{
-      .width = columns * side, .height = rows * side, .rgba = std::vector<std::uint8_t>(columns * side * rows * side * 4, 255)};
+  image::Image8 picture{.width = columns * side,
+                        .height = rows * side,
+                        .rgba = std::vector<std::uint8_t>(columns * side * rows * side * 4, 255)};
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
       for (int c = 0; c < 3; ++c) picture.at(x, y)[c] = colours[y / side * columns + x / side][c];

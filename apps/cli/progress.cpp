@@ -43,7 +43,8 @@ void Progress::show(const std::string& what) {
   const double gone_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   std::string left;
   if (done_ > 0) left = fmt::format(", {} left", duration(gone_s / done_ * std::max(total_ - done_, 0.0)));
-  show_line(fmt::format("{}: {:.0f} %, {} gone{}", what, 100 * std::min(done_ / total_, 1.0), duration(gone_s), left));
+  show_line(fmt::format("{}: {:.0f} %, {} gone{}", what, 100 * std::min(done_ / total_, 1.0),
+                        duration(gone_s), left));
 }
 
 void Progress::clear() { show_line(""); }

@@ -14,7 +14,8 @@ std::atomic<bool>& catch_interrupts();
 /// "2 h 05 min", "3 min 20 s", "7 s".
 std::string duration(double seconds);
 
-/// One line on standard error that is rewritten; nothing where standard error is no terminal. Empty: it is cleared.
+/// One line on standard error that is rewritten; nothing where standard error is no terminal. Empty: it is
+/// cleared.
 void show_line(const std::string& what);
 
 /// The same with how far the work is.

@@ -26,16 +26,18 @@ void show_progress(const ReferenceProgress& p) {
   const auto now = std::chrono::steady_clock::now();
   if (now - last < std::chrono::milliseconds(200)) return;
   last = now;
-  fmt::print(stderr, "\r\033[K{} samples, noise {:.2f} %, {} gone, {} left", p.samples, p.noise_percent, duration(p.seconds),
-             duration(p.seconds_left));
+  fmt::print(stderr, "\r\033[K{} samples, noise {:.2f} %, {} gone, {} left", p.samples, p.noise_percent,
+             duration(p.seconds), duration(p.seconds_left));
 }
 
 void check_files(const ReferenceArguments& a) {
   check_picture_name(a.output);
   if (a.variance.empty()) return;
-  if (std::filesystem::path(a.variance).extension() != ".exr") throw input_error(a.variance, "the variance is written as .exr");
+  if (std::filesystem::path(a.variance).extension() != ".exr")
+    throw input_error(a.variance, "the variance is written as .exr");
   check_writable(a.variance);
-  if (same_file(a.variance, a.output)) throw input_error(a.variance, "is also the name of the picture; --variance needs its own");
+  if (same_file(a.variance, a.output))
+    throw input_error(a.variance, "is also the name of the picture; --variance needs its own");
 }
 
 void run(ReferenceArguments& a, int& exit_status) {
@@ -51,14 +53,19 @@ void run(ReferenceArguments& a, int& exit_status) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const double cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   if (terminal) fmt::print(stderr, "\r\033[K");
-  if (out.samples == 0) throw input_error(a.output, "stopped before every pixel had a sample: nothing to write");
+  if (out.samples == 0)
+    throw input_error(a.output, "stopped before every pixel had a sample: nothing to write");
   out.picture.save(a.output);
   if (!a.variance.empty()) out.save_variance(a.variance);
-  fmt::print("{}, {}x{}, {} samples a pixel, noise {:.3f} %\n{:.1f} s, {:.1f} s of processor time\n", a.reference.model, out.picture.width,
-             out.picture.height, out.samples, out.noise_percent, seconds, cpu_seconds);
-  if (out.lost_percent > 0) fmt::print("{:.3f} % of the walks left through holes or folds of the mesh\n", out.lost_percent);
+  fmt::print("{}, {}x{}, {} samples a pixel, noise {:.3f} %\n{:.1f} s, {:.1f} s of processor time\n",
+             a.reference.model, out.picture.width, out.picture.height, out.samples, out.noise_percent,
+             seconds, cpu_seconds);
+  if (out.lost_percent > 0)
+    fmt::print("{:.3f} % of the walks left through holes or folds of the mesh\n", out.lost_percent);
   if (!out.complete) {
-    fmt::print(stderr, "dermis: stopped after {} samples; the picture holds them, and --resume goes on from there\n", out.samples);
+    fmt::print(stderr,
+               "dermis: stopped after {} samples; the picture holds them, and --resume goes on from there\n",
+               out.samples);
     exit_status = 1;
     return;
   }
@@ -74,26 +81,35 @@ void add_reference_options(CLI::App& command, ReferenceSettings& settings) {
   command.add_option("--model", settings.model, models)->group("Model");
   command
       .add_option("--medium", settings.medium,
-                  "volume: a measured material, or 'sigma_a=.. sigma_s=.. g=.. eta=..' per mm (default: what the profile was made of)")
+                  "volume: a measured material, or 'sigma_a=.. sigma_s=.. g=.. eta=..' per mm (default: what "
+                  "the profile was made of)")
       ->group("Model");
-  command.add_option("--samples", settings.samples, "samples of a pixel (default: 64, or as many as --noise takes); with --noise, at most")
+  command
+      .add_option("--samples", settings.samples,
+                  "samples of a pixel (default: 64, or as many as --noise takes); with --noise, at most")
       ->group("Quality");
-  command.add_option("--noise", settings.noise_percent, "end when the mean standard error over skin is this many per cent of the mean")
+  command
+      .add_option("--noise", settings.noise_percent,
+                  "end when the mean standard error over skin is this many per cent of the mean")
       ->group("Quality");
-  command.add_option("--seed", settings.seed, "of the random numbers; equal seeds give equal bits")->group("Quality");
-  command.add_option("--threads", settings.threads, "0: all cores; makes no difference to the picture")->group("Quality");
+  command.add_option("--seed", settings.seed, "of the random numbers; equal seeds give equal bits")
+      ->group("Quality");
+  command.add_option("--threads", settings.threads, "0: all cores; makes no difference to the picture")
+      ->group("Quality");
 }
 
 void add_reference_command(CLI::App& app, int& exit_status) {
-  CLI::App* command =
-      app.add_subcommand("reference", "ground truth on the processor: the same scene without the approximations of real time");
+  CLI::App* command = app.add_subcommand(
+      "reference", "ground truth on the processor: the same scene without the approximations of real time");
   auto a = std::make_shared<ReferenceArguments>();
   a->settings.width = a->settings.height = 512;
   add_scene_arguments(*command, *a, SceneUse::reference);
-  command->add_option("-o,--output", a->output, "picture to write: .exr (linear) or .png (display values)")->required();
+  command->add_option("-o,--output", a->output, "picture to write: .exr (linear) or .png (display values)")
+      ->required();
   command->add_option("--variance", a->variance, "write the variance of each value of the picture, .exr");
   add_reference_options(*command, a->reference);
-  command->add_flag("--resume", a->reference.resume, "go on from OUTPUT.resume, which a stopped run leaves")->group("Quality");
+  command->add_flag("--resume", a->reference.resume, "go on from OUTPUT.resume, which a stopped run leaves")
+      ->group("Quality");
   command->callback([a, &exit_status] { run(*a, exit_status); });
 }
 

@@ -19,12 +19,14 @@ struct RenderArguments : SceneArguments {
 };
 
 std::string summary(const Statistics& s) {
-  std::string text = fmt::format("{} ({}, Vulkan {})\n{}, {}x{}, {} light{}\n", s.device, s.driver, s.api, s.technique, s.width, s.height,
-                                 s.lights, s.lights == 1 ? "" : "s");
-  for (const PassStatistics& pass : s.passes) text += fmt::format("  {:<32} {:9.2f} ms\n", pass.name, pass.ms);
+  std::string text = fmt::format("{} ({}, Vulkan {})\n{}, {}x{}, {} light{}\n", s.device, s.driver, s.api,
+                                 s.technique, s.width, s.height, s.lights, s.lights == 1 ? "" : "s");
+  for (const PassStatistics& pass : s.passes)
+    text += fmt::format("  {:<32} {:9.2f} ms\n", pass.name, pass.ms);
   text += fmt::format("  {:<32} {:9.2f} ms  (median of {})\n", "frame", s.frame_ms_median, s.frames);
-  text += fmt::format("loading {:.0f} ms, upload {:.0f} ms, pipelines {:.0f} ms, peak device memory {:.0f} MB\n", s.load_ms, s.upload_ms,
-                      s.pipeline_ms, static_cast<double>(s.peak_bytes) / 1e6);
+  text +=
+      fmt::format("loading {:.0f} ms, upload {:.0f} ms, pipelines {:.0f} ms, peak device memory {:.0f} MB\n",
+                  s.load_ms, s.upload_ms, s.pipeline_ms, static_cast<double>(s.peak_bytes) / 1e6);
   return text;
 }
 
@@ -32,13 +34,15 @@ void render(const RenderArguments& a, int& exit_status) {
   check_picture_name(a.output);
   if (!a.stats.empty() && a.stats != "-") {
     check_writable(a.stats);
-    if (same_file(a.stats, a.output)) throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
+    if (same_file(a.stats, a.output))
+      throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
   }
   Renderer renderer({.device = a.device, .validate = a.validate});
   show_line("loading");
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = open_scene(a);
-  const double load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  const double load_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   show_line("rendering");
   Picture picture = renderer.render(scene, a.settings);
   show_line("");
@@ -61,10 +65,14 @@ void add_render_command(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand("render", "render a scene to a picture");
   auto arguments = std::make_shared<RenderArguments>();
   add_scene_arguments(*command, *arguments);
-  command->add_option("-o,--output", arguments->output, "picture to write: .png (display values) or .exr (linear)")->required();
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "picture to write: .png (display values) or .exr (linear)")
+      ->required();
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output");
   command->add_option("--frames", arguments->settings.frames, "timed frames after one warm-up");
-  command->add_option("--show", arguments->settings.show, "picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K");
+  command->add_option("--show", arguments->settings.show,
+                      "picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K");
   command->add_option("--device", arguments->device, "best, an index or a part of a name of `dermis info`");
   command->add_flag("--validate", arguments->validate,
                     "run under the Vulkan validation layer; its messages end the run with exit status 1");

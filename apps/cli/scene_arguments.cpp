@@ -9,7 +9,8 @@
 namespace dermis::cli {
 namespace {
 
-// WIDTHxHEIGHT. CLI11 turns a false into exit status 2; sizes that parse but make no sense are refused by the renderer.
+// WIDTHxHEIGHT. CLI11 turns a false into exit status 2; sizes that parse but make no sense are refused by the
+// renderer.
 bool parse_size(const std::string& text, RenderSettings& settings) {
   const char* const end = text.data() + text.size();
   const auto width = std::from_chars(text.data(), end, settings.width);
@@ -38,8 +39,8 @@ PlacedLight parse_light(const std::string& text) {
   throw CLI::ValidationError("--light", "expected AZ,EL or AZ,EL,IRRADIANCE, got '" + text + "'");
 }
 
-void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help, const std::string& on = "on",
-                const std::string& off = "off") {
+void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help,
+                const std::string& on = "on", const std::string& off = "off") {
   command
       .add_option_function<std::string>(
           name, [&value, on](const std::string& text) { value = text == on; }, help)
@@ -74,9 +75,11 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
       .add_option_function<std::vector<std::string>>(
           "--optimise",
           [&s](const std::vector<std::string>& names) {
-            if (!parse_optimise(names, s)) throw CLI::ValidationError("--optimise", "expected all, none, or some of cull,depth,clip");
+            if (!parse_optimise(names, s))
+              throw CLI::ValidationError("--optimise", "expected all, none, or some of cull,depth,clip");
           },
-          "leave out skin that faces away (cull), map texels that the distance does not need (depth), skin outside the picture (clip); "
+          "leave out skin that faces away (cull), map texels that the distance does not need (depth), skin "
+          "outside the picture (clip); "
           "all; "
           "none")
       ->delimiter(',')
@@ -85,27 +88,34 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
       ->default_str("all")
       ->group(group);
   command
-      .add_option(
-          "--maps", s.maps,
-          "full: one map of full size a Gaussian; progressive: half the size, a quarter, an eighth where the light is smooth by then")
+      .add_option("--maps", s.maps,
+                  "full: one map of full size a Gaussian; progressive: half the size, a quarter, an eighth "
+                  "where the light is smooth by then")
       ->group(group);
-  command.add_option("--mask", s.mask, "how convolutions skip unlit texels: alpha, depth, tiles (default: fastest on this kind of device)")
+  command
+      .add_option(
+          "--mask", s.mask,
+          "how convolutions skip unlit texels: alpha, depth, tiles (default: fastest on this kind of device)")
       ->group(group);
   command
       .add_option("--d-ref", s.d_ref,
-                  "distance, in radii, up to which light maps have their full size (default: where a texel is as large as a pixel)")
+                  "distance, in radii, up to which light maps have their full size (default: where a texel "
+                  "is as large as a pixel)")
       ->group(group);
   command
       .add_option("--clip-margin", s.clip_margin_mm,
-                  "skin this far outside the picture is still lit, mm (default: the profile's reach, 3 sigma of its widest Gaussian)")
+                  "skin this far outside the picture is still lit, mm (default: the profile's reach, 3 sigma "
+                  "of its widest Gaussian)")
       ->group(group);
   command
-      .add_option("--map-budget", s.map_budget_mb,
-                  "memory for light maps, MB (default: four heads at full size, at most a quarter of the device's)")
+      .add_option(
+          "--map-budget", s.map_budget_mb,
+          "memory for light maps, MB (default: four heads at full size, at most a quarter of the device's)")
       ->group(group);
   command
-      .add_option("--skip-unseen-heads", s.skip_unseen_heads,
-                  "leave out heads wholly outside the picture: true, false (default: true if anything is optimised)")
+      .add_option(
+          "--skip-unseen-heads", s.skip_unseen_heads,
+          "leave out heads wholly outside the picture: true, false (default: true if anything is optimised)")
       ->group(group);
 }
 
@@ -115,7 +125,8 @@ void add_environment_options(CLI::App& command, RenderSettings& s) {
       .add_option("--environment", s.environment,
                   "light from all around: an equirectangular .hdr or .exr, or 'studio' (default: --ambient)")
       ->group(group);
-  command.add_option("--environment-intensity", s.environment_intensity, "multiplies its radiance")->group(group);
+  command.add_option("--environment-intensity", s.environment_intensity, "multiplies its radiance")
+      ->group(group);
   command
       .add_option("--environment-rotation", s.environment_rotation_deg,
                   "degrees about the vertical, from the head's front towards its left")
@@ -130,20 +141,28 @@ void add_real_time_options(CLI::App& command, RenderSettings& s, SceneUse use) {
     command.add_option("--heads", s.heads, "heads in a row, 1.6 radii apart")->group("Camera");
   }
   if (use != SceneUse::comparison)  // the reference has none
-    command.add_option("--bloom", s.bloom, "share of the light that is spread over the picture, 0 to 1")->group("Camera");
+    command.add_option("--bloom", s.bloom, "share of the light that is spread over the picture, 0 to 1")
+        ->group("Camera");
   command.add_option("--map-size", s.map_size, "side of the light maps, texels")->group("Technique");
   command.add_option("--shadow-size", s.shadow_size, "side of a shadow map, texels")->group("Technique");
-  command.add_option(use == SceneUse::comparison ? "--msaa" : "--samples", s.samples, "anti-aliasing, 1 or 4 samples a pixel")
+  command
+      .add_option(use == SceneUse::comparison ? "--msaa" : "--samples", s.samples,
+                  "anti-aliasing, 1 or 4 samples a pixel")
       ->group("Technique");
 }
 
 void add_profile_options(CLI::App& command, RenderSettings& s) {
   command
       .add_option("--profile", s.profile,
-                  "diffusion profile: a published name or a JSON file (default: the material's, else the published six Gaussians)")
+                  "diffusion profile: a published name or a JSON file (default: the material's, else the "
+                  "published six Gaussians)")
       ->group("Technique");
-  command.add_flag("--normalise", s.normalise_profile, "divide a profile's weights by their sum")->group("Technique");
-  command.add_option("--mix", s.mix, "part of the albedo applied before the light scatters, 0 to 1 (default: the material's, else 0.5)")
+  command.add_flag("--normalise", s.normalise_profile, "divide a profile's weights by their sum")
+      ->group("Technique");
+  command
+      .add_option(
+          "--mix", s.mix,
+          "part of the albedo applied before the light scatters, 0 to 1 (default: the material's, else 0.5)")
       ->group("Technique");
 }
 
@@ -152,15 +171,21 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
       .add_option_function<std::string>(
           "--size",
           [&s](const std::string& text) {
-            if (!parse_size(text, s)) throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT in pixels, got '" + text + "'");
+            if (!parse_size(text, s))
+              throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT in pixels, got '" + text + "'");
           },
           "picture, pixels")
       ->type_name("WxH")
       ->default_str(fmt::format("{}x{}", s.width, s.height))
       ->group("Camera");
-  command.add_option("--camera", s.camera, "a camera of the scene (default: its first, else the head is framed from the front)")
+  command
+      .add_option("--camera", s.camera,
+                  "a camera of the scene (default: its first, else the head is framed from the front)")
       ->group("Camera");
-  command.add_option("--fov", s.fov_deg, "vertical field of view, degrees (default: the camera's, 20 when framing)")->group("Camera");
+  command
+      .add_option("--fov", s.fov_deg,
+                  "vertical field of view, degrees (default: the camera's, 20 when framing)")
+      ->group("Camera");
   command
       .add_option_function<std::vector<double>>(
           "--orbit",
@@ -173,7 +198,9 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
       ->type_name("AZ,EL")
       ->default_str("0,0")
       ->group("Camera");
-  command.add_option("--distance", s.distance, "the eye stands this far from the middle head, in radii of its bounding sphere")
+  command
+      .add_option("--distance", s.distance,
+                  "the eye stands this far from the middle head, in radii of its bounding sphere")
       ->group("Camera");
   command.add_option("--exposure", s.exposure_ev, "radiance is multiplied by 2^EV")->group("Camera");
   command.add_option("--view", s.view, "view transform of PNG: filmic, srgb, linear")->group("Camera");
@@ -182,7 +209,8 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
 void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
   command
       .add_option("--lights", s.lights,
-                  "this many lights of the rig (key, fill, rim, further ones) instead of the scene's (default: the scene's, else 2)")
+                  "this many lights of the rig (key, fill, rim, further ones) instead of the scene's "
+                  "(default: the scene's, else 2)")
       ->group("Light");
   command
       .add_option_function<std::vector<std::string>>(
@@ -190,7 +218,8 @@ void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
           [&s](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) s.placed_lights.push_back(parse_light(text));
           },
-          "one white spot instead of the scene's lights, 4 radii from the head's centre: azimuth from its front towards its left, "
+          "one white spot instead of the scene's lights, 4 radii from the head's centre: azimuth from its "
+          "front towards its left, "
           "elevation "
           "(degrees), irradiance at the centre (default: 3); may be repeated")
       ->allow_extra_args(false)
@@ -199,10 +228,12 @@ void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
       ->group("Light");
   command
       .add_option("--light-radius", s.light_radius_m,
-                  "lights are discs of this radius, m, and cast soft shadows; directional ones as if 4 radii away (default: the scene's, "
+                  "lights are discs of this radius, m, and cast soft shadows; directional ones as if 4 radii "
+                  "away (default: the scene's, "
                   "else points)")
       ->group("Light");
-  command.add_option("--ambient", s.ambient, "uniform radiance from everywhere (1 shows white Lambert as 1)")->group("Light");
+  command.add_option("--ambient", s.ambient, "uniform radiance from everywhere (1 shows white Lambert as 1)")
+      ->group("Light");
   add_switch(command, "--specular", s.specular, "reflection at the surface: on, off");
   if (use == SceneUse::real_time || use == SceneUse::bench)
     add_switch(command, "--translucency", s.translucency, "light also comes through the body: on, off");
@@ -215,15 +246,21 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
   command.option_defaults()->always_capture_default();
   if (use == SceneUse::comparison)
     command
-        .add_option("--scene", arguments.scene, "techniques against ground truth: .gltf or .glb file, or 'built-in' for the built-in head")
+        .add_option(
+            "--scene", arguments.scene,
+            "techniques against ground truth: .gltf or .glb file, or 'built-in' for the built-in head")
         ->group("Scene");
   else
     command.add_option("SCENE", arguments.scene, ".gltf or .glb file; without one, the built-in head");
   command
       .add_option("--skin", arguments.options.skin_material,
-                  "the material that is skin (default: extras.dermis, else the name contains 'skin', else the only one)")
+                  "the material that is skin (default: extras.dermis, else the name contains 'skin', else "
+                  "the only one)")
       ->group("Scene");
-  command.add_option("--unit-scale", arguments.options.unit_scale, "multiplies all lengths of the file; glTF says metres")->group("Scene");
+  command
+      .add_option("--unit-scale", arguments.options.unit_scale,
+                  "multiplies all lengths of the file; glTF says metres")
+      ->group("Scene");
   if (use != SceneUse::reference) {
     add_real_time_options(command, arguments.settings, use);
     add_optimise_options(command, arguments.settings);
@@ -233,7 +270,8 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
   add_light_options(command, arguments.settings, use);
   add_environment_options(command, arguments.settings);
   if (use == SceneUse::bench)
-    for (const char* own : {"--optimise", "--skip-unseen-heads", "--distance", "--camera", "--orbit", "--exposure", "--view"})
+    for (const char* own :
+         {"--optimise", "--skip-unseen-heads", "--distance", "--camera", "--orbit", "--exposure", "--view"})
       command.remove_option(command.get_option(own));
 }
 
@@ -243,7 +281,8 @@ Scene open_scene(const SceneArguments& arguments) {
 
 void check_picture_name(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending != ".png" && ending != ".exr") throw InputError(path, "pictures are written as .png or .exr, not as '" + ending + "'");
+  if (ending != ".png" && ending != ".exr")
+    throw InputError(path, "pictures are written as .png or .exr, not as '" + ending + "'");
   check_writable(path);
 }
 

@@ -36,7 +36,8 @@ image::View view_of(const std::string& name) {
 image::ImageF without_alpha(const std::vector<float>& rgba, int width, int height) {
   image::ImageF out{.width = width, .height = height, .channels = 3, .values = {}};
   out.values.reserve(rgba.size() / 4 * 3);
-  for (std::size_t i = 0; i < rgba.size(); i += 4) out.values.insert(out.values.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
+  for (std::size_t i = 0; i < rgba.size(); i += 4)
+    out.values.insert(out.values.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
   return out;
 }
 
@@ -60,11 +61,14 @@ class Comparer {
  public:
   Comparer(const SceneComparison& all, const Truth& truth) : all_(all), truth_(truth) {}
 
-  std::vector<std::optional<RegionError>> errors(const image::ImageF& linear, const image::Image8& shown, image::ImageF& flip_map) const {
+  std::vector<std::optional<RegionError>> errors(const image::ImageF& linear, const image::Image8& shown,
+                                                 image::ImageF& flip_map) const {
     flip_map = image::flip_map(all_.shown_reference, shown);
     const image::ImageF hdr_map = image::hdr_flip(truth_.linear, linear).map;
     std::vector<std::optional<RegionError>> out;
-    const auto sum = [&](const PictureRegion& r, double mean) { return mean * static_cast<double>(r.pixels); };
+    const auto sum = [&](const PictureRegion& r, double mean) {
+      return mean * static_cast<double>(r.pixels);
+    };
     double skin = 0;
     for (const PictureRegion& region : all_.regions) {
       out.emplace_back();
@@ -104,7 +108,8 @@ class Comparer {
 Scene with_one_gaussian(const Scene& scene, const RenderSettings& s) {
   auto copy = std::make_shared<scene::Scene>(scene.data());
   for (scene::Material& material : copy->materials)
-    if (material.skin) material.skin_settings.profile = gaussians::one_gaussian(api::choose_profile(material, s));
+    if (material.skin)
+      material.skin_settings.profile = gaussians::one_gaussian(api::choose_profile(material, s));
   return Scene(std::move(copy));
 }
 
@@ -122,7 +127,8 @@ class Run {
   SceneComparison result() {
     show_line("regions");
     all_.regions = picture_regions(scene_, settings_.render);
-    if (all_.regions.front().pixels == 0) throw input_error(scene_.name(), "shows no skin from this camera: nothing to compare");
+    if (all_.regions.front().pixels == 0)
+      throw input_error(scene_.name(), "shows no skin from this camera: nothing to compare");
     settings_.reference_file.empty() ? render_truth() : load_truth();
     all_.shown_reference = image::to_display(truth_.linear, view_of(all_.view));
     if (!truth_.variance.values.empty()) {
@@ -157,7 +163,8 @@ class Run {
   image::ImageF load(const std::string& file) const {
     image::ImageF picture = image::load_image_f(file);
     if (picture.width != all_.width || picture.height != all_.height)
-      throw input_error(file, "is {} x {} pixels, --size says {} x {}", picture.width, picture.height, all_.width, all_.height);
+      throw input_error(file, "is {} x {} pixels, --size says {} x {}", picture.width, picture.height,
+                        all_.width, all_.height);
     return picture;
   }
 
@@ -187,7 +194,8 @@ class Run {
       for (const auto& on : switches) {
         RenderSettings one = s;
         one.cull = on.cull, one.depth = on.depth, one.clip = on.clip;
-        if (std::tie(one.cull, one.depth, one.clip) == std::tie(s.cull, s.depth, s.clip)) continue;  // the first row
+        // the first row
+        if (std::tie(one.cull, one.depth, one.clip) == std::tie(s.cull, s.depth, s.clip)) continue;
         add(fmt::format("{}, --optimise {}", name, on.name), scene_, one);
       }
     }
@@ -197,7 +205,8 @@ class Run {
     add(name + ", one Gaussian", one, s);
   }
 
-  // Cost at the size that was asked for, error at as many samples a pixel as wanted, of light maps of the same size.
+  // Cost at the size that was asked for, error at as many samples a pixel as wanted, of light maps of the
+  // same size.
   Statistics add(const std::string& name, const Scene& scene, RenderSettings s) {
     show_line(name);
     ComparedTechnique row;
@@ -210,7 +219,8 @@ class Run {
       if (!s.d_ref && picture.statistics.d_ref > 0) s.d_ref = picture.statistics.d_ref;
       picture = renderer_.render(scene, s);
     }
-    const image::ImageF linear = image::downsample_box(without_alpha(picture.linear_rgba, picture.width, picture.height), all_.supersample);
+    const image::ImageF linear = image::downsample_box(
+        without_alpha(picture.linear_rgba, picture.width, picture.height), all_.supersample);
     row.shown = image::to_display(linear, view_of(all_.view));
     row.errors = Comparer(all_, truth_).errors(linear, row.shown, row.flip_map);
     all_.techniques.push_back(std::move(row));
@@ -228,12 +238,16 @@ void check(const SceneComparisonSettings& s) {
   const std::vector<std::string> known = technique_names();
   for (const std::string& name : s.techniques)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw input_error("", "--techniques '{}' is not known; there are: all, {}", name, fmt::join(known, ", "));
-  if (s.render.samples != 1 && s.render.samples != 4) throw input_error("", "--msaa must be 1 or 4, got {}", s.render.samples);
-  if (s.supersample < 1 || s.supersample > 16) throw input_error("", "--supersample must be 1 to 16, got {}", s.supersample);
+      throw input_error("", "--techniques '{}' is not known; there are: all, {}", name,
+                        fmt::join(known, ", "));
+  if (s.render.samples != 1 && s.render.samples != 4)
+    throw input_error("", "--msaa must be 1 or 4, got {}", s.render.samples);
+  if (s.supersample < 1 || s.supersample > 16)
+    throw input_error("", "--supersample must be 1 to 16, got {}", s.supersample);
   const std::int64_t side = std::max(s.render.width, s.render.height);
   if (s.supersample * side > 65536)
-    throw input_error("", "--supersample {} makes pictures of {} pixels a side, more than 65536", s.supersample, s.supersample * side);
+    throw input_error("", "--supersample {} makes pictures of {} pixels a side, more than 65536",
+                      s.supersample, s.supersample * side);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `dermis compare --scene`: every technique against ground truth from the same scene, cost and error side by side.
+// `dermis compare --scene`: every technique against ground truth from the same scene, cost and error side by
+// side.
 #pragma once
 
 #include <optional>
@@ -17,9 +18,10 @@ struct SceneComparisonSettings {
   ReferenceSettings reference;
   std::vector<std::string> techniques;  ///< none: all
   bool each_optimisation = false;       ///< rows for none, cull, depth, clip and all as well
-  int supersample = 4;                  ///< errors are of pictures this many times as wide and high, averaged down
-  std::string reference_file;           ///< linear EXR; empty: rendered
-  std::string variance_file;            ///< of reference_file; empty: none
+  /// errors are of pictures this many times as wide and high, averaged down
+  int supersample = 4;
+  std::string reference_file;  ///< linear EXR; empty: rendered
+  std::string variance_file;   ///< of reference_file; empty: none
   std::string device = "best";
 };
 
@@ -29,7 +31,8 @@ struct RegionError {
   double hdr_flip = 0;  ///< mean, of linear light
   double psnr_db = 0;   ///< of display values
   double rel_mse = 0;   ///< of linear light
-  /// The same less what the reference's noise adds to it, which its variance says; may fall below 0 by chance.
+  /// The same less what the reference's noise adds to it, which its variance says; may fall below 0 by
+  /// chance.
   std::optional<double> rel_mse_unbiased;
   double share = 0;  ///< of the summed FLIP over skin, 0 to 1
 };
@@ -52,17 +55,19 @@ struct SceneComparison {
   std::vector<PictureRegion> regions;  ///< "skin" first
   image::Image8 shown_reference;
   std::vector<ComparedTechnique> techniques;
-  /// What the reference's own noise adds up to, measured as an error: the reference against itself with noise of its variance.
+  /// What the reference's own noise adds up to, measured as an error: the reference against itself with noise
+  /// of its variance.
   std::optional<std::vector<std::optional<RegionError>>> noise;
 };
 
-/// InputError: a setting out of range, an unknown technique (lists the known ones), a reference of another size, no skin in the picture.
-/// DeviceError: as the renderer.
+/// InputError: a setting out of range, an unknown technique (lists the known ones), a reference of another
+/// size, no skin in the picture. DeviceError: as the renderer.
 SceneComparison compare_scene(const Scene& scene, const SceneComparisonSettings& settings);
 
 std::string scene_comparison_text(const SceneComparison& comparison);
 std::string scene_comparison_json(const SceneComparison& comparison);
-/// Tables, the reference, its regions, and for each technique a slider against it and a map of the error, all maps on one scale.
+/// Tables, the reference, its regions, and for each technique a slider against it and a map of the error, all
+/// maps on one scale.
 std::string scene_comparison_page(const SceneComparison& comparison);
 
 }  // namespace dermis::cli

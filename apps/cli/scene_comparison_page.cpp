@@ -21,8 +21,9 @@ const Row error_headings{"FLIP", "HDR-FLIP", "PSNR dB", "relMSE", "less noise"};
 
 Row error_cells(const std::optional<RegionError>& e) {
   if (!e) return Row(error_headings.size(), "-");
-  return {fmt::format("{:.4f}", e->flip), fmt::format("{:.4f}", e->hdr_flip), fmt::format("{:.2f}", e->psnr_db),
-          fmt::format("{:.3g}", e->rel_mse), e->rel_mse_unbiased ? fmt::format("{:.3g}", *e->rel_mse_unbiased) : "-"};
+  return {fmt::format("{:.4f}", e->flip), fmt::format("{:.4f}", e->hdr_flip),
+          fmt::format("{:.2f}", e->psnr_db), fmt::format("{:.3g}", e->rel_mse),
+          e->rel_mse_unbiased ? fmt::format("{:.3g}", *e->rel_mse_unbiased) : "-"};
 }
 
 Row joined(Row a, const Row& b) {
@@ -31,7 +32,8 @@ Row joined(Row a, const Row& b) {
 }
 
 Row headings(std::size_t region) {
-  return region == 0 ? joined({"technique", "frame ms"}, error_headings) : joined({"technique", "of all error"}, error_headings);
+  return region == 0 ? joined({"technique", "frame ms"}, error_headings)
+                     : joined({"technique", "of all error"}, error_headings);
 }
 
 /// Over skin with the cost, over other regions with their share of the error.
@@ -54,8 +56,8 @@ std::string title_of(const PictureRegion& r) {
 
 std::string reference_line(const SceneComparison& c) {
   if (!c.reference_file.empty()) return fmt::format("reference: {}", c.reference_file);
-  return fmt::format("reference: {}, {} samples a pixel, noise {:.3f} %, {:.1f} s", c.model, c.samples, c.noise_percent,
-                     c.reference_seconds);
+  return fmt::format("reference: {}, {} samples a pixel, noise {:.3f} %, {:.1f} s", c.model, c.samples,
+                     c.noise_percent, c.reference_seconds);
 }
 
 std::string picture_line(const SceneComparison& c) {
@@ -67,8 +69,8 @@ std::string picture_line(const SceneComparison& c) {
 std::string device_line(const SceneComparison& c) {
   if (c.techniques.empty()) return "";
   const Statistics& s = c.techniques.front().statistics;
-  return fmt::format("{} ({}, Vulkan {}), {} light{}, median of {} frame{}", s.device, s.driver, s.api, s.lights, s.lights == 1 ? "" : "s",
-                     s.frames, s.frames == 1 ? "" : "s");
+  return fmt::format("{} ({}, Vulkan {}), {} light{}, median of {} frame{}", s.device, s.driver, s.api,
+                     s.lights, s.lights == 1 ? "" : "s", s.frames, s.frames == 1 ? "" : "s");
 }
 
 std::string text_table(const Row& head, const std::vector<Row>& body) {
@@ -92,7 +94,8 @@ nlohmann::ordered_json errors_json(const SceneComparison& c, const Errors& error
     const auto& e = errors[i];
     if (!e) continue;  // null
     region = {{"flip", e->flip}, {"hdr_flip", e->hdr_flip}, {"psnr_db", e->psnr_db}, {"rel_mse", e->rel_mse}};
-    region["rel_mse_unbiased"] = e->rel_mse_unbiased ? ordered_json(*e->rel_mse_unbiased) : ordered_json(nullptr);
+    region["rel_mse_unbiased"] =
+        e->rel_mse_unbiased ? ordered_json(*e->rel_mse_unbiased) : ordered_json(nullptr);
     region["share"] = e->share;
   }
   return out;
@@ -129,9 +132,13 @@ std::string scene_comparison_text(const SceneComparison& c) {
 
 std::string scene_comparison_json(const SceneComparison& c) {
   using nlohmann::ordered_json;
-  ordered_json json{{"scene", c.scene}, {"size", {c.width, c.height}}, {"view", c.view}, {"supersample", c.supersample}};
+  ordered_json json{
+      {"scene", c.scene}, {"size", {c.width, c.height}}, {"view", c.view}, {"supersample", c.supersample}};
   if (c.reference_file.empty())
-    json["reference"] = {{"model", c.model}, {"samples", c.samples}, {"noise_percent", c.noise_percent}, {"seconds", c.reference_seconds}};
+    json["reference"] = {{"model", c.model},
+                         {"samples", c.samples},
+                         {"noise_percent", c.noise_percent},
+                         {"seconds", c.reference_seconds}};
   else
     json["reference"] = {{"file", c.reference_file}};
   if (!c.techniques.empty()) {
@@ -142,18 +149,22 @@ std::string scene_comparison_json(const SceneComparison& c) {
     json["lights"] = s.lights;
   }
   json["regions"] = ordered_json::array();
-  for (const PictureRegion& r : c.regions) json["regions"].push_back({{"name", r.name}, {"pixels", r.pixels}});
+  for (const PictureRegion& r : c.regions)
+    json["regions"].push_back({{"name", r.name}, {"pixels", r.pixels}});
   json["techniques"] = ordered_json::array();
   for (const ComparedTechnique& t : c.techniques) {
     const Statistics& s = t.statistics;
-    json["techniques"].push_back(
-        {{"name", t.name},
-         {"technique", s.technique},
-         {"optimise", s.optimise},
-         {"gaussians", s.gaussians},
-         {"map_size", s.map_size},
-         {"frame_ms", {{"median", s.frame_ms_median}, {"min", s.frame_ms_min}, {"max", s.frame_ms_max}, {"frames", s.frames}}},
-         {"error", errors_json(c, t.errors)}});
+    json["techniques"].push_back({{"name", t.name},
+                                  {"technique", s.technique},
+                                  {"optimise", s.optimise},
+                                  {"gaussians", s.gaussians},
+                                  {"map_size", s.map_size},
+                                  {"frame_ms",
+                                   {{"median", s.frame_ms_median},
+                                    {"min", s.frame_ms_min},
+                                    {"max", s.frame_ms_max},
+                                    {"frames", s.frames}}},
+                                  {"error", errors_json(c, t.errors)}});
   }
   json["noise"] = c.noise ? errors_json(c, *c.noise) : ordered_json(nullptr);
   // Names of files need not be UTF-8.
@@ -162,7 +173,8 @@ std::string scene_comparison_json(const SceneComparison& c) {
 
 std::string scene_comparison_page(const SceneComparison& c) {
   using namespace html;
-  std::string body = fmt::format("<p>{}<br>{}<br>{}</p>\n", escape(picture_line(c)), escape(reference_line(c)), escape(device_line(c)));
+  std::string body = fmt::format("<p>{}<br>{}<br>{}</p>\n", escape(picture_line(c)),
+                                 escape(reference_line(c)), escape(device_line(c)));
   for (std::size_t i = 0; i < c.regions.size(); ++i) {
     body += "<h2>" + escape(title_of(c.regions[i])) + "</h2>\n";
     if (c.regions[i].pixels > 0) body += grid(headings(i), rows(c, i));
@@ -178,14 +190,17 @@ std::string scene_comparison_page(const SceneComparison& c) {
     const std::string id = fmt::format("technique-{}", i);
     body += "<h2>" + escape(t.name) + "</h2>\n<div class=\"figures\">\n";
     body += figure(escape(t.name), picture(id, t.shown, t.name));
-    const image::Image8 colours = image::error_colours(t.flip_map, static_cast<float>(full_scale), c.regions[0].mask);
-    body += figure("FLIP; grey: no skin", picture(id + "-error", colours, "map of errors") + magma_scale(full_scale));
+    const image::Image8 colours =
+        image::error_colours(t.flip_map, static_cast<float>(full_scale), c.regions[0].mask);
+    body += figure("FLIP; grey: no skin",
+                   picture(id + "-error", colours, "map of errors") + magma_scale(full_scale));
     body += figure("left: the reference", slider("reference", id, "reference", t.name)) + "</div>\n";
   }
   body += "<h2>Regions</h2>\n<div class=\"figures\">\n";
   for (std::size_t i = 1; i < c.regions.size(); ++i)
     if (c.regions[i].pixels > 0)
-      body += figure(escape(title_of(c.regions[i])), picture(fmt::format("region-{}", i), region_picture(c, i), c.regions[i].name));
+      body += figure(escape(title_of(c.regions[i])),
+                     picture(fmt::format("region-{}", i), region_picture(c, i), c.regions[i].name));
   return page(c.scene + " against ground truth", body + "</div>\n");
 }
 

@@ -39,12 +39,14 @@ double ring_mean(const profile::RadialProfile& profile, double middle) {
 
 void row(const std::string& what, const std::string& model, const profile::RadialProfile& profile,
          const profile::MonteCarloProfile& truth) {
-  std::string text = fmt::format("| {} | {} | {:+.1f} |", what, model, 100 * (profile.total() / truth.total() - 1));
+  std::string text =
+      fmt::format("| {} | {} | {:+.1f} |", what, model, 100 * (profile.total() / truth.total() - 1));
   for (const double middle : middles_mm) {
     const double exact = ring_mean(truth, middle);
     // Where hardly a photon left there is nothing to compare with.
     const bool known = truth.total() - truth.within(middle / half_width) > 3e-5;
-    text += known && exact > 0 ? fmt::format(" {:+.0f} |", 100 * (ring_mean(profile, middle) / exact - 1)) : " - |";
+    text += known && exact > 0 ? fmt::format(" {:+.0f} |", 100 * (ring_mean(profile, middle) / exact - 1))
+                               : " - |";
   }
   std::puts(text.c_str());
 }
@@ -52,13 +54,16 @@ void row(const std::string& what, const std::string& model, const profile::Radia
 }  // namespace
 
 int main() {
-  std::puts("| medium | model | total % | 0.2 mm | 0.5 mm | 1 mm | 2 mm | 5 mm | 10 mm |\n|---|---|---|---|---|---|---|---|---|");
+  std::puts(
+      "| medium | model | total % | 0.2 mm | 0.5 mm | 1 mm | 2 mm | 5 mm | 10 mm "
+      "|\n|---|---|---|---|---|---|---|---|---|");
   const profile::MonteCarloOptions options{.photons = 2'000'000, .seed = 1, .cache = {}};
   constexpr const char* channel[] = {"red", "green", "blue"};
   for (const char* name : {"skin1", "skin2"}) {
     const auto media = optics::find_material(name)->medium();
     for (int c = 0; c < 3; ++c) {
-      const std::string what = fmt::format("{} {} (albedo {:.3f})", name, channel[c], media[c].reduced_albedo());
+      const std::string what =
+          fmt::format("{} {} (albedo {:.3f})", name, channel[c], media[c].reduced_albedo());
       const profile::MonteCarloProfile truth(profile::scene_of(media[c]), options);
       row(what, "dipole", profile::Dipole(media[c]), truth);
       row(what, "better dipole", profile::BetterDipole(media[c]), truth);
@@ -75,7 +80,8 @@ int main() {
     for (const double nm : {450.0, 550.0, 650.0}) {
       const auto layers = optics::skin_layers(one.skin, nm);
       const profile::MonteCarloProfile truth(profile::scene_of(layers), options);
-      row(fmt::format("{} of [DJ06], {} nm (albedo {:.3f})", one.name, nm, layers[0].medium().reduced_albedo()), "multipole",
-          profile::LayeredProfile(layers, profile::SlabProfile::Side::reflected), truth);
+      row(fmt::format("{} of [DJ06], {} nm (albedo {:.3f})", one.name, nm,
+                      layers[0].medium().reduced_albedo()),
+          "multipole", profile::LayeredProfile(layers, profile::SlabProfile::Side::reflected), truth);
     }
 }

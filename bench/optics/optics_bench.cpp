@@ -34,30 +34,40 @@ void fit_shared_layers(benchmark::State& state) {
   for (auto _ : state) {
     std::array<profile::ProfilePtr, 3> profiles;
     for (int c = 0; c < 3; ++c)
-      profiles[c] = std::make_shared<profile::LayeredProfile>(optics::channel(layers, c), profile::SlabProfile::Side::reflected);
+      profiles[c] = std::make_shared<profile::LayeredProfile>(optics::channel(layers, c),
+                                                              profile::SlabProfile::Side::reflected);
     benchmark::DoNotOptimize(gaussians::fit_shared(profiles, 6, "layers"));
   }
 }
 BENCHMARK(fit_shared_layers)->Unit(benchmark::kMillisecond);
 
-/// Photons until the profile's noise (profile::MonteCarloResult::noise_percent) is 1 %; doubles them until it is.
+/// Photons until the profile's noise (profile::MonteCarloResult::noise_percent) is 1 %; doubles them until it
+/// is.
 void monte_carlo_to_one_percent(benchmark::State& state) {
   const auto medium = optics::find_material("skin1")->medium()[static_cast<std::size_t>(state.range(0))];
   static std::uint64_t seed = 1;  // new for every run: one that is kept would cost nothing
   std::uint64_t photons = 50'000;
   double noise = 100;
   while (noise > 1) {  // how many it takes, outside the clock
-    noise = profile::monte_carlo(profile::scene_of(medium), {.photons = photons, .seed = seed++, .cache = {}})->noise_percent();
-    if (noise > 1) photons = static_cast<std::uint64_t>(static_cast<double>(photons) * std::min(8.0, 1.05 * noise * noise) + 1);
+    noise = profile::monte_carlo(profile::scene_of(medium), {.photons = photons, .seed = seed++, .cache = {}})
+                ->noise_percent();
+    if (noise > 1)
+      photons =
+          static_cast<std::uint64_t>(static_cast<double>(photons) * std::min(8.0, 1.05 * noise * noise) + 1);
   }
   for (auto _ : state) {
-    const auto result = profile::monte_carlo(profile::scene_of(medium), {.photons = photons, .seed = seed++, .cache = {}});
+    const auto result =
+        profile::monte_carlo(profile::scene_of(medium), {.photons = photons, .seed = seed++, .cache = {}});
     noise = result->noise_percent();
   }
   state.counters["photons"] = static_cast<double>(photons);
   state.counters["noise_percent"] = noise;
 }
-BENCHMARK(monte_carlo_to_one_percent)->DenseRange(0, 2)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(monte_carlo_to_one_percent)
+    ->DenseRange(0, 2)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void adding_doubling_one_wavelength(benchmark::State& state) {
   const auto layers = optics::skin_layers({}, 550);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How long the reference takes to a stated noise. reference_bench [SCENE] [NOISE_PERCENT] [MODEL] [SIZE]
-// Made for: ninja reference_bench && build/release/bench/reference/reference_bench assets/heads/lee-perry-smith.gltf
+// Made for: ninja reference_bench && build/release/bench/reference/reference_bench
+// assets/heads/lee-perry-smith.gltf
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -13,7 +14,9 @@
 int main(int argc, char** argv) {
   try {
     using Clock = std::chrono::steady_clock;
-    const auto seconds = [](Clock::time_point from) { return std::chrono::duration<double>(Clock::now() - from).count(); };
+    const auto seconds = [](Clock::time_point from) {
+      return std::chrono::duration<double>(Clock::now() - from).count();
+    };
     const auto load_start = Clock::now();
     const dermis::Scene scene = argc > 1 ? dermis::Scene::load(argv[1]) : dermis::Scene::built_in();
     const double load_s = seconds(load_start);
@@ -27,10 +30,10 @@ int main(int argc, char** argv) {
     const std::clock_t cpu_start = std::clock();
     const dermis::ReferencePicture out = dermis::render_reference(scene, settings, reference);
     const double cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
-    std::printf("%s, %s, %dx%d: noise %.3f %% after %d samples a pixel\n", scene.name().c_str(), reference.model.c_str(), settings.width,
-                settings.height, out.noise_percent, out.samples);
-    std::printf("loading %.1f s, rendering %.1f s, %.1f s of processor time, %u cores\n", load_s, seconds(start), cpu_s,
-                std::thread::hardware_concurrency());
+    std::printf("%s, %s, %dx%d: noise %.3f %% after %d samples a pixel\n", scene.name().c_str(),
+                reference.model.c_str(), settings.width, settings.height, out.noise_percent, out.samples);
+    std::printf("loading %.1f s, rendering %.1f s, %.1f s of processor time, %u cores\n", load_s,
+                seconds(start), cpu_s, std::thread::hardware_concurrency());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "reference_bench: %s\n", error.what());
     return 1;

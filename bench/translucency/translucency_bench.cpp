@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a light costs with translucency and without, in one run, drawn alternately. translucency_bench [SCENE] [FRAMES] [MAP_SIZE] [WIDTH]
-// Made for: ninja translucency_bench && build/release/bench/translucency/translucency_bench assets/heads/lee-perry-smith.gltf
+// What a light costs with translucency and without, in one run, drawn alternately. translucency_bench [SCENE]
+// [FRAMES] [MAP_SIZE] [WIDTH] Made for: ninja translucency_bench &&
+// build/release/bench/translucency/translucency_bench assets/heads/lee-perry-smith.gltf
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -54,12 +55,14 @@ int main(int argc, char** argv) {
       for (int k = 0; k < frames; ++k) on_ms.push_back(on.draw()), off_ms.push_back(off.draw());
       with[i] = median(on_ms), without[i] = median(off_ms);
       if (i == 0)
-        std::printf("%s, %s, %d x %d, maps of %d, %d frames each\n", scene.name().c_str(), off.picture().statistics.device.c_str(),
-                    settings.width, settings.height, settings.map_size, frames);
+        std::printf("%s, %s, %d x %d, maps of %d, %d frames each\n", scene.name().c_str(),
+                    off.picture().statistics.device.c_str(), settings.width, settings.height,
+                    settings.map_size, frames);
       std::printf("%d lights: %.2f ms with, %.2f ms without\n", light_counts[i], with[i], without[i]);
       std::fflush(stdout);
     }
-    std::printf("a light: %.2f ms with, %.2f ms without, ratio %.3f\n", slope(with), slope(without), slope(with) / slope(without));
+    std::printf("a light: %.2f ms with, %.2f ms without, ratio %.3f\n", slope(with), slope(without),
+                slope(with) / slope(without));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "translucency_bench: %s\n", error.what());
     return 1;

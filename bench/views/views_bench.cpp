@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What the optimisations of texture-space change in a picture: views from all around a head, and a camera that moves away from it.
+// What the optimisations of texture-space change in a picture: views from all around a head, and a camera
+// that moves away from it.
 //   views_bench OUT.json [--dolly] SCENE...
 // For each scene 64 views: 16 azimuths, elevations -30, 0, 30 and 60 degrees; PSNR and FLIP over the skin
-// (super-sampled 4 x 4, exposed fairly), and texels that were read and never lit. With --dolly, of the first scene: 200 steps from 2.5 to
-// 100 radii at 480 x 300, how much the picture changes from step to step with and without the optimisations.
+// (super-sampled 4 x 4, exposed fairly), and texels that were read and never lit. With --dolly, of the first
+// scene: 200 steps from 2.5 to 100 radii at 480 x 300, how much the picture changes from step to step with
+// and without the optimisations.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +37,9 @@ image::ImageF super_sampled(PreparedFrame& frame, RenderSettings s, double d_ref
   s.samples = 1, s.bloom = 0, s.d_ref = d_ref;
   frame.set(s);
   Picture fine = frame.picture();
-  return image::downsample_box({.width = fine.width, .height = fine.height, .channels = 4, .values = std::move(fine.linear_rgba)}, super);
+  return image::downsample_box(
+      {.width = fine.width, .height = fine.height, .channels = 4, .values = std::move(fine.linear_rgba)},
+      super);
 }
 
 Json sweep(Renderer& renderer, const std::string& path) {
@@ -52,12 +56,13 @@ Json sweep(Renderer& renderer, const std::string& path) {
     s.orbit_deg = {22.5 * (k % 16), -30.0 + 30 * (k / 16)};
     optimised.set(s);
     const Statistics st = optimised.picture().statistics;
-    const auto d =
-        image::compare_exposed(super_sampled(baseline, without(s), st.d_ref), super_sampled(optimised, s, st.d_ref), image::View::filmic);
+    const auto d = image::compare_exposed(super_sampled(baseline, without(s), st.d_ref),
+                                          super_sampled(optimised, s, st.d_ref), image::View::filmic);
     Json view = {{"orbit_deg", s.orbit_deg}, {"unshaded_reads", st.unshaded_reads}};
     unshaded += st.unshaded_reads;
     if (d) {
-      view["psnr_db"] = d->psnr_db, view["flip_mean"] = d->flip_mean, view["mean_display"] = d->mean_display, view["pixels"] = d->pixels;
+      view["psnr_db"] = d->psnr_db, view["flip_mean"] = d->flip_mean, view["mean_display"] = d->mean_display,
+      view["pixels"] = d->pixels;
       least_psnr = std::min(least_psnr, d->psnr_db), largest_flip = std::max(largest_flip, d->flip_mean);
     }
     views.push_back(view);
@@ -88,7 +93,8 @@ Json dolly(Renderer& renderer, const std::string& path) {
     frames[0].set(without(s)), frames[1].set(s);
     const Picture pictures[2] = {frames[0].picture(), frames[1].picture()};
     std::vector<float> alpha;
-    for (std::size_t p = 3; p < pictures[0].linear_rgba.size(); p += 4) alpha.push_back(pictures[0].linear_rgba[p]);
+    for (std::size_t p = 3; p < pictures[0].linear_rgba.size(); p += 4)
+      alpha.push_back(pictures[0].linear_rgba[p]);
     if (i > 0) {
       double change[2] = {}, values = 0;
       for (std::size_t p = 0; p < alpha.size(); ++p) {
@@ -96,7 +102,8 @@ Json dolly(Renderer& renderer, const std::string& path) {
         values += 3;
         for (std::size_t which = 0; which < 2; ++which)
           for (std::size_t c = 0; c < 3; ++c)
-            change[which] += std::abs(int{pictures[which].display_rgba[4 * p + c]} - int{last[which][4 * p + c]});
+            change[which] +=
+                std::abs(int{pictures[which].display_rgba[4 * p + c]} - int{last[which][4 * p + c]});
       }
       for (std::size_t which = 0; which < 2; ++which) changes[which].push_back(change[which] / values);
       distances.push_back(*s.distance);
@@ -127,7 +134,8 @@ int main(int argc, char** argv) {
     if (moves) scenes.erase(scenes.begin());
     result["command"] = "views_bench";
     for (const std::string& scene : scenes)
-      result["command"] = result["command"].get<std::string>() + " " + std::filesystem::path(scene).filename().string();
+      result["command"] =
+          result["command"].get<std::string>() + " " + std::filesystem::path(scene).filename().string();
     RenderSettings tiny;
     tiny.width = tiny.height = 8, tiny.map_size = tiny.shadow_size = 32;
     const Statistics st = renderer.render(Scene::built_in(), tiny).statistics;

@@ -17,7 +17,8 @@ int main(int argc, char** argv) {
     dermis::RenderSettings settings;
     settings.width = 160;  // pixels
     settings.height = 180;
-    settings.map_size = 256;  // texels of a side of the maps in which light spreads; 2048 for a face that fills the screen
+    // texels of a side of the maps in which light spreads; 2048 for a face that fills the screen
+    settings.map_size = 256;
     settings.shadow_size = 256;
     settings.orbit_deg = {20, 5};
 
@@ -27,10 +28,12 @@ int main(int argc, char** argv) {
     picture.save(argv[1]);
 
     const dermis::Statistics& cost = picture.statistics;
-    std::printf("%s: %d x %d pixels in %.1f ms on %s\n", scene.name().c_str(), picture.width, picture.height, cost.frame_ms_median,
-                cost.device.c_str());
-    for (const dermis::PassStatistics& pass : cost.passes) std::printf("  %-24s %8.2f ms\n", pass.name.c_str(), pass.ms);
-  } catch (const std::exception& error) {  // dermis::InputError: what was given; dermis::DeviceError: what it runs on
+    std::printf("%s: %d x %d pixels in %.1f ms on %s\n", scene.name().c_str(), picture.width, picture.height,
+                cost.frame_ms_median, cost.device.c_str());
+    for (const dermis::PassStatistics& pass : cost.passes)
+      std::printf("  %-24s %8.2f ms\n", pass.name.c_str(), pass.ms);
+  } catch (const std::exception& error) {
+    // dermis::InputError: what was given; dermis::DeviceError: what it runs on
     std::fprintf(stderr, "portrait: %s\n", error.what());
     return 1;
   }

@@ -11,10 +11,12 @@
 
 namespace dermis {
 
-/// Something that came from outside (a file, an option, a name) cannot be used. what() is one line: "where: message".
+/// Something that came from outside (a file, an option, a name) cannot be used. what() is one line: "where:
+/// message".
 class InputError : public std::runtime_error {
  public:
-  InputError(const std::string& where, const std::string& message) : std::runtime_error(where.empty() ? message : where + ": " + message) {}
+  InputError(const std::string& where, const std::string& message)
+      : std::runtime_error(where.empty() ? message : where + ": " + message) {}
 };
 
 /// The device, its driver or its memory cannot do what is asked. what() is one line.

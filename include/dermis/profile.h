@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// Skin as a sum of Gaussians, computed from what skin is: the left half of dermis, without a device. `dermis profile` is made of this.
+/// Skin as a sum of Gaussians, computed from what skin is: the left half of dermis, without a device. `dermis
+/// profile` is made of this.
 ///
 ///   dermis::ScatterProfile p = dermis::profile_of_skin({.melanin = 0.02, .haemoglobin = 0.01});
 ///   dermis::write_profile(p, "skin.json");                 // render --profile skin.json
 ///
-/// Everything throws dermis::InputError for values out of range. Nothing depends on the number of threads; equal input gives equal bits.
+/// Everything throws dermis::InputError for values out of range. Nothing depends on the number of threads;
+/// equal input gives equal bits.
 #pragma once
 
 #include <array>
@@ -17,14 +19,16 @@ namespace dermis {
 /// R(r) = total * sum_i w_i exp(-r^2 / (2 v_i)) / (2 pi v_i), r in mm, per colour channel (linear Rec.709).
 struct ScatterProfile {
   std::string name;
-  std::string model;                                  ///< which model made it
-  std::vector<double> variances_mm2;                  ///< 1 to 8, rising
-  std::vector<std::array<double, 3>> weights;         ///< as many, >= 0, summing to 1 per channel
-  std::array<double, 3> error_percent{};              ///< of the fit, docs/theory.md
-  std::array<double, 3> total_reflectance{};          ///< 0..1: model_total, cut to 1
-  std::array<double, 3> mean_free_path_mm{};          ///< 1 / sigma_t'; of the equivalent half-space where skin has layers
+  std::string model;                           ///< which model made it
+  std::vector<double> variances_mm2;           ///< 1 to 8, rising
+  std::vector<std::array<double, 3>> weights;  ///< as many, >= 0, summing to 1 per channel
+  std::array<double, 3> error_percent{};       ///< of the fit, docs/theory.md
+  std::array<double, 3> total_reflectance{};   ///< 0..1: model_total, cut to 1
+  /// 1 / sigma_t'; of the equivalent half-space where skin has layers
+  std::array<double, 3> mean_free_path_mm{};
   std::array<double, 3> diffuse_mean_free_path_mm{};  ///< 1 / sigma_tr; 0 where there is no absorption
-  std::array<double, 3> model_total{};                ///< what the model itself reflects; "beam" can give more light back than entered
+  std::array<double, 3>
+      model_total{};  ///< what the model itself reflects; "beam" can give more light back than entered
 };
 
 /// A homogeneous half-space per channel.
@@ -52,13 +56,17 @@ struct ProfileOptions {
   std::uint64_t seed = 1;
 };
 
-/// "skin1", "skin2", "marble", ..., "skin-layers"; an unknown name lists all. 10 ms by the dipole, seconds by Monte-Carlo.
+/// "skin1", "skin2", "marble", ..., "skin-layers"; an unknown name lists all. 10 ms by the dipole, seconds by
+/// Monte-Carlo.
 ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options = {});
-/// Of a half-space with these coefficients (per mm, ranges above): [JMLH01] and the other models of docs/theory.md; times as above.
+/// Of a half-space with these coefficients (per mm, ranges above): [JMLH01] and the other models of
+/// docs/theory.md; times as above.
 ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const ProfileOptions& options = {});
-/// Of spectral skin, R_c(r) = Sum w_c(nm) R(nm, r) over 31 wavelengths under D65 (docs/theory.md); multipole, monte-carlo or auto. Seconds.
+/// Of spectral skin, R_c(r) = Sum w_c(nm) R(nm, r) over 31 wavelengths under D65 (docs/theory.md); multipole,
+/// monte-carlo or auto. Seconds.
 ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& options = {});
-/// The nearest skin to "#rrggbb" (sRGB) or "L,a,b" (CIELAB); delta_e, if given, receives the distance (CIE76).
+/// The nearest skin to "#rrggbb" (sRGB) or "L,a,b" (CIELAB); delta_e, if given, receives the distance
+/// (CIE76).
 SpectralSkin skin_of_colour(const std::string& colour, double* delta_e = nullptr);
 
 /// The profile file that render --profile takes, atomically.

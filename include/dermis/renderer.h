@@ -20,56 +20,70 @@
 
 namespace dermis {
 
-/// A white lamp as those of the rig: a spot 4 radii from the centre of the head's bounding sphere, aimed at it, its cone just around the
-/// sphere.
+/// A white lamp as those of the rig: a spot 4 radii from the centre of the head's bounding sphere, aimed at
+/// it, its cone just around the sphere.
 struct PlacedLight {
   double azimuth_deg = 0;    ///< from the head's front (0) towards its left (90)
   double elevation_deg = 0;  ///< -90 (below) to 90 (above)
-  double irradiance = 3;     ///< at that centre, on a surface that faces the lamp; pi on white Lambert shows 1
+  /// at that centre, on a surface that faces the lamp; pi on white Lambert shows 1
+  double irradiance = 3;
 };
 
-/// What to render. Angles in degrees, distances in radii of the head's bounding sphere, radiance relative (white Lambert under irradiance
-/// pi shows 1).
+/// What to render. Angles in degrees, distances in radii of the head's bounding sphere, radiance relative
+/// (white Lambert under irradiance pi shows 1).
 struct RenderSettings {
   std::string technique = "texture-space";  ///< a name of technique_names()
   int width = 1280, height = 720;           ///< pixels, 1 to the device's limit
-  int map_size = 2048;                      ///< T_max: texels of a side of the light maps, 32 to the device's limit
-  int shadow_size = 2048;                   ///< texels
-  int samples = 4;                          ///< anti-aliasing, 1 or 4
+  /// T_max: texels of a side of the light maps, 32 to the device's limit
+  int map_size = 2048;
+  int shadow_size = 2048;  ///< texels
+  int samples = 4;         ///< anti-aliasing, 1 or 4
 
-  // What is not computed because it is not seen; [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 to 5.
-  bool cull = true;                 ///< skin that faces away from the eye
-  bool depth = true;                ///< light maps only as large as the head's distance needs
-  bool clip = true;                 ///< skin outside the picture and a margin
-  std::optional<std::string> mask;  ///< alpha, depth, tiles: how convolutions skip unlit texels; none: fastest on the kind of device
-  std::string maps = "full";        ///< full: a Gaussian each at T_max; progressive: those of smooth light on half, a quarter, an eighth
-  std::optional<double> d_ref;      ///< distance, in sphere radii, up to which maps have their full size; none: a texel a pixel
+  // What is not computed because it is not seen; [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin,
+  // CEIG 2008, sec. 3 to 5.
+  bool cull = true;   ///< skin that faces away from the eye
+  bool depth = true;  ///< light maps only as large as the head's distance needs
+  bool clip = true;   ///< skin outside the picture and a margin
+  /// alpha, depth, tiles: how convolutions skip unlit texels; none: fastest on the kind of device
+  std::optional<std::string> mask;
+  /// full: a Gaussian each at T_max; progressive: those of smooth light on half, a quarter, an eighth
+  std::string maps = "full";
+  /// distance, in sphere radii, up to which maps have their full size; none: a texel a pixel
+  std::optional<double> d_ref;
   std::optional<double> clip_margin_mm;  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma
-  std::optional<double> map_budget_mb;   ///< for light maps, 1e6 bytes; none: four heads at T_max, at most a quarter of the device's memory
+  /// for light maps, 1e6 bytes; none: four heads at T_max, at most a quarter of the device's memory
+  std::optional<double> map_budget_mb;
   std::optional<bool> skip_unseen_heads;  ///< heads wholly outside the picture; none: if anything above is on
 
-  std::string camera;                     ///< name; empty: the scene's first, else framing
-  std::optional<double> fov_deg;          ///< vertical; none: the camera's, 20 when framing
-  std::optional<double> distance;         ///< the paper's test: from the eye to the middle head, in sphere radii
+  std::string camera;             ///< name; empty: the scene's first, else framing
+  std::optional<double> fov_deg;  ///< vertical; none: the camera's, 20 when framing
+  /// the paper's test: from the eye to the middle head, in sphere radii
+  std::optional<double> distance;
   int heads = 1;                          ///< in a row, 1.6 radii apart
   std::array<double, 2> orbit_deg{0, 0};  ///< azimuth, elevation of the framing camera
-  std::optional<int> lights;              ///< that many of the rig instead of the scene's; none: the scene's, else 2
-  std::optional<double> light_radius_m;   ///< m, of discs that cast soft shadows, see docs/techniques.md; none: the scene's, else points
-  double ambient = 0.05;                  ///< uniform radiance from everywhere, where there is no environment
-  std::string environment;                ///< surroundings: .hdr or .exr (equirectangular), "studio" (built in); empty: uniform
-  double environment_intensity = 1;       ///< multiplies their radiance
-  double environment_rotation_deg = 0;    ///< about the vertical, from the head's front towards its left
-  std::string profile;                    ///< published name or file; empty: the material's, else the published six Gaussians
-  bool normalise_profile = false;         ///< divide the weights of a profile file by their sum
-  std::optional<double> mix;              ///< part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
+  /// that many of the rig instead of the scene's; none: the scene's, else 2
+  std::optional<int> lights;
+  /// m, of discs that cast soft shadows, see docs/techniques.md; none: the scene's, else points
+  std::optional<double> light_radius_m;
+  double ambient = 0.05;  ///< uniform radiance from everywhere, where there is no environment
+  std::string
+      environment;  ///< surroundings: .hdr or .exr (equirectangular), "studio" (built in); empty: uniform
+  double environment_intensity = 1;     ///< multiplies their radiance
+  double environment_rotation_deg = 0;  ///< about the vertical, from the head's front towards its left
+  /// published name or file; empty: the material's, else the published six Gaussians
+  std::string profile;
+  bool normalise_profile = false;  ///< divide the weights of a profile file by their sum
+  /// part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
+  std::optional<double> mix;
   bool specular = true;
-  bool white_albedo = false;     ///< every albedo is 1
-  bool translucency = true;      ///< light also comes through the body: ears lit from behind glow
-  double bloom = 0.05;           ///< 0 to 1
-  double exposure_ev = 0;        ///< radiance is multiplied by 2^EV
-  std::string view = "filmic";   ///< filmic, srgb, linear
-  int frames = 1;                ///< timed frames after one warm-up, >= 1
-  std::string show = "picture";  ///< picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K
+  bool white_albedo = false;    ///< every albedo is 1
+  bool translucency = true;     ///< light also comes through the body: ears lit from behind glow
+  double bloom = 0.05;          ///< 0 to 1
+  double exposure_ev = 0;       ///< radiance is multiplied by 2^EV
+  std::string view = "filmic";  ///< filmic, srgb, linear
+  int frames = 1;               ///< timed frames after one warm-up, >= 1
+  /// picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K
+  std::string show = "picture";
 
   /// Instead of the scene's lights, at most 64; then `lights` must be none.
   std::vector<PlacedLight> placed_lights{};
@@ -109,11 +123,13 @@ struct Statistics {
 /// A finished picture: linear floats, and eight bits for a display. Rows from top to bottom.
 struct Picture {
   int width = 0, height = 0;
-  std::vector<float> linear_rgba;          ///< with exposure and bloom; alpha = share of the pixel that is skin
+  /// with exposure and bloom; alpha = share of the pixel that is skin
+  std::vector<float> linear_rgba;
   std::vector<std::uint8_t> display_rgba;  ///< after the view transform
   Statistics statistics;
 
-  /// .png (display values) or .exr (linear, 32-bit float), atomically. InputError: another ending, a missing folder.
+  /// .png (display values) or .exr (linear, 32-bit float), atomically. InputError: another ending, a missing
+  /// folder.
   void save(const std::filesystem::path& path) const;
 };
 
@@ -132,7 +148,8 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// InputError: a setting out of range (says which and the range), an unknown name (lists the known ones). DeviceError: too little memory.
+  /// InputError: a setting out of range (says which and the range), an unknown name (lists the known ones).
+  /// DeviceError: too little memory.
   Picture render(const Scene& scene, const RenderSettings& settings = {});
 
   /// For many frames of one scene: see PreparedFrame. Errors as render().
@@ -146,16 +163,17 @@ class Renderer {
   std::shared_ptr<State> state_;
 };
 
-/// A scene on the device, with plan, memory and pipelines, ready to be drawn again and again. Keeps its renderer's device alive; frames of
-/// one scene share its upload.
+/// A scene on the device, with plan, memory and pipelines, ready to be drawn again and again. Keeps its
+/// renderer's device alive; frames of one scene share its upload.
 class PreparedFrame {
  public:
   PreparedFrame(PreparedFrame&&) noexcept;
   PreparedFrame& operator=(PreparedFrame&&) noexcept;
   ~PreparedFrame();
 
-  /// Other settings for the frames to come. Camera, exposure, ambient light and the like cost little; what changes the structure (sizes,
-  /// technique, heads, profile, what is optimised) makes plan and memory anew. Errors as Renderer::render(), then nothing has changed.
+  /// Other settings for the frames to come. Camera, exposure, ambient light and the like cost little; what
+  /// changes the structure (sizes, technique, heads, profile, what is optimised) makes plan and memory anew.
+  /// Errors as Renderer::render(), then nothing has changed.
   void set(const RenderSettings& settings);
 
   /// Draws and times one frame, ms. The first after a change is preceded by one that warms up and counts.
@@ -164,7 +182,8 @@ class PreparedFrame {
   /// The passes of the frame that draw() timed last, in order; empty before the first since a change.
   std::vector<PassStatistics> last_passes() const;
 
-  /// The last frame, with the statistics of all that were drawn since the last change. If there was none, of a frame that is not timed.
+  /// The last frame, with the statistics of all that were drawn since the last change. If there was none, of
+  /// a frame that is not timed.
   Picture picture();
 
  private:

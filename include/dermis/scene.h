@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Scenes: heads with their maps, lights and cameras. A Scene is a cheap handle; copies share what they hold and never change it.
+/// Scenes: heads with their maps, lights and cameras. A Scene is a cheap handle; copies share what they hold
+/// and never change it.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +15,14 @@ struct Scene;
 
 struct SceneOptions {
   double unit_scale = 1;      ///< multiplies every length of the file; glTF says metres
-  std::string skin_material;  ///< this material is skin; empty: extras.dermis, else the name contains "skin", else the only one
+  std::string skin_material;  ///< this material is skin; empty: extras.dermis, else the name contains "skin",
+                              ///< else the only one
 };
 
 class Scene {
  public:
-  /// glTF 2.0, .gltf or .glb. InputError: one line with file and place. Doubtful things are warnings on stderr.
+  /// glTF 2.0, .gltf or .glb. InputError: one line with file and place. Doubtful things are warnings on
+  /// stderr.
   static Scene load(const std::filesystem::path& path, const SceneOptions& options = {});
   /// The head that is built into the library; no file needed.
   static Scene built_in();

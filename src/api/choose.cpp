@@ -12,12 +12,14 @@ namespace dermis::api {
 
 namespace {
 
-std::vector<scene::Light> lights_of(const scene::Scene& scene, const RenderSettings& s, const scene::BoundingSphere& sphere,
+std::vector<scene::Light> lights_of(const scene::Scene& scene, const RenderSettings& s,
+                                    const scene::BoundingSphere& sphere,
                                     const std::vector<glm::vec3>& head_offsets_m) {
   if (!s.placed_lights.empty()) {
     std::vector<scene::Lamp> lamps;
     for (const PlacedLight& light : s.placed_lights)
-      lamps.push_back({fmt::format("light {}", lamps.size() + 1), light.azimuth_deg, light.elevation_deg, glm::dvec3(light.irradiance)});
+      lamps.push_back({fmt::format("light {}", lamps.size() + 1), light.azimuth_deg, light.elevation_deg,
+                       glm::dvec3(light.irradiance)});
     return scene::light_rig(sphere, lamps, head_offsets_m);
   }
   if (!s.lights && !scene.lights.empty()) return scene.lights;
@@ -27,7 +29,8 @@ std::vector<scene::Light> lights_of(const scene::Scene& scene, const RenderSetti
 
 }  // namespace
 
-scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s, const scene::BoundingSphere& sphere) {
+scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s,
+                            const scene::BoundingSphere& sphere) {
   const double aspect = static_cast<double>(s.width) / s.height;
   const double fov = s.fov_deg.value_or(20);
   if (s.distance) return scene::distance_camera(sphere, *s.distance, fov);
@@ -49,13 +52,15 @@ scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s, 
   return scene::framing_camera(sphere, aspect, s.orbit_deg[0], s.orbit_deg[1], fov);
 }
 
-std::vector<scene::Light> choose_lights(const scene::Scene& scene, const RenderSettings& s, const scene::BoundingSphere& sphere,
+std::vector<scene::Light> choose_lights(const scene::Scene& scene, const RenderSettings& s,
+                                        const scene::BoundingSphere& sphere,
                                         const std::vector<glm::vec3>& head_offsets_m) {
   std::vector<scene::Light> lights = lights_of(scene, s, sphere, head_offsets_m);
   if (s.light_radius_m)
     for (scene::Light& light : lights) {
       // A directional light as if it stood where the rig does.
-      const double distance = light.type == scene::LightType::directional ? scene::rig_distance_radii * sphere.radius_m : 1;
+      const double distance =
+          light.type == scene::LightType::directional ? scene::rig_distance_radii * sphere.radius_m : 1;
       light.radius = static_cast<float>(*s.light_radius_m / distance);
     }
   return lights;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What the settings leave open, decided in one place for pictures and for the reference: camera, lights, profile.
+/// What the settings leave open, decided in one place for pictures and for the reference: camera, lights,
+/// profile.
 #pragma once
 
 #include <vector>
@@ -11,10 +12,12 @@
 namespace dermis::api {
 
 /// sphere: of the skin. InputError lists the cameras when there is none such.
-scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& settings, const scene::BoundingSphere& sphere);
+scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& settings,
+                            const scene::BoundingSphere& sphere);
 
 /// The settings' placed lights, else the scene's, or the rig around the sphere and `head_offsets_m`.
-std::vector<scene::Light> choose_lights(const scene::Scene& scene, const RenderSettings& settings, const scene::BoundingSphere& sphere,
+std::vector<scene::Light> choose_lights(const scene::Scene& scene, const RenderSettings& settings,
+                                        const scene::BoundingSphere& sphere,
                                         const std::vector<glm::vec3>& head_offsets_m);
 
 /// The settings' profile, else the material's, else the published six Gaussians.

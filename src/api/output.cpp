@@ -34,10 +34,13 @@ std::vector<float> grey_of_depth(std::span<const std::byte> bytes) {
   return values;
 }
 
-// Texels per mm of the stretch map as colour: the geometric mean of both directions, 0 to 8 texels per mm from black to white.
+// Texels per mm of the stretch map as colour: the geometric mean of both directions, 0 to 8 texels per mm
+// from black to white.
 void density_of_stretch(std::vector<float>& rgba, int map_size) {
   for (std::size_t i = 0; i < rgba.size(); i += 4) {
-    const float density = rgba[i + 3] > 0 ? std::sqrt(std::abs(rgba[i] * rgba[i + 2])) * 0.001f * static_cast<float>(map_size) : 0.0f;
+    const float density =
+        rgba[i + 3] > 0 ? std::sqrt(std::abs(rgba[i] * rgba[i + 2])) * 0.001f * static_cast<float>(map_size)
+                        : 0.0f;
     rgba[i] = rgba[i + 1] = rgba[i + 2] = density / 8;
   }
 }
@@ -46,7 +49,8 @@ void density_of_stretch(std::vector<float>& rgba, int map_size) {
 void crop(Picture& picture, glm::uvec2 origin, int side) {
   std::vector<float> square;
   for (int y = 0; y < side; ++y) {
-    const std::size_t row = (static_cast<std::size_t>(origin.y) + static_cast<std::size_t>(y)) * static_cast<std::size_t>(picture.width);
+    const std::size_t row = (static_cast<std::size_t>(origin.y) + static_cast<std::size_t>(y)) *
+                            static_cast<std::size_t>(picture.width);
     const auto first = picture.linear_rgba.begin() + static_cast<std::ptrdiff_t>(4 * (row + origin.x));
     square.insert(square.end(), first, first + 4 * static_cast<std::ptrdiff_t>(side));
   }
@@ -55,14 +59,17 @@ void crop(Picture& picture, glm::uvec2 origin, int side) {
 }
 
 // The density is computed from the stretch map.
-std::string shown_map(const RenderSettings& settings) { return settings.show == "texel-density" ? "stretch" : settings.show; }
+std::string shown_map(const RenderSettings& settings) {
+  return settings.show == "texel-density" ? "stretch" : settings.show;
+}
 
 }  // namespace
 
 void check_device_limits(const RenderSettings& s, const gpu::DeviceLimits& limits) {
   const auto check = [&](const char* name, int value) {
     if (static_cast<std::uint32_t>(value) > limits.max_image_side)
-      throw input_error("", "--{} {} is over what this device can do: {}", name, value, limits.max_image_side);
+      throw input_error("", "--{} {} is over what this device can do: {}", name, value,
+                        limits.max_image_side);
   };
   check("size", std::max(s.width, s.height));
   check("map-size", s.map_size);
@@ -79,13 +86,15 @@ void check_show(const techniques::FrameOutputs& out, const RenderSettings& setti
 
 namespace {
 
-// Texels that hold light from the mesh itself, times the Gaussians that blur them; in halved maps those beside seams are among them.
+// Texels that hold light from the mesh itself, times the Gaussians that blur them; in halved maps those
+// beside seams are among them.
 std::uint64_t convolved(const techniques::FrameOutputs& out, std::span<const std::uint32_t> counts) {
   std::uint64_t sum = 0;
   for (std::uint32_t mesh = 0; mesh < out.work.size(); ++mesh)
     for (std::uint32_t halvings = 0; halvings <= passes::max_halvings; ++halvings) {
       const auto which = halvings == 0 ? techniques::counter_lit_texels : techniques::counter_masked_texels;
-      sum += std::uint64_t{counts[techniques::mesh_counter(mesh, halvings, which)]} * out.work[mesh][halvings].terms;
+      sum += std::uint64_t{counts[techniques::mesh_counter(mesh, halvings, which)]} *
+             out.work[mesh][halvings].terms;
     }
   return sum;
 }
@@ -100,15 +109,17 @@ std::uint64_t irradiance_texels(const techniques::FrameOutputs& out, std::span<c
 std::uint64_t used_texels(const FrameSetup& setup, std::uint32_t halvings) {
   std::uint64_t sum = 0;
   for (const HeadSetup& head : setup.heads) {
-    const std::uint64_t side = passes::halved_side(static_cast<std::uint32_t>(head.map_side), setup.plan.map_size, halvings);
+    const std::uint64_t side =
+        passes::halved_side(static_cast<std::uint32_t>(head.map_side), setup.plan.map_size, halvings);
     if (head.visible) sum += side * side;
   }
   return sum;
 }
 
-// Shader invocations of shading and convolution. Drawn or computed whole, a convolution runs over the used squares; otherwise over what
-// its mask leaves of them.
-std::uint64_t launched(const FrameSetup& setup, const techniques::FrameOutputs& out, std::span<const std::uint32_t> counts) {
+// Shader invocations of shading and convolution. Drawn or computed whole, a convolution runs over the used
+// squares; otherwise over what its mask leaves of them.
+std::uint64_t launched(const FrameSetup& setup, const techniques::FrameOutputs& out,
+                       std::span<const std::uint32_t> counts) {
   std::uint64_t sum = irradiance_texels(out, counts);
   const bool sparse = setup.plan.optimise.cull || setup.plan.optimise.clip;
   for (std::uint32_t mesh = 0; mesh < out.work.size(); ++mesh)
@@ -117,7 +128,8 @@ std::uint64_t launched(const FrameSetup& setup, const techniques::FrameOutputs& 
       std::uint64_t texels = used_texels(setup, halvings);
       if (work.halved) sum += texels;
       if (sparse && setup.plan.mask == passes::Mask::tiles)
-        texels = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counts[techniques::mesh_counter(mesh, halvings, techniques::counter_tiles)];
+        texels = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} *
+                 counts[techniques::mesh_counter(mesh, halvings, techniques::counter_tiles)];
       if (sparse && setup.plan.mask == passes::Mask::depth)
         texels = counts[techniques::mesh_counter(mesh, halvings, techniques::counter_masked_texels)];
       sum += texels * work.convolutions;
@@ -130,13 +142,17 @@ void fill_optimise(Statistics& st, const techniques::FrameSettings& plan) {
   if (o.cull) st.optimise.emplace_back("cull");
   if (o.depth) st.optimise.emplace_back("depth");
   if (o.clip) st.optimise.emplace_back("clip");
-  if (o.cull || o.clip) st.mask = plan.mask == passes::Mask::alpha ? "alpha" : plan.mask == passes::Mask::depth ? "depth" : "tiles";
+  if (o.cull || o.clip)
+    st.mask = plan.mask == passes::Mask::alpha   ? "alpha"
+              : plan.mask == passes::Mask::depth ? "depth"
+                                                 : "tiles";
 }
 
 }  // namespace
 
-void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& settings, const FrameSetup& setup,
-                 const techniques::FrameOutputs& out, std::span<const std::byte> counters) {
+void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& settings,
+                 const FrameSetup& setup, const techniques::FrameOutputs& out,
+                 std::span<const std::byte> counters) {
   std::vector<std::uint32_t> counts(counters.size() / sizeof(std::uint32_t));
   DERMIS_ASSERT_EQ(counts.size(), techniques::counter_count(subject.skin.size()));
   std::memcpy(counts.data(), counters.data(), counters.size());
@@ -161,11 +177,12 @@ void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& s
   st.transmission_misses = counts[techniques::counter_transmission_misses];
   st.launched = launched(setup, out, counts);
   st.used_size.resize(setup.heads.size());
-  for (const HeadSetup& head : setup.heads) st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;
+  for (const HeadSetup& head : setup.heads)
+    st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;
 }
 
-void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out, const RenderSettings& settings,
-                  const FrameSetup& setup) {
+void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out,
+                  const RenderSettings& settings, const FrameSetup& setup) {
   const auto read = [&](frame::TextureId id, std::uint32_t layer) {
     return gpu::read_back(executor.device(), executor.resources().texture(id), executor.layout_of(id), layer);
   };
@@ -182,7 +199,8 @@ void read_picture(Picture& picture, frame::Executor& executor, const techniques:
   DERMIS_ASSERT_EQ(found != out.shows.end(), true);
   const gpu::TextureDesc& desc = executor.resources().texture(found->second).desc();
   const bool depth = desc.format == VK_FORMAT_D32_SFLOAT;
-  const std::uint32_t layer = depth ? static_cast<std::uint32_t>(std::stoul(settings.show.substr(settings.show.find(':') + 1))) : 0;
+  const std::uint32_t layer =
+      depth ? static_cast<std::uint32_t>(std::stoul(settings.show.substr(settings.show.find(':') + 1))) : 0;
   const std::vector<std::byte> bytes = read(found->second, layer);
   picture.width = static_cast<int>(desc.width), picture.height = static_cast<int>(desc.height);
   picture.linear_rgba = depth ? grey_of_depth(bytes) : floats_of_halves(bytes);
@@ -192,8 +210,10 @@ void read_picture(Picture& picture, frame::Executor& executor, const techniques:
   if (density) density_of_stretch(picture.linear_rgba, settings.map_size);
   for (std::size_t i = 0; i < picture.linear_rgba.size(); ++i) {
     const float value = std::clamp(picture.linear_rgba[i], 0.0f, 1.0f);
-    picture.display_rgba.push_back(
-        i % 4 == 3 ? 255 : static_cast<std::uint8_t>(std::lround(255 * (is_light ? image::linear_to_srgb(value) : value))));
+    picture.display_rgba.push_back(i % 4 == 3
+                                       ? 255
+                                       : static_cast<std::uint8_t>(std::lround(
+                                             255 * (is_light ? image::linear_to_srgb(value) : value))));
   }
 }
 

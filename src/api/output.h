@@ -17,11 +17,12 @@ void check_device_limits(const RenderSettings& settings, const gpu::DeviceLimits
 void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& settings);
 
 /// `counters` as read back from FrameOutputs::counters.
-void fill_counts(Statistics& statistics, const Subject& subject, const RenderSettings& settings, const FrameSetup& setup,
-                 const techniques::FrameOutputs& out, std::span<const std::byte> counters);
+void fill_counts(Statistics& statistics, const Subject& subject, const RenderSettings& settings,
+                 const FrameSetup& setup, const techniques::FrameOutputs& out,
+                 std::span<const std::byte> counters);
 
 /// The picture, or the map that settings.show names, which check_show() has accepted.
-void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out, const RenderSettings& settings,
-                  const FrameSetup& setup);
+void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out,
+                  const RenderSettings& settings, const FrameSetup& setup);
 
 }  // namespace dermis::api

@@ -20,14 +20,17 @@ double median(std::vector<double> values) {
   return n == 0 ? 0 : n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-frame::FrameData frame_data(gpu::Device& device, const api::FrameSetup& setup, const passes::GpuScene& scene) {
+frame::FrameData frame_data(gpu::Device& device, const api::FrameSetup& setup,
+                            const passes::GpuScene& scene) {
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   frame::FrameData data;
   data.scene = &scene;
   data.eye_m = setup.view.eye_m;
-  data.eye = setup.view.camera.orthographic ? glm::vec4(-setup.view.direction, 0) : glm::vec4(setup.view.eye_m, 1);
+  data.eye =
+      setup.view.camera.orthographic ? glm::vec4(-setup.view.direction, 0) : glm::vec4(setup.view.eye_m, 1);
   data.clip_planes = setup.clip_planes;
-  data.frame_io = gpu::make_buffer(device, "frame", std::span(&setup.frame, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  data.frame_io =
+      gpu::make_buffer(device, "frame", std::span(&setup.frame, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   for (const api::HeadSetup& head : setup.heads) {
     frame::Instance instance;
     instance.offset_m = head.offset_m;
@@ -36,7 +39,8 @@ frame::FrameData frame_data(gpu::Device& device, const api::FrameSetup& setup, c
     instance.lights = gpu::make_buffer(device, "lights", std::span<const io::LightIo>(head.lights), storage);
     std::vector<glm::mat4> matrices(head.first_shadow_layer, glm::mat4(0));
     matrices.insert(matrices.end(), head.shadow_from_world.begin(), head.shadow_from_world.end());
-    instance.shadow_matrices = gpu::make_buffer(device, "shadow matrices", std::span<const glm::mat4>(matrices), storage);
+    instance.shadow_matrices =
+        gpu::make_buffer(device, "shadow matrices", std::span<const glm::mat4>(matrices), storage);
     instance.first_shadow_layer = head.first_shadow_layer;
     instance.shadow_from_world = head.shadow_from_world;
     data.instances.push_back(std::move(instance));
@@ -88,17 +92,20 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   api::check_settings(wanted);
   api::check_device_limits(wanted, limits);
   const std::shared_ptr<api::SharedScene> next_scene = renderer->shared(source, wanted);
-  const api::DeviceTraits traits{
-      .software = limits.software, .memory_bytes = device().summary().memory_bytes, .max_image_side = limits.max_image_side};
+  const api::DeviceTraits traits{.software = limits.software,
+                                 .memory_bytes = device().summary().memory_bytes,
+                                 .max_image_side = limits.max_image_side};
   api::FrameSetup next = api::set_up(next_scene->subject, wanted, traits);
   const std::uint64_t layers = std::uint64_t{next.plan.shadow_layers} * next.plan.heads_per_batch;
   if (layers > limits.max_array_layers)
     throw input_error(source.name(),
-                      "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; --lights uses fewer", next.lights,
-                      layers, next.plan.heads_per_batch, limits.max_array_layers);
+                      "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
+                      "--lights uses fewer",
+                      next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers);
   const std::shared_ptr<const api::Surroundings> next_surroundings = renderer->surroundings(wanted);
   if (next_surroundings) api::fill_surroundings(next.frame, *next_surroundings, wanted);
-  // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work on its maps.
+  // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
+  // on its maps.
   if (!executor || next.plan != setup.plan || next.technique != setup.technique) plan(wanted, next);
   api::check_show(outputs, wanted);
   scene = next_scene;
@@ -127,34 +134,41 @@ void PreparedFrame::State::plan(const RenderSettings& wanted, const api::FrameSe
   outputs = made_outputs;
 }
 
-// The scene unless it is there, what its skin sees of the surroundings, and the gutters of each size of map that this view uses.
+// The scene unless it is there, what its skin sees of the surroundings, and the gutters of each size of map
+// that this view uses.
 void PreparedFrame::State::upload() {
   const auto start = std::chrono::steady_clock::now();
   api::SharedScene& shared = *scene;
-  if (!shared.gpu) shared.gpu.emplace(renderer->library, *shared.subject.scene, shared.subject.skin, passes::GpuSceneSettings{shared.mix});
+  if (!shared.gpu)
+    shared.gpu.emplace(renderer->library, *shared.subject.scene, shared.subject.skin,
+                       passes::GpuSceneSettings{shared.mix});
   if (surroundings) look_at_the_sky();
   if (setup.technique->scatters)
     for (std::size_t i = 0; i < shared.subject.skin.size(); ++i) {
       const double density = shared.subject.densities[i].largest_texels_per_mm.p95;
       const auto make = [&](int side) {
         const int width = passes::gutter_width(setup.plan.skin[i].profile, std::max(density * side, 1e-6));
-        shared.gpu->make_gutters(device(), i, shared.subject.skin[i], static_cast<std::uint32_t>(side), width);
+        shared.gpu->make_gutters(device(), i, shared.subject.skin[i], static_cast<std::uint32_t>(side),
+                                 width);
       };
       make(settings.map_size);  // of the stretch map
       for (const api::HeadSetup& head : setup.heads)
         for (std::uint32_t halvings = 0; halvings <= passes::max_halvings; ++halvings)
           if (head.visible && (halvings == 0 || outputs.work[i][halvings].halved))
-            make(static_cast<int>(passes::halved_side(static_cast<std::uint32_t>(head.map_side), setup.plan.map_size, halvings)));
+            make(static_cast<int>(passes::halved_side(static_cast<std::uint32_t>(head.map_side),
+                                                      setup.plan.map_size, halvings)));
     }
-  shared.upload_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  shared.upload_ms +=
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 void PreparedFrame::State::look_at_the_sky() {
   api::SharedScene& shared = *scene;
   for (std::size_t i = shared.sky_seen.size(); i < shared.subject.skin.size(); ++i) {
-    environment::Occlusion seen =
-        environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], gpu::default_pipeline_cache().parent_path());
-    shared.gpu->skin[i].sky_seen = passes::unwrap_map(device(), shared.gpu->skin[i].name + " sky seen", seen.side, seen.values);
+    environment::Occlusion seen = environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i],
+                                                                gpu::default_pipeline_cache().parent_path());
+    shared.gpu->skin[i].sky_seen =
+        passes::unwrap_map(device(), shared.gpu->skin[i].name + " sky seen", seen.side, seen.values);
     seen.values = {};
     shared.sky_seen.push_back(std::move(seen));
   }
@@ -163,7 +177,8 @@ void PreparedFrame::State::look_at_the_sky() {
     sky = api::sky_on_skin(device(), surroundings, rotation_deg, shared.sky_seen);
 }
 
-// The first frame of a view warms up (the first use of a pipeline compiles on software devices), makes what lasts, and counts.
+// The first frame of a view warms up (the first use of a pipeline compiles on software devices), makes what
+// lasts, and counts.
 void PreparedFrame::State::count() {
   if (!counters.empty()) return;
   executor->run_full(data);
@@ -171,7 +186,8 @@ void PreparedFrame::State::count() {
 }
 
 PreparedFrame Renderer::prepare(const Scene& scene, const RenderSettings& settings) {
-  auto state = std::make_unique<PreparedFrame::State>(PreparedFrame::State{.renderer = state_, .source = scene});
+  auto state =
+      std::make_unique<PreparedFrame::State>(PreparedFrame::State{.renderer = state_, .source = scene});
   state->set(settings);
   return PreparedFrame(std::move(state));
 }
@@ -192,7 +208,8 @@ double PreparedFrame::draw() {
 std::vector<PassStatistics> PreparedFrame::last_passes() const {
   std::vector<PassStatistics> passes;
   if (!state_->times.empty())
-    for (const gpu::Timing& pass : state_->times.back().passes) passes.push_back({.name = pass.name, .ms = pass.ms, .calls = 1});
+    for (const gpu::Timing& pass : state_->times.back().passes)
+      passes.push_back({.name = pass.name, .ms = pass.ms, .calls = 1});
   return passes;
 }
 

@@ -21,7 +21,9 @@ namespace dermis {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 constexpr double checkpoint_seconds = 30;
 constexpr int most_samples = 1'000'000'000;
@@ -39,19 +41,21 @@ void check(const ReferenceSettings& r) {
     throw input_error("", "--samples must be 1 to {} a pixel, got {}", most_samples, *r.samples);
   if (r.noise_percent && !(*r.noise_percent > 0 && *r.noise_percent <= 100))
     throw input_error("", "--noise must be over 0 and at most 100 per cent, got {}", *r.noise_percent);
-  if (r.threads < 0 || r.threads > 4096) throw input_error("", "--threads must be 0 (all cores) to 4096, got {}", r.threads);
+  if (r.threads < 0 || r.threads > 4096)
+    throw input_error("", "--threads must be 0 (all cores) to 4096, got {}", r.threads);
 }
 
-/// A profile that dermis made from a homogeneous medium says what it was made of: 1/sigma_t' and 1/sigma_tr, and
-/// sigma_tr^2 = 3 sigma_a sigma_t'. Scattering is then the reduced one, isotropic.
+/// A profile that dermis made from a homogeneous medium says what it was made of: 1/sigma_t' and 1/sigma_tr,
+/// and sigma_tr^2 = 3 sigma_a sigma_t'. Scattering is then the reduced one, isotropic.
 optics::RgbMedium medium_of(const gaussians::SumOfGaussians& profile, double eta) {
   optics::RgbMedium medium;
   for (std::size_t c = 0; c < 3; ++c) {
     const double free = profile.mean_free_path_mm[c], diffuse = profile.diffuse_mean_free_path_mm[c];
     if (!(free > 0))
-      throw input_error(profile.name,
-                        "this profile does not say what medium it stands for; --model volume needs --medium NAME or "
-                        "--medium 'sigma_a=... sigma_s=...' (per mm), or a profile made by `dermis profile`");
+      throw input_error(
+          profile.name,
+          "this profile does not say what medium it stands for; --model volume needs --medium NAME or "
+          "--medium 'sigma_a=... sigma_s=...' (per mm), or a profile made by `dermis profile`");
     const double sigma_t = 1 / free, sigma_tr = diffuse > 0 ? 1 / diffuse : 0;
     const double sigma_a = std::min(sigma_tr * sigma_tr / (3 * sigma_t), sigma_t);
     medium[c] = {.sigma_a_per_mm = sigma_a, .sigma_s_per_mm = sigma_t - sigma_a, .g = 0, .eta = eta};
@@ -59,12 +63,14 @@ optics::RgbMedium medium_of(const gaussians::SumOfGaussians& profile, double eta
   return medium;
 }
 
-optics::RgbMedium choose_medium(const std::string& text, const gaussians::SumOfGaussians& profile, double eta) {
+optics::RgbMedium choose_medium(const std::string& text, const gaussians::SumOfGaussians& profile,
+                                double eta) {
   if (text.empty()) return medium_of(profile, eta);
   if (text.find('=') != std::string::npos) return optics::parse_coefficients(text, "--medium");
   if (const optics::Material* material = optics::find_material(text)) return material->medium();
   std::string names;
-  for (const optics::Material& material : optics::jensen_materials()) names += (names.empty() ? "" : ", ") + std::string(material.name);
+  for (const optics::Material& material : optics::jensen_materials())
+    names += (names.empty() ? "" : ", ") + std::string(material.name);
   throw input_error("", "--medium '{}' is neither coefficients nor one of: {}", text, names);
 }
 
@@ -73,14 +79,16 @@ void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>&
   std::vector<scene::Vertex> vertices;
   std::vector<std::uint32_t> indices;
   for (const scene::SkinMesh& mesh : skin) {
-    for (const std::uint32_t index : mesh.indices) indices.push_back(index + static_cast<std::uint32_t>(vertices.size()));
+    for (const std::uint32_t index : mesh.indices)
+      indices.push_back(index + static_cast<std::uint32_t>(vertices.size()));
     vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
   }
   const std::vector<glm::vec2> no_uv(vertices.size());
   const scene::Topology topology = scene::mesh_topology(vertices, no_uv, indices);
   const auto open = std::count(topology.mate.begin(), topology.mate.end(), scene::no_edge);
   if (open > 0)
-    warn("{}: the skin is not closed ({} open edges); light that walks out through a hole counts as absorbed", scene.name, open);
+    warn("{}: the skin is not closed ({} open edges); light that walks out through a hole counts as absorbed",
+         scene.name, open);
 }
 
 reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
@@ -89,8 +97,8 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
   setup.model = model_of(r.model);
   setup.view = api::reference_view(scene, s);
   if (!s.environment.empty())
-    setup.view.surroundings = std::make_shared<const reference::Surroundings>(environment::from_name_or_file(s.environment),
-                                                                              s.environment_intensity, s.environment_rotation_deg);
+    setup.view.surroundings = std::make_shared<const reference::Surroundings>(
+        environment::from_name_or_file(s.environment), s.environment_intensity, s.environment_rotation_deg);
   setup.profiles.resize(scene.materials.size());
   for (const scene::SkinMesh& mesh : skin) {
     // One profile a mesh, that of its first triangle, as the renderer has it.
@@ -100,10 +108,13 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
       gaussians::SumOfGaussians& of = setup.profiles[static_cast<std::size_t>(material)];
       if (of.terms.empty()) of = profile;
     }
-    if (setup.model == reference::Model::volume && &mesh == &skin.front()) setup.medium = choose_medium(r.medium, profile, first.ior);
+    if (setup.model == reference::Model::volume && &mesh == &skin.front())
+      setup.medium = choose_medium(r.medium, profile, first.ior);
   }
   if (setup.model == reference::Model::volume) {
-    if (skin.empty()) throw input_error(scene.name, "has no skin for light to walk in; --skin NAME says which material is skin");
+    if (skin.empty())
+      throw input_error(scene.name,
+                        "has no skin for light to walk in; --skin NAME says which material is skin");
     optics::check(setup.medium, "--medium");
     warn_if_open(scene, skin);
   }
@@ -135,7 +146,8 @@ class Watch {
       const double noise = film.noise_percent(), seconds = seconds_since(start_);
       double most = samples_of(*settings_);
       // Noise falls with the square root of the samples.
-      if (settings_->noise_percent) most = std::min(most, samples * std::pow(noise / *settings_->noise_percent, 2));
+      if (settings_->noise_percent)
+        most = std::min(most, samples * std::pow(noise / *settings_->noise_percent, 2));
       const double left = std::max(0.0, most - samples) * seconds / std::max(1, samples - before_);
       settings_->progress({samples, samples_of(*settings_), noise, seconds, left});
     }
@@ -159,7 +171,8 @@ ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, c
   const reference::Job setup = set_up(scene.data(), s, r);
   reference::Film film(s.width, s.height);
   picture_of(reference::Film(1, 1), s.view);  // a wrong --view must not be found out after an hour
-  const std::uint64_t fingerprint = r.checkpoint.empty() ? 0 : reference::fingerprint(scene.data(), setup, r.seed);
+  const std::uint64_t fingerprint =
+      r.checkpoint.empty() ? 0 : reference::fingerprint(scene.data(), setup, r.seed);
   if (r.resume && !r.checkpoint.empty() && !load_checkpoint(r.checkpoint, film, fingerprint))
     note("{}: no such file, so this run begins at the beginning", r.checkpoint.string());
   const reference::Tracer tracer(scene.data(), setup);
@@ -172,7 +185,8 @@ ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, c
                                     .threads = r.threads,
                                     .stop = r.stop},
                                    [&](const reference::Film& f) { watch.after_pass(f); });
-  if (!out.complete && film.samples() > 0 && !r.checkpoint.empty()) save_checkpoint(r.checkpoint, film, fingerprint);
+  if (!out.complete && film.samples() > 0 && !r.checkpoint.empty())
+    save_checkpoint(r.checkpoint, film, fingerprint);
   out.picture = picture_of(film, s.view);
   out.variance_rgba = film.variance().values;
   out.samples = static_cast<int>(film.samples());
@@ -184,7 +198,8 @@ ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, c
 
 void ReferencePicture::save_variance(const std::filesystem::path& path) const {
   if (path.extension() != ".exr") throw input_error(path.string(), "the variance is written as .exr");
-  image::save_exr(path, {.width = picture.width, .height = picture.height, .channels = 4, .values = variance_rgba});
+  image::save_exr(path,
+                  {.width = picture.width, .height = picture.height, .channels = 4, .values = variance_rgba});
 }
 
 std::vector<std::string> reference_models() { return {"bssrdf", "volume"}; }

@@ -7,7 +7,8 @@
 
 namespace dermis::api {
 
-/// InputError: a setting out of range or that only the renderer knows (several heads, a picture of more than 2^26 pixels), an empty scene.
+/// InputError: a setting out of range or that only the renderer knows (several heads, a picture of more than
+/// 2^26 pixels), an empty scene.
 reference::View reference_view(const scene::Scene& scene, const RenderSettings& settings);
 
 }  // namespace dermis::api

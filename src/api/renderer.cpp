@@ -11,8 +11,10 @@ Renderer::State::State(const Options& options)
     : device({.select = options.device, .validate = options.validate}),
       library(device, passes::find_shader, gpu::default_pipeline_cache()) {}
 
-std::shared_ptr<api::SharedScene> Renderer::State::shared(const Scene& scene, const RenderSettings& settings) {
-  const std::optional<float> mix = settings.mix ? std::optional(static_cast<float>(*settings.mix)) : std::nullopt;
+std::shared_ptr<api::SharedScene> Renderer::State::shared(const Scene& scene,
+                                                          const RenderSettings& settings) {
+  const std::optional<float> mix =
+      settings.mix ? std::optional(static_cast<float>(*settings.mix)) : std::nullopt;
   if (last_scene && last_scene->subject.scene == scene.shared() && last_scene->mix == mix) return last_scene;
   auto made = std::make_shared<api::SharedScene>();
   made->subject = api::examine(scene.shared());
@@ -22,8 +24,10 @@ std::shared_ptr<api::SharedScene> Renderer::State::shared(const Scene& scene, co
 
 std::shared_ptr<const api::Surroundings> Renderer::State::surroundings(const RenderSettings& settings) {
   if (settings.environment.empty()) return nullptr;
-  if (last_surroundings && api::is_current(*last_surroundings, settings.environment)) return last_surroundings;
-  return last_surroundings = std::make_shared<const api::Surroundings>(api::surroundings_of(device, settings.environment));
+  if (last_surroundings && api::is_current(*last_surroundings, settings.environment))
+    return last_surroundings;
+  return last_surroundings =
+             std::make_shared<const api::Surroundings>(api::surroundings_of(device, settings.environment));
 }
 
 Renderer::Renderer(const Options& options) : state_(std::make_shared<State>(options)) {}
@@ -31,7 +35,9 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-std::vector<std::string> Renderer::validation_messages() const { return state_->device.validation_messages(); }
+std::vector<std::string> Renderer::validation_messages() const {
+  return state_->device.validation_messages();
+}
 
 Picture Renderer::render(const Scene& scene, const RenderSettings& settings) {
   PreparedFrame frame = prepare(scene, settings);

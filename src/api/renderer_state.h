@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a renderer owns, and its prepared frames share: the device, pipelines, and the scenes that are on the device.
+// What a renderer owns, and its prepared frames share: the device, pipelines, and the scenes that are on the
+// device.
 #pragma once
 
 #include <memory>
@@ -18,9 +19,10 @@ namespace api {
 /// A scene, examined and (once a frame has found room) on the device; shared by all frames that show it.
 struct SharedScene {
   Subject subject;
-  std::optional<float> mix;                      ///< it is uploaded with
-  std::optional<passes::GpuScene> gpu;           ///< its materials point into it: never moved
-  std::vector<environment::Occlusion> sky_seen;  ///< one a skin mesh, once an environment was asked for; values are on the device only
+  std::optional<float> mix;             ///< it is uploaded with
+  std::optional<passes::GpuScene> gpu;  ///< its materials point into it: never moved
+  /// one a skin mesh, once an environment was asked for; values are on the device only
+  std::vector<environment::Occlusion> sky_seen;
   double upload_ms = 0;
 };
 

@@ -7,7 +7,8 @@ namespace {
 
 template <class T>
 void require(const char* name, T value, T low, T high, const char* unit) {
-  if (!(value >= low && value <= high)) throw input_error("", "--{} must be {} to {}{}, got {}", name, low, high, unit, value);
+  if (!(value >= low && value <= high))
+    throw input_error("", "--{} must be {} to {}{}, got {}", name, low, high, unit, value);
 }
 
 }  // namespace
@@ -18,7 +19,8 @@ void check_settings(const RenderSettings& s) {
     throw input_error("", "--size must be 1x1 to 65536x65536 pixels, got {}x{}", s.width, s.height);
   if (s.mask && *s.mask != "alpha" && *s.mask != "depth" && *s.mask != "tiles")
     throw input_error("", "--mask '{}' is not known; there are: alpha, depth, tiles", *s.mask);
-  if (s.maps != "full" && s.maps != "progressive") throw input_error("", "--maps '{}' is not known; there are: full, progressive", s.maps);
+  if (s.maps != "full" && s.maps != "progressive")
+    throw input_error("", "--maps '{}' is not known; there are: full, progressive", s.maps);
   if (s.d_ref) require("d-ref", *s.d_ref, 1e-6, 1e6, " radii");
   if (s.clip_margin_mm) require("clip-margin", *s.clip_margin_mm, 0.0, 1e6, " mm");
   if (s.map_budget_mb) require("map-budget", *s.map_budget_mb, 0.0, 1e9, " MB");
@@ -29,8 +31,10 @@ void check_settings(const RenderSettings& s) {
   if (s.distance) require("distance", *s.distance, 1e-3, 1e6, " radii");
   require("heads", s.heads, 1, 1024, "");
   if (s.lights) require("lights", *s.lights, 0, 64, "");
-  if (s.lights && !s.placed_lights.empty()) throw input_error("", "--lights and --light both replace the lights of the scene; give one");
-  if (s.placed_lights.size() > 64) throw input_error("", "--light must be given at most 64 times, got {}", s.placed_lights.size());
+  if (s.lights && !s.placed_lights.empty())
+    throw input_error("", "--lights and --light both replace the lights of the scene; give one");
+  if (s.placed_lights.size() > 64)
+    throw input_error("", "--light must be given at most 64 times, got {}", s.placed_lights.size());
   for (const PlacedLight& light : s.placed_lights) {
     require("light (azimuth)", light.azimuth_deg, -3600.0, 3600.0, " degrees");
     require("light (elevation)", light.elevation_deg, -90.0, 90.0, " degrees");

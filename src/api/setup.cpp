@@ -38,18 +38,24 @@ std::vector<HeadSetup> set_up_heads(const Subject& subject, const RenderSettings
   std::vector<HeadSetup> heads;
   const bool skip = s.skip_unseen_heads.value_or(s.cull || s.depth || s.clip);
   for (const glm::vec3& offset : scene::head_row_offsets(s.heads, subject.sphere.radius_m)) {
-    HeadSetup head{.number = static_cast<int>(heads.size()), .offset_m = offset, .lights = {}, .shadow_from_world = {}};
+    HeadSetup head{
+        .number = static_cast<int>(heads.size()), .offset_m = offset, .lights = {}, .shadow_from_world = {}};
     for (const scene::Light& light : lights) {
-      const passes::ShadowFit fit = passes::fit_shadow(light, {subject.casters.centre_m + offset, subject.casters.radius_m}, s.shadow_size);
+      const passes::ShadowFit fit = passes::fit_shadow(
+          light, {subject.casters.centre_m + offset, subject.casters.radius_m}, s.shadow_size);
       head.lights.push_back(light_io(light, fit, head.shadow_from_world.size()));
-      head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(), fit.shadow_from_world.end());
+      head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(),
+                                    fit.shadow_from_world.end());
     }
     head.map_side = map_side(subject, s, view, offset);
     head.visible = !skip || in_view(subject, view, offset);
     heads.push_back(std::move(head));
   }
-  const auto distance = [&](const HeadSetup& head) { return glm::distance(subject.sphere.centre_m + head.offset_m, view.eye_m); };
-  std::stable_sort(heads.begin(), heads.end(), [&](const HeadSetup& a, const HeadSetup& b) { return distance(a) > distance(b); });
+  const auto distance = [&](const HeadSetup& head) {
+    return glm::distance(subject.sphere.centre_m + head.offset_m, view.eye_m);
+  };
+  std::stable_sort(heads.begin(), heads.end(),
+                   [&](const HeadSetup& a, const HeadSetup& b) { return distance(a) > distance(b); });
   return heads;
 }
 
@@ -65,7 +71,8 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
   techniques::SkinPart part;
   const auto material = static_cast<std::size_t>(subject.skin[number].triangle_material.front());
   part.profile = choose_profile(subject.scene->materials[material], s);
-  // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not wrong in width.
+  // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not
+  // wrong in width.
   part.max_texels_per_mm = std::max(subject.densities[number].largest_texels_per_mm.p95 * s.map_size, 1e-6);
   part.mean_texels_per_mm = subject.densities[number].texels_per_mm.mean * s.map_size;
   return part;
@@ -80,38 +87,51 @@ passes::ViewTransform view_transform(const std::string& name) {
 
 constexpr int default_heads_per_batch = 4;
 
-// How many heads the pool of light maps holds at T_max. Only the published baseline uses one set of maps for one head after the other.
-std::uint32_t heads_per_batch(const techniques::FrameSettings& plan, const RenderSettings& s, const DeviceTraits& device) {
+// How many heads the pool of light maps holds at T_max. Only the published baseline uses one set of maps for
+// one head after the other.
+std::uint32_t heads_per_batch(const techniques::FrameSettings& plan, const RenderSettings& s,
+                              const DeviceTraits& device) {
   std::size_t terms = 0;
   for (const techniques::SkinPart& part : plan.skin) terms = std::max(terms, part.profile.terms.size());
   if (!plan.optimise.any() || terms == 0) return 1;
   const std::size_t joining = plan.translucency ? passes::transmission_groups(terms).size() - 1 : 0;
-  const double bytes_a_texel = 8.0 * static_cast<double>(terms + 2 + joining) + (plan.mask == passes::Mask::depth ? 4 : 0);
-  const double head_mb = bytes_a_texel * s.map_size * s.map_size * static_cast<double>(plan.skin.size()) / 1e6;
+  const double bytes_a_texel =
+      8.0 * static_cast<double>(terms + 2 + joining) + (plan.mask == passes::Mask::depth ? 4 : 0);
+  const double head_mb =
+      bytes_a_texel * s.map_size * s.map_size * static_cast<double>(plan.skin.size()) / 1e6;
   double budget_mb = default_heads_per_batch * head_mb;
-  if (device.memory_bytes > 0) budget_mb = std::min(budget_mb, std::max(head_mb, static_cast<double>(device.memory_bytes) / 4e6));
+  if (device.memory_bytes > 0)
+    budget_mb = std::min(budget_mb, std::max(head_mb, static_cast<double>(device.memory_bytes) / 4e6));
   if (s.map_budget_mb) budget_mb = *s.map_budget_mb;
   if (budget_mb < head_mb)
-    throw input_error("", "--map-budget {} MB does not hold the light maps of one head: at --map-size {} they take {:.0f} MB", budget_mb,
-                      s.map_size, std::ceil(head_mb));
+    throw input_error(
+        "",
+        "--map-budget {} MB does not hold the light maps of one head: at --map-size {} they take {:.0f} MB",
+        budget_mb, s.map_size, std::ceil(head_mb));
   // As many rows and columns of squares as a texture of this device can have.
   const double squares = std::max<double>(1, device.max_image_side / static_cast<std::uint32_t>(s.map_size));
   const double most = std::max(1.0, std::floor(squares * squares / static_cast<double>(plan.skin.size())));
   // Their shadow maps come on top; large ones must not drive the heads of a batch out of memory.
-  const double shadow_mb = (plan.translucency ? 8.0 : 4.0) * plan.shadow_layers * plan.shadow_size * plan.shadow_size / 1e6;
-  const double shadowed = device.memory_bytes > 0 ? std::max(1.0, static_cast<double>(device.memory_bytes) / 4e6 / shadow_mb) : most;
-  return static_cast<std::uint32_t>(
-      std::clamp(std::floor(budget_mb / head_mb * (1 + 1e-12)), 1.0, std::min({most, 64.0, std::floor(shadowed)})));
+  const double shadow_mb =
+      (plan.translucency ? 8.0 : 4.0) * plan.shadow_layers * plan.shadow_size * plan.shadow_size / 1e6;
+  const double shadowed = device.memory_bytes > 0
+                              ? std::max(1.0, static_cast<double>(device.memory_bytes) / 4e6 / shadow_mb)
+                              : most;
+  return static_cast<std::uint32_t>(std::clamp(std::floor(budget_mb / head_mb * (1 + 1e-12)), 1.0,
+                                               std::min({most, 64.0, std::floor(shadowed)})));
 }
 
-// From a measurement on each kind of device, docs/measuring.md; never from one at run time, or frames would not be bit-equal.
+// From a measurement on each kind of device, docs/measuring.md; never from one at run time, or frames would
+// not be bit-equal.
 passes::Mask mask_of(const RenderSettings& s, const DeviceTraits& device) {
   if (!s.mask) return device.software ? passes::Mask::depth : passes::Mask::tiles;
-  return *s.mask == "alpha" ? passes::Mask::alpha : *s.mask == "depth" ? passes::Mask::depth : passes::Mask::tiles;
+  return *s.mask == "alpha"   ? passes::Mask::alpha
+         : *s.mask == "depth" ? passes::Mask::depth
+                              : passes::Mask::tiles;
 }
 
-void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings& s, const std::vector<scene::Light>& lights,
-                 const DeviceTraits& device) {
+void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings& s,
+                 const std::vector<scene::Light>& lights, const DeviceTraits& device) {
   const scene::Scene& scene = *subject.scene;
   techniques::FrameSettings& plan = setup.plan;
   plan.width = static_cast<std::uint32_t>(s.width);
@@ -120,12 +140,14 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
   plan.map_size = static_cast<std::uint32_t>(s.map_size);
   plan.shadow_size = static_cast<std::uint32_t>(s.shadow_size);
   plan.heads = static_cast<std::uint32_t>(s.heads);
-  plan.shadow_layers = static_cast<std::uint32_t>(std::max<std::size_t>(setup.heads.front().shadow_from_world.size(), 1));
+  plan.shadow_layers =
+      static_cast<std::uint32_t>(std::max<std::size_t>(setup.heads.front().shadow_from_world.size(), 1));
   plan.bloom = static_cast<float>(s.bloom);
   plan.view = view_transform(s.view);
   plan.visibility = s.show == "visibility";
   plan.environment = !s.environment.empty();
-  plan.soft_shadows = std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
+  plan.soft_shadows =
+      std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
   if (setup.technique->scatters) {
     plan.optimise = {.cull = s.cull, .depth = s.depth, .clip = s.clip};
     plan.mask = mask_of(s, device);
@@ -149,7 +171,8 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
 // Light from just outside the picture still arrives: as far as the widest Gaussian reaches.
 double clip_margin_m(const FrameSetup& setup, const Subject& subject, const RenderSettings& s) {
   double reach_mm = 0;
-  for (const techniques::SkinPart& part : setup.plan.skin) reach_mm = std::max(reach_mm, 3 * std::sqrt(part.profile.max_variance_mm2()));
+  for (const techniques::SkinPart& part : setup.plan.skin)
+    reach_mm = std::max(reach_mm, 3 * std::sqrt(part.profile.max_variance_mm2()));
   return s.clip_margin_mm.value_or(reach_mm) / subject.scene->mm_per_unit;
 }
 

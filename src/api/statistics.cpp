@@ -22,9 +22,11 @@ std::string Statistics::json() const {
   j["lights"] = lights;
   j["gaussians"] = gaussians;
   j["translucency"] = translucency;
-  j["frame_ms"] = {{"median", frame_ms_median}, {"min", frame_ms_min}, {"max", frame_ms_max}, {"frames", frames}};
+  j["frame_ms"] = {
+      {"median", frame_ms_median}, {"min", frame_ms_min}, {"max", frame_ms_max}, {"frames", frames}};
   j["passes"] = nlohmann::ordered_json::array();
-  for (const PassStatistics& pass : passes) j["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
+  for (const PassStatistics& pass : passes)
+    j["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
   j["load_ms"] = load_ms;
   j["upload_ms"] = upload_ms;
   j["pipeline_ms"] = pipeline_ms;

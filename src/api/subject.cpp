@@ -15,7 +15,8 @@ Subject examine(std::shared_ptr<const scene::Scene> scene) {
     subject.densities.push_back(scene::unwrap_density(mesh, scene->mm_per_unit));
   }
   subject.sphere = scene::skin_sphere(*scene);
-  if (!(subject.sphere.radius_m > 0)) throw input_error(scene->name, "has nothing to see: all its triangles lie at one point");
+  if (!(subject.sphere.radius_m > 0))
+    throw input_error(scene->name, "has nothing to see: all its triangles lie at one point");
   subject.box = {glm::vec3(INFINITY), glm::vec3(-INFINITY)};
   for (const scene::SkinMesh& mesh : subject.skin)
     for (const std::uint32_t index : mesh.indices) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What is known of a scene whatever the settings: its skin laid out flat, its bounds, its densities. Made once a scene.
+/// What is known of a scene whatever the settings: its skin laid out flat, its bounds, its densities. Made
+/// once a scene.
 #pragma once
 
 #include <memory>

@@ -28,7 +28,8 @@ Surroundings surroundings_of(gpu::Device& device, const std::string& name) {
   for (const image::ImageF& level : levels)
     for (std::size_t i = 0; i < level.values.size(); i += 3) {
       // The sun may be brighter than a half float can say.
-      for (std::size_t c = 0; c < 3; ++c) halves.push_back(image::float_to_half(std::min(level.values[i + c], image::max_half)));
+      for (std::size_t c = 0; c < 3; ++c)
+        halves.push_back(image::float_to_half(std::min(level.values[i + c], image::max_half)));
       halves.push_back(image::float_to_half(1));
     }
   made.map = gpu::Texture(device, "environment",
@@ -45,14 +46,16 @@ bool is_current(const Surroundings& surroundings, const std::string& name) {
   return surroundings.name == name && surroundings.written == time_of(name);
 }
 
-SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings, double rotation_deg,
-                      const std::vector<environment::Occlusion>& seen) {
+SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings,
+                      double rotation_deg, const std::vector<environment::Occlusion>& seen) {
   SkyOnSkin made{.of = std::move(surroundings), .rotation_deg = rotation_deg, .maps = {}};
-  const environment::SkyHarmonics sky = environment::turned(made.of->sky, rotation_deg * std::numbers::pi / 180);
+  const environment::SkyHarmonics sky =
+      environment::turned(made.of->sky, rotation_deg * std::numbers::pi / 180);
   for (const environment::Occlusion& mesh : seen) {
     const environment::SkyLight light = environment::sky_light(mesh, sky);
-    made.maps.push_back({.direct = passes::unwrap_map(device, "light of the sky", mesh.side, light.direct),
-                         .bounced = passes::unwrap_map(device, "light of the sky, bounced", mesh.side, light.bounced)});
+    made.maps.push_back(
+        {.direct = passes::unwrap_map(device, "light of the sky", mesh.side, light.direct),
+         .bounced = passes::unwrap_map(device, "light of the sky, bounced", mesh.side, light.bounced)});
   }
   return made;
 }

@@ -38,8 +38,8 @@ struct SkyOnSkin {
 };
 
 /// `seen`: one a skin mesh. Some 15 ms a mesh: product of harmonics on the processor.
-SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings, double rotation_deg,
-                      const std::vector<environment::Occlusion>& seen);
+SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings,
+                      double rotation_deg, const std::vector<environment::Occlusion>& seen);
 
 void fill_surroundings(io::FrameIo& frame, const Surroundings& surroundings, const RenderSettings& settings);
 

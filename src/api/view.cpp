@@ -45,10 +45,12 @@ double reference_distance(const Subject& subject, const RenderSettings& s, doubl
   return d_mm / (subject.sphere.radius_m * subject.scene->mm_per_unit);
 }
 
-// Rows of the matrix, as half spaces: -w <= x <= w, -w <= y <= w, and z <= w, which is the near plane of reversed depth.
+// Rows of the matrix, as half spaces: -w <= x <= w, -w <= y <= w, and z <= w, which is the near plane of
+// reversed depth.
 std::array<glm::vec4, 5> planes_of(const glm::mat4& clip_from_world) {
   const glm::mat4 rows = glm::transpose(clip_from_world);
-  std::array<glm::vec4, 5> planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3] - rows[2]};
+  std::array<glm::vec4, 5> planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1],
+                                  rows[3] - rows[2]};
   for (glm::vec4& plane : planes) plane /= glm::length(glm::vec3(plane));
   return planes;
 }
@@ -60,9 +62,11 @@ View view_of(const Subject& subject, const RenderSettings& s) {
   view.camera = choose_camera(*subject.scene, s, subject.sphere);
   view.eye_m = glm::vec3(view.camera.world_from_camera[3]);
   view.direction = -glm::normalize(glm::vec3(view.camera.world_from_camera[2]));
-  view.clip_from_world = projection(view.camera, static_cast<double>(s.width) / s.height) * glm::inverse(view.camera.world_from_camera);
+  view.clip_from_world = projection(view.camera, static_cast<double>(s.width) / s.height) *
+                         glm::inverse(view.camera.world_from_camera);
   view.planes = planes_of(view.clip_from_world);
-  if (!view.camera.orthographic) view.d_ref = s.d_ref.value_or(reference_distance(subject, s, view.camera.fov_y_rad));
+  if (!view.camera.orthographic)
+    view.d_ref = s.d_ref.value_or(reference_distance(subject, s, view.camera.fov_y_rad));
   return view;
 }
 
@@ -83,8 +87,9 @@ int map_side(const Subject& subject, const RenderSettings& s, const View& view, 
 
 bool in_view(const Subject& subject, const View& view, const glm::vec3& offset_m) {
   const glm::vec4 centre(subject.casters.centre_m + offset_m, 1);
-  return std::all_of(view.planes.begin(), view.planes.end(),
-                     [&](const glm::vec4& plane) { return glm::dot(plane, centre) > -subject.casters.radius_m; });
+  return std::all_of(view.planes.begin(), view.planes.end(), [&](const glm::vec4& plane) {
+    return glm::dot(plane, centre) > -subject.casters.radius_m;
+  });
 }
 
 std::array<glm::vec4, 5> with_margin(std::array<glm::vec4, 5> planes, double margin_m) {

@@ -25,10 +25,11 @@ struct View {
 /// InputError: no such camera (lists those of the scene).
 View view_of(const Subject& subject, const RenderSettings& settings);
 
-/// [JG08] sec. 4: T of a head, min(d_ref / d, 1) T_max rounded up to 32 texels, d from the eye to the nearest point of the head's box (the
-/// paper takes the nearest vertex; a point that is never farther keeps the map from being too small). Orthographic: pixels per mm over
-/// texels per mm in place of d_ref / d.
-int map_side(const Subject& subject, const RenderSettings& settings, const View& view, const glm::vec3& offset_m);
+/// [JG08] sec. 4: T of a head, min(d_ref / d, 1) T_max rounded up to 32 texels, d from the eye to the nearest
+/// point of the head's box (the paper takes the nearest vertex; a point that is never farther keeps the map
+/// from being too small). Orthographic: pixels per mm over texels per mm in place of d_ref / d.
+int map_side(const Subject& subject, const RenderSettings& settings, const View& view,
+             const glm::vec3& offset_m);
 
 /// Whether any part of the head may lie in the picture: its sphere against the planes.
 bool in_view(const Subject& subject, const View& view, const glm::vec3& offset_m);

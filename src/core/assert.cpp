@@ -7,7 +7,9 @@
 namespace dermis {
 
 void assertion_failed(std::string_view expression, std::string_view values, const char* file, int line) {
-  std::fputs(fmt::format("dermis: internal error: {}{}{} ({}:{})\n", expression, values.empty() ? "" : ": ", values, file, line).c_str(),
+  std::fputs(fmt::format("dermis: internal error: {}{}{} ({}:{})\n", expression, values.empty() ? "" : ": ",
+                         values, file, line)
+                 .c_str(),
              stderr);
   std::abort();
 }

@@ -8,7 +8,8 @@
 
 namespace dermis {
 
-[[noreturn]] void assertion_failed(std::string_view expression, std::string_view values, const char* file, int line);
+[[noreturn]] void assertion_failed(std::string_view expression, std::string_view values, const char* file,
+                                   int line);
 
 }  // namespace dermis
 
@@ -17,12 +18,13 @@ namespace dermis {
     if (!(condition)) ::dermis::assertion_failed(#condition, "", __FILE__, __LINE__); \
   } while (false)
 
-#define DERMIS_ASSERT_OP_(a, op, b)                                                                                     \
-  do {                                                                                                                  \
-    const auto& dermis_a_ = (a);                                                                                        \
-    const auto& dermis_b_ = (b);                                                                                        \
-    if (!(dermis_a_ op dermis_b_))                                                                                      \
-      ::dermis::assertion_failed(#a " " #op " " #b, fmt::format("{} vs {}", dermis_a_, dermis_b_), __FILE__, __LINE__); \
+#define DERMIS_ASSERT_OP_(a, op, b)                                                                          \
+  do {                                                                                                       \
+    const auto& dermis_a_ = (a);                                                                             \
+    const auto& dermis_b_ = (b);                                                                             \
+    if (!(dermis_a_ op dermis_b_))                                                                           \
+      ::dermis::assertion_failed(#a " " #op " " #b, fmt::format("{} vs {}", dermis_a_, dermis_b_), __FILE__, \
+                                 __LINE__);                                                                  \
   } while (false)
 
 #define DERMIS_ASSERT_EQ(a, b) DERMIS_ASSERT_OP_(a, ==, b)

@@ -20,7 +20,8 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
-/// A device or a pipe. It keeps no half of a file, and must not be replaced by one: as root, /dev/null would be gone.
+/// A device or a pipe. It keeps no half of a file, and must not be replaced by one: as root, /dev/null would
+/// be gone.
 bool is_stream(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
@@ -31,8 +32,10 @@ bool is_stream(const fs::path& path) {
 void write_bytes(const fs::path& to, std::span<const std::byte> bytes, const fs::path& named) {
   File file(std::fopen(to.c_str(), "wb"));
   if (!file) throw input_error(named.string(), "cannot be written: {}", std::strerror(errno));
-  const bool written = bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-  if (!written || std::fflush(file.get()) != 0) throw input_error(named.string(), "cannot be written: {}", std::strerror(errno));
+  const bool written =
+      bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  if (!written || std::fflush(file.get()) != 0)
+    throw input_error(named.string(), "cannot be written: {}", std::strerror(errno));
 }
 
 }  // namespace
@@ -45,26 +48,33 @@ std::vector<std::byte> read_file(const fs::path& path, std::uint64_t limit_bytes
   if (!fs::is_regular_file(status)) throw input_error(path.string(), "is not a regular file");
   const std::uint64_t size = fs::file_size(path, error);
   if (error) throw input_error(path.string(), "cannot be read: {}", error.message());
-  if (size > limit_bytes) throw input_error(path.string(), "has {} bytes, the limit is {}", size, limit_bytes);
+  if (size > limit_bytes)
+    throw input_error(path.string(), "has {} bytes, the limit is {}", size, limit_bytes);
   if (size == 0 && !allow_empty) throw input_error(path.string(), "is empty");
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) throw input_error(path.string(), "cannot be opened: {}", std::strerror(errno));
   std::vector<std::byte> bytes(size);
-  if (size != 0 && std::fread(bytes.data(), 1, size, file.get()) != size) throw input_error(path.string(), "cannot be read to its end");
+  if (size != 0 && std::fread(bytes.data(), 1, size, file.get()) != size)
+    throw input_error(path.string(), "cannot be read to its end");
   return bytes;
 }
 
 void check_writable(const fs::path& path) {
-  if (path.empty() || !path.has_filename()) throw input_error(path.string(), "is not the name of a file to write");
+  if (path.empty() || !path.has_filename())
+    throw input_error(path.string(), "is not the name of a file to write");
   std::error_code error;
-  if (fs::is_directory(path, error)) throw input_error(path.string(), "is a directory, expected the name of a file to write");
+  if (fs::is_directory(path, error))
+    throw input_error(path.string(), "is a directory, expected the name of a file to write");
   if (is_stream(path)) {
-    if (::access(path.c_str(), W_OK) != 0) throw input_error(path.string(), "cannot be written: {}", std::strerror(errno));
+    if (::access(path.c_str(), W_OK) != 0)
+      throw input_error(path.string(), "cannot be written: {}", std::strerror(errno));
     return;
   }
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, error)) throw input_error(path.string(), "folder '{}' does not exist", folder.string());
-  if (::access(folder.c_str(), W_OK) != 0) throw input_error(path.string(), "folder '{}' cannot be written", folder.string());
+  if (!fs::is_directory(folder, error))
+    throw input_error(path.string(), "folder '{}' does not exist", folder.string());
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw input_error(path.string(), "folder '{}' cannot be written", folder.string());
 }
 
 void write_file(const fs::path& path, std::span<const std::byte> bytes) {
@@ -88,7 +98,9 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes) {
   }
 }
 
-void write_file(const fs::path& path, std::string_view text) { write_file(path, std::as_bytes(std::span(text.data(), text.size()))); }
+void write_file(const fs::path& path, std::string_view text) {
+  write_file(path, std::as_bytes(std::span(text.data(), text.size())));
+}
 
 bool same_file(const fs::path& a, const fs::path& b) {
   const auto full = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };

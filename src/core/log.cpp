@@ -24,7 +24,8 @@ LogSink set_log_sink(LogSink sink) {
 void log_line(LogLevel level, const std::string& line) {
   const std::lock_guard lock(mutex);
   if (current()) return current()(level, line);
-  std::fputs(fmt::format("dermis: {}{}\n", level == LogLevel::warning ? "warning: " : "", line).c_str(), stderr);
+  std::fputs(fmt::format("dermis: {}{}\n", level == LogLevel::warning ? "warning: " : "", line).c_str(),
+             stderr);
 }
 
 }  // namespace dermis

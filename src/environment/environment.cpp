@@ -18,8 +18,8 @@ Environment load(const std::filesystem::path& path) {
     if (value < 0) value = 0, ++negative;
   if (negative > 0) warn("{}: {} negative values of radiance are taken as 0", path.string(), negative);
   if (e.radiance.width != 2 * e.radiance.height)
-    warn("{}: {} x {} pixels is not twice as wide as high; it is stretched over all directions as if it were", path.string(),
-         e.radiance.width, e.radiance.height);
+    warn("{}: {} x {} pixels is not twice as wide as high; it is stretched over all directions as if it were",
+         path.string(), e.radiance.width, e.radiance.height);
   return e;
 }
 
@@ -37,18 +37,22 @@ glm::dvec3 direction_of(double u, double v) {
 }
 
 glm::dvec2 place_of(const glm::dvec3& d) {
-  return {0.5 + std::atan2(d.x, -d.z) / (2 * std::numbers::pi), std::acos(std::clamp(d.y, -1.0, 1.0)) / std::numbers::pi};
+  return {0.5 + std::atan2(d.x, -d.z) / (2 * std::numbers::pi),
+          std::acos(std::clamp(d.y, -1.0, 1.0)) / std::numbers::pi};
 }
 
 glm::dvec3 radiance_at(const image::ImageF& picture, const glm::dvec2& at) {
-  const double x = at.x * picture.width - 0.5, y = std::clamp(at.y * picture.height - 0.5, 0.0, picture.height - 1.0);
+  const double x = at.x * picture.width - 0.5,
+               y = std::clamp(at.y * picture.height - 0.5, 0.0, picture.height - 1.0);
   const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(y);
   const double fx = x - x0, fy = y - y0;
   const auto pixel = [&](int px, int py) {
-    const float* p = picture.at((px % picture.width + picture.width) % picture.width, std::min(py, picture.height - 1));
+    const float* p =
+        picture.at((px % picture.width + picture.width) % picture.width, std::min(py, picture.height - 1));
     return glm::dvec3(p[0], p[1], p[2]);
   };
-  return glm::mix(glm::mix(pixel(x0, y0), pixel(x0 + 1, y0), fx), glm::mix(pixel(x0, y0 + 1), pixel(x0 + 1, y0 + 1), fx), fy);
+  return glm::mix(glm::mix(pixel(x0, y0), pixel(x0 + 1, y0), fx),
+                  glm::mix(pixel(x0, y0 + 1), pixel(x0 + 1, y0 + 1), fx), fy);
 }
 
 }  // namespace dermis::environment

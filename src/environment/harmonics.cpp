@@ -35,8 +35,9 @@ const std::array<double, harmonic_terms>& norms() {
 
 Harmonics harmonics(const glm::dvec3& d) {
   Harmonics out{};
-  double cosine = 1, sine = 0;  // sin(polar)^m times those of m azimuths: the real and imaginary part of (z + i x)^m
-  double diagonal = 1;          // the Legendre function of l = m without sin^m: 1 3 5 ... (2 m - 1)
+  // sin(polar)^m times those of m azimuths: the real and imaginary part of (z + i x)^m
+  double cosine = 1, sine = 0;
+  double diagonal = 1;  // the Legendre function of l = m without sin^m: 1 3 5 ... (2 m - 1)
   for (int m = 0; m <= order; ++m) {
     double before = 0, here = diagonal;
     for (int l = m; l <= order; ++l) {
@@ -68,7 +69,8 @@ SkyHarmonics sky_of(const image::ImageF& picture) {
     for (int x = 0; x < picture.width; ++x) {
       const float* rgb = picture.at(x, y);
       const Harmonics basis = harmonics(direction_of((x + 0.5) / picture.width, v));
-      for (std::size_t k = 0; k < sky.size(); ++k) sky[k] += glm::dvec3(rgb[0], rgb[1], rgb[2]) * (basis[k] * share);
+      for (std::size_t k = 0; k < sky.size(); ++k)
+        sky[k] += glm::dvec3(rgb[0], rgb[1], rgb[2]) * (basis[k] * share);
       solid_angle += share;
     }
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Light from all directions as a few numbers: real spherical harmonics up to order 5, about +Y, so that turning the surroundings is cheap.
-/// Based on: [SKS02] Sloan, Kautz, Snyder: Precomputed Radiance Transfer for Real-Time Rendering in Dynamic, Low-Frequency Lighting
+/// Light from all directions as a few numbers: real spherical harmonics up to order 5, about +Y, so that
+/// turning the surroundings is cheap. Based on: [SKS02] Sloan, Kautz, Snyder: Precomputed Radiance Transfer
+/// for Real-Time Rendering in Dynamic, Low-Frequency Lighting
 ///           Environments. SIGGRAPH 2002
-///           [RH01]  Ramamoorthi, Hanrahan: An Efficient Representation for Irradiance Environment Maps. SIGGRAPH 2001
+///           [RH01]  Ramamoorthi, Hanrahan: An Efficient Representation for Irradiance Environment Maps.
+///           SIGGRAPH 2001
 #pragma once
 
 #include <array>
@@ -12,7 +14,8 @@
 
 namespace dermis::environment {
 
-/// Order 5 is where what a face sees of three soft boxes is within 3 % of the exact integral (2: 17 %, 3: 9 %, 4: 5 %).
+/// Order 5 is where what a face sees of three soft boxes is within 3 % of the exact integral (2: 17 %, 3: 9
+/// %, 4: 5 %).
 inline constexpr int harmonic_order = 5;
 inline constexpr std::size_t harmonic_terms = (harmonic_order + 1) * (harmonic_order + 1);
 
@@ -20,7 +23,8 @@ inline constexpr std::size_t harmonic_terms = (harmonic_order + 1) * (harmonic_o
 using Harmonics = std::array<double, harmonic_terms>;
 Harmonics harmonics(const glm::dvec3& direction);
 
-/// Of max(0, cos) about a unit normal: its zonal factors are pi, 2 pi / 3, pi / 4, 0, -pi / 24, 0 [RH01] eq. 8.
+/// Of max(0, cos) about a unit normal: its zonal factors are pi, 2 pi / 3, pi / 4, 0, -pi / 24, 0 [RH01]
+/// eq. 8.
 Harmonics cosine_lobe(const glm::dvec3& normal);
 
 /// Radiance of an equirectangular picture, three channels: Int L Y over the sphere.

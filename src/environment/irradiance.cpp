@@ -15,12 +15,14 @@ Basis polynomials(const glm::dvec3& n) {
   return {1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
 }
 
-// Squares of the harmonics' normalisation: Y = k * polynomial, so the projection onto Y and its evaluation multiply by k^2.
+// Squares of the harmonics' normalisation: Y = k * polynomial, so the projection onto Y and its evaluation
+// multiply by k^2.
 constexpr double pi = std::numbers::pi;
 constexpr Basis squared_factors{1 / (4 * pi),  3 / (4 * pi),  3 / (4 * pi),  3 / (4 * pi),  15 / (4 * pi),
                                 15 / (4 * pi), 5 / (16 * pi), 15 / (4 * pi), 15 / (16 * pi)};
 // What a cosine lobe does to each band: pi, 2 pi / 3, pi / 4.
-constexpr Basis cosine_factors{pi, 2 * pi / 3, 2 * pi / 3, 2 * pi / 3, pi / 4, pi / 4, pi / 4, pi / 4, pi / 4};
+constexpr Basis cosine_factors{pi,     2 * pi / 3, 2 * pi / 3, 2 * pi / 3, pi / 4,
+                               pi / 4, pi / 4,     pi / 4,     pi / 4};
 
 }  // namespace
 
@@ -35,11 +37,13 @@ Irradiance irradiance_of(const Environment& environment) {
     for (int x = 0; x < picture.width * nx; ++x) {
       const float* rgb = picture.at(x / nx, y / ny);
       const Basis p = polynomials(direction_of((x + 0.5) / (picture.width * nx), v));
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += glm::dvec3(rgb[0], rgb[1], rgb[2]) * (p[k] * share);
+      for (std::size_t k = 0; k < sum.size(); ++k)
+        sum[k] += glm::dvec3(rgb[0], rgb[1], rgb[2]) * (p[k] * share);
       solid_angle += share;
     }
   }
-  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] *= squared_factors[k] * cosine_factors[k] * 4 * pi / solid_angle;
+  for (std::size_t k = 0; k < sum.size(); ++k)
+    sum[k] *= squared_factors[k] * cosine_factors[k] * 4 * pi / solid_angle;
   return sum;
 }
 

@@ -29,7 +29,9 @@ struct Texel {
 struct Grid {
   int side;
   std::vector<Texel> texels;
-  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x); }
+  std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
+  }
 };
 
 Grid rasterise(const scene::SkinMesh& mesh, int side) {
@@ -41,8 +43,10 @@ Grid rasterise(const scene::SkinMesh& mesh, int side) {
     if (area == 0) continue;
     scene::for_each_texel(uv, side, [&](int x, int y) {
       const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) / static_cast<double>(side) - a;
-      const double u = std::clamp((p.x * c.y - p.y * c.x) / area, 0.0, 1.0), v = std::clamp((b.x * p.y - b.y * p.x) / area, 0.0, 1.0 - u);
-      grid.texels[grid.at(x, y)] = {static_cast<std::uint32_t>(t), static_cast<float>(u), static_cast<float>(v)};
+      const double u = std::clamp((p.x * c.y - p.y * c.x) / area, 0.0, 1.0),
+                   v = std::clamp((b.x * p.y - b.y * p.x) / area, 0.0, 1.0 - u);
+      grid.texels[grid.at(x, y)] = {static_cast<std::uint32_t>(t), static_cast<float>(u),
+                                    static_cast<float>(v)};
     });
   }
   return grid;
@@ -83,11 +87,13 @@ std::array<float, n> divided(std::array<float, n> sum, float by) {
   return sum;
 }
 
-// The texels that a texel's blocked rays meet; `itself` for what is no skin of this mesh, or is seen from within.
+// The texels that a texel's blocked rays meet; `itself` for what is no skin of this mesh, or is seen from
+// within.
 constexpr std::uint32_t itself = ~0u;
 using Blockers = std::vector<std::uint32_t>;
 
-// Adds up what rays find. Directions beneath the flat triangle are not asked: a coarse mesh would darken itself.
+// Adds up what rays find. Directions beneath the flat triangle are not asked: a coarse mesh would darken
+// itself.
 struct Gathered {
   glm::dvec3 open{0}, all{0};
   Harmonics open_harmonics{}, all_harmonics{};
@@ -105,27 +111,31 @@ struct Gathered {
   Seen result(const glm::dvec3& n) const {
     Seen out = all_of_it;
     const Harmonics lobe = cosine_lobe(n);
-    const double share = asked == 0 ? 1 : static_cast<double>(seen) / asked, each = asked == 0 ? 0 : std::numbers::pi / asked;
-    // The exact lobe of all directions less that of the rays is noise alone: as much of it is taken off as is seen, so that nothing is left
-    // of it where nothing is in the way, and nothing is brought in where nothing is seen.
+    const double share = asked == 0 ? 1 : static_cast<double>(seen) / asked,
+                 each = asked == 0 ? 0 : std::numbers::pi / asked;
+    // The exact lobe of all directions less that of the rays is noise alone: as much of it is taken off as is
+    // seen, so that nothing is left of it where nothing is in the way, and nothing is brought in where
+    // nothing is seen.
     for (std::size_t k = 0; k < lobe.size(); ++k)
       out[4 + k] = static_cast<float>(each * open_harmonics[k] + share * (lobe[k] - each * all_harmonics[k]));
     if (asked == 0) return out;
     out[3] = static_cast<float>(share);
     if (seen == 0) return out;
-    const glm::dvec3 turned = glm::normalize(open) - glm::normalize(all);  // noise and the triangle's tilt cancel here, too
+    // noise and the triangle's tilt cancel here, too
+    const glm::dvec3 turned = glm::normalize(open) - glm::normalize(all);
     for (glm::length_t i = 0; i < 3; ++i) out[static_cast<std::size_t>(i)] = static_cast<float>(turned[i]);
     return out;
   }
 };
 
-std::uint32_t texel_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const rays::Hit& hit, const glm::dvec3& direction,
-                       int side) {
+std::uint32_t texel_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const rays::Hit& hit,
+                       const glm::dvec3& direction, int side) {
   const scene::Primitive& primitive = scene.primitives[hit.primitive];
   if (primitive.node != mesh.node || !rays::is_skin(scene, primitive)) return itself;
   const rays::SurfacePoint s = rays::surface_point(scene, hit);
   if (glm::dot(s.face_normal, direction) > 0) return itself;
-  const glm::ivec2 at(glm::floor((s.uv[0] * mesh.unwrap_scale + mesh.unwrap_offset) * static_cast<double>(side)));
+  const glm::ivec2 at(
+      glm::floor((s.uv[0] * mesh.unwrap_scale + mesh.unwrap_offset) * static_cast<double>(side)));
   if (at.x < 0 || at.y < 0 || at.x >= side || at.y >= side) return itself;
   return static_cast<std::uint32_t>(at.y * side + at.x);
 }
@@ -137,17 +147,20 @@ struct Around {
 };
 
 // Cosine-weighted directions around the normal.
-Around look_around(const rays::RayScene& rays, const scene::SkinMesh& mesh, const glm::dvec3& p, const glm::dvec3& n,
-                   const glm::dvec3& face, glm::dvec2 shift, const OcclusionSettings& settings) {
+Around look_around(const rays::RayScene& rays, const scene::SkinMesh& mesh, const glm::dvec3& p,
+                   const glm::dvec3& n, const glm::dvec3& face, glm::dvec2 shift,
+                   const OcclusionSettings& settings) {
   const int count = settings.rays;
-  const glm::dvec3 side = glm::normalize(glm::cross(std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
+  const glm::dvec3 side =
+      glm::normalize(glm::cross(std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
   const glm::dvec3 up = glm::cross(n, side);
   const glm::dvec3 origin = p + face * (4 * rays::stand_off_m(p));
   Gathered gathered;
   Around out;
   for (int i = 0; i < count; ++i) {
     const double r2 = std::fmod((i + 0.5) / count + shift.x, 1.0),
-                 a = 2 * std::numbers::pi * std::fmod(radical_inverse(static_cast<unsigned>(i)) + shift.y, 1.0);
+                 a = 2 * std::numbers::pi *
+                     std::fmod(radical_inverse(static_cast<unsigned>(i)) + shift.y, 1.0);
     const double r = std::sqrt(r2);
     const glm::dvec3 d = side * (r * std::cos(a)) + up * (r * std::sin(a)) + n * std::sqrt(1 - r2);
     if (glm::dot(d, face) <= 1e-3) continue;
@@ -159,7 +172,8 @@ Around look_around(const rays::RayScene& rays, const scene::SkinMesh& mesh, cons
   return out;
 }
 
-// [SKS02] sec. 3.3, one bounce: a blocked ray brings what the texel that it meets has of the sky. `all`: of all texels, smoothed.
+// [SKS02] sec. 3.3, one bounce: a blocked ray brings what the texel that it meets has of the sky. `all`: of
+// all texels, smoothed.
 Hidden bounced(const Around& around, const Seen& own, const std::vector<Seen>& all) {
   Hidden out{};
   out[blockers_open] = 1;
@@ -168,9 +182,11 @@ Hidden bounced(const Around& around, const Seen& own, const std::vector<Seen>& a
   std::array<double, blockers_open> sum{};
   for (const std::uint32_t blocker : around.blockers) {
     const Seen& seen = blocker == itself ? own : all[blocker];
-    const double missing = std::max(0.0, least_open - double{seen[3]});  // of white skin in a hole without a way out
+    // of white skin in a hole without a way out
+    const double missing = std::max(0.0, least_open - double{seen[3]});
     open += double{seen[3]} + missing;
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += double{seen[4 + k]} + missing * double{all_of_it[4 + k]};
+    for (std::size_t k = 0; k < sum.size(); ++k)
+      sum[k] += double{seen[4 + k]} + missing * double{all_of_it[4 + k]};
   }
   for (std::size_t k = 0; k < sum.size(); ++k)
     out[k] = static_cast<float>(sum[k] / open * static_cast<double>(around.blockers.size()) / around.asked);
@@ -180,7 +196,8 @@ Hidden bounced(const Around& around, const Seen& own, const std::vector<Seen>& a
 
 // The mean of 3 x 3 texels of the same chart: what is left of the noise.
 template <class Values>
-std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid, const std::vector<Values>& values) {
+std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid,
+                             const std::vector<Values>& values) {
   std::vector<Values> out(values.size(), Values{});
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
     const int y = static_cast<int>(row);
@@ -193,7 +210,8 @@ std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid, cons
         for (int dx = -1; dx <= 1; ++dx) {
           if (x + dx < 0 || y + dy < 0 || x + dx >= grid.side || y + dy >= grid.side) continue;
           const Texel& other = grid.texels[grid.at(x + dx, y + dy)];
-          if (!other.covered() || mesh.triangle_chart[other.triangle] != mesh.triangle_chart[own.triangle]) continue;
+          if (!other.covered() || mesh.triangle_chart[other.triangle] != mesh.triangle_chart[own.triangle])
+            continue;
           const float weight = static_cast<float>((2 - std::abs(dx)) * (2 - std::abs(dy)));
           add(sum, weight, values[grid.at(x + dx, y + dy)]);
           total += weight;
@@ -218,7 +236,9 @@ void dilate(const Grid& grid, std::vector<Values>& values, const Values& rest) {
         float total = 0;
         for (int dy = -1; dy <= 1; ++dy)
           for (int dx = -1; dx <= 1; ++dx) {
-            if (x + dx < 0 || y + dy < 0 || x + dx >= grid.side || y + dy >= grid.side || !filled[grid.at(x + dx, y + dy)]) continue;
+            if (x + dx < 0 || y + dy < 0 || x + dx >= grid.side || y + dy >= grid.side ||
+                !filled[grid.at(x + dx, y + dy)])
+              continue;
             add(sum, 1, values[grid.at(x + dx, y + dy)]);
             ++total;
           }
@@ -237,11 +257,13 @@ struct Place {
 // None where a triangle has no area or no normal.
 std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const Texel& texel) {
   const scene::Vertex* corners[3];
-  for (std::size_t k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[3 * std::size_t{texel.triangle} + k]];
+  for (std::size_t k = 0; k < 3; ++k)
+    corners[k] = &mesh.vertices[mesh.indices[3 * std::size_t{texel.triangle} + k]];
   const glm::dvec3 a(corners[0]->position_m), b(corners[1]->position_m), c(corners[2]->position_m);
   const double u = double{texel.u}, v = double{texel.v}, w = 1.0 - texel.u - texel.v;
   glm::dvec3 face = glm::cross(b - a, c - a);
-  const glm::dvec3 normal = glm::dvec3(corners[0]->normal) * w + glm::dvec3(corners[1]->normal) * u + glm::dvec3(corners[2]->normal) * v;
+  const glm::dvec3 normal = glm::dvec3(corners[0]->normal) * w + glm::dvec3(corners[1]->normal) * u +
+                            glm::dvec3(corners[2]->normal) * v;
   if (glm::length(face) < 1e-30 || glm::length(normal) < 1e-6) return std::nullopt;
   face = glm::normalize(face);
   const glm::dvec3 n = glm::normalize(normal);
@@ -251,7 +273,8 @@ std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const Texel& te
 
 }  // namespace
 
-Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh, const OcclusionSettings& settings) {
+Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
+                         const OcclusionSettings& settings) {
   DERMIS_ASSERT_LE(16, settings.side);
   DERMIS_ASSERT_LE(settings.side, 4096);
   DERMIS_ASSERT_LE(1, settings.rays);
@@ -281,7 +304,8 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
   Occlusion out{.side = settings.side, .values = {}, .transfer = {}, .bounced = {}};
   for (std::size_t i = 0; i < seen.size(); ++i) {
     out.values.insert(out.values.end(), seen[i].begin(), seen[i].begin() + 4);
-    for (std::size_t k = 0; k < harmonic_terms; ++k) out.transfer.push_back(image::float_to_half(seen[i][4 + k]));
+    for (std::size_t k = 0; k < harmonic_terms; ++k)
+      out.transfer.push_back(image::float_to_half(seen[i][4 + k]));
     for (const float value : hidden[i]) out.bounced.push_back(image::float_to_half(value));
   }
   return out;
@@ -302,7 +326,8 @@ SkyLight sky_light(const Occlusion& occlusion, const SkyHarmonics& sky) {
   parallel_for(side, [&](std::size_t row) {
     for (std::size_t i = row * side; i < (row + 1) * side; ++i) {
       const std::uint16_t* hidden = &occlusion.bounced[i * bounced_terms];
-      const glm::vec3 direct = product(&occlusion.transfer[i * harmonic_terms], harmonic_terms), bounced = product(hidden, blockers_open);
+      const glm::vec3 direct = product(&occlusion.transfer[i * harmonic_terms], harmonic_terms),
+                      bounced = product(hidden, blockers_open);
       for (glm::length_t c = 0; c < 3; ++c) {
         out.direct[4 * i + static_cast<std::size_t>(c)] = direct[c];
         out.bounced[4 * i + static_cast<std::size_t>(c)] = bounced[c];

@@ -60,7 +60,8 @@ std::vector<std::byte> write(const Occlusion& occlusion, const Hash& hash) {
   Header header;
   header.side = static_cast<std::uint32_t>(occlusion.side);
   header.hash[0] = hash.state()[0], header.hash[1] = hash.state()[1];
-  const std::size_t values = occlusion.values.size() * 2, transfer = occlusion.transfer.size() * 2, bounced = occlusion.bounced.size() * 2;
+  const std::size_t values = occlusion.values.size() * 2, transfer = occlusion.transfer.size() * 2,
+                    bounced = occlusion.bounced.size() * 2;
   std::vector<std::byte> bytes(sizeof header + values + transfer + bounced);
   std::memcpy(bytes.data(), &header, sizeof header);
   for (std::size_t i = 0; i < occlusion.values.size(); ++i) {
@@ -74,16 +75,19 @@ std::vector<std::byte> write(const Occlusion& occlusion, const Hash& hash) {
 
 // Empty if the bytes are not what write() has made for this hash and size.
 Occlusion read(std::span<const std::byte> bytes, const Hash& hash, int side) {
-  const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side), count = 4 * texels,
-                    transfer = harmonic_terms * texels, bounced = bounced_terms * texels;
+  const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
+                    count = 4 * texels, transfer = harmonic_terms * texels, bounced = bounced_terms * texels;
   Header header, expected;
   if (bytes.size() != sizeof header + 2 * (count + transfer + bounced)) return {};
   std::memcpy(&header, bytes.data(), sizeof header);
-  if (std::memcmp(header.magic, expected.magic, sizeof header.magic) != 0 || header.side != static_cast<std::uint32_t>(side) ||
-      header.hash[0] != hash.state()[0] || header.hash[1] != hash.state()[1])
+  if (std::memcmp(header.magic, expected.magic, sizeof header.magic) != 0 ||
+      header.side != static_cast<std::uint32_t>(side) || header.hash[0] != hash.state()[0] ||
+      header.hash[1] != hash.state()[1])
     return {};
-  Occlusion out{
-      .side = side, .values = {}, .transfer = std::vector<std::uint16_t>(transfer), .bounced = std::vector<std::uint16_t>(bounced)};
+  Occlusion out{.side = side,
+                .values = {},
+                .transfer = std::vector<std::uint16_t>(transfer),
+                .bounced = std::vector<std::uint16_t>(bounced)};
   for (std::size_t i = 0; i < count; ++i) {
     std::uint16_t half = 0;
     std::memcpy(&half, bytes.data() + sizeof header + 2 * i, 2);
@@ -106,14 +110,16 @@ void round_to_half(Occlusion& occlusion) {
 
 }  // namespace
 
-Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh, const std::filesystem::path& folder,
-                           const OcclusionSettings& settings) {
+Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
+                           const std::filesystem::path& folder, const OcclusionSettings& settings) {
   const Hash hash = hash_of(scene, mesh, settings);
   const std::filesystem::path file = folder / fmt::format("occlusion-{:016x}.bin", hash.state()[0]);
   std::error_code error;
   if (!folder.empty() && std::filesystem::is_regular_file(file, error)) {
     try {
-      if (Occlusion found = read(read_file(file, std::uint64_t{1} << 28), hash, settings.side); found.side > 0) return found;
+      if (Occlusion found = read(read_file(file, std::uint64_t{1} << 28), hash, settings.side);
+          found.side > 0)
+        return found;
     } catch (const InputError&) {  // made again below
     }
     warn("{}: not what it should be; made again", file.string());
@@ -124,7 +130,9 @@ Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mes
   try {
     std::filesystem::create_directories(folder, error);
     write_file(file, write(made, hash));
-  } catch (const InputError& e) { warn("what the skin sees of its surroundings is not kept for the next run: {}", e.what()); }
+  } catch (const InputError& e) {
+    warn("what the skin sees of its surroundings is not kept for the next run: {}", e.what());
+  }
   return made;
 }
 

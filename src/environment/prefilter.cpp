@@ -13,22 +13,25 @@ constexpr double pi = std::numbers::pi;
 constexpr int lobe_samples = 192;
 
 image::ImageF empty(int width, int height) {
-  return {.width = width,
-          .height = height,
-          .channels = 3,
-          .values = std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
+  return {
+      .width = width,
+      .height = height,
+      .channels = 3,
+      .values = std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
 }
 
 // Every pixel is the mean of the area that it covers; enlarges bilinearly.
 image::ImageF resampled(const image::ImageF& from, int width, int height) {
   image::ImageF to = empty(width, height);
-  const int nx = std::clamp((from.width + width - 1) / width, 1, 64), ny = std::clamp((from.height + height - 1) / height, 1, 64);
+  const int nx = std::clamp((from.width + width - 1) / width, 1, 64),
+            ny = std::clamp((from.height + height - 1) / height, 1, 64);
   parallel_for(static_cast<std::size_t>(height), [&](std::size_t y) {
     for (int x = 0; x < width; ++x) {
       glm::dvec3 sum(0);
       for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i)
-          sum += radiance_at(from, {(x + (i + 0.5) / nx) / width, (static_cast<double>(y) + (j + 0.5) / ny) / height});
+          sum += radiance_at(
+              from, {(x + (i + 0.5) / nx) / width, (static_cast<double>(y) + (j + 0.5) / ny) / height});
       for (int c = 0; c < 3; ++c) to.at(x, static_cast<int>(y))[c] = static_cast<float>(sum[c] / (nx * ny));
     }
   });
@@ -42,7 +45,8 @@ double radical_inverse(unsigned i) {
   return value;
 }
 
-// A direction of the lobe around +Z and what it counts; `level` is the resampled picture whose pixels are as large as a sample's share.
+// A direction of the lobe around +Z and what it counts; `level` is the resampled picture whose pixels are as
+// large as a sample's share.
 struct LobeSample {
   glm::dvec3 direction;
   double weight, level;
@@ -53,19 +57,23 @@ std::vector<LobeSample> lobe(double m) {
   const double pixel = 4 * pi / (prefilter_width * (prefilter_width / 2.0));
   for (unsigned i = 0; i < lobe_samples; ++i) {
     // Beckmann: tan^2 = -m^2 log(1 - u).
-    const double tan2 = -m * m * std::log(1 - (i + 0.5) / lobe_samples), azimuth = 2 * pi * radical_inverse(i);
+    const double tan2 = -m * m * std::log(1 - (i + 0.5) / lobe_samples),
+                 azimuth = 2 * pi * radical_inverse(i);
     const double cos2 = 1 / (1 + tan2), c = std::sqrt(cos2), s = std::sqrt(1 - cos2);
     const glm::dvec3 h(s * std::cos(azimuth), s * std::sin(azimuth), c);
     const glm::dvec3 d = 2 * c * h - glm::dvec3(0, 0, 1);
     if (d.z <= 0) continue;
-    const double density = std::exp(-tan2 / (m * m)) / (pi * m * m * cos2 * cos2) / 4;  // of the mirrored direction, per sr
+    // of the mirrored direction, per sr
+    const double density = std::exp(-tan2 / (m * m)) / (pi * m * m * cos2 * cos2) / 4;
     samples.push_back({d, d.z, std::max(0.0, 0.5 * std::log2(1 / (lobe_samples * density * pixel)) + 1)});
   }
   return samples;
 }
 
-glm::dvec3 average(const std::vector<image::ImageF>& chain, const std::vector<LobeSample>& samples, const glm::dvec3& axis) {
-  const glm::dvec3 side = glm::normalize(glm::cross(std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), axis));
+glm::dvec3 average(const std::vector<image::ImageF>& chain, const std::vector<LobeSample>& samples,
+                   const glm::dvec3& axis) {
+  const glm::dvec3 side =
+      glm::normalize(glm::cross(std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), axis));
   const glm::dvec3 up = glm::cross(axis, side);
   glm::dvec3 sum(0);
   double total = 0;
@@ -73,7 +81,8 @@ glm::dvec3 average(const std::vector<image::ImageF>& chain, const std::vector<Lo
     const glm::dvec2 at = place_of(side * s.direction.x + up * s.direction.y + axis * s.direction.z);
     const double level = std::min(s.level, static_cast<double>(chain.size() - 1));
     const auto low = static_cast<std::size_t>(level), high = std::min(low + 1, chain.size() - 1);
-    sum += s.weight * glm::mix(radiance_at(chain[low], at), radiance_at(chain[high], at), level - static_cast<double>(low));
+    sum += s.weight * glm::mix(radiance_at(chain[low], at), radiance_at(chain[high], at),
+                               level - static_cast<double>(low));
     total += s.weight;
   }
   return sum / total;
@@ -83,7 +92,8 @@ glm::dvec3 average(const std::vector<image::ImageF>& chain, const std::vector<Lo
 
 std::vector<image::ImageF> prefilter(const Environment& environment) {
   std::vector<image::ImageF> chain{resampled(environment.radiance, prefilter_width, prefilter_width / 2)};
-  while (chain.back().height > 4) chain.push_back(resampled(chain.back(), chain.back().width / 2, chain.back().height / 2));
+  while (chain.back().height > 4)
+    chain.push_back(resampled(chain.back(), chain.back().width / 2, chain.back().height / 2));
   std::vector<image::ImageF> levels{chain.front()};
   for (int k = 1; k < prefilter_levels; ++k) {
     const std::vector<LobeSample> samples = lobe(std::exp2(k - (prefilter_levels - 1)));
@@ -91,7 +101,8 @@ std::vector<image::ImageF> prefilter(const Environment& environment) {
     parallel_for(static_cast<std::size_t>(level.height), [&](std::size_t y) {
       for (int x = 0; x < level.width; ++x) {
         const glm::dvec3 mean =
-            average(chain, samples, direction_of((x + 0.5) / level.width, (static_cast<double>(y) + 0.5) / level.height));
+            average(chain, samples,
+                    direction_of((x + 0.5) / level.width, (static_cast<double>(y) + 0.5) / level.height));
         for (int c = 0; c < 3; ++c) level.at(x, static_cast<int>(y))[c] = static_cast<float>(mean[c]);
       }
     });

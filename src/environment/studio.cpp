@@ -8,7 +8,8 @@
 namespace dermis::environment {
 namespace {
 
-// A rectangular soft light: where its middle lies, half its size, how bright it is. Degrees; azimuth from +Z towards +X.
+// A rectangular soft light: where its middle lies, half its size, how bright it is. Degrees; azimuth from +Z
+// towards +X.
 struct SoftBox {
   double azimuth_deg, elevation_deg, half_width_deg, half_height_deg;
   glm::dvec3 radiance;
@@ -24,17 +25,20 @@ double inside(double distance_deg, double half_deg) {
 }  // namespace
 
 Environment studio() {
-  const SoftBox boxes[] = {{50, 35, 24, 18, {7.0, 6.7, 6.3}}, {-60, 10, 16, 28, {1.5, 1.6, 1.75}}, {165, 30, 10, 34, {4.5, 4.5, 4.5}}};
+  const SoftBox boxes[] = {{50, 35, 24, 18, {7.0, 6.7, 6.3}},
+                           {-60, 10, 16, 28, {1.5, 1.6, 1.75}},
+                           {165, 30, 10, 34, {4.5, 4.5, 4.5}}};
   Environment e{.name = "studio", .radiance = {.width = 512, .height = 256, .channels = 3, .values = {}}};
   for (int y = 0; y < e.radiance.height; ++y)
     for (int x = 0; x < e.radiance.width; ++x) {
       const glm::dvec3 d = direction_of((x + 0.5) / e.radiance.width, (y + 0.5) / e.radiance.height);
-      const double elevation_deg = std::asin(d.y) * 180 / std::numbers::pi, azimuth_deg = std::atan2(d.x, d.z) * 180 / std::numbers::pi;
+      const double elevation_deg = std::asin(d.y) * 180 / std::numbers::pi,
+                   azimuth_deg = std::atan2(d.x, d.z) * 180 / std::numbers::pi;
       // A grey room, lighter above; the floor has a trace of wood.
       glm::dvec3 radiance = d.y > 0 ? glm::dvec3(0.05 + 0.07 * d.y) : glm::dvec3(0.05, 0.045, 0.04);
       for (const SoftBox& box : boxes) {
-        const double around_deg =
-            std::abs(std::remainder(azimuth_deg - box.azimuth_deg, 360.0)) * std::cos(elevation_deg * std::numbers::pi / 180);
+        const double around_deg = std::abs(std::remainder(azimuth_deg - box.azimuth_deg, 360.0)) *
+                                  std::cos(elevation_deg * std::numbers::pi / 180);
         radiance += box.radiance * inside(around_deg, box.half_width_deg) *
                     inside(std::abs(elevation_deg - box.elevation_deg), box.half_height_deg);
       }

@@ -4,7 +4,8 @@
 namespace dermis::frame {
 namespace {
 
-// What is known of a resource while walking through the frame. A layout change counts as a write by the stages that wait for it.
+// What is known of a resource while walking through the frame. A layout change counts as a write by the
+// stages that wait for it.
 struct State {
   VkPipelineStageFlags2 write_stages = 0;  // of the last write
   VkAccessFlags2 write_access = 0;         // 0 after a layout change, which is available by itself
@@ -22,15 +23,19 @@ void note_use(State& state, const AccessRow& scope) {
   }
 }
 
-// For a new layout, write after read, write after write, and read after write unless the write is already visible there.
+// For a new layout, write after read, write after write, and read after write unless the write is already
+// visible there.
 bool needs_barrier(const State& state, const AccessRow& scope) {
   if (scope.written != 0 || state.layout != scope.layout) return true;
-  const bool visible = (state.read_stages & scope.stages) == scope.stages && (state.visible_access & scope.read) == scope.read;
+  const bool visible =
+      (state.read_stages & scope.stages) == scope.stages && (state.visible_access & scope.read) == scope.read;
   return state.write_stages != 0 && !visible;
 }
 
-Barrier make_barrier(const Use& use, const State& state, const AccessRow& scope, bool first_use, bool discard) {
-  // Reads since the last write order everything before them; waiting for them and the write is right for every hazard.
+Barrier make_barrier(const Use& use, const State& state, const AccessRow& scope, bool first_use,
+                     bool discard) {
+  // Reads since the last write order everything before them; waiting for them and the write is right for
+  // every hazard.
   return {.is_texture = use.is_texture,
           .index = use.index,
           .source_stages = state.write_stages | state.read_stages,
@@ -44,9 +49,11 @@ Barrier make_barrier(const Use& use, const State& state, const AccessRow& scope,
 
 // The row of an access with the stages of this pass, and without a layout for a buffer.
 AccessRow scope_of(const Use& use, PassKind kind) {
-  constexpr VkPipelineStageFlags2 raster = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+  constexpr VkPipelineStageFlags2 raster =
+      VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
   AccessRow row = row_of(use.access);
-  if (row.stages == 0) row.stages = kind == PassKind::compute ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT : raster;
+  if (row.stages == 0)
+    row.stages = kind == PassKind::compute ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT : raster;
   if (!use.is_texture) row.layout = VK_IMAGE_LAYOUT_UNDEFINED;
   return row;
 }
@@ -75,7 +82,8 @@ std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool fu
         if (opens || needs_barrier(state, scope)) {
           const bool discard = opens && plan.textures()[use.index].lifetime == Lifetime::transient;
           result[p].push_back(make_barrier(use, state, scope, first, discard));
-          if (opens || state.layout != scope.layout) state = {.write_stages = scope.stages, .layout = scope.layout};
+          if (opens || state.layout != scope.layout)
+            state = {.write_stages = scope.stages, .layout = scope.layout};
         }
         note_use(state, scope);
       }
@@ -88,7 +96,8 @@ VkImageLayout final_layout(const FramePlan& plan, TextureId id, bool full) {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   for (const PassNode& pass : plan.passes())
     for (const Use& use : pass.uses)
-      if ((full || !pass.only_in_full_frames) && use.is_texture && use.index == id.index) layout = row_of(use.access).layout;
+      if ((full || !pass.only_in_full_frames) && use.is_texture && use.index == id.index)
+        layout = row_of(use.access).layout;
   return layout;
 }
 

@@ -10,8 +10,10 @@ Executor::Executor(gpu::PipelineLibrary& library, FramePlan plan)
       barriers_{derive_barriers(plan_, false), derive_barriers(plan_, true)},
       layouts_(plan_.textures().size(), VK_IMAGE_LAYOUT_UNDEFINED),
       separate_(library.device().limits().software || !library.device().limits().timestamps) {
-  for (const TextureNode& node : plan_.textures()) resources_.textures_.emplace_back(library.device(), node.name, node.desc);
-  for (const BufferNode& node : plan_.buffers()) resources_.buffers_.emplace_back(library.device(), node.name, node.desc);
+  for (const TextureNode& node : plan_.textures())
+    resources_.textures_.emplace_back(library.device(), node.name, node.desc);
+  for (const BufferNode& node : plan_.buffers())
+    resources_.buffers_.emplace_back(library.device(), node.name, node.desc);
   for (const PassNode& pass : plan_.passes())
     if (pass.prepare) pass.prepare(library);
 }
@@ -28,18 +30,21 @@ VkImageMemoryBarrier2 Executor::image_barrier(const Barrier& b) {
   barrier.oldLayout = old_layout, barrier.newLayout = b.new_layout;
   barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = texture.handle();
-  barrier.subresourceRange = {gpu::aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+  barrier.subresourceRange = {gpu::aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0,
+                              VK_REMAINING_ARRAY_LAYERS};
   return barrier;
 }
 
 void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool full) {
   std::vector<VkImageMemoryBarrier2> images;
-  std::vector<VkMemoryBarrier2> buffers;  // on one queue a barrier of a buffer says no more than one of all memory
+  // on one queue a barrier of a buffer says no more than one of all memory
+  std::vector<VkMemoryBarrier2> buffers;
   for (const Barrier& b : barriers_[full ? 1 : 0][index])
     if (b.is_texture)
       images.push_back(image_barrier(b));
     else
-      buffers.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, b.source_stages, b.source_access, b.target_stages, b.target_access});
+      buffers.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, b.source_stages, b.source_access,
+                         b.target_stages, b.target_access});
   if (!images.empty() || !buffers.empty())
     cmd.barrier({.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
                  .memoryBarrierCount = static_cast<std::uint32_t>(buffers.size()),
@@ -74,7 +79,8 @@ FrameTime Executor::run(const FrameData& frame) {
         gpu::Cmd cmd(device(), commands);
         record_pass(cmd, p, frame, false);
       });
-      time.passes.push_back({plan_.passes()[p].name, duration<double, std::milli>(steady_clock::now() - start).count()});
+      time.passes.push_back(
+          {plan_.passes()[p].name, duration<double, std::milli>(steady_clock::now() - start).count()});
     }
   } else {
     gpu::Timer timer(device(), static_cast<std::uint32_t>(plan_.passes().size()) + 1);

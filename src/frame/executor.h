@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gives a plan its memory and pipelines, and records it. Recording creates nothing and submits nothing, so an engine can pass its own
-// command buffer; run() submits and waits for those who have none.
+// Gives a plan its memory and pipelines, and records it. Recording creates nothing and submits nothing, so an
+// engine can pass its own command buffer; run() submits and waits for those who have none.
 #pragma once
 
 #include <vector>
@@ -42,13 +42,15 @@ class Executor {
   /// Makes pipelines and resources. DeviceError if memory does not suffice.
   Executor(gpu::PipelineLibrary& library, FramePlan plan);
 
-  /// Records one frame with a debug label and (if timer) a time stamp pair around each pass; a full frame with the passes that stand only
-  /// there. The first frame must be full. The barriers take each frame for one like itself: between a full one and one that is not, wait
-  /// for the device.
-  void record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer = nullptr, bool full = false);
+  /// Records one frame with a debug label and (if timer) a time stamp pair around each pass; a full frame
+  /// with the passes that stand only there. The first frame must be full. The barriers take each frame for
+  /// one like itself: between a full one and one that is not, wait for the device.
+  void record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer = nullptr,
+              bool full = false);
 
-  /// Records, submits and waits, timing each pass. Where time stamps between passes cannot be trusted (software devices), each pass is
-  /// its own submission and is timed on the host: see separate_submissions().
+  /// Records, submits and waits, timing each pass. Where time stamps between passes cannot be trusted
+  /// (software devices), each pass is its own submission and is timed on the host: see
+  /// separate_submissions().
   FrameTime run(const FrameData& frame);
   /// A full frame, untimed.
   void run_full(const FrameData& frame) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A frame as data: which pass reads and writes what, in call order. Declaring does no GPU work and needs no device; a plan can be printed
-// and its barriers tested anywhere. frame/executor.h gives it memory and records it.
+// A frame as data: which pass reads and writes what, in call order. Declaring does no GPU work and needs no
+// device; a plan can be printed and its barriers tested anywhere. frame/executor.h gives it memory and
+// records it.
 #pragma once
 
 #include <volk.h>
@@ -23,7 +24,8 @@ class Cmd;
 
 namespace dermis::frame {
 
-/// What changes per frame (cameras, lights, geometry). Defined by the passes; the frame only hands it through.
+/// What changes per frame (cameras, lights, geometry). Defined by the passes; the frame only hands it
+/// through.
 struct FrameData;
 class Resources;
 
@@ -36,7 +38,8 @@ struct Id {
 using TextureId = Id<gpu::Texture>;
 using BufferId = Id<gpu::Buffer>;
 
-/// How a pass touches a resource. Each stands for one set of stages, access flags and (for textures) one layout: see row_of().
+/// How a pass touches a resource. Each stands for one set of stages, access flags and (for textures) one
+/// layout: see row_of().
 enum class Access : std::uint8_t {
   sampled,        ///< texture read through a sampler
   storage_read,   ///< storage buffer or image, read only
@@ -61,7 +64,8 @@ const AccessRow& row_of(Access access);
 inline bool writes(Access access) { return row_of(access).written != 0; }
 
 enum class PassKind : std::uint8_t { compute, raster, copy };
-/// transient: contents are lost after the frame. persistent: kept from frame to frame (undefined in the first).
+/// transient: contents are lost after the frame. persistent: kept from frame to frame (undefined in the
+/// first).
 enum class Lifetime : std::uint8_t { transient, persistent };
 
 template <class Desc>
@@ -90,12 +94,14 @@ struct PassNode {
 
 class FramePlan;
 
-/// What a pass sees while it declares: it creates its outputs and states each use. The order of calls does not matter within a pass.
+/// What a pass sees while it declares: it creates its outputs and states each use. The order of calls does
+/// not matter within a pass.
 class Declare {
  public:
   Declare(FramePlan& plan, PassNode& pass) : plan_(&plan), pass_(&pass) {}
   void kind(PassKind kind) { pass_->kind = kind; }
-  /// Left out of timed frames: what is made once and lasts (in persistent resources), and work for the statistics.
+  /// Left out of timed frames: what is made once and lasts (in persistent resources), and work for the
+  /// statistics.
   void only_in_full_frames() { pass_->only_in_full_frames = true; }
 
   TextureId create(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
@@ -123,7 +129,8 @@ class Declare {
 /// Passes in order, with the resources that connect them.
 class FramePlan {
  public:
-  /// A resource that no pass of this plan creates before its first use (a persistent target, a read-back buffer).
+  /// A resource that no pass of this plan creates before its first use (a persistent target, a read-back
+  /// buffer).
   TextureId texture(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
   BufferId buffer(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);
 
@@ -131,16 +138,19 @@ class FramePlan {
   void read_back(TextureId id);
 
   /// Constructs the pass, lets it declare, and keeps it. A pass has:
-  ///   Settings, In, Out; Pass(Settings); Out declare(Declare&, const In&); void prepare(gpu::PipelineLibrary&);
-  ///   void record(gpu::Cmd&, const Resources&, const FrameData&) const.
+  ///   Settings, In, Out; Pass(Settings); Out declare(Declare&, const In&); void
+  ///   prepare(gpu::PipelineLibrary&); void record(gpu::Cmd&, const Resources&, const FrameData&) const.
   template <class Pass>
-  typename Pass::Out add(const std::string& name, const typename Pass::In& in, const typename Pass::Settings& settings = {}) {
+  typename Pass::Out add(const std::string& name, const typename Pass::In& in,
+                         const typename Pass::Settings& settings = {}) {
     auto pass = std::make_shared<Pass>(settings);
     PassNode node{.name = name};
     Declare declare(*this, node);
     typename Pass::Out out = pass->declare(declare, in);
     node.prepare = [pass](gpu::PipelineLibrary& library) { pass->prepare(library); };
-    node.record = [pass](gpu::Cmd& cmd, const Resources& resources, const FrameData& frame) { pass->record(cmd, resources, frame); };
+    node.record = [pass](gpu::Cmd& cmd, const Resources& resources, const FrameData& frame) {
+      pass->record(cmd, resources, frame);
+    };
     passes_.push_back(std::move(node));
     return out;
   }

@@ -7,7 +7,9 @@
 namespace dermis::frame {
 namespace {
 
-std::string_view name_of(PassKind kind) { return kind == PassKind::compute ? "compute" : kind == PassKind::raster ? "raster" : "copy"; }
+std::string_view name_of(PassKind kind) {
+  return kind == PassKind::compute ? "compute" : kind == PassKind::raster ? "raster" : "copy";
+}
 
 // In Graphviz's quotes.
 std::string escaped(std::string_view text) {
@@ -36,11 +38,13 @@ std::string print_text(const FramePlan& plan) {
   }
   text += "textures\n";
   for (const TextureNode& t : plan.textures())
-    text += fmt::format("  {:<28} {:<20} {:<10} {:>9.2f} MB {}\n", t.name, size_of(t.desc), gpu::format_name(t.desc.format),
-                        static_cast<double>(gpu::bytes_of(t.desc)) / 1e6, t.lifetime == Lifetime::persistent ? "persistent" : "transient");
+    text += fmt::format("  {:<28} {:<20} {:<10} {:>9.2f} MB {}\n", t.name, size_of(t.desc),
+                        gpu::format_name(t.desc.format), static_cast<double>(gpu::bytes_of(t.desc)) / 1e6,
+                        t.lifetime == Lifetime::persistent ? "persistent" : "transient");
   if (!plan.buffers().empty()) text += "buffers\n";
   for (const BufferNode& b : plan.buffers())
-    text += fmt::format("  {:<28} {:>9} bytes {}\n", b.name, b.desc.bytes, b.lifetime == Lifetime::persistent ? "persistent" : "transient");
+    text += fmt::format("  {:<28} {:>9} bytes {}\n", b.name, b.desc.bytes,
+                        b.lifetime == Lifetime::persistent ? "persistent" : "transient");
   return text;
 }
 
@@ -48,20 +52,22 @@ std::string print_dot(const FramePlan& plan) {
   std::string text = "digraph frame {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n";
   for (std::size_t p = 0; p < plan.passes().size(); ++p) {
     const PassNode& pass = plan.passes()[p];
-    text += fmt::format("  p{} [shape=box, style=filled, fillcolor=\"#f2d6c9\", label=\"{}\"];\n", p, escaped(pass.name));
+    text += fmt::format("  p{} [shape=box, style=filled, fillcolor=\"#f2d6c9\", label=\"{}\"];\n", p,
+                        escaped(pass.name));
     for (const Use& use : pass.uses) {
       const std::string resource = fmt::format("{}{}", use.is_texture ? 't' : 'b', use.index);
-      text += writes(use.access) ? fmt::format("  p{} -> {};\n", p, resource) : fmt::format("  {} -> p{};\n", resource, p);
+      text += writes(use.access) ? fmt::format("  p{} -> {};\n", p, resource)
+                                 : fmt::format("  {} -> p{};\n", resource, p);
     }
   }
   for (std::size_t t = 0; t < plan.textures().size(); ++t) {
     const TextureNode& node = plan.textures()[t];
-    text += fmt::format("  t{} [shape=ellipse, label=\"{}\\n{} {}\"];\n", t, escaped(node.name), size_of(node.desc),
-                        gpu::format_name(node.desc.format));
+    text += fmt::format("  t{} [shape=ellipse, label=\"{}\\n{} {}\"];\n", t, escaped(node.name),
+                        size_of(node.desc), gpu::format_name(node.desc.format));
   }
   for (std::size_t b = 0; b < plan.buffers().size(); ++b)
-    text += fmt::format("  b{} [shape=ellipse, style=dashed, label=\"{}\\n{} bytes\"];\n", b, escaped(plan.buffers()[b].name),
-                        plan.buffers()[b].desc.bytes);
+    text += fmt::format("  b{} [shape=ellipse, style=dashed, label=\"{}\\n{} bytes\"];\n", b,
+                        escaped(plan.buffers()[b].name), plan.buffers()[b].desc.bytes);
   return text + "}\n";
 }
 

@@ -39,7 +39,8 @@ Sum fit_part(const profile::Multipole& slab, Spectrum::Part part, int terms) {
   const Spectrum spectrum(slab, part);
   if (spectrum.total() <= 1e-12) return {};  // black, or too thick to let anything through
   Sum fitted = fit_channel(spectrum, terms, Weights::any_sign).terms;
-  // The fit minimises the residual, not the lost total; light must not get lost from layer to layer, so the weights are scaled to it.
+  // The fit minimises the residual, not the lost total; light must not get lost from layer to layer, so the
+  // weights are scaled to it.
   const double scale = spectrum.total() / total(fitted);
   for (Term& term : fitted) term.weight *= scale;
   return fitted;
@@ -53,7 +54,8 @@ std::vector<Term> convolve(std::span<const Term> f, std::span<const Term> g) {
   for (const Term& a : f)
     for (const Term& b : g) product.push_back({a.variance_mm2 + b.variance_mm2, a.weight * b.weight});
   if (product.size() > most_terms) return merge(product);
-  std::sort(product.begin(), product.end(), [](const Term& a, const Term& b) { return a.variance_mm2 < b.variance_mm2; });
+  std::sort(product.begin(), product.end(),
+            [](const Term& a, const Term& b) { return a.variance_mm2 < b.variance_mm2; });
   return product;
 }
 
@@ -72,7 +74,9 @@ double transform(std::span<const Term> terms, double k_per_mm) {
 std::vector<Term> merge(std::span<const Term> terms) {
   double straight = 0;
   std::map<int, double> grid;
-  const auto variance_at = [](int node) { return std::pow(10.0, static_cast<double>(node) / merged_per_decade); };
+  const auto variance_at = [](int node) {
+    return std::pow(10.0, static_cast<double>(node) / merged_per_decade);
+  };
   for (const Term& term : terms) {
     if (term.variance_mm2 <= 0) {
       straight += term.weight;
@@ -134,15 +138,21 @@ Stacked stack(const LayerSums& upper, const LayerSums& lower, double energy) {
   const auto bounced = [&](const Sum& a, const Sum& b) { return merge(convolve(convolve(a, b), series)); };
   // Names as in profile::add.
   const Sum turned = sum(upper.beam_transmit, upper.beam_straight, -1);
-  const Sum up = merge(convolve(sum(convolve(upper.beam_straight, lower.beam_reflect), convolve(lower.reflect_above, turned)), series));
+  const Sum up = merge(convolve(
+      sum(convolve(upper.beam_straight, lower.beam_reflect), convolve(lower.reflect_above, turned)), series));
   Stacked out;
-  out.layer.reflect_above = sum(upper.reflect_above, convolve(bounced(upper.transmit_above, lower.reflect_above), upper.transmit_below));
+  out.layer.reflect_above =
+      sum(upper.reflect_above,
+          convolve(bounced(upper.transmit_above, lower.reflect_above), upper.transmit_below));
   out.layer.transmit_above = bounced(upper.transmit_above, lower.transmit_above);
-  out.layer.reflect_below = sum(lower.reflect_below, convolve(bounced(lower.transmit_below, upper.reflect_below), lower.transmit_above));
+  out.layer.reflect_below =
+      sum(lower.reflect_below,
+          convolve(bounced(lower.transmit_below, upper.reflect_below), lower.transmit_above));
   out.layer.transmit_below = bounced(lower.transmit_below, upper.transmit_below);
   out.layer.beam_reflect = sum(upper.beam_reflect, convolve(upper.transmit_below, up));
-  out.layer.beam_transmit = sum(convolve(upper.beam_straight, lower.beam_transmit),
-                                convolve(lower.transmit_above, sum(turned, convolve(upper.reflect_below, up))));
+  out.layer.beam_transmit =
+      sum(convolve(upper.beam_straight, lower.beam_transmit),
+          convolve(lower.transmit_above, sum(turned, convolve(upper.reflect_below, up))));
   out.layer.beam_straight = convolve(upper.beam_straight, lower.beam_straight);
   out.lost = rest;
   return out;

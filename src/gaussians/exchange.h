@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A profile in the parameters of other systems, and back. Each convention is taken from that system's own source or documentation;
-// docs/exports.md cites them line by line. What a system cannot hold is said in the output ("lost").
+// A profile in the parameters of other systems, and back. Each convention is taken from that system's own
+// source or documentation; docs/exports.md cites them line by line. What a system cannot hold is said in the
+// output ("lost").
 #pragma once
 
 #include <array>
@@ -21,12 +22,14 @@ std::vector<std::string_view> exchange_names();
 struct Exported {
   std::string name;
   std::array<profile::ProfilePtr, 3> profiles;
-  std::array<std::vector<std::array<double, 2>>, 3> terms;  ///< {variance_mm2, weight} per channel, weights summing to 1
-  optics::RgbMedium medium;                                 ///< the medium, or the equivalent one
+  /// {variance_mm2, weight} per channel, weights summing to 1
+  std::array<std::vector<std::array<double, 2>>, 3> terms;
+  optics::RgbMedium medium;  ///< the medium, or the equivalent one
 };
 
-/// JSON with "system", "parameters" (that system's own names), "units", "lost". Lengths that are Burley's d are chosen so that R^ falls to
-/// half at the same frequency as the profile's. InputError: unknown system (lists the known ones).
+/// JSON with "system", "parameters" (that system's own names), "units", "lost". Lengths that are Burley's d
+/// are chosen so that R^ falls to half at the same frequency as the profile's. InputError: unknown system
+/// (lists the known ones).
 std::string export_text(std::string_view system, const Exported& input);
 
 /// What an import yields: a Burley profile per channel, or a medium.
@@ -38,9 +41,9 @@ struct Imported {
   bool is_burley = false;
 };
 
-/// "SYSTEM key=R,G,B key=...", e.g. "unity reflectance=0.8,0.5,0.4 scattering_distance=0.76,0.32,0.2". InputError: unknown system or key
-/// (lists them), and every text whose unit or meaning is open: the message names the readings it could have, with the length that each
-/// would give.
+/// "SYSTEM key=R,G,B key=...", e.g. "unity reflectance=0.8,0.5,0.4 scattering_distance=0.76,0.32,0.2".
+/// InputError: unknown system or key (lists them), and every text whose unit or meaning is open: the message
+/// names the readings it could have, with the length that each would give.
 Imported parse_import(const std::string& text, const std::string& where);
 
 }  // namespace dermis::gaussians

@@ -48,14 +48,17 @@ Json unity(const Exported& input) {
             {"worldScale", 1},
             {"ior", input.medium[0].eta}}},
           {"units", "scatteringDistance * multiplier = Burley's d in mm; worldScale = metres per scene unit"},
-          {"lost", {"the profile's own shape: Burley's curve stands for it", "the reflectance: the material's base colour carries it"}}};
+          {"lost",
+           {"the profile's own shape: Burley's curve stands for it",
+            "the reflectance: the material's base colour carries it"}}};
 }
 
 Json unreal(const Exported& input) {
   // Engine: dmfp = mfp / 0.6 * s_dmfp / s_mfp, d = dmfp / s_dmfp; so mfp = 0.6 s_mfp d whatever s_dmfp is.
   const Rgb total = totals(input), d = burley_shape_mm(input);
   Rgb mfp_cm{};
-  for (int c = 0; c < 3; ++c) mfp_cm[c] = 0.1 * 0.6 * d[c] / profile::Burley::shape_mm(total[c], optics::MeanFreePath(1));
+  for (int c = 0; c < 3; ++c)
+    mfp_cm[c] = 0.1 * 0.6 * d[c] / profile::Burley::shape_mm(total[c], optics::MeanFreePath(1));
   const double distance_cm = std::max(largest(mfp_cm), 0.1);  // the editor's smallest
   return {{"parameters",
            {{"SurfaceAlbedo", total},
@@ -65,23 +68,31 @@ Json unreal(const Exported& input) {
             {"bEnableBurley", true},
             {"bEnableMeanFreePath", true},
             {"IOR", input.medium[0].eta}}},
-          {"units", "MeanFreePathColor * MeanFreePathDistance in cm (WorldUnitScale 0.1, the default, leaves them as they are)"},
-          {"lost", {"the profile's own shape: Burley's curve stands for it", "MeanFreePathColor under 0.009 is clamped by the engine"}}};
+          {"units",
+           "MeanFreePathColor * MeanFreePathDistance in cm (WorldUnitScale 0.1, the default, leaves them as "
+           "they are)"},
+          {"lost",
+           {"the profile's own shape: Burley's curve stands for it",
+            "MeanFreePathColor under 0.009 is clamped by the engine"}}};
 }
 
 Json cycles(const Exported& input) {
   const Rgb total = totals(input), d = burley_shape_mm(input);
   Rgb radius_mm{};
-  for (int c = 0; c < 3; ++c) radius_mm[c] = 4 * pi * d[c] / profile::Burley::shape_all_angles_mm(total[c], optics::MeanFreePath(1));
-  return {
-      {"parameters",
-       {{"Falloff", "Christensen-Burley"},
-        {"Color", total},
-        {"Scale", largest(radius_mm) / 1000},
-        {"Radius", scaled(radius_mm, 1 / largest(radius_mm))},
-        {"IOR", input.medium[0].eta}}},
-      {"units", "Scale * Radius in scene units, here metres; Cycles divides by 4 pi and by s(A) = 1.9 - A + 3.5 (A - 0.8)^2"},
-      {"lost", {"the profile's own shape: Burley's curve stands for it, cut at 16 d", "the random-walk methods read Radius otherwise"}}};
+  for (int c = 0; c < 3; ++c)
+    radius_mm[c] = 4 * pi * d[c] / profile::Burley::shape_all_angles_mm(total[c], optics::MeanFreePath(1));
+  return {{"parameters",
+           {{"Falloff", "Christensen-Burley"},
+            {"Color", total},
+            {"Scale", largest(radius_mm) / 1000},
+            {"Radius", scaled(radius_mm, 1 / largest(radius_mm))},
+            {"IOR", input.medium[0].eta}}},
+          {"units",
+           "Scale * Radius in scene units, here metres; Cycles divides by 4 pi and by s(A) = 1.9 - A + 3.5 "
+           "(A - 0.8)^2"},
+          {"lost",
+           {"the profile's own shape: Burley's curve stands for it, cut at 16 d",
+            "the random-walk methods read Radius otherwise"}}};
 }
 
 Rgb mean_free_paths_mm(const Exported& input) {
@@ -92,38 +103,50 @@ Rgb mean_free_paths_mm(const Exported& input) {
 
 Json openpbr(const Exported& input) {
   const Rgb mfp = mean_free_paths_mm(input);
-  return {{"parameters",
-           {{"subsurface_weight", 1},
-            {"subsurface_color", totals(input)},
-            {"subsurface_radius", largest(mfp) / 1000},
-            {"subsurface_radius_scale", scaled(mfp, 1 / largest(mfp))},
-            {"subsurface_scatter_anisotropy", 0},
-            {"specular_ior", input.medium[0].eta}}},
-          {"units", "subsurface_radius in scene units, here metres; the mean free path 1/sigma_t, not the diffuse one"},
-          {"lost",
-           {"layers: one homogeneous medium stands for them", "the albedo that a renderer derives from subsurface_color need not be ours",
-            "g: scattering is exported as isotropic (similarity)"}}};
+  return {
+      {"parameters",
+       {{"subsurface_weight", 1},
+        {"subsurface_color", totals(input)},
+        {"subsurface_radius", largest(mfp) / 1000},
+        {"subsurface_radius_scale", scaled(mfp, 1 / largest(mfp))},
+        {"subsurface_scatter_anisotropy", 0},
+        {"specular_ior", input.medium[0].eta}}},
+      {"units",
+       "subsurface_radius in scene units, here metres; the mean free path 1/sigma_t, not the diffuse one"},
+      {"lost",
+       {"layers: one homogeneous medium stands for them",
+        "the albedo that a renderer derives from subsurface_color need not be ours",
+        "g: scattering is exported as isotropic (similarity)"}}};
 }
 
 Json gltf(const Exported& input) {
   const Rgb mfp = mean_free_paths_mm(input);
   const double distance_mm = std::min({mfp[0], mfp[1], mfp[2]});  // keeps the colours well inside 0..1
   Rgb colour{};
-  for (int c = 0; c < 3; ++c) colour[c] = std::exp(-distance_mm / mfp[c]);  // sigma_t = -ln(colour) / distance
-  return {{"parameters",
-           {{"extensions",
-             {{"KHR_materials_volume_scatter", {{"multiscatterColor", totals(input)}, {"scatterAnisotropy", 0}}},
-              {"KHR_materials_volume", {{"attenuationColor", colour}, {"attenuationDistance", distance_mm / 1000}, {"thicknessFactor", 1}}},
-              {"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 1}}},
-              {"KHR_materials_ior", {{"ior", input.medium[0].eta}}}}}}},
-          {"units", "attenuationDistance in metres; sigma_t = -ln(attenuationColor) / attenuationDistance, scattering included"},
-          {"lost",
-           {"the extension is a draft and may still change", "layers: one homogeneous medium stands for them",
-            "the single-scattering albedo follows from multiscatterColor by the extension's own formula"}}};
+  // sigma_t = -ln(colour) / distance
+  for (int c = 0; c < 3; ++c) colour[c] = std::exp(-distance_mm / mfp[c]);
+  return {
+      {"parameters",
+       {{"extensions",
+         {{"KHR_materials_volume_scatter", {{"multiscatterColor", totals(input)}, {"scatterAnisotropy", 0}}},
+          {"KHR_materials_volume",
+           {{"attenuationColor", colour},
+            {"attenuationDistance", distance_mm / 1000},
+            {"thicknessFactor", 1}}},
+          {"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 1}}},
+          {"KHR_materials_ior", {{"ior", input.medium[0].eta}}}}}}},
+      {"units",
+       "attenuationDistance in metres; sigma_t = -ln(attenuationColor) / attenuationDistance, scattering "
+       "included"},
+      {"lost",
+       {"the extension is a draft and may still change", "layers: one homogeneous medium stands for them",
+        "the single-scattering albedo follows from multiscatterColor by the extension's own formula"}}};
 }
 
 /// Part of a 1-D Gaussian of variance v between a and b.
-double between(double a, double b, double v) { return (std::erf(b / std::sqrt(2 * v)) - std::erf(a / std::sqrt(2 * v))) / 2; }
+double between(double a, double b, double v) {
+  return (std::erf(b / std::sqrt(2 * v)) - std::erf(a / std::sqrt(2 * v))) / 2;
+}
 
 Json separable(const Exported& input) {
   constexpr int samples = 25;  // the author's quality 2: offsets from -3 to 3, spaced by squares
@@ -145,18 +168,24 @@ Json separable(const Exported& input) {
                  high = i + 1 == samples ? offsets[i] : (offsets[i] + offsets[i + 1]) / 2;
     std::array<double, 4> tap{0, 0, 0, offsets[i]};
     for (int c = 0; c < 3; ++c) {
-      for (const auto& [variance, weight] : input.terms[c]) tap[c] += weight * between(low * mm_per_offset, high * mm_per_offset, variance);
+      for (const auto& [variance, weight] : input.terms[c])
+        tap[c] += weight * between(low * mm_per_offset, high * mm_per_offset, variance);
       sum[c] += tap[c];
     }
     kernel.push_back(tap);
   }
   for (auto& tap : kernel)
     for (int c = 0; c < 3; ++c) tap[c] /= sum[c];
-  std::rotate(kernel.begin(), kernel.begin() + samples / 2, kernel.begin() + samples / 2 + 1);  // the centre comes first
-  return {{"parameters", {{"SSSS_N_SAMPLES", samples}, {"kernel", kernel}, {"sssWidth", 1.5 * mm_per_offset / 1000}}},
-          {"units", "kernel: R, G, B, offset; sssWidth in world units, here metres: the shader puts offset o at 2/3 o sssWidth"},
+  // the centre comes first
+  std::rotate(kernel.begin(), kernel.begin() + samples / 2, kernel.begin() + samples / 2 + 1);
+  return {{"parameters",
+           {{"SSSS_N_SAMPLES", samples}, {"kernel", kernel}, {"sssWidth", 1.5 * mm_per_offset / 1000}}},
+          {"units",
+           "kernel: R, G, B, offset; sssWidth in world units, here metres: the shader puts offset o at 2/3 o "
+           "sssWidth"},
           {"lost",
-           {"a sum of Gaussians is not separable: each tap is the exact 1-D marginal, so straight edges along the axes are right and "
+           {"a sum of Gaussians is not separable: each tap is the exact 1-D marginal, so straight edges "
+            "along the axes are right and "
             "diagonals are not",
             "falloff and strength are not used: the kernel holds them",
             "what reaches past three sigmas of the widest term is folded in by normalising"}}};
@@ -167,13 +196,15 @@ void lose(Json& lost, std::string_view system, const Exported& input) {
   if (system == "separable") return;  // a kernel holds neither
   const auto& medium = input.medium;
   if (medium[1].eta != medium[0].eta || medium[2].eta != medium[0].eta)
-    lost.push_back(fmt::format("indices that differ between channels ({:.6g}, {:.6g}, {:.6g}): the red one stands for all", medium[0].eta,
-                               medium[1].eta, medium[2].eta));
+    lost.push_back(fmt::format(
+        "indices that differ between channels ({:.6g}, {:.6g}, {:.6g}): the red one stands for all",
+        medium[0].eta, medium[1].eta, medium[2].eta));
   Rgb total{};
   for (int c = 0; c < 3; ++c) total[c] = input.profiles[c]->total();
   if (system != "unity" && largest(total) > 1 + 1e-6)  // a conservative medium may round past 1
     lost.push_back(
-        fmt::format("light: the total reflectance is cut to 1, the model gives {:.6g}, {:.6g}, {:.6g}", total[0], total[1], total[2]));
+        fmt::format("light: the total reflectance is cut to 1, the model gives {:.6g}, {:.6g}, {:.6g}",
+                    total[0], total[1], total[2]));
 }
 
 }  // namespace

@@ -24,10 +24,12 @@ struct Range {
   bool any_sign = false;     // of the weights
 };
 
-/// Two terms of opposite sign that drift together stand for a derivative, with weights that cancel in the eighth digit: kept apart by 20 %.
+/// Two terms of opposite sign that drift together stand for a derivative, with weights that cancel in the
+/// eighth digit: kept apart by 20 %.
 void keep_apart(VectorXd& log_variance) {
   std::sort(log_variance.begin(), log_variance.end());
-  for (Index j = 1; j < log_variance.size(); ++j) log_variance[j] = std::max(log_variance[j], log_variance[j - 1] + 0.2);
+  for (Index j = 1; j < log_variance.size(); ++j)
+    log_variance[j] = std::max(log_variance[j], log_variance[j - 1] + 0.2);
 }
 
 /// Levenberg-Marquardt over the log-variances. Ends when steps no longer pay.
@@ -49,7 +51,8 @@ Projected descend(std::span<const Target> channels, VectorXd& log_variance, cons
       stalled = stalls ? stalled + 1 : 0;
       log_variance = there_at;
       here = std::move(there);
-      // Where little of the profile can be fitted, steps overshoot to the other side of the optimum, just as far: shorter ones settle that
+      // Where little of the profile can be fitted, steps overshoot to the other side of the optimum, just as
+      // far: shorter ones settle that
       damping = stalls ? std::max(damping * 4, 0.5) : std::max(damping * 0.2, 1e-12);
     } else {
       damping *= 4;
@@ -89,12 +92,13 @@ struct Solution {
   Projected projected;
 };
 
-/// The surface has local minima (two terms sharing one hump), so three families of starts are tried: evenly spread, spread inside, and
-/// grown from the solution with a term fewer.
+/// The surface has local minima (two terms sharing one hump), so three families of starts are tried: evenly
+/// spread, spread inside, and grown from the solution with a term fewer.
 Solution search(std::span<const Target> channels, const Range& range, int terms) {
   Solution best;
-  std::vector<VectorXd> starts{spread(range, terms),
-                               spread({.low = range.low + 0.2 * (range.high - range.low), .high = range.high}, terms)};
+  std::vector<VectorXd> starts{
+      spread(range, terms),
+      spread({.low = range.low + 0.2 * (range.high - range.low), .high = range.high}, terms)};
   if (terms > 1) {
     VectorXd smaller = spread(range, terms - 1);
     descend(channels, smaller, range);
@@ -102,11 +106,12 @@ Solution search(std::span<const Target> channels, const Range& range, int terms)
   }
   for (VectorXd& start : starts) {
     Projected end = descend(channels, start, range);
-    if (best.log_variance.size() == 0 || end.residual2 < best.projected.residual2) best = {start, std::move(end)};
+    if (best.log_variance.size() == 0 || end.residual2 < best.projected.residual2)
+      best = {start, std::move(end)};
   }
   for (Index c = 0; c < best.projected.weights.cols(); ++c) {
-    const bool finite =
-        best.log_variance.allFinite() && best.projected.weights.col(c).allFinite() && std::isfinite(best.projected.residual2);
+    const bool finite = best.log_variance.allFinite() && best.projected.weights.col(c).allFinite() &&
+                        std::isfinite(best.projected.residual2);
     const bool some = range.any_sign || best.projected.weights.col(c).sum() > 0;
     if (!finite || !some) throw input_error(channels[c].where(), "no sum of Gaussians fits this profile");
   }
@@ -135,7 +140,8 @@ constexpr double same_variance = 1e-6;  // relative: closer terms are one
 }  // namespace
 
 double ChannelFit::weight_sum() const {
-  return std::accumulate(terms.begin(), terms.end(), 0.0, [](double sum, const Term& term) { return sum + term.weight; });
+  return std::accumulate(terms.begin(), terms.end(), 0.0,
+                         [](double sum, const Term& term) { return sum + term.weight; });
 }
 
 ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Weights weights) {
@@ -156,7 +162,8 @@ ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Weights
   return fit;
 }
 
-SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms, const std::string& name) {
+SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms,
+                          const std::string& name) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
   std::vector<Target> targets;
   Range range{.low = 1e300, .high = -1e300, .floor = 1e300};
@@ -164,7 +171,9 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
   for (int c = 0; c < 3; ++c) {
     targets.emplace_back(*profiles[c], name + ": " + colour[c]);
     const Range one = range_of(*profiles[c]);
-    range = {.low = std::min(range.low, one.low), .high = std::max(range.high, one.high), .floor = std::min(range.floor, one.floor)};
+    range = {.low = std::min(range.low, one.low),
+             .high = std::max(range.high, one.high),
+             .floor = std::min(range.floor, one.floor)};
   }
   const Solution solution = search(targets, range, terms);
   SumOfGaussians sum;
@@ -175,7 +184,8 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
   }
   for (const Index j : narrow_to_wide(solution.log_variance)) {
     Gaussian term{.variance_mm2 = std::exp(solution.log_variance[j]), .weight = {}};
-    for (int c = 0; c < 3; ++c) term.weight[c] = solution.projected.weights(j, c) / solution.projected.weights.col(c).sum();
+    for (int c = 0; c < 3; ++c)
+      term.weight[c] = solution.projected.weights(j, c) / solution.projected.weights.col(c).sum();
     if (!sum.terms.empty() && term.variance_mm2 < sum.terms.back().variance_mm2 * (1 + same_variance)) {
       for (int c = 0; c < 3; ++c) sum.terms.back().weight[c] += term.weight[c];
     } else if (term.weight != Rgb{}) {
@@ -197,14 +207,16 @@ double error_percent(const profile::RadialProfile& profile, std::span<const Term
 
 std::vector<Term> channel(const SumOfGaussians& sum, int c) {
   std::vector<Term> terms;
-  for (const Gaussian& gaussian : sum.terms) terms.push_back({gaussian.variance_mm2, gaussian.weight[c] * sum.total_reflectance[c]});
+  for (const Gaussian& gaussian : sum.terms)
+    terms.push_back({gaussian.variance_mm2, gaussian.weight[c] * sum.total_reflectance[c]});
   return terms;
 }
 
 double evaluate(std::span<const Term> terms, double radius_mm) {
   double sum = 0;
   for (const Term& term : terms)
-    sum += term.weight * std::exp(-radius_mm * radius_mm / (2 * term.variance_mm2)) / (2 * pi * term.variance_mm2);
+    sum += term.weight * std::exp(-radius_mm * radius_mm / (2 * term.variance_mm2)) /
+           (2 * pi * term.variance_mm2);
   return sum;
 }
 

@@ -21,7 +21,8 @@ profile::MonteCarloOptions photons_of(const ProfileOptions& options) {
 
 gaussians::SumOfGaussians to_sum(const ScatterProfile& from) {
   if (from.variances_mm2.size() != from.weights.size())
-    throw input_error("profile", "{} variances and {} weights", from.variances_mm2.size(), from.weights.size());
+    throw input_error("profile", "{} variances and {} weights", from.variances_mm2.size(),
+                      from.weights.size());
   gaussians::SumOfGaussians sum{.name = from.name,
                                 .model = from.model,
                                 .terms = {},
@@ -29,7 +30,8 @@ gaussians::SumOfGaussians to_sum(const ScatterProfile& from) {
                                 .error_percent = from.error_percent,
                                 .mean_free_path_mm = from.mean_free_path_mm,
                                 .diffuse_mean_free_path_mm = from.diffuse_mean_free_path_mm};
-  for (std::size_t i = 0; i < from.weights.size(); ++i) sum.terms.push_back({from.variances_mm2[i], from.weights[i]});
+  for (std::size_t i = 0; i < from.weights.size(); ++i)
+    sum.terms.push_back({from.variances_mm2[i], from.weights[i]});
   return sum;
 }
 
@@ -41,17 +43,21 @@ profile::Model checked_model(const ProfileOptions& options) {
 }
 
 /// medium: the one that was modelled, or null, and then eta is the index of the surface.
-ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made, const optics::RgbMedium* medium, double eta,
-                      const ProfileOptions& options) {
+ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made,
+                      const optics::RgbMedium* medium, double eta, const ProfileOptions& options) {
   const gaussians::SumOfGaussians sum = gaussians::fit_shared(made.profiles, options.gaussians, name);
-  ScatterProfile out{
-      .name = name, .model = made.profiles[0]->name(), .variances_mm2 = {}, .weights = {}, .error_percent = sum.error_percent};
+  ScatterProfile out{.name = name,
+                     .model = made.profiles[0]->name(),
+                     .variances_mm2 = {},
+                     .weights = {},
+                     .error_percent = sum.error_percent};
   for (const gaussians::Gaussian& term : sum.terms) {
     out.variances_mm2.push_back(term.variance_mm2);
     out.weights.push_back(term.weight);
   }
   for (int c = 0; c < 3; ++c) {
-    const optics::Medium one = medium != nullptr ? (*medium)[c] : profile::equivalent_medium(*made.profiles[c], eta);
+    const optics::Medium one =
+        medium != nullptr ? (*medium)[c] : profile::equivalent_medium(*made.profiles[c], eta);
     const double diffuse_mm = one.diffuse_mean_free_path().mm;
     out.model_total[c] = sum.total_reflectance[c];
     out.total_reflectance[c] = std::min(out.model_total[c], 1.0);
@@ -61,8 +67,10 @@ ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& 
   return out;
 }
 
-ScatterProfile of_medium(const std::string& name, const optics::RgbMedium& medium, const ProfileOptions& options) {
-  return finish(name, make_profiles(medium, checked_model(options), photons_of(options), name), &medium, medium[0].eta, options);
+ScatterProfile of_medium(const std::string& name, const optics::RgbMedium& medium,
+                         const ProfileOptions& options) {
+  return finish(name, make_profiles(medium, checked_model(options), photons_of(options), name), &medium,
+                medium[0].eta, options);
 }
 
 }  // namespace
@@ -70,7 +78,8 @@ ScatterProfile of_medium(const std::string& name, const optics::RgbMedium& mediu
 ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options) {
   if (name == "skin-layers") {
     const optics::RgbLayers skin = optics::donner_jensen_skin();
-    return finish(name, make_profiles(skin, checked_model(options), photons_of(options), name), nullptr, skin.front().eta, options);
+    return finish(name, make_profiles(skin, checked_model(options), photons_of(options), name), nullptr,
+                  skin.front().eta, options);
   }
   const optics::Material* material = optics::find_material(name);
   if (material == nullptr) optics::unknown_preset(name);
@@ -80,7 +89,8 @@ ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& 
 ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const ProfileOptions& options) {
   optics::RgbMedium medium;
   for (int c = 0; c < 3; ++c)
-    medium[c] = {coefficients.sigma_a_per_mm[c], coefficients.sigma_s_per_mm[c], coefficients.g, coefficients.eta};
+    medium[c] = {coefficients.sigma_a_per_mm[c], coefficients.sigma_s_per_mm[c], coefficients.g,
+                 coefficients.eta};
   return of_medium("coefficients", medium, options);
 }
 
@@ -91,7 +101,8 @@ ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& o
                            .oxygenation = skin.oxygenation,
                            .epidermis_mm = skin.epidermis_mm};
   const std::string name = fmt::format("spectral skin, melanin {:.4g}", skin.melanin);
-  return finish(name, make_profiles(inner, checked_model(options), photons_of(options), name), nullptr, inner.eta, options);
+  return finish(name, make_profiles(inner, checked_model(options), photons_of(options), name), nullptr,
+                inner.eta, options);
 }
 
 SpectralSkin skin_of_colour(const std::string& colour, double* delta_e) {
@@ -101,6 +112,8 @@ SpectralSkin skin_of_colour(const std::string& colour, double* delta_e) {
   return {skin.melanin, skin.blend, skin.haemoglobin, skin.oxygenation, skin.epidermis_mm};
 }
 
-void write_profile(const ScatterProfile& profile, const std::string& path) { write_file(path, gaussians::to_json(to_sum(profile))); }
+void write_profile(const ScatterProfile& profile, const std::string& path) {
+  write_file(path, gaussians::to_json(to_sum(profile)));
+}
 
 }  // namespace dermis

@@ -20,14 +20,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array known_keys = {
-    "name", "model", "variances_mm2", "weights", "error_percent", "total_reflectance", "mean_free_path_mm", "diffuse_mean_free_path_mm"};
+constexpr std::array known_keys = {"name",
+                                   "model",
+                                   "variances_mm2",
+                                   "weights",
+                                   "error_percent",
+                                   "total_reflectance",
+                                   "mean_free_path_mm",
+                                   "diffuse_mean_free_path_mm"};
 constexpr std::array channel_names = {"red", "green", "blue"};
 constexpr double weight_tolerance = 1e-3;
 constexpr std::uint64_t max_file_bytes = std::uint64_t{1} << 20;
 constexpr int max_depth = 8;
 
-/// Refuses what the library lets through: nesting that would exhaust the stack and keys given twice, of which it silently keeps one.
+/// Refuses what the library lets through: nesting that would exhaust the stack and keys given twice, of which
+/// it silently keeps one.
 class Guard {
  public:
   explicit Guard(const std::string& where) : where_(where) {}
@@ -72,9 +79,11 @@ double not_negative(const Json& value, const std::string& name, const std::strin
 }
 
 Rgb rgb(const Json& value, const std::string& name, const std::string& where) {
-  if (!value.is_array() || value.size() != 3) throw input_error(where, "{} must be a list of three numbers (red, green, blue)", name);
+  if (!value.is_array() || value.size() != 3)
+    throw input_error(where, "{} must be a list of three numbers (red, green, blue)", name);
   Rgb result{};
-  for (std::size_t c = 0; c < 3; ++c) result[c] = not_negative(value[c], fmt::format("{}[{}]", name, c), where);
+  for (std::size_t c = 0; c < 3; ++c)
+    result[c] = not_negative(value[c], fmt::format("{}[{}]", name, c), where);
   return result;
 }
 
@@ -91,19 +100,24 @@ std::vector<Gaussian> read_terms(const Json& root, const std::string& where) {
   const Json& variances = list(root, "variances_mm2", where);
   const Json& weights = list(root, "weights", where);
   if (variances.size() != weights.size()) {
-    throw input_error(where, "variances_mm2 has {} terms and weights has {}, expected as many", variances.size(), weights.size());
+    throw input_error(where, "variances_mm2 has {} terms and weights has {}, expected as many",
+                      variances.size(), weights.size());
   }
   std::vector<Gaussian> terms(variances.size());
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const std::string name = fmt::format("variances_mm2[{}]", i);
     if (variances[i].is_array())
-      throw input_error(where, "{} is a list: variances per channel cannot be blurred together; make the profile with --variances shared",
+      throw input_error(where,
+                        "{} is a list: variances per channel cannot be blurred together; make the profile "
+                        "with --variances shared",
                         name);
     terms[i].variance_mm2 = number(variances[i], name, where);
-    if (!(terms[i].variance_mm2 > 0)) throw input_error(where, "{} must be > 0 mm^2, got {}", name, terms[i].variance_mm2);
+    if (!(terms[i].variance_mm2 > 0))
+      throw input_error(where, "{} must be > 0 mm^2, got {}", name, terms[i].variance_mm2);
     terms[i].weight = rgb(weights[i], fmt::format("weights[{}]", i), where);
   }
-  std::sort(terms.begin(), terms.end(), [](const Gaussian& a, const Gaussian& b) { return a.variance_mm2 < b.variance_mm2; });
+  std::sort(terms.begin(), terms.end(),
+            [](const Gaussian& a, const Gaussian& b) { return a.variance_mm2 < b.variance_mm2; });
   for (std::size_t i = 1; i < terms.size(); ++i) {
     if (terms[i].variance_mm2 == terms[i - 1].variance_mm2) {
       throw input_error(where, "variances_mm2 has {} twice, expected different ones", terms[i].variance_mm2);
@@ -118,8 +132,8 @@ void check_weights(std::vector<Gaussian>& terms, bool normalise, const std::stri
     for (const Gaussian& term : terms) sum += term.weight[c];
     if (!normalise) {
       if (std::abs(sum - 1) <= weight_tolerance) continue;
-      throw input_error(where, "weights of {} sum to {:.6g}, expected 1 within {} (or have them normalised)", channel_names[c], sum,
-                        weight_tolerance);
+      throw input_error(where, "weights of {} sum to {:.6g}, expected 1 within {} (or have them normalised)",
+                        channel_names[c], sum, weight_tolerance);
     }
     if (!(sum > 0) || !std::isfinite(sum))
       throw input_error(where, "weights of {} sum to {:.6g} and cannot be normalised", channel_names[c], sum);
@@ -159,7 +173,8 @@ SumOfGaussians parse_json(std::string_view text, const std::string& where, bool 
   optional_rgb("mean_free_path_mm", sum.mean_free_path_mm);
   optional_rgb("diffuse_mean_free_path_mm", sum.diffuse_mean_free_path_mm);
   for (std::size_t c = 0; c < 3; ++c) {
-    if (sum.total_reflectance[c] > 1) throw input_error(where, "total_reflectance[{}] must be 0 to 1, got {}", c, sum.total_reflectance[c]);
+    if (sum.total_reflectance[c] > 1)
+      throw input_error(where, "total_reflectance[{}] must be 0 to 1, got {}", c, sum.total_reflectance[c]);
   }
   return sum;
 }
@@ -192,7 +207,8 @@ SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) return known(name_or_path);
   std::error_code error;
   if (!std::filesystem::exists(name_or_path, error)) {
-    throw input_error("", "profile '{}' is neither a file nor a published name; published are: {}", name_or_path, fmt::join(names, ", "));
+    throw input_error("", "profile '{}' is neither a file nor a published name; published are: {}",
+                      name_or_path, fmt::join(names, ", "));
   }
   return load_json(name_or_path, normalise);
 }

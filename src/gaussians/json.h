@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The profile file: JSON with name, variances_mm2 [k], weights [k][3], and optionally model, error_percent, total_reflectance,
-// mean_free_path_mm, diffuse_mean_free_path_mm, each [3].
+// The profile file: JSON with name, variances_mm2 [k], weights [k][3], and optionally model, error_percent,
+// total_reflectance, mean_free_path_mm, diffuse_mean_free_path_mm, each [3].
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,14 @@
 
 namespace dermis::gaussians {
 
-/// Terms are sorted narrow to wide. InputError: a key that is not known (lists the known ones), a variance <= 0, equal variances, a
-/// negative weight, weights that do not sum to 1 within 1e-3 per channel (unless normalise: they are divided by their sum), 0 or more than
-/// 8 terms.
+/// Terms are sorted narrow to wide. InputError: a key that is not known (lists the known ones), a variance <=
+/// 0, equal variances, a negative weight, weights that do not sum to 1 within 1e-3 per channel (unless
+/// normalise: they are divided by their sum), 0 or more than 8 terms.
 SumOfGaussians parse_json(std::string_view text, const std::string& where, bool normalise = false);
 /// The same from a file of at most 1 MiB, whose name is the place; also InputError if it cannot be read.
 SumOfGaussians load_json(const std::filesystem::path& path, bool normalise = false);
-/// The text that parse_json() reads back to the last bit; bytes of the name that are not UTF-8 are replaced. All numbers must be finite.
+/// The text that parse_json() reads back to the last bit; bytes of the name that are not UTF-8 are replaced.
+/// All numbers must be finite.
 std::string to_json(const SumOfGaussians& sum);
 
 /// A published name, else a file. InputError lists the known names when it is neither.

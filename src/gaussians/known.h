@@ -9,7 +9,8 @@
 
 namespace dermis::gaussians {
 
-/// The six-Gaussian skin set of [DLE07] (GPU Gems 3, ch. 14, table 14-1), weights normalised to white. The default of every command.
+/// The six-Gaussian skin set of [DLE07] (GPU Gems 3, ch. 14, table 14-1), weights normalised to white. The
+/// default of every command.
 SumOfGaussians skin_six();
 
 /// Names that known() takes, in the order in which errors list them.

@@ -23,10 +23,13 @@ using profile::RadialProfile;
 /// The rows of a target, as they are gathered.
 struct Rows {
   std::vector<double> x, weight, value;  // weight: square root of the quadrature's
-  void add(double at, double of, double is) { x.push_back(at), weight.push_back(of), value.push_back(of * is); }
+  void add(double at, double of, double is) {
+    x.push_back(at), weight.push_back(of), value.push_back(of * is);
+  }
 };
 
-/// Trapezoid rule in log x: integrands are analytic there and vanish at both ends, so the error falls like e^{-5/step}.
+/// Trapezoid rule in log x: integrands are analytic there and vanish at both ends, so the error falls like
+/// e^{-5/step}.
 Rows smooth_rows(const RadialProfile& profile, bool spectral) {
   constexpr double step = 0.1;
   const double beam_mm2 = profile.has_pole() ? core_variance_mm2(profile) : 0;
@@ -54,10 +57,12 @@ double lagrange(const std::array<double, cell_nodes>& node, int n, double x) {
   return product;
 }
 
-/// One cell low..high, over which Gaussians are as good as cubic: its rows hold the cubic that is nearest to R, so that Int r R S dr and
-/// Int r S^2 dr are right, whatever R does inside. Returns Int r (R - cubic)^2 dr, which no sum can take away.
+/// One cell low..high, over which Gaussians are as good as cubic: its rows hold the cubic that is nearest to
+/// R, so that Int r R S dr and Int r S^2 dr are right, whatever R does inside. Returns Int r (R - cubic)^2
+/// dr, which no sum can take away.
 double add_cell(Rows& rows, const RadialProfile& profile, double low, double high) {
-  static const std::vector<optics::Node> cell_rule = optics::gauss_legendre(cell_nodes, 0, 1), piece_rule = optics::gauss_legendre(3, 0, 1);
+  static const std::vector<optics::Node> cell_rule = optics::gauss_legendre(cell_nodes, 0, 1),
+                                         piece_rule = optics::gauss_legendre(3, 0, 1);
   std::array<double, cell_nodes> node{}, moment{};
   for (int n = 0; n < cell_nodes; ++n) node[n] = low + (high - low) * cell_rule[n].x;
   double square = 0;  // Int r R^2 dr
@@ -70,7 +75,8 @@ double add_cell(Rows& rows, const RadialProfile& profile, double low, double hig
   };
   const std::span<const double> breaks = profile.break_points_mm();
   double from = low;
-  for (auto next = std::upper_bound(breaks.begin(), breaks.end(), low); next != breaks.end() && *next < high; ++next) {
+  for (auto next = std::upper_bound(breaks.begin(), breaks.end(), low); next != breaks.end() && *next < high;
+       ++next) {
     add_piece(from, *next);
     from = *next;
   }
@@ -90,7 +96,8 @@ Rows broken_rows(const RadialProfile& profile) {
   double low = 1e-5 * profile.inner_mm();
   double rest = add_cell(rows, profile, 0, low);
   while (low < 10 * end) {
-    const double grown = low * std::exp(0.2), high = low < end && grown > end ? end : grown;  // R may jump at its end
+    // R may jump at its end
+    const double grown = low * std::exp(0.2), high = low < end && grown > end ? end : grown;
     rest += add_cell(rows, profile, low, high);
     low = high;
   }
@@ -102,8 +109,10 @@ Rows broken_rows(const RadialProfile& profile) {
 
 Target::Target(const RadialProfile& profile, std::string where)
     : where_(std::move(where)), spectral_(profile.hankel_is_exact() || profile.has_pole()) {
-  if (!(profile.total() > 0)) throw input_error(where_, "the profile reflects nothing: there is no sum of Gaussians to fit");
-  const Rows rows = spectral_ || profile.break_points_mm().empty() ? smooth_rows(profile, spectral_) : broken_rows(profile);
+  if (!(profile.total() > 0))
+    throw input_error(where_, "the profile reflects nothing: there is no sum of Gaussians to fit");
+  const Rows rows =
+      spectral_ || profile.break_points_mm().empty() ? smooth_rows(profile, spectral_) : broken_rows(profile);
   const auto vector = [](const std::vector<double>& from) {
     return Eigen::Map<const VectorXd>(from.data(), static_cast<Index>(from.size()));
   };
@@ -111,16 +120,19 @@ Target::Target(const RadialProfile& profile, std::string where)
   row_weight_ = vector(rows.weight);
   value_ = vector(rows.value);
   const double norm = value_.norm();
-  if (!(norm > 0) || !std::isfinite(norm)) throw input_error(where_, "the profile cannot be fitted: its norm is {}", norm);
+  if (!(norm > 0) || !std::isfinite(norm))
+    throw input_error(where_, "the profile cannot be fitted: its norm is {}", norm);
   value_ /= norm;
   row_weight_ /= norm;
 }
 
-constexpr double finest_mm = 0.01;  // nothing on skin is looked at closer; dark skin sends back much of its light within micrometres
+// nothing on skin is looked at closer; dark skin sends back much of its light within micrometres
+constexpr double finest_mm = 0.01;
 
 double core_variance_mm2(const profile::RadialProfile& profile) {
   const double core_mm = std::max(profile.quantile(0.05), std::min(finest_mm, profile.quantile(0.5)));
-  if (!(core_mm > 0)) throw input_error(profile.name(), "the profile reflects nothing: there is no sum of Gaussians to fit");
+  if (!(core_mm > 0))
+    throw input_error(profile.name(), "the profile reflects nothing: there is no sum of Gaussians to fit");
   return core_mm * core_mm;
 }
 
@@ -193,7 +205,8 @@ Projected project(std::span<const Target> channels, const VectorXd& log_variance
     const Eigen::HouseholderQR<MatrixXd> qr(basis);
     const MatrixXd r = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
     const VectorXd rotated = qr.householderQ().transpose() * target.value();
-    const VectorXd w = any_sign ? VectorXd(r.colPivHouseholderQr().solve(rotated.head(n))) : solve_non_negative(r, rotated.head(n));
+    const VectorXd w = any_sign ? VectorXd(r.colPivHouseholderQr().solve(rotated.head(n)))
+                                : solve_non_negative(r, rotated.head(n));
     const VectorXd residual = target.value() - basis * w;
     out.weights.col(static_cast<Index>(c)) = w;
     out.channel_residual2.push_back(residual.squaredNorm());
@@ -205,7 +218,8 @@ Projected project(std::span<const Target> channels, const VectorXd& log_variance
     if (used.empty()) continue;
     const MatrixXd part = basis(Eigen::all, used);
     const Eigen::HouseholderQR<MatrixXd> part_qr(part);
-    const MatrixXd q = part_qr.householderQ() * MatrixXd::Identity(target.rows(), static_cast<Index>(used.size()));
+    const MatrixXd q =
+        part_qr.householderQ() * MatrixXd::Identity(target.rows(), static_cast<Index>(used.size()));
     MatrixXd jacobian = -slope * w.asDiagonal();
     jacobian -= q * (q.transpose() * jacobian).eval();
     out.normal += jacobian.transpose() * jacobian;

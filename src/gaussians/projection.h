@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Variable projection [GP73]: for given variances the best weights follow by linear least squares, so only the variances are searched.
+// Variable projection [GP73]: for given variances the best weights follow by linear least squares, so only
+// the variances are searched.
 #pragma once
 
 #include <Eigen/Dense>
@@ -12,17 +13,20 @@
 
 namespace dermis::gaussians {
 
-/// A profile as rows of a least-squares problem, sqrt(quadrature weight) (R(x) - S(x)), x = r or k, scaled so that Int r R^2 dr = 1.
+/// A profile as rows of a least-squares problem, sqrt(quadrature weight) (R(x) - S(x)), x = r or k, scaled so
+/// that Int r R^2 dr = 1.
 class Target {
  public:
-  /// InputError (place `where`, such as a channel) if the profile is 0 everywhere, or so wide or narrow that its norm leaves the numbers.
+  /// InputError (place `where`, such as a channel) if the profile is 0 everywhere, or so wide or narrow that
+  /// its norm leaves the numbers.
   Target(const profile::RadialProfile& profile, std::string where);
 
   const std::string& where() const { return where_; }
   Eigen::Index rows() const { return value_.size(); }
   const Eigen::VectorXd& value() const { return value_; }
   /// Column of G(v, .) on the rows, and its derivative by log v.
-  void column(double variance_mm2, Eigen::Ref<Eigen::VectorXd> basis, Eigen::Ref<Eigen::VectorXd> slope) const;
+  void column(double variance_mm2, Eigen::Ref<Eigen::VectorXd> basis,
+              Eigen::Ref<Eigen::VectorXd> slope) const;
 
  private:
   std::string where_;
@@ -41,7 +45,8 @@ struct Projected {
   Eigen::VectorXd gradient;
 };
 
-/// Best weights for the given log-variances; >= 0 unless any sign is allowed. With slopes for the next step of the search.
+/// Best weights for the given log-variances; >= 0 unless any sign is allowed. With slopes for the next step
+/// of the search.
 Projected project(std::span<const Target> channels, const Eigen::VectorXd& log_variance, bool any_sign);
 
 /// min |A w - b| for w >= 0 [LH74]; A has full column rank or is nearly so, few columns.

@@ -17,7 +17,8 @@ struct Need {
   const char* name;
 };
 
-// The one list behind RequiredFeatures and behind the check of a device. Beside each, who needs it if that is not plain.
+// The one list behind RequiredFeatures and behind the check of a device. Beside each, who needs it if that is
+// not plain.
 using F10 = VkPhysicalDeviceFeatures;
 constexpr Need<F10> needs10[] = {
     {&F10::shaderClipDistance, "shaderClipDistance"},
@@ -35,8 +36,10 @@ using F13 = VkPhysicalDeviceVulkan13Features;
 constexpr Need<F13> needs13[] = {
     {&F13::dynamicRendering, "dynamicRendering"},
     {&F13::synchronization2, "synchronization2"},
-    {&F13::maintenance4, "maintenance4"},                                      // workgroup sizes by specialisation constant
-    {&F13::shaderDemoteToHelperInvocation, "shaderDemoteToHelperInvocation"},  // what `discard` may compile to
+    // workgroup sizes by specialisation constant
+    {&F13::maintenance4, "maintenance4"},
+    // what `discard` may compile to
+    {&F13::shaderDemoteToHelperInvocation, "shaderDemoteToHelperInvocation"},
     {&F13::shaderTerminateInvocation, "shaderTerminateInvocation"},
 };
 
@@ -48,7 +51,8 @@ constexpr FormatNeed needed_formats[] = {
          VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_FILTER_LINEAR_BIT,
      "half-float images that are drawn to, blended, stored to and filtered"},
     {VK_FORMAT_D32_SFLOAT,
-     // Filtering is not asked for: the software driver does not claim it for depth, and Vulkan asks for it only without comparison.
+     // Filtering is not asked for: the software driver does not claim it for depth, and Vulkan asks for it
+     // only without comparison.
      VK_FORMAT_FEATURE_2_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_BIT |
          VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_DEPTH_COMPARISON_BIT,
      "32-bit depth images that are drawn to and sampled with a comparison"},
@@ -62,11 +66,14 @@ void require(Features& features, const Need<Features> (&needs)[N]) {
 template <class Features, std::size_t N>
 void compare(const Features& features, const Need<Features> (&needs)[N], std::vector<std::string>& missing) {
   for (const auto& need : needs)
-    if (!(features.*need.member)) missing.push_back(fmt::format("needs the Vulkan feature {}, which this driver does not have", need.name));
+    if (!(features.*need.member))
+      missing.push_back(
+          fmt::format("needs the Vulkan feature {}, which this driver does not have", need.name));
 }
 
 std::string version_text(std::uint32_t version) {
-  return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version), VK_API_VERSION_PATCH(version));
+  return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
+                     VK_API_VERSION_PATCH(version));
 }
 
 const char* type_text(VkPhysicalDeviceType type) {
@@ -87,23 +94,27 @@ int rank_of(const Candidate& candidate) {
 }
 
 std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
 std::string names_of(std::span<const Candidate> candidates) {
   std::string list;
-  for (std::size_t i = 0; i < candidates.size(); ++i) list += fmt::format("{}{}: {}", i ? "; " : "", i, candidates[i].summary.name);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    list += fmt::format("{}{}: {}", i ? "; " : "", i, candidates[i].summary.name);
   return list;
 }
 
 const Candidate& usable(const Candidate& candidate) {
   const DeviceSummary& summary = candidate.summary;
-  if (!summary.missing.empty()) throw device_error("{} cannot be used: {}", summary.name, fmt::join(summary.missing, "; "));
+  if (!summary.missing.empty())
+    throw device_error("{} cannot be used: {}", summary.name, fmt::join(summary.missing, "; "));
   return candidate;
 }
 
-void find_features(const InstanceTable& table, VkPhysicalDevice device, DeviceFacts& facts, bool& anisotropy) {
+void find_features(const InstanceTable& table, VkPhysicalDevice device, DeviceFacts& facts,
+                   bool& anisotropy) {
   VkPhysicalDeviceFeatures2 features{};
   features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
   facts.features11.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES;
@@ -122,7 +133,8 @@ void find_extensions(const InstanceTable& table, VkPhysicalDevice device, Device
   if (table.enumerate_device_extensions(device, nullptr, &count, nullptr) != VK_SUCCESS) return;
   std::vector<VkExtensionProperties> extensions(count);
   if (table.enumerate_device_extensions(device, nullptr, &count, extensions.data()) != VK_SUCCESS) return;
-  for (const VkExtensionProperties& extension : extensions) facts.extensions.emplace_back(extension.extensionName);
+  for (const VkExtensionProperties& extension : extensions)
+    facts.extensions.emplace_back(extension.extensionName);
 }
 
 void find_formats(const InstanceTable& table, VkPhysicalDevice device, DeviceFacts& facts) {
@@ -137,7 +149,8 @@ void find_formats(const InstanceTable& table, VkPhysicalDevice device, DeviceFac
   }
 }
 
-void find_queue(const InstanceTable& table, std::optional<std::uint32_t> wanted, Candidate& candidate, DeviceFacts& facts) {
+void find_queue(const InstanceTable& table, std::optional<std::uint32_t> wanted, Candidate& candidate,
+                DeviceFacts& facts) {
   std::uint32_t count = 0;
   table.get_queue_families(candidate.handle, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
@@ -157,7 +170,8 @@ std::uint64_t device_memory_bytes(const InstanceTable& table, VkPhysicalDevice d
   table.get_memory_properties(device, &memory);
   std::uint64_t largest = 0;
   for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i)
-    if (memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) largest = std::max(largest, memory.memoryHeaps[i].size);
+    if (memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
+      largest = std::max(largest, memory.memoryHeaps[i].size);
   return largest;
 }
 
@@ -183,7 +197,9 @@ std::span<const char* const> RequiredFeatures::extensions() { return extension_n
 std::vector<std::string> missing_of(const DeviceFacts& facts) {
   std::vector<std::string> missing;
   const bool api = facts.api_version >= RequiredFeatures::api_version;
-  if (!api) missing.push_back(fmt::format("needs Vulkan 1.3, has {}: update the driver", version_text(facts.api_version)));
+  if (!api)
+    missing.push_back(
+        fmt::format("needs Vulkan 1.3, has {}: update the driver", version_text(facts.api_version)));
   compare(facts.features, needs10, missing);
   if (api) {  // an older driver leaves these structures empty, and saying so for each would hide the reason
     compare(facts.features12, needs12, missing);
@@ -192,9 +208,11 @@ std::vector<std::string> missing_of(const DeviceFacts& facts) {
   for (const char* name : extension_names)
     if (std::ranges::find(facts.extensions, name) == facts.extensions.end())
       missing.push_back(fmt::format("needs the Vulkan extension {}, which this driver does not have", name));
-  if (!facts.graphics_and_compute_queue) missing.emplace_back("needs a queue that does both graphics and compute");
+  if (!facts.graphics_and_compute_queue)
+    missing.emplace_back("needs a queue that does both graphics and compute");
   for (std::size_t i = 0; api && i < std::size(needed_formats); ++i)
-    if (i >= facts.formats.size() || (facts.formats[i] & needed_formats[i].features) != needed_formats[i].features)
+    if (i >= facts.formats.size() ||
+        (facts.formats[i] & needed_formats[i].features) != needed_formats[i].features)
       missing.push_back(fmt::format("needs {}", needed_formats[i].purpose));
   if (!(facts.colour_samples & facts.depth_samples & VK_SAMPLE_COUNT_4_BIT))
     missing.emplace_back("needs colour and depth images with 4 samples");
@@ -233,10 +251,13 @@ Candidate examine(const InstanceTable& table, VkPhysicalDevice device, std::opti
   return candidate;
 }
 
-void sort_best_first(std::vector<Candidate>& candidates) { std::ranges::stable_sort(candidates, {}, rank_of); }
+void sort_best_first(std::vector<Candidate>& candidates) {
+  std::ranges::stable_sort(candidates, {}, rank_of);
+}
 
 std::string no_driver_message() {
-  return "no Vulkan driver found, a Vulkan 1.3 device is needed: install the GPU's driver, or the software driver (Debian, Ubuntu: apt "
+  return "no Vulkan driver found, a Vulkan 1.3 device is needed: install the GPU's driver, or the software "
+         "driver (Debian, Ubuntu: apt "
          "install "
          "mesa-vulkan-drivers)";
 }

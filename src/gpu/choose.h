@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What we need of a physical device, held against what it has. The comparison is pure, so that it is tested without such devices.
+// What we need of a physical device, held against what it has. The comparison is pure, so that it is tested
+// without such devices.
 #pragma once
 
 #include <volk.h>
@@ -47,7 +48,8 @@ struct Candidate {
   DeviceSummary summary;
 };
 /// The queue family is the given one, or else the first that serves.
-Candidate examine(const InstanceTable& table, VkPhysicalDevice device, std::optional<std::uint32_t> family = std::nullopt);
+Candidate examine(const InstanceTable& table, VkPhysicalDevice device,
+                  std::optional<std::uint32_t> family = std::nullopt);
 
 /// Usable before unusable; then discrete, integrated, virtual, software, other; else in the driver's order.
 void sort_best_first(std::vector<Candidate>& candidates);

@@ -38,10 +38,12 @@ VkDescriptorType type_of(BindingKind kind) {
 
 [[noreturn]] void wrong_kind(const Pipeline& pipeline, const BindingSlot& slot) {
   assertion_failed("binding is of the kind that the shader declares",
-                   fmt::format("{}: binding {} '{}'", pipeline.name, slot.binding, slot.name), __FILE__, __LINE__);
+                   fmt::format("{}: binding {} '{}'", pipeline.name, slot.binding, slot.name), __FILE__,
+                   __LINE__);
 }
 
-void add(Writes& out, const Pipeline& pipeline, const BindingSlot& slot, std::uint32_t element, const Binding& binding) {
+void add(Writes& out, const Pipeline& pipeline, const BindingSlot& slot, std::uint32_t element,
+         const Binding& binding) {
   if (!fits(binding, slot.kind)) wrong_kind(pipeline, slot);
   VkWriteDescriptorSet write{};
   write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -51,14 +53,17 @@ void add(Writes& out, const Pipeline& pipeline, const BindingSlot& slot, std::ui
   write.descriptorType = type_of(slot.kind);
   if (const auto* sampled = std::get_if<SampledBinding>(&binding)) {
     DERMIS_ASSERT(sampled->texture && sampled->texture->view() && sampled->sampler);
-    write.pImageInfo = &out.images.emplace_back(VkDescriptorImageInfo{sampled->sampler, sampled->texture->view(), sampled->layout});
+    write.pImageInfo = &out.images.emplace_back(
+        VkDescriptorImageInfo{sampled->sampler, sampled->texture->view(), sampled->layout});
   } else if (const auto* image = std::get_if<StorageImageBinding>(&binding)) {
     DERMIS_ASSERT(image->texture && image->texture->view());
-    write.pImageInfo = &out.images.emplace_back(VkDescriptorImageInfo{VK_NULL_HANDLE, image->texture->view(), VK_IMAGE_LAYOUT_GENERAL});
+    write.pImageInfo = &out.images.emplace_back(
+        VkDescriptorImageInfo{VK_NULL_HANDLE, image->texture->view(), VK_IMAGE_LAYOUT_GENERAL});
   } else {
     const auto& buffer = std::get<BufferBinding>(binding);
     DERMIS_ASSERT(buffer.buffer && *buffer.buffer);
-    write.pBufferInfo = &out.buffers.emplace_back(VkDescriptorBufferInfo{buffer.buffer->handle(), buffer.offset, buffer.bytes});
+    write.pBufferInfo = &out.buffers.emplace_back(
+        VkDescriptorBufferInfo{buffer.buffer->handle(), buffer.offset, buffer.bytes});
   }
   out.writes.push_back(write);
 }
@@ -114,19 +119,21 @@ void Cmd::bind(const Pipeline& pipeline, std::span<const Binding> bindings) {
       if (next < bindings.size()) add(out, pipeline, slot, element, bindings[next]);
   if (next != bindings.size())
     assertion_failed("as many bindings as the shader declares",
-                     fmt::format("{}: {} given, {} declared", pipeline.name, bindings.size(), next), __FILE__, __LINE__);
+                     fmt::format("{}: {} given, {} declared", pipeline.name, bindings.size(), next), __FILE__,
+                     __LINE__);
   if (out.writes.empty()) return;
-  vk.vkCmdPushDescriptorSetKHR(handle_, pipeline.bind_point, pipeline.layout, 0, static_cast<std::uint32_t>(out.writes.size()),
-                               out.writes.data());
+  vk.vkCmdPushDescriptorSetKHR(handle_, pipeline.bind_point, pipeline.layout, 0,
+                               static_cast<std::uint32_t>(out.writes.size()), out.writes.data());
 }
 
 void Cmd::push_bytes(const Pipeline& pipeline, std::span<const std::byte> values) {
   if (values.size() != pipeline.interface.push_bytes)
-    assertion_failed("push constants have the size that the shader declares",
-                     fmt::format("{}: {} given, {} declared", pipeline.name, values.size(), pipeline.interface.push_bytes), __FILE__,
-                     __LINE__);
-  device_->vk().vkCmdPushConstants(handle_, pipeline.layout, pipeline.push_stages, 0, static_cast<std::uint32_t>(values.size()),
-                                   values.data());
+    assertion_failed(
+        "push constants have the size that the shader declares",
+        fmt::format("{}: {} given, {} declared", pipeline.name, values.size(), pipeline.interface.push_bytes),
+        __FILE__, __LINE__);
+  device_->vk().vkCmdPushConstants(handle_, pipeline.layout, pipeline.push_stages, 0,
+                                   static_cast<std::uint32_t>(values.size()), values.data());
 }
 
 void Cmd::dispatch(std::uint32_t groups_x, std::uint32_t groups_y, std::uint32_t groups_z) {
@@ -137,7 +144,8 @@ void Cmd::dispatch(std::uint32_t groups_x, std::uint32_t groups_y, std::uint32_t
   device_->vk().vkCmdDispatch(handle_, groups_x, groups_y, groups_z);
 }
 
-void Cmd::dispatch_over(const Pipeline& pipeline, std::uint32_t threads_x, std::uint32_t threads_y, std::uint32_t threads_z) {
+void Cmd::dispatch_over(const Pipeline& pipeline, std::uint32_t threads_x, std::uint32_t threads_y,
+                        std::uint32_t threads_z) {
   const auto groups = [&](std::uint32_t threads, int axis) {
     const std::uint32_t size = pipeline.interface.workgroup[static_cast<std::size_t>(axis)];
     return threads / size + (threads % size != 0);
@@ -150,7 +158,8 @@ void Cmd::dispatch_indirect(const Buffer& arguments, std::uint64_t offset) {
   device_->vk().vkCmdDispatchIndirect(handle_, arguments.handle(), offset);
 }
 
-void Cmd::begin_rendering_area(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth, VkRect2D area, bool y_down) {
+void Cmd::begin_rendering_area(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth,
+                               VkRect2D area, bool y_down) {
   std::vector<VkRenderingAttachmentInfo> attachments;
   for (const ColourTarget& target : colour) attachments.push_back(colour_attachment(target));
   VkRenderingInfo info{};
@@ -199,8 +208,8 @@ void Cmd::draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint
   DERMIS_ASSERT_LE(offset + std::uint64_t{draws} * sizeof(VkDrawIndirectCommand), arguments.desc().bytes);
   // One call each: several draws in one call is an optional feature.
   for (std::uint32_t i = 0; i < draws; ++i)
-    device_->vk().vkCmdDrawIndirect(handle_, arguments.handle(), offset + i * sizeof(VkDrawIndirectCommand), 1,
-                                    sizeof(VkDrawIndirectCommand));
+    device_->vk().vkCmdDrawIndirect(handle_, arguments.handle(), offset + i * sizeof(VkDrawIndirectCommand),
+                                    1, sizeof(VkDrawIndirectCommand));
 }
 
 void Cmd::copy(const Buffer& from, const Buffer& to, std::uint64_t bytes) {
@@ -218,18 +227,25 @@ void Cmd::copy(const Texture& from, const Buffer& to, std::uint32_t layer) {
   VkBufferImageCopy region{};
   region.imageSubresource = {aspect_of(desc.format), 0, layer, 1};
   region.imageExtent = {desc.width, desc.height, 1};
-  device_->vk().vkCmdCopyImageToBuffer(handle_, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.handle(), 1, &region);
+  device_->vk().vkCmdCopyImageToBuffer(handle_, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                       to.handle(), 1, &region);
 }
 
-void Cmd::fill(const Buffer& to, std::uint32_t value) { device_->vk().vkCmdFillBuffer(handle_, to.handle(), 0, VK_WHOLE_SIZE, value); }
+void Cmd::fill(const Buffer& to, std::uint32_t value) {
+  device_->vk().vkCmdFillBuffer(handle_, to.handle(), 0, VK_WHOLE_SIZE, value);
+}
 
 void Cmd::clear(const Texture& to, std::array<float, 4> colour) {
   DERMIS_ASSERT_EQ(aspect_of(to.desc().format), static_cast<VkImageAspectFlags>(VK_IMAGE_ASPECT_COLOR_BIT));
   const VkClearColorValue value{{colour[0], colour[1], colour[2], colour[3]}};
-  const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
-  device_->vk().vkCmdClearColorImage(handle_, to.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &all);
+  const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0,
+                                    VK_REMAINING_ARRAY_LAYERS};
+  device_->vk().vkCmdClearColorImage(handle_, to.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1,
+                                     &all);
 }
 
-void Cmd::barrier(const VkDependencyInfo& dependencies) { device_->vk().vkCmdPipelineBarrier2(handle_, &dependencies); }
+void Cmd::barrier(const VkDependencyInfo& dependencies) {
+  device_->vk().vkCmdPipelineBarrier2(handle_, &dependencies);
+}
 
 }  // namespace dermis::gpu

@@ -56,25 +56,27 @@ class Cmd {
   VkCommandBuffer handle() const { return handle_; }
   Device& device() const { return *device_; }
 
-  void bind(const Pipeline& pipeline, std::span<const Binding> bindings);  ///< asserts number and kind against reflection
+  /// asserts number and kind against reflection
+  void bind(const Pipeline& pipeline, std::span<const Binding> bindings);
   template <class Push>
   void push(const Pipeline& pipeline, const Push& values) {
     push_bytes(pipeline, std::as_bytes(std::span(&values, 1)));
   }
-  void push_bytes(const Pipeline& pipeline, std::span<const std::byte> values);  ///< asserts the size against reflection
+  /// asserts the size against reflection
+  void push_bytes(const Pipeline& pipeline, std::span<const std::byte> values);
   void dispatch(std::uint32_t groups_x, std::uint32_t groups_y, std::uint32_t groups_z = 1);
   void dispatch_over(const Pipeline& pipeline, std::uint32_t threads_x, std::uint32_t threads_y,
                      std::uint32_t threads_z = 1);  ///< rounds up to workgroups
   void dispatch_indirect(const Buffer& arguments, std::uint64_t offset);
 
   /// Full-target viewport with +Y up (negative height) unless y_down; set_viewport changes it.
-  void begin_rendering(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth, VkExtent2D extent,
-                       bool y_down = false) {
+  void begin_rendering(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth,
+                       VkExtent2D extent, bool y_down = false) {
     begin_rendering_area(colour, depth, {{0, 0}, extent}, y_down);
   }
   /// Only this part of the targets is cleared, loaded and drawn to; the viewport is the area.
-  void begin_rendering_area(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth, VkRect2D area,
-                            bool y_down = false);
+  void begin_rendering_area(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth,
+                            VkRect2D area, bool y_down = false);
   void set_viewport(VkRect2D area, bool y_down);  ///< viewport and scissor
   void end_rendering();
   void draw(std::uint32_t vertices, std::uint32_t instances = 1, std::uint32_t first_vertex = 0);
@@ -82,7 +84,8 @@ class Cmd {
   void draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint32_t draws);
 
   void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
-  void copy(const Texture& from, const Buffer& to, std::uint32_t layer = 0);  ///< mip 0, tightly packed; from in TRANSFER_SRC layout
+  /// mip 0, tightly packed; from in TRANSFER_SRC layout
+  void copy(const Texture& from, const Buffer& to, std::uint32_t layer = 0);
   void fill(const Buffer& to, std::uint32_t value);
   void clear(const Texture& to, std::array<float, 4> colour);  ///< in TRANSFER_DST layout
   void barrier(const VkDependencyInfo& dependencies);

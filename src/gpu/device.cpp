@@ -39,7 +39,8 @@ const char* text_of(VkResult result) {
 }  // namespace
 
 void check(VkResult result, std::string_view what) {
-  if (result != VK_SUCCESS) throw device_error("{}: {} (VkResult {})", what, text_of(result), static_cast<int>(result));
+  if (result != VK_SUCCESS)
+    throw device_error("{}: {} (VkResult {})", what, text_of(result), static_cast<int>(result));
 }
 
 struct Device::State {
@@ -205,7 +206,8 @@ Device::Device(const Options& options) : state_(std::make_unique<State>()) {
   s.instance = std::make_unique<Instance>(options.validate);
   s.instance_table = s.instance->table();
   std::vector<Candidate> candidates;
-  for (VkPhysicalDevice device : s.instance->physical_devices()) candidates.push_back(examine(s.instance_table, device));
+  for (VkPhysicalDevice device : s.instance->physical_devices())
+    candidates.push_back(examine(s.instance_table, device));
   sort_best_first(candidates);
   const Candidate& chosen = choose(candidates, options.select);
   s.queue_family = chosen.queue_family;
@@ -215,19 +217,22 @@ Device::Device(const Options& options) : state_(std::make_unique<State>()) {
 }
 
 Device::Device(const External& external) : state_(std::make_unique<State>()) {
-  DERMIS_ASSERT(external.get_instance_proc_addr && external.instance && external.physical_device && external.device && external.queue);
+  DERMIS_ASSERT(external.get_instance_proc_addr && external.instance && external.physical_device &&
+                external.device && external.queue);
   State& s = *state_;
   s.external = true;
   s.instance_table = load_instance_table(external.get_instance_proc_addr, external.instance);
   const Candidate candidate = examine(s.instance_table, external.physical_device, external.queue_family);
   if (!candidate.summary.missing.empty())
-    throw device_error("{} cannot be used: {}", candidate.summary.name, fmt::join(candidate.summary.missing, "; "));
+    throw device_error("{} cannot be used: {}", candidate.summary.name,
+                       fmt::join(candidate.summary.missing, "; "));
   s.device = external.device;
   s.queue = external.queue;
   s.queue_family = external.queue_family;
   s.set_up(candidate, external.sampler_anisotropy && candidate.anisotropy);
   if (s.vk.vkCmdPushDescriptorSetKHR == nullptr)
-    throw device_error("the engine's device was made without {} (see RequiredFeatures)", RequiredFeatures::extensions()[0]);
+    throw device_error("the engine's device was made without {} (see RequiredFeatures)",
+                       RequiredFeatures::extensions()[0]);
 }
 
 Device::~Device() = default;
@@ -249,10 +254,11 @@ bool Device::format_supports(VkFormat format, VkFormatFeatureFlags features) con
   return (properties.formatProperties.optimalTilingFeatures & features) == features;
 }
 
-std::optional<VkImageFormatProperties> Device::image_format_properties(VkFormat format, VkImageUsageFlags usage) const {
+std::optional<VkImageFormatProperties> Device::image_format_properties(VkFormat format,
+                                                                       VkImageUsageFlags usage) const {
   VkImageFormatProperties properties{};
-  const VkResult result = state_->instance_table.get_image_format_properties(state_->physical, format, VK_IMAGE_TYPE_2D,
-                                                                             VK_IMAGE_TILING_OPTIMAL, usage, 0, &properties);
+  const VkResult result = state_->instance_table.get_image_format_properties(
+      state_->physical, format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL, usage, 0, &properties);
   if (result == VK_ERROR_FORMAT_NOT_SUPPORTED) return std::nullopt;
   check(result, "vkGetPhysicalDeviceImageFormatProperties");
   return properties;
@@ -322,7 +328,8 @@ void Device::wait(std::uint64_t serial) {
   info.semaphoreCount = 1;
   info.pSemaphores = &s.timeline;
   info.pValues = &serial;
-  check(s.vk.vkWaitSemaphores(s.device, &info, std::numeric_limits<std::uint64_t>::max()), "vkWaitSemaphores");
+  check(s.vk.vkWaitSemaphores(s.device, &info, std::numeric_limits<std::uint64_t>::max()),
+        "vkWaitSemaphores");
   s.recycle_commands();
 }
 
@@ -382,7 +389,8 @@ std::vector<DeviceSummary> list_devices() {
   std::vector<Candidate> candidates;
   try {
     const Instance instance(false);
-    for (VkPhysicalDevice device : instance.physical_devices()) candidates.push_back(examine(instance.table(), device));
+    for (VkPhysicalDevice device : instance.physical_devices())
+      candidates.push_back(examine(instance.table(), device));
   } catch (const DeviceError&) { return {}; }
   sort_best_first(candidates);
   std::vector<DeviceSummary> summaries;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Vulkan 1.3 device, ours or an engine's. Nothing here owns more than it made: an external device keeps its instance, queue and
-// function pointers; ours are per device (a VolkDeviceTable), never global.
+// A Vulkan 1.3 device, ours or an engine's. Nothing here owns more than it made: an external device keeps its
+// instance, queue and function pointers; ours are per device (a VolkDeviceTable), never global.
 #pragma once
 
 #include <volk.h>
@@ -18,8 +18,8 @@
 
 namespace dermis::gpu {
 
-/// What this library needs of a device, published so that an engine can create one that serves. Chain `features` into VkDeviceCreateInfo.
-/// Not copyable: the structures point at each other.
+/// What this library needs of a device, published so that an engine can create one that serves. Chain
+/// `features` into VkDeviceCreateInfo. Not copyable: the structures point at each other.
 struct RequiredFeatures {
   RequiredFeatures();
   RequiredFeatures(const RequiredFeatures&) = delete;
@@ -40,7 +40,8 @@ struct DeviceSummary {
   std::vector<std::string> missing;  ///< one sentence for each requirement it does not meet; empty = usable
 };
 
-/// All devices, best first (discrete, integrated, virtual, software; unusable ones last). Empty if there is no driver or no loader.
+/// All devices, best first (discrete, integrated, virtual, software; unusable ones last). Empty if there is
+/// no driver or no loader.
 std::vector<DeviceSummary> list_devices();
 
 struct DeviceLimits {
@@ -65,12 +66,15 @@ struct BufferDesc;
 struct TextureDesc;
 class MemoryPool;
 
-/// Device, queue, memory, and the list of objects waiting for the GPU. One thread records and submits at a time.
+/// Device, queue, memory, and the list of objects waiting for the GPU. One thread records and submits at a
+/// time.
 class Device {
  public:
   struct Options {
-    std::string select = "best";  ///< best, an index of list_devices(), or a part of a name (case-insensitive)
-    bool validate = false;        ///< validation layer with synchronization validation; messages are counted and kept
+    /// best, an index of list_devices(), or a part of a name (case-insensitive)
+    std::string select = "best";
+    /// validation layer with synchronization validation; messages are counted and kept
+    bool validate = false;
   };
   /// An engine's device. It must have been made with RequiredFeatures. All handles outlive this object.
   struct External {
@@ -80,10 +84,12 @@ class Device {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
-    bool sampler_anisotropy = false;  ///< made with this feature too; optional, without it samplers are isotropic
+    /// made with this feature too; optional, without it samplers are isotropic
+    bool sampler_anisotropy = false;
   };
 
-  /// DeviceError: no driver, no such device (lists them), a requirement is missing (says which), validation layer not installed.
+  /// DeviceError: no driver, no such device (lists them), a requirement is missing (says which), validation
+  /// layer not installed.
   explicit Device(const Options& options);
   explicit Device(const External& external);
   Device(const Device&) = delete;
@@ -96,7 +102,8 @@ class Device {
   const DeviceLimits& limits() const;
   bool format_supports(VkFormat format, VkFormatFeatureFlags features) const;  ///< optimal tiling
   /// Sizes and sample counts that a 2D image may have; none: this format cannot be used so.
-  std::optional<VkImageFormatProperties> image_format_properties(VkFormat format, VkImageUsageFlags usage) const;
+  std::optional<VkImageFormatProperties> image_format_properties(VkFormat format,
+                                                                 VkImageUsageFlags usage) const;
   const VkPhysicalDeviceProperties& properties() const;
 
   /// Starts a primary command buffer for one use.
@@ -109,7 +116,8 @@ class Device {
   /// begin, record, submit, wait.
   void run(const std::function<void(VkCommandBuffer)>& record);
 
-  /// With an external queue: tells that everything recorded so far has completed, so that retired objects are freed.
+  /// With an external queue: tells that everything recorded so far has completed, so that retired objects are
+  /// freed.
   void collect();
   /// Frees something once all work recorded so far has completed (now, if nothing is in flight).
   void retire(std::function<void()> free);
@@ -122,7 +130,8 @@ class Device {
   /// What the validation layer said since the start (errors and warnings), in order. Empty if not validating.
   const std::vector<std::string>& validation_messages() const;
 
-  void set_name(VkObjectType type, std::uint64_t handle, const std::string& name) const;  ///< nothing if debug utils are off
+  /// nothing if debug utils are off
+  void set_name(VkObjectType type, std::uint64_t handle, const std::string& name) const;
   void begin_label(VkCommandBuffer commands, const std::string& name) const;
   void end_label(VkCommandBuffer commands) const;
 

@@ -60,7 +60,8 @@ const Row* find(VkFormat format) {
 std::uint32_t texel_bytes(VkFormat format) {
   const Row* row = find(format);
   if (row == nullptr)
-    assertion_failed("format is in the list of gpu/formats.cpp", fmt::format("{}", static_cast<int>(format)), __FILE__, __LINE__);
+    assertion_failed("format is in the list of gpu/formats.cpp", fmt::format("{}", static_cast<int>(format)),
+                     __FILE__, __LINE__);
   return row->bytes;
 }
 
@@ -70,7 +71,8 @@ const char* format_name(VkFormat format) {
 }
 
 VkImageAspectFlags aspect_of(VkFormat format) {
-  return format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_D16_UNORM ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+  return format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_D16_UNORM ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                                                         : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
 std::uint64_t bytes_of(const TextureDesc& desc) {

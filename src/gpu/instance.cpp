@@ -19,7 +19,8 @@ F global_function(PFN_vkGetInstanceProcAddr get, const char* name) {
 }
 
 bool has_layer(PFN_vkGetInstanceProcAddr get, std::string_view name) {
-  const auto enumerate = global_function<PFN_vkEnumerateInstanceLayerProperties>(get, "vkEnumerateInstanceLayerProperties");
+  const auto enumerate =
+      global_function<PFN_vkEnumerateInstanceLayerProperties>(get, "vkEnumerateInstanceLayerProperties");
   std::uint32_t count = 0;
   check(enumerate(&count, nullptr), "vkEnumerateInstanceLayerProperties");
   std::vector<VkLayerProperties> layers(count);
@@ -28,17 +29,20 @@ bool has_layer(PFN_vkGetInstanceProcAddr get, std::string_view name) {
 }
 
 bool has_extension(PFN_vkGetInstanceProcAddr get, const char* layer, std::string_view name) {
-  const auto enumerate = global_function<PFN_vkEnumerateInstanceExtensionProperties>(get, "vkEnumerateInstanceExtensionProperties");
+  const auto enumerate = global_function<PFN_vkEnumerateInstanceExtensionProperties>(
+      get, "vkEnumerateInstanceExtensionProperties");
   std::uint32_t count = 0;
   if (enumerate(layer, &count, nullptr) != VK_SUCCESS) return false;
   std::vector<VkExtensionProperties> extensions(count);
   if (enumerate(layer, &count, extensions.data()) != VK_SUCCESS) return false;
-  return std::ranges::any_of(extensions, [&](const VkExtensionProperties& e) { return e.extensionName == name; });
+  return std::ranges::any_of(extensions,
+                             [&](const VkExtensionProperties& e) { return e.extensionName == name; });
 }
 
 }  // namespace
 
-VkBool32 Instance::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT type,
+VkBool32 Instance::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                              VkDebugUtilsMessageTypeFlagsEXT type,
                               const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
   const std::string_view id = data->pMessageIdName ? data->pMessageIdName : "";
   // The loader reports drivers that it could not open here; that is no fault of ours.
@@ -56,8 +60,10 @@ VkBool32 Instance::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity, V
 VkDebugUtilsMessengerCreateInfoEXT Instance::messenger_info() const {
   VkDebugUtilsMessengerCreateInfoEXT info{};
   info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-  info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-  info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
+  info.messageSeverity =
+      VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  info.messageType =
+      VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
   info.pfnUserCallback = on_message;
   info.pUserData = log_.get();
   return info;
@@ -73,9 +79,11 @@ void Instance::create(PFN_vkGetInstanceProcAddr get, bool validate) {
   info.pApplicationInfo = &application;
 
   std::vector<const char*> extensions;
-  if (validate || has_extension(get, nullptr, VK_EXT_DEBUG_UTILS_EXTENSION_NAME)) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+  if (validate || has_extension(get, nullptr, VK_EXT_DEBUG_UTILS_EXTENSION_NAME))
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_info();
-  const VkValidationFeatureEnableEXT synchronization = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+  const VkValidationFeatureEnableEXT synchronization =
+      VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
   VkValidationFeaturesEXT features{};
   features.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
   features.enabledValidationFeatureCount = 1;
@@ -90,7 +98,8 @@ void Instance::create(PFN_vkGetInstanceProcAddr get, bool validate) {
   info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
 
-  const VkResult result = global_function<PFN_vkCreateInstance>(get, "vkCreateInstance")(&info, nullptr, &handle_);
+  const VkResult result =
+      global_function<PFN_vkCreateInstance>(get, "vkCreateInstance")(&info, nullptr, &handle_);
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw device_error("{}", no_driver_message());
   check(result, "vkCreateInstance");
 }
@@ -98,12 +107,17 @@ void Instance::create(PFN_vkGetInstanceProcAddr get, bool validate) {
 Instance::Instance(bool validate, const std::string& library) {
   const PFN_vkGetInstanceProcAddr get = open_loader(library);
   if (get == nullptr) {
-    throw device_error("no Vulkan loader ({}): install it and a driver (Debian, Ubuntu: apt install libvulkan1 mesa-vulkan-drivers)",
-                       library);
+    throw device_error(
+        "no Vulkan loader ({}): install it and a driver (Debian, Ubuntu: apt install libvulkan1 "
+        "mesa-vulkan-drivers)",
+        library);
   }
-  if (validate && (!has_layer(get, validation_layer) || !has_extension(get, validation_layer, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME)))
-    throw device_error("validation needs the layer {}, which is not installed (Debian, Ubuntu: apt install vulkan-validationlayers)",
-                       validation_layer);
+  if (validate && (!has_layer(get, validation_layer) ||
+                   !has_extension(get, validation_layer, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME)))
+    throw device_error(
+        "validation needs the layer {}, which is not installed (Debian, Ubuntu: apt install "
+        "vulkan-validationlayers)",
+        validation_layer);
   create(get, validate);
   table_ = load_instance_table(get, handle_);
   if (!validate) return;

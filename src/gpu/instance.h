@@ -32,8 +32,10 @@ class Instance {
     std::mutex mutex;
     std::vector<std::string> messages;
   };
-  static VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT type,
-                                                   const VkDebugUtilsMessengerCallbackDataEXT* data, void* log);
+  static VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                                   VkDebugUtilsMessageTypeFlagsEXT type,
+                                                   const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                                   void* log);
   VkDebugUtilsMessengerCreateInfoEXT messenger_info() const;
   void create(PFN_vkGetInstanceProcAddr get, bool validate);
 

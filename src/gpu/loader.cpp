@@ -28,7 +28,9 @@ PFN_vkGetInstanceProcAddr open_loader(const std::string& library) {
 
 InstanceTable load_instance_table(PFN_vkGetInstanceProcAddr get, VkInstance instance) {
   InstanceTable t{};
-  const auto load = [&]<class F>(F& function, const char* name) { function = reinterpret_cast<F>(get(instance, name)); };
+  const auto load = [&]<class F>(F& function, const char* name) {
+    function = reinterpret_cast<F>(get(instance, name));
+  };
   load(t.destroy_instance, "vkDestroyInstance");
   load(t.enumerate_physical_devices, "vkEnumeratePhysicalDevices");
   load(t.enumerate_device_extensions, "vkEnumerateDeviceExtensionProperties");

@@ -33,12 +33,14 @@ namespace {
 
 double mib(std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
-std::uint64_t align_up(std::uint64_t offset, std::uint64_t alignment) { return (offset + alignment - 1) / alignment * alignment; }
+std::uint64_t align_up(std::uint64_t offset, std::uint64_t alignment) {
+  return (offset + alignment - 1) / alignment * alignment;
+}
 
 }  // namespace
 
-MemoryPool::MemoryPool(const VolkDeviceTable& vk, VkDevice device, const VkPhysicalDeviceMemoryProperties& properties,
-                       std::uint64_t max_allocation_bytes)
+MemoryPool::MemoryPool(const VolkDeviceTable& vk, VkDevice device,
+                       const VkPhysicalDeviceMemoryProperties& properties, std::uint64_t max_allocation_bytes)
     : vk_(&vk), device_(device), properties_(properties), max_allocation_bytes_(max_allocation_bytes) {}
 
 MemoryPool::~MemoryPool() {
@@ -53,22 +55,30 @@ std::uint64_t MemoryPool::reserved_bytes() const {
 }
 
 std::vector<std::uint32_t> MemoryPool::types_for(std::uint32_t allowed, BufferPlace place) const {
-  constexpr VkMemoryPropertyFlags coherent = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  constexpr VkMemoryPropertyFlags coherent =
+      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
   // Staging stays out of device memory, of which only a part may be visible; reading uncached memory is slow.
   struct Wish {
     VkMemoryPropertyFlags with, without;
   };
   std::vector<Wish> wishes;
   switch (place) {
-    case BufferPlace::device: wishes = {{VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0}, {0, VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT}}; break;
-    case BufferPlace::upload: wishes = {{coherent, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT}, {coherent, 0}}; break;
-    case BufferPlace::readback: wishes = {{coherent | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, 0}, {coherent, 0}}; break;
+    case BufferPlace::device:
+      wishes = {{VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0}, {0, VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT}};
+      break;
+    case BufferPlace::upload:
+      wishes = {{coherent, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT}, {coherent, 0}};
+      break;
+    case BufferPlace::readback:
+      wishes = {{coherent | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, 0}, {coherent, 0}};
+      break;
   }
   for (const Wish& wish : wishes) {
     std::vector<std::uint32_t> types;
     for (std::uint32_t i = 0; i < properties_.memoryTypeCount; ++i) {
       const VkMemoryPropertyFlags flags = properties_.memoryTypes[i].propertyFlags;
-      if ((allowed >> i & 1u) && (flags & wish.with) == wish.with && !(flags & wish.without)) types.push_back(i);
+      if ((allowed >> i & 1u) && (flags & wish.with) == wish.with && !(flags & wish.without))
+        types.push_back(i);
     }
     if (!types.empty()) return types;
   }
@@ -82,9 +92,11 @@ void MemoryPool::map(Block& block) {
   block.mapped = static_cast<std::byte*>(address);
 }
 
-MemoryPool::Block* MemoryPool::new_block(const Request& request, std::uint32_t type, std::uint64_t bytes, bool dedicated) {
+MemoryPool::Block* MemoryPool::new_block(const Request& request, std::uint32_t type, std::uint64_t bytes,
+                                         bool dedicated) {
   const std::uint32_t heap = properties_.memoryTypes[type].heapIndex;
-  if (bytes > max_allocation_bytes_ || heap_used_[heap] + bytes > properties_.memoryHeaps[heap].size) return nullptr;
+  if (bytes > max_allocation_bytes_ || heap_used_[heap] + bytes > properties_.memoryHeaps[heap].size)
+    return nullptr;
   VkMemoryDedicatedAllocateInfo alone{};
   alone.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO;
   alone.image = request.image;
@@ -129,7 +141,8 @@ MemoryPool::Allocation* MemoryPool::place_in(Block& block, const Request& reques
   return nullptr;
 }
 
-MemoryPool::Allocation* MemoryPool::try_allocate(const Request& request, const std::vector<std::uint32_t>& types) {
+MemoryPool::Allocation* MemoryPool::try_allocate(const Request& request,
+                                                 const std::vector<std::uint32_t>& types) {
   const bool image = request.image != VK_NULL_HANDLE;
   const std::uint64_t bytes = request.needs.size;
   for (const std::uint32_t type : types) {
@@ -157,7 +170,8 @@ MemoryPool::Allocation* MemoryPool::allocate(const Request& request) {
   if (!made) {
     const std::uint32_t heap = types.empty() ? 0 : properties_.memoryTypes[types.front()].heapIndex;
     throw device_error(
-        "no device memory for '{}': needed {:.1f} MiB; the heap has {:.1f} MiB, of which this program holds {:.1f} MiB; try "
+        "no device memory for '{}': needed {:.1f} MiB; the heap has {:.1f} MiB, of which this program holds "
+        "{:.1f} MiB; try "
         "smaller maps or a smaller picture",
         request.name, mib(bytes), mib(properties_.memoryHeaps[heap].size), mib(heap_used_[heap]));
   }
@@ -167,7 +181,8 @@ MemoryPool::Allocation* MemoryPool::allocate(const Request& request) {
   return made;
 }
 
-MemoryPool::Allocation* MemoryPool::allocate_buffer(const std::string& name, VkBuffer buffer, BufferPlace place) {
+MemoryPool::Allocation* MemoryPool::allocate_buffer(const std::string& name, VkBuffer buffer,
+                                                    BufferPlace place) {
   VkMemoryDedicatedRequirements alone{};
   alone.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_REQUIREMENTS;
   VkMemoryRequirements2 needs{};
@@ -194,8 +209,8 @@ MemoryPool::Allocation* MemoryPool::allocate_image(const std::string& name, VkIm
   info.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_REQUIREMENTS_INFO_2;
   info.image = image;
   vk_->vkGetImageMemoryRequirements2(device_, &info, &needs);
-  const bool dedicated =
-      alone.requiresDedicatedAllocation || (alone.prefersDedicatedAllocation && needs.memoryRequirements.size >= (1u << 20));
+  const bool dedicated = alone.requiresDedicatedAllocation ||
+                         (alone.prefersDedicatedAllocation && needs.memoryRequirements.size >= (1u << 20));
   return allocate({.name = name, .needs = needs.memoryRequirements, .dedicated = dedicated, .image = image});
 }
 
@@ -221,7 +236,8 @@ void MemoryPool::free(Allocation* allocation) {
   if (!block.is_empty()) return;
   // One empty block of a kind is kept: staging buffers come and go.
   const bool another = std::ranges::any_of(blocks_, [&](const auto& other) {
-    return other.get() != &block && !other->dedicated && other->type == block.type && other->image == block.image && other->is_empty();
+    return other.get() != &block && !other->dedicated && other->type == block.type &&
+           other->image == block.image && other->is_empty();
   });
   if (block.dedicated || another) release(&block);
 }

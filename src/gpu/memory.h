@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Device memory by blocks: each block serves one memory type and one kind of resource (linear or optimal), so that neighbours never
-// share a page of bufferImageGranularity. Large resources get memory of their own. One thread at a time.
+// Device memory by blocks: each block serves one memory type and one kind of resource (linear or optimal), so
+// that neighbours never share a page of bufferImageGranularity. Large resources get memory of their own. One
+// thread at a time.
 #pragma once
 
 #include <volk.h>
@@ -37,7 +38,8 @@ class MemoryPool {
   MemoryPool& operator=(const MemoryPool&) = delete;
   ~MemoryPool();  ///< asserts that everything was freed
 
-  /// Memory for a buffer or an image; binding it is the caller's. DeviceError: does not fit (says how much was needed, and the heap).
+  /// Memory for a buffer or an image; binding it is the caller's. DeviceError: does not fit (says how much
+  /// was needed, and the heap).
   Allocation* allocate_buffer(const std::string& name, VkBuffer buffer, BufferPlace place);
   Allocation* allocate_image(const std::string& name, VkImage image);
   void free(Allocation* allocation);

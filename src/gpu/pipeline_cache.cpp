@@ -43,7 +43,8 @@ Header header_for(const VkPhysicalDeviceProperties& properties, std::span<const 
 
 }  // namespace
 
-std::vector<std::byte> load_pipeline_cache(const std::filesystem::path& file, const VkPhysicalDeviceProperties& properties) {
+std::vector<std::byte> load_pipeline_cache(const std::filesystem::path& file,
+                                           const VkPhysicalDeviceProperties& properties) {
   std::vector<std::byte> all;
   try {
     all = read_file(file, limit_bytes);
@@ -64,7 +65,8 @@ void save_pipeline_cache(const std::filesystem::path& file, const VkPhysicalDevi
   try {
     if (file.has_parent_path()) {
       std::error_code failed;
-      std::filesystem::create_directories(file.parent_path(), failed);  // if it failed, the write says what is wrong
+      // if it failed, the write says what is wrong
+      std::filesystem::create_directories(file.parent_path(), failed);
     }
     write_file(file, all);
   } catch (const InputError& e) { warn("pipeline cache not kept: {}", e.what()); }

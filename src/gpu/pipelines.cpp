@@ -32,17 +32,19 @@ std::string text_of(const Constants& constants) {
   return text;
 }
 
-/// One shader with the constants that it declares, ready for a pipeline. Must not move: the structures point at each other.
+/// One shader with the constants that it declares, ready for a pipeline. Must not move: the structures point
+/// at each other.
 class Stage {
  public:
-  Stage(Device& device, VkShaderStageFlagBits stage, const std::string& name, std::span<const std::uint32_t> spirv,
-        const Constants& constants)
+  Stage(Device& device, VkShaderStageFlagBits stage, const std::string& name,
+        std::span<const std::uint32_t> spirv, const Constants& constants)
       : device_(&device), interface_(reflect(spirv, name)) {
     VkShaderModuleCreateInfo module_info{};
     module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     module_info.codeSize = spirv.size_bytes();
     module_info.pCode = spirv.data();
-    check(device.vk().vkCreateShaderModule(device.handle(), &module_info, nullptr, &info_.module), "vkCreateShaderModule");
+    check(device.vk().vkCreateShaderModule(device.handle(), &module_info, nullptr, &info_.module),
+          "vkCreateShaderModule");
     device.set_name(VK_OBJECT_TYPE_SHADER_MODULE, reinterpret_cast<std::uint64_t>(info_.module), name);
     specialise(constants);
     info_.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -60,15 +62,18 @@ class Stage {
  private:
   void specialise(const Constants& constants) {
     for (const auto& [name, value] : constants) {
-      const auto declared = std::ranges::find(interface_.constants, name, &std::pair<std::string, std::uint32_t>::first);
+      const auto declared =
+          std::ranges::find(interface_.constants, name, &std::pair<std::string, std::uint32_t>::first);
       if (declared == interface_.constants.end()) continue;
-      entries_.push_back({declared->second, static_cast<std::uint32_t>(values_.size() * sizeof(std::uint32_t)), sizeof(std::uint32_t)});
+      entries_.push_back({declared->second,
+                          static_cast<std::uint32_t>(values_.size() * sizeof(std::uint32_t)),
+                          sizeof(std::uint32_t)});
       values_.push_back(value);
       for (std::size_t axis = 0; axis < 3; ++axis)
         if (interface_.workgroup_constants[axis] == declared->second) interface_.workgroup[axis] = value;
     }
-    specialisation_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), values_.size() * sizeof(std::uint32_t),
-                       values_.data()};
+    specialisation_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(),
+                       values_.size() * sizeof(std::uint32_t), values_.data()};
   }
 
   Device* device_;
@@ -79,15 +84,18 @@ class Stage {
   VkPipelineShaderStageCreateInfo info_{};
 };
 
-void check_declared(const std::string& pipeline, const ShaderInterface& interface, const Constants& constants) {
+void check_declared(const std::string& pipeline, const ShaderInterface& interface,
+                    const Constants& constants) {
   for (const auto& constant_given : constants) {
     const std::string& name = constant_given.first;
-    const bool declared = std::ranges::any_of(interface.constants, [&](const auto& c) { return c.first == name; });
+    const bool declared =
+        std::ranges::any_of(interface.constants, [&](const auto& c) { return c.first == name; });
     if (declared) continue;
     std::vector<std::string> known;
     for (const auto& constant : interface.constants) known.push_back(constant.first);
     assertion_failed("the shader declares the specialisation constant",
-                     fmt::format("{}: '{}'; declared: {}", pipeline, name, fmt::join(known, ", ")), __FILE__, __LINE__);
+                     fmt::format("{}: '{}'; declared: {}", pipeline, name, fmt::join(known, ", ")), __FILE__,
+                     __LINE__);
   }
 }
 
@@ -97,21 +105,24 @@ void merge(ShaderInterface& into, const ShaderInterface& other, const std::strin
     if (same == into.bindings.end()) {
       into.bindings.push_back(slot);
     } else if (same->kind != slot.kind || same->count != slot.count) {
-      assertion_failed("both stages agree on a binding", fmt::format("{}: binding {} '{}'", pipeline, slot.binding, slot.name), __FILE__,
+      assertion_failed("both stages agree on a binding",
+                       fmt::format("{}: binding {} '{}'", pipeline, slot.binding, slot.name), __FILE__,
                        __LINE__);
     }
   }
   std::ranges::sort(into.bindings, {}, &BindingSlot::binding);
   into.push_bytes = std::max(into.push_bytes, other.push_bytes);
   for (const auto& constant : other.constants)
-    if (std::ranges::find(into.constants, constant) == into.constants.end()) into.constants.push_back(constant);
+    if (std::ranges::find(into.constants, constant) == into.constants.end())
+      into.constants.push_back(constant);
 }
 
 std::string key_of(const GraphicsDesc& desc) {
   std::vector<int> formats(desc.colour_formats.begin(), desc.colour_formats.end());
-  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}{}|{}|{}|{}|{}|{}", desc.vertex, desc.fragment, text_of(desc.constants),
-                     fmt::join(formats, ","), static_cast<int>(desc.depth_format), desc.samples, static_cast<int>(desc.blend),
-                     static_cast<int>(desc.cull), desc.depth_test, desc.depth_write, static_cast<int>(desc.depth_compare), desc.depth_clamp,
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}{}|{}|{}|{}|{}|{}", desc.vertex, desc.fragment,
+                     text_of(desc.constants), fmt::join(formats, ","), static_cast<int>(desc.depth_format),
+                     desc.samples, static_cast<int>(desc.blend), static_cast<int>(desc.cull), desc.depth_test,
+                     desc.depth_write, static_cast<int>(desc.depth_compare), desc.depth_clamp,
                      desc.depth_bias, desc.depth_bias_slope, desc.alpha_to_coverage);
 }
 
@@ -137,7 +148,8 @@ struct FixedFunctions {
 
 VkPipelineColorBlendAttachmentState blend_of(Blend blend) {
   VkPipelineColorBlendAttachmentState state{};
-  state.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  state.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
+                         VK_COLOR_COMPONENT_A_BIT;
   if (blend == Blend::none) return state;
   state.blendEnable = VK_TRUE;
   state.srcColorBlendFactor = state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
@@ -243,16 +255,18 @@ struct PipelineLibrary::State {
 void PipelineLibrary::State::create_layout(Entry& entry, VkShaderStageFlags stages) {
   const ShaderInterface& interface = entry.pipeline.interface;
   if (interface.push_bytes > device->limits().max_push_bytes)
-    throw device_error("'{}' needs {} bytes of push constants, {} has {}", entry.pipeline.name, interface.push_bytes,
-                       device->summary().name, device->limits().max_push_bytes);
+    throw device_error("'{}' needs {} bytes of push constants, {} has {}", entry.pipeline.name,
+                       interface.push_bytes, device->summary().name, device->limits().max_push_bytes);
   std::vector<VkDescriptorSetLayoutBinding> bindings;
-  for (const BindingSlot& slot : interface.bindings) bindings.push_back({slot.binding, type_of(slot.kind), slot.count, stages, nullptr});
+  for (const BindingSlot& slot : interface.bindings)
+    bindings.push_back({slot.binding, type_of(slot.kind), slot.count, stages, nullptr});
   VkDescriptorSetLayoutCreateInfo set_info{};
   set_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
   set_info.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
   set_info.bindingCount = static_cast<std::uint32_t>(bindings.size());
   set_info.pBindings = bindings.data();
-  check(device->vk().vkCreateDescriptorSetLayout(device->handle(), &set_info, nullptr, &entry.set_layout), "vkCreateDescriptorSetLayout");
+  check(device->vk().vkCreateDescriptorSetLayout(device->handle(), &set_info, nullptr, &entry.set_layout),
+        "vkCreateDescriptorSetLayout");
   const VkPushConstantRange push{entry.pipeline.push_stages, 0, interface.push_bytes};
   VkPipelineLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
@@ -260,7 +274,8 @@ void PipelineLibrary::State::create_layout(Entry& entry, VkShaderStageFlags stag
   info.pSetLayouts = &entry.set_layout;
   info.pushConstantRangeCount = interface.push_bytes > 0 ? 1 : 0;
   info.pPushConstantRanges = &push;
-  check(device->vk().vkCreatePipelineLayout(device->handle(), &info, nullptr, &entry.pipeline.layout), "vkCreatePipelineLayout");
+  check(device->vk().vkCreatePipelineLayout(device->handle(), &info, nullptr, &entry.pipeline.layout),
+        "vkCreatePipelineLayout");
 }
 
 void PipelineLibrary::State::destroy(const Entry& entry) const {
@@ -269,8 +284,10 @@ void PipelineLibrary::State::destroy(const Entry& entry) const {
   device->vk().vkDestroyDescriptorSetLayout(device->handle(), entry.set_layout, nullptr);
 }
 
-const Pipeline& PipelineLibrary::State::keep(const std::string& key, std::unique_ptr<Entry> entry, Clock::time_point start) {
-  device->set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(entry->pipeline.handle), entry->pipeline.name);
+const Pipeline& PipelineLibrary::State::keep(const std::string& key, std::unique_ptr<Entry> entry,
+                                             Clock::time_point start) {
+  device->set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(entry->pipeline.handle),
+                   entry->pipeline.name);
   creation_ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   return (entries[key] = std::move(entry))->pipeline;
 }
@@ -281,7 +298,8 @@ void PipelineLibrary::State::create_cache() {
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
   info.initialDataSize = loaded.size();
   info.pInitialData = loaded.data();
-  check(device->vk().vkCreatePipelineCache(device->handle(), &info, nullptr, &cache), "vkCreatePipelineCache");
+  check(device->vk().vkCreatePipelineCache(device->handle(), &info, nullptr, &cache),
+        "vkCreatePipelineCache");
 }
 
 PipelineLibrary::PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file)
@@ -297,7 +315,8 @@ PipelineLibrary::~PipelineLibrary() {
   device.vk().vkDestroyPipelineCache(device.handle(), state_->cache, nullptr);
   device.retire([state = std::shared_ptr<State>(std::move(state_))] {
     for (const auto& [key, entry] : state->entries) state->destroy(*entry);
-    for (const auto& [desc, sampler] : state->samplers) state->device->vk().vkDestroySampler(state->device->handle(), sampler, nullptr);
+    for (const auto& [desc, sampler] : state->samplers)
+      state->device->vk().vkDestroySampler(state->device->handle(), sampler, nullptr);
   });
 }
 
@@ -315,15 +334,16 @@ const Pipeline& PipelineLibrary::compute(const std::string& shader, const Consta
   check_declared(key, pipeline.interface, constants);
   const auto& size = pipeline.interface.workgroup;
   if (std::uint64_t{size[0]} * size[1] * size[2] > s.device->limits().max_workgroup_threads)
-    throw device_error("'{}' needs workgroups of {}x{}x{}, {} allows {} threads", key, size[0], size[1], size[2], s.device->summary().name,
-                       s.device->limits().max_workgroup_threads);
+    throw device_error("'{}' needs workgroups of {}x{}x{}, {} allows {} threads", key, size[0], size[1],
+                       size[2], s.device->summary().name, s.device->limits().max_workgroup_threads);
   try {
     s.create_layout(*entry, VK_SHADER_STAGE_COMPUTE_BIT);
     VkComputePipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
     info.stage = stage.info();
     info.layout = pipeline.layout;
-    check(s.device->vk().vkCreateComputePipelines(s.device->handle(), s.cache, 1, &info, nullptr, &pipeline.handle),
+    check(s.device->vk().vkCreateComputePipelines(s.device->handle(), s.cache, 1, &info, nullptr,
+                                                  &pipeline.handle),
           "vkCreateComputePipelines");
   } catch (...) {
     s.destroy(*entry);
@@ -342,17 +362,19 @@ const Pipeline& PipelineLibrary::graphics(const GraphicsDesc& desc) {
   pipeline.bind_point = VK_PIPELINE_BIND_POINT_GRAPHICS;
   pipeline.name = desc.vertex + (desc.fragment.empty() ? "" : " " + desc.fragment) + text_of(desc.constants);
   std::vector<std::unique_ptr<Stage>> stages;
-  stages.push_back(std::make_unique<Stage>(*s.device, VK_SHADER_STAGE_VERTEX_BIT, desc.vertex, s.code(desc.vertex), desc.constants));
+  stages.push_back(std::make_unique<Stage>(*s.device, VK_SHADER_STAGE_VERTEX_BIT, desc.vertex,
+                                           s.code(desc.vertex), desc.constants));
   if (!desc.fragment.empty())
-    stages.push_back(
-        std::make_unique<Stage>(*s.device, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment, s.code(desc.fragment), desc.constants));
+    stages.push_back(std::make_unique<Stage>(*s.device, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment,
+                                             s.code(desc.fragment), desc.constants));
   std::vector<VkPipelineShaderStageCreateInfo> infos;
   VkShaderStageFlags all = 0;
   for (const auto& stage : stages) {
     merge(pipeline.interface, stage->interface(), pipeline.name);
     infos.push_back(stage->info());
     all |= static_cast<VkShaderStageFlags>(stage->info().stage);
-    if (stage->interface().push_bytes > 0) pipeline.push_stages |= static_cast<VkShaderStageFlags>(stage->info().stage);
+    if (stage->interface().push_bytes > 0)
+      pipeline.push_stages |= static_cast<VkShaderStageFlags>(stage->info().stage);
   }
   check_declared(pipeline.name, pipeline.interface, desc.constants);
   const FixedFunctions fixed(desc);
@@ -363,7 +385,8 @@ const Pipeline& PipelineLibrary::graphics(const GraphicsDesc& desc) {
     info.stageCount = static_cast<std::uint32_t>(infos.size());
     info.pStages = infos.data();
     info.layout = pipeline.layout;
-    check(s.device->vk().vkCreateGraphicsPipelines(s.device->handle(), s.cache, 1, &info, nullptr, &pipeline.handle),
+    check(s.device->vk().vkCreateGraphicsPipelines(s.device->handle(), s.cache, 1, &info, nullptr,
+                                                   &pipeline.handle),
           "vkCreateGraphicsPipelines");
   } catch (...) {
     s.destroy(*entry);
@@ -379,7 +402,8 @@ VkSampler PipelineLibrary::sampler(const SamplerDesc& desc) {
   VkSamplerCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
   info.magFilter = info.minFilter = desc.filter == Filter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
-  info.mipmapMode = desc.filter == Filter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  info.mipmapMode =
+      desc.filter == Filter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
   info.addressModeU = address_of(desc.u);
   info.addressModeV = address_of(desc.v);
   info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
@@ -398,9 +422,11 @@ void PipelineLibrary::save_cache() const {
   const State& s = *state_;
   if (s.cache_file.empty()) return;
   std::size_t bytes = 0;
-  check(s.device->vk().vkGetPipelineCacheData(s.device->handle(), s.cache, &bytes, nullptr), "vkGetPipelineCacheData");
+  check(s.device->vk().vkGetPipelineCacheData(s.device->handle(), s.cache, &bytes, nullptr),
+        "vkGetPipelineCacheData");
   std::vector<std::byte> data(bytes);
-  check(s.device->vk().vkGetPipelineCacheData(s.device->handle(), s.cache, &bytes, data.data()), "vkGetPipelineCacheData");
+  check(s.device->vk().vkGetPipelineCacheData(s.device->handle(), s.cache, &bytes, data.data()),
+        "vkGetPipelineCacheData");
   data.resize(bytes);
   if (data != s.loaded || s.loaded.empty()) save_pipeline_cache(s.cache_file, s.device->properties(), data);
 }

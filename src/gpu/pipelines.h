@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pipelines from SPIR-V. Bindings, push-constant size, workgroup size and specialisation constants are read from the shader; the host
-// says only what it must. Descriptor set 0, pushed at record time (VK_KHR_push_descriptor).
+// Pipelines from SPIR-V. Bindings, push-constant size, workgroup size and specialisation constants are read
+// from the shader; the host says only what it must. Descriptor set 0, pushed at record time
+// (VK_KHR_push_descriptor).
 #pragma once
 
 #include <volk.h>
@@ -42,12 +43,15 @@ struct ShaderInterface {
   std::uint32_t push_bytes = 0;
   std::array<std::uint32_t, 3> workgroup{1, 1, 1};  ///< in a Pipeline: with its constants applied
   static constexpr std::uint32_t fixed = 0xffffffff;
-  std::array<std::uint32_t, 3> workgroup_constants{fixed, fixed, fixed};  ///< constant_id that sets each size, or fixed
-  std::vector<std::pair<std::string, std::uint32_t>> constants;           ///< specialisation constants: name, constant_id
+  /// constant_id that sets each size, or fixed
+  std::array<std::uint32_t, 3> workgroup_constants{fixed, fixed, fixed};
+  /// specialisation constants: name, constant_id
+  std::vector<std::pair<std::string, std::uint32_t>> constants;
 };
 ShaderInterface reflect(std::span<const std::uint32_t> spirv, const std::string& name);
 
-/// Named specialisation constants; a name that the shader does not declare is our bug (assertion). bool and int are given as 32 bits.
+/// Named specialisation constants; a name that the shader does not declare is our bug (assertion). bool and
+/// int are given as 32 bits.
 using Constants = std::vector<std::pair<std::string, std::uint32_t>>;
 
 enum class Blend : std::uint8_t { none, over };  ///< over: premultiplied alpha
@@ -82,8 +86,9 @@ class Pipeline {
 /// SPIR-V by name ("blur.comp"); empty span when there is none.
 using ShaderSource = std::function<std::span<const std::uint32_t>(std::string_view name)>;
 
-/// Makes each pipeline once and keeps it. With a cache file, driver code is kept between runs; a file that is missing, damaged or from
-/// another driver is ignored and rewritten (atomically) by save_cache(); failing to write it is a warning, never an error.
+/// Makes each pipeline once and keeps it. With a cache file, driver code is kept between runs; a file that is
+/// missing, damaged or from another driver is ignored and rewritten (atomically) by save_cache(); failing to
+/// write it is a warning, never an error.
 class PipelineLibrary {
  public:
   PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file = {});

@@ -20,7 +20,8 @@ class Reflection {
     need(spvc_context_create(&context_));
     spvc_parsed_ir ir = nullptr;
     need(spvc_context_parse_spirv(context_, spirv.data(), spirv.size(), &ir));
-    need(spvc_context_create_compiler(context_, SPVC_BACKEND_NONE, ir, SPVC_CAPTURE_MODE_TAKE_OWNERSHIP, &compiler_));
+    need(spvc_context_create_compiler(context_, SPVC_BACKEND_NONE, ir, SPVC_CAPTURE_MODE_TAKE_OWNERSHIP,
+                                      &compiler_));
     need(spvc_compiler_create_shader_resources(compiler_, &resources_));
   }
   Reflection(const Reflection&) = delete;
@@ -33,13 +34,16 @@ class Reflection {
     add(result, SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, BindingKind::uniform_buffer);
     add(result, SPVC_RESOURCE_TYPE_SAMPLED_IMAGE, BindingKind::sampled_image);
     add(result, SPVC_RESOURCE_TYPE_STORAGE_IMAGE, BindingKind::storage_image);
-    for (const spvc_resource_type type : {SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS,
-                                          SPVC_RESOURCE_TYPE_SUBPASS_INPUT, SPVC_RESOURCE_TYPE_ATOMIC_COUNTER})
-      if (!list(type).empty()) bad_shader(name_, fmt::format("'{}' is of a kind that is not supported", list(type)[0].name));
+    for (const spvc_resource_type type :
+         {SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS,
+          SPVC_RESOURCE_TYPE_SUBPASS_INPUT, SPVC_RESOURCE_TYPE_ATOMIC_COUNTER})
+      if (!list(type).empty())
+        bad_shader(name_, fmt::format("'{}' is of a kind that is not supported", list(type)[0].name));
     std::ranges::sort(result.bindings, {}, &BindingSlot::binding);
     for (const spvc_reflected_resource& block : list(SPVC_RESOURCE_TYPE_PUSH_CONSTANT)) {
       std::size_t bytes = 0;
-      need(spvc_compiler_get_declared_struct_size(compiler_, spvc_compiler_get_type_handle(compiler_, block.base_type_id), &bytes));
+      need(spvc_compiler_get_declared_struct_size(
+          compiler_, spvc_compiler_get_type_handle(compiler_, block.base_type_id), &bytes));
       result.push_bytes = static_cast<std::uint32_t>(bytes);
     }
     read_constants(result);
@@ -49,7 +53,8 @@ class Reflection {
 
  private:
   void need(spvc_result result) const {
-    if (result != SPVC_SUCCESS) bad_shader(name_, context_ ? spvc_context_get_last_error_string(context_) : "out of memory");
+    if (result != SPVC_SUCCESS)
+      bad_shader(name_, context_ ? spvc_context_get_last_error_string(context_) : "out of memory");
   }
 
   std::span<const spvc_reflected_resource> list(spvc_resource_type type) const {
@@ -61,16 +66,20 @@ class Reflection {
 
   void add(ShaderInterface& result, spvc_resource_type type, BindingKind kind) const {
     for (const spvc_reflected_resource& resource : list(type)) {
-      const auto decoration = [&](SpvDecoration d) { return spvc_compiler_get_decoration(compiler_, resource.id, d); };
+      const auto decoration = [&](SpvDecoration d) {
+        return spvc_compiler_get_decoration(compiler_, resource.id, d);
+      };
       // A buffer block's own name is its type's; the variable's says more where it has one.
       const std::string variable = spvc_compiler_get_name(compiler_, resource.id);
       const std::string name = variable.empty() ? resource.name : variable;
-      if (decoration(SpvDecorationDescriptorSet) != 0) bad_shader(name_, fmt::format("'{}' is not in descriptor set 0", name));
+      if (decoration(SpvDecorationDescriptorSet) != 0)
+        bad_shader(name_, fmt::format("'{}' is not in descriptor set 0", name));
       spvc_type shape = spvc_compiler_get_type_handle(compiler_, resource.type_id);
       const unsigned dimensions = spvc_type_get_num_array_dimensions(shape);
       std::uint32_t count = 1;
       for (unsigned d = 0; d < dimensions; ++d) {
-        if (!spvc_type_array_dimension_is_literal(shape, d)) bad_shader(name_, fmt::format("'{}' is an array without a fixed size", name));
+        if (!spvc_type_array_dimension_is_literal(shape, d))
+          bad_shader(name_, fmt::format("'{}' is an array without a fixed size", name));
         count *= spvc_type_get_array_dimension(shape, d);
       }
       if (count == 0) bad_shader(name_, fmt::format("'{}' is an array without a size", name));
@@ -84,7 +93,8 @@ class Reflection {
     need(spvc_compiler_get_specialization_constants(compiler_, &constants, &count));
     for (std::size_t i = 0; i < count; ++i) {
       const std::string name = spvc_compiler_get_name(compiler_, constants[i].id);
-      if (name.empty()) continue;  // the size of a workgroup: glslc makes one without a name for each use, beside the one declared
+      // the size of a workgroup: glslc makes one without a name for each use, beside the one declared
+      if (name.empty()) continue;
       spvc_constant handle = spvc_compiler_get_constant_handle(compiler_, constants[i].id);
       spvc_type type = spvc_compiler_get_type_handle(compiler_, spvc_constant_get_type(handle));
       // A bool's width is 1 here; in the data that Vulkan takes it is 32 bits like the others.
@@ -99,7 +109,8 @@ class Reflection {
     std::array<spvc_specialization_constant, 3> by{};
     spvc_compiler_get_work_group_size_specialization_constants(compiler_, &by[0], &by[1], &by[2]);
     for (unsigned axis = 0; axis < 3; ++axis) {
-      std::uint32_t size = spvc_compiler_get_execution_mode_argument_by_index(compiler_, SpvExecutionModeLocalSize, axis);
+      std::uint32_t size =
+          spvc_compiler_get_execution_mode_argument_by_index(compiler_, SpvExecutionModeLocalSize, axis);
       if (by[axis].id != 0) {
         size = default_of(by[axis].id);
         result.workgroup_constants[axis] = by[axis].constant_id;
@@ -114,7 +125,8 @@ class Reflection {
     return spvc_constant_get_scalar_u32(spvc_compiler_get_constant_handle(compiler_, id), 0, 0);
   }
 
-  /// A workgroup's size has a default of its own (local_size_x), apart from that of the named constant with the same id.
+  /// A workgroup's size has a default of its own (local_size_x), apart from that of the named constant with
+  /// the same id.
   void check_default(std::uint32_t constant_id, std::uint32_t size) const {
     const spvc_specialization_constant* constants = nullptr;
     std::size_t count = 0;
@@ -122,7 +134,8 @@ class Reflection {
     for (std::size_t i = 0; i < count; ++i)
       if (constants[i].constant_id == constant_id && default_of(constants[i].id) != size)
         bad_shader(name_, fmt::format("local_size is {} but the constant that sets it, '{}', is {}", size,
-                                      spvc_compiler_get_name(compiler_, constants[i].id), default_of(constants[i].id)));
+                                      spvc_compiler_get_name(compiler_, constants[i].id),
+                                      default_of(constants[i].id)));
   }
 
   const std::string& name_;

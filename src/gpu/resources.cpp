@@ -14,7 +14,8 @@
 namespace dermis::gpu {
 namespace {
 
-constexpr VkImageUsageFlags target_usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+constexpr VkImageUsageFlags target_usage =
+    VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
 
 double mib(std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
@@ -23,7 +24,8 @@ std::uint64_t as_number(Handle handle) {
   return reinterpret_cast<std::uint64_t>(handle);
 }
 
-/// What is asked of vkCreateImage. Transfer is always allowed for plain textures: uploads, read-backs and clears need it.
+/// What is asked of vkCreateImage. Transfer is always allowed for plain textures: uploads, read-backs and
+/// clears need it.
 VkImageCreateInfo image_info(const TextureDesc& desc) {
   VkImageCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
@@ -40,31 +42,37 @@ VkImageCreateInfo image_info(const TextureDesc& desc) {
   return info;
 }
 
-void check_texture_limits(const Device& device, const std::string& name, const TextureDesc& desc, VkImageUsageFlags usage) {
-  DERMIS_ASSERT(desc.width > 0 && desc.height > 0 && desc.layers > 0 && desc.mips > 0 && (desc.samples == 1 || desc.samples == 4));
+void check_texture_limits(const Device& device, const std::string& name, const TextureDesc& desc,
+                          VkImageUsageFlags usage) {
+  DERMIS_ASSERT(desc.width > 0 && desc.height > 0 && desc.layers > 0 && desc.mips > 0 &&
+                (desc.samples == 1 || desc.samples == 4));
   const DeviceLimits& limits = device.limits();
   if (desc.width > limits.max_image_side || desc.height > limits.max_image_side)
-    throw device_error("'{}' would be {}x{} texels; {} allows {} a side", name, desc.width, desc.height, device.summary().name,
-                       limits.max_image_side);
+    throw device_error("'{}' would be {}x{} texels; {} allows {} a side", name, desc.width, desc.height,
+                       device.summary().name, limits.max_image_side);
   if (desc.layers > limits.max_array_layers)
-    throw device_error("'{}' would have {} layers; {} allows {}", name, desc.layers, device.summary().name, limits.max_array_layers);
+    throw device_error("'{}' would have {} layers; {} allows {}", name, desc.layers, device.summary().name,
+                       limits.max_array_layers);
   const std::optional<VkImageFormatProperties> can = device.image_format_properties(desc.format, usage);
   if (!can)
-    throw device_error("'{}' needs {} images for the uses {:#x}, which {} does not have", name, format_name(desc.format), usage,
-                       device.summary().name);
+    throw device_error("'{}' needs {} images for the uses {:#x}, which {} does not have", name,
+                       format_name(desc.format), usage, device.summary().name);
   if (!(can->sampleCounts & desc.samples))
-    throw device_error("'{}' needs {} samples of {}, which {} does not have", name, desc.samples, format_name(desc.format),
-                       device.summary().name);
+    throw device_error("'{}' needs {} samples of {}, which {} does not have", name, desc.samples,
+                       format_name(desc.format), device.summary().name);
   DERMIS_ASSERT_LE(desc.mips, can->maxMipLevels);
   if (bytes_of(desc) > can->maxResourceSize)
-    throw device_error("no device memory for '{}': needed {:.1f} MiB; {} allows {:.1f} MiB in one image", name, mib(bytes_of(desc)),
-                       device.summary().name, mib(can->maxResourceSize));
-  if (desc.width > can->maxExtent.width || desc.height > can->maxExtent.height || desc.layers > can->maxArrayLayers)
-    throw device_error("'{}' would be {}x{} texels in {} layers; {} allows {}x{} in {} for {}", name, desc.width, desc.height, desc.layers,
-                       device.summary().name, can->maxExtent.width, can->maxExtent.height, can->maxArrayLayers, format_name(desc.format));
+    throw device_error("no device memory for '{}': needed {:.1f} MiB; {} allows {:.1f} MiB in one image",
+                       name, mib(bytes_of(desc)), device.summary().name, mib(can->maxResourceSize));
+  if (desc.width > can->maxExtent.width || desc.height > can->maxExtent.height ||
+      desc.layers > can->maxArrayLayers)
+    throw device_error("'{}' would be {}x{} texels in {} layers; {} allows {}x{} in {} for {}", name,
+                       desc.width, desc.height, desc.layers, device.summary().name, can->maxExtent.width,
+                       can->maxExtent.height, can->maxArrayLayers, format_name(desc.format));
 }
 
-VkImageView make_view(Device& device, VkImage image, const TextureDesc& desc, VkImageViewType type, VkImageSubresourceRange range) {
+VkImageView make_view(Device& device, VkImage image, const TextureDesc& desc, VkImageViewType type,
+                      VkImageSubresourceRange range) {
   VkImageViewCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
   info.image = image;
@@ -81,11 +89,12 @@ VkImageView make_view(Device& device, VkImage image, const TextureDesc& desc, Vk
 RawBuffer create_raw_buffer(Device& device, const std::string& name, const BufferDesc& desc) {
   DERMIS_ASSERT(desc.bytes > 0);
   if (desc.bytes > device.limits().max_buffer_bytes)
-    throw device_error("'{}' would be {} bytes; {} allows {} in one buffer", name, desc.bytes, device.summary().name,
-                       device.limits().max_buffer_bytes);
-  if ((desc.usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) && desc.bytes > device.limits().max_storage_buffer_bytes)
-    throw device_error("'{}' would be {} bytes; {} allows shaders {} in one buffer", name, desc.bytes, device.summary().name,
-                       device.limits().max_storage_buffer_bytes);
+    throw device_error("'{}' would be {} bytes; {} allows {} in one buffer", name, desc.bytes,
+                       device.summary().name, device.limits().max_buffer_bytes);
+  if ((desc.usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) &&
+      desc.bytes > device.limits().max_storage_buffer_bytes)
+    throw device_error("'{}' would be {} bytes; {} allows shaders {} in one buffer", name, desc.bytes,
+                       device.summary().name, device.limits().max_storage_buffer_bytes);
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
   info.size = desc.bytes;
@@ -95,7 +104,8 @@ RawBuffer create_raw_buffer(Device& device, const std::string& name, const Buffe
         fmt::format("vkCreateBuffer for '{}' ({:.1f} MiB)", name, mib(desc.bytes)));
   try {
     raw.allocation = device.memory().allocate_buffer(name, raw.handle, desc.place);
-    check(device.vk().vkBindBufferMemory(device.handle(), raw.handle, raw.allocation->memory, raw.allocation->offset),
+    check(device.vk().vkBindBufferMemory(device.handle(), raw.handle, raw.allocation->memory,
+                                         raw.allocation->offset),
           "vkBindBufferMemory");
   } catch (...) {
     destroy_raw_buffer(device, raw);
@@ -110,7 +120,8 @@ void destroy_raw_buffer(Device& device, const RawBuffer& buffer) {
   if (buffer.allocation) device.memory().free(buffer.allocation);
 }
 
-Buffer::Buffer(Device& device, std::string name, const BufferDesc& desc) : device_(&device), name_(std::move(name)), desc_(desc) {
+Buffer::Buffer(Device& device, std::string name, const BufferDesc& desc)
+    : device_(&device), name_(std::move(name)), desc_(desc) {
   const RawBuffer raw = create_raw_buffer(device, name_, desc);
   handle_ = raw.handle;
   allocation_ = raw.allocation;
@@ -133,7 +144,8 @@ Buffer::~Buffer() { release(); }
 
 void Buffer::release() {
   if (!handle_) return;
-  const RawBuffer raw{std::exchange(handle_, VK_NULL_HANDLE), static_cast<MemoryPool::Allocation*>(std::exchange(allocation_, nullptr))};
+  const RawBuffer raw{std::exchange(handle_, VK_NULL_HANDLE),
+                      static_cast<MemoryPool::Allocation*>(std::exchange(allocation_, nullptr))};
   device_->retire([device = device_, raw] { destroy_raw_buffer(*device, raw); });
 }
 
@@ -142,7 +154,8 @@ std::span<std::byte> Buffer::mapped() const {
   return {static_cast<const MemoryPool::Allocation*>(allocation_)->mapped, desc_.bytes};
 }
 
-Texture::Texture(Device& device, std::string name, const TextureDesc& desc) : device_(&device), name_(std::move(name)), desc_(desc) {
+Texture::Texture(Device& device, std::string name, const TextureDesc& desc)
+    : device_(&device), name_(std::move(name)), desc_(desc) {
   const VkImageCreateInfo info = image_info(desc);
   check_texture_limits(device, name_, desc, info.usage);
   check(device.vk().vkCreateImage(device.handle(), &info, nullptr, &handle_),
@@ -150,13 +163,17 @@ Texture::Texture(Device& device, std::string name, const TextureDesc& desc) : de
   try {
     auto* allocation = device.memory().allocate_image(name_, handle_);
     allocation_ = allocation;
-    check(device.vk().vkBindImageMemory(device.handle(), handle_, allocation->memory, allocation->offset), "vkBindImageMemory");
+    check(device.vk().vkBindImageMemory(device.handle(), handle_, allocation->memory, allocation->offset),
+          "vkBindImageMemory");
     const VkImageAspectFlags aspect = aspect_of(desc.format);
-    const bool viewable = (desc.usage & (target_usage | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT)) != 0;
-    const VkImageViewType type = desc.array || desc.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+    const bool viewable =
+        (desc.usage & (target_usage | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT)) != 0;
+    const VkImageViewType type =
+        desc.array || desc.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
     if (viewable) view_ = make_view(device, handle_, desc, type, {aspect, 0, desc.mips, 0, desc.layers});
     for (std::uint32_t layer = 0; (desc.usage & target_usage) && layer < desc.layers; ++layer)
-      layer_views_.push_back(make_view(device, handle_, desc, VK_IMAGE_VIEW_TYPE_2D, {aspect, 0, 1, layer, 1}));
+      layer_views_.push_back(
+          make_view(device, handle_, desc, VK_IMAGE_VIEW_TYPE_2D, {aspect, 0, 1, layer, 1}));
   } catch (...) {
     release();
     throw;
@@ -187,7 +204,8 @@ void Texture::release() {
   auto views = std::exchange(layer_views_, {});
   views.push_back(std::exchange(view_, VK_NULL_HANDLE));
   auto* allocation = static_cast<MemoryPool::Allocation*>(std::exchange(allocation_, nullptr));
-  device_->retire([device = device_, image = std::exchange(handle_, VK_NULL_HANDLE), views = std::move(views), allocation] {
+  device_->retire([device = device_, image = std::exchange(handle_, VK_NULL_HANDLE), views = std::move(views),
+                   allocation] {
     for (VkImageView view : views) device->vk().vkDestroyImageView(device->handle(), view, nullptr);
     device->vk().vkDestroyImage(device->handle(), image, nullptr);
     if (allocation) device->memory().free(allocation);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Move-only buffers and textures. The name given at creation serves debug label, validation message and memory report. Destructors hand
-// the object to Device::retire, so it lives as long as the GPU needs it.
+// Move-only buffers and textures. The name given at creation serves debug label, validation message and
+// memory report. Destructors hand the object to Device::retire, so it lives as long as the GPU needs it.
 #pragma once
 
 #include <volk.h>
@@ -28,7 +28,8 @@ struct BufferDesc {
 class Buffer {
  public:
   Buffer() = default;
-  Buffer(Device& device, std::string name, const BufferDesc& desc);  ///< DeviceError: no memory (says how much was needed)
+  /// DeviceError: no memory (says how much was needed)
+  Buffer(Device& device, std::string name, const BufferDesc& desc);
   Buffer(Buffer&&) noexcept;
   Buffer& operator=(Buffer&&) noexcept;
   ~Buffer();
@@ -64,7 +65,8 @@ VkImageAspectFlags aspect_of(VkFormat format);
 class Texture {
  public:
   Texture() = default;
-  Texture(Device& device, std::string name, const TextureDesc& desc);  ///< DeviceError: over the device's limit, no memory
+  /// DeviceError: over the device's limit, no memory
+  Texture(Device& device, std::string name, const TextureDesc& desc);
   Texture(Texture&&) noexcept;
   Texture& operator=(Texture&&) noexcept;
   ~Texture();
@@ -86,18 +88,20 @@ class Texture {
   void* allocation_ = nullptr;
 };
 
-/// Fills a buffer or texture from host memory through a staging buffer; waits until done. Texture data: mips one after the other, each
-/// tightly packed (layers inside); the texture ends in SHADER_READ_ONLY_OPTIMAL.
+/// Fills a buffer or texture from host memory through a staging buffer; waits until done. Texture data: mips
+/// one after the other, each tightly packed (layers inside); the texture ends in SHADER_READ_ONLY_OPTIMAL.
 void upload(Device& device, const Buffer& to, std::span<const std::byte> bytes);
 void upload(Device& device, const Texture& to, std::span<const std::byte> bytes);
 /// Mip 0, one layer, tightly packed. The texture must be in `layout` and returns to it.
-std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLayout layout, std::uint32_t layer = 0);
+std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLayout layout,
+                                 std::uint32_t layer = 0);
 std::vector<std::byte> read_back(Device& device, const Buffer& from);
 
 /// A device buffer filled with the bytes of `data`.
 template <class T>
 Buffer make_buffer(Device& device, std::string name, std::span<const T> data, VkBufferUsageFlags usage) {
-  Buffer buffer(device, std::move(name), {.bytes = std::max<std::uint64_t>(data.size_bytes(), sizeof(T)), .usage = usage});
+  Buffer buffer(device, std::move(name),
+                {.bytes = std::max<std::uint64_t>(data.size_bytes(), sizeof(T)), .usage = usage});
   if (!data.empty()) upload(device, buffer, std::as_bytes(data));
   return buffer;
 }

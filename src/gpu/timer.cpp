@@ -38,8 +38,9 @@ Timer::Timer(Device& device, std::uint32_t max_scopes) : state_(std::make_unique
 
 Timer::~Timer() {
   if (!state_->pool) return;
-  state_->device->retire(
-      [device = state_->device, pool = state_->pool] { device->vk().vkDestroyQueryPool(device->handle(), pool, nullptr); });
+  state_->device->retire([device = state_->device, pool = state_->pool] {
+    device->vk().vkDestroyQueryPool(device->handle(), pool, nullptr);
+  });
 }
 
 void Timer::reset(VkCommandBuffer commands) {
@@ -66,14 +67,16 @@ std::vector<Timing> Timer::read() const {
   std::vector<Timing> timings;
   std::vector<std::uint64_t> ticks(s.next);
   if (s.pool && !ticks.empty()) {
-    check(s.device->vk().vkGetQueryPoolResults(s.device->handle(), s.pool, 0, s.next, ticks.size() * sizeof(std::uint64_t), ticks.data(),
+    check(s.device->vk().vkGetQueryPoolResults(s.device->handle(), s.pool, 0, s.next,
+                                               ticks.size() * sizeof(std::uint64_t), ticks.data(),
                                                sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT),
           "vkGetQueryPoolResults (read() comes after the work has completed)");
   }
   const double ms_per_tick = s.device->limits().timestamp_period_ns * 1e-6;
   const std::uint64_t mask = s.device->limits().timestamp_mask;  // a counter of fewer bits wraps round
   for (const State::Scope& scope : s.scopes)
-    timings.push_back({scope.name, static_cast<double>((ticks[scope.last] - ticks[scope.first]) & mask) * ms_per_tick});
+    timings.push_back(
+        {scope.name, static_cast<double>((ticks[scope.last] - ticks[scope.first]) & mask) * ms_per_tick});
   return timings;
 }
 

@@ -15,7 +15,8 @@ namespace {
 class Staging {
  public:
   Staging(Device& device, const std::string& name, std::uint64_t bytes, BufferPlace place)
-      : device_(&device), raw_(create_raw_buffer(device, "staging of " + name, {.bytes = bytes, .place = place})) {}
+      : device_(&device),
+        raw_(create_raw_buffer(device, "staging of " + name, {.bytes = bytes, .place = place})) {}
   Staging(const Staging&) = delete;
   Staging& operator=(const Staging&) = delete;
   ~Staging() { destroy_raw_buffer(*device_, raw_); }
@@ -27,8 +28,10 @@ class Staging {
   RawBuffer raw_;
 };
 
-/// Before and after a transfer everything may use what was transferred: these run once, outside of frames, so they may be coarse.
-void barrier(const Device& device, VkCommandBuffer commands, const Texture* texture, VkImageLayout from, VkImageLayout to) {
+/// Before and after a transfer everything may use what was transferred: these run once, outside of frames, so
+/// they may be coarse.
+void barrier(const Device& device, VkCommandBuffer commands, const Texture* texture, VkImageLayout from,
+             VkImageLayout to) {
   VkMemoryBarrier2 all{};
   all.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
   all.srcStageMask = all.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT;
@@ -48,7 +51,8 @@ void barrier(const Device& device, VkCommandBuffer commands, const Texture* text
   info.pMemoryBarriers = &all;
   if (texture) {
     image.image = texture->handle();
-    image.subresourceRange = {aspect_of(texture->desc().format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+    image.subresourceRange = {aspect_of(texture->desc().format), 0, VK_REMAINING_MIP_LEVELS, 0,
+                              VK_REMAINING_ARRAY_LAYERS};
     info.imageMemoryBarrierCount = 1;
     info.pImageMemoryBarriers = &image;
   }
@@ -63,7 +67,8 @@ std::vector<VkBufferImageCopy> copies_of(const TextureDesc& desc) {
     copy.bufferOffset = offset;
     copy.imageSubresource = {aspect_of(desc.format), mip, 0, desc.layers};
     copy.imageExtent = {std::max(1u, desc.width >> mip), std::max(1u, desc.height >> mip), 1};
-    offset += std::uint64_t{copy.imageExtent.width} * copy.imageExtent.height * desc.layers * texel_bytes(desc.format);
+    offset += std::uint64_t{copy.imageExtent.width} * copy.imageExtent.height * desc.layers *
+              texel_bytes(desc.format);
     copies.push_back(copy);
   }
   return copies;
@@ -94,13 +99,16 @@ void upload(Device& device, const Texture& to, std::span<const std::byte> bytes)
   device.run([&](VkCommandBuffer commands) {
     const std::vector<VkBufferImageCopy> copies = copies_of(desc);
     barrier(device, commands, &to, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-    device.vk().vkCmdCopyBufferToImage(commands, staging.handle(), to.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+    device.vk().vkCmdCopyBufferToImage(commands, staging.handle(), to.handle(),
+                                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                        static_cast<std::uint32_t>(copies.size()), copies.data());
-    barrier(device, commands, &to, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    barrier(device, commands, &to, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+            VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   });
 }
 
-std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLayout layout, std::uint32_t layer) {
+std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLayout layout,
+                                 std::uint32_t layer) {
   const TextureDesc& desc = from.desc();
   DERMIS_ASSERT_EQ(desc.samples, 1u);
   DERMIS_ASSERT_LT(layer, desc.layers);
@@ -112,7 +120,8 @@ std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLay
     copy.imageSubresource = {aspect_of(desc.format), 0, layer, 1};
     copy.imageExtent = {desc.width, desc.height, 1};
     barrier(device, commands, &from, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-    device.vk().vkCmdCopyImageToBuffer(commands, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging.handle(), 1, &copy);
+    device.vk().vkCmdCopyImageToBuffer(commands, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                       staging.handle(), 1, &copy);
     barrier(device, commands, &from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout);
   });
   return {staging.mapped(), staging.mapped() + bytes};

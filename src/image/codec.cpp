@@ -23,7 +23,8 @@ std::string printable(std::string_view text) {
   return clean;
 }
 
-void check_size(std::int64_t width, std::int64_t height, const DecodeLimits& limits, const std::string& where) {
+void check_size(std::int64_t width, std::int64_t height, const DecodeLimits& limits,
+                const std::string& where) {
   if (width < 1 || height < 1) throw input_error(where, "has no pixels ({} x {})", width, height);
   if (width > limits.max_side || height > limits.max_side) {
     throw input_error(where, "is {} x {} pixels, the limit is {} a side", width, height, limits.max_side);
@@ -33,9 +34,11 @@ void check_size(std::int64_t width, std::int64_t height, const DecodeLimits& lim
   }
 }
 
-void check_plausible(Bytes bytes, std::uint64_t least_bytes, std::int64_t width, std::int64_t height, const std::string& where) {
+void check_plausible(Bytes bytes, std::uint64_t least_bytes, std::int64_t width, std::int64_t height,
+                     const std::string& where) {
   if (bytes.size() < least_bytes) {
-    throw input_error(where, "is truncated or damaged: {} bytes cannot hold {} x {} pixels", bytes.size(), width, height);
+    throw input_error(where, "is truncated or damaged: {} bytes cannot hold {} x {} pixels", bytes.size(),
+                      width, height);
   }
 }
 
@@ -88,7 +91,8 @@ Recognised recognise(Bytes bytes) {
 }
 
 [[noreturn]] void refuse(const Recognised& found, const std::string& where, std::string_view expected) {
-  if (found.format == Format::unknown) throw input_error(where, "is of an unknown picture format, expected {}", expected);
+  if (found.format == Format::unknown)
+    throw input_error(where, "is of an unknown picture format, expected {}", expected);
   throw input_error(where, "is a {} picture, expected {}", found.name, expected);
 }
 
@@ -108,7 +112,8 @@ void clear_non_finite(ImageF& picture, const std::string& where) {
 void check_shape(std::size_t values, int width, int height, int channels) {
   DERMIS_ASSERT_LE(1, width);
   DERMIS_ASSERT_LE(1, height);
-  DERMIS_ASSERT_EQ(values, static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels));
+  DERMIS_ASSERT_EQ(values, static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                               static_cast<std::size_t>(channels));
 }
 
 }  // namespace
@@ -122,8 +127,10 @@ Image8 decode_image8(Bytes bytes, const std::string& where, const DecodeLimits& 
 
 ImageF decode_image_f(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
   const Recognised found = recognise(bytes);
-  if (found.format != Format::hdr && found.format != Format::exr) refuse(found, where, "Radiance HDR or OpenEXR");
-  ImageF picture = found.format == Format::hdr ? formats::decode_hdr(bytes, where, limits) : formats::decode_exr(bytes, where, limits);
+  if (found.format != Format::hdr && found.format != Format::exr)
+    refuse(found, where, "Radiance HDR or OpenEXR");
+  ImageF picture = found.format == Format::hdr ? formats::decode_hdr(bytes, where, limits)
+                                               : formats::decode_exr(bytes, where, limits);
   clear_non_finite(picture, where);
   return picture;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decoding and encoding of picture files. Every limit is checked before memory is taken, so a hostile file ends in InputError.
+// Decoding and encoding of picture files. Every limit is checked before memory is taken, so a hostile file
+// ends in InputError.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +18,20 @@ struct DecodeLimits {
   std::size_t max_pixels = 1u << 28;  ///< width * height
 };
 
-/// PNG or JPEG, told apart by their first bytes, to RGBA8 (grey is spread, a missing alpha is 255; 16-bit PNG is rounded to 8 bits).
-/// `where` names the picture in errors. InputError: unknown format (KTX2 and WebP are named), truncated, damaged, over the limits.
-Image8 decode_image8(std::span<const std::byte> bytes, const std::string& where, const DecodeLimits& limits = {});
+/// PNG or JPEG, told apart by their first bytes, to RGBA8 (grey is spread, a missing alpha is 255; 16-bit PNG
+/// is rounded to 8 bits). `where` names the picture in errors. InputError: unknown format (KTX2 and WebP are
+/// named), truncated, damaged, over the limits.
+Image8 decode_image8(std::span<const std::byte> bytes, const std::string& where,
+                     const DecodeLimits& limits = {});
 
-/// Radiance .hdr or OpenEXR, told apart by their first bytes, to 3-channel linear floats (EXR: R, G, B or Y of the first part;
-/// data window cropped to the display window). NaN and infinite pixels become 0 with one warning.
-ImageF decode_image_f(std::span<const std::byte> bytes, const std::string& where, const DecodeLimits& limits = {});
+/// Radiance .hdr or OpenEXR, told apart by their first bytes, to 3-channel linear floats (EXR: R, G, B or Y
+/// of the first part; data window cropped to the display window). NaN and infinite pixels become 0 with one
+/// warning.
+ImageF decode_image_f(std::span<const std::byte> bytes, const std::string& where,
+                      const DecodeLimits& limits = {});
 
-/// What a file holds, by its first bytes: display values (PNG, JPEG) or linear light (HDR, EXR). InputError: neither.
+/// What a file holds, by its first bytes: display values (PNG, JPEG) or linear light (HDR, EXR). InputError:
+/// neither.
 enum class PictureKind { display, linear };
 PictureKind picture_kind(std::span<const std::byte> bytes, const std::string& where);
 
@@ -36,9 +42,11 @@ ImageF load_image_f(const std::filesystem::path& path, const DecodeLimits& limit
 
 /// A PNG in memory (alpha kept when keep_alpha, else RGB), with no date or other metadata.
 std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha = false);
-/// Writes RGBA8 as PNG (alpha kept when keep_alpha, else RGB), atomically. No date or other metadata: equal pixels give equal bytes.
+/// Writes RGBA8 as PNG (alpha kept when keep_alpha, else RGB), atomically. No date or other metadata: equal
+/// pixels give equal bytes.
 void save_png(const std::filesystem::path& path, const Image8& picture, bool keep_alpha = false);
-/// Writes 3 or 4 float channels as OpenEXR (ZIP; half if half_float, else 32-bit float), atomically and without a date.
+/// Writes 3 or 4 float channels as OpenEXR (ZIP; half if half_float, else 32-bit float), atomically and
+/// without a date.
 void save_exr(const std::filesystem::path& path, const ImageF& picture, bool half_float = false);
 
 }  // namespace dermis::image

@@ -12,11 +12,15 @@
 namespace dermis::image {
 
 float srgb_to_linear(float display) {
-  return display <= 0.04045f ? display / 12.92f : static_cast<float>(std::pow((static_cast<double>(display) + 0.055) / 1.055, 2.4));
+  return display <= 0.04045f
+             ? display / 12.92f
+             : static_cast<float>(std::pow((static_cast<double>(display) + 0.055) / 1.055, 2.4));
 }
 
 float linear_to_srgb(float linear) {
-  return linear <= 0.0031308f ? linear * 12.92f : static_cast<float>(1.055 * std::pow(static_cast<double>(linear), 1 / 2.4) - 0.055);
+  return linear <= 0.0031308f
+             ? linear * 12.92f
+             : static_cast<float>(1.055 * std::pow(static_cast<double>(linear), 1 / 2.4) - 0.055);
 }
 
 float srgb8_to_linear(std::uint8_t display) {
@@ -43,12 +47,15 @@ std::uint16_t float_to_half(float value) {
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(value);
   const std::uint32_t sign = bits >> 16 & 0x8000u;
   const std::uint32_t magnitude = bits & 0x7fffffffu;
-  if (magnitude > 0x7f800000u) return static_cast<std::uint16_t>(sign | 0x7e00u);   // NaN
-  if (magnitude >= 0x477ff000u) return static_cast<std::uint16_t>(sign | 0x7c00u);  // 65520 and above round to infinity
+  if (magnitude > 0x7f800000u) return static_cast<std::uint16_t>(sign | 0x7e00u);  // NaN
+  // 65520 and above round to infinity
+  if (magnitude >= 0x477ff000u) return static_cast<std::uint16_t>(sign | 0x7c00u);
   if (magnitude < 0x38800000u) {
-    // Below 2^-14 a half is a multiple of 2^-24; adding 0.5 to a float leaves just those bits, rounded by the hardware to even.
+    // Below 2^-14 a half is a multiple of 2^-24; adding 0.5 to a float leaves just those bits, rounded by the
+    // hardware to even.
     const float shifted = std::bit_cast<float>(magnitude) + 0.5f;
-    return static_cast<std::uint16_t>(sign | (std::bit_cast<std::uint32_t>(shifted) - std::bit_cast<std::uint32_t>(0.5f)));
+    return static_cast<std::uint16_t>(
+        sign | (std::bit_cast<std::uint32_t>(shifted) - std::bit_cast<std::uint32_t>(0.5f)));
   }
   // 13 bits go; adding just under half of the last place, plus one if that place is odd, rounds ties to even.
   const std::uint32_t rounded = magnitude + 0xfffu + (magnitude >> 13 & 1u);

@@ -17,7 +17,8 @@ namespace dermis::image {
 /// One byte a pixel: 0 = does not count. Empty: all pixels count.
 using Region = std::vector<std::uint8_t>;
 
-/// A PNG of the given size; pixels whose R, G and B are not all 0 are inside. InputError: another size, nothing inside.
+/// A PNG of the given size; pixels whose R, G and B are not all 0 are inside. InputError: another size,
+/// nothing inside.
 Region load_region(const std::filesystem::path& path, int width, int height);
 
 /// Is the difference noise? z = (test - reference) / sqrt(variance), per pixel and channel.
@@ -27,9 +28,11 @@ struct ZTest {
   std::uint64_t values = 0;  ///< pixels times 3
 };
 
-/// variances: of each pixel's value (squares of standard errors, not of one sample), 3 or 4 channels; those of both pictures if both are
-/// noisy: they add up. Where the variance is 0 any difference is beyond. InputError: other sizes, a negative variance, an empty region.
-ZTest z_test(const ImageF& reference, const ImageF& test, std::span<const ImageF> variances, const Region& region = {});
+/// variances: of each pixel's value (squares of standard errors, not of one sample), 3 or 4 channels; those
+/// of both pictures if both are noisy: they add up. Where the variance is 0 any difference is beyond.
+/// InputError: other sizes, a negative variance, an empty region.
+ZTest z_test(const ImageF& reference, const ImageF& test, std::span<const ImageF> variances,
+             const Region& region = {});
 
 struct Comparison {
   FlipSummary flip;
@@ -42,10 +45,11 @@ struct Comparison {
   std::optional<ZTest> z;  ///< where variances were given
 };
 
-/// Display pictures: FLIP, PSNR of their values, relative error of their linear light. InputError: as the parts.
+/// Display pictures: FLIP, PSNR of their values, relative error of their linear light. InputError: as the
+/// parts.
 Comparison compare(const Image8& reference, const Image8& test, const Region& region = {});
 /// Linear pictures of 3 or 4 channels: HDR-FLIP, PSNR after the view transform, relative error.
-Comparison compare(const ImageF& reference, const ImageF& test, View view, std::span<const ImageF> variances = {},
-                   const Region& region = {});
+Comparison compare(const ImageF& reference, const ImageF& test, View view,
+                   std::span<const ImageF> variances = {}, const Region& region = {});
 
 }  // namespace dermis::image

@@ -14,7 +14,8 @@ constexpr int most_steps = 40;  // up to a factor of 7e5 either way
 double mean_over(const Image8& picture, const std::vector<std::uint8_t>& mask) {
   double sum = 0, values = 0;
   for (std::size_t i = 0; i < mask.size(); ++i)
-    if (mask[i]) sum += picture.rgba[4 * i] + picture.rgba[4 * i + 1] + picture.rgba[4 * i + 2], values += 3 * 255.0;
+    if (mask[i])
+      sum += picture.rgba[4 * i] + picture.rgba[4 * i + 1] + picture.rgba[4 * i + 2], values += 3 * 255.0;
   return sum / values;
 }
 
@@ -29,8 +30,8 @@ std::optional<ExposedDifference> compare_exposed(ImageF reference, ImageF test, 
   DERMIS_ASSERT_EQ(reference.channels, 4);
   DERMIS_ASSERT_EQ(test.channels, 4);
   if (reference.width != test.width || reference.height != test.height)
-    throw input_error("", "pictures of {}x{} and {}x{} pixels cannot be compared", reference.width, reference.height, test.width,
-                      test.height);
+    throw input_error("", "pictures of {}x{} and {}x{} pixels cannot be compared", reference.width,
+                      reference.height, test.width, test.height);
   ExposedDifference found;
   std::vector<std::uint8_t> mask(reference.values.size() / 4);
   for (std::size_t i = 0; i < mask.size(); ++i) {

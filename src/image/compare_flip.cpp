@@ -27,7 +27,8 @@ using RowSource = std::function<void(int y, flip::Rgb* row)>;
 // [ANAMOF20] sec. 4.1.3 and 4.2: exponents, and where the range of colour differences is bent.
 constexpr float colour_exponent = 0.7f, bend_at = 0.4f, bend_to = 0.95f;
 
-/// out[x] = sum over k of taps[k] * in[x + k * step]. step 1 filters along a row, step = the length of a row along columns.
+/// out[x] = sum over k of taps[k] * in[x + k * step]. step 1 filters along a row, step = the length of a row
+/// along columns.
 void filter(const float* in, std::size_t step, const Taps& taps, std::size_t width, float* out) {
   std::fill_n(out, width, 0.0f);
   for (std::size_t k = 0; k < taps.size(); ++k) {
@@ -44,7 +45,8 @@ struct FilteredRows {
   std::array<std::vector<float>, count> planes;
 };
 
-FilteredRows filter_rows(const RowSource& source, const Filters& filters, int first, int rows, int width, int height) {
+FilteredRows filter_rows(const RowSource& source, const Filters& filters, int first, int rows, int width,
+                         int height) {
   const std::size_t w = static_cast<std::size_t>(width), radius = static_cast<std::size_t>(filters.radius);
   FilteredRows filtered;
   for (std::vector<float>& plane : filtered.planes) plane.resize(static_cast<std::size_t>(rows) * w);
@@ -76,7 +78,14 @@ struct SeenRow {
   std::vector<float> y, cx, cz_wide, cz_narrow;         // what the eye resolves of the colours
   std::vector<float> edge_x, edge_y, point_x, point_y;  // and of edges and points
   explicit SeenRow(std::size_t width)
-      : y(width), cx(width), cz_wide(width), cz_narrow(width), edge_x(width), edge_y(width), point_x(width), point_y(width) {}
+      : y(width),
+        cx(width),
+        cz_wide(width),
+        cz_narrow(width),
+        edge_x(width),
+        edge_y(width),
+        point_x(width),
+        point_y(width) {}
 
   void set(const FilteredRows& rows, const Filters& filters, std::size_t row) {
     const std::size_t width = y.size();
@@ -92,15 +101,18 @@ struct SeenRow {
     down(FilteredRows::point, filters.smooth, point_x);
     down(FilteredRows::smooth, filters.point, point_y);
   }
-  flip::Lab colour(std::size_t x) const { return flip::hunt_lab(flip::Opponent{y[x], cx[x], cz_wide[x] + cz_narrow[x]}); }
+  flip::Lab colour(std::size_t x) const {
+    return flip::hunt_lab(flip::Opponent{y[x], cx[x], cz_wide[x] + cz_narrow[x]});
+  }
   float edge(std::size_t x) const { return std::sqrt(edge_x[x] * edge_x[x] + edge_y[x] * edge_y[x]); }
   float point(std::size_t x) const { return std::sqrt(point_x[x] * point_x[x] + point_y[x] * point_y[x]); }
 };
 
-/// [ANAMOF20] sec. 4.1.3: 0 to 1; differences up to bend_at of the greatest possible one take the range up to bend_to.
+/// [ANAMOF20] sec. 4.1.3: 0 to 1; differences up to bend_at of the greatest possible one take the range up to
+/// bend_to.
 float colour_difference(const flip::Lab& a, const flip::Lab& b) {
-  static const float greatest =
-      std::pow(flip::hyab(flip::hunt_lab(flip::Rgb{0, 1, 0}), flip::hunt_lab(flip::Rgb{0, 0, 1})), colour_exponent);
+  static const float greatest = std::pow(
+      flip::hyab(flip::hunt_lab(flip::Rgb{0, 1, 0}), flip::hunt_lab(flip::Rgb{0, 0, 1})), colour_exponent);
   const float bend = bend_at * greatest;
   const float difference = std::pow(flip::hyab(a, b), colour_exponent);
   if (difference < bend) return difference * (bend_to / bend);
@@ -139,13 +151,14 @@ ImageF flip_of_rows(const RowSource& reference, const RowSource& test, int width
 template <class Image>
 void check_sizes(const Image& a, const Image& b) {
   if (a.width != b.width || a.height != b.height) {
-    throw input_error("", "pictures of different sizes cannot be compared: {} x {} and {} x {} pixels", a.width, a.height, b.width,
-                      b.height);
+    throw input_error("", "pictures of different sizes cannot be compared: {} x {} and {} x {} pixels",
+                      a.width, a.height, b.width, b.height);
   }
   DERMIS_ASSERT(a.width >= 1 && a.height >= 1);
 }
 
-// The ACES curve of [ANSA21] (a x^2 + b x) / (c x^2 + d x + e); 0.6 takes back the exposure that is built into the published fit.
+// The ACES curve of [ANSA21] (a x^2 + b x) / (c x^2 + d x + e); 0.6 takes back the exposure that is built
+// into the published fit.
 namespace aces {
 constexpr double a = 0.6 * 0.6 * 2.51, b = 0.6 * 0.03, c = 0.6 * 0.6 * 2.43, d = 0.6 * 0.59, e = 0.14;
 }
@@ -154,7 +167,8 @@ float tone_map(float linear) {
   if (!(linear > 0)) return 0;
   if (linear > 1e6f) return 1;  // the squares below would overflow
   const double x = linear;
-  return static_cast<float>(std::min(1.0, (aces::a * x + aces::b) * x / ((aces::c * x + aces::d) * x + aces::e)));
+  return static_cast<float>(
+      std::min(1.0, (aces::a * x + aces::b) * x / ((aces::c * x + aces::d) * x + aces::e)));
 }
 
 /// [ANSA21] sec. 3.2: from where the brightest to where the median pixel of the reference shows as 0.85.
@@ -176,7 +190,8 @@ void choose_exposures(const ImageF& reference, HdrFlip& result) {
   auto first = luminances.begin();
   if (luminances[luminances.size() / 2] == 0) first = std::upper_bound(first, luminances.end(), 0.0);
   const std::size_t count = static_cast<std::size_t>(luminances.end() - first);
-  const double median = 0.5 * (first[static_cast<std::ptrdiff_t>((count - 1) / 2)] + first[static_cast<std::ptrdiff_t>(count / 2)]);
+  const double median = 0.5 * (first[static_cast<std::ptrdiff_t>((count - 1) / 2)] +
+                               first[static_cast<std::ptrdiff_t>(count / 2)]);
   result.start_exposure = std::log2(target / greatest);
   result.stop_exposure = std::log2(target / std::max(median, least_share * greatest));
   result.exposures = std::max(2, static_cast<int>(std::ceil(result.stop_exposure - result.start_exposure)));
@@ -189,7 +204,8 @@ ImageF flip_map(const Image8& reference, const Image8& test) {
   const auto rows = [](const Image8& picture) {
     return [&picture](int y, flip::Rgb* row) {
       const std::uint8_t* in = picture.at(0, y);
-      for (int x = 0; x < picture.width; ++x, in += 4) row[x] = {srgb8_to_linear(in[0]), srgb8_to_linear(in[1]), srgb8_to_linear(in[2])};
+      for (int x = 0; x < picture.width; ++x, in += 4)
+        row[x] = {srgb8_to_linear(in[0]), srgb8_to_linear(in[1]), srgb8_to_linear(in[2])};
     };
   };
   return flip_of_rows(rows(reference), rows(test), reference.width, reference.height);
@@ -216,7 +232,8 @@ HdrFlip hdr_flip(const ImageF& reference, const ImageF& test) {
     if (i == 0) {
       result.map = std::move(map);
     } else {
-      for (std::size_t p = 0; p < map.values.size(); ++p) result.map.values[p] = std::max(result.map.values[p], map.values[p]);
+      for (std::size_t p = 0; p < map.values.size(); ++p)
+        result.map.values[p] = std::max(result.map.values[p], map.values[p]);
     }
   }
   return result;
@@ -233,11 +250,12 @@ FlipSummary summarise_flip(const ImageF& map, std::span<const std::uint8_t> mask
   std::sort(values.begin(), values.end());
   double sum = 0;
   for (const float value : values) sum += static_cast<double>(value);
-  FlipSummary summary{.mean = sum / static_cast<double>(values.size()), .min = values.front(), .max = values.back()};
+  FlipSummary summary{
+      .mean = sum / static_cast<double>(values.size()), .min = values.front(), .max = values.back()};
   double running = 0;
   std::size_t i = 0;
-  for (const auto& [share, target] :
-       {std::pair(0.25, &summary.q1), std::pair(0.5, &summary.weighted_median), std::pair(0.75, &summary.q3)}) {
+  for (const auto& [share, target] : {std::pair(0.25, &summary.q1), std::pair(0.5, &summary.weighted_median),
+                                      std::pair(0.75, &summary.q3)}) {
     while (i < values.size() && running <= share * sum) running += static_cast<double>(values[i++]);
     *target = sum > 0 ? static_cast<double>(values[i - 1]) : 0.0;
   }

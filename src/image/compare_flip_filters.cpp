@@ -15,7 +15,8 @@ constexpr double pi = std::numbers::pi;
 struct Sensitivity {
   double a, b;
 };
-constexpr Sensitivity achromatic{1, 0.0047}, red_green{1, 0.0053}, blue_yellow_wide{34.1, 0.04}, blue_yellow_narrow{13.5, 0.025};
+constexpr Sensitivity achromatic{1, 0.0047}, red_green{1, 0.0053}, blue_yellow_wide{34.1, 0.04},
+    blue_yellow_narrow{13.5, 0.025};
 
 // [ANAMOF20] sec. 4.2.1: the width of the feature detectors, degrees.
 constexpr double feature_width_deg = 0.082;
@@ -54,7 +55,8 @@ Taps balanced(const std::vector<double>& taps) {
 }  // namespace
 
 Filters make_filters(double pixels_per_degree) {
-  const int spatial_radius = static_cast<int>(std::ceil(3 * std::sqrt(blue_yellow_wide.b / (2 * pi * pi)) * pixels_per_degree));
+  const int spatial_radius =
+      static_cast<int>(std::ceil(3 * std::sqrt(blue_yellow_wide.b / (2 * pi * pi)) * pixels_per_degree));
   const double sigma = 0.5 * feature_width_deg * pixels_per_degree;
   const int feature_radius = static_cast<int>(std::ceil(3 * sigma));
   Filters f;

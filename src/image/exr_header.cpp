@@ -25,7 +25,8 @@ class Input {
 
   std::size_t left() const { return bytes_.size(); }
   std::string_view take(std::size_t count) {
-    if (count > bytes_.size()) throw input_error(where_, "EXR is truncated or damaged: its header does not end");
+    if (count > bytes_.size())
+      throw input_error(where_, "EXR is truncated or damaged: its header does not end");
     const std::string_view taken = bytes_.substr(0, count);
     bytes_.remove_prefix(count);
     return taken;
@@ -81,7 +82,8 @@ std::uint64_t read_channels(Input& input, const std::string& where) {
   return bytes;
 }
 
-void read_attribute(Part& part, std::string_view name, std::string_view type, Input value, const std::string& where) {
+void read_attribute(Part& part, std::string_view name, std::string_view type, Input value,
+                    const std::string& where) {
   if (name == "dataWindow") part.data_window = read_box(value);
   if (name == "displayWindow") part.display_window = read_box(value);
   if (name == "channels") part.pixel_bytes = read_channels(value, where);
@@ -101,7 +103,8 @@ void read_attribute(Part& part, std::string_view name, std::string_view type, In
   }
 }
 
-/// One header, up to the empty name that ends it; nothing if it is empty altogether (the end of a list of parts).
+/// One header, up to the empty name that ends it; nothing if it is empty altogether (the end of a list of
+/// parts).
 std::optional<Part> read_part(Input& input, const std::string& where) {
   std::string_view name = input.text();
   if (name.empty()) return std::nullopt;
@@ -109,7 +112,8 @@ std::optional<Part> read_part(Input& input, const std::string& where) {
   for (; !name.empty(); name = input.text()) {
     const std::string_view type = input.text();
     const std::int32_t size = input.i32();
-    if (size < 0) throw input_error(where, "EXR is damaged: its attribute '{}' has a negative size", printable(name));
+    if (size < 0)
+      throw input_error(where, "EXR is damaged: its attribute '{}' has a negative size", printable(name));
     read_attribute(part, name, type, Input(input.take(static_cast<std::size_t>(size)), where), where);
   }
   return part;
@@ -117,18 +121,20 @@ std::optional<Part> read_part(Input& input, const std::string& where) {
 
 // By compression: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB.
 constexpr std::int64_t lines_per_chunk[] = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
-// How many bytes one byte of the file can become at most. The bounds of PIZ and DWA are ten times what a black picture of 4096 x 4096
-// pixels reaches (400 and 6,000); the others follow from the method.
+// How many bytes one byte of the file can become at most. The bounds of PIZ and DWA are ten times what a
+// black picture of 4096 x 4096 pixels reaches (400 and 6,000); the others follow from the method.
 constexpr std::uint64_t best_ratio[] = {1, 64, 1032, 1032, 4096, 1032 * 4 / 3 + 1, 64, 64, 65536, 65536};
 
-void check_part(const Part& part, bool tiled, Bytes file, const std::string& where, const DecodeLimits& limits) {
+void check_part(const Part& part, bool tiled, Bytes file, const std::string& where,
+                const DecodeLimits& limits) {
   if (!part.data_window || !part.display_window || !part.compression || part.pixel_bytes == 0) {
     throw input_error(where, "EXR is damaged: its header lacks a window, the channels or the compression");
   }
   const Box& data = *part.data_window;
   check_size(data.width, data.height, limits, where);
   check_size(part.display_window->width, part.display_window->height, limits, where);
-  if (*part.compression >= std::size(lines_per_chunk)) throw input_error(where, "EXR has an unknown compression ({})", *part.compression);
+  if (*part.compression >= std::size(lines_per_chunk))
+    throw input_error(where, "EXR has an unknown compression ({})", *part.compression);
 
   Box chunk{data.width, lines_per_chunk[*part.compression]};
   if (tiled) {
@@ -140,7 +146,8 @@ void check_part(const Part& part, bool tiled, Bytes file, const std::string& whe
   const std::uint64_t row_width = static_cast<std::uint64_t>(std::max(chunk.width, data.width));
   const std::uint64_t buffer_bytes = row_width * static_cast<std::uint64_t>(chunk.height) * part.pixel_bytes;
   if (buffer_bytes > max_buffer_bytes)
-    throw input_error(where, "EXR needs {} bytes for one chunk of its rows, the limit is {}", buffer_bytes, max_buffer_bytes);
+    throw input_error(where, "EXR needs {} bytes for one chunk of its rows, the limit is {}", buffer_bytes,
+                      max_buffer_bytes);
 
   const std::int64_t across = (data.width + chunk.width - 1) / chunk.width;
   const std::int64_t down = (data.height + chunk.height - 1) / chunk.height;
@@ -148,7 +155,8 @@ void check_part(const Part& part, bool tiled, Bytes file, const std::string& whe
   const std::uint64_t chunks = std::max(static_cast<std::uint64_t>(across * down), part.chunk_count);
   check_plausible(file, chunks * 16, data.width, data.height, where);
   // At least one channel has all pixels, of two bytes at least.
-  const std::uint64_t raw_bytes = static_cast<std::uint64_t>(data.width) * static_cast<std::uint64_t>(data.height) * 2;
+  const std::uint64_t raw_bytes =
+      static_cast<std::uint64_t>(data.width) * static_cast<std::uint64_t>(data.height) * 2;
   check_plausible(file, raw_bytes / best_ratio[*part.compression], data.width, data.height, where);
 }
 

@@ -38,11 +38,15 @@ class MemoryStream : public Imf::OStream {
 };
 
 // A bright finite value stays finite: an infinite one would be read back as black.
-std::uint16_t finite_half(float value) { return float_to_half(std::isfinite(value) ? std::clamp(value, -max_half, max_half) : value); }
+std::uint16_t finite_half(float value) {
+  return float_to_half(std::isfinite(value) ? std::clamp(value, -max_half, max_half) : value);
+}
 
-void write(MemoryStream& stream, const ImageF& picture, Imf::PixelType type, const void* pixels, std::size_t value_bytes) {
+void write(MemoryStream& stream, const ImageF& picture, Imf::PixelType type, const void* pixels,
+           std::size_t value_bytes) {
   constexpr const char* names[] = {"R", "G", "B", "A"};
-  Imf::Header header(picture.width, picture.height, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+  Imf::Header header(picture.width, picture.height, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y,
+                     Imf::ZIP_COMPRESSION);
   Imf::FrameBuffer source;
   const std::size_t channels = static_cast<std::size_t>(picture.channels);
   const std::size_t pixel_bytes = channels * value_bytes;
@@ -50,7 +54,8 @@ void write(MemoryStream& stream, const ImageF& picture, Imf::PixelType type, con
     header.channels().insert(names[c], Imf::Channel(type));
     // The library takes the same type for reading and writing; it only reads here.
     char* first = static_cast<char*>(const_cast<void*>(pixels)) + c * value_bytes;
-    source.insert(names[c], Imf::Slice(type, first, pixel_bytes, pixel_bytes * static_cast<std::size_t>(picture.width)));
+    source.insert(names[c], Imf::Slice(type, first, pixel_bytes,
+                                       pixel_bytes * static_cast<std::size_t>(picture.width)));
   }
   Imf::OutputFile file(stream, header, 0);
   file.setFrameBuffer(source);

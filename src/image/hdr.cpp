@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Radiance pictures (.hdr): a text header, then rows of RGBE pixels, plain or run-length coded in the old or the new way.
-// Based on: Ward: Real Pixels. Graphics Gems II, 1991; the format description of Radiance (doc/filefmts, "Picture File Format").
+// Radiance pictures (.hdr): a text header, then rows of RGBE pixels, plain or run-length coded in the old or
+// the new way. Based on: Ward: Real Pixels. Graphics Gems II, 1991; the format description of Radiance
+// (doc/filefmts, "Picture File Format").
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -29,7 +30,8 @@ class Input {
     return static_cast<std::uint8_t>(bytes_[at_++]);
   }
   std::string_view line() {
-    const std::string_view rest(reinterpret_cast<const char*>(bytes_.data()) + at_, std::min(left(), max_header_bytes));
+    const std::string_view rest(reinterpret_cast<const char*>(bytes_.data()) + at_,
+                                std::min(left(), max_header_bytes));
     const size_t end = rest.find('\n');
     if (end == std::string_view::npos || at_ > max_header_bytes)
       throw input_error(where_, "HDR is truncated or damaged: no end of its header");
@@ -57,27 +59,31 @@ std::string_view word(std::string_view& text) {
   return first;
 }
 
-// "-Y 512 +X 1024": rows from the top, pixels from the left. The signs mirror; a leading X would mean columns.
+// "-Y 512 +X 1024": rows from the top, pixels from the left. The signs mirror; a leading X would mean
+// columns.
 Layout parse_resolution(std::string_view line, const std::string& where) {
   std::string_view rest = line;
   const auto number = [&](std::string_view text) {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) {
-      throw input_error(where, "HDR is damaged: its size must read like \"-Y 512 +X 1024\", got \"{}\"", printable(line.substr(0, 80)));
+      throw input_error(where, "HDR is damaged: its size must read like \"-Y 512 +X 1024\", got \"{}\"",
+                        printable(line.substr(0, 80)));
     }
     return value;
   };
   const std::string_view first = word(rest);
   if (first == "+X" || first == "-X")
-    throw input_error(where, "HDR stores columns (\"{}\"), expected rows (\"-Y ... +X ...\")", printable(line.substr(0, 80)));
+    throw input_error(where, "HDR stores columns (\"{}\"), expected rows (\"-Y ... +X ...\")",
+                      printable(line.substr(0, 80)));
   Layout layout;
   layout.bottom_up = first == "+Y";
   layout.height = number(word(rest));
   const std::string_view second = word(rest);
   layout.right_to_left = second == "-X";
   layout.width = number(word(rest));
-  const bool known = (first == "-Y" || first == "+Y") && (second == "+X" || second == "-X") && word(rest).empty();
+  const bool known =
+      (first == "-Y" || first == "+Y") && (second == "+X" || second == "-X") && word(rest).empty();
   if (!known) number(line);  // throws with the whole line
   return layout;
 }
@@ -87,18 +93,22 @@ Layout read_header(Input& input, const std::string& where) {
   std::string_view line;
   while (!(line = input.line()).empty() && line != "\r") {
     constexpr std::string_view format_key = "FORMAT=";
-    if (line.starts_with("EXPOSURE=")) note("{}: {} is not applied, as in other renderers", where, printable(line.substr(0, 40)));
+    if (line.starts_with("EXPOSURE="))
+      note("{}: {} is not applied, as in other renderers", where, printable(line.substr(0, 40)));
     if (!line.starts_with(format_key)) continue;
     line.remove_prefix(format_key.size());
     const std::string_view format = word(line);
     if (format != "32-bit_rle_rgbe")
-      throw input_error(where, "HDR has the format \"{}\", expected 32-bit_rle_rgbe", printable(format.substr(0, 40)));
+      throw input_error(where, "HDR has the format \"{}\", expected 32-bit_rle_rgbe",
+                        printable(format.substr(0, 40)));
   }
   return parse_resolution(input.line(), where);
 }
 
-// The old coding: four bytes a pixel; (1, 1, 1, n) repeats the pixel before n times, and following ones count in steps of 256.
-void read_old_row(Input& input, const Rgbe& first, std::vector<std::uint8_t>& row, size_t width, const std::string& where) {
+// The old coding: four bytes a pixel; (1, 1, 1, n) repeats the pixel before n times, and following ones count
+// in steps of 256.
+void read_old_row(Input& input, const Rgbe& first, std::vector<std::uint8_t>& row, size_t width,
+                  const std::string& where) {
   size_t x = 0;
   unsigned shift = 0;
   Rgbe pixel = {first[0], first[1], first[2], first[3]};
@@ -127,7 +137,8 @@ void read_new_row(Input& input, std::vector<std::uint8_t>& row, size_t width, co
       const size_t code = input.byte();
       const bool run = code > 128;
       const size_t count = run ? code - 128 : code;
-      if (count == 0 || count > width - x) throw input_error(where, "HDR is damaged: a run of pixels leaves its row");
+      if (count == 0 || count > width - x)
+        throw input_error(where, "HDR is damaged: a run of pixels leaves its row");
       std::uint8_t value = run ? input.byte() : std::uint8_t{0};
       for (size_t i = 0; i < count; ++i, ++x) {
         if (!run) value = input.byte();
@@ -143,11 +154,13 @@ void read_row(Input& input, std::vector<std::uint8_t>& row, size_t width, const 
   const bool new_coding = width >= 8 && width <= 0x7fff && first[0] == 2 && first[1] == 2 && first[2] < 128;
   if (!new_coding) return read_old_row(input, first, row, width, where);
   const size_t declared = static_cast<size_t>(first[2]) << 8 | first[3];
-  if (declared != width) throw input_error(where, "HDR is damaged: a row of {} pixels in a picture {} wide", declared, width);
+  if (declared != width)
+    throw input_error(where, "HDR is damaged: a row of {} pixels in a picture {} wide", declared, width);
   read_new_row(input, row, width, where);
 }
 
-// Ward's own reader adds 0.5 to each mantissa, the others (and the writers of today's environments) do not; we follow the latter.
+// Ward's own reader adds 0.5 to each mantissa, the others (and the writers of today's environments) do not;
+// we follow the latter.
 void to_float(const std::uint8_t* rgbe, float* rgb) {
   const float scale = rgbe[3] == 0 ? 0.0f : std::ldexp(1.0f, rgbe[3] - (128 + 8));
   for (int c = 0; c < 3; ++c) rgb[c] = static_cast<float>(rgbe[c]) * scale;
@@ -160,8 +173,12 @@ ImageF decode_hdr(Bytes bytes, const std::string& where, const DecodeLimits& lim
   const Layout layout = read_header(input, where);
   check_size(layout.width, layout.height, limits, where);
   // The shortest row is one pixel and one long run of the old coding.
-  check_plausible(bytes, static_cast<std::uint64_t>(layout.height) * (layout.width == 1 ? 4 : 8), layout.width, layout.height, where);
-  ImageF picture{.width = static_cast<int>(layout.width), .height = static_cast<int>(layout.height), .channels = 3, .values = {}};
+  check_plausible(bytes, static_cast<std::uint64_t>(layout.height) * (layout.width == 1 ? 4 : 8),
+                  layout.width, layout.height, where);
+  ImageF picture{.width = static_cast<int>(layout.width),
+                 .height = static_cast<int>(layout.height),
+                 .channels = 3,
+                 .values = {}};
   const size_t width = static_cast<size_t>(layout.width);
   picture.values.resize(width * static_cast<size_t>(layout.height) * 3);
   std::vector<std::uint8_t> row(width * 4);
@@ -169,7 +186,8 @@ ImageF decode_hdr(Bytes bytes, const std::string& where, const DecodeLimits& lim
     read_row(input, row, width, where);
     const int y = layout.bottom_up ? picture.height - 1 - i : i;
     for (int x = 0; x < picture.width; ++x) {
-      to_float(&row[static_cast<size_t>(x) * 4], picture.at(layout.right_to_left ? picture.width - 1 - x : x, y));
+      to_float(&row[static_cast<size_t>(x) * 4],
+               picture.at(layout.right_to_left ? picture.width - 1 - x : x, y));
     }
   }
   return picture;

@@ -8,14 +8,17 @@
 
 namespace dermis::image {
 
-/// 8 bits a channel, always four channels (RGBA); what a colour or data map decodes to. Values are as stored: no colour conversion.
+/// 8 bits a channel, always four channels (RGBA); what a colour or data map decodes to. Values are as stored:
+/// no colour conversion.
 struct Image8 {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;  ///< width * height * 4
 
   std::uint8_t* at(int x, int y) { return rgba.data() + (static_cast<std::size_t>(y) * width + x) * 4; }
-  const std::uint8_t* at(int x, int y) const { return rgba.data() + (static_cast<std::size_t>(y) * width + x) * 4; }
+  const std::uint8_t* at(int x, int y) const {
+    return rgba.data() + (static_cast<std::size_t>(y) * width + x) * 4;
+  }
 };
 
 /// 32-bit floats, `channels` a pixel (1 to 4); radiance, heights, anything that is not bounded by 1.
@@ -26,7 +29,9 @@ struct ImageF {
   std::vector<float> values;  ///< width * height * channels
 
   float* at(int x, int y) { return values.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
-  const float* at(int x, int y) const { return values.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
+  const float* at(int x, int y) const {
+    return values.data() + (static_cast<std::size_t>(y) * width + x) * channels;
+  }
 };
 
 }  // namespace dermis::image

@@ -15,11 +15,12 @@ namespace dermis::image::formats {
 
 namespace {
 
-// A progressive file may repeat scans without end, each of them a pass over the whole picture; no encoder writes more than a dozen.
+// A progressive file may repeat scans without end, each of them a pass over the whole picture; no encoder
+// writes more than a dozen.
 constexpr int max_scans = 200;
 
-/// The library reports errors by calling back; the callback jumps to `escape`, so no object with a destructor may live in the
-/// functions that set it.
+/// The library reports errors by calling back; the callback jumps to `escape`, so no object with a destructor
+/// may live in the functions that set it.
 struct Reader {
   jpeg_decompress_struct info{};
   jpeg_error_mgr errors{};
@@ -100,12 +101,14 @@ bool read_pixels(Reader& reader, unsigned char* rgba, std::size_t row_bytes) {
 
 Image8 decode_jpeg(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
   Reader reader;
-  if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) refuse(reader, where);
+  if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()))
+    refuse(reader, where);
   const std::int64_t width = reader.info.image_width;
   const std::int64_t height = reader.info.image_height;
   check_size(width, height, limits, where);
   // A block of 8 x 8 samples takes at least one bit; arithmetic coding has no such bound.
-  if (!reader.info.arith_code) check_plausible(bytes, static_cast<std::uint64_t>(width * height) / 512, width, height, where);
+  if (!reader.info.arith_code)
+    check_plausible(bytes, static_cast<std::uint64_t>(width * height) / 512, width, height, where);
   if (reader.info.jpeg_color_space == JCS_CMYK || reader.info.jpeg_color_space == JCS_YCCK) {
     throw input_error(where, "JPEG has CMYK colours, expected RGB or grey");
   }

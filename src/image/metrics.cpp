@@ -14,11 +14,12 @@ namespace {
 template <class Image>
 std::size_t check_sizes(const Image& a, const Image& b, std::span<const std::uint8_t> mask) {
   if (a.width != b.width || a.height != b.height) {
-    throw input_error("", "pictures of different sizes cannot be compared: {} x {} and {} x {} pixels", a.width, a.height, b.width,
-                      b.height);
+    throw input_error("", "pictures of different sizes cannot be compared: {} x {} and {} x {} pixels",
+                      a.width, a.height, b.width, b.height);
   }
   const std::size_t pixels = static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height);
-  if (!mask.empty() && mask.size() != pixels) throw input_error("", "the mask has {} pixels, the pictures have {}", mask.size(), pixels);
+  if (!mask.empty() && mask.size() != pixels)
+    throw input_error("", "the mask has {} pixels, the pictures have {}", mask.size(), pixels);
   return pixels;
 }
 

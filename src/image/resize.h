@@ -8,10 +8,11 @@
 
 namespace dermis::image {
 
-/// The full chain: level 0 is base itself, each further one has half the size (rounded down, at least 1), the last is 1 x 1. Every
-/// level is the area average of base; only its final value is rounded to 8 bits, so errors do not add up along the chain.
-/// srgb: colours are averaged in linear light and weighted by alpha, so that the invisible colour of cut-out texels (hair cards) does not
-/// bleed in; without it all four channels are plain data. base must have at least one pixel.
+/// The full chain: level 0 is base itself, each further one has half the size (rounded down, at least 1), the
+/// last is 1 x 1. Every level is the area average of base; only its final value is rounded to 8 bits, so
+/// errors do not add up along the chain. srgb: colours are averaged in linear light and weighted by alpha, so
+/// that the invisible colour of cut-out texels (hair cards) does not bleed in; without it all four channels
+/// are plain data. base must have at least one pixel.
 std::vector<Image8> mip_chain(Image8 base, bool srgb);
 
 /// The average of factor x factor pixels, summed in double. factor >= 1 must divide both sides.

@@ -19,8 +19,8 @@ Attenuation attenuation(double cosine, double m) {
   const double s = std::sqrt(1 - c * c);
   Attenuation sum;
   for (int i = 0; i < samples_theta; ++i) {
-    // Beckmann: P(theta_h) by inversion, tan^2 = -m^2 ln(1 - u). The estimator f cos(l) / pdf is then pi F cos(l) / (v.h cos(h)),
-    // because the lobe carries a factor pi ([KSK01] with D not divided by pi).
+    // Beckmann: P(theta_h) by inversion, tan^2 = -m^2 ln(1 - u). The estimator f cos(l) / pdf is then pi F
+    // cos(l) / (v.h cos(h)), because the lobe carries a factor pi ([KSK01] with D not divided by pi).
     const double u = (i + 0.5) / samples_theta;
     const double tan2 = -m * m * std::log(1 - u);
     const double cos_h = 1 / std::sqrt(1 + tan2), sin_h = std::sqrt(std::max(0.0, 1 - cos_h * cos_h));
@@ -56,10 +56,12 @@ std::vector<float> attenuation_table() {
   constexpr int width = attenuation_columns + 2;
   std::vector<float> table(static_cast<std::size_t>(width) * attenuation_rows * 2);
   parallel_for(attenuation_rows, [&](std::size_t row) {
-    const double m = attenuation_min_m + (1 - attenuation_min_m) * static_cast<double>(row) / (attenuation_rows - 1);
+    const double m =
+        attenuation_min_m + (1 - attenuation_min_m) * static_cast<double>(row) / (attenuation_rows - 1);
     for (int column = 0; column < width; ++column) {
-      const Attenuation a =
-          column < attenuation_columns ? attenuation(static_cast<double>(column) / (attenuation_columns - 1), m) : mean_attenuation(m);
+      const Attenuation a = column < attenuation_columns
+                                ? attenuation(static_cast<double>(column) / (attenuation_columns - 1), m)
+                                : mean_attenuation(m);
       table[(row * width + static_cast<std::size_t>(column)) * 2] = static_cast<float>(a.of_f0);
       table[(row * width + static_cast<std::size_t>(column)) * 2 + 1] = static_cast<float>(a.rest);
     }

@@ -10,7 +10,8 @@
 namespace dermis::optics {
 namespace {
 
-/// Int_0^1 F(mu, n) mu^power dmu. Past the critical angle F = 1; at it F has a square-root kink, which mu = mu_c + (1 - mu_c) t^2 removes.
+/// Int_0^1 F(mu, n) mu^power dmu. Past the critical angle F = 1; at it F has a square-root kink, which mu =
+/// mu_c + (1 - mu_c) t^2 removes.
 double fresnel_moment(double n, int power) {
   static const std::vector<Node> rule = gauss_legendre(64, 0, 1);
   const double mu_critical = n > 1 ? std::sqrt(1 - 1 / (n * n)) : 0;

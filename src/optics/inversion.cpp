@@ -10,7 +10,8 @@ namespace dermis::optics {
 namespace {
 
 void check_length(double mm, const char* name, const std::string& where) {
-  if (!(mm > 0 && std::isfinite(mm))) throw input_error(where, "{} must be above 0 mm and finite, got {}", name, mm);
+  if (!(mm > 0 && std::isfinite(mm)))
+    throw input_error(where, "{} must be above 0 mm and finite, got {}", name, mm);
 }
 
 Medium medium_of(double reduced_albedo, double sigma_t_reduced_per_mm, double eta, const std::string& where) {
@@ -26,7 +27,8 @@ Medium medium_of(double reduced_albedo, double sigma_t_reduced_per_mm, double et
 
 double dipole_total_reflectance(double reduced_albedo, double eta) {
   const double root = std::sqrt(3 * (1 - reduced_albedo));
-  return reduced_albedo / 2 * (1 + std::exp(-4.0 / 3 * boundary_factor_classical(eta) * root)) * std::exp(-root);
+  return reduced_albedo / 2 * (1 + std::exp(-4.0 / 3 * boundary_factor_classical(eta) * root)) *
+         std::exp(-root);
 }
 
 double reduced_albedo_from_reflectance(double total_reflectance, double eta, const std::string& where) {
@@ -42,18 +44,20 @@ double reduced_albedo_from_reflectance(double total_reflectance, double eta, con
   return (low + high) / 2;
 }
 
-Medium medium_from_reflectance(double total_reflectance, MeanFreePath length, double eta, const std::string& where) {
+Medium medium_from_reflectance(double total_reflectance, MeanFreePath length, double eta,
+                               const std::string& where) {
   check_length(length.mm, "mean free path", where);
   return medium_of(reduced_albedo_from_reflectance(total_reflectance, eta, where), 1 / length.mm, eta, where);
 }
 
-Medium medium_from_reflectance(double total_reflectance, DiffuseMeanFreePath length, double eta, const std::string& where) {
+Medium medium_from_reflectance(double total_reflectance, DiffuseMeanFreePath length, double eta,
+                               const std::string& where) {
   check_length(length.mm, "diffuse mean free path", where);
   const double albedo = reduced_albedo_from_reflectance(total_reflectance, eta, where);
   if (albedo >= 1)
-    throw input_error(
-        where,
-        "reflectance 1 means no absorption, whose diffuse mean free path is infinite: give a mean free path, or a reflectance below 1");
+    throw input_error(where,
+                      "reflectance 1 means no absorption, whose diffuse mean free path is infinite: give a "
+                      "mean free path, or a reflectance below 1");
   return medium_of(albedo, 1 / (length.mm * std::sqrt(3 * (1 - albedo))), eta, where);
 }
 

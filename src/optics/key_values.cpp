@@ -17,7 +17,8 @@ namespace {
 double parse_number(std::string_view text, const std::string& where) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) throw input_error(where, "'{}' is not a number", text);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw input_error(where, "'{}' is not a number", text);
   return value + 0.0;  // -0 becomes 0: one over it must not be -inf
 }
 
@@ -26,7 +27,8 @@ Rgb parse_triple(const std::string& text, const std::string& where) {
   std::size_t begin = 0;
   while (true) {
     const std::size_t comma = text.find(',', begin);
-    values.push_back(parse_number(std::string_view(text).substr(begin, comma == std::string::npos ? comma : comma - begin), where));
+    values.push_back(parse_number(
+        std::string_view(text).substr(begin, comma == std::string::npos ? comma : comma - begin), where));
     if (comma == std::string::npos || values.size() > 3) break;
     begin = comma + 1;
   }
@@ -37,12 +39,14 @@ Rgb parse_triple(const std::string& text, const std::string& where) {
 
 }  // namespace
 
-std::map<std::string, Rgb> parse_key_values(const std::string& text, std::initializer_list<const char*> known, const std::string& where) {
+std::map<std::string, Rgb> parse_key_values(const std::string& text, std::initializer_list<const char*> known,
+                                            const std::string& where) {
   std::map<std::string, Rgb> values;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     const std::size_t equals = word.find('=');
-    if (equals == std::string::npos) throw input_error(where, "expected KEY=VALUE, got '{}'; keys: {}", word, fmt::join(known, ", "));
+    if (equals == std::string::npos)
+      throw input_error(where, "expected KEY=VALUE, got '{}'; keys: {}", word, fmt::join(known, ", "));
     const std::string key = word.substr(0, equals);
     if (std::find(known.begin(), known.end(), key) == known.end())
       throw input_error(where, "unknown key '{}'; known: {}", key, fmt::join(known, ", "));

@@ -10,8 +10,9 @@
 
 namespace dermis::optics {
 
-/// One number stands for all three channels. InputError (place `where`): a word that is not KEY=VALUE, a key not among `known` (lists them)
-/// or given twice, a value that is not one or three finite numbers.
-std::map<std::string, Rgb> parse_key_values(const std::string& text, std::initializer_list<const char*> known, const std::string& where);
+/// One number stands for all three channels. InputError (place `where`): a word that is not KEY=VALUE, a key
+/// not among `known` (lists them) or given twice, a value that is not one or three finite numbers.
+std::map<std::string, Rgb> parse_key_values(const std::string& text, std::initializer_list<const char*> known,
+                                            const std::string& where);
 
 }  // namespace dermis::optics

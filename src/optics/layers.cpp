@@ -40,7 +40,8 @@ RgbLayer parse_layer(const Json& json, const std::string& where) {
     else if (key == "thickness_mm") {
       if (!value.is_null()) layer.thickness_mm = number(value, place);
     } else {
-      throw input_error(where, "unknown key '{}'; known: sigma_a_per_mm, sigma_s_reduced_per_mm, eta, thickness_mm", key);
+      throw input_error(
+          where, "unknown key '{}'; known: sigma_a_per_mm, sigma_s_reduced_per_mm, eta, thickness_mm", key);
     }
   }
   for (const char* key : {"sigma_a_per_mm", "sigma_s_reduced_per_mm"})
@@ -61,16 +62,19 @@ Layers channel(const RgbLayers& layers, int c) {
 }
 
 void check(const Layers& layers, const std::string& where) {
-  if (layers.empty() || layers.size() > max_layers) throw input_error(where, "1 to {} layers, got {}", max_layers, layers.size());
+  if (layers.empty() || layers.size() > max_layers)
+    throw input_error(where, "1 to {} layers, got {}", max_layers, layers.size());
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const std::string place = fmt::format("{}: layer {}", where, i);
     check(layers[i].medium(), place);
     const double thickness_mm = layers[i].thickness_mm;
     if (!(thickness_mm > 0)) throw input_error(place, "thickness_mm must be above 0, got {}", thickness_mm);
     if (std::isfinite(thickness_mm) && thickness_mm > largest_mm)
-      throw input_error(place, "thickness_mm must be at most {:g}, got {}; a last layer without it is a half-space", largest_mm,
-                        thickness_mm);
-    if (!std::isfinite(thickness_mm) && i + 1 < layers.size()) throw input_error(place, "only the last layer may be without thickness_mm");
+      throw input_error(place,
+                        "thickness_mm must be at most {:g}, got {}; a last layer without it is a half-space",
+                        largest_mm, thickness_mm);
+    if (!std::isfinite(thickness_mm) && i + 1 < layers.size())
+      throw input_error(place, "only the last layer may be without thickness_mm");
     if (std::isfinite(thickness_mm) && thickness_mm * layers[i].medium().sigma_t_reduced_per_mm() < 1e-9)
       throw input_error(place, "thickness_mm {} is no layer: less than 1e-9 mean free paths", thickness_mm);
   }
@@ -86,13 +90,16 @@ RgbLayers parse_layers(std::string_view json, const std::string& where) {
         throw input_error(where, "'{}' is given twice in one layer", parsed.get<std::string>());
       return true;
     });
-  } catch (const Json::parse_error& error) { throw input_error(where, "not JSON (byte {})", error.byte); } catch (const Json::exception&) {
-    throw input_error(where, "a number is too large");
-  }
-  if (!document.is_array()) throw input_error(where, "expected a list of layers, got {}", document.type_name());
-  if (document.empty() || document.size() > max_layers) throw input_error(where, "1 to {} layers, got {}", max_layers, document.size());
+  } catch (const Json::parse_error& error) {
+    throw input_error(where, "not JSON (byte {})", error.byte);
+  } catch (const Json::exception&) { throw input_error(where, "a number is too large"); }
+  if (!document.is_array())
+    throw input_error(where, "expected a list of layers, got {}", document.type_name());
+  if (document.empty() || document.size() > max_layers)
+    throw input_error(where, "1 to {} layers, got {}", max_layers, document.size());
   RgbLayers layers;
-  for (std::size_t i = 0; i < document.size(); ++i) layers.push_back(parse_layer(document[i], fmt::format("{}: layer {}", where, i)));
+  for (std::size_t i = 0; i < document.size(); ++i)
+    layers.push_back(parse_layer(document[i], fmt::format("{}: layer {}", where, i)));
   for (int c = 0; c < 3; ++c) check(channel(layers, c), where);
   return layers;
 }

@@ -21,7 +21,9 @@ struct Layer {
   double thickness_mm = std::numeric_limits<double>::infinity();  ///< > 0 to 1e6; infinite only for the last
 
   /// The layer as a medium with g = 0.
-  Medium medium() const { return {.sigma_a_per_mm = sigma_a_per_mm, .sigma_s_per_mm = sigma_s_reduced_per_mm, .g = 0, .eta = eta}; }
+  Medium medium() const {
+    return {.sigma_a_per_mm = sigma_a_per_mm, .sigma_s_per_mm = sigma_s_reduced_per_mm, .g = 0, .eta = eta};
+  }
 };
 using Layers = std::vector<Layer>;
 
@@ -39,12 +41,13 @@ inline constexpr std::size_t max_layers = 32;
 /// Channel c (0..2) of a stack.
 Layers channel(const RgbLayers& layers, int c);
 
-/// 1 to 32 layers, ranges as above, an infinite thickness only at the bottom. InputError names the layer (counted from 0).
+/// 1 to 32 layers, ranges as above, an infinite thickness only at the bottom. InputError names the layer
+/// (counted from 0).
 void check(const Layers& layers, const std::string& where);
 
-/// JSON list of {"sigma_a_per_mm", "sigma_s_reduced_per_mm", "eta", "thickness_mm"}; the coefficients are a number or [R,G,B]; eta defaults
-/// to 1.4; thickness_mm may be left out (or null) in the last layer, which is then a half-space. InputError: unknown key (lists the known
-/// ones), missing key, wrong type, out of range.
+/// JSON list of {"sigma_a_per_mm", "sigma_s_reduced_per_mm", "eta", "thickness_mm"}; the coefficients are a
+/// number or [R,G,B]; eta defaults to 1.4; thickness_mm may be left out (or null) in the last layer, which is
+/// then a half-space. InputError: unknown key (lists the known ones), missing key, wrong type, out of range.
 RgbLayers parse_layers(std::string_view json, const std::string& where);
 /// The same from a file, whose name is the place; also InputError if it cannot be read.
 RgbLayers load_layers(const std::filesystem::path& path);

@@ -10,24 +10,30 @@
 namespace dermis::optics {
 namespace {
 
-constexpr double largest_per_mm = 1e6;  // a mean free path of a nanometre: beyond any tissue, and numbers stay far from overflow
+// a mean free path of a nanometre: beyond any tissue, and numbers stay far from overflow
+constexpr double largest_per_mm = 1e6;
 
-void check_range(const std::string& where, const char* name, double value, double low, double high, const char* unit) {
-  if (!(value >= low && value <= high)) throw input_error(where, "{} must be {} to {}{}, got {}", name, low, high, unit, value);
+void check_range(const std::string& where, const char* name, double value, double low, double high,
+                 const char* unit) {
+  if (!(value >= low && value <= high))
+    throw input_error(where, "{} must be {} to {}{}, got {}", name, low, high, unit, value);
 }
 
 }  // namespace
 
 double Medium::sigma_tr_per_mm() const {
-  return std::sqrt(3 * std::abs(sigma_a_per_mm) * sigma_t_reduced_per_mm());  // the root of -0 is -0, and one over it -inf
+  // the root of -0 is -0, and one over it -inf
+  return std::sqrt(3 * std::abs(sigma_a_per_mm) * sigma_t_reduced_per_mm());
 }
 
 void check(const Medium& medium, const std::string& where) {
   check_range(where, "sigma_a", medium.sigma_a_per_mm, 0, largest_per_mm, " per mm");
   check_range(where, "sigma_s", medium.sigma_s_per_mm, 0, largest_per_mm, " per mm");
-  if (!(medium.g > -1 && medium.g < 1)) throw input_error(where, "g must be above -1 and below 1, got {}", medium.g);
+  if (!(medium.g > -1 && medium.g < 1))
+    throw input_error(where, "g must be above -1 and below 1, got {}", medium.g);
   check_range(where, "eta", medium.eta, 1, 3, "");
-  if (!(medium.sigma_t_reduced_per_mm() > 0)) throw input_error(where, "sigma_a and sigma_s are both 0: light would pass without a trace");
+  if (!(medium.sigma_t_reduced_per_mm() > 0))
+    throw input_error(where, "sigma_a and sigma_s are both 0: light would pass without a trace");
 }
 
 void check(const RgbMedium& medium, const std::string& where) {
@@ -38,7 +44,9 @@ void check(const RgbMedium& medium, const std::string& where) {
 RgbMedium parse_coefficients(const std::string& text, const std::string& where) {
   std::map<std::string, Rgb> values = parse_key_values(text, {"sigma_a", "sigma_s", "g", "eta"}, where);
   for (const char* key : {"sigma_a", "sigma_s"})
-    if (!values.contains(key)) throw input_error(where, "'{}' is missing; write \"sigma_a=R,G,B sigma_s=R,G,B g=0 eta=1.4\", per mm", key);
+    if (!values.contains(key))
+      throw input_error(where, "'{}' is missing; write \"sigma_a=R,G,B sigma_s=R,G,B g=0 eta=1.4\", per mm",
+                        key);
   RgbMedium medium;
   for (int c = 0; c < 3; ++c) {
     medium[c].sigma_a_per_mm = values["sigma_a"][c];

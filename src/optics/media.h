@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Scattering media: coefficients per mm, and what follows from them. One wavelength (or one colour channel) at a time.
-// Based on: [JMLH01] Jensen, Marschner, Levoy, Hanrahan: A Practical Model for Subsurface Light Transport. SIGGRAPH 2001
-//           [CB15]   Christensen, Burley: Approximate Reflectance Profiles for Efficient Subsurface Scattering. 2015 (two meanings of a
-//           "radius")
+// Scattering media: coefficients per mm, and what follows from them. One wavelength (or one colour channel)
+// at a time. Based on: [JMLH01] Jensen, Marschner, Levoy, Hanrahan: A Practical Model for Subsurface Light
+// Transport. SIGGRAPH 2001
+//           [CB15]   Christensen, Burley: Approximate Reflectance Profiles for Efficient Subsurface
+//           Scattering. 2015 (two meanings of a "radius")
 #pragma once
 
 #include <array>
@@ -14,13 +15,15 @@ namespace dermis::optics {
 using Rgb = std::array<double, 3>;
 
 /// Mean free path of the reduced medium, l_u = 1 / sigma_t' [mm], > 0: how far light goes between two turns.
-/// A type of its own, because engines also give a *diffuse* mean free path under the same name; the two never convert silently.
+/// A type of its own, because engines also give a *diffuse* mean free path under the same name; the two never
+/// convert silently.
 struct MeanFreePath {
   explicit MeanFreePath(double mm_) : mm(mm_) {}
   double mm;
 };
 
-/// Diffuse mean free path, l_d = 1 / sigma_tr [mm], > 0 (infinite without absorption): how far diffused light reaches.
+/// Diffuse mean free path, l_d = 1 / sigma_tr [mm], > 0 (infinite without absorption): how far diffused light
+/// reaches.
 struct DiffuseMeanFreePath {
   explicit DiffuseMeanFreePath(double mm_) : mm(mm_) {}
   double mm;
@@ -33,7 +36,8 @@ struct Medium {
   double g = 0;               ///< mean cosine of the phase function, -1 < g < 1
   double eta = 1.4;           ///< refractive index relative to the air above, 1 to 3
 
-  /// sigma_s' = (1 - g) sigma_s [1/mm]. [JMLH01] sec. 2: a forward lobe hardly turns light, so it counts less.
+  /// sigma_s' = (1 - g) sigma_s [1/mm]. [JMLH01] sec. 2: a forward lobe hardly turns light, so it counts
+  /// less.
   double sigma_s_reduced_per_mm() const { return (1 - g) * sigma_s_per_mm; }
   /// sigma_t' = sigma_a + sigma_s' [1/mm]. [JMLH01] sec. 2.
   double sigma_t_reduced_per_mm() const { return sigma_a_per_mm + sigma_s_reduced_per_mm(); }
@@ -54,14 +58,15 @@ struct Medium {
 /// A medium per colour channel.
 using RgbMedium = std::array<Medium, 3>;
 
-/// The ranges above, all values finite and at most 1e6 per mm, and sigma_t' > 0. InputError with `where` as the place.
+/// The ranges above, all values finite and at most 1e6 per mm, and sigma_t' > 0. InputError with `where` as
+/// the place.
 void check(const Medium& medium, const std::string& where);
 /// The same for each channel; the message names it.
 void check(const RgbMedium& medium, const std::string& where);
 
-/// "sigma_a=0.03,0.17,0.48 sigma_s=0.74,0.88,1.01 g=0 eta=1.4": coefficients per mm; each value one number or three (R,G,B);
-/// sigma_a and sigma_s are required, g = 0 and eta = 1.4 else. InputError: an unknown or repeated key (lists the known ones), not a number,
-/// a value out of range.
+/// "sigma_a=0.03,0.17,0.48 sigma_s=0.74,0.88,1.01 g=0 eta=1.4": coefficients per mm; each value one number or
+/// three (R,G,B); sigma_a and sigma_s are required, g = 0 and eta = 1.4 else. InputError: an unknown or
+/// repeated key (lists the known ones), not a number, a value out of range.
 RgbMedium parse_coefficients(const std::string& text, const std::string& where);
 
 }  // namespace dermis::optics

@@ -16,9 +16,11 @@ constexpr ObserverRow rows[] = {
 constexpr std::size_t count = std::size(rows);
 
 // IEC 61966-2-1: linear Rec.709 from XYZ, and back.
-constexpr double to_linear[3][3] = {
-    {3.2406255, -1.5372080, -0.4986286}, {-0.9689307, 1.8757561, 0.0415175}, {0.0557101, -0.2040211, 1.0569959}};
-constexpr double from_linear[3][3] = {{0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}};
+constexpr double to_linear[3][3] = {{3.2406255, -1.5372080, -0.4986286},
+                                    {-0.9689307, 1.8757561, 0.0415175},
+                                    {0.0557101, -0.2040211, 1.0569959}};
+constexpr double from_linear[3][3] = {
+    {0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}};
 
 struct Tables {
   std::vector<double> nm;
@@ -38,7 +40,8 @@ const Tables& tables() {
       }
       t.weights.push_back(weight);
     }
-    // The matrix is printed for a rounded white: dividing by the white of the tables makes a white surface white.
+    // The matrix is printed for a rounded white: dividing by the white of the tables makes a white surface
+    // white.
     for (Rgb& weight : t.weights)
       for (int c = 0; c < 3; ++c) weight[c] /= white[c];
     return t;
@@ -81,7 +84,8 @@ Xyz xyz_from_linear(const Rgb& linear) {
 
 Lab lab_from_linear(const Rgb& linear) {
   const Xyz xyz = xyz_from_linear(linear), white = white_xyz();
-  const double fx = lab_curve(xyz[0] / white[0]), fy = lab_curve(xyz[1] / white[1]), fz = lab_curve(xyz[2] / white[2]);
+  const double fx = lab_curve(xyz[0] / white[0]), fy = lab_curve(xyz[1] / white[1]),
+               fz = lab_curve(xyz[2] / white[2]);
   return {116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)};
 }
 

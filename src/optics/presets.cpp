@@ -31,7 +31,8 @@ constexpr Material materials[] = {
 RgbMedium Material::medium() const {
   RgbMedium medium;
   for (int c = 0; c < 3; ++c)
-    medium[c] = {.sigma_a_per_mm = sigma_a_per_mm[c], .sigma_s_per_mm = sigma_s_reduced_per_mm[c], .g = 0, .eta = eta};
+    medium[c] = {
+        .sigma_a_per_mm = sigma_a_per_mm[c], .sigma_s_per_mm = sigma_s_reduced_per_mm[c], .g = 0, .eta = eta};
   return medium;
 }
 
@@ -41,7 +42,10 @@ RgbLayers donner_jensen_skin() {
   constexpr double per_mm = 0.1;  // from 1/cm
   const auto layer = [](Rgb sigma_a, Rgb sigma_s, double thickness_mm) {
     for (int c = 0; c < 3; ++c) sigma_a[c] *= per_mm, sigma_s[c] *= per_mm;
-    return RgbLayer{.sigma_a_per_mm = sigma_a, .sigma_s_reduced_per_mm = sigma_s, .eta = 1.4, .thickness_mm = thickness_mm};
+    return RgbLayer{.sigma_a_per_mm = sigma_a,
+                    .sigma_s_reduced_per_mm = sigma_s,
+                    .eta = 1.4,
+                    .thickness_mm = thickness_mm};
   };
   return {layer({2.1, 2.1, 5.0}, {48, 60, 65}, 0.25), layer({0.16, 0.19, 0.30}, {32, 40, 46}, 0.35),
           layer({0.085, 1.0, 25}, {4.5, 4.7, 4.8}, std::numeric_limits<double>::infinity())};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Media that others measured.
-// Based on: [JMLH01] fig. 5 (measured coefficients); [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered Translucent Materials.
-// SIGGRAPH 2005
+// Based on: [JMLH01] fig. 5 (measured coefficients); [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered
+// Translucent Materials. SIGGRAPH 2005
 #pragma once
 
 #include <span>
@@ -19,7 +19,8 @@ struct Material {
   std::string_view name;  ///< lower case, as --preset takes it
   Rgb sigma_s_reduced_per_mm;
   Rgb sigma_a_per_mm;
-  double eta;                 ///< 1.3; marble 1.5. Not printed in the table, but the printed reflectances follow from it to 0.01
+  /// 1.3; marble 1.5. Not printed in the table, but the printed reflectances follow from it to 0.01
+  double eta;
   Rgb published_reflectance;  ///< column "diffuse reflectance" of [JMLH01] fig. 5
 
   /// Its coefficients per channel [1/mm], scattering as reduced (g = 0).
@@ -29,9 +30,10 @@ struct Material {
 /// The twelve materials of [JMLH01] fig. 5, in its order.
 std::span<const Material> jensen_materials();
 
-/// Layered preset "skin-layers": the three-layer skin of [DJ05], RGB. Its source gives no unit; 1/cm is the reading in which the numbers
-/// make sense for skin (epidermis mean free path 0.2 mm), and 0.25 mm, 0.35 mm and a half-space are our assumption for thicknesses that the
-/// paper's table lacks. Use it as plausible skin, not as the generator of the published six Gaussians: no thicknesses reproduce those.
+/// Layered preset "skin-layers": the three-layer skin of [DJ05], RGB. Its source gives no unit; 1/cm is the
+/// reading in which the numbers make sense for skin (epidermis mean free path 0.2 mm), and 0.25 mm, 0.35 mm
+/// and a half-space are our assumption for thicknesses that the paper's table lacks. Use it as plausible
+/// skin, not as the generator of the published six Gaussians: no thicknesses reproduce those.
 RgbLayers donner_jensen_skin();
 
 /// Names that find_material() and --preset take, layered ones last, for listings and errors.

@@ -19,7 +19,8 @@ double bessel_j0_zero(int k) {
   return x;
 }
 
-/// Nodes and weights of [O05] eq. 5.2 with step h, psi(t) = t tanh(pi/2 sinh t); weights carry J0 at the node.
+/// Nodes and weights of [O05] eq. 5.2 with step h, psi(t) = t tanh(pi/2 sinh t); weights carry J0 at the
+/// node.
 std::vector<Node> ogata_rule(double h, int count) {
   std::vector<Node> rule;
   for (int k = 1; k <= count; ++k) {

@@ -43,7 +43,8 @@ struct AddingDoubling {
   using Matrix = Eigen::Matrix<double, directions, directions>;
   using Vector = Eigen::Matrix<double, directions, 1>;
 
-  /// Directions inside a medium of index n: those past the critical angle, and those that can leave. The last is perpendicular.
+  /// Directions inside a medium of index n: those past the critical angle, and those that can leave. The last
+  /// is perpendicular.
   struct Directions {
     Vector mu, weight, surface;  // surface: internal reflectance
   };
@@ -61,26 +62,31 @@ struct AddingDoubling {
     return d;
   }
 
-  /// What a slab does to intensities: out = R in (same side), out = T in (other side). Homogeneous, so both sides are alike.
+  /// What a slab does to intensities: out = R in (same side), out = T in (other side). Homogeneous, so both
+  /// sides are alike.
   struct SlabMatrices {
     Matrix reflect, transmit;
   };
 
-  /// A slab so thin that the mean of its two faces stands for its inside ([PGW93] "diamond"): second order in its depth.
+  /// A slab so thin that the mean of its two faces stands for its inside ([PGW93] "diamond"): second order in
+  /// its depth.
   static SlabMatrices thin_slab(const Directions& d, double albedo, double depth) {
     const Vector scale = (depth / 2) * d.mu.cwiseInverse();
     const Matrix gain = scale * (albedo / 2) * d.weight.transpose();
     const Matrix loss = Matrix(scale.asDiagonal()) - gain;
     const Matrix inverse = (Matrix::Identity() + loss).inverse();
-    const Matrix forward = inverse * (Matrix::Identity() - loss), back = inverse * gain;  // T = forward + back R, R = back (1 + T)
+    // T = forward + back R, R = back (1 + T)
+    const Matrix forward = inverse * (Matrix::Identity() - loss), back = inverse * gain;
     SlabMatrices slab;
-    slab.reflect = (Matrix::Identity() - back * back).partialPivLu().solve(back * (Matrix::Identity() + forward));
+    slab.reflect =
+        (Matrix::Identity() - back * back).partialPivLu().solve(back * (Matrix::Identity() + forward));
     slab.transmit = forward + back * slab.reflect;
     return slab;
   }
 
   static void double_slab(SlabMatrices& slab) {
-    const Matrix bounce = (Matrix::Identity() - slab.reflect * slab.reflect).partialPivLu().solve(slab.transmit);
+    const Matrix bounce =
+        (Matrix::Identity() - slab.reflect * slab.reflect).partialPivLu().solve(slab.transmit);
     slab.reflect += slab.transmit * slab.reflect * bounce;
     slab.transmit = (slab.transmit * bounce).eval();
   }
@@ -105,13 +111,16 @@ struct AddingDoubling {
     check(layers, where);
     for (const Layer& layer : layers)
       if (layer.eta != layers[0].eta)
-        throw input_error(where, "adding-doubling wants one index for all layers, got {} and {}", layers[0].eta, layer.eta);
+        throw input_error(where, "adding-doubling wants one index for all layers, got {} and {}",
+                          layers[0].eta, layer.eta);
     const Directions d = directions_of(layers[0].eta);
-    // From the bottom: `below` reflects what comes down; `through` carries it out of the last face (per unit arriving at the present top).
+    // From the bottom: `below` reflects what comes down; `through` carries it out of the last face (per unit
+    // arriving at the present top).
     Matrix below = d.surface.asDiagonal(), through = Matrix::Identity();
     for (std::size_t i = layers.size(); i-- > 0;) {
       const SlabMatrices slab = make_slab(d, layers[i]);
-      const Matrix bounce = (Matrix::Identity() - slab.reflect * below).partialPivLu().solve(slab.transmit);  // arriving at `below`
+      // arriving at `below`
+      const Matrix bounce = (Matrix::Identity() - slab.reflect * below).partialPivLu().solve(slab.transmit);
       through = (through * bounce).eval();
       below = (slab.reflect + slab.transmit * below * bounce).eval();
     }
@@ -126,8 +135,12 @@ struct AddingDoubling {
 
 }  // namespace
 
-Totals adding_doubling(const Layers& layers, const std::string& where) { return AddingDoubling<8>::solve(layers, where); }
-Totals adding_doubling_coarse(const Layers& layers, const std::string& where) { return AddingDoubling<4>::solve(layers, where); }
+Totals adding_doubling(const Layers& layers, const std::string& where) {
+  return AddingDoubling<8>::solve(layers, where);
+}
+Totals adding_doubling_coarse(const Layers& layers, const std::string& where) {
+  return AddingDoubling<4>::solve(layers, where);
+}
 
 namespace {
 
@@ -145,8 +158,10 @@ HFunction solve_h(double albedo) {
     std::vector<double> next(out.h.size());
     for (std::size_t i = 0; i < out.h.size(); ++i) {
       double sum = 0;
-      for (std::size_t j = 0; j < out.h.size(); ++j) sum += out.rule[j].weight * out.rule[j].x * out.h[j] / (out.rule[i].x + out.rule[j].x);
-      next[i] = (1 / (root + albedo / 2 * sum) + out.h[i]) / 2;  // the mean: plain substitution swings without absorption
+      for (std::size_t j = 0; j < out.h.size(); ++j)
+        sum += out.rule[j].weight * out.rule[j].x * out.h[j] / (out.rule[i].x + out.rule[j].x);
+      // the mean: plain substitution swings without absorption
+      next[i] = (1 / (root + albedo / 2 * sum) + out.h[i]) / 2;
       change = std::max(change, std::abs(next[i] - out.h[i]));
     }
     out.h = std::move(next);
@@ -160,11 +175,14 @@ HFunction solve_h(double albedo) {
 double chandrasekhar_h(double albedo, double mu) {
   const HFunction f = solve_h(albedo);
   double sum = 0;
-  for (std::size_t j = 0; j < f.h.size(); ++j) sum += f.rule[j].weight * f.rule[j].x * f.h[j] / (mu + f.rule[j].x);
+  for (std::size_t j = 0; j < f.h.size(); ++j)
+    sum += f.rule[j].weight * f.rule[j].x * f.h[j] / (mu + f.rule[j].x);
   return 1 / (std::sqrt(1 - albedo) + albedo / 2 * sum);
 }
 
-double exact_reflectance_perpendicular(double albedo) { return 1 - std::sqrt(1 - albedo) * chandrasekhar_h(albedo, 1); }
+double exact_reflectance_perpendicular(double albedo) {
+  return 1 - std::sqrt(1 - albedo) * chandrasekhar_h(albedo, 1);
+}
 
 double exact_reflectance_diffuse(double albedo) {
   const HFunction f = solve_h(albedo);

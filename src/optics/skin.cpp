@@ -36,7 +36,8 @@ double blood_per_mm(double extinction_per_cm_molar) {
 }
 
 void check_range(const std::string& where, const char* name, double value, double low, double high) {
-  if (!(value >= low && value <= high)) throw input_error(where, "{} must be {} to {}, got {}", name, low, high, value);
+  if (!(value >= low && value <= high))
+    throw input_error(where, "{} must be {} to {}, got {}", name, low, high, value);
 }
 
 }  // namespace
@@ -61,7 +62,8 @@ double skin_scattering_per_mm(double nm) { return 14.74 * std::pow(nm, -0.22) + 
 Layers skin_layers(const Skin& skin, double nm) {
   const double base = baseline_per_mm(nm), scattering = skin_scattering_per_mm(nm);
   const double melanin = skin.blend * eumelanin_per_mm(nm) + (1 - skin.blend) * pheomelanin_per_mm(nm);
-  const double blood = skin.oxygenation * oxyhaemoglobin_per_mm(nm) + (1 - skin.oxygenation) * deoxyhaemoglobin_per_mm(nm);
+  const double blood =
+      skin.oxygenation * oxyhaemoglobin_per_mm(nm) + (1 - skin.oxygenation) * deoxyhaemoglobin_per_mm(nm);
   const Layer epidermis{.sigma_a_per_mm = skin.melanin * melanin + (1 - skin.melanin) * base,
                         .sigma_s_reduced_per_mm = scattering,
                         .eta = skin.eta,

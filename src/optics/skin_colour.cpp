@@ -18,7 +18,8 @@ namespace {
 
 constexpr double least_melanin = 5e-4, most_melanin = 0.5, least_blood = 5e-4, most_blood = 0.1;
 
-/// Every `stride`-th sample of the tables: 2, with 8 directions, is enough to compare skins (0.2 dE), 1 to state a colour.
+/// Every `stride`-th sample of the tables: 2, with 8 directions, is enough to compare skins (0.2 dE), 1 to
+/// state a colour.
 Rgb integrate(const Skin& skin, std::size_t stride) {
   const auto nm = wavelengths_nm();
   const auto weights = rec709_weights();
@@ -57,18 +58,21 @@ Candidate evaluate(Skin skin, std::array<double, 2> log_fraction, std::size_t st
 
 constexpr std::size_t grid_columns = 10, grid_rows = 7;
 
-/// 70 skins over the range, for a start; the last set of fixed parameters is remembered, as colours come in series.
+/// 70 skins over the range, for a start; the last set of fixed parameters is remembered, as colours come in
+/// series.
 std::vector<Candidate> coarse_grid(const Skin& fixed) {
   static std::mutex mutex;
   static std::vector<Candidate> grid;
   static std::array<double, 5> made_for{};
-  const std::array<double, 5> key{fixed.blend, fixed.oxygenation, fixed.oiliness, fixed.epidermis_mm, fixed.eta};
+  const std::array<double, 5> key{fixed.blend, fixed.oxygenation, fixed.oiliness, fixed.epidermis_mm,
+                                  fixed.eta};
   const std::lock_guard lock(mutex);
   if (!grid.empty() && made_for == key) return grid;
   grid.assign(grid_columns * grid_rows, {});
   parallel_for(grid.size(), [&](std::size_t i) {
     const std::size_t column = i % grid_columns, row = i / grid_columns;
-    const double m = static_cast<double>(column) / (grid_columns - 1), h = static_cast<double>(row) / (grid_rows - 1);
+    const double m = static_cast<double>(column) / (grid_columns - 1),
+                 h = static_cast<double>(row) / (grid_rows - 1);
     grid[i] = evaluate(fixed,
                        {std::log(least_melanin) + m * std::log(most_melanin / least_melanin),
                         std::log(least_blood) + h * std::log(most_blood / least_blood)},
@@ -79,7 +83,8 @@ std::vector<Candidate> coarse_grid(const Skin& fixed) {
 }
 
 /// One damped Gauss-Newton step of the distance in L*a*b*, slopes by differences.
-std::array<double, 2> newton_step(const Lab& wanted, const Skin& fixed, const Candidate& here, double damping) {
+std::array<double, 2> newton_step(const Lab& wanted, const Skin& fixed, const Candidate& here,
+                                  double damping) {
   constexpr double h = 0.02;
   std::array<std::array<double, 3>, 2> slope{};
   for (int i = 0; i < 2; ++i) {
@@ -94,7 +99,8 @@ std::array<double, 2> newton_step(const Lab& wanted, const Skin& fixed, const Ca
   const double a = dot(slope[0], slope[0]) * (1 + damping) + 1e-9, b = dot(slope[0], slope[1]),
                d = dot(slope[1], slope[1]) * (1 + damping) + 1e-9;
   const double p = dot(slope[0], off), q = dot(slope[1], off), determinant = a * d - b * b;
-  return {std::clamp((d * p - b * q) / determinant, -1.0, 1.0), std::clamp((a * q - b * p) / determinant, -1.0, 1.0)};
+  return {std::clamp((d * p - b * q) / determinant, -1.0, 1.0),
+          std::clamp((a * q - b * p) / determinant, -1.0, 1.0)};
 }
 
 /// Damped steps until they no longer pay.
@@ -102,7 +108,8 @@ Candidate descend(const Lab& wanted, const Skin& fixed, Candidate here) {
   double damping = 1e-3;
   for (int step = 0; step < 30 && damping < 1e3; ++step) {
     const auto change = newton_step(wanted, fixed, here, damping);
-    const Candidate there = evaluate(fixed, {here.log_fraction[0] + change[0], here.log_fraction[1] + change[1]}, 2);
+    const Candidate there =
+        evaluate(fixed, {here.log_fraction[0] + change[0], here.log_fraction[1] + change[1]}, 2);
     const double before = delta_e76(here.lab, wanted), after = delta_e76(there.lab, wanted);
     if (after < before) here = there;
     damping = after < before ? damping / 4 : damping * 8;
@@ -111,20 +118,25 @@ Candidate descend(const Lab& wanted, const Skin& fixed, Candidate here) {
   return here;
 }
 
-/// The three nearest points of the grid of which no two are neighbours: the colours of skin fold back on themselves (yellow by little
-/// blood, and by much melanin), so the nearest point need not lie in the right fold.
+/// The three nearest points of the grid of which no two are neighbours: the colours of skin fold back on
+/// themselves (yellow by little blood, and by much melanin), so the nearest point need not lie in the right
+/// fold.
 std::vector<Candidate> starts(std::vector<Candidate> grid, const Lab& wanted) {
   const auto apart = [](const Candidate& a, const Candidate& b) {
     const double melanin = std::log(most_melanin / least_melanin) / (grid_columns - 1),
                  blood = std::log(most_blood / least_blood) / (grid_rows - 1);
-    return std::abs(a.log_fraction[0] - b.log_fraction[0]) > 1.5 * melanin || std::abs(a.log_fraction[1] - b.log_fraction[1]) > 1.5 * blood;
+    return std::abs(a.log_fraction[0] - b.log_fraction[0]) > 1.5 * melanin ||
+           std::abs(a.log_fraction[1] - b.log_fraction[1]) > 1.5 * blood;
   };
-  std::sort(grid.begin(), grid.end(),
-            [&](const Candidate& a, const Candidate& b) { return delta_e76(a.lab, wanted) < delta_e76(b.lab, wanted); });
+  std::sort(grid.begin(), grid.end(), [&](const Candidate& a, const Candidate& b) {
+    return delta_e76(a.lab, wanted) < delta_e76(b.lab, wanted);
+  });
   std::vector<Candidate> chosen;
   for (const Candidate& point : grid) {
     if (chosen.size() == 3) break;
-    if (std::all_of(chosen.begin(), chosen.end(), [&](const Candidate& other) { return apart(point, other); })) chosen.push_back(point);
+    if (std::all_of(chosen.begin(), chosen.end(),
+                    [&](const Candidate& other) { return apart(point, other); }))
+      chosen.push_back(point);
   }
   return chosen;
 }
@@ -145,10 +157,13 @@ Skin measured_skin() { return {.blend = 0.1, .epidermis_mm = 0.12}; }
 SkinMatch nearest_skin(const Lab& wanted, const Skin& fixed) {
   check(fixed, "skin");
   std::vector<Candidate> ends = starts(coarse_grid(fixed), wanted);
-  parallel_for(ends.size(), [&](std::size_t i) { ends[i] = descend(wanted, fixed, evaluate(fixed, ends[i].log_fraction, 2)); });
-  const Candidate here = *std::min_element(ends.begin(), ends.end(), [&](const Candidate& a, const Candidate& b) {
-    return delta_e76(a.lab, wanted) < delta_e76(b.lab, wanted);
+  parallel_for(ends.size(), [&](std::size_t i) {
+    ends[i] = descend(wanted, fixed, evaluate(fixed, ends[i].log_fraction, 2));
   });
+  const Candidate here =
+      *std::min_element(ends.begin(), ends.end(), [&](const Candidate& a, const Candidate& b) {
+        return delta_e76(a.lab, wanted) < delta_e76(b.lab, wanted);
+      });
   SkinMatch match{.skin = fixed, .lab = {}};
   match.skin.melanin = std::min(std::exp(here.log_fraction[0]), most_melanin);
   match.skin.haemoglobin = std::min(std::exp(here.log_fraction[1]), most_blood);
@@ -158,7 +173,9 @@ SkinMatch nearest_skin(const Lab& wanted, const Skin& fixed) {
 }
 
 Lab parse_colour(const std::string& text, const std::string& where) {
-  const auto expected = [&] { return input_error(where, "expected #rrggbb (sRGB) or L,a,b (CIELAB), got '{}'", text); };
+  const auto expected = [&] {
+    return input_error(where, "expected #rrggbb (sRGB) or L,a,b (CIELAB), got '{}'", text);
+  };
   if (!text.empty() && text[0] == '#') {
     unsigned value = 0;
     const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), value, 16);
@@ -166,7 +183,8 @@ Lab parse_colour(const std::string& text, const std::string& where) {
     Rgb linear{};
     for (int c = 0; c < 3; ++c) {
       const double display = ((value >> (16 - 8 * c)) & 255) / 255.0;
-      linear[c] = display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);  // IEC 61966-2-1
+      // IEC 61966-2-1
+      linear[c] = display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
     }
     return lab_from_linear(linear);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bindings by the names that the shaders give them. A pass offers all that it has; each shader takes what it uses.
+// Bindings by the names that the shaders give them. A pass offers all that it has; each shader takes what it
+// uses.
 #pragma once
 
 #include <string_view>
@@ -17,7 +18,9 @@ class Bindings {
     entries_.emplace_back(name, binding);
     return *this;
   }
-  Bindings& add(std::string_view name, const gpu::Buffer& buffer) { return add(name, gpu::BufferBinding{&buffer}); }
+  Bindings& add(std::string_view name, const gpu::Buffer& buffer) {
+    return add(name, gpu::BufferBinding{&buffer});
+  }
 
   /// Those of the pipeline's shaders, in their order. A name that nobody offered is our bug.
   void bind(gpu::Cmd& cmd, const gpu::Pipeline& pipeline) const {

@@ -17,12 +17,14 @@ namespace dermis::frame {
 /// One head in the frame: the scene once more, moved. Shadow maps are fitted to each.
 struct Instance {
   glm::vec3 offset_m{0};
-  gpu::Buffer lights;                        ///< LightIo[]
-  gpu::Buffer shadow_matrices;               ///< mat4[], one a layer of the shadow maps; those of other heads are zero
+  gpu::Buffer lights;  ///< LightIo[]
+  /// mat4[], one a layer of the shadow maps; those of other heads are zero
+  gpu::Buffer shadow_matrices;
   std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
-  std::uint32_t map_side = 0;                ///< T: the side of the square of its light maps that is used, texels
-  bool visible = true;                       ///< false: wholly outside the picture, nothing of it is drawn
+  /// T: the side of the square of its light maps that is used, texels
+  std::uint32_t map_side = 0;
+  bool visible = true;  ///< false: wholly outside the picture, nothing of it is drawn
 };
 
 /// RGBA16F over the unwrap of a skin mesh, environment::SkyLight.
@@ -34,7 +36,8 @@ struct FrameData {
   const passes::GpuScene* scene = nullptr;
   gpu::Buffer frame_io;  ///< FrameIo
   glm::vec3 eye_m{0};
-  glm::vec4 eye{0, 0, 0, 1};  ///< eye_m, w = 1; for an orthographic camera the unit direction towards it, w = 0
+  /// eye_m, w = 1; for an orthographic camera the unit direction towards it, w = 0
+  glm::vec4 eye{0, 0, 0, 1};
   /// What lies outside any of these is clipped from light maps: dot(xyz, position_m) + w < 0.
   std::array<glm::vec4, 5> clip_planes{};
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light

@@ -32,7 +32,9 @@ io::MapIo map_io(const scene::MapRef& map) {
 }
 
 gpu::Address address(scene::Wrap wrap) {
-  return wrap == scene::Wrap::repeat ? gpu::Address::repeat : wrap == scene::Wrap::clamp ? gpu::Address::clamp : gpu::Address::mirror;
+  return wrap == scene::Wrap::repeat  ? gpu::Address::repeat
+         : wrap == scene::Wrap::clamp ? gpu::Address::clamp
+                                      : gpu::Address::mirror;
 }
 
 std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
@@ -47,7 +49,8 @@ std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
   if (m.skin) {
     maps[MAP_SPECULAR] = m.skin_settings.specular;
     maps[MAP_ROUGHNESS] = m.skin_settings.roughness;
-    // glTF's metallic-roughness map serves where the skin names no map of its own: roughness in G, times the factor.
+    // glTF's metallic-roughness map serves where the skin names no map of its own: roughness in G, times the
+    // factor.
     if (!maps[MAP_ROUGHNESS].present() && m.metallic_roughness_map.present()) {
       maps[MAP_ROUGHNESS] = m.metallic_roughness_map;
       maps[MAP_ROUGHNESS].channel = 1;
@@ -57,7 +60,8 @@ std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
   return maps;
 }
 
-io::MaterialIo material_io(const scene::Material& m, const std::array<scene::MapRef, MAP_COUNT>& maps, std::optional<float> mix) {
+io::MaterialIo material_io(const scene::Material& m, const std::array<scene::MapRef, MAP_COUNT>& maps,
+                           std::optional<float> mix) {
   io::MaterialIo c{};
   c.base_colour = m.base_colour;
   c.emissive = m.emissive;
@@ -65,7 +69,8 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   c.roughness = m.roughness;
   c.ior = m.ior;
   c.specular = m.specular;
-  c.alpha_cutoff = m.alpha_cutoff - 1.0f / 4096;  // alphas of 8 bits may be half floats: a cutoff equal to one must keep it
+  // alphas of 8 bits may be half floats: a cutoff equal to one must keep it
+  c.alpha_cutoff = m.alpha_cutoff - 1.0f / 4096;
   c.specular_colour = m.specular_colour;
   c.flags = (m.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) | (m.unlit ? MATERIAL_UNLIT : 0u) |
             (m.alpha_mode == scene::AlphaMode::mask ? MATERIAL_ALPHA_MASK : 0u) |
@@ -93,7 +98,9 @@ io::VertexIo vertex_io(const scene::Vertex& v) {
 }
 
 gpu::Texture single_texel(gpu::Device& device, const char* name, std::array<std::uint8_t, 4> rgba) {
-  gpu::Texture texture(device, name, {.width = 1, .height = 1, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  gpu::Texture texture(
+      device, name,
+      {.width = 1, .height = 1, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   gpu::upload(device, texture, std::as_bytes(std::span(rgba)));
   return texture;
 }
@@ -107,7 +114,8 @@ void append_halves(std::vector<std::uint8_t>& bytes, const image::Image8& level)
   }
   const std::size_t first = bytes.size();
   bytes.resize(first + 2 * level.rgba.size());
-  for (std::size_t i = 0; i < level.rgba.size(); ++i) std::memcpy(&bytes[first + 2 * i], &(i % 4 == 3 ? plain : linear)[level.rgba[i]], 2);
+  for (std::size_t i = 0; i < level.rgba.size(); ++i)
+    std::memcpy(&bytes[first + 2 * i], &(i % 4 == 3 ? plain : linear)[level.rgba[i]], 2);
 }
 
 GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vector<io::VertexIo>& vertices,
@@ -117,8 +125,10 @@ GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vec
   glm::vec3 low(INFINITY), high(-INFINITY);
   for (const io::VertexIo& v : vertices) low = min(low, v.position_m), high = max(high, v.position_m);
   mesh.centre_m = (low + high) * 0.5f;
-  mesh.vertices = gpu::make_buffer(device, name + " vertices", std::span<const io::VertexIo>(vertices), storage);
-  mesh.indices = gpu::make_buffer(device, name + " indices", std::span<const std::uint32_t>(indices), storage);
+  mesh.vertices =
+      gpu::make_buffer(device, name + " vertices", std::span<const io::VertexIo>(vertices), storage);
+  mesh.indices =
+      gpu::make_buffer(device, name + " indices", std::span<const std::uint32_t>(indices), storage);
   return mesh;
 }
 
@@ -145,9 +155,11 @@ GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_
   }
   GpuMesh mesh = upload_mesh(device, fmt::format("skin {}", number), vertices, skin.indices);
   const std::vector<std::uint32_t> charts(skin.triangle_chart.begin(), skin.triangle_chart.end());
-  mesh.charts = gpu::make_buffer(device, mesh.name + " charts", std::span<const std::uint32_t>(charts), storage);
+  mesh.charts =
+      gpu::make_buffer(device, mesh.name + " charts", std::span<const std::uint32_t>(charts), storage);
   const std::vector<std::uint32_t> turned = scene::turned_neighbours(skin);
-  mesh.turned_neighbours = gpu::make_buffer(device, mesh.name + " turned neighbours", std::span<const std::uint32_t>(turned), storage);
+  mesh.turned_neighbours = gpu::make_buffer(device, mesh.name + " turned neighbours",
+                                            std::span<const std::uint32_t>(turned), storage);
   for (std::uint32_t t = 0; t < skin.triangle_material.size(); ++t) {
     const int material = skin.triangle_material[t];
     if (mesh.draws.empty() || mesh.draws.back().material != material)
@@ -175,20 +187,24 @@ void GpuMesh::offer(Bindings& bindings) const {
   if (charts) bindings.add("Charts", charts).add("TurnedNeighbours", turned_neighbours);
 }
 
-gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side, const std::vector<float>& values) {
+gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
+                        const std::vector<float>& values) {
   const auto texels = static_cast<std::uint32_t>(side);
   DERMIS_ASSERT_EQ(values.size(), std::size_t{texels} * texels * 4);
   std::vector<std::uint16_t> halves(values.size());
   std::transform(values.begin(), values.end(), halves.begin(),
                  [](float value) { return image::float_to_half(std::min(value, image::max_half)); });
   gpu::Texture map(device, name,
-                   {.width = texels, .height = texels, .format = VK_FORMAT_R16G16B16A16_SFLOAT, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+                   {.width = texels,
+                    .height = texels,
+                    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                    .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   gpu::upload(device, map, std::as_bytes(std::span(halves)));
   return map;
 }
 
-GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin_meshes,
-                   const GpuSceneSettings& settings) {
+GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
+                   const std::vector<scene::SkinMesh>& skin_meshes, const GpuSceneSettings& settings) {
   gpu::Device& device = library.device();
   white_ = single_texel(device, "white", {255, 255, 255, 255});
   flat_normal_ = single_texel(device, "flat normal", {128, 128, 255, 255});
@@ -207,19 +223,22 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
     }
     const io::MaterialIo constants = material_io(m, maps, settings.mix);
     material.mixed = constants.mix_before > 0;
-    material.constants = gpu::make_buffer(device, "material " + m.name, std::span(&constants, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    material.constants = gpu::make_buffer(device, "material " + m.name, std::span(&constants, 1),
+                                          VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     for (int i = 0; i < MAP_COUNT; ++i) {
       const scene::MapRef& map = maps[static_cast<std::size_t>(i)];
       const bool srgb = i == MAP_BASE_COLOUR || i == MAP_EMISSIVE || i == MAP_SPECULAR_COLOUR;
       const gpu::Texture& none = i == MAP_NORMAL ? flat_normal_ : white_;
-      const VkSampler sampler = library.sampler({.filter = map.nearest ? gpu::Filter::nearest : gpu::Filter::linear,
-                                                 .u = address(map.wrap_u),
-                                                 .v = address(map.wrap_v),
-                                                 .max_anisotropy = map.nearest || device.limits().software ? 1.0f : 8.0f});
+      const VkSampler sampler =
+          library.sampler({.filter = map.nearest ? gpu::Filter::nearest : gpu::Filter::linear,
+                           .u = address(map.wrap_u),
+                           .v = address(map.wrap_v),
+                           .max_anisotropy = map.nearest || device.limits().software ? 1.0f : 8.0f});
       const bool is_fine = i == MAP_NORMAL && fine;
-      material.maps[static_cast<std::size_t>(i)] = {is_fine         ? fine
-                                                    : map.present() ? &texture(library, scene, map.image, srgb)
-                                                                    : &none,
+      material.maps[static_cast<std::size_t>(i)] = {is_fine ? fine
+                                                    : map.present()
+                                                        ? &texture(library, scene, map.image, srgb)
+                                                        : &none,
                                                     sampler};
     }
     materials.push_back(std::move(material));
@@ -227,18 +246,21 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, con
   attenuation = upload_attenuation(device);
   for (std::size_t i = 0; i < skin_meshes.size(); ++i) skin.push_back(upload_skin(device, skin_meshes[i], i));
   for (const scene::Primitive& p : scene.primitives) {
-    // Skin without texture coordinates cannot be unwrapped: it is drawn as any other material (the unwrap has warned).
+    // Skin without texture coordinates cannot be unwrapped: it is drawn as any other material (the unwrap has
+    // warned).
     if (scene.materials[static_cast<std::size_t>(p.material)].skin && p.has_uv) continue;
     std::vector<io::VertexIo> vertices;
     vertices.reserve(p.vertices.size());
     for (const scene::Vertex& v : p.vertices) vertices.push_back(vertex_io(v));
     surfaces.push_back(upload_mesh(device, p.name, vertices, p.indices));
-    surfaces.back().draws = {{.first_index = 0, .index_count = static_cast<std::uint32_t>(p.indices.size()), .material = p.material}};
+    surfaces.back().draws = {{.first_index = 0,
+                              .index_count = static_cast<std::uint32_t>(p.indices.size()),
+                              .material = p.material}};
   }
 }
 
-void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& skin_mesh, std::uint32_t side,
-                            int width_texels) {
+void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& skin_mesh,
+                            std::uint32_t side, int width_texels) {
   GpuMesh& mesh = skin[number];
   GpuMesh::Gutters& made = mesh.gutters[side];
   if (made.width_texels >= width_texels) return;
@@ -251,20 +273,24 @@ void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene
                     .chart = gutters[i].chart});
   made.width_texels = width_texels;
   made.count = static_cast<std::uint32_t>(list.size());
-  if (!list.empty()) made.list = gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
+  if (!list.empty())
+    made.list =
+        gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
 }
 
-const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb) {
+const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image,
+                                      bool srgb) {
   for (const Loaded& loaded : textures_)
     if (loaded.image == image && loaded.srgb == srgb) return *loaded.texture;
   const scene::MapImage& map = scene.images[static_cast<std::size_t>(image)];
   return upload_map(library, map.name, *map.pixels, image, srgb);
 }
 
-const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const std::string& name, const image::Image8& pixels, int image,
-                                         bool srgb) {
+const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const std::string& name,
+                                         const image::Image8& pixels, int image, bool srgb) {
   const std::vector<image::Image8> mips = image::mip_chain(pixels, srgb);
-  // The software driver decodes sRGB with an error of 0.2 to 0.4 %, which any comparison with the truth would show.
+  // The software driver decodes sRGB with an error of 0.2 to 0.4 %, which any comparison with the truth would
+  // show.
   const bool halves = srgb && library.device().limits().software;
   std::vector<std::uint8_t> bytes;
   for (const image::Image8& mip : mips)
@@ -272,14 +298,15 @@ const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const st
       append_halves(bytes, mip);
     else
       bytes.insert(bytes.end(), mip.rgba.begin(), mip.rgba.end());
-  auto made = std::make_unique<gpu::Texture>(library.device(), "map " + name,
-                                             gpu::TextureDesc{.width = static_cast<std::uint32_t>(pixels.width),
-                                                              .height = static_cast<std::uint32_t>(pixels.height),
-                                                              .mips = static_cast<std::uint32_t>(mips.size()),
-                                                              .format = halves ? VK_FORMAT_R16G16B16A16_SFLOAT
-                                                                        : srgb ? VK_FORMAT_R8G8B8A8_SRGB
-                                                                               : VK_FORMAT_R8G8B8A8_UNORM,
-                                                              .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  auto made =
+      std::make_unique<gpu::Texture>(library.device(), "map " + name,
+                                     gpu::TextureDesc{.width = static_cast<std::uint32_t>(pixels.width),
+                                                      .height = static_cast<std::uint32_t>(pixels.height),
+                                                      .mips = static_cast<std::uint32_t>(mips.size()),
+                                                      .format = halves ? VK_FORMAT_R16G16B16A16_SFLOAT
+                                                                : srgb ? VK_FORMAT_R8G8B8A8_SRGB
+                                                                       : VK_FORMAT_R8G8B8A8_UNORM,
+                                                      .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   gpu::upload(library.device(), *made, std::as_bytes(std::span(bytes)));
   textures_.push_back({image, srgb, std::move(made)});
   return *textures_.back().texture;

@@ -51,7 +51,8 @@ struct GpuMesh {
     int width_texels = 0;
   };
   std::map<std::uint32_t, Gutters> gutters;
-  gpu::Texture sky_seen;  ///< see unwrap_map(), Occlusion::values of environment/occlusion.h; skin only, and only under an environment
+  /// see unwrap_map(), Occlusion::values of environment/occlusion.h; skin only, and only under an environment
+  gpu::Texture sky_seen;
   std::vector<GpuDraw> draws;
   glm::vec3 centre_m{0};
 
@@ -63,8 +64,10 @@ struct GpuSceneSettings {
   std::optional<float> mix;  ///< overrides the materials' mix
 };
 
-/// RGBA16F over an unwrap, from side x side x 4 values; those that half floats cannot hold become their largest.
-gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side, const std::vector<float>& values);
+/// RGBA16F over an unwrap, from side x side x 4 values; those that half floats cannot hold become their
+/// largest.
+gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
+                        const std::vector<float>& values);
 
 class GpuScene {
  public:
@@ -72,9 +75,10 @@ class GpuScene {
   GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin,
            const GpuSceneSettings& settings);
 
-  /// Makes the gutters of skin mesh `number`, which is `mesh`, for light maps of side x side texels, `width_texels` wide, unless it has
-  /// them as wide or wider.
-  void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side, int width_texels);
+  /// Makes the gutters of skin mesh `number`, which is `mesh`, for light maps of side x side texels,
+  /// `width_texels` wide, unless it has them as wide or wider.
+  void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side,
+                    int width_texels);
 
   std::vector<GpuMesh> skin;      ///< one a SkinMesh
   std::vector<GpuMesh> surfaces;  ///< everything else, one a primitive
@@ -84,7 +88,8 @@ class GpuScene {
 
  private:
   const gpu::Texture& texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb);
-  const gpu::Texture& upload_map(gpu::PipelineLibrary& library, const std::string& name, const image::Image8& pixels, int image, bool srgb);
+  const gpu::Texture& upload_map(gpu::PipelineLibrary& library, const std::string& name,
+                                 const image::Image8& pixels, int image, bool srgb);
   struct Loaded {
     int image;
     bool srgb;

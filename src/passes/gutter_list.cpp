@@ -19,30 +19,35 @@ struct ChartMap {
   std::vector<std::uint16_t> chart;
   bool has(int x, int y, std::uint16_t wanted) const {
     return x >= 0 && y >= 0 && x < side && y < side &&
-           chart[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)] == wanted;
+           chart[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) +
+                 static_cast<std::size_t>(x)] == wanted;
   }
 };
 
 ChartMap rasterise(const scene::SkinMesh& mesh, int side) {
-  ChartMap map{side, std::vector<std::uint16_t>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0)};
+  ChartMap map{
+      side, std::vector<std::uint16_t>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0)};
   for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t)
     scene::for_each_texel(scene::triangle_uv(mesh, t), side, [&](int x, int y) {
-      map.chart[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)] = mesh.triangle_chart[t];
+      map.chart[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)] =
+          mesh.triangle_chart[t];
     });
   return map;
 }
 
-// The texel nearest to (x, y) that `wanted` says is one; (x, y) if there is none. Square rings outwards; a ring at distance r cannot hold
-// anything nearer than r.
+// The texel nearest to (x, y) that `wanted` says is one; (x, y) if there is none. Square rings outwards; a
+// ring at distance r cannot hold anything nearer than r.
 template <class Wanted>
 glm::ivec2 nearest(int x, int y, const Wanted& wanted) {
   glm::ivec2 best(x, y);
   int best2 = max_ring * max_ring;
   for (int r = 1; r < max_ring && r * r < best2; ++r)
     for (int d = -r; d <= r; ++d)
-      for (const glm::ivec2 offset : {glm::ivec2(d, -r), glm::ivec2(d, r), glm::ivec2(-r, d), glm::ivec2(r, d)}) {
+      for (const glm::ivec2 offset :
+           {glm::ivec2(d, -r), glm::ivec2(d, r), glm::ivec2(-r, d), glm::ivec2(r, d)}) {
         const int distance2 = offset.x * offset.x + offset.y * offset.y;
-        if (distance2 < best2 && wanted(x + offset.x, y + offset.y)) best2 = distance2, best = glm::ivec2(x, y) + offset;
+        if (distance2 < best2 && wanted(x + offset.x, y + offset.y))
+          best2 = distance2, best = glm::ivec2(x, y) + offset;
       }
   return best;
 }
@@ -74,7 +79,8 @@ class Leftovers {
         if (empty(x, y)) add(x, y, nearest_covered(covered_, x, y));
   }
 
-  // Triangles narrower than a texel may reach far out of what is covered: along their edges each read finds the chart's nearest light.
+  // Triangles narrower than a texel may reach far out of what is covered: along their edges each read finds
+  // the chart's nearest light.
   void fill_slivers(const scene::SkinMesh& mesh) {
     for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) {
       const std::array<glm::vec2, 3> uv = scene::triangle_uv(mesh, t);
@@ -84,7 +90,8 @@ class Leftovers {
 
  private:
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(covered_.side) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(covered_.side) +
+           static_cast<std::size_t>(x);
   }
   bool inside(int x, int y) const { return x >= 0 && y >= 0 && x < covered_.side && y < covered_.side; }
   bool empty(int x, int y) const { return inside(x, y) && covered_.has(x, y, 0) && !listed_[index(x, y)]; }
@@ -105,7 +112,8 @@ class Leftovers {
         const int x = static_cast<int>(corner.x) + (i & 1), y = static_cast<int>(corner.y) + (i >> 1);
         if (!empty(x, y) || failures_ > most_failures) continue;
         glm::ivec2 source = nearest(x, y, [&](int sx, int sy) { return covered_.has(sx, sy, chart); });
-        if (source == glm::ivec2(x, y)) source = nearest(x, y, [&](int sx, int sy) { return inside(sx, sy) && !covered_.has(sx, sy, 0); });
+        if (source == glm::ivec2(x, y))
+          source = nearest(x, y, [&](int sx, int sy) { return inside(sx, sy) && !covered_.has(sx, sy, 0); });
         if (source == glm::ivec2(x, y)) ++failures_;
         listed_[index(x, y)] = true;  // found or not: it is not searched for again
         add(x, y, source);
@@ -132,7 +140,8 @@ GutterList gutter_list(const scene::SkinMesh& mesh, int map_size, int width_texe
   parallel_for((list.texels.size() + block - 1) / block, [&](std::size_t b) {
     for (std::size_t i = b * block; i < std::min(list.texels.size(), (b + 1) * block); ++i) {
       const scene::GutterTexel& g = list.texels[i];
-      list.own[i] = g.chart != 0 ? nearest(g.x, g.y, [&](int x, int y) { return covered.has(x, y, g.chart); }) : glm::ivec2(g.x, g.y);
+      list.own[i] = g.chart != 0 ? nearest(g.x, g.y, [&](int x, int y) { return covered.has(x, y, g.chart); })
+                                 : glm::ivec2(g.x, g.y);
     }
   });
   return list;

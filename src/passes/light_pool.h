@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Where the skin of a head is lit and blurred: a square in a pool of textures that all heads of a batch share.
-/// Based on: [JG08] sec. 4: memory is allocated once for the largest map; a smaller one uses a corner of it.
+/// Where the skin of a head is lit and blurred: a square in a pool of textures that all heads of a batch
+/// share. Based on: [JG08] sec. 4: memory is allocated once for the largest map; a smaller one uses a corner
+/// of it.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +13,16 @@
 
 namespace dermis::passes {
 
-/// The side of a map that is halved `halvings` times when the head uses all T_max texels. A head that uses fewer halves less often: its
-/// light lies on at least half as many texels a side as a near head's, and never on more than T_max >> halvings.
+/// The side of a map that is halved `halvings` times when the head uses all T_max texels. A head that uses
+/// fewer halves less often: its light lies on at least half as many texels a side as a near head's, and never
+/// on more than T_max >> halvings.
 inline std::uint32_t halved_side(std::uint32_t side, std::uint32_t largest_side, std::uint32_t halvings) {
   for (std::uint32_t scaled = 2 * side; halvings > 0 && scaled <= largest_side; scaled *= 2) --halvings;
   return side >> halvings;
 }
 
-/// One skin mesh of one head, and the corner of its square. How much of the square is used follows from Instance::map_side (T), which may
-/// change from frame to frame.
+/// One skin mesh of one head, and the corner of its square. How much of the square is used follows from
+/// Instance::map_side (T), which may change from frame to frame.
 struct MapSquare {
   std::uint32_t instance = 0, mesh = 0;
   glm::uvec2 origin{0};            ///< texels
@@ -41,7 +43,8 @@ inline std::uint32_t side_of(const frame::FrameData& frame, const MapSquare& squ
 
 inline VkRect2D used_area(const frame::FrameData& frame, const MapSquare& square) {
   const std::uint32_t side = side_of(frame, square);
-  return {{static_cast<std::int32_t>(square.origin.x), static_cast<std::int32_t>(square.origin.y)}, {side, side}};
+  return {{static_cast<std::int32_t>(square.origin.x), static_cast<std::int32_t>(square.origin.y)},
+          {side, side}};
 }
 
 /// How a convolution runs, and which texels it skips.

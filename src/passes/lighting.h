@@ -16,14 +16,16 @@ class LightingSamplers {
         table_(library.sampler({.filter = gpu::Filter::linear})),
         sky_(library.sampler({.filter = gpu::Filter::linear, .u = gpu::Address::repeat})) {}
 
-  void offer(Bindings& bindings, const frame::FrameData& frame, const frame::Instance& instance, const gpu::Texture& shadow) const {
+  void offer(Bindings& bindings, const frame::FrameData& frame, const frame::Instance& instance,
+             const gpu::Texture& shadow) const {
     bindings.add("Frame", frame.frame_io)
         .add("Lights", instance.lights)
         .add("ShadowMatrices", instance.shadow_matrices)
         .add("shadow_maps", gpu::SampledBinding{&shadow, shadow_})
         .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
         .add("attenuation", gpu::SampledBinding{&frame.scene->attenuation, table_})
-        .add("environment_map", gpu::SampledBinding{frame.environment ? frame.environment : &frame.scene->white(), sky_});
+        .add("environment_map",
+             gpu::SampledBinding{frame.environment ? frame.environment : &frame.scene->white(), sky_});
   }
   /// What skin mesh `number` sees of the surroundings.
   void offer_sky(Bindings& bindings, const frame::FrameData& frame, std::size_t number) const {
@@ -36,7 +38,8 @@ class LightingSamplers {
   }
 
  private:
-  VkSampler shadow_ = VK_NULL_HANDLE, depths_ = VK_NULL_HANDLE, table_ = VK_NULL_HANDLE, sky_ = VK_NULL_HANDLE;
+  VkSampler shadow_ = VK_NULL_HANDLE, depths_ = VK_NULL_HANDLE, table_ = VK_NULL_HANDLE,
+            sky_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

@@ -9,7 +9,8 @@
 
 namespace dermis::passes {
 
-inline io::SeenIo seen_io(const frame::FrameData& frame, const frame::Instance& instance, const GpuMaterial& material) {
+inline io::SeenIo seen_io(const frame::FrameData& frame, const frame::Instance& instance,
+                          const GpuMaterial& material) {
   io::SeenIo io{.offset_m = instance.offset_m,
                 .can_cull = material.double_sided ? 0u : 1u,
                 .eye = frame.eye,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lists of the tiles of light maps, as the pass that makes them and the convolutions that use them share them; see shared/tiles_io.h.
+// Lists of the tiles of light maps, as the pass that makes them and the convolutions that use them share
+// them; see shared/tiles_io.h.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,7 @@ struct TileLists {
   frame::BufferId arguments;  ///< TileArgumentsIo[], one a square
   std::uint32_t room = 0;     ///< entries a square
 };
-TileLists make_tile_lists(frame::FramePlan& plan, const std::string& name, std::uint32_t squares, std::uint32_t largest_side);
+TileLists make_tile_lists(frame::FramePlan& plan, const std::string& name, std::uint32_t squares,
+                          std::uint32_t largest_side);
 
 }  // namespace dermis::passes

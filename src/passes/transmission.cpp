@@ -25,17 +25,22 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
   io::TransmissionIo out{};
   for (std::size_t i = 0; i < terms; ++i) {
     out.two_sigma_m[i] = static_cast<float>(2 * std::sqrt(profile.terms[i].variance_mm2) / mm_per_unit);
-    out.falloff_per_m2[i] = static_cast<float>(mm_per_unit * mm_per_unit / (2 * profile.terms[i].variance_mm2));
+    out.falloff_per_m2[i] =
+        static_cast<float>(mm_per_unit * mm_per_unit / (2 * profile.terms[i].variance_mm2));
   }
   std::vector<std::size_t> first = transmission_groups(terms);
   first.push_back(terms);
   for (int c = 0; c < 3; ++c) {
     const auto weight = [&](std::size_t i) { return profile.terms[i].weight[static_cast<std::size_t>(c)]; };
-    const auto share = [&](std::size_t g, std::size_t i) -> float& { return out.share[g * TRANSMISSION_TERMS + i][c]; };
-    std::vector<double> before(terms, 0.0);  // the mean of the last group that had weight, as shares of the T_i
+    const auto share = [&](std::size_t g, std::size_t i) -> float& {
+      return out.share[g * TRANSMISSION_TERMS + i][c];
+    };
+    // the mean of the last group that had weight, as shares of the T_i
+    std::vector<double> before(terms, 0.0);
     for (std::size_t g = 0; g + 1 < first.size(); ++g) {
       double sum = 0;
-      for (std::size_t i = first[g]; i < first[g + 1]; ++i) sum += weight(i), out.group[i] = static_cast<std::uint32_t>(g);
+      for (std::size_t i = first[g]; i < first[g + 1]; ++i)
+        sum += weight(i), out.group[i] = static_cast<std::uint32_t>(g);
       out.group_weight[g][c] = static_cast<float>(sum);
       if (!(sum > 0)) continue;
       std::vector<double> mean(terms, 0.0);
@@ -47,16 +52,20 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
   return out;
 }
 
-ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library, const std::vector<gaussians::SumOfGaussians>& profiles, double mm_per_unit)
+ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library,
+                                 const std::vector<gaussians::SumOfGaussians>& profiles, double mm_per_unit)
     : linear_(library.sampler({.filter = gpu::Filter::linear})) {
   for (const gaussians::SumOfGaussians& profile : profiles) {
     const io::TransmissionIo io = transmission_io(profile, mm_per_unit);
-    constants_.push_back(gpu::make_buffer(library.device(), "transmission", std::span(&io, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
+    constants_.push_back(gpu::make_buffer(library.device(), "transmission", std::span(&io, 1),
+                                          VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
   }
 }
 
-void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering, std::size_t profile) const {
-  bindings.add("entering_maps", resources.sampled(entering, linear_)).add("Transmission", constants_[profile]);
+void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering,
+                            std::size_t profile) const {
+  bindings.add("entering_maps", resources.sampled(entering, linear_))
+      .add("Transmission", constants_[profile]);
 }
 
 }  // namespace dermis::passes

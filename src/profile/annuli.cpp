@@ -51,9 +51,11 @@ double Annuli::hankel(double k_per_mm) const {
   double sum = 0;
   for (std::size_t i = 0; i < energies_.size(); ++i) {
     const double r0 = edges_mm_[i], r1 = edges_mm_[i + 1];
-    // For k r << 1 the difference of the J1 cancels; the mean of 1 - (k r)^2 / 4 over the ring is exact enough there.
-    const double mean =
-        k * r1 < 1e-3 ? 1 - k * k * (r0 * r0 + r1 * r1) / 8 : 2 * (r1 * ::j1(k * r1) - r0 * ::j1(k * r0)) / (k * (r1 * r1 - r0 * r0));
+    // For k r << 1 the difference of the J1 cancels; the mean of 1 - (k r)^2 / 4 over the ring is exact
+    // enough there.
+    const double mean = k * r1 < 1e-3
+                            ? 1 - k * k * (r0 * r0 + r1 * r1) / 8
+                            : 2 * (r1 * ::j1(k * r1) - r0 * ::j1(k * r0)) / (k * (r1 * r1 - r0 * r0));
     sum += energies_[i] * mean;
   }
   return sum;
@@ -63,7 +65,8 @@ std::vector<double> log_edges(double inner_mm, double outer_mm, int per_decade) 
   DERMIS_ASSERT(inner_mm > 0 && outer_mm > inner_mm && per_decade > 0);
   const int count = std::max(1, static_cast<int>(std::ceil(std::log10(outer_mm / inner_mm) * per_decade)));
   std::vector<double> edges{0};
-  for (int i = 0; i <= count; ++i) edges.push_back(inner_mm * std::pow(outer_mm / inner_mm, static_cast<double>(i) / count));
+  for (int i = 0; i <= count; ++i)
+    edges.push_back(inner_mm * std::pow(outer_mm / inner_mm, static_cast<double>(i) / count));
   return edges;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Energy by distance: what falls into rings around the point where light enters. The common form of everything that is only known by
-// numbers.
+// Energy by distance: what falls into rings around the point where light enters. The common form of
+// everything that is only known by numbers.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,8 @@ namespace dermis::profile {
 class Annuli {
  public:
   Annuli() = default;
-  /// edges_mm: strictly rising, from 0; energies: one fewer, any sign (a channel of a colour space may be negative somewhere).
+  /// edges_mm: strictly rising, from 0; energies: one fewer, any sign (a channel of a colour space may be
+  /// negative somewhere).
   Annuli(std::vector<double> edges_mm, std::vector<double> energies);
 
   /// Sum of the energies; 0 for an empty set.
@@ -20,7 +21,8 @@ class Annuli {
   double within(double radius_mm) const;
   /// The radius [mm] that holds the part p (0..1) of the total; 0 for an empty set.
   double quantile(double p) const;
-  /// Int 2 pi r R(r) J0(k r) dr, exact for rings of even density: E_i 2 [r J1(k r)] / (k (r1^2 - r0^2)), [ ] the difference over the ring.
+  /// Int 2 pi r R(r) J0(k r) dr, exact for rings of even density: E_i 2 [r J1(k r)] / (k (r1^2 - r0^2)), [ ]
+  /// the difference over the ring.
   double hankel(double k_per_mm) const;
 
   /// As given: edges rising from 0 [mm], and the energy between each and the next.
@@ -35,7 +37,8 @@ class Annuli {
   std::vector<double> cumulative_;  // energy within edges_mm_[i]
 };
 
-/// Edges [mm] 0, then inner_mm .. outer_mm spaced evenly in log r, at least `per_decade` (> 0) to a decade; 0 < inner_mm < outer_mm.
+/// Edges [mm] 0, then inner_mm .. outer_mm spaced evenly in log r, at least `per_decade` (> 0) to a decade; 0
+/// < inner_mm < outer_mm.
 std::vector<double> log_edges(double inner_mm, double outer_mm, int per_decade);
 
 }  // namespace dermis::profile

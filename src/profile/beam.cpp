@@ -16,12 +16,14 @@ BeamMultiple::BeamMultiple(const optics::Medium& medium) {
   const double c1 = optics::fresnel_moment_2c1(medium.eta), c2 = optics::fresnel_moment_3c2(medium.eta);
   sigma_t_per_mm_ = medium.sigma_t_reduced_per_mm();
   albedo_ = medium.reduced_albedo();
-  diffusion_mm_ = (2 * medium.sigma_a_per_mm + medium.sigma_s_reduced_per_mm()) / (3 * sigma_t_per_mm_ * sigma_t_per_mm_);
+  diffusion_mm_ =
+      (2 * medium.sigma_a_per_mm + medium.sigma_s_reduced_per_mm()) / (3 * sigma_t_per_mm_ * sigma_t_per_mm_);
   s_ = std::sqrt(medium.sigma_a_per_mm / diffusion_mm_);
   flux_part_ = (1 - c1) / 4;
   vector_part_ = (1 - c2) / 2;
   gap_mm_ = 4 * (1 + c2) / (1 - c1) * diffusion_mm_;
-  for (int i = 0; i < samples; ++i) depths_mm_.push_back(-std::log(1 - (i + 0.5) / samples) / sigma_t_per_mm_);
+  for (int i = 0; i < samples; ++i)
+    depths_mm_.push_back(-std::log(1 - (i + 0.5) / samples) / sigma_t_per_mm_);
 }
 
 double BeamMultiple::at(double radius_mm) const {
@@ -31,7 +33,8 @@ double BeamMultiple::at(double radius_mm) const {
     const double d_r = std::hypot(radius_mm, t), d_v = std::hypot(radius_mm, z_image);
     const double e_r = std::exp(-s_ * d_r), e_v = std::exp(-s_ * d_v);
     const double fluence = (e_r / d_r - e_v / d_v) / diffusion_mm_;
-    const double flux = t * (1 + s_ * d_r) * e_r / (d_r * d_r * d_r) + z_image * (1 + s_ * d_v) * e_v / (d_v * d_v * d_v);
+    const double flux =
+        t * (1 + s_ * d_r) * e_r / (d_r * d_r * d_r) + z_image * (1 + s_ * d_v) * e_v / (d_v * d_v * d_v);
     const double kappa = -std::expm1(-2 * sigma_t_per_mm_ * (d_r + t));
     sum += (flux_part_ * fluence + vector_part_ * flux) * kappa;
   }
@@ -45,15 +48,19 @@ double BeamMultiple::outer_mm() const {
 double SingleScattering::at(double radius_mm) const {
   const double sigma_t = medium_.sigma_t_per_mm(), g = medium_.g;
   const double critical_mm = radius_mm * std::sqrt(medium_.eta * medium_.eta - 1);
-  // Trapezoid in log(t - t_c): smooth towards both ends, from far inside the nearer of the two lengths to where nothing is left.
+  // Trapezoid in log(t - t_c): smooth towards both ends, from far inside the nearer of the two lengths to
+  // where nothing is left.
   constexpr double step = 0.1;
   double sum = 0;
-  for (double beyond = 1e-7 * std::min(radius_mm, 1 / sigma_t); beyond < 40 / sigma_t; beyond *= std::exp(step)) {
+  for (double beyond = 1e-7 * std::min(radius_mm, 1 / sigma_t); beyond < 40 / sigma_t;
+       beyond *= std::exp(step)) {
     const double t = critical_mm + beyond, d = std::hypot(radius_mm, t), cosine = t / d;
-    // The beam goes down, the light comes up: cos(theta) = -cosine. 1 + g^2 + 2 g cosine, so that nothing cancels for g near -1.
+    // The beam goes down, the light comes up: cos(theta) = -cosine. 1 + g^2 + 2 g cosine, so that nothing
+    // cancels for g near -1.
     const double turn = (1 + g) * (1 + g) - 2 * g * radius_mm * radius_mm / (d * (d + t));
     const double phase = (1 - g) * (1 + g) / (4 * pi * turn * std::sqrt(turn));
-    sum += std::exp(-sigma_t * (t + d)) * phase * (1 - optics::fresnel(cosine, medium_.eta)) * cosine / (d * d) * beyond * step;
+    sum += std::exp(-sigma_t * (t + d)) * phase * (1 - optics::fresnel(cosine, medium_.eta)) * cosine /
+           (d * d) * beyond * step;
   }
   return medium_.sigma_s_per_mm * sum;
 }

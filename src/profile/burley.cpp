@@ -12,15 +12,22 @@ namespace dermis::profile {
 
 using std::numbers::pi;
 
-Burley::Burley(double total_reflectance, double shape_mm, const std::string& where) : total_(total_reflectance), shape_mm_(shape_mm) {
+Burley::Burley(double total_reflectance, double shape_mm, const std::string& where)
+    : total_(total_reflectance), shape_mm_(shape_mm) {
   if (!(total_ >= 0 && total_ <= 1)) throw input_error(where, "reflectance must be 0 to 1, got {}", total_);
   if (!(shape_mm_ >= 1e-6 && shape_mm_ <= 1e6))
     throw input_error(where, "the length must give a shape d of 1e-6 to 1e6 mm, got a d of {} mm", shape_mm_);
 }
 
-double Burley::shape_mm(double a, optics::MeanFreePath length) { return length.mm / (1.85 - a + 7 * std::pow(std::abs(a - 0.8), 3)); }
-double Burley::shape_mm(double a, optics::DiffuseMeanFreePath length) { return length.mm / (3.5 + 100 * std::pow(a - 0.33, 4)); }
-double Burley::shape_all_angles_mm(double a, optics::MeanFreePath length) { return length.mm / (1.9 - a + 3.5 * (a - 0.8) * (a - 0.8)); }
+double Burley::shape_mm(double a, optics::MeanFreePath length) {
+  return length.mm / (1.85 - a + 7 * std::pow(std::abs(a - 0.8), 3));
+}
+double Burley::shape_mm(double a, optics::DiffuseMeanFreePath length) {
+  return length.mm / (3.5 + 100 * std::pow(a - 0.33, 4));
+}
+double Burley::shape_all_angles_mm(double a, optics::MeanFreePath length) {
+  return length.mm / (1.9 - a + 3.5 * (a - 0.8) * (a - 0.8));
+}
 
 double Burley::at(double radius_mm) const {
   const double t = radius_mm / shape_mm_;
@@ -54,7 +61,9 @@ BurleyDescription parse_burley(const std::string& text, const std::string& where
   const auto values = optics::parse_key_values(text, {"reflectance", "mfp_mm", "dmfp_mm", "shape_mm"}, where);
   if (!values.contains("reflectance")) throw input_error(where, "'reflectance' is missing");
   if (values.size() != 2) throw input_error(where, "give exactly one length: mfp_mm, dmfp_mm or shape_mm");
-  const char* key = values.contains("mfp_mm") ? "mfp_mm" : values.contains("dmfp_mm") ? "dmfp_mm" : "shape_mm";
+  const char* key = values.contains("mfp_mm")    ? "mfp_mm"
+                    : values.contains("dmfp_mm") ? "dmfp_mm"
+                                                 : "shape_mm";
   BurleyDescription out{.total_reflectance = values.at("reflectance"), .shape_mm = {}};
   for (int c = 0; c < 3; ++c) {
     const double a = out.total_reflectance[c];

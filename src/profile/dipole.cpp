@@ -24,9 +24,11 @@ double source_fluence(double z, double radius, double s) {
   return std::exp(-s * d) / d;
 }
 
-/// Where absorption vanishes the tail is a power law without a length; a thousand mean free paths hold 99.9 % of the energy.
+/// Where absorption vanishes the tail is a power law without a length; a thousand mean free paths hold 99.9 %
+/// of the energy.
 double reach_mm(double sigma_tr_per_mm, double mean_free_path_mm) {
-  return sigma_tr_per_mm * 1000 * mean_free_path_mm > 1 ? std::max(1 / sigma_tr_per_mm, mean_free_path_mm) : 1000 * mean_free_path_mm;
+  return sigma_tr_per_mm * 1000 * mean_free_path_mm > 1 ? std::max(1 / sigma_tr_per_mm, mean_free_path_mm)
+                                                        : 1000 * mean_free_path_mm;
 }
 
 }  // namespace
@@ -35,11 +37,13 @@ Dipole::Dipole(const optics::Medium& medium)
     : reduced_albedo_(medium.reduced_albedo()),
       sigma_tr_per_mm_(medium.sigma_tr_per_mm()),
       z_real_mm_(medium.mean_free_path().mm),
-      z_virtual_mm_(z_real_mm_ + 4 * optics::boundary_factor_classical(medium.eta) * medium.diffusion_coefficient_mm()) {}
+      z_virtual_mm_(z_real_mm_ +
+                    4 * optics::boundary_factor_classical(medium.eta) * medium.diffusion_coefficient_mm()) {}
 
 double Dipole::at(double radius_mm) const {
   return reduced_albedo_ / (4 * pi) *
-         (source_flux(z_real_mm_, radius_mm, sigma_tr_per_mm_) + source_flux(z_virtual_mm_, radius_mm, sigma_tr_per_mm_));
+         (source_flux(z_real_mm_, radius_mm, sigma_tr_per_mm_) +
+          source_flux(z_virtual_mm_, radius_mm, sigma_tr_per_mm_));
 }
 
 double Dipole::hankel(double k_per_mm) const {
@@ -64,8 +68,10 @@ BetterDipole::BetterDipole(const optics::Medium& medium) {
 double BetterDipole::at(double radius_mm) const {
   const double s = sigma_tr_per_mm_;
   const double flux = source_flux(z_real_mm_, radius_mm, s) + source_flux(z_virtual_mm_, radius_mm, s);
-  const double fluence = source_fluence(z_real_mm_, radius_mm, s) - source_fluence(z_virtual_mm_, radius_mm, s);
-  return reduced_albedo_ * reduced_albedo_ / (4 * pi) * (vector_part_ * flux + flux_part_ / diffusion_mm_ * fluence);
+  const double fluence =
+      source_fluence(z_real_mm_, radius_mm, s) - source_fluence(z_virtual_mm_, radius_mm, s);
+  return reduced_albedo_ * reduced_albedo_ / (4 * pi) *
+         (vector_part_ * flux + flux_part_ / diffusion_mm_ * fluence);
 }
 
 double BetterDipole::hankel(double k_per_mm) const {
@@ -74,7 +80,8 @@ double BetterDipole::hankel(double k_per_mm) const {
   // (e^{-z_r kappa} - e^{-z_v kappa}) / kappa, which stays finite for kappa -> 0
   const double gap = z_virtual_mm_ - z_real_mm_;
   const double fluence = kappa > 0 ? real * -std::expm1(-gap * kappa) / kappa : gap;
-  return reduced_albedo_ * reduced_albedo_ / 2 * (vector_part_ * (real + image) + flux_part_ / diffusion_mm_ * fluence);
+  return reduced_albedo_ * reduced_albedo_ / 2 *
+         (vector_part_ * (real + image) + flux_part_ / diffusion_mm_ * fluence);
 }
 
 double BetterDipole::outer_mm() const { return reach_mm(sigma_tr_per_mm_, z_real_mm_); }

@@ -24,10 +24,13 @@ optics::Medium equivalent_medium(const RadialProfile& profile, double eta) {
   const double total = profile.total();
   if (!(total > 0)) throw input_error(profile.name(), "the profile reflects nothing");
   // Above 1 - 1e-6 the diffuse mean free path diverges.
-  const double albedo = optics::reduced_albedo_from_reflectance(std::min(total, 1 - 1e-6), eta, profile.name());
-  const Dipole unit({.sigma_a_per_mm = 1 - albedo, .sigma_s_per_mm = albedo, .g = 0, .eta = eta});  // a mean free path of 1 mm
+  const double albedo =
+      optics::reduced_albedo_from_reflectance(std::min(total, 1 - 1e-6), eta, profile.name());
+  // a mean free path of 1 mm
+  const Dipole unit({.sigma_a_per_mm = 1 - albedo, .sigma_s_per_mm = albedo, .g = 0, .eta = eta});
   const double length_mm = half_frequency_per_mm(unit) / half_frequency_per_mm(profile);
-  return {.sigma_a_per_mm = (1 - albedo) / length_mm, .sigma_s_per_mm = albedo / length_mm, .g = 0, .eta = eta};
+  return {
+      .sigma_a_per_mm = (1 - albedo) / length_mm, .sigma_s_per_mm = albedo / length_mm, .g = 0, .eta = eta};
 }
 
 }  // namespace dermis::profile

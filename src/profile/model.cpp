@@ -11,7 +11,8 @@
 namespace dermis::profile {
 namespace {
 
-constexpr std::string_view names[] = {"dipole", "better", "multipole", "beam", "monte-carlo", "auto"};  // in the order of Model
+// in the order of Model
+constexpr std::string_view names[] = {"dipole", "better", "multipole", "beam", "monte-carlo", "auto"};
 constexpr const char* channel_name[] = {"red", "green", "blue"};
 
 ProfilePtr homogeneous(const optics::Medium& medium, Model model, const MonteCarloOptions& options) {
@@ -27,7 +28,8 @@ ProfilePtr homogeneous(const optics::Medium& medium, Model model, const MonteCar
 void check_reflects(const ModelledProfiles& made, const std::string& where) {
   for (int c = 0; c < 3; ++c)
     if (!(made.profiles[c]->total() > 0))
-      throw input_error(fmt::format("{}: {}", where, channel_name[c]), "reflects nothing, so there is no profile: sigma_s must be above 0");
+      throw input_error(fmt::format("{}: {}", where, channel_name[c]),
+                        "reflects nothing, so there is no profile: sigma_s must be above 0");
 }
 
 }  // namespace
@@ -41,7 +43,8 @@ Model parse_model(std::string_view name) {
 std::string_view model_name(Model model) { return names[static_cast<std::size_t>(model)]; }
 std::vector<std::string_view> model_names() { return {std::begin(names), std::end(names)}; }
 
-ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, const MonteCarloOptions& options, const std::string& where) {
+ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, const MonteCarloOptions& options,
+                               const std::string& where) {
   optics::check(medium, where);
   ModelledProfiles out;
   out.model = model;
@@ -51,17 +54,20 @@ ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, con
       if (medium[c].reduced_albedo() < medium[lowest].reduced_albedo()) lowest = c;
     const double albedo = medium[lowest].reduced_albedo();
     out.model = albedo >= diffusion_albedo ? Model::dipole : Model::monte_carlo;
-    out.reason = fmt::format("model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", albedo,
-                             channel_name[lowest], albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
+    out.reason = fmt::format(
+        "model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", albedo,
+        channel_name[lowest], albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
   for (int c = 0; c < 3; ++c) out.profiles[c] = homogeneous(medium[c], out.model, options);
   check_reflects(out, where);
   return out;
 }
 
-ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, const MonteCarloOptions& options, const std::string& where) {
+ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, const MonteCarloOptions& options,
+                               const std::string& where) {
   if (model == Model::dipole || model == Model::better || model == Model::beam)
-    throw input_error("--model", "'{}' knows no layers; layers take multipole, monte-carlo or auto", model_name(model));
+    throw input_error("--model", "'{}' knows no layers; layers take multipole, monte-carlo or auto",
+                      model_name(model));
   ModelledProfiles out;
   out.model = model;
   double lowest = 2, thinnest = 1e300;
@@ -84,12 +90,14 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
     const bool thin = thinnest < diffusion_thickness;
     out.model = lowest >= diffusion_albedo && !thin ? Model::multipole : Model::monte_carlo;
     if (lowest >= diffusion_albedo && thin)
-      out.reason =
-          fmt::format("model chosen: the thinnest layer measures {:.2f} mean free paths ({}), under {} where diffusion theory holds",
-                      thinnest, thin_place, diffusion_thickness);
+      out.reason = fmt::format(
+          "model chosen: the thinnest layer measures {:.2f} mean free paths ({}), under {} where diffusion "
+          "theory holds",
+          thinnest, thin_place, diffusion_thickness);
     else
-      out.reason = fmt::format("model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", lowest, place,
-                               lowest >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
+      out.reason = fmt::format(
+          "model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds",
+          lowest, place, lowest >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
   for (int c = 0; c < 3; ++c) {
     const optics::Layers one = optics::channel(layers, c);

@@ -23,8 +23,8 @@ std::string_view model_name(Model model);
 /// All of them, "auto" last.
 std::vector<std::string_view> model_names();
 
-/// Under this reduced albedo diffusion totals are more than a few per cent off: the dipole's by 4 % at 0.95, 10 % at 0.9, 37 % at 0.5
-/// (docs/theory.md has the table), and near the source it is off by far more.
+/// Under this reduced albedo diffusion totals are more than a few per cent off: the dipole's by 4 % at 0.95,
+/// 10 % at 0.9, 37 % at 0.5 (docs/theory.md has the table), and near the source it is off by far more.
 inline constexpr double diffusion_albedo = 0.95;
 
 /// Layers thinner than this many reduced mean free paths are beyond diffusion, too.
@@ -37,12 +37,14 @@ struct ModelledProfiles {
   std::string reason;           ///< why automatic chose it; empty if it was asked for
 };
 
-/// A homogeneous half-space. automatic: the dipole where the reduced albedo of all three channels is at least diffusion_albedo, else
-/// Monte-Carlo. InputError: values out of range.
-ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, const MonteCarloOptions& options, const std::string& where);
+/// A homogeneous half-space. automatic: the dipole where the reduced albedo of all three channels is at least
+/// diffusion_albedo, else Monte-Carlo. InputError: values out of range.
+ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, const MonteCarloOptions& options,
+                               const std::string& where);
 
-/// A stack. automatic: the multipole where every layer and channel has that albedo and that thickness, else Monte-Carlo. InputError:
-/// dipole, better and beam know no layers.
-ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, const MonteCarloOptions& options, const std::string& where);
+/// A stack. automatic: the multipole where every layer and channel has that albedo and that thickness, else
+/// Monte-Carlo. InputError: dipole, better and beam know no layers.
+ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, const MonteCarloOptions& options,
+                               const std::string& where);
 
 }  // namespace dermis::profile

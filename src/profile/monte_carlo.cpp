@@ -38,8 +38,8 @@ std::vector<PhotonLayer> prepare(const ScatterScene& scene) {
   double top = 0;
   for (const ScatterLayer& layer : scene.layers) {
     const optics::Medium& medium = layer.medium;
-    layers.push_back(
-        {top, top + layer.thickness_mm, medium.sigma_t_per_mm(), medium.sigma_s_per_mm / medium.sigma_t_per_mm(), medium.g, medium.eta});
+    layers.push_back({top, top + layer.thickness_mm, medium.sigma_t_per_mm(),
+                      medium.sigma_s_per_mm / medium.sigma_t_per_mm(), medium.g, medium.eta});
     top += layer.thickness_mm;
   }
   return layers;
@@ -51,7 +51,8 @@ std::vector<double> edges_of(const ScatterScene& scene) {
   for (const ScatterLayer& layer : scene.layers) {
     const double free = layer.medium.mean_free_path().mm;
     shortest = std::min({shortest, free, 1 / layer.medium.sigma_t_per_mm()});
-    longest = std::max(longest, std::min(30 * std::max(free, layer.medium.diffuse_mean_free_path().mm), 3000 * free));
+    longest = std::max(longest,
+                       std::min(30 * std::max(free, layer.medium.diffuse_mean_free_path().mm), 3000 * free));
   }
   return log_edges(1e-3 * shortest, std::max(longest, 30 * shortest), rings_per_decade);
 }
@@ -61,8 +62,8 @@ double standard_error(double sum, double sum2, double count) {
   return std::sqrt(std::max(0.0, sum2 / count - mean * mean) / count);
 }
 
-MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vector<double>& edges, double photons,
-                        const std::vector<double>& exact) {
+MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vector<double>& edges,
+                        double photons, const std::vector<double>& exact) {
   MonteCarloResult result;
   const std::size_t rings = edges.size() - 1;
   std::vector<double> reflected(rings), transmitted(rings), reflected2(rings);
@@ -74,15 +75,18 @@ MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vect
       transmitted[i] += tally.transmitted[i] / photons;
       reflected2[i] += tally.reflected[i] * tally.reflected[i];
     }
-    for (std::size_t i = 0; i < result.absorbed.size(); ++i) result.absorbed[i] += tally.absorbed[i] / photons;
-    r += tally.reflected_sum, r2 += tally.reflected_sum2, t += tally.transmitted_sum, t2 += tally.transmitted_sum2;
+    for (std::size_t i = 0; i < result.absorbed.size(); ++i)
+      result.absorbed[i] += tally.absorbed[i] / photons;
+    r += tally.reflected_sum, r2 += tally.reflected_sum2, t += tally.transmitted_sum,
+        t2 += tally.transmitted_sum2;
     result.ballistic += tally.ballistic / photons;
     result.cut += tally.cut / photons;
   }
   const double n = static_cast<double>(tallies.size());
   for (std::size_t i = 0; i < rings; ++i) {  // from the spread of the batches
     const double mean = reflected[i] * photons / n;
-    result.reflected_error.push_back(std::sqrt(std::max(0.0, reflected2[i] - n * mean * mean) / (n - 1) * n) / photons);
+    result.reflected_error.push_back(std::sqrt(std::max(0.0, reflected2[i] - n * mean * mean) / (n - 1) * n) /
+                                     photons);
   }
   for (std::size_t i = 0; i < rings; ++i) {
     reflected[i] += exact[i];
@@ -104,15 +108,18 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
   std::mutex mutex;
   std::size_t finished = 0;
   parallel_for(batches, [&](std::size_t batch) {
-    const std::uint64_t begin = options.photons * batch / batches, end = options.photons * (batch + 1) / batches;
+    const std::uint64_t begin = options.photons * batch / batches,
+                        end = options.photons * (batch + 1) / batches;
     PhotonTally tally = tallies[batch];  // a copy of its own: neighbours in memory would slow each other down
-    for (std::uint64_t photon = begin; photon < end; ++photon) trace_photon(layers, scene.light, PhotonRandom(options.seed, photon), tally);
+    for (std::uint64_t photon = begin; photon < end; ++photon)
+      trace_photon(layers, scene.light, PhotonRandom(options.seed, photon), tally);
     tallies[batch] = std::move(tally);
     if (!options.progress) return;
     const std::lock_guard lock(mutex);
     options.progress(static_cast<double>(++finished) / batches);
   });
-  const auto exact = empty.leave_single_out ? single_rings(layers, edges) : std::vector<double>(edges.size() - 1, 0.0);
+  const auto exact =
+      empty.leave_single_out ? single_rings(layers, edges) : std::vector<double>(edges.size() - 1, 0.0);
   return gather(tallies, edges, static_cast<double>(options.photons), exact);
 }
 
@@ -140,7 +147,9 @@ double MonteCarloResult::noise_percent() const {
   return s.signal_per_mm2 > 0 ? 100 * std::sqrt(s.error_per_mm2 / s.signal_per_mm2) : 0;
 }
 
-ScatterScene scene_of(const optics::Medium& medium) { return {.layers = {{medium, std::numeric_limits<double>::infinity()}}}; }
+ScatterScene scene_of(const optics::Medium& medium) {
+  return {.layers = {{medium, std::numeric_limits<double>::infinity()}}};
+}
 
 ScatterScene scene_of(const optics::Layers& layers) {
   ScatterScene scene;
@@ -148,7 +157,8 @@ ScatterScene scene_of(const optics::Layers& layers) {
   return scene;
 }
 
-std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene, const MonteCarloOptions& options) {
+std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene,
+                                                    const MonteCarloOptions& options) {
   check(scene, options);
   const std::string key = cache_key(scene, options);
   if (auto found = cached(key, options.cache)) {
@@ -162,17 +172,21 @@ std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene, c
 
 MonteCarloProfile::MonteCarloProfile(const ScatterScene& scene, const MonteCarloOptions& options)
     : result_(monte_carlo(scene, options)), inner_mm_(HUGE_VAL) {
-  for (const ScatterLayer& layer : scene.layers) inner_mm_ = std::min(inner_mm_, layer.medium.mean_free_path().mm);
+  for (const ScatterLayer& layer : scene.layers)
+    inner_mm_ = std::min(inner_mm_, layer.medium.mean_free_path().mm);
 }
 
 double MonteCarloProfile::at(double radius_mm) const {
   const auto& edges = result_->reflected.edges_mm();
-  const auto centre = [&](std::size_t ring) { return std::sqrt(edges[ring] * edges[ring + 1]); };  // rings 1 and up; ring 0 reaches to 0
+  // rings 1 and up; ring 0 reaches to 0
+  const auto centre = [&](std::size_t ring) { return std::sqrt(edges[ring] * edges[ring + 1]); };
   const auto density = [&](std::size_t ring) { return result_->reflected.density_per_mm2(ring); };
   const std::size_t last = edges.size() - 2;
   if (radius_mm >= edges.back()) return 0;
-  if (radius_mm <= centre(1)) return density(1) * centre(1) / std::max(radius_mm, 1e-300);  // 1/r: light scattered once
-  std::size_t i = static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), radius_mm) - edges.begin()) - 1;
+  // 1/r: light scattered once
+  if (radius_mm <= centre(1)) return density(1) * centre(1) / std::max(radius_mm, 1e-300);
+  std::size_t i =
+      static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), radius_mm) - edges.begin()) - 1;
   if (radius_mm < centre(i)) --i;
   if (i >= last) return density(last);
   const double part = std::log(radius_mm / centre(i)) / std::log(centre(i + 1) / centre(i));

@@ -31,7 +31,8 @@ std::uint64_t fnv1a(std::string_view text) {
 }
 
 std::filesystem::path file_of(const std::string& key, const std::filesystem::path& folder) {
-  return folder / fmt::format("monte-carlo-{:016x}.txt", fnv1a(key));  // the key inside the file settles collisions
+  // the key inside the file settles collisions
+  return folder / fmt::format("monte-carlo-{:016x}.txt", fnv1a(key));
 }
 
 /// The last line of a file. A changed digit would be a wrong skin that nobody notices.
@@ -39,13 +40,15 @@ std::string checksum_line(std::string_view body) { return fmt::format("checksum 
 
 void put(std::string& text, const std::vector<double>& values) {
   text += fmt::format("{}", values.size());
-  for (const double value : values) text += fmt::format(" {}", value);  // fmt prints the shortest text that reads back exactly
+  // fmt prints the shortest text that reads back exactly
+  for (const double value : values) text += fmt::format(" {}", value);
   text += '\n';
 }
 
 std::string write(const std::string& key, const MonteCarloResult& r) {
   std::string text = key + "\n";
-  put(text, {r.reflected_total, r.reflected_total_error, r.transmitted_total, r.transmitted_total_error, r.ballistic, r.cut});
+  put(text, {r.reflected_total, r.reflected_total_error, r.transmitted_total, r.transmitted_total_error,
+             r.ballistic, r.cut});
   put(text, r.absorbed);
   put(text, r.reflected.edges_mm());
   put(text, r.reflected.energies());
@@ -71,13 +74,16 @@ std::optional<MonteCarloResult> read(const std::string& key, const std::string& 
   std::vector<double> totals, edges, reflected, transmitted;
   MonteCarloResult r;
   if (!std::getline(in, line) || line != key) return std::nullopt;
-  if (!get(in, totals, 6) || !get(in, r.absorbed, 0) || !get(in, edges, 0) || edges.size() < 3) return std::nullopt;
+  if (!get(in, totals, 6) || !get(in, r.absorbed, 0) || !get(in, edges, 0) || edges.size() < 3)
+    return std::nullopt;
   const std::size_t rings = edges.size() - 1;
-  if (!get(in, reflected, rings) || !get(in, r.reflected_error, rings) || !get(in, transmitted, rings)) return std::nullopt;
+  if (!get(in, reflected, rings) || !get(in, r.reflected_error, rings) || !get(in, transmitted, rings))
+    return std::nullopt;
   for (std::size_t i = 0; i < rings; ++i)
     if (!(edges[i] < edges[i + 1])) return std::nullopt;
   r.reflected_total = totals[0], r.reflected_total_error = totals[1];
-  r.transmitted_total = totals[2], r.transmitted_total_error = totals[3], r.ballistic = totals[4], r.cut = totals[5];
+  r.transmitted_total = totals[2], r.transmitted_total_error = totals[3], r.ballistic = totals[4],
+  r.cut = totals[5];
   r.reflected = Annuli(edges, std::move(reflected));
   r.transmitted = Annuli(std::move(edges), std::move(transmitted));
   return r;
@@ -92,11 +98,12 @@ void keep(const std::string& key, const std::shared_ptr<const MonteCarloResult>&
 }  // namespace
 
 std::string cache_key(const ScatterScene& scene, const MonteCarloOptions& options) {
-  std::string key =
-      fmt::format("dermis monte-carlo 3 photons {} seed {} light {}", options.photons, options.seed, static_cast<int>(scene.light));
+  std::string key = fmt::format("dermis monte-carlo 3 photons {} seed {} light {}", options.photons,
+                                options.seed, static_cast<int>(scene.light));
   for (const ScatterLayer& layer : scene.layers) {
     const optics::Medium& m = layer.medium;
-    key += fmt::format(" | {:a} {:a} {:a} {:a} {:a}", m.sigma_a_per_mm, m.sigma_s_per_mm, m.g, m.eta, layer.thickness_mm);
+    key += fmt::format(" | {:a} {:a} {:a} {:a} {:a}", m.sigma_a_per_mm, m.sigma_s_per_mm, m.g, m.eta,
+                       layer.thickness_mm);
   }
   return key;
 }
@@ -119,7 +126,8 @@ std::shared_ptr<const MonteCarloResult> cached(const std::string& key, const std
   } catch (const InputError&) { return nullptr; }
 }
 
-void remember(const std::string& key, const std::filesystem::path& folder, const std::shared_ptr<const MonteCarloResult>& result) {
+void remember(const std::string& key, const std::filesystem::path& folder,
+              const std::shared_ptr<const MonteCarloResult>& result) {
   keep(key, result);
   if (folder.empty()) return;
   try {

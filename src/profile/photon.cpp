@@ -30,8 +30,8 @@ Vector scatter(const Vector& d, double g, PhotonRandom& random) {
   if (g == 0) return {sine * cp, sine * sp, cosine};  // isotropic: the old direction does not matter
   const double flat = std::sqrt(std::max(0.0, 1 - d.z * d.z));
   if (flat < 1e-6) return {sine * cp, sine * sp, d.z > 0 ? cosine : -cosine};
-  return {sine * (d.x * d.z * cp - d.y * sp) / flat + d.x * cosine, sine * (d.y * d.z * cp + d.x * sp) / flat + d.y * cosine,
-          -sine * cp * flat + d.z * cosine};
+  return {sine * (d.x * d.z * cp - d.y * sp) / flat + d.x * cosine,
+          sine * (d.y * d.z * cp + d.x * sp) / flat + d.y * cosine, -sine * cp * flat + d.z * cosine};
 }
 
 struct Photon {
@@ -53,7 +53,8 @@ void enter(Photon& photon, double eta, ScatterScene::Light light, PhotonRandom& 
   photon.to = {sine, 0, std::sqrt(1 - sine * sine)};
 }
 
-/// At the top or bottom of the present layer: counts what leaves the skin, or goes on in the next layer, or turns back.
+/// At the top or bottom of the present layer: counts what leaves the skin, or goes on in the next layer, or
+/// turns back.
 void cross(const std::vector<PhotonLayer>& layers, Photon& photon, PhotonRandom& random, PhotonTally& tally) {
   const bool up = photon.to.z < 0;
   const bool outside = up ? photon.layer == 0 : photon.layer + 1 == layers.size();
@@ -82,7 +83,8 @@ void cross(const std::vector<PhotonLayer>& layers, Photon& photon, PhotonRandom&
     return;
   }
   const double sine_scale = n, z2 = 1 - n * n * (1 - photon.to.z * photon.to.z);
-  photon.to = {photon.to.x * sine_scale, photon.to.y * sine_scale, (up ? -1 : 1) * std::sqrt(std::max(0.0, z2))};
+  photon.to = {photon.to.x * sine_scale, photon.to.y * sine_scale,
+               (up ? -1 : 1) * std::sqrt(std::max(0.0, z2))};
   photon.layer += up ? -1 : 1;
 }
 
@@ -101,7 +103,8 @@ void PhotonTally::add(std::vector<double>& rings, double radius2_mm2, double wei
   rings[static_cast<std::size_t>(std::clamp(ring, 0.0, static_cast<double>(rings.size() - 1)))] += weight;
 }
 
-void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light light, PhotonRandom random, PhotonTally& tally) {
+void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light light, PhotonRandom random,
+                  PhotonTally& tally) {
   Photon photon;
   enter(photon, layers[0].eta, light, random);
   double depth_left = -std::log(random.next());  // optical, to the next scattering
@@ -112,9 +115,11 @@ void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light li
                                           : HUGE_VAL;
     const double step = depth_left / layer.sigma_t_per_mm;
     const double moved = std::min(step, std::max(wall, 0.0));
-    photon.at = {photon.at.x + moved * photon.to.x, photon.at.y + moved * photon.to.y, photon.at.z + moved * photon.to.z};
+    photon.at = {photon.at.x + moved * photon.to.x, photon.at.y + moved * photon.to.y,
+                 photon.at.z + moved * photon.to.z};
     if (step >= wall) {
-      photon.at.z = photon.to.z > 0 ? layer.bottom_mm : layer.top_mm;  // exactly: rounding must not leave it outside
+      // exactly: rounding must not leave it outside
+      photon.at.z = photon.to.z > 0 ? layer.bottom_mm : layer.top_mm;
       depth_left -= moved * layer.sigma_t_per_mm;
       cross(layers, photon, random, tally);
       continue;
@@ -126,12 +131,14 @@ void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light li
       tally.cut += photon.weight;
       break;
     }
-    if (photon.weight < roulette_below) photon.weight = random.next() < roulette_survivors ? photon.weight / roulette_survivors : 0;
+    if (photon.weight < roulette_below)
+      photon.weight = random.next() < roulette_survivors ? photon.weight / roulette_survivors : 0;
     photon.to = scatter(photon.to, layer.g, random);
     depth_left = -std::log(random.next());
   }
   tally.reflected_sum += photon.reflected, tally.reflected_sum2 += photon.reflected * photon.reflected;
-  tally.transmitted_sum += photon.transmitted, tally.transmitted_sum2 += photon.transmitted * photon.transmitted;
+  tally.transmitted_sum += photon.transmitted,
+      tally.transmitted_sum2 += photon.transmitted * photon.transmitted;
 }
 
 }  // namespace dermis::profile

@@ -10,11 +10,13 @@
 
 namespace dermis::profile {
 
-/// Counter-based random numbers: number n of photon p depends on (seed, p, n) alone, so threads cannot change it. The mixer is
-/// splitmix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators. OOPSLA 2014).
+/// Counter-based random numbers: number n of photon p depends on (seed, p, n) alone, so threads cannot change
+/// it. The mixer is splitmix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators. OOPSLA
+/// 2014).
 class PhotonRandom {
  public:
-  PhotonRandom(std::uint64_t seed, std::uint64_t photon) : state_(mix(mix(seed) ^ mix(photon + 0x632BE59BD9B4E019u))) {}
+  PhotonRandom(std::uint64_t seed, std::uint64_t photon)
+      : state_(mix(mix(seed) ^ mix(photon + 0x632BE59BD9B4E019u))) {}
   /// In (0, 1), both ends excluded.
   double next() {
     state_ += 0x9E3779B97F4A7C15u;
@@ -39,16 +41,19 @@ struct PhotonLayer {
 /// Where a batch of photons is counted. One per batch: no locks.
 struct PhotonTally {
   explicit PhotonTally(const std::vector<double>& edges_mm, std::size_t layers);
-  /// Adds weight (part of a photon) to the ring that holds the distance sqrt(radius2_mm2) >= 0; past the last edge to the last ring.
+  /// Adds weight (part of a photon) to the ring that holds the distance sqrt(radius2_mm2) >= 0; past the last
+  /// edge to the last ring.
   void add(std::vector<double>& rings, double radius2_mm2, double weight) const;
 
   double log_inner, rings_per_log;  // radius^2 to ring
   std::vector<double> reflected, transmitted, absorbed;
   bool leave_single_out = false;  // what single_rings() knows is not counted
-  double reflected_sum = 0, reflected_sum2 = 0, transmitted_sum = 0, transmitted_sum2 = 0, ballistic = 0, cut = 0;
+  double reflected_sum = 0, reflected_sum2 = 0, transmitted_sum = 0, transmitted_sum2 = 0, ballistic = 0,
+         cut = 0;
 };
 
 /// Traces photon number `photon` and counts it.
-void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light light, PhotonRandom random, PhotonTally& tally);
+void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light light, PhotonRandom random,
+                  PhotonTally& tally);
 
 }  // namespace dermis::profile

@@ -24,7 +24,8 @@ double ring_energy(const RadialProfile& profile, double low, double high) {
     }
   };
   const std::span<const double> breaks = profile.break_points_mm();
-  for (auto next = std::upper_bound(breaks.begin(), breaks.end(), low); next != breaks.end() && *next < high; ++next) {
+  for (auto next = std::upper_bound(breaks.begin(), breaks.end(), low); next != breaks.end() && *next < high;
+       ++next) {
     add_piece(low, *next);
     low = *next;
   }
@@ -40,7 +41,8 @@ const Annuli& RadialProfile::annuli() const {
     std::vector<double> energies;
     const double core_mm = edges[1];  // so small that R is either flat or 1/r there
     energies.push_back((has_pole() ? 2 : 1) * pi * core_mm * core_mm * at(core_mm));
-    for (std::size_t i = 1; i + 1 < edges.size(); ++i) energies.push_back(ring_energy(*this, edges[i], edges[i + 1]));
+    for (std::size_t i = 1; i + 1 < edges.size(); ++i)
+      energies.push_back(ring_energy(*this, edges[i], edges[i + 1]));
     annuli_ = Annuli(std::move(edges), std::move(energies));
   });
   return annuli_;
@@ -56,7 +58,9 @@ double inverse_hankel(const RadialProfile& profile, double radius_mm) {
       sum += profile.hankel(k) * ::j0(k * radius_mm) * k * k * step;
     return sum / (2 * pi);
   }
-  const auto integrand = [&](double x) { return x / radius_mm > k_max ? 0.0 : profile.hankel(x / radius_mm) * x; };
+  const auto integrand = [&](double x) {
+    return x / radius_mm > k_max ? 0.0 : profile.hankel(x / radius_mm) * x;
+  };
   return optics::bessel_j0_integral(integrand) / (2 * pi * radius_mm * radius_mm);
 }
 

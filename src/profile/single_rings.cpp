@@ -17,8 +17,8 @@ using std::numbers::pi;
 double turn_of(double g, double mu) { return (1 + g) * (1 + g) - 2 * g * (1 - mu); }
 
 /// What a scattering at depth t with optical depth tau adds to every ring, times `weight`.
-void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, const PhotonLayer& layer, double t, double tau,
-               double weight) {
+void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, const PhotonLayer& layer,
+               double t, double tau, double weight) {
   static const std::vector<optics::Node> rule = optics::gauss_legendre(6, 0, 1);
   const double critical = layer.eta > 1 ? std::sqrt(1 - 1 / (layer.eta * layer.eta)) : 0;
   double high = 1;
@@ -28,12 +28,14 @@ void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, 
     const auto leaves = [&](double mu) { return std::exp(-tau / mu) * (1 - optics::fresnel(mu, layer.eta)); };
     double sum = 0;
     if (i == 0 && layer.g < -0.5) {
-      // All of a backward lobe may lie here: in s = turn^{-1/2} it is flat, p_HG dmu = (1 - g^2) / (4 pi |g|) ds
+      // All of a backward lobe may lie here: in s = turn^{-1/2} it is flat, p_HG dmu = (1 - g^2) / (4 pi |g|)
+      // ds
       const double lowest = 1 / std::sqrt(turn_of(layer.g, low)), highest = 1 / (1 + layer.g);
       for (const optics::Node& node : rule) {
         const double s = lowest + (highest - lowest) * node.x;
         const double mu = 1 - (1 / (s * s) - (1 + layer.g) * (1 + layer.g)) / (-2 * layer.g);
-        sum += node.weight * (highest - lowest) * (1 - layer.g) * (1 + layer.g) / (4 * pi * -layer.g) * leaves(mu);
+        sum += node.weight * (highest - lowest) * (1 - layer.g) * (1 + layer.g) / (4 * pi * -layer.g) *
+               leaves(mu);
       }
     } else {
       for (const optics::Node& node : rule) {
@@ -52,10 +54,12 @@ void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, 
 
 bool single_is_exact(const std::vector<PhotonLayer>& layers, ScatterScene::Light light) {
   return light == ScatterScene::Light::perpendicular &&
-         std::all_of(layers.begin(), layers.end(), [&](const PhotonLayer& layer) { return layer.eta == layers[0].eta; });
+         std::all_of(layers.begin(), layers.end(),
+                     [&](const PhotonLayer& layer) { return layer.eta == layers[0].eta; });
 }
 
-std::vector<double> single_rings(const std::vector<PhotonLayer>& layers, const std::vector<double>& edges_mm) {
+std::vector<double> single_rings(const std::vector<PhotonLayer>& layers,
+                                 const std::vector<double>& edges_mm) {
   std::vector<double> rings(edges_mm.size() - 1, 0.0);
   double tau_above = 0;
   for (const PhotonLayer& layer : layers) {

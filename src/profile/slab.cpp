@@ -22,7 +22,8 @@ double flux(double z, double radius, double s) {
 
 TwoFlux multipole_sums(double kappa, double l, double d, double z_b0, double z_bd) {
   const double period = 2 * (d + z_b0 + z_bd);
-  if (kappa * period < 1e-7) return {1 - 2 * (l + z_b0) / period, 2 * (l + z_b0) / period};  // the limit kappa -> 0
+  // the limit kappa -> 0
+  if (kappa * period < 1e-7) return {1 - 2 * (l + z_b0) / period, 2 * (l + z_b0) / period};
   const auto e = [kappa](double z) { return std::exp(-z * kappa); };
   const double all = -std::expm1(-period * kappa);
   return {(e(l) - e(period - l) - e(period - l - 2 * z_b0) + e(l + 2 * z_b0)) / (2 * all),
@@ -44,7 +45,8 @@ Multipole::Multipole(const optics::Layer& layer, double eta_above, double eta_be
 double Multipole::inner_mm() const { return thin_ ? std::min(source_mm_, thickness_mm_ / 2) : source_mm_; }
 
 double Multipole::outer_mm() const {
-  // Where nothing else ends the tail it is a power law without a length: a thousand mean free paths hold 99.9 % of the light.
+  // Where nothing else ends the tail it is a power law without a length: a thousand mean free paths hold 99.9
+  // % of the light.
   const double reach = std::min(sigma_tr_per_mm_ > 0 ? 1 / sigma_tr_per_mm_ : HUGE_VAL, 1000 * source_mm_);
   // Without absorption light leaves through the boundaries: the slowest mode decays over period / (2 pi).
   const double leak = (thickness_mm_ + above_mm_ + below_mm_) / pi;
@@ -56,13 +58,18 @@ Spectra Multipole::closed_sums(double k_per_mm, double thickness_mm) const {
   const TwoFlux above = multipole_sums(kappa, source_mm_, thickness_mm, above_mm_, below_mm_);
   const TwoFlux below = multipole_sums(kappa, source_mm_, thickness_mm, below_mm_, above_mm_);
   const double a = reduced_albedo_;
-  return {a * above.reflect, a * above.transmit, a * below.reflect, a * below.transmit, {a * above.reflect, a * above.transmit, 0}};
+  return {a * above.reflect,
+          a * above.transmit,
+          a * below.reflect,
+          a * below.transmit,
+          {a * above.reflect, a * above.transmit, 0}};
 }
 
 Spectra Multipole::spectra(double k_per_mm) const {
   if (!std::isfinite(thickness_mm_)) {  // the dipole
     const double kappa = std::hypot(sigma_tr_per_mm_, k_per_mm);
-    const double reflect = reduced_albedo_ / 2 * (std::exp(-source_mm_ * kappa) + std::exp(-(source_mm_ + 2 * above_mm_) * kappa));
+    const double reflect = reduced_albedo_ / 2 *
+                           (std::exp(-source_mm_ * kappa) + std::exp(-(source_mm_ + 2 * above_mm_) * kappa));
     return {.reflect_above = reflect, .beam = {.reflect = reflect}};
   }
   if (!thin_) return closed_sums(k_per_mm, thickness_mm_);
@@ -77,7 +84,8 @@ double Multipole::image_sum(double radius_mm, bool transmitted) const {
   const auto dipole = [&](int i) {
     const double real = period * i + source_mm_, image = period * i - source_mm_ - 2 * above_mm_;
     const double depth = transmitted ? thickness_mm_ : 0, sign = transmitted ? -1 : 1;
-    return flux(sign * (real - depth), radius_mm, sigma_tr_per_mm_) - flux(sign * (image - depth), radius_mm, sigma_tr_per_mm_);
+    return flux(sign * (real - depth), radius_mm, sigma_tr_per_mm_) -
+           flux(sign * (image - depth), radius_mm, sigma_tr_per_mm_);
   };
   sum = dipole(0);
   if (!std::isfinite(thickness_mm_)) return transmitted ? 0 : reduced_albedo_ / (4 * pi) * sum;
@@ -109,23 +117,26 @@ Spectra add(const Spectra& upper, const Spectra& lower) {
   const double bounces = 1 / (1 - lower.reflect_above * upper.reflect_below);
   const double turned = upper.beam.transmit - upper.beam.straight;
   const double up = (upper.beam.straight * lower.beam.reflect + lower.reflect_above * turned) * bounces;
-  return {upper.reflect_above + upper.transmit_above * lower.reflect_above * upper.transmit_below * bounces,
-          upper.transmit_above * lower.transmit_above * bounces,
-          lower.reflect_below + lower.transmit_below * upper.reflect_below * lower.transmit_above * bounces,
-          lower.transmit_below * upper.transmit_below * bounces,
-          {upper.beam.reflect + upper.transmit_below * up,
-           upper.beam.straight * lower.beam.transmit + lower.transmit_above * (turned + upper.reflect_below * up),
-           upper.beam.straight * lower.beam.straight}};
+  return {
+      upper.reflect_above + upper.transmit_above * lower.reflect_above * upper.transmit_below * bounces,
+      upper.transmit_above * lower.transmit_above * bounces,
+      lower.reflect_below + lower.transmit_below * upper.reflect_below * lower.transmit_above * bounces,
+      lower.transmit_below * upper.transmit_below * bounces,
+      {upper.beam.reflect + upper.transmit_below * up,
+       upper.beam.straight * lower.beam.transmit + lower.transmit_above * (turned + upper.reflect_below * up),
+       upper.beam.straight * lower.beam.straight}};
 }
 
-LayeredProfile::LayeredProfile(const optics::Layers& layers, Side side, const std::string& where) : side_(side) {
+LayeredProfile::LayeredProfile(const optics::Layers& layers, Side side, const std::string& where)
+    : side_(side) {
   optics::check(layers, where);
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    const double eta_above = i == 0 ? 1 : layers[i - 1].eta, eta_below = i + 1 == layers.size() ? 1 : layers[i + 1].eta;
+    const double eta_above = i == 0 ? 1 : layers[i - 1].eta,
+                 eta_below = i + 1 == layers.size() ? 1 : layers[i + 1].eta;
     slabs_.emplace_back(layers[i], eta_above, eta_below);
   }
-  // Light from below a thin top layer still passes through it, so the finest structure is that of the finest layer,
-  // and the longest reach that of the farthest-reaching one.
+  // Light from below a thin top layer still passes through it, so the finest structure is that of the finest
+  // layer, and the longest reach that of the farthest-reaching one.
   inner_mm_ = slabs_[0].inner_mm(), outer_mm_ = slabs_[0].outer_mm();
   for (const Multipole& slab : slabs_) {
     inner_mm_ = std::min(inner_mm_, slab.inner_mm());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Layers: a slab by many dipoles (multipole), and stacks of slabs by adding, both per spatial frequency, where all sums close.
-// Based on: [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered Translucent Materials. SIGGRAPH 2005
+// Layers: a slab by many dipoles (multipole), and stacks of slabs by adding, both per spatial frequency,
+// where all sums close. Based on: [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered Translucent
+// Materials. SIGGRAPH 2005
 #pragma once
 
 #include <string>
@@ -10,8 +11,9 @@
 
 namespace dermis::profile {
 
-/// What a layer (or a stack) does at one spatial frequency; dimensionless, 0..1 at k = 0. Diffuse light and a beam are kept apart because a
-/// beam that nothing has turned yet leaves through the far boundary, where diffuse light is mostly reflected back.
+/// What a layer (or a stack) does at one spatial frequency; dimensionless, 0..1 at k = 0. Diffuse light and a
+/// beam are kept apart because a beam that nothing has turned yet leaves through the far boundary, where
+/// diffuse light is mostly reflected back.
 struct Spectra {
   double reflect_above = 0;   ///< R+, diffuse light from above
   double transmit_above = 0;  ///< T+, from above to below
@@ -27,16 +29,19 @@ struct Spectra {
 struct TwoFlux {
   double reflect, transmit;
 };
-/// The closed sums of Multipole below, over alpha', for light that enters at the side of z_b0; d > l, lengths and 1/kappa in one unit.
+/// The closed sums of Multipole below, over alpha', for light that enters at the side of z_b0; d > l, lengths
+/// and 1/kappa in one unit.
 TwoFlux multipole_sums(double kappa, double l, double d, double z_b0, double z_bd);
 
-/// One layer between two media of index eta_above and eta_below: the multipole of [DJ05] sec. 3, summed in closed form. With l =
-/// 1/sigma_t', z_b = 2 A D at either side, P = 2 (d + z_b0 + z_bd), kappa = sqrt(sigma_tr^2 + k^2):
-///   R^ = alpha'/2 [ e^{-l kappa} - e^{-(P-l) kappa} - e^{-(P-l-2 z_b0) kappa} + e^{-(l+2 z_b0) kappa} ] / (1 - e^{-P kappa})
-///   T^ = alpha'/2 [ e^{-(d-l) kappa} - e^{-(P+l-d) kappa} - e^{-(d+l+2 z_b0) kappa} + e^{-(d+2 z_bd-l) kappa} ] / (1 - e^{-P kappa}).
-/// Departure: diffusion has nothing to say of layers of about one mean free path and less. Under thin_limit() of them R and T come from
-/// profile/thin_slab.h instead: a vanishing layer vanishes, energy is kept, and two such halves are the whole within 0.04 (indices up to
-/// 1.6; measured in docs/theory.md).
+/// One layer between two media of index eta_above and eta_below: the multipole of [DJ05] sec. 3, summed in
+/// closed form. With l = 1/sigma_t', z_b = 2 A D at either side, P = 2 (d + z_b0 + z_bd), kappa =
+/// sqrt(sigma_tr^2 + k^2):
+///   R^ = alpha'/2 [ e^{-l kappa} - e^{-(P-l) kappa} - e^{-(P-l-2 z_b0) kappa} + e^{-(l+2 z_b0) kappa} ] / (1
+///   - e^{-P kappa}) T^ = alpha'/2 [ e^{-(d-l) kappa} - e^{-(P+l-d) kappa} - e^{-(d+l+2 z_b0) kappa} +
+///   e^{-(d+2 z_bd-l) kappa} ] / (1 - e^{-P kappa}).
+/// Departure: diffusion has nothing to say of layers of about one mean free path and less. Under thin_limit()
+/// of them R and T come from profile/thin_slab.h instead: a vanishing layer vanishes, energy is kept, and two
+/// such halves are the whole within 0.04 (indices up to 1.6; measured in docs/theory.md).
 class Multipole {
  public:
   /// layer as optics::check wants it; an infinite thickness makes it the dipole, which transmits nothing.
@@ -50,7 +55,8 @@ class Multipole {
   double inner_mm() const;
   double outer_mm() const;
 
-  /// R(r) and T(r) for a beam from above [1/mm^2], summed image by image until terms fall under 1e-7 of the sum; not for thin() slabs.
+  /// R(r) and T(r) for a beam from above [1/mm^2], summed image by image until terms fall under 1e-7 of the
+  /// sum; not for thin() slabs.
   double reflectance_at(double radius_mm) const;
   double transmittance_at(double radius_mm) const;
 
@@ -71,8 +77,8 @@ class Multipole {
 class SlabProfile final : public RadialProfile {
  public:
   enum class Side { reflected, transmitted };
-  /// layer with a thickness > 0 mm that may be infinite; eta_above and eta_below are the indices of what lies on its two sides, relative to
-  /// air as the layer's own, 1 to 3 (1: air).
+  /// layer with a thickness > 0 mm that may be infinite; eta_above and eta_below are the indices of what lies
+  /// on its two sides, relative to air as the layer's own, 1 to 3 (1: air).
   SlabProfile(const optics::Layer& layer, Side side, double eta_above = 1, double eta_below = 1);
 
   double at(double radius_mm) const override;
@@ -80,15 +86,17 @@ class SlabProfile final : public RadialProfile {
   double inner_mm() const override { return slab_.inner_mm(); }
   double outer_mm() const override { return slab_.outer_mm(); }
   bool hankel_is_exact() const override { return true; }
-  std::string name() const override { return side_ == Side::reflected ? "multipole" : "multipole, transmitted"; }
+  std::string name() const override {
+    return side_ == Side::reflected ? "multipole" : "multipole, transmitted";
+  }
 
  private:
   Multipole slab_;
   Side side_;
 };
 
-/// Light of a beam that leaves a stack. [DJ05] sec. 4, per frequency, folded from the bottom, see add(). An index step between layers
-/// enters through A only.
+/// Light of a beam that leaves a stack. [DJ05] sec. 4, per frequency, folded from the bottom, see add(). An
+/// index step between layers enters through A only.
 class LayeredProfile final : public RadialProfile {
  public:
   using Side = SlabProfile::Side;
@@ -113,7 +121,8 @@ class LayeredProfile final : public RadialProfile {
 
 /// Two layers, `upper` above `lower`, as one. [DJ05] eq. 15 to 17:
 ///   R12+ = R1+ + T1+ R2+ T1- / (1 - R2+ R1-),  T12+ = T1+ T2+ / (1 - R2+ R1-), and the same from below.
-/// A beam b reaches the lower layer as s1 of beam and t1 - s1 of diffuse light, and y = (s1 r2 + R2+ (t1 - s1)) / (1 - R2+ R1-) comes up:
+/// A beam b reaches the lower layer as s1 of beam and t1 - s1 of diffuse light, and y = (s1 r2 + R2+ (t1 -
+/// s1)) / (1 - R2+ R1-) comes up:
 ///   r12 = r1 + T1- y,  t12 = s1 t2 + T2+ (t1 - s1 + R1- y),  s12 = s1 s2.
 Spectra add(const Spectra& upper, const Spectra& lower);
 

@@ -35,7 +35,8 @@ std::vector<optics::Rgb> sample_weights() {
   return weights;
 }
 
-/// A model for skin, and why: diffusion theory wants a high albedo and thick layers, here at every wavelength.
+/// A model for skin, and why: diffusion theory wants a high albedo and thick layers, here at every
+/// wavelength.
 std::pair<Model, std::string> choose(const optics::Skin& skin) {
   double albedo = 2, albedo_nm = 0, thickness = HUGE_VAL, thickness_nm = 0;
   for (std::size_t i = 0; i < samples; ++i)
@@ -46,18 +47,20 @@ std::pair<Model, std::string> choose(const optics::Skin& skin) {
       if (optical < thickness) thickness = optical, thickness_nm = sample_nm(i);
     }
   if (albedo >= diffusion_albedo && thickness < diffusion_thickness)
-    return {Model::monte_carlo,
-            fmt::format("model chosen: the epidermis measures {:.2f} mean free paths ({} nm), under {} where diffusion theory holds",
-                        thickness, thickness_nm, diffusion_thickness)};
+    return {Model::monte_carlo, fmt::format("model chosen: the epidermis measures {:.2f} mean free paths ({} "
+                                            "nm), under {} where diffusion theory holds",
+                                            thickness, thickness_nm, diffusion_thickness)};
   const bool high = albedo >= diffusion_albedo;
   return {high ? Model::multipole : Model::monte_carlo,
-          fmt::format("model chosen: the lowest reduced albedo is {:.3f} ({} nm), {} {} where diffusion theory holds", albedo, albedo_nm,
-                      high ? "not under" : "under", diffusion_albedo)};
+          fmt::format(
+              "model chosen: the lowest reduced albedo is {:.3f} ({} nm), {} {} where diffusion theory holds",
+              albedo, albedo_nm, high ? "not under" : "under", diffusion_albedo)};
 }
 
 }  // namespace
 
-WeightedProfile::WeightedProfile(std::vector<Part> parts, double total, std::string name, const std::string& where)
+WeightedProfile::WeightedProfile(std::vector<Part> parts, double total, std::string name,
+                                 const std::string& where)
     : parts_(std::move(parts)), name_(std::move(name)) {
   double own = 0;
   for (const Part& part : parts_) {
@@ -67,7 +70,8 @@ WeightedProfile::WeightedProfile(std::vector<Part> parts, double total, std::str
     exact_ = exact_ && part.profile->hankel_is_exact();
     pole_ = pole_ || part.profile->has_pole();
   }
-  if (!(own > 0) || !(total > 0)) throw input_error(where, "this skin is so saturated that a channel of linear Rec.709 is not above 0");
+  if (!(own > 0) || !(total > 0))
+    throw input_error(where, "this skin is so saturated that a channel of linear Rec.709 is not above 0");
   for (Part& part : parts_) part.weight *= total / own;
 }
 
@@ -99,11 +103,14 @@ double WeightedProfile::quantile(double p) const {
   return std::exp(high);
 }
 
-ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const MonteCarloOptions& options, const std::string& where) {
+ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const MonteCarloOptions& options,
+                               const std::string& where) {
   optics::check(skin, where);
-  check_photons(options.photons, "photons");  // the caller's own number, before it is shared among the wavelengths
+  // the caller's own number, before it is shared among the wavelengths
+  check_photons(options.photons, "photons");
   if (model == Model::dipole || model == Model::better || model == Model::beam)
-    throw input_error("--model", "'{}' knows no layers; spectral skin takes multipole, monte-carlo or auto", model_name(model));
+    throw input_error("--model", "'{}' knows no layers; spectral skin takes multipole, monte-carlo or auto",
+                      model_name(model));
   ModelledProfiles out;
   out.model = model;
   if (model == Model::automatic) std::tie(out.model, out.reason) = choose(skin);
@@ -123,10 +130,12 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
     }
     for (int c = 0; c < 3; ++c) parts[c].push_back({weights[i][c], one});
   }
-  const std::string name = out.model == Model::monte_carlo ? "Monte-Carlo, 31 wavelengths" : "multipole, 31 wavelengths";
+  const std::string name =
+      out.model == Model::monte_carlo ? "Monte-Carlo, 31 wavelengths" : "multipole, 31 wavelengths";
   constexpr const char* channel[] = {"red", "green", "blue"};
   for (int c = 0; c < 3; ++c)
-    out.profiles[c] = std::make_shared<WeightedProfile>(std::move(parts[c]), exact[c], name, where + ": " + channel[c]);
+    out.profiles[c] =
+        std::make_shared<WeightedProfile>(std::move(parts[c]), exact[c], name, where + ": " + channel[c]);
   return out;
 }
 

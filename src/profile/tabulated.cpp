@@ -16,7 +16,8 @@ using std::numbers::pi;
 constexpr std::size_t max_rows = 100'000;
 
 std::string_view trim(std::string_view text) {
-  while (!text.empty() && (text.back() == '\r' || text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  while (!text.empty() && (text.back() == '\r' || text.back() == ' ' || text.back() == '\t'))
+    text.remove_suffix(1);
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   return text;
 }
@@ -33,11 +34,14 @@ std::array<double, 4> parse_row(std::string_view line, const std::string& place)
   std::array<double, 4> row{};
   for (int column = 0; column < 4; ++column) {
     const std::size_t comma = line.find(',');
-    if ((comma == std::string_view::npos) != (column == 3)) throw input_error(place, "expected four numbers r_mm,R,G,B");
+    if ((comma == std::string_view::npos) != (column == 3))
+      throw input_error(place, "expected four numbers r_mm,R,G,B");
     const std::string_view field = trim(line.substr(0, comma));
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), row[column]);
-    if (error != std::errc() || end != field.data() + field.size()) throw input_error(place, "'{}' is not a number", shown(field));
-    if (!(row[column] >= 0 && row[column] <= 1e12)) throw input_error(place, "values must be 0 to 1e12, got {}", row[column]);
+    if (error != std::errc() || end != field.data() + field.size())
+      throw input_error(place, "'{}' is not a number", shown(field));
+    if (!(row[column] >= 0 && row[column] <= 1e12))
+      throw input_error(place, "values must be 0 to 1e12, got {}", row[column]);
     if (comma != std::string_view::npos) line.remove_prefix(comma + 1);
   }
   return row;
@@ -52,7 +56,8 @@ std::string without_spaces(std::string_view text) {
 
 }  // namespace
 
-Tabulated::Tabulated(std::vector<double> radii_mm, std::vector<double> values_per_mm2, const std::string& where)
+Tabulated::Tabulated(std::vector<double> radii_mm, std::vector<double> values_per_mm2,
+                     const std::string& where)
     : radii_mm_(std::move(radii_mm)), values_(std::move(values_per_mm2)) {
   if (radii_mm_.size() < 2 || radii_mm_.size() != values_.size())
     throw input_error(where, "a profile needs at least two rows, got {}", radii_mm_.size());
@@ -77,7 +82,9 @@ double Tabulated::at(double radius_mm) const {
   return values_[i - 1] + part * (values_[i] - values_[i - 1]);
 }
 
-double Tabulated::inner_mm() const { return std::max(radii_mm_.front() > 0 ? radii_mm_.front() : radii_mm_[1], 1e-5 * radii_mm_.back()); }
+double Tabulated::inner_mm() const {
+  return std::max(radii_mm_.front() > 0 ? radii_mm_.front() : radii_mm_[1], 1e-5 * radii_mm_.back());
+}
 
 std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& where) {
   std::vector<double> radii;
@@ -99,14 +106,16 @@ std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& wh
       continue;
     }
     const auto row = parse_row(line, place);
-    if (!radii.empty() && !(row[0] > radii.back())) throw input_error(place, "radii must rise: {} mm after {} mm", row[0], radii.back());
+    if (!radii.empty() && !(row[0] > radii.back()))
+      throw input_error(place, "radii must rise: {} mm after {} mm", row[0], radii.back());
     if (radii.size() == max_rows) throw input_error(place, "more than {} rows", max_rows);
     radii.push_back(row[0]);
     for (int c = 0; c < 3; ++c) values[c].push_back(row[c + 1]);
   }
   if (!header) throw input_error(where, "empty; expected the header r_mm,R,G,B and rows below it");
   std::array<ProfilePtr, 3> profiles;
-  for (int c = 0; c < 3; ++c) profiles[c] = std::make_shared<Tabulated>(radii, std::move(values[c]), where + ": column " + "RGB"[c]);
+  for (int c = 0; c < 3; ++c)
+    profiles[c] = std::make_shared<Tabulated>(radii, std::move(values[c]), where + ": column " + "RGB"[c]);
   return profiles;
 }
 

@@ -7,9 +7,9 @@
 namespace dermis::profile {
 namespace {
 
-// Lengths in mean free paths. From two of them on the multipole between equal indices meets the transport equation within 0.025 (albedo of
-// 0.95 and more). With an extinction of 1 instead of 1.5 more of a beam would be left at thin_limit() than the multipole knows of, which is
-// none.
+// Lengths in mean free paths. From two of them on the multipole between equal indices meets the transport
+// equation within 0.025 (albedo of 0.95 and more). With an extinction of 1 instead of 1.5 more of a beam
+// would be left at thin_limit() than the multipole knows of, which is none.
 constexpr double core_thickness = 2;
 constexpr double beam_extinction = 1.5;
 constexpr double unscattered_extinction = 3.5;
@@ -24,8 +24,9 @@ struct Sides {
   double reflect, transmit;
 };
 
-/// Light put into the core at the side of mirror `near`; `unturned` of it leaves at the other side whatever the mirror `far`. Of the flux u
-/// that comes back and v that arrives turned:  u = R (1 + near u) + T far v,  v + unturned = T (1 + near u) + R far v.
+/// Light put into the core at the side of mirror `near`; `unturned` of it leaves at the other side whatever
+/// the mirror `far`. Of the flux u that comes back and v that arrives turned:  u = R (1 + near u) + T far v,
+/// v + unturned = T (1 + near u) + R far v.
 Sides lit(const TwoFlux& core, double near, double far, double unturned) {
   const double r = core.reflect, t = core.transmit;
   const double determinant = (1 - r * near) * (1 - r * far) - t * t * near * far;
@@ -36,7 +37,9 @@ Sides lit(const TwoFlux& core, double near, double far, double unturned) {
 
 }  // namespace
 
-double thin_limit(double z_b_above, double z_b_below) { return std::clamp(3.3 - z_b_above - z_b_below, 1.1, core_thickness); }
+double thin_limit(double z_b_above, double z_b_below) {
+  return std::clamp(3.3 - z_b_above - z_b_below, 1.1, core_thickness);
+}
 
 TwoFlux part_of(const TwoFlux& layer, double x) {
   const double r = layer.reflect, t = layer.transmit;
@@ -53,15 +56,20 @@ TwoFlux part_of(const TwoFlux& layer, double x) {
 }
 
 ThinSlab::ThinSlab(const Medium& medium, double z_b_above, double z_b_below)
-    : medium_(medium), limit_(thin_limit(z_b_above, z_b_below)), rho_above_(mirror(z_b_above)), rho_below_(mirror(z_b_below)) {
+    : medium_(medium),
+      limit_(thin_limit(z_b_above, z_b_below)),
+      rho_above_(mirror(z_b_above)),
+      rho_below_(mirror(z_b_below)) {
   total_ = reference(0);
 }
 
 TwoFlux ThinSlab::reference(double k) const {
   constexpr double z_b = 2.0 / 3;  // equal indices
   const TwoFlux sums = multipole_sums(std::hypot(medium_.sigma_tr, k), 1, core_thickness, z_b, z_b);
-  // The multipole knows scattered light only; of what nothing scatters it keeps a trace, or clear layers would be black.
-  const double unscattered = (1 - medium_.reduced_albedo) * std::exp(-unscattered_extinction * core_thickness - k);
+  // The multipole knows scattered light only; of what nothing scatters it keeps a trace, or clear layers
+  // would be black.
+  const double unscattered =
+      (1 - medium_.reduced_albedo) * std::exp(-unscattered_extinction * core_thickness - k);
   return {medium_.reduced_albedo * sums.reflect, medium_.reduced_albedo * sums.transmit + unscattered};
 }
 
@@ -77,16 +85,20 @@ Spectra ThinSlab::cut(const Frequency& at, double thickness) const {
 Spectra ThinSlab::between_mirrors(const TwoFlux& core, double unturned) const {
   const Sides beam = lit(core, rho_above_, rho_below_, unturned);
   const Sides above = lit(core, rho_above_, rho_below_, 0), below = lit(core, rho_below_, rho_above_, 0);
-  return {above.reflect, above.transmit, below.reflect, below.transmit, {beam.reflect, beam.transmit, unturned}};
+  return {
+      above.reflect, above.transmit, below.reflect, below.transmit, {beam.reflect, beam.transmit, unturned}};
 }
 
 Spectra ThinSlab::spectra(double k, double thickness, const Spectra& at_limit) const {
-  // R and T of the reference fall as e^{-k}; past 300 that is continued by hand, for T_x = T^x is still large there if x is small.
+  // R and T of the reference fall as e^{-k}; past 300 that is continued by hand, for T_x = T^x is still large
+  // there if x is small.
   const double shown = std::min(k, 300.0);
   const Frequency at{reference(shown), k - shown};
   const Spectra here = cut(at, thickness), there = cut(at, limit_);
   const double weight = std::pow(thickness / limit_, 1.5);
-  const auto joined = [&](double cut_here, double cut_there, double multipole) { return cut_here + weight * (multipole - cut_there); };
+  const auto joined = [&](double cut_here, double cut_there, double multipole) {
+    return cut_here + weight * (multipole - cut_there);
+  };
   return {joined(here.reflect_above, there.reflect_above, at_limit.reflect_above),
           joined(here.transmit_above, there.transmit_above, at_limit.transmit_above),
           joined(here.reflect_below, there.reflect_below, at_limit.reflect_below),

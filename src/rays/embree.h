@@ -31,7 +31,9 @@ inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
 
 using Context = RTCIntersectContext;
 inline void init(Context& context) { rtcInitIntersectContext(&context); }
-inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) { rtcIntersect1(scene, &context, &ray); }
+inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) {
+  rtcIntersect1(scene, &context, &ray);
+}
 inline void occluded(RTCScene scene, Context& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
 
 #endif

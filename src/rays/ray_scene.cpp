@@ -30,7 +30,8 @@ void gather_hit(const RTCFilterFunctionNArguments* arguments) {
 
 RTCRay embree_ray(const Ray& ray) {
   RTCRay r{};
-  r.org_x = static_cast<float>(ray.origin_m.x), r.org_y = static_cast<float>(ray.origin_m.y), r.org_z = static_cast<float>(ray.origin_m.z);
+  r.org_x = static_cast<float>(ray.origin_m.x), r.org_y = static_cast<float>(ray.origin_m.y),
+  r.org_z = static_cast<float>(ray.origin_m.z);
   r.dir_x = static_cast<float>(ray.direction.x), r.dir_y = static_cast<float>(ray.direction.y),
   r.dir_z = static_cast<float>(ray.direction.z);
   r.tnear = static_cast<float>(ray.t_min_m);
@@ -62,10 +63,12 @@ struct RayScene::Scenes {
   RTCScene all = nullptr, solid = nullptr, cut_out = nullptr, skin = nullptr, skin_gathered = nullptr;
 
   Scenes() : device(rtcNewDevice(nullptr)) {
-    if (!device) throw device_error("Embree could not start: error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
+    if (!device)
+      throw device_error("Embree could not start: error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
     for (RTCScene* scene : {&all, &solid, &cut_out, &skin, &skin_gathered}) {
       *scene = rtcNewScene(device);
-      // Robust: rays must not slip through between two triangles. Medium quality splits no triangles, so none is gathered twice.
+      // Robust: rays must not slip through between two triangles. Medium quality splits no triangles, so none
+      // is gathered twice.
       rtcSetSceneFlags(*scene, RTC_SCENE_FLAG_ROBUST);
       rtcSetSceneBuildQuality(*scene, RTC_BUILD_QUALITY_MEDIUM);
     }
@@ -79,15 +82,18 @@ struct RayScene::Scenes {
 
   RTCGeometry geometry(const scene::Primitive& primitive) const {
     RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(
-        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), primitive.vertices.size()));
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), primitive.vertices.size()));
     auto* indices = static_cast<std::uint32_t*>(
-        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), primitive.indices.size() / 3));
+        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
+                                primitive.indices.size() / 3));
     if (!vertices || !indices) {
       rtcReleaseGeometry(g);
-      throw device_error("Embree: too little memory for '{}' ({} vertices)", primitive.name, primitive.vertices.size());
+      throw device_error("Embree: too little memory for '{}' ({} vertices)", primitive.name,
+                         primitive.vertices.size());
     }
-    for (std::size_t i = 0; i < primitive.vertices.size(); ++i) std::memcpy(vertices + 3 * i, &primitive.vertices[i].position_m, 12);
+    for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
+      std::memcpy(vertices + 3 * i, &primitive.vertices[i].position_m, 12);
     std::copy(primitive.indices.begin(), primitive.indices.end(), indices);
     return g;
   }
@@ -101,7 +107,8 @@ RayScene::RayScene(const scene::Scene& scene) : scene_(&scene), scenes_(std::mak
     RTCGeometry g = scenes_->geometry(primitive);
     rtcCommitGeometry(g);
     rtcAttachGeometryByID(scenes_->all, g, i);
-    // As in the shadow maps: blended parts (lashes, brows) would cast the shadow of their whole card, so they cast none.
+    // As in the shadow maps: blended parts (lashes, brows) would cast the shadow of their whole card, so they
+    // cast none.
     if (alpha == scene::AlphaMode::opaque) rtcAttachGeometryByID(scenes_->solid, g, i);
     if (alpha == scene::AlphaMode::mask) rtcAttachGeometryByID(scenes_->cut_out, g, i), has_cut_outs_ = true;
     if (is_skin(scene, primitive)) {
@@ -118,9 +125,11 @@ RayScene::RayScene(const scene::Scene& scene) : scene_(&scene), scenes_(std::mak
     }
     rtcReleaseGeometry(g);
   }
-  for (RTCScene s : {scenes_->all, scenes_->solid, scenes_->cut_out, scenes_->skin, scenes_->skin_gathered}) rtcCommitScene(s);
+  for (RTCScene s : {scenes_->all, scenes_->solid, scenes_->cut_out, scenes_->skin, scenes_->skin_gathered})
+    rtcCommitScene(s);
   if (const RTCError error = rtcGetDeviceError(scenes_->device); error != RTC_ERROR_NONE)
-    throw device_error("Embree: error {} while it sorted the triangles of '{}'", static_cast<int>(error), scene.name);
+    throw device_error("Embree: error {} while it sorted the triangles of '{}'", static_cast<int>(error),
+                       scene.name);
 }
 
 RayScene::~RayScene() = default;
@@ -128,7 +137,9 @@ RayScene::~RayScene() = default;
 std::optional<Hit> RayScene::nearest(const Ray& ray) const { return nearest_in(scenes_->all, ray); }
 std::optional<Hit> RayScene::nearest_skin(const Ray& ray) const { return nearest_in(scenes_->skin, ray); }
 std::optional<Hit> RayScene::nearest_solid(const Ray& ray) const { return nearest_in(scenes_->solid, ray); }
-std::optional<Hit> RayScene::nearest_cut_out(const Ray& ray) const { return nearest_in(scenes_->cut_out, ray); }
+std::optional<Hit> RayScene::nearest_cut_out(const Ray& ray) const {
+  return nearest_in(scenes_->cut_out, ray);
+}
 
 bool RayScene::solid_between(const Ray& ray) const {
   embree::Context context;
@@ -149,8 +160,9 @@ void RayScene::all_skin(const Ray& ray, std::vector<Hit>& hits) const {
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(scenes_->skin_gathered, gather.context, query);
   // The tree decides the order in which hits come, and threads may have built it differently.
-  std::sort(hits.begin(), hits.end(),
-            [](const Hit& a, const Hit& b) { return std::tie(a.t_m, a.primitive, a.triangle) < std::tie(b.t_m, b.primitive, b.triangle); });
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+    return std::tie(a.t_m, a.primitive, a.triangle) < std::tie(b.t_m, b.primitive, b.triangle);
+  });
 }
 
 }  // namespace dermis::rays

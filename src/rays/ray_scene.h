@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The triangles of a scene for rays: Embree behind a small door. Metres; results do not depend on the number of threads.
+// The triangles of a scene for rays: Embree behind a small door. Metres; results do not depend on the number
+// of threads.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +28,11 @@ struct Hit {
   double t_m = 0;
 };
 
-/// How far a new ray stands off the surface that it starts from: what rounding to float can move a point of this size, and a little more.
-inline double stand_off_m(const glm::dvec3& p) { return 1e-6 * (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) + 1e-3); }
+/// How far a new ray stands off the surface that it starts from: what rounding to float can move a point of
+/// this size, and a little more.
+inline double stand_off_m(const glm::dvec3& p) {
+  return 1e-6 * (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) + 1e-3);
+}
 
 class RayScene {
  public:
@@ -61,8 +65,8 @@ class RayScene {
   glm::dvec3 low_m_{1e300}, high_m_{-1e300};
 };
 
-/// Skin that the real-time techniques can unwrap: they draw skin without texture coordinates as any other material, and so does the
-/// reference.
+/// Skin that the real-time techniques can unwrap: they draw skin without texture coordinates as any other
+/// material, and so does the reference.
 bool is_skin(const scene::Scene& scene, const scene::Primitive& primitive);
 
 }  // namespace dermis::rays

@@ -43,7 +43,8 @@ SurfacePoint surface_point(const scene::Scene& scene, const Hit& hit) {
   s.tangent = w * glm::dvec4(a->tangent) + hit.u * glm::dvec4(b->tangent) + hit.v * glm::dvec4(c->tangent);
   s.uv = {mix2(a->uv0, b->uv0, c->uv0), mix2(a->uv1, b->uv1, c->uv1)};
   s.colour = w * glm::dvec4(a->colour) + hit.u * glm::dvec4(b->colour) + hit.v * glm::dvec4(c->colour);
-  // [H21] A flat triangle with rounded normals shadows itself near the terminator; rays start from the rounded surface instead.
+  // [H21] A flat triangle with rounded normals shadows itself near the terminator; rays start from the
+  // rounded surface instead.
   const auto lift = [&](const scene::Vertex& v, const glm::dvec3& at) {
     return std::min(0.0, glm::dot(s.position_m - at, glm::dvec3(v.normal))) * glm::dvec3(v.normal);
   };

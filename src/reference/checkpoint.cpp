@@ -62,14 +62,17 @@ class Hash {
 };
 
 void add_material(Hash& h, const scene::Material& m) {
-  h.add(m.skin), h.add(m.base_colour), h.add(m.metallic), h.add(m.roughness), h.add(m.emissive), h.add(m.ior), h.add(m.specular);
+  h.add(m.skin), h.add(m.base_colour), h.add(m.metallic), h.add(m.roughness), h.add(m.emissive), h.add(m.ior),
+      h.add(m.specular);
   h.add(m.specular_colour), h.add(m.alpha_mode), h.add(m.alpha_cutoff), h.add(m.double_sided), h.add(m.unlit);
   for (const scene::MapRef* map :
-       {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.emissive_map, &m.specular_map,
-        &m.specular_colour_map, &m.skin_settings.specular, &m.skin_settings.roughness, &m.skin_settings.displacement})
+       {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.emissive_map,
+        &m.specular_map, &m.specular_colour_map, &m.skin_settings.specular, &m.skin_settings.roughness,
+        &m.skin_settings.displacement})
     h.add(*map);
   h.add(m.skin_settings.mix.value_or(-1.0f)), h.add(m.skin_settings.displacement_mm);
-  for (const scene::SpecularLobe& lobe : m.skin_settings.lobes) h.add(lobe.roughness_factor), h.add(lobe.weight);
+  for (const scene::SpecularLobe& lobe : m.skin_settings.lobes)
+    h.add(lobe.roughness_factor), h.add(lobe.weight);
 }
 
 void add_scene(Hash& h, const scene::Scene& scene) {
@@ -90,7 +93,8 @@ void add_view(Hash& h, const View& view) {
   const scene::Camera& camera = view.camera;
   for (glm::length_t i = 0; i < 4; ++i) h.add(camera.world_from_camera[i]);
   h.add(camera.fov_y_rad), h.add(camera.znear_m), h.add(camera.orthographic), h.add(camera.ymag_m);
-  h.add(view.width), h.add(view.height), h.add(view.ambient), h.add(view.radiance_scale), h.add(view.specular), h.add(view.white_albedo);
+  h.add(view.width), h.add(view.height), h.add(view.ambient), h.add(view.radiance_scale),
+      h.add(view.specular), h.add(view.white_albedo);
   h.add(view.mix.value_or(-1));
   if (view.surroundings) {
     const image::ImageF& picture = view.surroundings->picture().radiance;
@@ -98,7 +102,8 @@ void add_view(Hash& h, const View& view) {
     h.bytes(picture.values.data(), picture.values.size() * sizeof(float));
   }
   for (const scene::Light& light : view.lights) {
-    h.add(light.type), h.add(light.colour), h.add(light.position_m), h.add(light.direction), h.add(light.range_m);
+    h.add(light.type), h.add(light.colour), h.add(light.position_m), h.add(light.direction),
+        h.add(light.range_m);
     h.add(light.inner_cone_rad), h.add(light.outer_cone_rad), h.add(light.radius);
   }
 }
@@ -117,7 +122,8 @@ std::uint64_t fingerprint(const scene::Scene& scene, const Job& job, std::uint64
       for (const double w : g.weight) h.add(w);
     }
   }
-  for (const optics::Medium& m : job.medium) h.add(m.sigma_a_per_mm), h.add(m.sigma_s_per_mm), h.add(m.g), h.add(m.eta);
+  for (const optics::Medium& m : job.medium)
+    h.add(m.sigma_a_per_mm), h.add(m.sigma_s_per_mm), h.add(m.g), h.add(m.eta);
   return h.value();
 }
 
@@ -125,7 +131,11 @@ void save_checkpoint(const std::filesystem::path& path, const Film& film, std::u
   const std::vector<std::byte> state = film.state();
   Hash check;
   check.bytes(state.data(), state.size());
-  Header header{.name = {}, .fingerprint = fingerprint, .check = check.value(), .width = film.width(), .height = film.height()};
+  Header header{.name = {},
+                .fingerprint = fingerprint,
+                .check = check.value(),
+                .width = film.width(),
+                .height = film.height()};
   std::memcpy(header.name, magic, sizeof magic);
   std::vector<std::byte> bytes(sizeof header + state.size());
   std::memcpy(bytes.data(), &header, sizeof header);
@@ -143,11 +153,13 @@ bool load_checkpoint(const std::filesystem::path& path, Film& film, std::uint64_
   std::memcpy(&header, bytes.data(), sizeof header);
   if (header.fingerprint != fingerprint)
     throw input_error(path.string(),
-                      "belongs to another picture: scene, camera, lights, model, size or seed differ; without --resume it is replaced");
+                      "belongs to another picture: scene, camera, lights, model, size or seed differ; "
+                      "without --resume it is replaced");
   const std::span state = std::span(bytes).subspan(sizeof header);
   Hash check;
   check.bytes(state.data(), state.size());
-  if (header.width != film.width() || header.height != film.height() || check.value() != header.check || !film.restore(state))
+  if (header.width != film.width() || header.height != film.height() || check.value() != header.check ||
+      !film.restore(state))
     throw input_error(path.string(), "is damaged; without --resume it is replaced");
   return true;
 }

@@ -10,7 +10,8 @@
 
 namespace dermis::reference {
 
-/// A number that changes with whatever the samples depend on: triangles, materials, maps, lights, camera, model, coefficients, seed.
+/// A number that changes with whatever the samples depend on: triangles, materials, maps, lights, camera,
+/// model, coefficients, seed.
 std::uint64_t fingerprint(const scene::Scene& scene, const Job& job, std::uint64_t seed);
 
 /// Atomically.

@@ -13,10 +13,11 @@ namespace {
 using std::numbers::pi;
 
 constexpr double reach_in_sigma = 5;
-/// Probes of each kind a sample, spread evenly over terms and radii: most of the noise is in which term was drawn, and the eye's ray and
-/// what is reflected serve all of them.
+/// Probes of each kind a sample, spread evenly over terms and radii: most of the noise is in which term was
+/// drawn, and the eye's ray and what is reflected serve all of them.
 constexpr int strata = 4;
-// The normal finds nearly everything and is always probed; of the two tangents, which find what stands steep, one is.
+// The normal finds nearly everything and is always probed; of the two tangents, which find what stands steep,
+// one is.
 constexpr std::array axis_chance{1.0, 0.5, 0.5};
 
 /// With these chances the sum of the channels' variances is least, as long as the terms hardly overlap.
@@ -24,7 +25,8 @@ double importance(const gaussians::Gaussian& g) { return std::hypot(g.weight[0],
 
 }  // namespace
 
-Diffusion::Diffusion(const gaussians::SumOfGaussians& profile, double mm_per_unit) : mm_per_unit_(mm_per_unit) {
+Diffusion::Diffusion(const gaussians::SumOfGaussians& profile, double mm_per_unit)
+    : mm_per_unit_(mm_per_unit) {
   double all = 0;
   for (const gaussians::Gaussian& g : profile.terms) all += importance(g);
   for (const gaussians::Gaussian& g : profile.terms) {
@@ -34,19 +36,22 @@ Diffusion::Diffusion(const gaussians::SumOfGaussians& profile, double mm_per_uni
     term.reach_mm = reach_in_sigma * std::sqrt(g.variance_mm2);
     term.weight = {g.weight[0], g.weight[1], g.weight[2]};
     term.chance = importance(g) / all;
-    term.density = term.chance / (2 * pi * g.variance_mm2) / -std::expm1(-0.5 * reach_in_sigma * reach_in_sigma);
+    term.density =
+        term.chance / (2 * pi * g.variance_mm2) / -std::expm1(-0.5 * reach_in_sigma * reach_in_sigma);
     terms_.push_back(term);
   }
 }
 
 glm::dvec3 Diffusion::profile(double radius_mm) const {
   glm::dvec3 sum(0);
-  for (const Term& t : terms_) sum += t.weight * (std::exp(-radius_mm * radius_mm / (2 * t.variance_mm2)) / (2 * pi * t.variance_mm2));
+  for (const Term& t : terms_)
+    sum += t.weight * (std::exp(-radius_mm * radius_mm / (2 * t.variance_mm2)) / (2 * pi * t.variance_mm2));
   return sum;
 }
 
 // Per mm^2 of skin: each axis sees the point under the projected radius, on a face that it meets at an angle.
-double Diffusion::density(const glm::dvec3& offset_mm, const std::array<glm::dvec3, 3>& axes, const glm::dvec3& face_normal) const {
+double Diffusion::density(const glm::dvec3& offset_mm, const std::array<glm::dvec3, 3>& axes,
+                          const glm::dvec3& face_normal) const {
   const double distance2 = glm::dot(offset_mm, offset_mm);
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -54,28 +59,34 @@ double Diffusion::density(const glm::dvec3& offset_mm, const std::array<glm::dve
     const double projected2 = std::max(0.0, distance2 - along * along);
     double disk = 0;
     for (const Term& t : terms_)
-      if (distance2 <= t.reach_mm * t.reach_mm) disk += t.density * std::exp(-projected2 / (2 * t.variance_mm2));
+      if (distance2 <= t.reach_mm * t.reach_mm)
+        disk += t.density * std::exp(-projected2 / (2 * t.variance_mm2));
     sum += axis_chance[k] * disk * std::abs(glm::dot(face_normal, axes[k]));
   }
   return sum;
 }
 
-// The radius of a Gaussian in the plane across the axis, cut off at its reach; the ray is a chord of the ball of that size.
-rays::Ray Diffusion::probe(const rays::SurfacePoint& o, const std::array<glm::dvec3, 3>& axes, std::size_t axis, double pick,
-                           double angle) const {
+// The radius of a Gaussian in the plane across the axis, cut off at its reach; the ray is a chord of the ball
+// of that size.
+rays::Ray Diffusion::probe(const rays::SurfacePoint& o, const std::array<glm::dvec3, 3>& axes,
+                           std::size_t axis, double pick, double angle) const {
   std::size_t index = 0;
   while (index + 1 < terms_.size() && pick >= terms_[index].chance) pick -= terms_[index++].chance;
   const Term& term = terms_[index];
-  const double pick_radius = std::clamp(pick / term.chance, 0.0, 1.0);  // what is left of the number is as random as the whole
+  // what is left of the number is as random as the whole
+  const double pick_radius = std::clamp(pick / term.chance, 0.0, 1.0);
   const double within = -std::expm1(-0.5 * reach_in_sigma * reach_in_sigma);
   const double radius_mm = std::sqrt(-2 * term.variance_mm2 * std::log1p(-pick_radius * within));
-  const double half_m = std::sqrt(std::max(0.0, term.reach_mm * term.reach_mm - radius_mm * radius_mm)) / mm_per_unit_;
+  const double half_m =
+      std::sqrt(std::max(0.0, term.reach_mm * term.reach_mm - radius_mm * radius_mm)) / mm_per_unit_;
   const glm::dvec3 across = std::cos(angle) * axes[(axis + 1) % 3] + std::sin(angle) * axes[(axis + 2) % 3];
   const glm::dvec3 centre = o.position_m + (radius_mm / mm_per_unit_) * across;
-  return {.origin_m = centre - half_m * axes[axis], .direction = axes[axis], .t_min_m = 0, .t_max_m = 2 * half_m};
+  return {
+      .origin_m = centre - half_m * axes[axis], .direction = axes[axis], .t_min_m = 0, .t_max_m = 2 * half_m};
 }
 
-glm::dvec3 Diffusion::sample(const rays::RayScene& rays, const rays::SurfacePoint& o, Random& random, std::vector<rays::Hit>& scratch,
+glm::dvec3 Diffusion::sample(const rays::RayScene& rays, const rays::SurfacePoint& o, Random& random,
+                             std::vector<rays::Hit>& scratch,
                              const std::function<glm::dvec3(const rays::SurfacePoint&)>& light) const {
   const std::array<glm::dvec3, 3> axes = axes_of(o.face_normal);
   glm::dvec3 sum(0);

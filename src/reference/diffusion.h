@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Light that a profile brings to a point of the skin: the integral of R(|x - o|) times the light at x over all of the skin.
-// Based on: [KKCF13] King, Kulla, Conty, Fajardo: BSSRDF Importance Sampling. SIGGRAPH 2013 talks
+// Light that a profile brings to a point of the skin: the integral of R(|x - o|) times the light at x over
+// all of the skin. Based on: [KKCF13] King, Kulla, Conty, Fajardo: BSSRDF Importance Sampling. SIGGRAPH 2013
+// talks
 #pragma once
 
 #include <array>
@@ -14,8 +15,9 @@
 
 namespace dermis::reference {
 
-/// A sum of Gaussians, ready to sample. |x - o| is the straight line between both points, through the body or across a fold: so the far
-/// side of an ear counts, and on a sphere of radius a the weights still sum to 1 - sum_i w_i exp(-2 a^2 / v_i).
+/// A sum of Gaussians, ready to sample. |x - o| is the straight line between both points, through the body or
+/// across a fold: so the far side of an ear counts, and on a sphere of radius a the weights still sum to 1 -
+/// sum_i w_i exp(-2 a^2 / v_i).
 class Diffusion {
  public:
   /// mm_per_unit: of the scene.
@@ -24,10 +26,12 @@ class Diffusion {
   /// R(r) per channel, 1/mm^2.
   glm::dvec3 profile(double radius_mm) const;
 
-  /// One sample of the integral of R(|x - o|) light(x) dA. Rays probe the skin along the normal at `o` and along one of two tangents; each
-  /// triangle they meet within five sigma counts, over the sum of the densities with which all three axes and all terms would have found
-  /// it [KKCF13]. Unbiased up to the 4e-6 of a term's light that lies beyond five sigma. `scratch` is emptied; it only saves memory.
-  glm::dvec3 sample(const rays::RayScene& rays, const rays::SurfacePoint& o, Random& random, std::vector<rays::Hit>& scratch,
+  /// One sample of the integral of R(|x - o|) light(x) dA. Rays probe the skin along the normal at `o` and
+  /// along one of two tangents; each triangle they meet within five sigma counts, over the sum of the
+  /// densities with which all three axes and all terms would have found it [KKCF13]. Unbiased up to the 4e-6
+  /// of a term's light that lies beyond five sigma. `scratch` is emptied; it only saves memory.
+  glm::dvec3 sample(const rays::RayScene& rays, const rays::SurfacePoint& o, Random& random,
+                    std::vector<rays::Hit>& scratch,
                     const std::function<glm::dvec3(const rays::SurfacePoint&)>& light) const;
 
  private:
@@ -37,8 +41,10 @@ class Diffusion {
     double density;  // chance / (2 pi v) / (part within reach)
     glm::dvec3 weight;
   };
-  rays::Ray probe(const rays::SurfacePoint& o, const std::array<glm::dvec3, 3>& axes, std::size_t axis, double pick, double angle) const;
-  double density(const glm::dvec3& offset_mm, const std::array<glm::dvec3, 3>& axes, const glm::dvec3& face_normal) const;
+  rays::Ray probe(const rays::SurfacePoint& o, const std::array<glm::dvec3, 3>& axes, std::size_t axis,
+                  double pick, double angle) const;
+  double density(const glm::dvec3& offset_mm, const std::array<glm::dvec3, 3>& axes,
+                 const glm::dvec3& face_normal) const;
 
   std::vector<Term> terms_;
   double mm_per_unit_;

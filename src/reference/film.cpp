@@ -46,7 +46,8 @@ image::ImageF Film::picture() const {
 }
 
 image::ImageF Film::variance() const {
-  image::ImageF out{.width = width_, .height = height_, .channels = 4, .values = std::vector<float>(sums_.size())};
+  image::ImageF out{
+      .width = width_, .height = height_, .channels = 4, .values = std::vector<float>(sums_.size())};
   if (samples_ < 2 * samples_a_block) return out;
   for (std::size_t i = 0; i < sums_.size(); ++i) out.values[i] = static_cast<float>(variance_of_mean(i));
   return out;
@@ -73,7 +74,8 @@ std::vector<std::byte> Film::state() const {
   std::vector<std::byte> state(sizeof samples_ + 3 * bytes);
   std::memcpy(state.data(), &samples_, sizeof samples_);
   std::byte* at = state.data() + sizeof samples_;
-  for (const std::vector<double>* values : {&sums_, &squares_, &block_}) std::memcpy(at, values->data(), bytes), at += bytes;
+  for (const std::vector<double>* values : {&sums_, &squares_, &block_})
+    std::memcpy(at, values->data(), bytes), at += bytes;
   return state;
 }
 
@@ -82,7 +84,8 @@ bool Film::restore(std::span<const std::byte> state) {
   if (state.size() != sizeof samples_ + 3 * bytes) return false;
   std::memcpy(&samples_, state.data(), sizeof samples_);
   const std::byte* at = state.data() + sizeof samples_;
-  for (std::vector<double>* values : {&sums_, &squares_, &block_}) std::memcpy(values->data(), at, bytes), at += bytes;
+  for (std::vector<double>* values : {&sums_, &squares_, &block_})
+    std::memcpy(values->data(), at, bytes), at += bytes;
   return true;
 }
 

@@ -16,7 +16,8 @@ class Film {
  public:
   Film(int width, int height);
 
-  /// One more sample of every pixel, row by row. Sums are in the order of the samples, whatever threads there were.
+  /// One more sample of every pixel, row by row. Sums are in the order of the samples, whatever threads there
+  /// were.
   void add(const std::vector<Tracer::Sample>& pass);
 
   int width() const { return width_; }
@@ -25,11 +26,12 @@ class Film {
 
   /// Radiance, and the share of skin as alpha.
   image::ImageF picture() const;
-  /// The variance of each channel of picture(), from the scatter of the means of blocks of samples, which are independent (random.h): (mean
-  /// of squares - square of mean) / (blocks - 1). Alpha: its own. 0 with fewer than two blocks, which say nothing.
+  /// The variance of each channel of picture(), from the scatter of the means of blocks of samples, which are
+  /// independent (random.h): (mean of squares - square of mean) / (blocks - 1). Alpha: its own. 0 with fewer
+  /// than two blocks, which say nothing.
   image::ImageF variance() const;
-  /// Mean standard error in per cent of the mean, over skin (pixels at least half skin; over all if there is none) and channels. 100 with
-  /// fewer than two blocks; 0 for a black picture.
+  /// Mean standard error in per cent of the mean, over skin (pixels at least half skin; over all if there is
+  /// none) and channels. 100 with fewer than two blocks; 0 for a black picture.
   double noise_percent() const;
 
   /// All sums as bytes, exactly; restore() refuses another number of them.

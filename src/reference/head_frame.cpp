@@ -19,15 +19,17 @@ void for_each_skin_vertex(const scene::Scene& scene, const Visit& visit) {
       for (const std::uint32_t index : p.indices) visit(glm::dvec3(p.vertices[index].position_m));
 }
 
-/// How far behind the tip the skin lies that is seen from the front at an offset (half breadths); infinity: nothing is there.
-double depth_behind(const rays::RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m, const glm::dvec2& offset) {
+/// How far behind the tip the skin lies that is seen from the front at an offset (half breadths); infinity:
+/// nothing is there.
+double depth_behind(const rays::RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m,
+                    const glm::dvec2& offset) {
   const glm::dvec3 above = tip_m + half_breadth_m * glm::dvec3(offset, 1);
   const auto hit = rays.nearest_skin({.origin_m = above, .direction = {0, 0, -1}});
   return hit ? hit->t_m / half_breadth_m - 1 : std::numeric_limits<double>::infinity();
 }
 
-// Cheeks lie 20 mm behind the tip of a nose and more, its root 15; a ball of the head's size falls off by 4 mm so far out. Holes are no
-// face either.
+// Cheeks lie 20 mm behind the tip of a nose and more, its root 15; a ball of the head's size falls off by 4
+// mm so far out. Holes are no face either.
 bool is_nose(const rays::RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m) {
   const auto deep = [&](const glm::dvec2& offset, double least) {
     const double depth = depth_behind(rays, tip_m, half_breadth_m, offset);
@@ -40,16 +42,19 @@ bool is_nose(const rays::RayScene& rays, const glm::dvec3& tip_m, double half_br
 double way_m(const rays::RayScene& rays, const rays::SurfacePoint& s, const glm::dvec3& axis, double part) {
   constexpr std::size_t count = 24;
   constexpr double cos_cone = 0.5;
-  const glm::dvec3 across = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const glm::dvec3 across =
+      glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
   const glm::dvec3 third = glm::cross(axis, across);
   const double gap = rays::stand_off_m(s.position_m);
   std::array<double, count> ways{};
   for (std::size_t i = 0; i < count; ++i) {
     // A spiral by the golden angle, even in solid angle.
-    const double cosine = 1 - (1 - cos_cone) * (static_cast<double>(i) + 0.5) / count, sine = std::sqrt(1 - cosine * cosine);
+    const double cosine = 1 - (1 - cos_cone) * (static_cast<double>(i) + 0.5) / count,
+                 sine = std::sqrt(1 - cosine * cosine);
     const double angle = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0));
     const glm::dvec3 direction = cosine * axis + sine * (std::cos(angle) * across + std::sin(angle) * third);
-    const auto hit = rays.nearest_skin({.origin_m = s.position_m + gap * axis, .direction = direction, .t_min_m = gap});
+    const auto hit =
+        rays.nearest_skin({.origin_m = s.position_m + gap * axis, .direction = direction, .t_min_m = gap});
     ways[i] = hit ? hit->t_m : std::numeric_limits<double>::infinity();
   }
   const auto nth = ways.begin() + static_cast<std::ptrdiff_t>(part * count);
@@ -69,11 +74,14 @@ std::optional<HeadFrame> HeadFrame::find(const rays::RayScene& rays) {
   for_each_skin_vertex(scene, [&](const glm::dvec3& p) {
     if (p.y >= lowest_m && p.z > frame.tip_m_.z) frame.tip_m_ = p;
   });
-  // The breadth at the height of the nose and above it: there the ears stand out, and shoulders are far below.
+  // The breadth at the height of the nose and above it: there the ears stand out, and shoulders are far
+  // below.
   for_each_skin_vertex(scene, [&](const glm::dvec3& p) {
-    if (p.y >= frame.tip_m_.y && p.y <= top_m) frame.half_breadth_m_ = std::max(frame.half_breadth_m_, std::abs(p.x - frame.tip_m_.x));
+    if (p.y >= frame.tip_m_.y && p.y <= top_m)
+      frame.half_breadth_m_ = std::max(frame.half_breadth_m_, std::abs(p.x - frame.tip_m_.x));
   });
-  if (!(frame.half_breadth_m_ > 0) || !is_nose(rays, frame.tip_m_, frame.half_breadth_m_)) return std::nullopt;
+  if (!(frame.half_breadth_m_ > 0) || !is_nose(rays, frame.tip_m_, frame.half_breadth_m_))
+    return std::nullopt;
   return frame;
 }
 
@@ -91,8 +99,12 @@ bool HeadFrame::beside_the_head(const glm::dvec3& position_m) const {
   return std::abs(p.x) > 0.6 && p.y > -0.35 && p.y < 0.9 && p.z < -0.7;
 }
 
-double thickness_m(const rays::RayScene& rays, const rays::SurfacePoint& s) { return way_m(rays, s, -s.face_normal, 0.5); }
+double thickness_m(const rays::RayScene& rays, const rays::SurfacePoint& s) {
+  return way_m(rays, s, -s.face_normal, 0.5);
+}
 
-double gap_m(const rays::RayScene& rays, const rays::SurfacePoint& s) { return way_m(rays, s, s.face_normal, 0.25); }
+double gap_m(const rays::RayScene& rays, const rays::SurfacePoint& s) {
+  return way_m(rays, s, s.face_normal, 0.25);
+}
 
 }  // namespace dermis::reference

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the nose and the ears of a head are, from its shape alone.
-// Based on: [SSC08] Shapira, Shamir, Cohen-Or: Consistent Mesh Partitioning and Skeletonisation using the Shape Diameter Function. The
-// Visual Computer 24, 2008 (thickness)
+// Based on: [SSC08] Shapira, Shamir, Cohen-Or: Consistent Mesh Partitioning and Skeletonisation using the
+// Shape Diameter Function. The Visual Computer 24, 2008 (thickness)
 #pragma once
 
 #include <optional>
@@ -11,35 +11,40 @@
 
 namespace dermis::reference {
 
-/// A head that stands upright (+Y) and looks along +Z, as glTF and the cameras of this library have it. Lengths are counted in half the
-/// breadth of the head from ear to ear, some 90 mm on an adult: larger and smaller heads have the same shape.
+/// A head that stands upright (+Y) and looks along +Z, as glTF and the cameras of this library have it.
+/// Lengths are counted in half the breadth of the head from ear to ear, some 90 mm on an adult: larger and
+/// smaller heads have the same shape.
 class HeadFrame {
  public:
-  /// The tip of the nose is the foremost point of skin in the upper 260 mm (a head is 230 mm high; a chest begins below). It counts as one
-  /// if the skin beside it and above it, at the cheeks and at the root of the nose, lies clearly deeper, which tells a face from a ball or
-  /// a plane. None if it does not.
+  /// The tip of the nose is the foremost point of skin in the upper 260 mm (a head is 230 mm high; a chest
+  /// begins below). It counts as one if the skin beside it and above it, at the cheeks and at the root of the
+  /// nose, lies clearly deeper, which tells a face from a ball or a plane. None if it does not.
   static std::optional<HeadFrame> find(const rays::RayScene& rays);
 
   /// Is the point on the nose: within a cone along its ridge?
   bool on_nose(const glm::dvec3& position_m) const;
-  /// May the point be on an ear: at the side, as high as the face, well behind the tip of the nose? Ears are what is also thin there.
+  /// May the point be on an ear: at the side, as high as the face, well behind the tip of the nose? Ears are
+  /// what is also thin there.
   bool beside_the_head(const glm::dvec3& position_m) const;
 
   double half_breadth_m() const { return half_breadth_m_; }
   glm::dvec3 nose_tip_m() const { return tip_m_; }
 
  private:
-  glm::dvec3 in_half_breadths(const glm::dvec3& position_m) const { return (position_m - tip_m_) / half_breadth_m_; }
+  glm::dvec3 in_half_breadths(const glm::dvec3& position_m) const {
+    return (position_m - tip_m_) / half_breadth_m_;
+  }
   glm::dvec3 tip_m_{0};
   double half_breadth_m_ = 0;
 };
 
-/// How thick the body is under a point of skin, metres: the median way of 24 rays inwards, in a cone of 60 degrees to each side of the
-/// normal, to where they leave [SSC08] (there, a mean after outliers are left out). Infinity where most rays meet nothing.
+/// How thick the body is under a point of skin, metres: the median way of 24 rays inwards, in a cone of 60
+/// degrees to each side of the normal, to where they leave [SSC08] (there, a mean after outliers are left
+/// out). Infinity where most rays meet nothing.
 double thickness_m(const rays::RayScene& rays, const rays::SurfacePoint& s);
 
-/// How near other skin is outside of a point of skin, metres: a quarter of 24 rays outwards, in the same cone, meet it sooner. Infinity in
-/// the open.
+/// How near other skin is outside of a point of skin, metres: a quarter of 24 rays outwards, in the same
+/// cone, meet it sooner. Infinity in the open.
 double gap_m(const rays::RayScene& rays, const rays::SurfacePoint& s);
 
 }  // namespace dermis::reference

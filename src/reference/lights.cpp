@@ -23,7 +23,8 @@ Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m)
   if (light.range_m > 0) a.irradiance *= std::clamp(1 - std::pow(a.distance_m / light.range_m, 4), 0.0, 1.0);
   if (light.type == scene::LightType::spot) {
     const double outer = std::cos(light.outer_cone_rad), inner = std::cos(light.inner_cone_rad);
-    const double c = std::clamp((glm::dot(direction, -a.to_light) - outer) / std::max(inner - outer, 1e-4), 0.0, 1.0);
+    const double c =
+        std::clamp((glm::dot(direction, -a.to_light) - outer) / std::max(inner - outer, 1e-4), 0.0, 1.0);
     a.irradiance *= c * c;
   }
   return a;
@@ -34,9 +35,10 @@ Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m,
   if (!(light.radius > 0)) return a;
   const double tangent = light.radius / (light.type == scene::LightType::directional ? 1 : a.distance_m);
   const double r = tangent * std::sqrt(random.next()), angle = 2 * std::numbers::pi * random.next();
-  const glm::dvec3 across =
-      glm::normalize(glm::cross(a.to_light, std::abs(a.to_light.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
-  const glm::dvec3 towards = a.to_light + r * (std::cos(angle) * across + std::sin(angle) * glm::cross(a.to_light, across));
+  const glm::dvec3 across = glm::normalize(
+      glm::cross(a.to_light, std::abs(a.to_light.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const glm::dvec3 towards =
+      a.to_light + r * (std::cos(angle) * across + std::sin(angle) * glm::cross(a.to_light, across));
   const double length = glm::length(towards);
   a.to_light = towards / length;
   a.distance_m *= length;
@@ -53,7 +55,8 @@ rays::Ray shadow_ray(const rays::SurfacePoint& s, const Arriving& light) {
           .t_max_m = light.distance_m - 2 * gap};
 }
 
-// Everything opaque casts a shadow, from either side of its triangles; what is cut out casts what is left of it.
+// Everything opaque casts a shadow, from either side of its triangles; what is cut out casts what is left of
+// it.
 bool Shading::shadowed(const rays::SurfacePoint& s, const Arriving& light) const {
   const rays::Ray ray = shadow_ray(s, light);
   if (ray.t_max_m <= ray.t_min_m) return false;

@@ -26,7 +26,8 @@ int wrapped(int i, int size, scene::Wrap wrap) {
   return i < size ? i : period - 1 - i;
 }
 
-/// The whole part and the rest; coordinates beyond what an int holds (hostile files) are brought back first, which a repeat cannot notice.
+/// The whole part and the rest; coordinates beyond what an int holds (hostile files) are brought back first,
+/// which a repeat cannot notice.
 int split(double x, double& rest) {
   const double whole = std::floor(x);
   rest = x - whole;

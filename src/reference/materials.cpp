@@ -13,7 +13,9 @@ std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::o
     MapSlot made{.map = map, .pixels = nullptr};
     if (!map.present()) return made;
     auto& pixels = loaded[{map.image, srgb}];
-    if (!pixels) pixels = std::make_shared<const MapPixels>(*scene.images[static_cast<std::size_t>(map.image)].pixels, srgb);
+    if (!pixels)
+      pixels =
+          std::make_shared<const MapPixels>(*scene.images[static_cast<std::size_t>(map.image)].pixels, srgb);
     made.pixels = pixels;
     return made;
   };
@@ -30,13 +32,15 @@ std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::o
     made.specular = slot(m.skin ? m.skin_settings.specular : m.specular_map, false);
     made.roughness = slot(m.metallic_roughness_map, false);
     if (m.skin) {
-      // glTF's metallic-roughness map serves where the skin names no map of its own: roughness in G, times the factor.
+      // glTF's metallic-roughness map serves where the skin names no map of its own: roughness in G, times
+      // the factor.
       made.roughness.map.channel = 1;
       made.roughness.map.scale = m.roughness;
       if (m.skin_settings.roughness.present()) made.roughness = slot(m.skin_settings.roughness, false);
     }
     if (auto normals = scene::fine_normals(scene, materials.size(), skin)) {
-      made.normal = {.map = m.skin_settings.displacement, .pixels = std::make_shared<const MapPixels>(std::move(*normals), false)};
+      made.normal = {.map = m.skin_settings.displacement,
+                     .pixels = std::make_shared<const MapPixels>(std::move(*normals), false)};
       made.normal.map.scale = 1;
     }
     materials.push_back(std::move(made));

@@ -21,9 +21,11 @@ constexpr double shadow_reach_mm = 5;       // twice the sigma of skin's widest 
 constexpr double seam_reach_mm = 3;
 constexpr double thin_mm = 10;
 constexpr double fold_gap_mm = 5, fold_reach_mm = 3;
-// Of half the breadth of the head: 22 mm, since an ear's root may be filled; the bowl of an ear is not wider than twice 8 mm.
+// Of half the breadth of the head: 22 mm, since an ear's root may be filled; the bowl of an ear is not wider
+// than twice 8 mm.
 constexpr double ear_thickness = 0.25, ear_closing = 0.09;
-constexpr double continuous_pixels = 4;  // neighbours on one surface are not farther apart than this, unless it is nearly edge-on
+// neighbours on one surface are not farther apart than this, unless it is nearly edge-on
+constexpr double continuous_pixels = 4;
 
 using Mask = std::vector<std::uint8_t>;
 
@@ -36,7 +38,8 @@ struct Seen {
   std::uint32_t chart = 0;
 };
 
-/// Chart of the unwrap for each triangle of each primitive, distinct between heads. skin_meshes() joins the primitives of a node in order.
+/// Chart of the unwrap for each triangle of each primitive, distinct between heads. skin_meshes() joins the
+/// primitives of a node in order.
 std::vector<std::vector<std::uint32_t>> charts_of(const scene::Scene& scene) {
   const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(scene);
   std::map<int, std::pair<std::size_t, std::size_t>> next;  // by node: mesh, triangle
@@ -59,7 +62,8 @@ class Finder {
     seen_.resize(width * static_cast<std::size_t>(view.height));
     const std::vector<std::vector<std::uint32_t>> charts = charts_of(rays.scene());
     parallel_for(static_cast<std::size_t>(view.height), [&](std::size_t y) {
-      for (std::size_t x = 0; x < width; ++x) seen_[y * width + x] = look(static_cast<int>(x), static_cast<int>(y), charts);
+      for (std::size_t x = 0; x < width; ++x)
+        seen_[y * width + x] = look(static_cast<int>(x), static_cast<int>(y), charts);
     });
   }
 
@@ -72,7 +76,8 @@ class Finder {
   Mask ears() const {
     if (!frame_) return none();
     const auto beside = [&](const Seen& s) { return frame_->beside_the_head(s.point.position_m); };
-    const Mask thin = where([&](const Seen& s) { return beside(s) && s.thickness < ear_thickness * frame_->half_breadth_m(); });
+    const Mask thin = where(
+        [&](const Seen& s) { return beside(s) && s.thickness < ear_thickness * frame_->half_breadth_m(); });
     return both(grown(thin, ear_closing * frame_->half_breadth_m()), where(beside));
   }
   Mask thin_parts() const {
@@ -82,7 +87,8 @@ class Finder {
     return grown(where([&](const Seen& s) { return s.gap < metres(fold_gap_mm); }), metres(fold_reach_mm));
   }
   Mask seams() const {
-    return grown(edges([](const Seen& a, const Seen& b) { return a.chart != b.chart; }), metres(seam_reach_mm));
+    return grown(edges([](const Seen& a, const Seen& b) { return a.chart != b.chart; }),
+                 metres(seam_reach_mm));
   }
 
   void add_light(const scene::Light& light, Mask& terminator, Mask& shadow_edges) const {
@@ -100,10 +106,12 @@ class Finder {
     const auto index = [&](const Seen& s) { return static_cast<std::size_t>(&s - seen_.data()); };
     const auto near_zero = [&](const Seen& s) { return std::abs(cosine[index(s)]) < terminator_cosine; };
     const Mask lit_band = where([&](const Seen& s) { return near_zero(s) && lit[index(s)]; });
-    add(terminator, both(grown(lit_band, metres(terminator_reach_mm)),
-                         where([&](const Seen& s) { return near_zero(s) && (lit[index(s)] || cosine[index(s)] <= 0); })));
+    add(terminator, both(grown(lit_band, metres(terminator_reach_mm)), where([&](const Seen& s) {
+                           return near_zero(s) && (lit[index(s)] || cosine[index(s)] <= 0);
+                         })));
     const Mask border = edges([&](const Seen& a, const Seen& b) {
-      const bool both_face_it = cosine[index(a)] >= terminator_cosine && cosine[index(b)] >= terminator_cosine;
+      const bool both_face_it =
+          cosine[index(a)] >= terminator_cosine && cosine[index(b)] >= terminator_cosine;
       return both_face_it && lit[index(a)] != lit[index(b)];
     });
     add(shadow_edges, grown(border, metres(shadow_reach_mm)));
@@ -129,7 +137,8 @@ class Finder {
         seen.thickness = thickness_m(rays_, seen.point);
         seen.gap = gap_m(rays_, seen.point);
         const scene::Camera& camera = view_.camera;
-        seen.pixel_m = (camera.orthographic ? camera.ymag_m : hit->t_m * std::tan(camera.fov_y_rad / 2.0)) * 2 / view_.height;
+        seen.pixel_m = (camera.orthographic ? camera.ymag_m : hit->t_m * std::tan(camera.fov_y_rad / 2.0)) *
+                       2 / view_.height;
         break;
       }
       ray.t_min_m = std::nextafter(static_cast<float>(hit->t_m), 1e30f);
@@ -159,7 +168,9 @@ class Finder {
     const auto width = static_cast<std::size_t>(view_.width);
     const auto try_pair = [&](std::size_t i, std::size_t j) {
       const Seen &a = seen_[i], &b = seen_[j];
-      if (!a.skin || !b.skin || glm::distance(a.point.position_m, b.point.position_m) > continuous_pixels * a.pixel_m) return;
+      if (!a.skin || !b.skin ||
+          glm::distance(a.point.position_m, b.point.position_m) > continuous_pixels * a.pixel_m)
+        return;
       if (differ(a, b)) mask[i] = mask[j] = 1;
     };
     for (std::size_t i = 0; i < seen_.size(); ++i) {
@@ -180,8 +191,11 @@ class Finder {
       const int window = static_cast<int>(std::min(std::ceil(reach_m / from.pixel_m), 65536.0));
       for (int y = std::max(0, y0 - window); y <= std::min(view_.height - 1, y0 + window); ++y)
         for (int x = std::max(0, x0 - window); x <= std::min(view_.width - 1, x0 + window); ++x) {
-          const std::size_t j = static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
-          if (!out[j] && seen_[j].skin && glm::distance(seen_[j].point.position_m, from.point.position_m) <= reach_m) out[j] = 1;
+          const std::size_t j = static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
+                                static_cast<std::size_t>(x);
+          if (!out[j] && seen_[j].skin &&
+              glm::distance(seen_[j].point.position_m, from.point.position_m) <= reach_m)
+            out[j] = 1;
         }
     }
     return out;
@@ -197,11 +211,14 @@ class Finder {
 
 std::vector<Region> regions(const rays::RayScene& rays, const View& view) {
   const Finder find(rays, view);
-  Mask terminator(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height)), shadow_edges = terminator;
+  Mask terminator(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height)),
+      shadow_edges = terminator;
   for (const scene::Light& light : view.lights)
     if (light.colour != glm::vec3(0)) find.add_light(light, terminator, shadow_edges);
   std::vector<Region> all;
-  const auto add = [&](const char* name, Mask mask) { all.push_back({.name = name, .mask = std::move(mask)}); };
+  const auto add = [&](const char* name, Mask mask) {
+    all.push_back({.name = name, .mask = std::move(mask)});
+  };
   add("skin", find.skin());
   add("ears", find.ears());
   add("nose", find.nose());
@@ -216,7 +233,8 @@ std::vector<Region> regions(const rays::RayScene& rays, const View& view) {
       if (all[k].mask[i]) rest[i] = 0;
   add("the rest", std::move(rest));
   for (Region& region : all)
-    region.pixels = static_cast<std::size_t>(std::count_if(region.mask.begin(), region.mask.end(), [](std::uint8_t m) { return m != 0; }));
+    region.pixels = static_cast<std::size_t>(
+        std::count_if(region.mask.begin(), region.mask.end(), [](std::uint8_t m) { return m != 0; }));
   return all;
 }
 

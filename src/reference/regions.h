@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parts of a picture in which techniques differ from the truth for different reasons, found from the scene itself.
+// Parts of a picture in which techniques differ from the truth for different reasons, found from the scene
+// itself.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +19,17 @@ struct Region {
   std::size_t pixels = 0;  ///< that are not 0
 };
 
-/// Of the pixels whose middle shows skin, in this order; all but the first and the last may overlap, and any may be empty:
+/// Of the pixels whose middle shows skin, in this order; all but the first and the last may overlap, and any
+/// may be empty:
 ///   skin          all of them
 ///   ears, nose    by shape, see HeadFrame; empty where the skin is no head that looks along +Z
-///   terminator    the surface turns away from a light: |cos| of their angle under 0.2, and lit skin next to it
-///   shadow edges  within 5 mm of where the shadow of something else begins or ends on skin that faces the light
-///   thin parts    under 10 mm thick (thickness_m): light comes through
-///   folds         within 3 mm of where other skin is less than 5 mm away in the open (gap_m): closed lids, lips, nostrils
-///   seams         within 3 mm of where the unwrap is cut
-///   the rest      skin in none of these
-/// Distances are straight lines between points that the picture shows. Lights without light do not count; parts that are cut out by a map
-/// (alpha mode mask) cast no shadow here.
+///   terminator    the surface turns away from a light: |cos| of their angle under 0.2, and lit skin next to
+///   it shadow edges  within 5 mm of where the shadow of something else begins or ends on skin that faces the
+///   light thin parts    under 10 mm thick (thickness_m): light comes through folds         within 3 mm of
+///   where other skin is less than 5 mm away in the open (gap_m): closed lids, lips, nostrils seams within 3
+///   mm of where the unwrap is cut the rest      skin in none of these
+/// Distances are straight lines between points that the picture shows. Lights without light do not count;
+/// parts that are cut out by a map (alpha mode mask) cast no shadow here.
 std::vector<Region> regions(const rays::RayScene& rays, const View& view);
 
 }  // namespace dermis::reference

@@ -31,8 +31,9 @@ struct View {
 struct Job {
   View view;
   Model model = Model::bssrdf;
-  std::vector<gaussians::SumOfGaussians> profiles;  ///< bssrdf: one a material of the scene; those that are not skin may be empty
-  optics::RgbMedium medium{};                       ///< volume; one g and one eta for all channels
+  /// bssrdf: one a material of the scene; those that are not skin may be empty
+  std::vector<gaussians::SumOfGaussians> profiles;
+  optics::RgbMedium medium{};  ///< volume; one g and one eta for all channels
 };
 
 }  // namespace dermis::reference

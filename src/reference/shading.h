@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Light at a point and what its surface does with it: the equations of the real-time shaders once more, in double and with shadow rays.
-// Written apart from the shaders on purpose, so that the reference cannot inherit their mistakes.
+// Light at a point and what its surface does with it: the equations of the real-time shaders once more, in
+// double and with shadow rays. Written apart from the shaders on purpose, so that the reference cannot
+// inherit their mistakes.
 #pragma once
 
 #include <vector>
@@ -29,7 +30,8 @@ struct Arriving {
   double distance_m = 1e30;
 };
 Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m);
-/// The same from one point of a light that is a disc, which faces the position; all of them send equally much.
+/// The same from one point of a light that is a disc, which faces the position; all of them send equally
+/// much.
 Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m, Random& random);
 
 /// From the surface to the light, clear of both; nothing lies on it if t_max_m <= t_min_m.
@@ -47,7 +49,8 @@ class Shading {
   glm::dvec3 entering_irradiance(const rays::SurfacePoint& s, Random& random) const;
   /// What spreads from a point of skin: E albedo^mix / pi.
   glm::dvec3 light_in_skin(const rays::SurfacePoint& s, Random& random) const;
-  /// What becomes of light that has spread, on its way to the eye: albedo^(1 - mix) times what the surface lets out towards `to_eye`.
+  /// What becomes of light that has spread, on its way to the eye: albedo^(1 - mix) times what the surface
+  /// lets out towards `to_eye`.
   glm::dvec3 leaving_factor(const rays::SurfacePoint& s, const glm::dvec3& to_eye) const;
   /// What the surface of skin reflects towards the eye.
   glm::dvec3 skin_reflection(const rays::SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const;
@@ -57,23 +60,29 @@ class Shading {
     glm::dvec3 radiance{0};
     double alpha = 1;  ///< how much it covers; 0 where it is cut out
   };
-  Surface surface(const rays::SurfacePoint& s, double normal_side, const glm::dvec3& to_eye, Random& random) const;
+  Surface surface(const rays::SurfacePoint& s, double normal_side, const glm::dvec3& to_eye,
+                  Random& random) const;
 
   /// Is something opaque between the point and the light?
   bool shadowed(const rays::SurfacePoint& s, const Arriving& light) const;
 
  private:
-  glm::dvec3 mapped_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal) const;
-  glm::dvec3 eye_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal, const glm::dvec3& to_eye) const;
+  glm::dvec3 mapped_normal(const ShadingMaterial& m, const rays::SurfacePoint& s,
+                           const glm::dvec3& normal) const;
+  glm::dvec3 eye_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal,
+                        const glm::dvec3& to_eye) const;
   glm::dvec3 albedo(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
   SkinSpecular skin_specular(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
-  /// Under a picture of the surroundings: what of them enters skin with the mapped normal n, and what its lobes reflect. `bounces`: how
-  /// often the light has been sent on by something in the way, on its path from the eye.
-  glm::dvec3 entering_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n, const SkinSpecular& spec, Random& random) const;
-  glm::dvec3 reflected_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n, const SkinSpecular& spec, const glm::dvec3& to_eye,
-                                    Random& random) const;
+  /// Under a picture of the surroundings: what of them enters skin with the mapped normal n, and what its
+  /// lobes reflect. `bounces`: how often the light has been sent on by something in the way, on its path from
+  /// the eye.
+  glm::dvec3 entering_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n, const SkinSpecular& spec,
+                                   Random& random) const;
+  glm::dvec3 reflected_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n,
+                                    const SkinSpecular& spec, const glm::dvec3& to_eye, Random& random) const;
   /// Radiance that reaches the point from a direction: the surroundings', or what is in the way sends on.
-  glm::dvec3 arriving_from(const rays::SurfacePoint& s, const glm::dvec3& direction, Random& random, int bounces) const;
+  glm::dvec3 arriving_from(const rays::SurfacePoint& s, const glm::dvec3& direction, Random& random,
+                           int bounces) const;
   glm::dvec3 sent_on(const rays::SurfacePoint& s, Random& random, int bounces) const;
   double occlusion(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
   bool cut_out_between(rays::Ray ray) const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 3.4 and GPU Gems 3, ch. 14
+// Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 3.4 and GPU
+// Gems 3, ch. 14
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,7 +23,8 @@ glm::dvec3 power(const glm::dvec3& albedo, double exponent) {
 Shading::Shading(const rays::RayScene& rays, const View& view)
     : rays_(&rays), view_(view), materials_(shading_materials(rays.scene(), view.mix)) {}
 
-glm::dvec3 Shading::mapped_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal) const {
+glm::dvec3 Shading::mapped_normal(const ShadingMaterial& m, const rays::SurfacePoint& s,
+                                  const glm::dvec3& normal) const {
   if (!m.normal.present()) return normal;
   glm::dvec3 t = glm::dvec3(m.normal.read(s.uv)) * 2.0 - 1.0;
   t.x *= m.normal.map.scale, t.y *= m.normal.map.scale;
@@ -34,8 +36,8 @@ glm::dvec3 Shading::mapped_normal(const ShadingMaterial& m, const rays::SurfaceP
 }
 
 // A mapped normal may face away from the eye at a silhouette; what is seen has a positive cosine.
-glm::dvec3 Shading::eye_normal(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::dvec3& normal,
-                               const glm::dvec3& to_eye) const {
+glm::dvec3 Shading::eye_normal(const ShadingMaterial& m, const rays::SurfacePoint& s,
+                               const glm::dvec3& normal, const glm::dvec3& to_eye) const {
   const glm::dvec3 n = mapped_normal(m, s, normal);
   const double n_v = glm::dot(n, to_eye);
   return n_v < 0.05 ? glm::normalize(n + to_eye * (0.05 - n_v)) : n;
@@ -69,7 +71,8 @@ double Shading::occlusion(const ShadingMaterial& m, const rays::SurfacePoint& s)
   return m.occlusion.present() ? 1 + m.occlusion.map.scale * (m.occlusion.read(s.uv).r - 1) : 1;
 }
 
-// Sum over the lights of E (1 - rho(L)) / (1 - rho_mean), plus the surroundings: what the surface reflects does not enter.
+// Sum over the lights of E (1 - rho(L)) / (1 - rho_mean), plus the surroundings: what the surface reflects
+// does not enter.
 glm::dvec3 Shading::entering_irradiance(const rays::SurfacePoint& s, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const SkinSpecular spec = skin_specular(m, s);
@@ -78,11 +81,13 @@ glm::dvec3 Shading::entering_irradiance(const rays::SurfacePoint& s, Random& ran
   for (const scene::Light& light : view_.lights) {
     const Arriving a = arriving_light(light, s.position_m, random);
     const double cosine = glm::dot(n, a.to_light);
-    if (cosine <= 0 || glm::dot(s.normal, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(s, a)) continue;
+    if (cosine <= 0 || glm::dot(s.normal, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(s, a))
+      continue;
     e += a.irradiance * (cosine * (1 - table_.at(spec, cosine)));
   }
   e /= 1 - table_.mean(spec);
-  return e + (view_.surroundings ? entering_surroundings(s, n, spec, random) : glm::dvec3(view_.ambient * pi * occlusion(m, s)));
+  return e + (view_.surroundings ? entering_surroundings(s, n, spec, random)
+                                 : glm::dvec3(view_.ambient * pi * occlusion(m, s)));
 }
 
 glm::dvec3 Shading::light_in_skin(const rays::SurfacePoint& s, Random& random) const {
@@ -97,7 +102,8 @@ glm::dvec3 Shading::leaving_factor(const rays::SurfacePoint& s, const glm::dvec3
   return power(albedo(m, s), 1 - m.mix_before) * (1 - table_.at(skin_specular(m, s), glm::dot(n, to_eye)));
 }
 
-glm::dvec3 Shading::skin_reflection(const rays::SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const {
+glm::dvec3 Shading::skin_reflection(const rays::SurfacePoint& s, const glm::dvec3& to_eye,
+                                    Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const SkinSpecular spec = skin_specular(m, s);
   if (spec.rho_s <= 0) return glm::dvec3(0);
@@ -106,7 +112,8 @@ glm::dvec3 Shading::skin_reflection(const rays::SurfacePoint& s, const glm::dvec
   for (const scene::Light& light : view_.lights) {
     const Arriving a = arriving_light(light, s.position_m, random);
     const double cosine = glm::dot(n, a.to_light);
-    if (cosine <= 0 || glm::dot(s.normal, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(s, a)) continue;
+    if (cosine <= 0 || glm::dot(s.normal, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(s, a))
+      continue;
     sum += a.irradiance * (cosine * specular_brdf(spec, n, to_eye, a.to_light));
   }
   if (view_.surroundings) return sum + reflected_surroundings(s, n, spec, to_eye, random);

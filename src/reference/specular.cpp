@@ -40,7 +40,8 @@ double share_of_first(const SkinSpecular& s) {
 }  // namespace
 
 double specular_brdf(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l) {
-  return s.rho_s * (s.weight[0] * kelemen(n, v, l, s.m[0], s.f0) + s.weight[1] * kelemen(n, v, l, s.m[1], s.f0));
+  return s.rho_s *
+         (s.weight[0] * kelemen(n, v, l, s.m[0], s.f0) + s.weight[1] * kelemen(n, v, l, s.m[1], s.f0));
 }
 
 glm::dvec3 lobe_drawn(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, Random& random) {
@@ -57,7 +58,8 @@ double lobe_density(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3
   const double n_h = glm::dot(n, h_raw) / length, v_h = glm::dot(v, h_raw) / length;
   if (n_h <= 0 || v_h <= 0) return 0;
   const double first = share_of_first(s);
-  const double normals = (first * beckmann(n_h, s.m[0]) + (1 - first) * beckmann(n_h, s.m[1])) / std::numbers::pi;
+  const double normals =
+      (first * beckmann(n_h, s.m[0]) + (1 - first) * beckmann(n_h, s.m[1])) / std::numbers::pi;
   return normals * n_h / (4 * v_h);
 }
 
@@ -69,7 +71,8 @@ double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
   double sum = 0;
   for (std::size_t lobe = 0; lobe < 2; ++lobe) {
     if (s.weight[lobe] == 0) continue;
-    const double row = std::clamp((s.m[lobe] - attenuation_min_m) / (1 - attenuation_min_m), 0.0, 1.0) * (attenuation_rows - 1);
+    const double row = std::clamp((s.m[lobe] - attenuation_min_m) / (1 - attenuation_min_m), 0.0, 1.0) *
+                       (attenuation_rows - 1);
     const auto r0 = static_cast<std::size_t>(row);
     const double ry = row - static_cast<double>(r0);
     const std::size_t r1 = std::min<std::size_t>(r0 + 1, attenuation_rows - 1);
@@ -77,7 +80,9 @@ double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
       const std::size_t i = 2 * (r * (attenuation_columns + 2) + c);
       return s.f0 * table_[i] + table_[i + 1];
     };
-    const auto along = [&](std::size_t r) { return (1 - cx) * rho(r, c0) + (cx > 0 ? cx * rho(r, c0 + 1) : 0); };
+    const auto along = [&](std::size_t r) {
+      return (1 - cx) * rho(r, c0) + (cx > 0 ? cx * rho(r, c0 + 1) : 0);
+    };
     sum += s.weight[lobe] * ((1 - ry) * along(r0) + ry * along(r1));
   }
   return std::min(s.rho_s * sum, 0.9);
@@ -87,6 +92,8 @@ double ReflectanceTable::at(const SkinSpecular& s, double cosine) const {
   return s.rho_s == 0 ? 0 : lookup(s, std::clamp(cosine, 0.0, 1.0) * (attenuation_columns - 1));
 }
 
-double ReflectanceTable::mean(const SkinSpecular& s) const { return s.rho_s == 0 ? 0 : lookup(s, attenuation_columns); }
+double ReflectanceTable::mean(const SkinSpecular& s) const {
+  return s.rho_s == 0 ? 0 : lookup(s, attenuation_columns);
+}
 
 }  // namespace dermis::reference

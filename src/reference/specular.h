@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The two lobes that skin reflects with. Based on: [DLE07] GPU Gems 3, ch. 14.3; [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled
-// Specular-Matte BRDF Model, EG 2001. The lobe carries a factor pi against a normalised Beckmann lobe; rho_s = 0.18 goes with that.
+// The two lobes that skin reflects with. Based on: [DLE07] GPU Gems 3, ch. 14.3; [KSK01] Kelemen,
+// Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF Model, EG 2001. The lobe carries a factor pi
+// against a normalised Beckmann lobe; rho_s = 0.18 goes with that.
 #pragma once
 
 #include <array>
@@ -21,7 +22,8 @@ struct SkinSpecular {
 /// f, so that radiance = f * irradiance. All directions unit.
 double specular_brdf(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l);
 
-/// A direction l drawn by the lobes: their normals by Beckmann's distribution, mirrored; it may lie beneath the surface.
+/// A direction l drawn by the lobes: their normals by Beckmann's distribution, mirrored; it may lie beneath
+/// the surface.
 glm::dvec3 lobe_drawn(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, Random& random);
 /// Of lobe_drawn(), per steradian.
 double lobe_density(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and height-correlated Smith.
-// The uniform surroundings are reflected by the split-sum fit of Karis, "Physically Based Shading on Mobile", 2014.
+// Eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and
+// height-correlated Smith. The uniform surroundings are reflected by the split-sum fit of Karis, "Physically
+// Based Shading on Mobile", 2014.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -43,13 +44,16 @@ Look look_at(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::d
   return look;
 }
 
-glm::dvec3 brdf_times_cosine(const Look& look, bool specular, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l) {
+glm::dvec3 brdf_times_cosine(const Look& look, bool specular, const glm::dvec3& n, const glm::dvec3& v,
+                             const glm::dvec3& l) {
   const glm::dvec3 h = glm::normalize(v + l);
-  const double n_l = std::max(glm::dot(n, l), 0.0), n_v = std::max(glm::dot(n, v), 1e-3), n_h = std::max(glm::dot(n, h), 0.0),
-               v_h = std::max(glm::dot(v, h), 0.0);
+  const double n_l = std::max(glm::dot(n, l), 0.0), n_v = std::max(glm::dot(n, v), 1e-3),
+               n_h = std::max(glm::dot(n, h), 0.0), v_h = std::max(glm::dot(v, h), 0.0);
   const double a2 = look.alpha * look.alpha, d = n_h * n_h * (a2 - 1) + 1;
   const double distribution = a2 / (pi * d * d);
-  const double visibility = 0.5 / std::max(n_l * std::sqrt(n_v * n_v * (1 - a2) + a2) + n_v * std::sqrt(n_l * n_l * (1 - a2) + a2), 1e-5);
+  const double visibility =
+      0.5 /
+      std::max(n_l * std::sqrt(n_v * n_v * (1 - a2) + a2) + n_v * std::sqrt(n_l * n_l * (1 - a2) + a2), 1e-5);
   const glm::dvec3 fresnel = look.f0 + (look.f90 - look.f0) * std::pow(1 - v_h, 5);
   glm::dvec3 sum = look.albedo * ((1 - largest(fresnel)) / pi);
   if (specular) sum += fresnel * (distribution * visibility);
@@ -59,25 +63,29 @@ glm::dvec3 brdf_times_cosine(const Look& look, bool specular, const glm::dvec3& 
 /// GGX's normals, mirrored about v: a direction, and how likely a direction is, per steradian.
 glm::dvec3 highlight_drawn(const Look& look, const glm::dvec3& n, const glm::dvec3& v, Random& random) {
   const double u = random.next();
-  const glm::dvec3 h = around(n, 1 / std::sqrt(1 + look.alpha * look.alpha * u / (1 - u)), 2 * pi * random.next());
+  const glm::dvec3 h =
+      around(n, 1 / std::sqrt(1 + look.alpha * look.alpha * u / (1 - u)), 2 * pi * random.next());
   return glm::normalize(2 * glm::dot(v, h) * h - v);
 }
 double highlight_density(const Look& look, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l) {
   const glm::dvec3 h = glm::normalize(v + l);
-  const double n_h = glm::dot(n, h), v_h = glm::dot(v, h), a2 = look.alpha * look.alpha, d = n_h * n_h * (a2 - 1) + 1;
+  const double n_h = glm::dot(n, h), v_h = glm::dot(v, h), a2 = look.alpha * look.alpha,
+               d = n_h * n_h * (a2 - 1) + 1;
   return n_h > 0 && v_h > 0 ? a2 * n_h / (4 * pi * d * d * v_h) : 0;
 }
 
 /// What a picture of the surroundings shows in a surface; `arriving` says what comes from a direction.
-glm::dvec3 mirrored_picture(const Look& look, bool specular, const Surroundings& sky, const glm::dvec3& n, const glm::dvec3& v,
-                            Random& random, const std::function<glm::dvec3(const glm::dvec3&)>& arriving) {
+glm::dvec3 mirrored_picture(const Look& look, bool specular, const Surroundings& sky, const glm::dvec3& n,
+                            const glm::dvec3& v, Random& random,
+                            const std::function<glm::dvec3(const glm::dvec3&)>& arriving) {
   const double r2 = random.next();
   glm::dvec3 sum(0);
-  for (const glm::dvec3& d :
-       {sky.draw(random), around(n, std::sqrt(1 - r2), 2 * pi * random.next()), highlight_drawn(look, n, v, random)}) {
+  for (const glm::dvec3& d : {sky.draw(random), around(n, std::sqrt(1 - r2), 2 * pi * random.next()),
+                              highlight_drawn(look, n, v, random)}) {
     const double cosine = glm::dot(n, d);
     if (cosine <= 0) continue;
-    sum += arriving(d) * brdf_times_cosine(look, specular, n, v, d) / (sky.density(d) + cosine / pi + highlight_density(look, n, v, d));
+    sum += arriving(d) * brdf_times_cosine(look, specular, n, v, d) /
+           (sky.density(d) + cosine / pi + highlight_density(look, n, v, d));
   }
   return sum;
 }
@@ -91,13 +99,15 @@ glm::dvec3 mirrored_uniform(const Look& look, double n_v) {
 
 }  // namespace
 
-Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_side, const glm::dvec3& to_eye, Random& random) const {
+Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_side, const glm::dvec3& to_eye,
+                                  Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
   const scene::Material& source = *m.source;
   glm::dvec4 base = glm::dvec4(source.base_colour) * s.colour;
   if (m.base_colour.present()) base *= m.base_colour.read(s.uv);
   if (view_.white_albedo) base = glm::dvec4(1, 1, 1, base.a);
-  if (source.alpha_mode == scene::AlphaMode::mask && base.a < source.alpha_cutoff) return {.radiance = glm::dvec3(0), .alpha = 0};
+  if (source.alpha_mode == scene::AlphaMode::mask && base.a < source.alpha_cutoff)
+    return {.radiance = glm::dvec3(0), .alpha = 0};
   Surface out;
   if (source.alpha_mode == scene::AlphaMode::blend) out.alpha = std::clamp(base.a, 0.0, 1.0);
   const glm::dvec3 albedo(base);
@@ -116,9 +126,11 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
   }
   if (view_.surroundings) {
     const auto arriving = [&](const glm::dvec3& d) { return arriving_from(seen, d, random, 0); };
-    out.radiance += occlusion(m, s) * mirrored_picture(look, view_.specular, *view_.surroundings, n, to_eye, random, arriving);
+    out.radiance += occlusion(m, s) *
+                    mirrored_picture(look, view_.specular, *view_.surroundings, n, to_eye, random, arriving);
   } else {
-    const glm::dvec3 mirrored = view_.specular ? mirrored_uniform(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
+    const glm::dvec3 mirrored =
+        view_.specular ? mirrored_uniform(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
     out.radiance += view_.ambient * occlusion(m, s) * (look.albedo * (1 - largest(mirrored)) + mirrored);
   }
   glm::dvec3 emitted(source.emissive);

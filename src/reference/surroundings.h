@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A picture of the surroundings as a light: how bright it is in a direction, and directions drawn where it is bright.
-// Based on: [PJH16] Pharr, Jakob, Humphreys: Physically Based Rendering. 3rd edition 2016, sec. 14.2.4 (infinite area lights)
+// A picture of the surroundings as a light: how bright it is in a direction, and directions drawn where it is
+// bright. Based on: [PJH16] Pharr, Jakob, Humphreys: Physically Based Rendering. 3rd edition 2016,
+// sec. 14.2.4 (infinite area lights)
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,13 +14,14 @@ namespace dermis::reference {
 
 class Surroundings {
  public:
-  /// Radiance is multiplied by intensity >= 0. The picture is turned about +Y by rotation_deg, from the head's front (+Z) towards its
-  /// left (+X).
+  /// Radiance is multiplied by intensity >= 0. The picture is turned about +Y by rotation_deg, from the
+  /// head's front (+Z) towards its left (+X).
   Surroundings(environment::Environment picture, double intensity, double rotation_deg);
 
   /// What arrives from a unit direction, bilinear between pixels.
   glm::dvec3 radiance(const glm::dvec3& direction) const;
-  /// A direction, drawn by the brightness of cells of at most 1024 x 512, evenly over the solid angle of each. Any where all is black.
+  /// A direction, drawn by the brightness of cells of at most 1024 x 512, evenly over the solid angle of
+  /// each. Any where all is black.
   glm::dvec3 draw(Random& random) const;
   /// Of draw(), per steradian; 0 where all is black.
   double density(const glm::dvec3& direction) const;

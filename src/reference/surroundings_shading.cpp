@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Light from a picture of the surroundings at a point: what is seen of them, and what the body in the way sends on, over any number of
-// bounces. What it sends on is diffuse, by its base colour: under the light of a hemisphere nobody sees that it has spread before.
-// Based on: Veach, Guibas: Optimally Combining Sampling Techniques for Monte Carlo Rendering. SIGGRAPH 1995 (balance heuristic)
+// Light from a picture of the surroundings at a point: what is seen of them, and what the body in the way
+// sends on, over any number of bounces. What it sends on is diffuse, by its base colour: under the light of a
+// hemisphere nobody sees that it has spread before. Based on: Veach, Guibas: Optimally Combining Sampling
+// Techniques for Monte Carlo Rendering. SIGGRAPH 1995 (balance heuristic)
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -28,15 +29,18 @@ glm::dvec3 Shading::sent_on(const rays::SurfacePoint& s, Random& random, int bou
   const glm::dvec3 colour = glm::min(albedo(materials_[s.material], s), glm::dvec3(1));
   const double goes_on = std::min(most_survivors, std::max({colour.x, colour.y, colour.z}));
   if (bounces > most_bounces || random.next() >= goes_on) return glm::dvec3(0);
-  const glm::dvec3 d = random.next() < 0.5 ? view_.surroundings->draw(random) : cosine_drawn(s.normal, random);
+  const glm::dvec3 d =
+      random.next() < 0.5 ? view_.surroundings->draw(random) : cosine_drawn(s.normal, random);
   const double cosine = glm::dot(s.normal, d);
   if (cosine <= 0) return glm::dvec3(0);
   const double density = 0.5 * (view_.surroundings->density(d) + cosine / pi);
   return arriving_from(s, d, random, bounces) * (colour * (cosine / (pi * density * goes_on)));
 }
 
-glm::dvec3 Shading::arriving_from(const rays::SurfacePoint& s, const glm::dvec3& direction, Random& random, int bounces) const {
-  if (glm::dot(s.normal, direction) <= 0) return sent_on(s, random, bounces + 1);  // where a mapped normal looks into its own slope
+glm::dvec3 Shading::arriving_from(const rays::SurfacePoint& s, const glm::dvec3& direction, Random& random,
+                                  int bounces) const {
+  // where a mapped normal looks into its own slope
+  if (glm::dot(s.normal, direction) <= 0) return sent_on(s, random, bounces + 1);
   rays::Ray ray = shadow_ray(s, {.to_light = direction});
   const std::optional<rays::Hit> hit = rays_->nearest_solid(ray);
   if (hit) ray.t_max_m = hit->t_m;
@@ -50,14 +54,15 @@ glm::dvec3 Shading::arriving_from(const rays::SurfacePoint& s, const glm::dvec3&
   return sent_on(other, random, bounces + 1);
 }
 
-glm::dvec3 Shading::entering_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n, const SkinSpecular& spec,
-                                          Random& random) const {
+glm::dvec3 Shading::entering_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n,
+                                          const SkinSpecular& spec, Random& random) const {
   const Surroundings& sky = *view_.surroundings;
   glm::dvec3 e(0);
   for (const glm::dvec3& d : {sky.draw(random), cosine_drawn(n, random)}) {
     const double cosine = glm::dot(n, d);
     if (cosine <= 0) continue;
-    e += arriving_from(s, d, random, 0) * (cosine * (1 - table_.at(spec, cosine)) / (sky.density(d) + cosine / pi));
+    e += arriving_from(s, d, random, 0) *
+         (cosine * (1 - table_.at(spec, cosine)) / (sky.density(d) + cosine / pi));
   }
   const ShadingMaterial& m = materials_[s.material];
   const double open = std::max(occlusion(m, s), 0.002);
@@ -65,15 +70,17 @@ glm::dvec3 Shading::entering_surroundings(const rays::SurfacePoint& s, const glm
   return e / (1 - table_.mean(spec)) * (open / (1.0 - glm::min(albedo(m, s), glm::dvec3(1)) * (1 - open)));
 }
 
-glm::dvec3 Shading::reflected_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n, const SkinSpecular& spec,
-                                           const glm::dvec3& to_eye, Random& random) const {
+glm::dvec3 Shading::reflected_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n,
+                                           const SkinSpecular& spec, const glm::dvec3& to_eye,
+                                           Random& random) const {
   const Surroundings& sky = *view_.surroundings;
   glm::dvec3 sum(0);
   for (const glm::dvec3& d : {sky.draw(random), lobe_drawn(spec, n, to_eye, random)}) {
     const double cosine = glm::dot(n, d);
     if (cosine <= 0) continue;
     const double density = sky.density(d) + lobe_density(spec, n, to_eye, d);
-    if (density > 0) sum += arriving_from(s, d, random, 0) * (cosine * specular_brdf(spec, n, to_eye, d) / density);
+    if (density > 0)
+      sum += arriving_from(s, d, random, 0) * (cosine * specular_brdf(spec, n, to_eye, d) / density);
   }
   return sum * occlusion(materials_[s.material], s);
 }

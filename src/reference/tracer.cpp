@@ -23,11 +23,13 @@ glm::dvec3 diffuse_total(const optics::RgbMedium& medium) {
 Tracer::Tracer(const scene::Scene& scene, const Job& job)
     : job_(job), rays_(scene), shading_(rays_, job.view), medium_(job.medium, scene.mm_per_unit) {
   if (job.model == Model::bssrdf)
-    for (const gaussians::SumOfGaussians& profile : job.profiles) diffusion_.emplace_back(profile, scene.mm_per_unit);
+    for (const gaussians::SumOfGaussians& profile : job.profiles)
+      diffusion_.emplace_back(profile, scene.mm_per_unit);
   if (job.model == Model::volume) medium_total_ = diffuse_total(job.medium);
 }
 
-glm::dvec3 Tracer::from_the_medium(const rays::SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const {
+glm::dvec3 Tracer::from_the_medium(const rays::SurfacePoint& s, const glm::dvec3& to_eye,
+                                   Random& random) const {
   // The eye's ray enters by Snell's law; by reciprocity that is the way on which light leaves.
   const double facing = glm::dot(to_eye, s.face_normal);
   if (facing <= 0) return glm::dvec3(0);
@@ -37,16 +39,19 @@ glm::dvec3 Tracer::from_the_medium(const rays::SurfacePoint& s, const glm::dvec3
   walks_.fetch_add(1, std::memory_order_relaxed);
   if (end.how == WalkEnd::How::lost) lost_.fetch_add(1, std::memory_order_relaxed);
   if (end.how != WalkEnd::How::left) return glm::dvec3(0);
-  // Light enters as through a rough surface, spread over all directions: then its radiance along the walk is E / pi.
-  return end.weight / medium_total_ * shading_.light_in_skin(rays::surface_point(rays_.scene(), end.hit), random);
+  // Light enters as through a rough surface, spread over all directions: then its radiance along the walk is
+  // E / pi.
+  return end.weight / medium_total_ *
+         shading_.light_in_skin(rays::surface_point(rays_.scene(), end.hit), random);
 }
 
 glm::dvec3 Tracer::skin_radiance(rays::SurfacePoint& s, double side, const glm::dvec3& to_eye, Random& random,
                                  std::vector<rays::Hit>& scratch) const {
   glm::dvec3 scattered(0);
   if (job_.model == Model::bssrdf)
-    scattered = diffusion_[s.material].sample(rays_, s, random, scratch,
-                                              [&](const rays::SurfacePoint& x) { return shading_.light_in_skin(x, random); });
+    scattered = diffusion_[s.material].sample(rays_, s, random, scratch, [&](const rays::SurfacePoint& x) {
+      return shading_.light_in_skin(x, random);
+    });
   else
     scattered = from_the_medium(s, to_eye, random);
   s.normal *= side;

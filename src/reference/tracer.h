@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One sample of one pixel: a ray through the camera, and what the chosen model says of the skin that it meets.
+// One sample of one pixel: a ray through the camera, and what the chosen model says of the skin that it
+// meets.
 #pragma once
 
 #include <atomic>
@@ -13,7 +14,8 @@ namespace dermis::reference {
 
 class Tracer {
  public:
-  /// Keeps a reference to the scene. InputError: a medium whose channels differ in g or eta. DeviceError: Embree could not start.
+  /// Keeps a reference to the scene. InputError: a medium whose channels differ in g or eta. DeviceError:
+  /// Embree could not start.
   Tracer(const scene::Scene& scene, const Job& job);
 
   struct Sample {
@@ -47,8 +49,8 @@ class Tracer {
   mutable std::atomic<std::uint64_t> walks_{0}, lost_{0};
 };
 
-/// What a half-space of the medium sends back of diffuse light that entered it, per channel, 0 to 1. Monte-Carlo, 4e5 photons a channel:
-/// within 0.2 per cent.
+/// What a half-space of the medium sends back of diffuse light that entered it, per channel, 0 to 1.
+/// Monte-Carlo, 4e5 photons a channel: within 0.2 per cent.
 glm::dvec3 diffuse_total(const optics::RgbMedium& medium);
 
 }  // namespace dermis::reference

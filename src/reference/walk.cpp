@@ -29,7 +29,8 @@ glm::dvec3 scattered(const glm::dvec3& d, double g, Random& random) {
   return around(d, cosine, phi);
 }
 
-/// What the walk carries: throughput over the density of the channel that draws, and the densities of all three over the same.
+/// What the walk carries: throughput over the density of the channel that draws, and the densities of all
+/// three over the same.
 struct Carried {
   glm::dvec3 throughput{1}, density{1};
 
@@ -50,7 +51,8 @@ struct Carried {
 
 }  // namespace
 
-WalkMedium::WalkMedium(const optics::RgbMedium& medium, double mm_per_unit) : g(medium[0].g), eta(medium[0].eta) {
+WalkMedium::WalkMedium(const optics::RgbMedium& medium, double mm_per_unit)
+    : g(medium[0].g), eta(medium[0].eta) {
   for (int c = 0; c < 3; ++c) {
     const optics::Medium& m = medium[static_cast<std::size_t>(c)];
     if (m.g != g || m.eta != eta) throw input_error("medium", "one g and one eta must serve all channels");
@@ -66,7 +68,8 @@ glm::dvec3 refracted(const glm::dvec3& d, const glm::dvec3& n, double n_ratio) {
   return glm::normalize(n_ratio * d + (n_ratio * cosine - std::sqrt(k)) * n);
 }
 
-WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m, const glm::dvec3& direction, Random& random) {
+WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m,
+             const glm::dvec3& direction, Random& random) {
   WalkEnd end;
   const int hero = std::min(2, static_cast<int>(3 * random.next()));
   const double sigma_hero = medium.sigma_t[hero];
@@ -74,7 +77,8 @@ WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dv
   glm::dvec3 at = start_m, to = direction;
   for (int event = 0; event < max_events; ++event) {
     const double free_path = -std::log(random.next()) / sigma_hero;
-    const std::optional<rays::Hit> hit = rays.nearest_skin({.origin_m = at, .direction = to, .t_min_m = 0, .t_max_m = free_path});
+    const std::optional<rays::Hit> hit =
+        rays.nearest_skin({.origin_m = at, .direction = to, .t_min_m = 0, .t_max_m = free_path});
     if (!hit) {
       at += free_path * to;
       if (!rays.in_skin_box(at)) break;  // out through a hole

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Light followed through the medium under the skin, from the eye's side: a random walk between the triangles of a closed mesh.
-// Based on: [WJZ95] Wang, Jacques, Zheng: MCML. CMPB 47, 1995 (steps, boundary); [WNDS14] Wilkie, Nawaz, Droske, Weidlich, Hanika: Hero
-// Wavelength Spectral Sampling. EGSR 2014 (one walk for three channels)
+// Light followed through the medium under the skin, from the eye's side: a random walk between the triangles
+// of a closed mesh. Based on: [WJZ95] Wang, Jacques, Zheng: MCML. CMPB 47, 1995 (steps, boundary); [WNDS14]
+// Wilkie, Nawaz, Droske, Weidlich, Hanika: Hero Wavelength Spectral Sampling. EGSR 2014 (one walk for three
+// channels)
 #pragma once
 
 #include <glm/glm.hpp>
@@ -33,13 +34,15 @@ struct WalkEnd {
   int scatterings = 0;
 };
 
-/// Refraction of the unit direction d at a face with unit normal n against d (d.n < 0), n_ratio = index before / index after. Zero length
-/// under total reflection.
+/// Refraction of the unit direction d at a face with unit normal n against d (d.n < 0), n_ratio = index
+/// before / index after. Zero length under total reflection.
 glm::dvec3 refracted(const glm::dvec3& d, const glm::dvec3& n, double n_ratio);
 
-/// From a point under the skin, in a direction inside it. Free paths are drawn for one channel and weighed for all three by the balance
-/// heuristic; at a face the walk turns back with Fresnel's probability; roulette ends it under a weight of 0.05. A walk is lost when it
-/// meets the front of a face or leaves the box around the skin, which a closed mesh does not allow.
-WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m, const glm::dvec3& direction, Random& random);
+/// From a point under the skin, in a direction inside it. Free paths are drawn for one channel and weighed
+/// for all three by the balance heuristic; at a face the walk turns back with Fresnel's probability; roulette
+/// ends it under a weight of 0.05. A walk is lost when it meets the front of a face or leaves the box around
+/// the skin, which a closed mesh does not allow.
+WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m,
+             const glm::dvec3& direction, Random& random);
 
 }  // namespace dermis::reference

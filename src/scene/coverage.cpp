@@ -18,7 +18,8 @@ std::int64_t floor_div(std::int64_t a, std::int64_t b) {  // b > 0
 
 TexelTriangle::TexelTriangle(const std::array<glm::vec2, 3>& uv, int side) : side_(side) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const glm::dvec2 p = glm::clamp(glm::dvec2(uv[k]), glm::dvec2(-1), glm::dvec2(2)) * (static_cast<double>(side) * sub);
+    const glm::dvec2 p =
+        glm::clamp(glm::dvec2(uv[k]), glm::dvec2(-1), glm::dvec2(2)) * (static_cast<double>(side) * sub);
     x_[k] = std::llround(p.x), y_[k] = std::llround(p.y);
   }
   const std::int64_t area2 = (x_[1] - x_[0]) * (y_[2] - y_[0]) - (x_[2] - x_[0]) * (y_[1] - y_[0]);
@@ -35,8 +36,9 @@ TexelSpan TexelTriangle::row(int y) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t n = (k + 1) % 3;
     const std::int64_t dx = x_[n] - x_[k], dy = y_[n] - y_[k];
-    // Edge function at the centre of column c: at_zero + c * step, positive inside. y runs down and the winding is clockwise to the eye:
-    // a left edge goes up, a top edge to the right; only those keep centres that lie on them.
+    // Edge function at the centre of column c: at_zero + c * step, positive inside. y runs down and the
+    // winding is clockwise to the eye: a left edge goes up, a top edge to the right; only those keep centres
+    // that lie on them.
     const std::int64_t at_zero = dx * (centre_y - y_[k]) - dy * (sub / 2 - x_[k]), step = -dy * sub;
     const std::int64_t least = dy < 0 || (dy == 0 && dx > 0) ? 0 : 1;
     if (step > 0) {
@@ -69,10 +71,12 @@ double uv_overlap_fraction(const SkinMesh& mesh, int resolution) {
   DERMIS_ASSERT_LT(0, resolution);
   DERMIS_ASSERT_LE(resolution, 16384);
   if (uv_area_sum(mesh) > 64) return 1;
-  std::vector<std::uint8_t> count(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution), 0);
+  std::vector<std::uint8_t> count(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution),
+                                  0);
   for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
     for_each_texel(triangle_uv(mesh, t), resolution, [&](int x, int y) {
-      std::uint8_t& c = count[static_cast<std::size_t>(y) * static_cast<std::size_t>(resolution) + static_cast<std::size_t>(x)];
+      std::uint8_t& c = count[static_cast<std::size_t>(y) * static_cast<std::size_t>(resolution) +
+                              static_cast<std::size_t>(x)];
       if (c < 2) ++c;
     });
   }
@@ -85,7 +89,8 @@ double warn_overlap(const SkinMesh& mesh) {
   const double fraction = uv_overlap_fraction(mesh);
   if (fraction > 0.005) {
     warn(
-        "skin '{}': {:.1f} % of its texture coordinates overlap, so these places share one light map: light of one will show on the other. "
+        "skin '{}': {:.1f} % of its texture coordinates overlap, so these places share one light map: light "
+        "of one will show on the other. "
         "Unwrap the skin without overlaps (mirrored halves side by side) and bake its maps again",
         mesh.name, 100 * fraction);
   }

@@ -17,8 +17,9 @@ struct TexelSpan {
   int y, begin, end;
 };
 
-/// A triangle in 1/256 texels, the precision to which Vulkan devices snap vertices (subPixelPrecisionBits 8), counter to the sign of its
-/// area if need be: exact edge functions, so triangles that share an edge never cover a texel twice and never leave one out.
+/// A triangle in 1/256 texels, the precision to which Vulkan devices snap vertices (subPixelPrecisionBits 8),
+/// counter to the sign of its area if need be: exact edge functions, so triangles that share an edge never
+/// cover a texel twice and never leave one out.
 class TexelTriangle {
  public:
   /// Coordinates 0..1 times `side` texels (1 .. 16384).
@@ -47,11 +48,13 @@ void for_each_texel(const std::array<glm::vec2, 3>& uv, int side, const Visit& v
 /// Unwrap coordinates of triangle t.
 std::array<glm::vec2, 3> triangle_uv(const SkinMesh& mesh, std::size_t t);
 
-/// How often the unwrap covers the unit square in all: the sum of its triangles' areas. Over 1 it must overlap.
+/// How often the unwrap covers the unit square in all: the sum of its triangles' areas. Over 1 it must
+/// overlap.
 double uv_area_sum(const SkinMesh& mesh);
 
-/// Of the texels (centres, resolution x resolution) that any triangle covers, the share that more than one covers. 0 if none is covered.
-/// An unwrap that covers the square more than 64 times is not rasterised to the end: 1.
+/// Of the texels (centres, resolution x resolution) that any triangle covers, the share that more than one
+/// covers. 0 if none is covered. An unwrap that covers the square more than 64 times is not rasterised to the
+/// end: 1.
 double uv_overlap_fraction(const SkinMesh& mesh, int resolution = 1024);
 
 /// Warns if more than 0.5 % overlap: how much, what will look wrong, what to do. Returns the fraction.

@@ -15,14 +15,19 @@ namespace {
 struct Field {
   int width = 0, height = 0;
   std::vector<float> values;
-  float& at(int x, int y) { return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
+  float& at(int x, int y) {
+    return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
+  }
   float at(int x, int y) const {
-    return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
   }
 };
 
 Field make_field(int width, int height) {
-  return {width, height, std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.f)};
+  return {width, height,
+          std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.f)};
 }
 
 int wrapped(int i, int n, Wrap wrap) {
@@ -63,7 +68,8 @@ struct Target {
 };
 
 /// The height map in mm at the target's size behind a Gaussian of sigma source texels along each axis.
-Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s, Target target, const glm::dvec2& sigma) {
+Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s, Target target,
+                     const glm::dvec2& sigma) {
   const std::vector<Taps> across = gaussian_taps(heights.width, target.width, sigma.x),
                           down = gaussian_taps(heights.height, target.height, sigma.y);
   Field rows = make_field(target.width, heights.height), result = make_field(target.width, target.height);
@@ -73,8 +79,9 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
       const Taps& t = across[static_cast<std::size_t>(x)];
       float sum = 0;
       for (std::size_t k = 0; k < t.weights.size(); ++k)
-        sum += t.weights[k] * static_cast<float>(heights.at(wrapped(t.first + static_cast<int>(k), heights.width, s.wrap_u),
-                                                            static_cast<int>(y))[s.channel]);
+        sum += t.weights[k] *
+               static_cast<float>(heights.at(wrapped(t.first + static_cast<int>(k), heights.width, s.wrap_u),
+                                             static_cast<int>(y))[s.channel]);
       rows.at(x, static_cast<int>(y)) = static_cast<float>(sum * mm_per_step);
     }
   });
@@ -96,17 +103,21 @@ glm::dvec2 base_slopes(const image::Image8& base, const DisplacementSettings& s,
   glm::dvec3 n(0);
   for (int dy = 0; dy < 2; ++dy) {
     for (int dx = 0; dx < 2; ++dx) {
-      const std::uint8_t* p = base.at(wrapped(x0 + dx, base.width, s.wrap_u), wrapped(y0 + dy, base.height, s.wrap_v));
+      const std::uint8_t* p =
+          base.at(wrapped(x0 + dx, base.width, s.wrap_u), wrapped(y0 + dy, base.height, s.wrap_v));
       const double w = (dx == 1 ? x - x0 : 1 - x + x0) * (dy == 1 ? y - y0 : 1 - y + y0);
       n += w * (glm::dvec3(p[0], p[1], p[2]) / 127.5 - 1.0);
     }
   }
-  // Maps hold (128, 128, 255) for straight up: half a step off zero, invisible, but not to be added on. z stays away from the horizon.
+  // Maps hold (128, 128, 255) for straight up: half a step off zero, invisible, but not to be added on. z
+  // stays away from the horizon.
   const auto centred = [](double c) { return std::abs(c) <= 0.5 / 127.5 ? 0.0 : c; };
   return glm::dvec2(centred(n.x), centred(n.y)) * (s.base_scale / std::max(n.z, 0.05));
 }
 
-std::uint8_t encoded(double component) { return static_cast<std::uint8_t>(std::clamp(std::lround((component + 1) * 127.5), 0L, 255L)); }
+std::uint8_t encoded(double component) {
+  return static_cast<std::uint8_t>(std::clamp(std::lround((component + 1) * 127.5), 0L, 255L));
+}
 
 }  // namespace
 
@@ -117,20 +128,23 @@ double height_smoothing_texels(double displacement_mm, double mm_per_texel) {
   return std::clamp(std::sqrt(sigma2), 0.7, 2.0);
 }
 
-image::Image8 displaced_normals(const image::Image8& heights, const DisplacementSettings& settings, const image::Image8* base) {
+image::Image8 displaced_normals(const image::Image8& heights, const DisplacementSettings& settings,
+                                const image::Image8* base) {
   DERMIS_ASSERT_LT(0, std::min(heights.width, heights.height));
   DERMIS_ASSERT_LE(0, settings.channel);
   DERMIS_ASSERT_LE(settings.channel, 3);
   DERMIS_ASSERT_LT(0.0, std::min(settings.mm_per_uv.x, settings.mm_per_uv.y));
-  const glm::ivec2 source(heights.width, heights.height), other = base != nullptr ? glm::ivec2(base->width, base->height) : glm::ivec2(0);
+  const glm::ivec2 source(heights.width, heights.height),
+      other = base != nullptr ? glm::ivec2(base->width, base->height) : glm::ivec2(0);
   const Target target{std::min(std::max(source.x, other.x), max_normal_map_side),
                       std::min(std::max(source.y, other.y), max_normal_map_side)};
   const glm::dvec2 spacing_mm = settings.mm_per_uv / glm::dvec2(target.width, target.height);
   // Shrinking needs half a target texel at least, or heights alias.
   const glm::dvec2 shrink = glm::dvec2(source) / glm::dvec2(target.width, target.height);
   const glm::dvec2 texel_mm = settings.mm_per_uv / glm::dvec2(source);
-  const glm::dvec2 sigma(std::max(height_smoothing_texels(settings.displacement_mm, texel_mm.x), 0.5 * shrink.x),
-                         std::max(height_smoothing_texels(settings.displacement_mm, texel_mm.y), 0.5 * shrink.y));
+  const glm::dvec2 sigma(
+      std::max(height_smoothing_texels(settings.displacement_mm, texel_mm.x), 0.5 * shrink.x),
+      std::max(height_smoothing_texels(settings.displacement_mm, texel_mm.y), 0.5 * shrink.y));
   Field h = smooth_heights(heights, settings, target, sigma);
   if (base != nullptr && settings.only_finer_than_base && other.x < source.x && other.y < source.y) {
     const glm::dvec2 base_texel = glm::dvec2(source) / glm::dvec2(other);
@@ -144,12 +158,16 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
     const int y = static_cast<int>(row), up = wrapped(y - 1, target.height, settings.wrap_v),
               down = wrapped(y + 1, target.height, settings.wrap_v);
     for (int x = 0; x < target.width; ++x) {
-      const int left = wrapped(x - 1, target.width, settings.wrap_u), right = wrapped(x + 1, target.width, settings.wrap_u);
-      // At a clamped rim both neighbours are one texel apart, not two; at a mirrored one the slope is 0 by symmetry.
+      const int left = wrapped(x - 1, target.width, settings.wrap_u),
+                right = wrapped(x + 1, target.width, settings.wrap_u);
+      // At a clamped rim both neighbours are one texel apart, not two; at a mirrored one the slope is 0 by
+      // symmetry.
       const double span_x = settings.wrap_u == Wrap::clamp && (x == 0 || x == target.width - 1) ? 1 : 2;
       const double span_y = settings.wrap_v == Wrap::clamp && (y == 0 || y == target.height - 1) ? 1 : 2;
-      glm::dvec2 slope((h.at(left, y) - h.at(right, y)) / (span_x * spacing_mm.x), (h.at(x, down) - h.at(x, up)) / (span_y * spacing_mm.y));
-      if (base != nullptr) slope += base_slopes(*base, settings, (x + 0.5) / target.width, (y + 0.5) / target.height);
+      glm::dvec2 slope((h.at(left, y) - h.at(right, y)) / (span_x * spacing_mm.x),
+                       (h.at(x, down) - h.at(x, up)) / (span_y * spacing_mm.y));
+      if (base != nullptr)
+        slope += base_slopes(*base, settings, (x + 0.5) / target.width, (y + 0.5) / target.height);
       const glm::dvec3 n = glm::normalize(glm::dvec3(slope, 1));
       std::uint8_t* out = normals.at(x, y);
       for (int c = 0; c < 3; ++c) out[c] = encoded(n[c]);
@@ -162,7 +180,9 @@ glm::dvec2 mean_mm_per_uv(const SkinMesh& mesh, double mm_per_unit) {
   glm::dvec2 inverse_sum(0);
   double area_sum = 0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const auto p = [&](std::size_t k) { return glm::dvec3(mesh.vertices[mesh.indices[i + k]].position_m) * mm_per_unit; };
+    const auto p = [&](std::size_t k) {
+      return glm::dvec3(mesh.vertices[mesh.indices[i + k]].position_m) * mm_per_unit;
+    };
     const auto uv = [&](std::size_t k) { return mesh.unwrap[mesh.indices[i + k]]; };
     const glm::dvec3 g = triangle_metric(p(0), p(1), p(2), uv(0), uv(1), uv(2));
     if (!(g.x > 0)) continue;

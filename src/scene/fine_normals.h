@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Pores without triangles: a skin material's height map, turned into a normal map that holds the material's own normals too.
+/// Pores without triangles: a skin material's height map, turned into a normal map that holds the material's
+/// own normals too.
 #pragma once
 
 #include <optional>
@@ -12,6 +13,7 @@
 namespace dermis::scene {
 
 /// None if the material has no height map. The result is read where the height map is read, with scale 1.
-std::optional<image::Image8> fine_normals(const Scene& scene, std::size_t material, const std::vector<SkinMesh>& skin);
+std::optional<image::Image8> fine_normals(const Scene& scene, std::size_t material,
+                                          const std::vector<SkinMesh>& skin);
 
 }  // namespace dermis::scene

@@ -17,22 +17,26 @@ void require_sphere(const BoundingSphere& sphere) {
     throw input_error("camera", "the scene is empty: its bounding sphere has radius {} m", sphere.radius_m);
 }
 
-/// Looks from `eye` along -towards, where `towards` points from the target to the eye at this azimuth and elevation. Built from the angles,
-/// so straight above has a defined up.
+/// Looks from `eye` along -towards, where `towards` points from the target to the eye at this azimuth and
+/// elevation. Built from the angles, so straight above has a defined up.
 glm::mat4 look(const glm::dvec3& eye, double azimuth_deg, double elevation_deg) {
   const double a = azimuth_deg * radians_per_degree;
   const glm::dvec3 back = head_direction(azimuth_deg, elevation_deg);
   const glm::dvec3 right(std::cos(a), 0, -std::sin(a));
-  return glm::mat4(glm::dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(back, right), 0), glm::dvec4(back, 0), glm::dvec4(eye, 1)));
+  return glm::mat4(glm::dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(back, right), 0),
+                              glm::dvec4(back, 0), glm::dvec4(eye, 1)));
 }
 
 void require_fov(double fov_y_deg) {
-  if (!(fov_y_deg > 0 && fov_y_deg < 180)) throw input_error("--fov", "must be between 0 and 180 degrees, got {}", fov_y_deg);
+  if (!(fov_y_deg > 0 && fov_y_deg < 180))
+    throw input_error("--fov", "must be between 0 and 180 degrees, got {}", fov_y_deg);
 }
 
-Camera camera_at(const BoundingSphere& sphere, double distance_m, double azimuth_deg, double elevation_deg, double fov_y_deg) {
+Camera camera_at(const BoundingSphere& sphere, double distance_m, double azimuth_deg, double elevation_deg,
+                 double fov_y_deg) {
   Camera camera;
-  const glm::dvec3 eye = glm::dvec3(sphere.centre_m) + distance_m * head_direction(azimuth_deg, elevation_deg);
+  const glm::dvec3 eye =
+      glm::dvec3(sphere.centre_m) + distance_m * head_direction(azimuth_deg, elevation_deg);
   camera.world_from_camera = look(eye, azimuth_deg, elevation_deg);
   camera.fov_y_rad = static_cast<float>(fov_y_deg * radians_per_degree);
   camera.znear_m = 0.01f * sphere.radius_m;  // reversed depth without a far plane: precision does not suffer
@@ -46,7 +50,8 @@ Lamp rig_lamp(int index, int count) {
   return {fmt::format("light {}", index + 1), 360.0 * (index - 2) / (count - 3) + 15, 20, glm::dvec3(1)};
 }
 
-/// Half angle of the cone from `from` along `axis` (unit) that holds the ball. A lamp inside the ball sees it everywhere.
+/// Half angle of the cone from `from` along `axis` (unit) that holds the ball. A lamp inside the ball sees it
+/// everywhere.
 double cone_around(const glm::dvec3& from, const glm::dvec3& axis, const glm::dvec3& centre, double radius) {
   const glm::dvec3 to = centre - from;
   const double distance = glm::length(to);
@@ -62,17 +67,21 @@ BoundingSphere bounding_sphere(std::span<const glm::vec3> points_m) {
   for (const glm::vec3& p : points_m) low = glm::min(low, p), high = glm::max(high, p);
   const glm::vec3 centre(0.5 * (glm::dvec3(low) + glm::dvec3(high)));
   double radius = 0;
-  for (const glm::vec3& p : points_m) radius = std::max(radius, glm::distance(glm::dvec3(p), glm::dvec3(centre)));
+  for (const glm::vec3& p : points_m)
+    radius = std::max(radius, glm::distance(glm::dvec3(p), glm::dvec3(centre)));
   return {centre, static_cast<float>(radius * (1 + 1e-6))};
 }
 
 BoundingSphere skin_sphere(const Scene& scene) {
-  const auto is_skin = [&](const Primitive& p) { return scene.materials.at(static_cast<std::size_t>(p.material)).skin; };
+  const auto is_skin = [&](const Primitive& p) {
+    return scene.materials.at(static_cast<std::size_t>(p.material)).skin;
+  };
   const bool any_skin = std::any_of(scene.primitives.begin(), scene.primitives.end(), is_skin);
   std::vector<glm::vec3> points;
   for (const Primitive& primitive : scene.primitives) {
     if (any_skin && !is_skin(primitive)) continue;
-    for (const std::uint32_t index : primitive.indices) points.push_back(primitive.vertices[index].position_m);
+    for (const std::uint32_t index : primitive.indices)
+      points.push_back(primitive.vertices[index].position_m);
   }
   return bounding_sphere(points);
 }
@@ -82,11 +91,12 @@ glm::dvec3 head_direction(double azimuth_deg, double elevation_deg) {
   return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
 }
 
-Camera framing_camera(const BoundingSphere& sphere, double aspect, double azimuth_deg, double elevation_deg, double fov_y_deg,
-                      double fill) {
+Camera framing_camera(const BoundingSphere& sphere, double aspect, double azimuth_deg, double elevation_deg,
+                      double fov_y_deg, double fill) {
   require_sphere(sphere);
   require_fov(fov_y_deg);
-  if (!(aspect > 0) || !std::isfinite(aspect)) throw input_error("camera", "aspect must be > 0, got {}", aspect);
+  if (!(aspect > 0) || !std::isfinite(aspect))
+    throw input_error("camera", "aspect must be > 0, got {}", aspect);
   // A ball at distance d is seen with the half angle asin(R/d): on the picture plane R / sqrt(d^2 - R^2).
   const double half_side = fill * std::tan(0.5 * fov_y_deg * radians_per_degree) * std::min(1.0, aspect);
   const double distance_m = sphere.radius_m * std::sqrt(1 + 1 / (half_side * half_side));
@@ -104,18 +114,21 @@ Camera distance_camera(const BoundingSphere& middle_head, double distance_radii,
 std::vector<glm::vec3> head_row_offsets(int heads, double radius_m) {
   if (heads < 1) throw input_error("--heads", "must be at least 1, got {}", heads);
   std::vector<glm::vec3> offsets;
-  for (int i = 0; i < heads; ++i) offsets.emplace_back(static_cast<float>(1.6 * radius_m * (i - heads / 2)), 0.f, 0.f);
+  for (int i = 0; i < heads; ++i)
+    offsets.emplace_back(static_cast<float>(1.6 * radius_m * (i - heads / 2)), 0.f, 0.f);
   return offsets;
 }
 
-std::vector<Light> light_rig(const BoundingSphere& sphere, int count, std::span<const glm::vec3> head_offsets_m) {
+std::vector<Light> light_rig(const BoundingSphere& sphere, int count,
+                             std::span<const glm::vec3> head_offsets_m) {
   if (count < 0 || count > 256) throw input_error("--lights", "must be 0 to 256, got {}", count);
   std::vector<Lamp> lamps;
   for (int i = 0; i < count; ++i) lamps.push_back(rig_lamp(i, count));
   return light_rig(sphere, lamps, head_offsets_m);
 }
 
-std::vector<Light> light_rig(const BoundingSphere& sphere, std::span<const Lamp> lamps, std::span<const glm::vec3> head_offsets_m) {
+std::vector<Light> light_rig(const BoundingSphere& sphere, std::span<const Lamp> lamps,
+                             std::span<const glm::vec3> head_offsets_m) {
   require_sphere(sphere);
   const double radius = sphere.radius_m, distance = rig_distance_radii * radius;
   const glm::dvec3 centre(sphere.centre_m);
@@ -133,7 +146,8 @@ std::vector<Light> light_rig(const BoundingSphere& sphere, std::span<const Lamp>
     light.position_m = glm::vec3(position);
     light.direction = glm::vec3(-towards);
     light.inner_cone_rad = static_cast<float>(std::min(cone, 83 * radians_per_degree));
-    light.outer_cone_rad = static_cast<float>(std::min(cone, 83 * radians_per_degree) + 2 * radians_per_degree);
+    light.outer_cone_rad =
+        static_cast<float>(std::min(cone, 83 * radians_per_degree) + 2 * radians_per_degree);
     lights.push_back(light);
   }
   return lights;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Based on: [Dan80] Danielsson: Euclidean Distance Mapping. Computer Graphics and Image Processing 14, 1980 (sweeps that hand on the
-// nearest feature). Departure: features are segments with exact distances, and sweeps stay in the empty part of the map: the straight way
-// from an empty texel to its nearest border runs through empty texels only, else it would meet a nearer border.
+// Based on: [Dan80] Danielsson: Euclidean Distance Mapping. Computer Graphics and Image Processing 14, 1980
+// (sweeps that hand on the nearest feature). Departure: features are segments with exact distances, and
+// sweeps stay in the empty part of the map: the straight way from an empty texel to its nearest border runs
+// through empty texels only, else it would meet a nearer border.
 #include "scene/gutter_map.h"
 
 #include <algorithm>
@@ -15,7 +16,9 @@ namespace {
 
 glm::dvec2 texel_centre(int x, int y) { return {x + 0.5, y + 0.5}; }
 
-glm::dvec2 offset_from(const BorderEdge& edge, const glm::dvec2& p) { return p - (edge.start + nearest_along(edge, p) * edge.vector); }
+glm::dvec2 offset_from(const BorderEdge& edge, const glm::dvec2& p) {
+  return p - (edge.start + nearest_along(edge, p) * edge.vector);
+}
 
 }  // namespace
 
@@ -28,8 +31,8 @@ std::vector<BorderEdge> border_edges(const SkinMesh& mesh, const Topology& topol
     if (area2 == 0) continue;
     const glm::dvec2 start(uv[half % 3]), vector = glm::dvec2(uv[(half + 1) % 3]) - start;
     const glm::dvec2 outwards = glm::normalize(glm::dvec2(vector.y, -vector.x)) * (area2 > 0 ? 1.0 : -1.0);
-    borders.push_back(
-        {half, topology.mate[half] == no_edge, start * static_cast<double>(side), vector * static_cast<double>(side), outwards});
+    borders.push_back({half, topology.mate[half] == no_edge, start * static_cast<double>(side),
+                       vector * static_cast<double>(side), outwards});
   }
   return borders;
 }
@@ -38,14 +41,16 @@ double nearest_along(const BorderEdge& edge, const glm::dvec2& p) {
   return std::clamp(glm::dot(p - edge.start, edge.vector) / glm::dot(edge.vector, edge.vector), 0.0, 1.0);
 }
 
-GutterMap::GutterMap(const SkinMesh& mesh, const std::vector<BorderEdge>& borders, int side, double reach_texels)
+GutterMap::GutterMap(const SkinMesh& mesh, const std::vector<BorderEdge>& borders, int side,
+                     double reach_texels)
     : borders_(borders), side_(side), reach2_(static_cast<float>(reach_texels * reach_texels)) {
   DERMIS_ASSERT_LT(0, side);
   DERMIS_ASSERT_LE(side, 16384);
   const std::size_t texels = index(0, side);
   chart_.assign(texels, 0);
   for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t)
-    for_each_texel(triangle_uv(mesh, t), side, [&](int x, int y) { chart_[index(x, y)] = mesh.triangle_chart[t]; });
+    for_each_texel(triangle_uv(mesh, t), side,
+                   [&](int x, int y) { chart_[index(x, y)] = mesh.triangle_chart[t]; });
   edge_.assign(texels, none);
   distance2_.assign(texels, 0);
   for (std::uint32_t e = 0; e < borders.size(); ++e) seed(e);
@@ -57,7 +62,8 @@ GutterMap::GutterMap(const SkinMesh& mesh, const std::vector<BorderEdge>& border
   for (const bool downwards : {true, false, true, false}) sweep(downwards);
 }
 
-/// Keeps the nearer edge; of two equally near (they share an end) the one before which the texel lies more squarely.
+/// Keeps the nearer edge; of two equally near (they share an end) the one before which the texel lies more
+/// squarely.
 void GutterMap::offer(int x, int y, std::uint32_t edge) {
   const std::size_t i = index(x, y);
   if (edge_[i] == edge) return;
@@ -67,7 +73,8 @@ void GutterMap::offer(int x, int y, std::uint32_t edge) {
     const float tie = 1e-5f * distance2_[i] + 1e-10f;
     if (distance2 > distance2_[i] + tie) return;
     if (distance2 >= distance2_[i] - tie) {
-      const double squarely = glm::dot(d, borders_[edge].outwards), before = glm::dot(d, borders_[edge_[i]].outwards);
+      const double squarely = glm::dot(d, borders_[edge].outwards),
+                   before = glm::dot(d, borders_[edge_[i]].outwards);
       if (squarely < before || (squarely == before && edge > edge_[i])) return;
     }
   }
@@ -92,7 +99,8 @@ void GutterMap::seed(std::uint32_t edge) {
   for (int y = y0; y <= y1; ++y) {
     double s0 = 0, s1 = 1;  // the part of the edge near this row
     if (std::abs(b.vector.y) > 1e-9) {
-      const double u = (y + 0.5 - band - b.start.y) / b.vector.y, v = (y + 0.5 + band - b.start.y) / b.vector.y;
+      const double u = (y + 0.5 - band - b.start.y) / b.vector.y,
+                   v = (y + 0.5 + band - b.start.y) / b.vector.y;
       s0 = std::clamp(std::min(u, v), 0.0, 1.0), s1 = std::clamp(std::max(u, v), 0.0, 1.0);
     }
     const double xa = b.start.x + s0 * b.vector.x, xb = b.start.x + s1 * b.vector.x;
@@ -115,7 +123,8 @@ void GutterMap::sweep(bool downwards) {
   }
 }
 
-std::optional<glm::dvec2> GutterMap::nearest_centre(const glm::dvec2& p, std::uint16_t chart, int reach) const {
+std::optional<glm::dvec2> GutterMap::nearest_centre(const glm::dvec2& p, std::uint16_t chart,
+                                                    int reach) const {
   const int cx = static_cast<int>(std::floor(p.x)), cy = static_cast<int>(std::floor(p.y));
   std::optional<glm::dvec2> best;
   for (int y = cy - reach; y <= cy + reach; ++y) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two pictures behind the gutters: which chart covers a texel, and which border edge is nearest to one that none covers.
+// The two pictures behind the gutters: which chart covers a texel, and which border edge is nearest to one
+// that none covers.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,8 @@ class GutterMap {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  /// Charts by coverage, minus texels within 1/256 texel of a border; then for the others the nearest edge, up to reach_texels.
+  /// Charts by coverage, minus texels within 1/256 texel of a border; then for the others the nearest edge,
+  /// up to reach_texels.
   GutterMap(const SkinMesh& mesh, const std::vector<BorderEdge>& borders, int side, double reach_texels);
 
   int side() const { return side_; }
@@ -40,9 +42,11 @@ class GutterMap {
   std::uint32_t edge(int x, int y) const { return edge_[index(x, y)]; }
   double distance(int x, int y) const { return std::sqrt(static_cast<double>(distance2_[index(x, y)])); }
 
-  /// The point nearest to `p` (texels, centres at .5) whose bilinear footprint touches only texels of `chart`; none within 6 texels.
+  /// The point nearest to `p` (texels, centres at .5) whose bilinear footprint touches only texels of
+  /// `chart`; none within 6 texels.
   std::optional<glm::dvec2> safe_read(const glm::dvec2& p, std::uint16_t chart) const;
-  /// The centre of the covered texel nearest to `p`, of any chart if `chart` is 0; none within `reach` texels.
+  /// The centre of the covered texel nearest to `p`, of any chart if `chart` is 0; none within `reach`
+  /// texels.
   std::optional<glm::dvec2> nearest_centre(const glm::dvec2& p, std::uint16_t chart, int reach) const;
 
  private:

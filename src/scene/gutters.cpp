@@ -25,11 +25,13 @@ struct Builder {
   /// Where the skin goes on beyond the border, in texels, and on which chart.
   std::optional<GutterTexel> continued(const BorderEdge& edge, const glm::dvec2& p) const {
     const double along = nearest_along(edge, p), side = map.side();
-    const std::optional<SurfacePoint> end = walker.leave(edge.half, along, (p - edge.start - along * edge.vector) / side);
+    const std::optional<SurfacePoint> end =
+        walker.leave(edge.half, along, (p - edge.start - along * edge.vector) / side);
     if (!end) return std::nullopt;
     glm::dvec2 uv(0);
     for (int k = 0; k < 3; ++k)
-      uv += end->barycentric[k] * glm::dvec2(mesh.unwrap[mesh.indices[3 * end->triangle + static_cast<std::uint32_t>(k)]]);
+      uv += end->barycentric[k] *
+            glm::dvec2(mesh.unwrap[mesh.indices[3 * end->triangle + static_cast<std::uint32_t>(k)]]);
     const std::optional<glm::dvec2> source = map.safe_read(uv * side, mesh.triangle_chart[end->triangle]);
     if (!source) return std::nullopt;
     GutterTexel texel;
@@ -60,8 +62,9 @@ struct Builder {
 std::vector<GutterTexel> build_gutters(const SkinMesh& mesh, int side, int width_texels) {
   DERMIS_ASSERT_LE(1, width_texels);
   if (uv_area_sum(mesh) > 64) {
-    warn("skin '{}': its texture coordinates cover the map {:.0f} times; light does not flow across its seams", mesh.name,
-         uv_area_sum(mesh));
+    warn(
+        "skin '{}': its texture coordinates cover the map {:.0f} times; light does not flow across its seams",
+        mesh.name, uv_area_sum(mesh));
     return {};
   }
   const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);
@@ -73,7 +76,8 @@ std::vector<GutterTexel> build_gutters(const SkinMesh& mesh, int side, int width
   std::vector<std::vector<GutterTexel>> rows(static_cast<std::size_t>(side));
   parallel_for(rows.size(), [&](std::size_t y) {
     for (int x = 0; x < side; ++x) {
-      if (const std::optional<GutterTexel> texel = builder.texel(x, static_cast<int>(y))) rows[y].push_back(*texel);
+      if (const std::optional<GutterTexel> texel = builder.texel(x, static_cast<int>(y)))
+        rows[y].push_back(*texel);
     }
   });
   std::vector<GutterTexel> gutters;

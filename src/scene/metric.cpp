@@ -45,7 +45,8 @@ std::vector<TriangleMetric> triangle_metrics(const SkinMesh& mesh, double mm_per
   return metrics;
 }
 
-/// Slivers carry more noise than stretch: one of them would ruin the mean of its corners, since g grows as 1 / thickness^2.
+/// Slivers carry more noise than stretch: one of them would ruin the mean of its corners, since g grows as 1
+/// / thickness^2.
 void drop_outliers(std::vector<TriangleMetric>& metrics) {
   std::vector<double> scales;
   for (const TriangleMetric& m : metrics)
@@ -82,21 +83,22 @@ DensityStats density_stats(std::vector<std::pair<double, double>> value_and_weig
   std::sort(value_and_weight.begin(), value_and_weight.end());
   double total = 0, sum = 0;
   for (const auto& [value, weight] : value_and_weight) total += weight, sum += value * weight;
-  return {sum / total, weighted_quantile(value_and_weight, total, 0.5), weighted_quantile(value_and_weight, total, 0.95),
-          value_and_weight.back().first};
+  return {sum / total, weighted_quantile(value_and_weight, total, 0.5),
+          weighted_quantile(value_and_weight, total, 0.95), value_and_weight.back().first};
 }
 
 }  // namespace
 
-glm::dvec3 triangle_metric(const glm::dvec3& a_mm, const glm::dvec3& b_mm, const glm::dvec3& c_mm, const glm::vec2& uv_a,
-                           const glm::vec2& uv_b, const glm::vec2& uv_c) {
+glm::dvec3 triangle_metric(const glm::dvec3& a_mm, const glm::dvec3& b_mm, const glm::dvec3& c_mm,
+                           const glm::vec2& uv_a, const glm::vec2& uv_b, const glm::vec2& uv_c) {
   const double det = uv_area2(uv_a, uv_b, uv_c);
   if (det == 0) return glm::dvec3(0);
   const glm::dvec3 e1 = b_mm - a_mm, e2 = c_mm - a_mm;
   const glm::dvec2 d1 = glm::dvec2(uv_b) - glm::dvec2(uv_a), d2 = glm::dvec2(uv_c) - glm::dvec2(uv_a);
   const glm::dvec3 dp_du = (d2.y * e1 - d1.y * e2) / det, dp_dv = (d1.x * e2 - d2.x * e1) / det;
   const glm::dvec3 g(glm::dot(dp_du, dp_du), glm::dot(dp_du, dp_dv), glm::dot(dp_dv, dp_dv));
-  const bool valid = std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z) && g.x * g.z - g.y * g.y > 1e-12 * g.x * g.z;
+  const bool valid = std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z) &&
+                     g.x * g.z - g.y * g.y > 1e-12 * g.x * g.z;
   return valid ? g : glm::dvec3(0);
 }
 
@@ -105,7 +107,8 @@ void compute_metric(SkinMesh& mesh, double mm_per_unit) {
   std::vector<TriangleMetric> metrics = triangle_metrics(mesh, mm_per_unit);
   drop_outliers(metrics);
 
-  // Vertices share their mean if place, coordinates and chart agree. Each vertex belongs to one chart; unused ones to none.
+  // Vertices share their mean if place, coordinates and chart agree. Each vertex belongs to one chart; unused
+  // ones to none.
   const std::vector<std::uint32_t> place = weld_positions(mesh.vertices), coordinate = weld_uv(mesh.unwrap);
   std::vector<glm::dvec3> key;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) key.emplace_back(place[v], coordinate[v], 0);

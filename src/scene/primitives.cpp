@@ -31,12 +31,14 @@ Scene skin_scene(std::string name, Primitive primitive) {
   return scene;
 }
 
-/// Two counter-clockwise triangles per cell of a grid whose rows of (n + 1) vertices start at `base` and run downwards.
+/// Two counter-clockwise triangles per cell of a grid whose rows of (n + 1) vertices start at `base` and run
+/// downwards.
 void append_grid(std::vector<std::uint32_t>& indices, std::uint32_t base, int n) {
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       const auto at = [&](int x, int y) { return base + static_cast<std::uint32_t>(y * (n + 1) + x); };
-      for (const std::uint32_t v : {at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i + 1, j)})
+      for (const std::uint32_t v :
+           {at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i + 1, j)})
         indices.push_back(v);
     }
   }
@@ -54,12 +56,16 @@ constexpr std::array<Side, 6> sides{{{{1, 0, 0}, {0, 1, 0}},    // +Z
                                      {{1, 0, 0}, {0, 0, 1}}}};  // -Y
 
 glm::ivec3 outwards(const Side& s) {
-  return {s.right.y * s.up.z - s.right.z * s.up.y, s.right.z * s.up.x - s.right.x * s.up.z, s.right.x * s.up.y - s.right.y * s.up.x};
+  return {s.right.y * s.up.z - s.right.z * s.up.y, s.right.z * s.up.x - s.right.x * s.up.z,
+          s.right.x * s.up.y - s.right.y * s.up.x};
 }
 
-/// A lattice point of the cube -n..n, pushed out to the unit sphere. It sees only integers, so sides agree bit for bit at their edges.
+/// A lattice point of the cube -n..n, pushed out to the unit sphere. It sees only integers, so sides agree
+/// bit for bit at their edges.
 glm::dvec3 on_sphere(const glm::ivec3& lattice, int n) {
-  const auto bend = [n](int i) { return std::abs(i) == n ? (i > 0 ? 1.0 : -1.0) : std::tan(0.25 * glm::pi<double>() * i / n); };
+  const auto bend = [n](int i) {
+    return std::abs(i) == n ? (i > 0 ? 1.0 : -1.0) : std::tan(0.25 * glm::pi<double>() * i / n);
+  };
   return glm::normalize(glm::dvec3(bend(lattice.x), bend(lattice.y), bend(lattice.z)));
 }
 
@@ -95,7 +101,8 @@ Scene ellipsoid(const glm::dvec3& radii_m, int subdivisions, double margin) {
     for (int j = 0; j <= n; ++j) {
       for (int i = 0; i <= n; ++i) {
         // Odd and even lattice points of -n..n in steps of 2, so that any n has its edges at +-n.
-        const glm::ivec3 lattice = outwards(sides[s]) * n + sides[s].right * (2 * i - n) - sides[s].up * (2 * j - n);
+        const glm::ivec3 lattice =
+            outwards(sides[s]) * n + sides[s].right * (2 * i - n) - sides[s].up * (2 * j - n);
         const glm::dvec3 unit = on_sphere(lattice, n);
         Vertex vertex;
         vertex.position_m = glm::vec3(unit * radii_m);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is rendered: heads and their other parts, maps, lights, cameras. Everything is in the world at rest: nodes as they stand, skins and
-// morph targets applied, mirrored nodes already wound counter-clockwise. Metres, right-handed, +Y up. No Vulkan here.
+// What is rendered: heads and their other parts, maps, lights, cameras. Everything is in the world at rest:
+// nodes as they stand, skins and morph targets applied, mirrored nodes already wound counter-clockwise.
+// Metres, right-handed, +Y up. No Vulkan here.
 #pragma once
 
 #include <array>
@@ -19,8 +20,9 @@ namespace dermis::scene {
 /// One corner of a triangle. Texture coordinates are raw (no KHR_texture_transform), v down as in glTF.
 struct Vertex {
   glm::vec3 position_m{0};
-  glm::vec3 normal{0, 0, 1};      ///< unit
-  glm::vec4 tangent{1, 0, 0, 1};  ///< unit xyz, w = handedness (+1 or -1); belongs to the normal map's transformed coordinates
+  glm::vec3 normal{0, 0, 1};  ///< unit
+  /// unit xyz, w = handedness (+1 or -1); belongs to the normal map's transformed coordinates
+  glm::vec4 tangent{1, 0, 0, 1};
   glm::vec2 uv0{0};
   glm::vec2 uv1{0};
   glm::vec4 colour{1};  ///< COLOR_0, linear; 1 if absent
@@ -28,11 +30,13 @@ struct Vertex {
 
 enum class Wrap : std::uint8_t { repeat, clamp, mirror };
 
-/// A map of a material: which image, which coordinates, and how they are transformed: uv' = transform * (u, v, 1).
+/// A map of a material: which image, which coordinates, and how they are transformed: uv' = transform * (u,
+/// v, 1).
 struct MapRef {
-  int image = -1;                           ///< index into Scene::images, -1 = none
-  int uv_set = 0;                           ///< 0 or 1
-  glm::mat3x2 transform{1, 0, 0, 1, 0, 0};  ///< columns: image of u, image of v, offset (KHR_texture_transform)
+  int image = -1;  ///< index into Scene::images, -1 = none
+  int uv_set = 0;  ///< 0 or 1
+  /// columns: image of u, image of v, offset (KHR_texture_transform)
+  glm::mat3x2 transform{1, 0, 0, 1, 0, 0};
   Wrap wrap_u = Wrap::repeat;
   Wrap wrap_v = Wrap::repeat;
   bool nearest = false;  ///< magnification filter
@@ -51,12 +55,14 @@ struct SpecularLobe {
 /// What `extras.dermis` says of a skin material; defaults: rho_s 0.18, two lobes.
 struct SkinSettings {
   std::optional<gaussians::SumOfGaussians> profile;  ///< none: the command's default
-  std::optional<float> mix;                          ///< 0..1, part of the albedo applied before scattering; none: 0.5
-  MapRef specular;                                   ///< multiplies rho_s; scale as factor
-  MapRef roughness;                                  ///< glTF roughness (m = roughness^2); scale as factor. Absent: Material::roughness
-  MapRef displacement;                               ///< height map, turned into fine normals
-  float displacement_mm = 0;                         ///< black to white
-  float displacement_middle = 0.5f;                  ///< value of zero height
+  /// 0..1, part of the albedo applied before scattering; none: 0.5
+  std::optional<float> mix;
+  MapRef specular;  ///< multiplies rho_s; scale as factor
+  /// glTF roughness (m = roughness^2); scale as factor. Absent: Material::roughness
+  MapRef roughness;
+  MapRef displacement;                                             ///< height map, turned into fine normals
+  float displacement_mm = 0;                                       ///< black to white
+  float displacement_middle = 0.5f;                                ///< value of zero height
   std::vector<SpecularLobe> lobes{{0.75f, 0.85f}, {1.3f, 0.15f}};  ///< 1 or 2, weights sum to 1
 };
 
@@ -101,17 +107,20 @@ struct MapImage {
 
 enum class LightType : std::uint8_t { directional, spot, point };
 
-/// KHR_lights_punctual semantics in relative radiometric units: irradiance pi on white Lambert shows as 1. `colour` includes intensity:
-/// irradiance facing the light = colour (directional), colour / d^2 with d in metres (spot, point).
+/// KHR_lights_punctual semantics in relative radiometric units: irradiance pi on white Lambert shows as 1.
+/// `colour` includes intensity: irradiance facing the light = colour (directional), colour / d^2 with d in
+/// metres (spot, point).
 struct Light {
   std::string name;
   LightType type = LightType::directional;
   glm::vec3 colour{1};
-  glm::vec3 position_m{0};                               ///< spot, point
-  glm::vec3 direction{0, 0, -1};                         ///< unit, the way the light travels (directional, spot)
+  glm::vec3 position_m{0};  ///< spot, point
+  /// unit, the way the light travels (directional, spot)
+  glm::vec3 direction{0, 0, -1};
   float range_m = 0;                                     ///< 0 = unlimited
   float inner_cone_rad = 0, outer_cone_rad = 0.785398f;  ///< half angles (spot)
-  /// Of a disc that faces what it lights, for penumbrae; 0 = a point. m; directional: tangent of half the angle under which it is seen.
+  /// Of a disc that faces what it lights, for penumbrae; 0 = a point. m; directional: tangent of half the
+  /// angle under which it is seen.
   float radius = 0;
 };
 
@@ -138,7 +147,8 @@ struct Scene {
   std::vector<MapImage> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
-  double mm_per_unit = 1000;  ///< world metres to mm; --unit-scale multiplies positions at load, so this stays 1000
+  /// world metres to mm; --unit-scale multiplies positions at load, so this stays 1000
+  double mm_per_unit = 1000;
 };
 
 }  // namespace dermis::scene

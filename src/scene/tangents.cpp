@@ -38,35 +38,42 @@ TriangleFrame triangle_frame(const std::array<glm::dvec3, 3>& p, const std::arra
   const double det = d1.x * d2.y - d2.x * d1.y;  // twice the signed area in texture space
   // Coordinates are floats: an area smaller than their rounding has a sign without meaning.
   const double magnitude = std::max({glm::length(t[0]), glm::length(t[1]), glm::length(t[2])});
-  const double noise = std::numeric_limits<float>::epsilon() * magnitude * std::max(glm::length(d1), glm::length(d2));
+  const double noise =
+      std::numeric_limits<float>::epsilon() * magnitude * std::max(glm::length(d1), glm::length(d2));
   if (!std::isfinite(det) || std::abs(det) <= noise) return {};
-  // A counter-clockwise triangle has its coordinates clockwise when v points down and the picture is not mirrored.
+  // A counter-clockwise triangle has its coordinates clockwise when v points down and the picture is not
+  // mirrored.
   const int handedness = det < 0 ? 1 : -1;
   const glm::dvec3 dp_du = unit_or_zero((d2.y * e1 - d1.y * e2) * (det < 0 ? -1.0 : 1.0));
   return {dp_du, is_zero(dp_du) ? 0 : handedness};
 }
 
-double angle_at(const glm::dvec3& corner, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& normal) {
+double angle_at(const glm::dvec3& corner, const glm::dvec3& a, const glm::dvec3& b,
+                const glm::dvec3& normal) {
   const auto flat = [&](const glm::dvec3& v) { return unit_or_zero(v - normal * glm::dot(normal, v)); };
   const glm::dvec3 x = flat(a - corner), y = flat(b - corner);
   return std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y));
 }
 
-/// Which vertices MikkTSpace sees as one: equal position, normal and coordinates, bit for bit (only -0 equals 0).
-std::vector<std::uint32_t> weld_corners(const std::vector<Vertex>& vertices, const std::vector<glm::dvec2>& uv) {
+/// Which vertices MikkTSpace sees as one: equal position, normal and coordinates, bit for bit (only -0 equals
+/// 0).
+std::vector<std::uint32_t> weld_corners(const std::vector<Vertex>& vertices,
+                                        const std::vector<glm::dvec2>& uv) {
   std::vector<glm::dvec3> a, b, c;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     a.emplace_back(vertices[i].position_m);
     b.emplace_back(vertices[i].normal);
     c.emplace_back(uv[i].x, uv[i].y, 0.0);
   }
-  const auto position = weld_points(a, 1e-12), normal = weld_points(b, 1e-12), coordinate = weld_points(c, 1e-12);
+  const auto position = weld_points(a, 1e-12), normal = weld_points(b, 1e-12),
+             coordinate = weld_points(c, 1e-12);
   std::vector<glm::dvec3> ids;
   for (std::size_t i = 0; i < vertices.size(); ++i) ids.emplace_back(position[i], normal[i], coordinate[i]);
   return weld_points(ids, 1.0);
 }
 
-/// Moves the mirrored corners of vertices that are used both ways to copies, so that afterwards every vertex has one handedness.
+/// Moves the mirrored corners of vertices that are used both ways to copies, so that afterwards every vertex
+/// has one handedness.
 void split_mirrored(Primitive& primitive, const std::vector<TriangleFrame>& frames) {
   const std::size_t before = primitive.vertices.size();
   std::vector<std::uint8_t> used(before, 0);  // bit 0: as painted, bit 1: mirrored
@@ -127,14 +134,19 @@ void make_missing_normals(Primitive& primitive) {
 void make_tangents(Primitive& primitive, const glm::mat3x2& normal_map_transform, int uv_set) {
   DERMIS_ASSERT_EQ(primitive.indices.size() % 3, std::size_t{0});
   const glm::dmat3x2 transform(normal_map_transform);
-  const auto coordinate = [&](const Vertex& v) { return transform * glm::dvec3(uv_set == 1 ? v.uv1 : v.uv0, 1.0); };
+  const auto coordinate = [&](const Vertex& v) {
+    return transform * glm::dvec3(uv_set == 1 ? v.uv1 : v.uv0, 1.0);
+  };
   for (Vertex& v : primitive.vertices) v.tangent = glm::vec4(0, 0, 0, 1);
 
   std::vector<TriangleFrame> frames(primitive.indices.size() / 3);
   for (std::size_t t = 0; t < frames.size(); ++t) {
-    const auto vertex = [&](std::size_t k) -> const Vertex& { return primitive.vertices[primitive.indices[3 * t + k]]; };
+    const auto vertex = [&](std::size_t k) -> const Vertex& {
+      return primitive.vertices[primitive.indices[3 * t + k]];
+    };
     const auto p = [&](std::size_t k) { return glm::dvec3(vertex(k).position_m); };
-    frames[t] = triangle_frame({p(0), p(1), p(2)}, {coordinate(vertex(0)), coordinate(vertex(1)), coordinate(vertex(2))});
+    frames[t] = triangle_frame({p(0), p(1), p(2)},
+                               {coordinate(vertex(0)), coordinate(vertex(1)), coordinate(vertex(2))});
   }
   split_mirrored(primitive, frames);
 
@@ -142,11 +154,14 @@ void make_tangents(Primitive& primitive, const glm::mat3x2& normal_map_transform
   std::vector<glm::dvec2> uv;
   for (const Vertex& v : vertices) uv.push_back(coordinate(v));
   const std::vector<std::uint32_t> weld = weld_corners(vertices, uv);
-  std::vector<std::array<glm::dvec3, 2>> sum(vertices.size(), {glm::dvec3(0), glm::dvec3(0)});  // as painted, mirrored
+  // as painted, mirrored
+  std::vector<std::array<glm::dvec3, 2>> sum(vertices.size(), {glm::dvec3(0), glm::dvec3(0)});
   for (std::size_t i = 0; i < primitive.indices.size(); ++i) {
     const TriangleFrame& frame = frames[i / 3];
     if (frame.handedness == 0) continue;
-    const auto p = [&](std::size_t k) { return glm::dvec3(vertices[primitive.indices[i / 3 * 3 + k % 3]].position_m); };
+    const auto p = [&](std::size_t k) {
+      return glm::dvec3(vertices[primitive.indices[i / 3 * 3 + k % 3]].position_m);
+    };
     const std::uint32_t v = primitive.indices[i];
     const glm::dvec3 n(vertices[v].normal);
     const glm::dvec3 across = unit_or_zero(frame.dp_du - n * glm::dot(n, frame.dp_du));

@@ -29,13 +29,16 @@ std::vector<EdgeEntry> sorted_edges(const Topology& topology, std::span<const st
     std::uint32_t a = indices[half], b = indices[next_corner(half)];
     if (topology.position_id[a] == topology.position_id[b]) continue;
     if (topology.position_id[a] > topology.position_id[b]) std::swap(a, b);
-    edges.push_back({topology.position_id[a], topology.position_id[b], topology.uv_id[a], topology.uv_id[b], half});
+    edges.push_back(
+        {topology.position_id[a], topology.position_id[b], topology.uv_id[a], topology.uv_id[b], half});
   }
-  std::sort(edges.begin(), edges.end(), [](const EdgeEntry& x, const EdgeEntry& y) { return x.key() < y.key(); });
+  std::sort(edges.begin(), edges.end(),
+            [](const EdgeEntry& x, const EdgeEntry& y) { return x.key() < y.key(); });
   return edges;
 }
 
-/// Pairs the half edges [begin, end) of one place: first neighbours in the order that share coordinates, then the rest two by two.
+/// Pairs the half edges [begin, end) of one place: first neighbours in the order that share coordinates, then
+/// the rest two by two.
 void pair_edges(std::span<const EdgeEntry> edges, std::vector<std::uint32_t>& mate) {
   const auto join = [&](std::uint32_t a, std::uint32_t b) { mate[a] = b, mate[b] = a; };
   std::uint32_t left = no_edge;
@@ -73,11 +76,13 @@ double uv_area2(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
   const glm::dvec2 p(a), e1 = glm::dvec2(b) - p, e2 = glm::dvec2(c) - p;
   const double area2 = e1.x * e2.y - e1.y * e2.x;
   const double magnitude = std::max({glm::length(p), glm::length(glm::dvec2(b)), glm::length(glm::dvec2(c))});
-  const double noise = std::numeric_limits<float>::epsilon() * magnitude * std::max(glm::length(e1), glm::length(e2));
+  const double noise =
+      std::numeric_limits<float>::epsilon() * magnitude * std::max(glm::length(e1), glm::length(e2));
   return std::abs(area2) > noise ? area2 : 0.0;
 }
 
-Topology mesh_topology(std::span<const Vertex> vertices, std::span<const glm::vec2> uv, std::span<const std::uint32_t> indices) {
+Topology mesh_topology(std::span<const Vertex> vertices, std::span<const glm::vec2> uv,
+                       std::span<const std::uint32_t> indices) {
   DERMIS_ASSERT_EQ(vertices.size(), uv.size());
   DERMIS_ASSERT_EQ(indices.size() % 3, std::size_t{0});
   DERMIS_ASSERT_LT(indices.size(), std::size_t{no_edge});
@@ -101,7 +106,8 @@ Topology mesh_topology(std::span<const Vertex> vertices, std::span<const glm::ve
     if (other == no_edge) continue;
     std::uint32_t c = indices[other], d = indices[next_corner(other)];
     const std::uint32_t a = indices[half], b = indices[next_corner(half)];
-    // Equal winding runs the edge the other way round, and then equal signs mean that the triangles lie on opposite sides of it.
+    // Equal winding runs the edge the other way round, and then equal signs mean that the triangles lie on
+    // opposite sides of it.
     const bool reversed = topology.position_id[a] == topology.position_id[d];
     if (reversed) std::swap(c, d);
     if (topology.uv_id[a] != topology.uv_id[c] || topology.uv_id[b] != topology.uv_id[d]) continue;
@@ -110,14 +116,17 @@ Topology mesh_topology(std::span<const Vertex> vertices, std::span<const glm::ve
   return topology;
 }
 
-std::vector<std::uint32_t> find_charts(const Topology& topology, std::span<const glm::vec2> uv, std::span<const std::uint32_t> indices) {
+std::vector<std::uint32_t> find_charts(const Topology& topology, std::span<const glm::vec2> uv,
+                                       std::span<const std::uint32_t> indices) {
   const auto triangles = static_cast<std::uint32_t>(indices.size() / 3);
   UnionFind sets(triangles);
   for (std::uint32_t half = 0; half < indices.size(); ++half)
     if (topology.continuous[half]) sets.join(half / 3, topology.mate[half] / 3);
 
   std::vector<std::uint32_t> host(triangles);  // whose chart a triangle takes
-  const auto flat = [&](std::uint32_t t) { return uv_area2(uv[indices[3 * t]], uv[indices[3 * t + 1]], uv[indices[3 * t + 2]]) == 0; };
+  const auto flat = [&](std::uint32_t t) {
+    return uv_area2(uv[indices[3 * t]], uv[indices[3 * t + 1]], uv[indices[3 * t + 2]]) == 0;
+  };
   const auto uv_of = [&](std::uint32_t half) { return topology.uv_id[indices[half]]; };
   for (std::uint32_t t = 0; t < triangles; ++t) {
     host[t] = t;
@@ -125,7 +134,8 @@ std::vector<std::uint32_t> find_charts(const Topology& topology, std::span<const
     for (std::uint32_t half = 3 * t; half < 3 * t + 3 && host[t] == t; ++half) {
       const std::uint32_t other = topology.mate[half];
       if (other == no_edge || flat(other / 3)) continue;
-      const std::uint32_t a = uv_of(half), b = uv_of(next_corner(half)), c = uv_of(other), d = uv_of(next_corner(other));
+      const std::uint32_t a = uv_of(half), b = uv_of(next_corner(half)), c = uv_of(other),
+                          d = uv_of(next_corner(other));
       if ((a == c && b == d) || (a == d && b == c)) host[t] = other / 3;
     }
   }

@@ -17,19 +17,25 @@ inline constexpr std::uint32_t no_edge = 0xffffffffu;
 struct Topology {
   std::vector<std::uint32_t> position_id;  ///< per vertex; equal = same place (weld_positions)
   std::vector<std::uint32_t> uv_id;        ///< per vertex; equal = same texture coordinates (weld_uv)
-  std::vector<std::uint32_t> mate;         ///< per half edge: the half edge of the neighbour at the same place, no_edge at an open border
-  std::vector<bool> continuous;  ///< per half edge: the unwrap goes on across it (same coordinates, the neighbour on the other side)
+  /// per half edge: the half edge of the neighbour at the same place, no_edge at an open border
+  std::vector<std::uint32_t> mate;
+  /// per half edge: the unwrap goes on across it (same coordinates, the neighbour on the other side)
+  std::vector<bool> continuous;
 };
 
-/// indices.size() a multiple of 3, all < vertices.size() == uv.size(). Of more than two triangles at an edge, those that share coordinates
-/// are paired first. O(n log n).
-Topology mesh_topology(std::span<const Vertex> vertices, std::span<const glm::vec2> uv, std::span<const std::uint32_t> indices);
+/// indices.size() a multiple of 3, all < vertices.size() == uv.size(). Of more than two triangles at an edge,
+/// those that share coordinates are paired first. O(n log n).
+Topology mesh_topology(std::span<const Vertex> vertices, std::span<const glm::vec2> uv,
+                       std::span<const std::uint32_t> indices);
 
-/// Twice the signed area of a triangle in texture space; 0 if it is smaller than the rounding of its coordinates.
+/// Twice the signed area of a triangle in texture space; 0 if it is smaller than the rounding of its
+/// coordinates.
 double uv_area2(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c);
 
-/// Chart of each triangle, from 0 in order of first appearance: triangles joined by continuous edges. A triangle without area in texture
-/// space never joins two charts; it goes with the first neighbour that shares coordinates with it, else it is a chart of its own.
-std::vector<std::uint32_t> find_charts(const Topology& topology, std::span<const glm::vec2> uv, std::span<const std::uint32_t> indices);
+/// Chart of each triangle, from 0 in order of first appearance: triangles joined by continuous edges. A
+/// triangle without area in texture space never joins two charts; it goes with the first neighbour that
+/// shares coordinates with it, else it is a chart of its own.
+std::vector<std::uint32_t> find_charts(const Topology& topology, std::span<const glm::vec2> uv,
+                                       std::span<const std::uint32_t> indices);
 
 }  // namespace dermis::scene

@@ -9,12 +9,17 @@
 namespace dermis::scene {
 namespace {
 
-constexpr std::size_t most_at_a_place = 64;       // real heads have a dozen; a hostile one must not cost the square of its size
-constexpr double cosine_14_degrees = 0.97029573;  // one degree less than 105 - 90: the eye is not equally far from all vertices
+// real heads have a dozen; a hostile one must not cost the square of its size
+constexpr std::size_t most_at_a_place = 64;
+// one degree less than 105 - 90: the eye is not equally far from all vertices
+constexpr double cosine_14_degrees = 0.97029573;
 
 bool turned(const SkinMesh& mesh, std::size_t triangle) {
-  const auto corner = [&](std::size_t k) -> const Vertex& { return mesh.vertices[mesh.indices[3 * triangle + k]]; };
-  const glm::dvec3 a(corner(0).position_m), face = glm::cross(glm::dvec3(corner(1).position_m) - a, glm::dvec3(corner(2).position_m) - a);
+  const auto corner = [&](std::size_t k) -> const Vertex& {
+    return mesh.vertices[mesh.indices[3 * triangle + k]];
+  };
+  const glm::dvec3 a(corner(0).position_m),
+      face = glm::cross(glm::dvec3(corner(1).position_m) - a, glm::dvec3(corner(2).position_m) - a);
   if (face == glm::dvec3(0)) return false;  // no pixel shows it
   for (std::size_t k = 0; k < 3; ++k) {
     const glm::dvec3 n(corner(k).normal);
@@ -31,7 +36,8 @@ std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh) {
   std::vector<std::vector<std::uint32_t>> at_place(mesh.vertices.size());
   for (std::size_t t = 0; t < triangles; ++t)
     if (turned(mesh, t))
-      for (std::size_t k = 0; k < 3; ++k) at_place[place[mesh.indices[3 * t + k]]].push_back(static_cast<std::uint32_t>(t));
+      for (std::size_t k = 0; k < 3; ++k)
+        at_place[place[mesh.indices[3 * t + k]]].push_back(static_cast<std::uint32_t>(t));
   std::vector<std::uint32_t> packed(triangles + 1), found;
   for (std::size_t t = 0; t < triangles; ++t) {
     packed[t] = static_cast<std::uint32_t>(packed.size());

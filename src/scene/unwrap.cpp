@@ -18,7 +18,8 @@ void append_primitive(SkinMesh& mesh, const Primitive& primitive) {
   const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
   for (const std::uint32_t index : primitive.indices) mesh.indices.push_back(base + index);
-  mesh.triangle_material.insert(mesh.triangle_material.end(), primitive.indices.size() / 3, primitive.material);
+  mesh.triangle_material.insert(mesh.triangle_material.end(), primitive.indices.size() / 3,
+                                primitive.material);
 }
 
 struct AxisFit {
@@ -47,9 +48,12 @@ void fit_unwrap(SkinMesh& mesh) {
   mesh.unwrap_offset = {u.offset, v.offset};
   if (u.fitted || v.fitted) {
     mesh.unwrap_note =
-        fmt::format("texture coordinates span u {:.4g} to {:.4g}, v {:.4g} to {:.4g}: scaled to fit 0..1", low.x, high.x, low.y, high.y);
-    // A rounding error outside costs nothing; a second tile costs sharpness, and tiles that were meant to coincide now lie side by side.
-    if (std::min(u.scale, v.scale) < 0.999) warn("skin '{}': {}; the map holds fewer texels per mm", mesh.name, mesh.unwrap_note);
+        fmt::format("texture coordinates span u {:.4g} to {:.4g}, v {:.4g} to {:.4g}: scaled to fit 0..1",
+                    low.x, high.x, low.y, high.y);
+    // A rounding error outside costs nothing; a second tile costs sharpness, and tiles that were meant to
+    // coincide now lie side by side.
+    if (std::min(u.scale, v.scale) < 0.999)
+      warn("skin '{}': {}; the map holds fewer texels per mm", mesh.name, mesh.unwrap_note);
   } else if (u.offset != 0 || v.offset != 0) {
     mesh.unwrap_note = fmt::format("texture coordinates moved by {:+g}, {:+g} tiles", u.offset, v.offset);
   }
@@ -66,7 +70,8 @@ void assign_charts(SkinMesh& mesh) {
   const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);
   const std::vector<std::uint32_t> chart = find_charts(topology, mesh.unwrap, mesh.indices);
   mesh.charts = chart.empty() ? 0 : static_cast<int>(*std::max_element(chart.begin(), chart.end())) + 1;
-  for (const std::uint32_t c : chart) mesh.triangle_chart.push_back(static_cast<std::uint16_t>(1 + c % max_chart_id));
+  for (const std::uint32_t c : chart)
+    mesh.triangle_chart.push_back(static_cast<std::uint16_t>(1 + c % max_chart_id));
 
   std::vector<std::uint32_t> owner(mesh.vertices.size(), no_edge);
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copies;  // (vertex, chart) -> copy
@@ -74,7 +79,8 @@ void assign_charts(SkinMesh& mesh) {
     std::uint32_t& index = mesh.indices[i];
     if (owner[index] == no_edge) owner[index] = chart[i / 3];
     if (owner[index] == chart[i / 3]) continue;
-    const auto [entry, is_new] = copies.try_emplace({index, chart[i / 3]}, static_cast<std::uint32_t>(mesh.vertices.size()));
+    const auto [entry, is_new] =
+        copies.try_emplace({index, chart[i / 3]}, static_cast<std::uint32_t>(mesh.vertices.size()));
     if (is_new) {
       mesh.vertices.push_back(Vertex(mesh.vertices[index]));
       mesh.unwrap.push_back(glm::vec2(mesh.unwrap[index]));
@@ -89,7 +95,8 @@ std::vector<SkinMesh> skin_meshes(const Scene& scene) {
   std::vector<SkinMesh> meshes;
   std::map<int, std::size_t> mesh_of_node;
   for (const Primitive& primitive : scene.primitives) {
-    if (!scene.materials.at(static_cast<std::size_t>(primitive.material)).skin || primitive.indices.empty()) continue;
+    if (!scene.materials.at(static_cast<std::size_t>(primitive.material)).skin || primitive.indices.empty())
+      continue;
     const auto [entry, is_new] = mesh_of_node.try_emplace(primitive.node, meshes.size());
     if (is_new) {
       meshes.emplace_back();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The skin of one head, laid out flat: the mesh that texture-space passes draw, its charts, and how mm lie on it.
-// Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 5.2 (stretch); here the full metric, since
-// u and v are not orthogonal on real heads.
+// The skin of one head, laid out flat: the mesh that texture-space passes draw, its charts, and how mm lie on
+// it. Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 5.2
+// (stretch); here the full metric, since u and v are not orthogonal on real heads.
 #pragma once
 
 #include <cstdint>
@@ -13,39 +13,49 @@
 
 namespace dermis::scene {
 
-inline constexpr int max_chart_id = 2046;  ///< whole numbers up to 2048 are exact in half floats, and 0 means no chart
+/// whole numbers up to 2048 are exact in half floats, and 0 means no chart
+inline constexpr int max_chart_id = 2046;
 
-/// One head. Every vertex belongs to one chart (vertices between charts are split; copies stand behind the others).
+/// One head. Every vertex belongs to one chart (vertices between charts are split; copies stand behind the
+/// others).
 struct SkinMesh {
-  std::string name;                    ///< of the first primitive, for messages
-  int node = -1;                       ///< Primitive::node
-  std::vector<Vertex> vertices;        ///< uv0 and uv1 raw
-  std::vector<std::uint32_t> indices;  ///< triangles in the order of the scene's primitives, so each material is a few runs
+  std::string name;              ///< of the first primitive, for messages
+  int node = -1;                 ///< Primitive::node
+  std::vector<Vertex> vertices;  ///< uv0 and uv1 raw
+  /// triangles in the order of the scene's primitives, so each material is a few runs
+  std::vector<std::uint32_t> indices;
   std::vector<int> triangle_material;  ///< per triangle, index into Scene::materials
   std::vector<glm::vec2> unwrap;       ///< per vertex, 0..1, v down: where the texture-space passes put it
-  std::vector<glm::vec3> metric;       ///< per vertex: g_uu, g_uv, g_vv in mm^2 per unit of unwrap squared; finite, positive definite
-  std::vector<std::uint16_t> triangle_chart;     ///< per triangle, 1 .. max_chart_id; with more charts the ids start again from 1
-  int charts = 0;                                ///< how many there are
-  glm::dvec2 unwrap_scale{1}, unwrap_offset{0};  ///< unwrap = uv0 * scale + offset; 1 and 0 unless coordinates lay outside 0..1
-  std::string unwrap_note;                       ///< what was done to coordinates outside 0..1; empty if nothing
+  /// per vertex: g_uu, g_uv, g_vv in mm^2 per unit of unwrap squared; finite, positive definite
+  std::vector<glm::vec3> metric;
+  /// per triangle, 1 .. max_chart_id; with more charts the ids start again from 1
+  std::vector<std::uint16_t> triangle_chart;
+  int charts = 0;  ///< how many there are
+  /// unwrap = uv0 * scale + offset; 1 and 0 unless coordinates lay outside 0..1
+  glm::dvec2 unwrap_scale{1}, unwrap_offset{0};
+  /// what was done to coordinates outside 0..1; empty if nothing
+  std::string unwrap_note;
 };
 
-/// One mesh per node that carries skin, in order of first appearance, all skin primitives of the node joined. Raw coordinates outside 0..1
-/// are moved by whole tiles if that is enough, else fitted into 0..1 axis by axis (with a warning: maps then have fewer texels per mm).
-/// Primitives without triangles are left out. Metric: see triangle_metric.
+/// One mesh per node that carries skin, in order of first appearance, all skin primitives of the node joined.
+/// Raw coordinates outside 0..1 are moved by whole tiles if that is enough, else fitted into 0..1 axis by
+/// axis (with a warning: maps then have fewer texels per mm). Primitives without triangles are left out.
+/// Metric: see triangle_metric.
 std::vector<SkinMesh> skin_meshes(const Scene& scene);
 
-/// g = J^T J with J = dP/d(u,v) in mm: (g_uu, g_uv, g_vv). Zero if the triangle has no area in texture space or in the world.
-glm::dvec3 triangle_metric(const glm::dvec3& a_mm, const glm::dvec3& b_mm, const glm::dvec3& c_mm, const glm::vec2& uv_a,
-                           const glm::vec2& uv_b, const glm::vec2& uv_c);
+/// g = J^T J with J = dP/d(u,v) in mm: (g_uu, g_uv, g_vv). Zero if the triangle has no area in texture space
+/// or in the world.
+glm::dvec3 triangle_metric(const glm::dvec3& a_mm, const glm::dvec3& b_mm, const glm::dvec3& c_mm,
+                           const glm::vec2& uv_a, const glm::vec2& uv_b, const glm::vec2& uv_c);
 
-/// Fills mesh.metric from positions and unwrap: triangle metrics averaged at each vertex with their area in texture space as weight, within
-/// a chart only. Triangles stretched beyond 1/1000 .. 32 times the mesh's median length scale are left out; vertices that keep none get
-/// the mean of the mesh. The ratio of lengths is limited to 300 so that floats hold the determinant.
+/// Fills mesh.metric from positions and unwrap: triangle metrics averaged at each vertex with their area in
+/// texture space as weight, within a chart only. Triangles stretched beyond 1/1000 .. 32 times the mesh's
+/// median length scale are left out; vertices that keep none get the mean of the mesh. The ratio of lengths
+/// is limited to 300 so that floats hold the determinant.
 void compute_metric(SkinMesh& mesh, double mm_per_unit);
 
-/// (a, b, c) with g^-1 = L L^T, L = [[a, 0], [b, c]]: what one mm isotropic becomes in texture coordinates, as two successive directions:
-/// (a, b) slanted, then (0, c) along v. g must be positive definite.
+/// (a, b, c) with g^-1 = L L^T, L = [[a, 0], [b, c]]: what one mm isotropic becomes in texture coordinates,
+/// as two successive directions: (a, b) slanted, then (0, c) along v. g must be positive definite.
 glm::dvec3 inverse_metric_cholesky(const glm::dvec3& g);
 
 /// Over the skin's area: each value counts with the mm^2 it holds for.
@@ -54,9 +64,11 @@ struct DensityStats {
 };
 
 struct UnwrapDensity {
-  DensityStats texels_per_mm;          ///< for T = 1 (multiply by the map's side): geometric mean of both directions, det(g)^(-1/4)
-  DensityStats largest_texels_per_mm;  ///< for T = 1: along the direction in which texels lie densest, 1 / sqrt(smallest eigenvalue of g)
-  double area_mm2 = 0;                 ///< all triangles
+  /// for T = 1 (multiply by the map's side): geometric mean of both directions, det(g)^(-1/4)
+  DensityStats texels_per_mm;
+  /// for T = 1: along the direction in which texels lie densest, 1 / sqrt(smallest eigenvalue of g)
+  DensityStats largest_texels_per_mm;
+  double area_mm2 = 0;  ///< all triangles
 };
 
 /// Of the triangles as they are, not of the averaged metric. All zero for a mesh without valid triangles.

@@ -12,13 +12,16 @@ std::uint32_t next_corner(std::uint32_t half) { return half % 3 == 2 ? half - 2 
 double cross2(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 glm::dvec2 right_of(const glm::dvec2& d) { return {d.y, -d.x}; }
 
-/// Triangles without area are laid out 1e-9 of their longest side thick: lines then pass through them like through any other.
+/// Triangles without area are laid out 1e-9 of their longest side thick: lines then pass through them like
+/// through any other.
 std::array<glm::dvec2, 3> laid_flat(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 e1 = b - a, e2 = c - a;
-  const double thin = std::max(1e-9 * std::max({glm::length(e1), glm::length(e2), glm::length(c - b)}), 1e-100);
+  const double thin =
+      std::max(1e-9 * std::max({glm::length(e1), glm::length(e2), glm::length(c - b)}), 1e-100);
   const double length = std::max(glm::length(e1), thin);
   const double x = glm::dot(e1, e2) / length;
-  return {glm::dvec2(0), glm::dvec2(length, 0), glm::dvec2(x, std::max(glm::length(glm::cross(e1, e2)) / length, thin))};
+  return {glm::dvec2(0), glm::dvec2(length, 0),
+          glm::dvec2(x, std::max(glm::length(glm::cross(e1, e2)) / length, thin))};
 }
 
 glm::dvec3 barycentric(const std::array<glm::dvec2, 3>& t, const glm::dvec2& p) {
@@ -42,14 +45,16 @@ Walker::Walker(const Topology& topology, std::span<const Vertex> vertices, std::
   }
 }
 
-std::optional<SurfacePoint> Walker::leave(std::uint32_t half, double along, const glm::dvec2& uv_vector) const {
+std::optional<SurfacePoint> Walker::leave(std::uint32_t half, double along,
+                                          const glm::dvec2& uv_vector) const {
   const std::uint32_t t = half / 3;
   const auto uv = [&](std::uint32_t k) { return glm::dvec2(uv_[indices_[3 * t + k]]); };
   const glm::dvec2 d1 = uv(1) - uv(0), d2 = uv(2) - uv(0);
   const double det = cross2(d1, d2);
   if (det == 0) return std::nullopt;
   const Flat& f = flat_[t];
-  const glm::dvec2 vector = ((f[1] - f[0]) * cross2(uv_vector, d2) + (f[2] - f[0]) * cross2(d1, uv_vector)) / det;
+  const glm::dvec2 vector =
+      ((f[1] - f[0]) * cross2(uv_vector, d2) + (f[2] - f[0]) * cross2(d1, uv_vector)) / det;
   const bool corner = along <= 0 || along >= 1;
   const std::optional<State> state = corner ? turn(half, along >= 1, vector) : cross(half, along, vector);
   return state ? straight(*state) : std::nullopt;
@@ -67,16 +72,19 @@ std::optional<Walker::State> Walker::cross(std::uint32_t half, double along, con
   const bool reversed = place(half) != place(other);
   // Rounding, or a texel centre a hair inside its own triangle: the way never turns back.
   const double outwards = std::max(0.0, glm::dot(vector, right_of(edge)));
-  const glm::dvec2 turned = other_edge * glm::dot(vector, edge) * (reversed ? -1.0 : 1.0) - right_of(other_edge) * outwards;
+  const glm::dvec2 turned =
+      other_edge * glm::dot(vector, edge) * (reversed ? -1.0 : 1.0) - right_of(other_edge) * outwards;
   return State{other / 3, glm::mix(start, end, reversed ? 1 - along : along), turned, 1u << other % 3};
 }
 
-/// Around the vertex at one end of the edge, outwards, until the triangle is reached in which the vector lies.
+/// Around the vertex at one end of the edge, outwards, until the triangle is reached in which the vector
+/// lies.
 std::optional<Walker::State> Walker::turn(std::uint32_t half, bool at_end, const glm::dvec2& vector) const {
   const Flat& from = flat_[half / 3];
   const glm::dvec2 a = from[half % 3], b = from[next_corner(half) % 3];
   const glm::dvec2 edge = at_end ? a - b : b - a;
-  // The triangle lies to the left of a -> b: seen from b outwards is counter-clockwise, seen from a clockwise.
+  // The triangle lies to the left of a -> b: seen from b outwards is counter-clockwise, seen from a
+  // clockwise.
   double angle = std::atan2(cross2(edge, vector), glm::dot(edge, vector)) * (at_end ? 1 : -1);
   if (angle < 0) angle += 2 * glm::pi<double>();
   const std::uint32_t vertex = place(at_end ? next_corner(half) : half);
@@ -86,11 +94,14 @@ std::optional<Walker::State> Walker::turn(std::uint32_t half, bool at_end, const
     const Flat& flat = flat_[other / 3];
     const bool at_start = place(other) == vertex;
     const std::uint32_t base = other / 3 * 3;
-    const std::uint32_t corner = at_start ? other : next_corner(other), far = at_start ? next_corner(other) : other;
+    const std::uint32_t corner = at_start ? other : next_corner(other),
+                        far = at_start ? next_corner(other) : other;
     const std::uint32_t third = base + 3 - corner % 3 - far % 3;
-    const glm::dvec2 side = glm::normalize(flat[far % 3] - flat[corner % 3]), way_on = glm::normalize(flat[third % 3] - flat[corner % 3]);
+    const glm::dvec2 side = glm::normalize(flat[far % 3] - flat[corner % 3]),
+                     way_on = glm::normalize(flat[third % 3] - flat[corner % 3]);
     const double inner = std::atan2(std::abs(cross2(side, way_on)), glm::dot(side, way_on));
-    const std::uint32_t side_on = at_start ? base + (corner + 2) % 3 : corner;  // the other edge at this vertex
+    // the other edge at this vertex
+    const std::uint32_t side_on = at_start ? base + (corner + 2) % 3 : corner;
     if (angle <= inner) {
       const glm::dvec2 inwards = right_of(side) * (cross2(side, way_on) < 0 ? 1.0 : -1.0);
       const glm::dvec2 turned = glm::length(vector) * (std::cos(angle) * side + std::sin(angle) * inwards);
@@ -117,7 +128,8 @@ std::optional<SurfacePoint> Walker::straight(State state) const {
     }
     if (exit == no_edge) return SurfacePoint{state.triangle, barycentric(flat, state.at + state.vector)};
     const glm::dvec2 start = flat[exit % 3], edge = flat[next_corner(exit) % 3] - start;
-    const double along = std::clamp(glm::dot(state.at + nearest * state.vector - start, edge) / glm::dot(edge, edge), 0.0, 1.0);
+    const double along = std::clamp(
+        glm::dot(state.at + nearest * state.vector - start, edge) / glm::dot(edge, edge), 0.0, 1.0);
     const std::optional<State> next = cross(exit, along, (1 - nearest) * state.vector);
     if (!next) return std::nullopt;
     state = *next;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Straight lines on a triangle mesh: unfolding across edges and around vertices.
-// Based on: [PS06] Polthier, Schmies: Straightest Geodesics on Polyhedral Surfaces. SIGGRAPH 2006 courses (here: one of the two sides'
-// angle is given by where the line starts, so a vertex is only ever left, never crossed).
+// Based on: [PS06] Polthier, Schmies: Straightest Geodesics on Polyhedral Surfaces. SIGGRAPH 2006 courses
+// (here: one of the two sides' angle is given by where the line starts, so a vertex is only ever left, never
+// crossed).
 #pragma once
 
 #include <array>
@@ -20,14 +21,17 @@ struct SurfacePoint {
   glm::dvec3 barycentric{1, 0, 0};  ///< 0..1, sum 1
 };
 
-/// A mesh ready to walk on. Holds references: topology and indices must outlive it. Walking is const and may run on many threads.
+/// A mesh ready to walk on. Holds references: topology and indices must outlive it. Walking is const and may
+/// run on many threads.
 class Walker {
  public:
-  Walker(const Topology& topology, std::span<const Vertex> vertices, std::span<const glm::vec2> uv, std::span<const std::uint32_t> indices);
+  Walker(const Topology& topology, std::span<const Vertex> vertices, std::span<const glm::vec2> uv,
+         std::span<const std::uint32_t> indices);
 
-  /// Leaves a triangle through its half edge at the point `along` (0 = start, 1 = end; exactly 0 or 1 turns around that vertex) and goes on
-  /// straight by `uv_vector`, texture coordinates of that triangle turned into lengths by its plane. The way runs over neighbours at the
-  /// same place, whatever their coordinates. None where the way meets an open border, or does not end within 1,000 triangles.
+  /// Leaves a triangle through its half edge at the point `along` (0 = start, 1 = end; exactly 0 or 1 turns
+  /// around that vertex) and goes on straight by `uv_vector`, texture coordinates of that triangle turned
+  /// into lengths by its plane. The way runs over neighbours at the same place, whatever their coordinates.
+  /// None where the way meets an open border, or does not end within 1,000 triangles.
   std::optional<SurfacePoint> leave(std::uint32_t half, double along, const glm::dvec2& uv_vector) const;
 
  private:

@@ -24,8 +24,9 @@ struct TilesIo {
   uint square;      // number in the pool
   uint first_tile;  // of the square's in the buffers: listed ones from the front, idle ones from the back
   uint tile_count;  // of the used square
-  uint border;      // 1: list tiles with unlit texels beside lit tiles; 0: list tiles with lit texels, the others are idle
-  uint slot;        // of the counters: tiles listed
+  // 1: list tiles with unlit texels beside lit tiles; 0: list tiles with lit texels, the others are idle
+  uint border;
+  uint slot;  // of the counters: tiles listed
 };
 struct IdleIo {
   uvec2 origin;

@@ -9,9 +9,10 @@ DERMIS_IO_BEGIN
 struct TransmissionIo {
   float falloff_per_m2[TRANSMISSION_TERMS];  // 1 / (2 v)
   float two_sigma_m[TRANSMISSION_TERMS];
-  uint group[TRANSMISSION_TERMS];                        // of each term
-  vec3 group_weight[TRANSMISSION_GROUPS];                // sum of its terms'
-  vec3 share[TRANSMISSION_GROUPS * TRANSMISSION_TERMS];  // of the light of each term in what joins at each group
+  uint group[TRANSMISSION_TERMS];          // of each term
+  vec3 group_weight[TRANSMISSION_GROUPS];  // sum of its terms'
+  // of the light of each term in what joins at each group
+  vec3 share[TRANSMISSION_GROUPS * TRANSMISSION_TERMS];
 };
 DERMIS_IO_END
 #endif

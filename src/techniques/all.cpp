@@ -10,7 +10,9 @@ namespace dermis::techniques {
 namespace {
 
 constexpr std::array all{
-    Technique{"texture-space", "light blurred in the head's texture by a sum of Gaussians (d'Eon et al. 2007)", true, build_texture_space},
+    Technique{"texture-space",
+              "light blurred in the head's texture by a sum of Gaussians (d'Eon et al. 2007)", true,
+              build_texture_space},
     Technique{"lambert", "the same lights and specular without scattering", false, build_lambert},
 };
 

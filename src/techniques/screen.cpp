@@ -11,7 +11,8 @@
 
 namespace dermis::techniques {
 
-std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head, std::uint32_t mesh) {
+std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
+                  std::uint32_t mesh) {
   std::string text = label(what, settings, head);
   if (settings.skin.size() > 1) text += fmt::format(" part {}", mesh);
   return text;
@@ -22,7 +23,8 @@ std::string label(std::string_view what, const FrameSettings& settings, std::uin
 }
 
 Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&plan), settings_(settings) {
-  const gpu::TextureDesc screen{.width = settings.width, .height = settings.height, .samples = settings.samples};
+  const gpu::TextureDesc screen{
+      .width = settings.width, .height = settings.height, .samples = settings.samples};
   gpu::TextureDesc colour = screen, depth = screen;
   colour.format = VK_FORMAT_R16G16B16A16_SFLOAT;
   depth.format = VK_FORMAT_D32_SFLOAT;
@@ -70,14 +72,16 @@ void Screen::add_surfaces(std::uint32_t head) {
 FrameOutputs Screen::finish() {
   FrameOutputs out;
   out.picture = settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour_}).picture : colour_;
-  plan_->add<passes::Count>("count skin pixels", {out.picture, counters_}, {.slot = counter_skin_pixels, .threshold = 0.5f});
+  plan_->add<passes::Count>("count skin pixels", {out.picture, counters_},
+                            {.slot = counter_skin_pixels, .threshold = 0.5f});
   if (settings_.bloom > 0) out.picture = passes::add_bloom(*plan_, out.picture, settings_.bloom);
   out.display = plan_->add<passes::View>("view", {out.picture}, {settings_.view}).display;
   out.counters = counters_;
   plan_->read_back(out.picture);
   plan_->read_back(out.display);
   plan_->read_back(shadow_);
-  for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer) out.shows[fmt::format("shadow:{}", layer)] = shadow_;
+  for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer)
+    out.shows[fmt::format("shadow:{}", layer)] = shadow_;
   return out;
 }
 

@@ -29,8 +29,10 @@ class Screen {
   bool cleared_ = false;
 };
 
-/// "shadow" for one head, "shadow head 3" in a crowd; and for one of a head's skin meshes, "irradiance head 3 part 1".
+/// "shadow" for one head, "shadow head 3" in a crowd; and for one of a head's skin meshes, "irradiance head 3
+/// part 1".
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head);
-std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head, std::uint32_t mesh);
+std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
+                  std::uint32_t mesh);
 
 }  // namespace dermis::techniques

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// How passes make a picture. A technique is a function that adds passes to a plan; the list in all.cpp is the only register.
+/// How passes make a picture. A technique is a function that adds passes to a plan; the list in all.cpp is
+/// the only register.
 #pragma once
 
 #include <array>
@@ -28,9 +29,10 @@ struct SkinPart {
 
 /// What is not computed because it is not seen. Based on: [JG08] sec. 3 to 5.
 struct Optimise {
-  bool cull = false;   ///< triangles that face away from the eye
-  bool depth = false;  ///< maps as large as the head's distance needs; the plan does not change, Instance::map_side does
-  bool clip = false;   ///< what lies outside the picture and a margin
+  bool cull = false;  ///< triangles that face away from the eye
+  /// maps as large as the head's distance needs; the plan does not change, Instance::map_side does
+  bool depth = false;
+  bool clip = false;  ///< what lies outside the picture and a margin
   bool any() const { return cull || depth || clip; }
   bool operator==(const Optimise&) const = default;
 };
@@ -43,14 +45,17 @@ struct FrameSettings {
   std::uint32_t shadow_size = 2048;  ///< texels
   std::uint32_t shadow_layers = 1;   ///< of one head, at least 1
   std::uint32_t heads = 1;
-  std::uint32_t heads_per_batch = 1;  ///< that are lit and blurred together: squares of the pool and sets of shadow maps
+  /// that are lit and blurred together: squares of the pool and sets of shadow maps
+  std::uint32_t heads_per_batch = 1;
   Optimise optimise;
-  bool translucency = false;                ///< light comes through the body: lit from behind, thin skin glows
-  double mm_per_unit = 1000;                ///< of the scene
-  passes::Mask mask = passes::Mask::tiles;  ///< alpha, depth or tiles: how convolutions skip what cull and clip have left unlit
-  bool progressive = false;                 ///< wide terms are kept in smaller maps, see passes::Halve
-  bool visibility = false;                  ///< also makes the map that `--show visibility` shows
-  std::vector<SkinPart> skin;               ///< one a skin mesh of the scene
+  /// light comes through the body: lit from behind, thin skin glows
+  bool translucency = false;
+  double mm_per_unit = 1000;  ///< of the scene
+  /// alpha, depth or tiles: how convolutions skip what cull and clip have left unlit
+  passes::Mask mask = passes::Mask::tiles;
+  bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Halve
+  bool visibility = false;     ///< also makes the map that `--show visibility` shows
+  std::vector<SkinPart> skin;  ///< one a skin mesh of the scene
   bool has_surfaces = false, has_blended = false;
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
   bool soft_shadows = false;  ///< some light has a radius
@@ -59,21 +64,36 @@ struct FrameSettings {
   bool operator==(const FrameSettings&) const = default;
 };
 
-/// Slots of FrameOutputs::counters: three of the frame, then for each skin mesh three for each size of its maps.
-enum Counter : std::uint32_t { counter_skin_pixels, counter_unshaded_reads, counter_transmission_misses, counter_meshes };
-enum MeshCounter : std::uint32_t { counter_lit_texels, counter_masked_texels, counter_tiles, counter_level_stride };
+/// Slots of FrameOutputs::counters: three of the frame, then for each skin mesh three for each size of its
+/// maps.
+enum Counter : std::uint32_t {
+  counter_skin_pixels,
+  counter_unshaded_reads,
+  counter_transmission_misses,
+  counter_meshes
+};
+enum MeshCounter : std::uint32_t {
+  counter_lit_texels,
+  counter_masked_texels,
+  counter_tiles,
+  counter_level_stride
+};
 inline constexpr std::uint32_t counter_mesh_stride = counter_level_stride * (passes::max_halvings + 1);
-inline std::size_t counter_count(std::size_t skin_meshes) { return counter_meshes + counter_mesh_stride * skin_meshes; }
+inline std::size_t counter_count(std::size_t skin_meshes) {
+  return counter_meshes + counter_mesh_stride * skin_meshes;
+}
 inline std::uint32_t mesh_counter(std::uint32_t mesh, std::uint32_t halvings, MeshCounter which) {
   return counter_meshes + counter_mesh_stride * mesh + counter_level_stride * halvings + which;
 }
 
 struct FrameOutputs {
-  frame::TextureId picture;                       ///< RGBA16F, linear, with bloom; alpha = share of the pixel that is skin
+  /// RGBA16F, linear, with bloom; alpha = share of the pixel that is skin
+  frame::TextureId picture;
   frame::TextureId display;                       ///< RGBA8, after the view transform
   frame::BufferId counters;                       ///< uint[counter_count()]
   std::map<std::string, frame::TextureId> shows;  ///< what `--show` can show: "irradiance", "blur:0", ...
-  glm::uvec2 shown_origin{0};                     ///< of the square of light maps that is shown: the nearest head's, its first skin mesh
+  /// of the square of light maps that is shown: the nearest head's, its first skin mesh
+  glm::uvec2 shown_origin{0};
   /// A skin mesh, by halvings of the map: what runs over its square there.
   struct LevelWork {
     std::uint32_t terms = 0;         ///< Gaussians that end there

@@ -24,7 +24,8 @@ class Bench : public Program {
                                         {"--distances", "5"},
                                         {"--rounds", "2"},
                                         {"--picture-samples", "1"}})
-      if (std::find(arguments.begin(), arguments.end(), option) == arguments.end()) all.insert(all.end(), {option, value});
+      if (std::find(arguments.begin(), arguments.end(), option) == arguments.end())
+        all.insert(all.end(), {option, value});
     all.insert(all.end(), arguments.begin(), arguments.end());
     return run(all, surroundings);
   }
@@ -50,14 +51,16 @@ TEST_F(Bench, AnswersOtherProgramsRelyOn) {
   ASSERT_EQ(j.at("cells").size(), 2u);
   for (const json& cell : j.at("cells")) {
     EXPECT_EQ(cell.at("distance"), 5);
-    for (const char* key : {"baseline_ms", "skip_ms", "cull_ms", "depth_ms", "clip_ms", "all_ms", "all_margin_0_ms", "lambert_ms",
-                            "speedup", "psnr_db", "flip_mean"})
+    for (const char* key : {"baseline_ms", "skip_ms", "cull_ms", "depth_ms", "clip_ms", "all_ms",
+                            "all_margin_0_ms", "lambert_ms", "speedup", "psnr_db", "flip_mean"})
       EXPECT_TRUE(cell.at(key).is_number()) << key;
-    EXPECT_NEAR(cell.at("speedup"), cell.at("baseline_ms").get<double>() / cell.at("all_ms").get<double>(), 1e-9);
+    EXPECT_NEAR(cell.at("speedup"), cell.at("baseline_ms").get<double>() / cell.at("all_ms").get<double>(),
+                1e-9);
     EXPECT_GE(cell.at("psnr_db"), 20);
     EXPECT_GT(cell.at("compared_pixels"), 0);
     EXPECT_GT(cell.at("texels").at("baseline").at("irradiance"), 0);
-    EXPECT_GE(cell.at("texels").at("baseline").at("irradiance"), cell.at("texels").at("all").at("irradiance"));
+    EXPECT_GE(cell.at("texels").at("baseline").at("irradiance"),
+              cell.at("texels").at("all").at("irradiance"));
     EXPECT_EQ(cell.at("texels").at("baseline").at("used_size").size(), cell.at("heads"));
     const json& variants = cell.at("variants");
     for (const auto& [name, variant] : variants.items()) {
@@ -114,12 +117,15 @@ TEST_F(Bench, LampsInPlaceOfTheRig) {
 
 TEST_F(Bench, ProgressiveMapsAreABaselineOfTheirOwn) {
   // Large enough that the widest Gaussian is smooth on half the map.
-  const json cell = found({"--heads", "1", "--map-size", "512", "--rounds", "1", "--picture-samples", "0"}).at("cells")[0];
+  const json cell =
+      found({"--heads", "1", "--map-size", "512", "--rounds", "1", "--picture-samples", "0"}).at("cells")[0];
   EXPECT_EQ(cell.at("variants").at("progressive").at("maps"), "progressive");
   EXPECT_EQ(cell.at("variants").at("progressive").at("optimise"), json::array());
   EXPECT_EQ(cell.at("variants").at("baseline").at("maps"), "full");
-  EXPECT_LT(cell.at("texels").at("progressive").at("convolved"), cell.at("texels").at("baseline").at("convolved"));
-  EXPECT_NEAR(cell.at("speedup_progressive"), cell.at("progressive_ms").get<double>() / cell.at("all_progressive_ms").get<double>(), 1e-9);
+  EXPECT_LT(cell.at("texels").at("progressive").at("convolved"),
+            cell.at("texels").at("baseline").at("convolved"));
+  EXPECT_NEAR(cell.at("speedup_progressive"),
+              cell.at("progressive_ms").get<double>() / cell.at("all_progressive_ms").get<double>(), 1e-9);
   const json alone = found({"--heads", "1", "--maps", "progressive"}).at("cells")[0];
   EXPECT_EQ(alone.at("variants").at("baseline").at("maps"), "progressive");
   EXPECT_FALSE(alone.at("variants").contains("progressive"));
@@ -136,7 +142,8 @@ TEST_F(Bench, ATableForPeopleAndAPage) {
   const std::string html = read_text(page);
   EXPECT_TRUE(html.starts_with("<!doctype html>"));
   EXPECT_TRUE(html.ends_with("</html>\n"));
-  for (const char* outside : {"http://", "https://", "url(", "@import"}) EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+  for (const char* outside : {"http://", "https://", "url(", "@import"})
+    EXPECT_EQ(html.find(outside), std::string::npos) << outside;
   EXPECT_EQ(html.find("> other</span>"), std::string::npos) << "a pass that no group of the bars knows";
   EXPECT_NE(html.find("id=\"map-visibility\""), std::string::npos);
 }
@@ -160,7 +167,8 @@ TEST_F(Bench, RefusesBeforeItMeasures) {
   refuse({"--map-size", "8"}, "--map-size must be 32");
   refuse({"--html", "-"}, "--html: needs a file");
   refuse({"--html", (folder() / "none" / "page.html").string()}, "does not exist");
-  refuse({"--json", (folder() / "same").string(), "--html", (folder() / "." / "same").string()}, "--json needs its own");
+  refuse({"--json", (folder() / "same").string(), "--html", (folder() / "." / "same").string()},
+         "--json needs its own");
   refuse({"--fail-if-slower"}, "--fail-if-slower: is for --compare");
   expect_refused(run({"bench", (folder() / "none.glb").string()}), "none.glb");
   expect_not_understood(tiny({"--heads", "many"}), "--heads");
@@ -182,7 +190,8 @@ TEST_F(Bench, StoppedLaterItWritesWhatIsComplete) {
   std::string distances = "3";
   for (int i = 4; i < 300; ++i) distances += "," + std::to_string(i);
   const Result result =
-      tiny({"--distances", distances, "--rounds", "1", "--json", numbers.string(), "--html", page.string()}, {.interrupt_after_s = 6});
+      tiny({"--distances", distances, "--rounds", "1", "--json", numbers.string(), "--html", page.string()},
+           {.interrupt_after_s = 6});
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.err.find("dermis: stopped after "), std::string::npos) << result.err;
   const json j = json::parse(read_text(numbers));
@@ -196,11 +205,17 @@ TEST_F(Bench, StoppedLaterItWritesWhatIsComplete) {
 class CompareResults : public Program {
  protected:
   /// One cell whose baseline took these times.
-  std::string result(const std::string& name, const std::vector<double>& rounds_ms, const std::string& scene = "head.glb") const {
-    const json times{{"rounds_ms", rounds_ms}, {"passes", json::array({{{"name", "blur 0 u"}, {"ms", rounds_ms.front()}}})}};
+  std::string result(const std::string& name, const std::vector<double>& rounds_ms,
+                     const std::string& scene = "head.glb") const {
+    const json times{{"rounds_ms", rounds_ms},
+                     {"passes", json::array({{{"name", "blur 0 u"}, {"ms", rounds_ms.front()}}})}};
     const json cell{{"heads", 4}, {"distance", 2.5}, {"variants", {{"baseline", times}}}};
-    return file(name,
-                json{{"commit", name}, {"device", "d"}, {"scene", scene}, {"settings", {{"map_size", 64}}}, {"cells", {cell}}}.dump());
+    return file(name, json{{"commit", name},
+                           {"device", "d"},
+                           {"scene", scene},
+                           {"settings", {{"map_size", 64}}},
+                           {"cells", {cell}}}
+                          .dump());
   }
 };
 
@@ -219,12 +234,13 @@ TEST_F(CompareResults, ASlowdownBeyondTheSpread) {
   const Result failed = run({"bench", "--compare", before, after, "--fail-if-slower"});
   EXPECT_EQ(failed.status, 1);
   EXPECT_EQ(failed.err, "dermis: 1 of 1 times are slower beyond the spread\n");
-  EXPECT_EQ(run({"bench", "--compare", after, before, "--fail-if-slower"}).status, 0) << "faster is not slower";
+  EXPECT_EQ(run({"bench", "--compare", after, before, "--fail-if-slower"}).status, 0)
+      << "faster is not slower";
 }
 
 TEST_F(CompareResults, OneWithinItIsIgnored) {
-  const Result text =
-      run({"bench", "--compare", result("old.json", {100, 104, 102}), result("new.json", {103, 110, 106}), "--fail-if-slower"});
+  const Result text = run({"bench", "--compare", result("old.json", {100, 104, 102}),
+                           result("new.json", {103, 110, 106}), "--fail-if-slower"});
   EXPECT_EQ(text.status, 0) << text.err;
   EXPECT_NE(text.out.find("0 of 1 times are slower, 0 are faster"), std::string::npos) << text.out;
   EXPECT_EQ(text.out.find("baseline"), std::string::npos) << "nothing to list";
@@ -232,12 +248,15 @@ TEST_F(CompareResults, OneWithinItIsIgnored) {
 
 TEST_F(CompareResults, WhatCannotBeCompared) {
   const std::string a = result("a.json", {1, 2, 3}), before = read_text(a);
-  expect_refused(run({"bench", "--compare", a, result("other.json", {1}, "other.glb")}), "other.json: the scene is other.glb");
-  expect_refused(run({"bench", "--compare", a, (folder() / "none.json").string()}), "none.json: no such file");
+  expect_refused(run({"bench", "--compare", a, result("other.json", {1}, "other.glb")}),
+                 "other.json: the scene is other.glb");
+  expect_refused(run({"bench", "--compare", a, (folder() / "none.json").string()}),
+                 "none.json: no such file");
   expect_refused(run({"bench", "--compare", a, file("text.json", "no")}), "text.json: is no JSON");
   expect_refused(run({"bench", "--compare", a, file("empty.json", "{}")}), "empty.json: has no 'commit'");
   expect_refused(run({"bench", "--compare", a, a, "--json", a}), "needs a name of its own");
-  expect_refused(run({"bench", "--compare", a, a, "--html", (folder() / "x.html").string()}), "--html: is for runs");
+  expect_refused(run({"bench", "--compare", a, a, "--html", (folder() / "x.html").string()}),
+                 "--html: is for runs");
   expect_refused(run({"bench", "head.glb", "--compare", a, a}), "it needs no scene");
   EXPECT_EQ(read_text(a), before);
   expect_not_understood(run({"bench", "--compare", a}), "--compare");

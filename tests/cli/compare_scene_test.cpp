@@ -18,7 +18,9 @@ class CompareScene : public Program {
   std::string in_folder(const std::string& name) const { return (folder() / name).string(); }
   Result compare(const Arguments& arguments) const {
     Arguments all{"compare", "--scene", head()};
-    const auto given = [&](const char* name) { return std::find(arguments.begin(), arguments.end(), name) != arguments.end(); };
+    const auto given = [&](const char* name) {
+      return std::find(arguments.begin(), arguments.end(), name) != arguments.end();
+    };
     if (!given("--size")) all.insert(all.end(), {"--size", "24x24"});
     if (!given("--samples")) all.insert(all.end(), {"--samples", "16"});
     if (!given("--map-size")) all.insert(all.end(), {"--map-size", "64"});
@@ -48,9 +50,11 @@ TEST_F(CompareScene, EveryTechniqueCostAndErrorPerRegion) {
     names.push_back(region.at("name"));
     if (region.at("pixels") == 0) empty.push_back(names.back());
   }
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"skin", "ears", "nose", "terminator", "shadow edges", "thin parts", "folds", "seams", "the rest"}));
-  EXPECT_GE(std::count(empty.begin(), empty.end(), "ears") + std::count(empty.begin(), empty.end(), "nose"), 2) << "a plane has neither";
+  EXPECT_EQ(names, (std::vector<std::string>{"skin", "ears", "nose", "terminator", "shadow edges",
+                                             "thin parts", "folds", "seams", "the rest"}));
+  EXPECT_GE(std::count(empty.begin(), empty.end(), "ears") + std::count(empty.begin(), empty.end(), "nose"),
+            2)
+      << "a plane has neither";
   std::vector<std::string> techniques;
   for (const json& t : j.at("techniques")) {
     techniques.push_back(t.at("name"));
@@ -65,7 +69,8 @@ TEST_F(CompareScene, EveryTechniqueCostAndErrorPerRegion) {
     }
     EXPECT_EQ(t.at("error").at("skin").at("share"), 1);
   }
-  EXPECT_EQ(techniques, (std::vector<std::string>{"texture-space", "texture-space, one Gaussian", "lambert"}));
+  EXPECT_EQ(techniques,
+            (std::vector<std::string>{"texture-space", "texture-space, one Gaussian", "lambert"}));
   EXPECT_EQ(j.at("techniques")[0].at("gaussians"), 6);
   EXPECT_EQ(j.at("techniques")[1].at("gaussians"), 1);
   EXPECT_EQ(j.at("techniques")[2].at("gaussians"), 0);
@@ -73,34 +78,42 @@ TEST_F(CompareScene, EveryTechniqueCostAndErrorPerRegion) {
 }
 
 TEST_F(CompareScene, AReferenceThatIsThereIsUsedAgain) {
-  const Result made =
-      run({"reference", head(), "--size", "24x24", "--samples", "16", "-o", in_folder("truth.exr"), "--variance", in_folder("v.exr")});
+  const Result made = run({"reference", head(), "--size", "24x24", "--samples", "16", "-o",
+                           in_folder("truth.exr"), "--variance", in_folder("v.exr")});
   ASSERT_EQ(made.status, 0) << made.err;
   json now = found({"--techniques", "lambert"}),
-       again = found({"--techniques", "lambert", "--reference", in_folder("truth.exr"), "--variance", in_folder("v.exr")});
+       again = found({"--techniques", "lambert", "--reference", in_folder("truth.exr"), "--variance",
+                      in_folder("v.exr")});
   EXPECT_EQ(again.at("reference"), json({{"file", in_folder("truth.exr")}}));
   EXPECT_EQ(now.at("techniques")[0].at("error"), again.at("techniques")[0].at("error"));
   EXPECT_EQ(now.at("noise"), again.at("noise"));
-  EXPECT_TRUE(found({"--techniques", "lambert", "--reference", in_folder("truth.exr")}).at("noise").is_null());
+  EXPECT_TRUE(
+      found({"--techniques", "lambert", "--reference", in_folder("truth.exr")}).at("noise").is_null());
   expect_refused(compare({"--size", "25x24", "--reference", in_folder("truth.exr")}), "--size says 25 x 24");
   expect_refused(compare({"--reference", in_folder("none.exr")}), "no such file");
   expect_refused(compare({"--reference", file("text.exr", "no picture")}), "text.exr");
-  expect_refused(compare({"--reference", in_folder("truth.exr"), "--html", in_folder("truth.exr")}), "names of their own");
-  expect_refused(compare({"--reference", in_folder("truth.exr"), "--variance", in_folder("v.exr"), "--json", in_folder("v.exr")}),
+  expect_refused(compare({"--reference", in_folder("truth.exr"), "--html", in_folder("truth.exr")}),
+                 "names of their own");
+  expect_refused(compare({"--reference", in_folder("truth.exr"), "--variance", in_folder("v.exr"), "--json",
+                          in_folder("v.exr")}),
                  "names of their own");
   expect_not_understood(compare({"--variance", in_folder("v.exr")}), "--reference");
 }
 
 TEST_F(CompareScene, EachOptimisationAndAPage) {
-  const Result result = compare({"--techniques", "texture-space", "--each-optimisation", "--supersample", "1", "--html",
-                                 in_folder("page.html"), "--json", in_folder("n.json")});
+  const Result result = compare({"--techniques", "texture-space", "--each-optimisation", "--supersample", "1",
+                                 "--html", in_folder("page.html"), "--json", in_folder("n.json")});
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
   std::vector<json> optimised;
   const json numbers = json::parse(read_text(folder() / "n.json"));
   for (const json& t : numbers.at("techniques")) optimised.push_back(t.at("optimise"));
-  EXPECT_EQ(optimised,
-            (std::vector<json>{{"cull", "depth", "clip"}, json::array(), {"cull"}, {"depth"}, {"clip"}, {"cull", "depth", "clip"}}));
+  EXPECT_EQ(optimised, (std::vector<json>{{"cull", "depth", "clip"},
+                                          json::array(),
+                                          {"cull"},
+                                          {"depth"},
+                                          {"clip"},
+                                          {"cull", "depth", "clip"}}));
   EXPECT_NE(result.out.find("texture-space, --optimise cull"), std::string::npos);
   EXPECT_NE(result.out.find("ears: empty"), std::string::npos);
   const std::string page = read_text(folder() / "page.html");

@@ -15,7 +15,8 @@ using nlohmann::json;
 
 class Compare : public Program {
  protected:
-  std::string png(const std::string& name, int width, int height, std::uint8_t left, std::uint8_t right) const {
+  std::string png(const std::string& name, int width, int height, std::uint8_t left,
+                  std::uint8_t right) const {
     image::Image8 picture{.width = width, .height = height, .rgba = {}};
     for (int i = 0; i < width * height; ++i) {
       const std::uint8_t value = i % width < width / 2 ? left : right;
@@ -57,8 +58,10 @@ TEST_F(Compare, OnlyTheRegionCounts) {
   EXPECT_EQ(right.at("pixels"), 600);
   EXPECT_NEAR(right.at("psnr_db"), 20 * std::log10(255.0 / 150), 1e-9);
   EXPECT_EQ(found({a, b, "--region", png("left.png", 40, 30, 255, 0)}).at("psnr_db"), 100);
-  expect_refused(run({"compare", a, b, "--region", png("small.png", 39, 30, 1, 1)}), "small.png: the region is 39 x 30");
-  expect_refused(run({"compare", a, b, "--region", png("black.png", 40, 30, 0, 0)}), "black.png: the region is black everywhere");
+  expect_refused(run({"compare", a, b, "--region", png("small.png", 39, 30, 1, 1)}),
+                 "small.png: the region is 39 x 30");
+  expect_refused(run({"compare", a, b, "--region", png("black.png", 40, 30, 0, 0)}),
+                 "black.png: the region is black everywhere");
   expect_refused(run({"compare", a, b, "--region", exr("region.exr", 40, 30, 1)}), "expected PNG or JPEG");
 }
 
@@ -73,18 +76,21 @@ TEST_F(Compare, LinearPictures) {
 }
 
 TEST_F(Compare, NoiseAgainstVariances) {
-  const std::string a = exr("a.exr", 10, 10, 1), b = exr("b.exr", 10, 10, 1, 0.25f), v = exr("v.exr", 10, 10, 0.01f);
+  const std::string a = exr("a.exr", 10, 10, 1), b = exr("b.exr", 10, 10, 1, 0.25f),
+                    v = exr("v.exr", 10, 10, 0.01f);
   EXPECT_NEAR(found({a, b, "--z", v}).at("z").at("beyond_2"), 1 / 300.0, 1e-12);
   EXPECT_EQ(found({a, b, "--z", v}).at("z").at("beyond_3"), 0);
   EXPECT_EQ(found({"--z", v, "--z", v, a, b}).at("z").at("beyond_2"), 0) << "variances add up";
   expect_refused(run({"compare", a, b, "--z", exr("small.exr", 9, 10, 1)}), "small.exr: is 9 x 10 pixels");
-  expect_refused(run({"compare", a, b, "--z", exr("negative.exr", 10, 10, -1)}), "negative.exr: holds -1; variances are 0 or more");
+  expect_refused(run({"compare", a, b, "--z", exr("negative.exr", 10, 10, -1)}),
+                 "negative.exr: holds -1; variances are 0 or more");
   const std::string p = png("p.png", 10, 10, 1, 2);
   expect_refused(run({"compare", p, p, "--z", v}), "--z: needs two linear pictures");
 }
 
 TEST_F(Compare, PixelsThatAreNoNumbersAreBlackAndSaidToBe) {
-  const std::string a = exr("a.exr", 10, 10, 1), b = exr("nan.exr", 10, 10, 1, std::numeric_limits<float>::quiet_NaN());
+  const std::string a = exr("a.exr", 10, 10, 1),
+                    b = exr("nan.exr", 10, 10, 1, std::numeric_limits<float>::quiet_NaN());
   const Result result = run({"compare", a, b, "--json", "-"});
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err.find("dermis: warning: "), 0u);
@@ -107,7 +113,8 @@ TEST_F(Compare, WhatCannotBeCompared) {
   expect_refused(run({"compare", a, (folder() / "none.png").string()}), "none.png: no such file");
   expect_refused(run({"compare", a, folder().string()}), "is a directory");
   expect_refused(run({"compare", a, file("empty.png", "")}), "empty.png: is empty");
-  expect_refused(run({"compare", a, file("text.png", "no picture")}), "text.png: is of an unknown picture format");
+  expect_refused(run({"compare", a, file("text.png", "no picture")}),
+                 "text.png: is of an unknown picture format");
   expect_refused(run({"compare", a, file("cut.png", read_text(a).substr(0, 60))}), "cut.png");
   expect_refused(run({"compare", file("cut.exr", read_text(x).substr(0, 400)), x}), "cut.exr");
 }
@@ -115,9 +122,12 @@ TEST_F(Compare, WhatCannotBeCompared) {
 // A header that promises 10,000 x 10,000 pixels, more than a comparison takes.
 TEST_F(Compare, SizesThatLie) {
   std::string giant = read_text(png("a.png", 4, 4, 1, 2));
-  for (const std::size_t at : {std::size_t{16}, std::size_t{20}}) giant.replace(at, 4, std::string("\0\0\x27\x10", 4));
+  for (const std::size_t at : {std::size_t{16}, std::size_t{20}})
+    giant.replace(at, 4, std::string("\0\0\x27\x10", 4));
   expect_refused(run({"compare", file("giant.png", giant), file("giant2.png", giant)}), "giant.png");
-  expect_refused(run({"compare", file("giant.png", giant), file("giant2.png", giant)}, {.address_space_bytes = 600u << 20}), "giant.png");
+  expect_refused(run({"compare", file("giant.png", giant), file("giant2.png", giant)},
+                     {.address_space_bytes = 600u << 20}),
+                 "giant.png");
 }
 
 TEST_F(Compare, AFileForPeopleAndOneForPrograms) {
@@ -139,8 +149,9 @@ TEST_F(Compare, OutputsThatCannotBe) {
   expect_refused(run({"compare", a, a, "--html", "-"}), "needs a file");
   expect_refused(run({"compare", a, a, "--html", a}), "names of their own");
   expect_refused(run({"compare", a, a, "--json", a}), "names of their own");
-  expect_refused(run({"compare", a, a, "--json", (folder() / "x").string(), "--html", (folder() / "." / "x").string()}),
-                 "names of their own");
+  expect_refused(
+      run({"compare", a, a, "--json", (folder() / "x").string(), "--html", (folder() / "." / "x").string()}),
+      "names of their own");
   expect_refused(run({"compare", a, a, "--json", (folder() / "none" / "x.json").string()}), "does not exist");
   EXPECT_EQ(read_text(a), before);
   expect_not_understood(run({"compare", a}), "B is required");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that cannot be used: each ends with exit status 1, one line that says what is wrong where, and no picture.
+// Files that cannot be used: each ends with exit status 1, one line that says what is wrong where, and no
+// picture.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,10 +17,14 @@ using nlohmann::json;
 
 class RefusedFiles : public Program {
  protected:
-  void refuse(const std::string& gltf, const std::string& says) const { expect_refused(render({file("bad.gltf", gltf)}), says); }
+  void refuse(const std::string& gltf, const std::string& says) const {
+    expect_refused(render({file("bad.gltf", gltf)}), says);
+  }
 };
 
-TEST_F(RefusedFiles, TheWholeOneRenders) { EXPECT_TRUE(expect_rendered(render({file("good.gltf", tiny_gltf())}))); }
+TEST_F(RefusedFiles, TheWholeOneRenders) {
+  EXPECT_TRUE(expect_rendered(render({file("good.gltf", tiny_gltf())})));
+}
 
 TEST_F(RefusedFiles, WhatIsNoFile) {
   expect_refused(render({(folder() / "missing.glb").string()}), "missing.glb: no such file");
@@ -41,8 +46,8 @@ TEST_F(RefusedFiles, IndicesOutOfRange) {
 }
 
 TEST_F(RefusedFiles, PositionsThatAreNoNumbers) {
-  for (const float bad :
-       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                          -std::numeric_limits<float>::infinity()}) {
     TinyMesh mesh;
     mesh.positions[30] = bad;
     refuse(tiny_gltf(mesh,
@@ -57,7 +62,8 @@ TEST_F(RefusedFiles, NothingToDraw) {
   TinyMesh none;
   none.indices.clear(), none.positions.clear(), none.normals.clear(), none.uvs.clear();
   refuse(tiny_gltf(none), "bad.gltf");
-  refuse(tiny_gltf({}, [](json& root) { root["meshes"][0]["primitives"][0]["mode"] = 1; }), "triangle");  // lines
+  // lines
+  refuse(tiny_gltf({}, [](json& root) { root["meshes"][0]["primitives"][0]["mode"] = 1; }), "triangle");
   refuse(tiny_gltf({}, [](json& root) { root["nodes"][0].erase("mesh"); }), "bad.gltf");
   TinyMesh flat;
   for (float& p : flat.positions) p = 0.25f;  // every triangle is a point
@@ -65,8 +71,13 @@ TEST_F(RefusedFiles, NothingToDraw) {
 }
 
 TEST_F(RefusedFiles, RequiredExtensions) {
-  refuse(tiny_gltf({}, [](json& root) { root["extensionsUsed"] = root["extensionsRequired"] = {"ACME_surprise"}; }), "ACME_surprise");
-  refuse(tiny_gltf({}, [](json& root) { root["extensionsUsed"] = root["extensionsRequired"] = {"KHR_texture_basisu"}; }),
+  refuse(tiny_gltf(
+             {}, [](json& root) { root["extensionsUsed"] = root["extensionsRequired"] = {"ACME_surprise"}; }),
+         "ACME_surprise");
+  refuse(tiny_gltf({},
+                   [](json& root) {
+                     root["extensionsUsed"] = root["extensionsRequired"] = {"KHR_texture_basisu"};
+                   }),
          "KHR_texture_basisu");
 }
 
@@ -122,11 +133,12 @@ TEST_F(RefusedFiles, MapsThatAreNoPictures) {
   refuse(with("no picture"), "bad.gltf");
   refuse(with(""), "bad.gltf");
   // A header that promises 100,000 x 100,000 pixels, more than any device takes.
-  constexpr unsigned char giant[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
-                                     0x44, 0x52, 0x00, 0x01, 0x86, 0xa0, 0x00, 0x01, 0x86, 0xa0, 0x08, 0x06, 0x00, 0x00,
-                                     0x00, 0xa8, 0x52, 0x0b, 0xc8, 0x00, 0x00, 0x00, 0x0c, 0x49, 0x44, 0x41, 0x54, 0x78,
-                                     0xda, 0x63, 0x60, 0xa0, 0x3d, 0x00, 0x00, 0x00, 0x64, 0x00, 0x01, 0xb8, 0x99, 0xef,
-                                     0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+  constexpr unsigned char giant[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d,
+                                     0x49, 0x48, 0x44, 0x52, 0x00, 0x01, 0x86, 0xa0, 0x00, 0x01, 0x86, 0xa0,
+                                     0x08, 0x06, 0x00, 0x00, 0x00, 0xa8, 0x52, 0x0b, 0xc8, 0x00, 0x00, 0x00,
+                                     0x0c, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0x60, 0xa0, 0x3d, 0x00,
+                                     0x00, 0x00, 0x64, 0x00, 0x01, 0xb8, 0x99, 0xef, 0x99, 0x00, 0x00, 0x00,
+                                     0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
   refuse(with(std::string(std::begin(giant), std::end(giant))), "100000");
 }
 
@@ -151,7 +163,8 @@ TEST_F(RefusedScan, Truncated) {
 }
 
 TEST_F(RefusedScan, ItsFilesTruncated) {
-  for (const auto& entry : fs::directory_iterator(scan_folder())) fs::create_symlink(entry.path(), folder() / entry.path().filename());
+  for (const auto& entry : fs::directory_iterator(scan_folder()))
+    fs::create_symlink(entry.path(), folder() / entry.path().filename());
   const std::string manifest = (folder() / "lee-perry-smith.gltf").string();
   for (const char* name : {"LeePerrySmith.glb", "Map-COL.jpg"}) {
     const std::string whole = read_text(scan_folder() / name);
@@ -178,11 +191,14 @@ class RefusedProfiles : public Program {
 };
 
 TEST_F(RefusedProfiles, EachSaysWhatIsWrong) {
-  expect_refused(with_profile(R"({"name": "p", "variances_mm2": [-0.1], "weights": [[1, 1, 1]]})"), "variance");
-  expect_refused(with_profile(R"({"name": "p", "variances_mm2": [0.1, 0.5], "weights": [[1, 1, 1]]})"), "weights");
+  expect_refused(with_profile(R"({"name": "p", "variances_mm2": [-0.1], "weights": [[1, 1, 1]]})"),
+                 "variance");
+  expect_refused(with_profile(R"({"name": "p", "variances_mm2": [0.1, 0.5], "weights": [[1, 1, 1]]})"),
+                 "weights");
   expect_refused(with_profile(R"({"name": "p", "variances_mm2": [0.1], "weights": [[0.5, 1, 1]]})"), "sum");
   expect_refused(with_profile(R"({"name": "p", "variances_mm2": [], "weights": []})"), "profile.json");
-  expect_refused(with_profile(R"({"name": "p", "variances_mm2": [1e999], "weights": [[1, 1, 1]]})"), "profile.json");
+  expect_refused(with_profile(R"({"name": "p", "variances_mm2": [1e999], "weights": [[1, 1, 1]]})"),
+                 "profile.json");
   expect_refused(with_profile("{"), "profile.json");
   expect_refused(with_profile(""), "profile.json");
   expect_refused(render({file("head.gltf", tiny_gltf()), "--profile", "no-such-profile"}), "skin");
@@ -193,7 +209,9 @@ TEST_F(RefusedProfiles, NormaliseAcceptsAnySum) {
   const std::string half = R"({"name": "p", "variances_mm2": [0.1], "weights": [[0.5, 0.5, 0.5]]})";
   EXPECT_TRUE(expect_rendered(with_profile(half, {"--normalise"})));
   fs::remove(picture());
-  expect_refused(with_profile(R"({"name": "p", "variances_mm2": [0.1], "weights": [[0, 0, 0]]})", {"--normalise"}), "sum");
+  expect_refused(
+      with_profile(R"({"name": "p", "variances_mm2": [0.1], "weights": [[0, 0, 0]]})", {"--normalise"}),
+      "sum");
 }
 
 }  // namespace

@@ -22,11 +22,11 @@ class MustRender : public Program {
 };
 
 // 1 x 1, grey 180.
-constexpr unsigned char one_texel_bytes[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
-                                             0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00,
-                                             0x00, 0x3a, 0x7e, 0x9b, 0x55, 0x00, 0x00, 0x00, 0x0a, 0x49, 0x44, 0x41, 0x54, 0x78,
-                                             0xda, 0x63, 0xd8, 0x02, 0x00, 0x00, 0xb6, 0x00, 0xb5, 0xb5, 0x2e, 0x5f, 0x69, 0x00,
-                                             0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+constexpr unsigned char one_texel_bytes[] = {
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00,
+    0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3a, 0x7e, 0x9b, 0x55, 0x00,
+    0x00, 0x00, 0x0a, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0xd8, 0x02, 0x00, 0x00, 0xb6, 0x00, 0xb5,
+    0xb5, 0x2e, 0x5f, 0x69, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
 const std::string one_texel(std::begin(one_texel_bytes), std::end(one_texel_bytes));
 
 TEST_F(MustRender, AHeadWithoutMaps) { EXPECT_EQ(rendered(tiny_gltf()).err, ""); }
@@ -36,7 +36,8 @@ TEST_F(MustRender, MapsOfOneTexel) {
     root["images"] = {{{"uri", data_uri("image/png", one_texel)}}};
     root["textures"] = {{{"source", 0}}};
     json& material = root["materials"][0];
-    material["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", 0}}}, {"metallicRoughnessTexture", {{"index", 0}}}};
+    material["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", 0}}},
+                                        {"metallicRoughnessTexture", {{"index", 0}}}};
     material["normalTexture"] = {{"index", 0}};
     material["occlusionTexture"] = {{"index", 0}};
   }));
@@ -104,11 +105,13 @@ TEST_F(MustRender, TinyAndHuge) {
 
 TEST_F(MustRender, EveryTechniqueAndView) {
   for (const char* technique : {"texture-space", "lambert"})
-    for (const char* view : {"filmic", "srgb", "linear"}) rendered(tiny_gltf(), {"--technique", technique, "--view", view});
+    for (const char* view : {"filmic", "srgb", "linear"})
+      rendered(tiny_gltf(), {"--technique", technique, "--view", view});
 }
 
 TEST_F(MustRender, EveryShow) {
-  for (const char* show : {"irradiance", "stretch", "texel-density", "blur:0", "blur:5", "shadow:0", "shadow:1"}) {
+  for (const char* show :
+       {"irradiance", "stretch", "texel-density", "blur:0", "blur:5", "shadow:0", "shadow:1"}) {
     SCOPED_TRACE(show);
     rendered(tiny_gltf(), {"--show", show});
   }
@@ -118,7 +121,8 @@ TEST_F(MustRender, SharedHeads) {
   int found = 0;
   for (const char* name :
        {"gltf-valid/head-variants/head-no-uv.glb", "gltf-valid/head-variants/head-no-normals.glb",
-        "gltf-valid/head-variants/head-instanced-mirrored-deep.glb", "makehuman/crowd/mh-crowd-african-man-old-lod2.glb"}) {
+        "gltf-valid/head-variants/head-instanced-mirrored-deep.glb",
+        "makehuman/crowd/mh-crowd-african-man-old-lod2.glb"}) {
     const fs::path path = shared_asset(name);
     if (path.empty()) continue;
     SCOPED_TRACE(name);

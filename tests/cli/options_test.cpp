@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Options: 2 for a command line that cannot be parsed, 1 with the range or the known names for a value that makes no sense.
+// Options: 2 for a command line that cannot be parsed, 1 with the range or the known names for a value that
+// makes no sense.
 #include "cli/program.h"
 #include "cli/tiny_gltf.h"
 
@@ -31,15 +32,18 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
   expect_not_understood(run({"render", scene, "-o", out, "--fov", "wide"}), "--fov");
   expect_not_understood(run({"render", scene, "-o", out, "--specular", "maybe"}), "--specular");
   expect_not_understood(run({"render", scene, "-o", out, "--albedo", "black"}), "--albedo");
-  for (const char* size : {"12", "12x", "x12", "12x12x12", "12 x 12", "12x12 ", "axb", "99999999999x10", "1.5x2", "0x10x10"})
+  for (const char* size :
+       {"12", "12x", "x12", "12x12x12", "12 x 12", "12x12 ", "axb", "99999999999x10", "1.5x2", "0x10x10"})
     expect_not_understood(run({"render", scene, "-o", out, "--size", size}), "--size");
   for (const char* names : {"everything", "cull,none", "cull;depth", ""})
     expect_not_understood(run({"render", scene, "-o", out, "--optimise", names}), "--optimise");
-  expect_not_understood(run({"render", scene, "-o", out, "--skip-unseen-heads", "some"}), "--skip-unseen-heads");
+  expect_not_understood(run({"render", scene, "-o", out, "--skip-unseen-heads", "some"}),
+                        "--skip-unseen-heads");
   expect_not_understood(run({"render", scene, "-o", out, "--orbit", "1"}), "--orbit");
   expect_not_understood(run({"render", scene, "-o", out, "--orbit", "1,2,3"}), "--orbit");
   expect_not_understood(run({"render", scene, "-o", out, "--orbit", "left,up"}), "--orbit");
-  for (const char* light : {"90", "90,", ",10", "90,10,", "90,10,3,4", "90;10", "left,up", " 90,10", "90,10x", ""})
+  for (const char* light :
+       {"90", "90,", ",10", "90,10,", "90,10,3,4", "90;10", "left,up", " 90,10", "90,10x", ""})
     expect_not_understood(run({"render", scene, "-o", out, "--light", light}), "--light");
   expect_not_understood(run({"render", scene, "another.glb", "-o", out}), "another.glb");
   expect_not_understood(run({"info", "--brush"}), "--brush");
@@ -68,8 +72,10 @@ TEST_F(Options, SurroundingsThatAreNone) {
   refuse({"--environment", folder().string()}, "");
   refuse({"--environment", file("empty.hdr", "")}, "empty.hdr");
   refuse({"--environment", file("words.exr", "these are words")}, "words.exr");
-  refuse({"--environment", file("wide.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 15000 +X 30000\n")}, "wide.hdr");
-  refuse({"--environment", file("cut.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 512 +X 1024\n\2\2")}, "cut.hdr");
+  refuse({"--environment", file("wide.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 15000 +X 30000\n")},
+         "wide.hdr");
+  refuse({"--environment", file("cut.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 512 +X 1024\n\2\2")},
+         "cut.hdr");
   refuse({"--environment", head()}, "head.gltf");
 }
 
@@ -89,12 +95,15 @@ TEST_F(Options, ValuesOutOfRange) {
   refuse({"--lights", "-1"}, "--lights");
   refuse({"--lights", "2000000000"}, "--lights");
   refuse({"--map-budget", "0.001"}, "--map-budget");
-  for (const char* light : {"nan,0", "4000,0", "0,91", "0,inf", "0,0,-1", "0,0,nan", "0,0,1e30"}) refuse({"--light", light}, "--light");
+  for (const char* light : {"nan,0", "4000,0", "0,91", "0,inf", "0,0,-1", "0,0,nan", "0,0,1e30"})
+    refuse({"--light", light}, "--light");
   refuse({"--lights", "2", "--light", "90,10"}, "--lights and --light");
-  for (const char* radius : {"-0.1", "nan", "inf", "1e9"}) refuse({"--light-radius", radius}, "--light-radius");
+  for (const char* radius : {"-0.1", "nan", "inf", "1e9"})
+    refuse({"--light-radius", radius}, "--light-radius");
   for (const char* value : {"nan", "inf", "-inf", "-1e300"})
-    for (const char* option : {"--d-ref", "--clip-margin", "--map-budget", "--environment-intensity", "--environment-rotation", "--fov",
-                               "--distance", "--ambient", "--mix", "--bloom", "--exposure", "--unit-scale"})
+    for (const char* option :
+         {"--d-ref", "--clip-margin", "--map-budget", "--environment-intensity", "--environment-rotation",
+          "--fov", "--distance", "--ambient", "--mix", "--bloom", "--exposure", "--unit-scale"})
       refuse({option, value}, option);
   refuse({"--orbit", "nan,0"}, "--orbit");
   refuse({"--fov", "180"}, "--fov");
@@ -103,24 +112,25 @@ TEST_F(Options, ValuesOutOfRange) {
 }
 
 TEST_F(Options, ExtremesThatAreAllowedGiveAPicture) {
-  for (const Arguments& options : std::vector<Arguments>{{"--size", "1x1"},
-                                                         {"--size", "1x300"},
-                                                         {"--map-size", "32", "--shadow-size", "32"},
-                                                         {"--exposure", "64", "--ambient", "1000000"},
-                                                         {"--exposure", "-64"},
-                                                         {"--distance", "0.001"},
-                                                         {"--distance", "1000000"},
-                                                         {"--fov", "170"},
-                                                         {"--fov", "0.1"},
-                                                         {"--orbit", "-90,90"},
-                                                         {"--samples", "1", "--bloom", "1"},
-                                                         {"--unit-scale", "1e-6"},
-                                                         {"--heads", "2", "--lights", "0"},
-                                                         {"--environment", "studio", "--environment-rotation", "-77.5"},
-                                                         {"--optimise", "none", "--maps", "progressive"},
-                                                         {"--optimise", "cull", "--mask", "alpha", "--clip-margin", "0"},
-                                                         {"--optimise", "clip", "--mask", "depth", "--distance", "0.5"},
-                                                         {"--d-ref", "0.000001", "--heads", "3", "--map-budget", "1"}}) {
+  for (const Arguments& options :
+       std::vector<Arguments>{{"--size", "1x1"},
+                              {"--size", "1x300"},
+                              {"--map-size", "32", "--shadow-size", "32"},
+                              {"--exposure", "64", "--ambient", "1000000"},
+                              {"--exposure", "-64"},
+                              {"--distance", "0.001"},
+                              {"--distance", "1000000"},
+                              {"--fov", "170"},
+                              {"--fov", "0.1"},
+                              {"--orbit", "-90,90"},
+                              {"--samples", "1", "--bloom", "1"},
+                              {"--unit-scale", "1e-6"},
+                              {"--heads", "2", "--lights", "0"},
+                              {"--environment", "studio", "--environment-rotation", "-77.5"},
+                              {"--optimise", "none", "--maps", "progressive"},
+                              {"--optimise", "cull", "--mask", "alpha", "--clip-margin", "0"},
+                              {"--optimise", "clip", "--mask", "depth", "--distance", "0.5"},
+                              {"--d-ref", "0.000001", "--heads", "3", "--map-budget", "1"}}) {
     SCOPED_TRACE(options[0] + " " + options[1]);
     Arguments arguments{head()};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -140,9 +150,11 @@ TEST_F(Options, LightsThatArePlacedReplaceThoseOfTheScene) {
   EXPECT_EQ(side, rendered({"--light", "-30,10,3"}));
   EXPECT_EQ(side, rendered({"--light", "-30,10", "--light-radius", "0"}));
   EXPECT_NE(side, rendered({"--light", "-30,10", "--light-radius", "0.2"}));
-  EXPECT_EQ(side, rendered({"--light", "330,10", "--light", "0,0,0"})) << "a lamp without light changes nothing";
+  EXPECT_EQ(side, rendered({"--light", "330,10", "--light", "0,0,0"}))
+      << "a lamp without light changes nothing";
   EXPECT_NE(side, rendered({"--light", "-30,10", "--light", "60,10"}));
-  EXPECT_TRUE(expect_rendered(render({"--light", "-30,10", "--optimise", "none", head()}))) << "the scene may come last";
+  EXPECT_TRUE(expect_rendered(render({"--light", "-30,10", "--optimise", "none", head()})))
+      << "the scene may come last";
 }
 
 TEST_F(Options, HelpNamesUnitsAndDefaults) {
@@ -153,8 +165,8 @@ TEST_F(Options, HelpNamesUnitsAndDefaults) {
     EXPECT_EQ(help.err, "") << command;
   }
   const std::string help = run({"render", "--help"}).out;
-  for (const char* text :
-       {"pixels", "texels", "degrees", "metres", "radii", "=1280x720", "=2048", "=texture-space", "=filmic", "2^EV", "default: "})
+  for (const char* text : {"pixels", "texels", "degrees", "metres", "radii", "=1280x720", "=2048",
+                           "=texture-space", "=filmic", "2^EV", "default: "})
     EXPECT_NE(help.find(text), std::string::npos) << text;
   EXPECT_EQ(run({"--help"}).status, 0);
   EXPECT_EQ(run({"--version"}).status, 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is written: complete or not at all, and only JSON where JSON was asked for. Too little memory ends as any other error.
+// What is written: complete or not at all, and only JSON where JSON was asked for. Too little memory ends as
+// any other error.
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -49,9 +50,12 @@ TEST_F(Output, StatisticsInAFileAndASummaryForPeople) {
 }
 
 TEST_F(Output, ExrIsLinearAndTheSameEachTime) {
-  const std::string scene = head(), first = (folder() / "a.exr").string(), second = (folder() / "b.exr").string();
+  const std::string scene = head(), first = (folder() / "a.exr").string(),
+                    second = (folder() / "b.exr").string();
   for (const std::string& name : {first, second})
-    ASSERT_EQ(run({"render", scene, "-o", name, "--size", "48x48", "--map-size", "64", "--shadow-size", "64"}).status, 0);
+    ASSERT_EQ(run({"render", scene, "-o", name, "--size", "48x48", "--map-size", "64", "--shadow-size", "64"})
+                  .status,
+              0);
   const std::string bytes = read_text(first);
   EXPECT_TRUE(bytes.starts_with("\x76\x2f\x31\x01"));
   EXPECT_EQ(bytes, read_text(second));
@@ -73,16 +77,20 @@ TEST_F(Output, AnOldFileSurvives) {
   EXPECT_FALSE(old_is_there());
 }
 
-// 64 shadow maps of 16384 x 16384: 64 GiB, more than a device has, or more layers than it takes. Said before any work on the scene.
-TEST_F(Output, TooLittleDeviceMemory) { expect_refused(render({head(), "--shadow-size", "16384", "--lights", "64"}), "shadow"); }
+// 64 shadow maps of 16384 x 16384: 64 GiB, more than a device has, or more layers than it takes. Said before
+// any work on the scene.
+TEST_F(Output, TooLittleDeviceMemory) {
+  expect_refused(render({head(), "--shadow-size", "16384", "--lights", "64"}), "shadow");
+}
 
-// Without a device in between: drivers may fall over when the system has no memory left, our own code must not.
-// Less than these and the libraries do not even load.
+// Without a device in between: drivers may fall over when the system has no memory left, our own code must
+// not. Less than these and the libraries do not even load.
 TEST_F(Output, TooLittleMemory) {
   int refused = 0;
   for (const std::uint64_t mib : {100, 120, 140}) {
     SCOPED_TRACE(mib);
-    const Result result = run({"plan", "-o", (folder() / "plan.txt").string()}, {.variables = {}, .address_space_bytes = mib << 20});
+    const Result result = run({"plan", "-o", (folder() / "plan.txt").string()},
+                              {.variables = {}, .address_space_bytes = mib << 20});
     if (result.status == 0) continue;
     expect_refused(result, "memory");
     EXPECT_FALSE(fs::exists(folder() / "plan.txt"));

@@ -27,7 +27,8 @@ TEST_F(Profile, RenderTakesWhatItWrites) {
   ASSERT_EQ(made.status, 0) << made.err;
   EXPECT_EQ(made.err, "") << "no progress when piped";
   EXPECT_TRUE(made.out.starts_with("skin1: Monte-Carlo\n")) << made.out;
-  EXPECT_NE(made.out.find("model chosen: the lowest reduced albedo is 0.678 (blue)"), std::string::npos) << made.out;
+  EXPECT_NE(made.out.find("model chosen: the lowest reduced albedo is 0.678 (blue)"), std::string::npos)
+      << made.out;
   EXPECT_TRUE(read_text(path("a.svg")).starts_with("<svg "));
   const json written = json::parse(read_text(path("a.json")));
   EXPECT_EQ(written.at("name"), "skin1");
@@ -43,7 +44,8 @@ TEST_F(Profile, RenderTakesWhatItWrites) {
 
 TEST_F(Profile, VariancesPerChannelAreNotForRender) {
   ASSERT_EQ(profile({"--variances", "per-channel", "-o", path("each.json")}).status, 0);
-  expect_refused(render({file("head.gltf", tiny_gltf()), "--profile", path("each.json")}), "--variances shared");
+  expect_refused(render({file("head.gltf", tiny_gltf()), "--profile", path("each.json")}),
+                 "--variances shared");
 }
 
 TEST_F(Profile, ExitStatuses) {
@@ -66,11 +68,12 @@ TEST_F(Profile, ExitStatuses) {
 TEST_F(Profile, AFullDiskIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   for (const std::string& what : {std::string("-o -"), std::string("--export unity"), std::string()}) {
-    const std::string line =
-        std::string(DERMIS_PROGRAM) + " profile --preset skin1 --model dipole " + what + " > /dev/full 2> " + path("said");
+    const std::string line = std::string(DERMIS_PROGRAM) + " profile --preset skin1 --model dipole " + what +
+                             " > /dev/full 2> " + path("said");
     const int status = std::system(line.c_str());
     EXPECT_EQ(status, 1 << 8) << what;  // as wait() packs exit status 1
-    EXPECT_TRUE(read_text(path("said")).starts_with("dermis: standard output: cannot be written")) << what << read_text(path("said"));
+    EXPECT_TRUE(read_text(path("said")).starts_with("dermis: standard output: cannot be written"))
+        << what << read_text(path("said"));
   }
 }
 

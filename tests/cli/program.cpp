@@ -22,8 +22,8 @@ namespace {
 constexpr double limit_s = 60;
 
 // Between fork and exec: only calls that are safe there.
-[[noreturn]] void become(const fs::path& out, const fs::path& err, char* const* arguments, char* const* variables,
-                         std::uint64_t address_space_bytes) {
+[[noreturn]] void become(const fs::path& out, const fs::path& err, char* const* arguments,
+                         char* const* variables, std::uint64_t address_space_bytes) {
   const int out_file = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600),
             err_file = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int nothing = ::open("/dev/null", O_RDONLY);
@@ -54,7 +54,8 @@ std::string read_text(const fs::path& path) {
 
 fs::path shared_asset(const std::string& name) {
   const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const fs::path path = (cache ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets") / name;
+  const fs::path path =
+      (cache ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets") / name;
   return fs::exists(path) ? path : fs::path();
 }
 
@@ -85,17 +86,21 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
   std::vector<std::string> variables = surroundings.variables;
   for (char** v = environ; *v; ++v) {
     const std::string variable = *v, name = variable.substr(0, variable.find('=') + 1);
-    if (std::none_of(variables.begin(), variables.end(), [&](const std::string& own) { return own.starts_with(name); }))
+    if (std::none_of(variables.begin(), variables.end(),
+                     [&](const std::string& own) { return own.starts_with(name); }))
       variables.push_back(variable);
   }
   const std::vector<char*> argv = pointers(all), envp = pointers(variables);
-  const fs::path log = folder_.string() + ".log";  // beside the folder: what is left in the folder is what the program left
+  // beside the folder: what is left in the folder is what the program left
+  const fs::path log = folder_.string() + ".log";
   const fs::path out = log.string() + ".out", err = log.string() + ".err";
   const pid_t child = ::fork();
   if (child == 0) become(out, err, argv.data(), envp.data(), surroundings.address_space_bytes);
   const double allowed_s = surroundings.kill_after_s > 0 ? surroundings.kill_after_s : limit_s;
   const auto start = std::chrono::steady_clock::now();
-  const auto gone_s = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const auto gone_s = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   int status = 0;
   pid_t done = 0;
   bool interrupted = surroundings.interrupt_after_s <= 0;
@@ -107,15 +112,19 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
     ::kill(child, SIGKILL);
     ::waitpid(child, &status, 0);
   }
-  Result result{.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), .out = read_text(out), .err = read_text(err)};
+  Result result{.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+                .out = read_text(out),
+                .err = read_text(err)};
   fs::remove(out), fs::remove(err);
   return result;
 }
 
 Result Program::render(const Arguments& arguments, const Surroundings& surroundings) const {
   Arguments all{"render", "-o", picture().string()};
-  for (const auto& [option, value] : {std::pair("--size", "48x48"), std::pair("--map-size", "64"), std::pair("--shadow-size", "64")})
-    if (std::find(arguments.begin(), arguments.end(), option) == arguments.end()) all.insert(all.end(), {option, value});
+  for (const auto& [option, value] :
+       {std::pair("--size", "48x48"), std::pair("--map-size", "64"), std::pair("--shadow-size", "64")})
+    if (std::find(arguments.begin(), arguments.end(), option) == arguments.end())
+      all.insert(all.end(), {option, value});
   all.insert(all.end(), arguments.begin(), arguments.end());
   return run(all, surroundings);
 }
@@ -134,7 +143,8 @@ void Program::expect_refused(const Result& result, const std::string& says) cons
     EXPECT_TRUE(result.err.compare(at, 17, "dermis: warning: ") == 0) << result.err;
   EXPECT_EQ(result.out, "");
   EXPECT_FALSE(fs::exists(picture()));
-  for (const auto& entry : fs::directory_iterator(folder_)) EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+  for (const auto& entry : fs::directory_iterator(folder_))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
 }
 
 void Program::expect_not_understood(const Result& result, const std::string& says) const {

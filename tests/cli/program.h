@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs the program as a user would: arguments in, exit status, standard output and standard error out. Every test has an empty folder.
+// Runs the program as a user would: arguments in, exit status, standard output and standard error out. Every
+// test has an empty folder.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -38,7 +39,8 @@ class Program : public testing::Test {
   /// Writes a file into folder() and returns its name.
   std::string file(const std::string& name, const std::string& content) const;
 
-  /// Exit status 1, one line that begins with "dermis: " and holds `says`, nothing on standard output, no picture, nothing left behind.
+  /// Exit status 1, one line that begins with "dermis: " and holds `says`, nothing on standard output, no
+  /// picture, nothing left behind.
   void expect_refused(const Result& result, const std::string& says) const;
   /// Exit status 2 and a message that holds `says`.
   void expect_not_understood(const Result& result, const std::string& says) const;

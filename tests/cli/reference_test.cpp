@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `dermis reference`: what it refuses, what a stopped run leaves, and that the way there makes no difference to the picture.
+// `dermis reference`: what it refuses, what a stopped run leaves, and that the way there makes no difference
+// to the picture.
 #include <algorithm>
 #include <cstdlib>
 
@@ -18,9 +19,11 @@ class Reference : public Program {
   std::string head() const { return file("head.gltf", tiny_gltf()); }
   std::string in_folder(const std::string& name) const { return (folder() / name).string(); }
   /// Small, to `output`. Without a Vulkan driver: none is needed.
-  Result reference(const std::string& output, const Arguments& arguments, Surroundings surroundings = no_driver) const {
+  Result reference(const std::string& output, const Arguments& arguments,
+                   Surroundings surroundings = no_driver) const {
     Arguments all{"reference", head(), "-o", in_folder(output)};
-    if (std::find(arguments.begin(), arguments.end(), "--size") == arguments.end()) all.insert(all.end(), {"--size", "24x24"});
+    if (std::find(arguments.begin(), arguments.end(), "--size") == arguments.end())
+      all.insert(all.end(), {"--size", "24x24"});
     all.insert(all.end(), arguments.begin(), arguments.end());
     surroundings.variables = no_driver.variables;
     return run(all, surroundings);

@@ -22,7 +22,9 @@ std::string data_uri(const std::string& type, const std::string& bytes) {
   constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text = "data:" + type + ";base64,";
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto at = [&](std::size_t k) -> std::uint32_t { return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u; };
+    const auto at = [&](std::size_t k) -> std::uint32_t {
+      return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u;
+    };
     const std::uint32_t word = at(i) << 16 | at(i + 1) << 8 | at(i + 2);
     text += digits[word >> 18];
     text += digits[word >> 12 & 63];
@@ -64,22 +66,25 @@ std::string tiny_gltf(const TinyMesh& mesh, const std::function<void(json&)>& ch
   };
   std::vector<float> low{1e30f, 1e30f, 1e30f}, high{-1e30f, -1e30f, -1e30f};
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    low[i % 3] = std::min(low[i % 3], mesh.positions[i]), high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
+    low[i % 3] = std::min(low[i % 3], mesh.positions[i]),
+            high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
   json attributes;
-  if (const int a = add(mesh.positions, 5126, "VEC3", 3, {{"min", low}, {"max", high}}); a >= 0) attributes["POSITION"] = a;
+  if (const int a = add(mesh.positions, 5126, "VEC3", 3, {{"min", low}, {"max", high}}); a >= 0)
+    attributes["POSITION"] = a;
   if (const int a = add(mesh.normals, 5126, "VEC3", 3, json::object()); a >= 0) attributes["NORMAL"] = a;
   if (const int a = add(mesh.uvs, 5126, "VEC2", 2, json::object()); a >= 0) attributes["TEXCOORD_0"] = a;
   json primitive{{"attributes", attributes}, {"material", 0}};
   if (const int a = add(mesh.indices, 5125, "SCALAR", 1, json::object()); a >= 0) primitive["indices"] = a;
-  json root{{"asset", {{"version", "2.0"}}},
-            {"scene", 0},
-            {"scenes", {{{"nodes", {0}}}}},
-            {"nodes", {{{"mesh", 0}}}},
-            {"meshes", {{{"primitives", {primitive}}}}},
-            {"materials", {{{"name", "skin"}}}},
-            {"accessors", accessors},
-            {"bufferViews", views},
-            {"buffers", {{{"byteLength", bytes.size()}, {"uri", data_uri("application/octet-stream", bytes)}}}}};
+  json root{
+      {"asset", {{"version", "2.0"}}},
+      {"scene", 0},
+      {"scenes", {{{"nodes", {0}}}}},
+      {"nodes", {{{"mesh", 0}}}},
+      {"meshes", {{{"primitives", {primitive}}}}},
+      {"materials", {{{"name", "skin"}}}},
+      {"accessors", accessors},
+      {"bufferViews", views},
+      {"buffers", {{{"byteLength", bytes.size()}, {"uri", data_uri("application/octet-stream", bytes)}}}}};
   if (change) change(root);
   return root.dump();
 }

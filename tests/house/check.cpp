@@ -24,7 +24,8 @@ constexpr std::array code_endings{".cpp", ".c", ".h", ".hpp"};
 constexpr std::array script_endings{".sh", ".cmake", ".py", ".ci/run"};
 
 bool ends_with_any(std::string_view path, const auto& endings) {
-  return std::any_of(endings.begin(), endings.end(), [&](std::string_view ending) { return path.ends_with(ending); });
+  return std::any_of(endings.begin(), endings.end(),
+                     [&](std::string_view ending) { return path.ends_with(ending); });
 }
 
 /// "src/gpu/device.h", 1 -> "gpu"; nothing when there is no folder of that depth.
@@ -58,10 +59,12 @@ std::optional<std::string> quoted_include(std::string_view line) {
   return std::string(line.substr(open + 1, close - open - 1));
 }
 
-/// The file of the tree that an include means: beside the file, in src/ or in include/. Unknown ones (libraries, generated files) are
-/// judged by their first folder when that is a room.
-std::string resolve(const SourceFile& from, const std::string& include, const std::set<std::string>& paths, const Rules& rules) {
-  const std::string beside = (fs::path(from.path).parent_path() / include).lexically_normal().generic_string();
+/// The file of the tree that an include means: beside the file, in src/ or in include/. Unknown ones
+/// (libraries, generated files) are judged by their first folder when that is a room.
+std::string resolve(const SourceFile& from, const std::string& include, const std::set<std::string>& paths,
+                    const Rules& rules) {
+  const std::string beside =
+      (fs::path(from.path).parent_path() / include).lexically_normal().generic_string();
   for (const std::string& candidate : {beside, "src/" + include, "include/" + include}) {
     if (paths.contains(candidate)) return candidate;
   }
@@ -75,8 +78,10 @@ std::string judge_include(const SourceFile& file, const std::string& target, con
   const auto from = room_of(file.path);
   if (!from) return "a public header includes a file of src/";
   if (*from == *to) {
-    // What lies in src/passes itself is shared by the passes; a folder there is one pass, and only its own files may know it.
-    const bool another = *to == "passes" && folder_at(target, 2) && folder_at(file.path, 2) != folder_at(target, 2);
+    // What lies in src/passes itself is shared by the passes; a folder there is one pass, and only its own
+    // files may know it.
+    const bool another =
+        *to == "passes" && folder_at(target, 2) && folder_at(file.path, 2) != folder_at(target, 2);
     return another ? "a pass is included from outside its folder" : "";
   }
   const auto rule = rules.find(*from);
@@ -123,7 +128,8 @@ std::vector<SourceFile> read_tree(const fs::path& root) {
     const std::string name = it->path().filename().string();
     if (it->is_directory()) {
       const bool hidden = name.starts_with('.') && name != ".ci";
-      if (hidden || (it.depth() == 0 && (name.starts_with("build") || name == "out"))) it.disable_recursion_pending();
+      if (hidden || (it.depth() == 0 && (name.starts_with("build") || name == "out")))
+        it.disable_recursion_pending();
       continue;
     }
     if (!it->is_regular_file() || name == ".git") continue;
@@ -135,7 +141,8 @@ std::vector<SourceFile> read_tree(const fs::path& root) {
     for (std::string line; std::getline(lines, line);) file.lines.push_back(line);
     tree.push_back(std::move(file));
   }
-  std::sort(tree.begin(), tree.end(), [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+  std::sort(tree.begin(), tree.end(),
+            [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
   return tree;
 }
 
@@ -157,13 +164,15 @@ std::vector<Dependencies> read_dependencies(std::string_view text, const std::se
   for (std::string line; std::getline(lines, line);) {
     if (line.empty()) continue;
     const std::size_t colon = line.find(':');
-    if (colon == std::string::npos || colon == 0) throw std::runtime_error("house.txt: expected 'room: rooms', got '" + line + "'");
+    if (colon == std::string::npos || colon == 0)
+      throw std::runtime_error("house.txt: expected 'room: rooms', got '" + line + "'");
     const std::string room = room_of_target(line.substr(0, colon));
     auto entry = std::find_if(all.begin(), all.end(), [&](const Dependencies& d) { return d.room == room; });
     if (entry == all.end()) entry = all.insert(entry, {room, {}});
     std::istringstream names(line.substr(colon + 1));
     for (std::string name; names >> name;) {
-      if (const std::string other = room_of_target(name); other != room || name == room) entry->on.insert(other);
+      if (const std::string other = room_of_target(name); other != room || name == room)
+        entry->on.insert(other);
     }
   }
   return all;
@@ -177,7 +186,8 @@ Rules close_over(const std::vector<Dependencies>& dependencies) {
     for (auto& [room, allowed] : rules) {
       const std::size_t before = allowed.size();
       for (const std::string& neighbour : std::set<std::string>(allowed)) {
-        if (const auto rule = rules.find(neighbour); rule != rules.end()) allowed.insert(rule->second.begin(), rule->second.end());
+        if (const auto rule = rules.find(neighbour); rule != rules.end())
+          allowed.insert(rule->second.begin(), rule->second.end());
       }
       grew = grew || allowed.size() > before;
     }
@@ -199,31 +209,39 @@ Violations check_includes(const std::vector<SourceFile>& tree, const Rules& rule
   Violations violations;
   for (const std::string& room : rooms_of(tree)) {
     if (!rules.contains(room))
-      violations.push_back(fmt::format("src/{}: no dermis_module of this name, so its includes cannot be judged", room));
+      violations.push_back(
+          fmt::format("src/{}: no dermis_module of this name, so its includes cannot be judged", room));
   }
   for (const SourceFile& file : tree) {
-    if (!is_code(file.path) || !(file.path.starts_with("src/") || file.path.starts_with("include/"))) continue;
+    if (!is_code(file.path) || !(file.path.starts_with("src/") || file.path.starts_with("include/")))
+      continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       const auto include = quoted_include(file.lines[i]);
       if (!include) continue;
       const std::string broken = judge_include(file, resolve(file, *include, paths, rules), rules);
-      if (!broken.empty()) violations.push_back(fmt::format("{}:{}: \"{}\": {}", file.path, i + 1, *include, broken));
+      if (!broken.empty())
+        violations.push_back(fmt::format("{}:{}: \"{}\": {}", file.path, i + 1, *include, broken));
     }
   }
   return violations;
 }
 
 Violations check_rules(const Rules& rules) {
-  const std::set<std::string> skin_side{"optics", "profile", "gaussians", "scene", "passes", "techniques", "reference", "api"};
-  const Rules never{
-      {"gpu", skin_side}, {"frame", skin_side}, {"scene", {"gpu", "frame"}}, {"reference", {"gpu", "frame", "passes", "techniques"}}};
+  const std::set<std::string> skin_side{"optics", "profile",    "gaussians", "scene",
+                                        "passes", "techniques", "reference", "api"};
+  const Rules never{{"gpu", skin_side},
+                    {"frame", skin_side},
+                    {"scene", {"gpu", "frame"}},
+                    {"reference", {"gpu", "frame", "passes", "techniques"}}};
   Violations violations;
   for (const auto& [room, allowed] : rules) {
-    if (allowed.contains(room)) violations.push_back(fmt::format("house.txt: '{}' depends on itself, in a circle", room));
+    if (allowed.contains(room))
+      violations.push_back(fmt::format("house.txt: '{}' depends on itself, in a circle", room));
     const auto rule = never.find(room);
     if (rule == never.end()) continue;
     for (const std::string& other : rule->second) {
-      if (allowed.contains(other)) violations.push_back(fmt::format("house.txt: '{}' must never depend on '{}'", room, other));
+      if (allowed.contains(other))
+        violations.push_back(fmt::format("house.txt: '{}' must never depend on '{}'", room, other));
     }
   }
   return violations;
@@ -234,11 +252,13 @@ Violations check_words(const std::vector<SourceFile>& tree) {
                                         "skins", "irradiances", "gaussians", "profiles", "heads"};
   Violations violations;
   for (const SourceFile& file : tree) {
-    if (!is_code(file.path) || (!file.path.starts_with("src/gpu/") && !file.path.starts_with("src/frame/"))) continue;
+    if (!is_code(file.path) || (!file.path.starts_with("src/gpu/") && !file.path.starts_with("src/frame/")))
+      continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       for (const std::string& word : words_of(file.lines[i])) {
         if (forbidden.contains(word))
-          violations.push_back(fmt::format("{}:{}: the word '{}' does not belong here", file.path, i + 1, word));
+          violations.push_back(
+              fmt::format("{}:{}: the word '{}' does not belong here", file.path, i + 1, word));
       }
     }
   }
@@ -249,17 +269,19 @@ Violations check_licence(const std::vector<SourceFile>& tree) {
   Violations violations;
   for (const SourceFile& file : tree) {
     const bool needs = is_code(file.path) || ends_with_any(file.path, script_endings) || file.path == "run";
-    if (needs && !has_spdx(file)) violations.push_back(file.path + ": the first line has no SPDX licence identifier");
+    if (needs && !has_spdx(file))
+      violations.push_back(file.path + ": the first line has no SPDX licence identifier");
   }
   return violations;
 }
 
 Violations check_machine_paths(const std::vector<SourceFile>& tree) {
   // In two parts, so that this file does not break its own rule.
-  const std::vector<std::string> roots{std::string("/") + "work/", std::string("/") + "tmp/", std::string("/") + "root/",
-                                       std::string("/") + "home/"};
+  const std::vector<std::string> roots{std::string("/") + "work/", std::string("/") + "tmp/",
+                                       std::string("/") + "root/", std::string("/") + "home/"};
   const auto continues_a_path = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("._-/$}>*").find(c) != std::string_view::npos;
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("._-/$}>*").find(c) != std::string_view::npos;
   };
   Violations violations;
   for (const SourceFile& file : tree) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules of the house as functions over a source tree, so that they can be run on the real tree and on made-up ones that break them.
+// The rules of the house as functions over a source tree, so that they can be run on the real tree and on
+// made-up ones that break them.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +24,8 @@ using Violations = std::vector<std::string>;
 /// Room -> other rooms it may include, the indirect ones too (itself goes without saying).
 using Rules = std::map<std::string, std::set<std::string>>;
 
-/// Text files below root, sorted by path. Left out: build/, out/, folders whose name starts with a dot (but .ci), binary files.
+/// Text files below root, sorted by path. Left out: build/, out/, folders whose name starts with a dot (but
+/// .ci), binary files.
 std::vector<SourceFile> read_tree(const std::filesystem::path& root);
 
 /// One room and what its DEPENDS name.
@@ -32,8 +34,9 @@ struct Dependencies {
   std::set<std::string> on;
 };
 
-/// Reads build/house.txt ("room: room room" a line, written by dermis_module), in its order. A target such as passes_blur counts as its
-/// folder, passes. `rooms` are the folders of src/. Throws std::runtime_error on a line it does not understand.
+/// Reads build/house.txt ("room: room room" a line, written by dermis_module), in its order. A target such as
+/// passes_blur counts as its folder, passes. `rooms` are the folders of src/. Throws std::runtime_error on a
+/// line it does not understand.
 std::vector<Dependencies> read_dependencies(std::string_view text, const std::set<std::string>& rooms);
 
 /// Closes them over indirect dependencies.
@@ -45,17 +48,16 @@ std::string dependency_table(const std::vector<Dependencies>& dependencies);
 /// The folders of src/ that hold a file.
 std::set<std::string> rooms_of(const std::vector<SourceFile>& tree);
 
-/// Every quoted #include of src/ and include/ goes along the rules; a pass is included by its own folder alone; include/ never
-/// includes src/.
-/// Shaders count too: they share headers with C++.
+/// Every quoted #include of src/ and include/ goes along the rules; a pass is included by its own folder
+/// alone; include/ never includes src/. Shaders count too: they share headers with C++.
 Violations check_includes(const std::vector<SourceFile>& tree, const Rules& rules);
 
-/// What is forbidden whatever the CMake files say: gpu and frame know nothing of skin's side of the chain, the reference nothing of the
-/// GPU.
+/// What is forbidden whatever the CMake files say: gpu and frame know nothing of skin's side of the chain,
+/// the reference nothing of the GPU.
 Violations check_rules(const Rules& rules);
 
-/// gpu and frame hold no word about skin: skin, irradiance, gaussian, profile, head (as words of an identifier or of a comment, plurals
-/// too).
+/// gpu and frame hold no word about skin: skin, irradiance, gaussian, profile, head (as words of an
+/// identifier or of a comment, plurals too).
 Violations check_words(const std::vector<SourceFile>& tree);
 
 /// The SPDX line is the first of every source file (the second where a "#!" line has to be first).

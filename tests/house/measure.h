@@ -17,8 +17,9 @@ struct Length {
 /// All code files, longest first.
 std::vector<Length> file_lengths(const std::vector<SourceFile>& tree);
 
-/// Functions and test cases that start in the first column, longest first. As clang-format lays code out, such a function opens on a line
-/// that ends in '{' and closes at the next '}' in the first column; members written inside their class are not seen.
+/// Functions and test cases that start in the first column, longest first. As clang-format lays code out,
+/// such a function opens on a line that ends in '{' and closes at the next '}' in the first column; members
+/// written inside their class are not seen.
 std::vector<Length> function_lengths(const std::vector<SourceFile>& tree);
 
 /// The first n as a table.

@@ -40,7 +40,8 @@ class MadeUpTree {
   fs::path root_;
 };
 
-constexpr const char* house_txt = "core: \ngpu: core\nframe: gpu\nscene: core\npasses: frame\npasses_blur: scene\n";
+constexpr const char* house_txt =
+    "core: \ngpu: core\nframe: gpu\nscene: core\npasses: frame\npasses_blur: scene\n";
 
 house::Rules rules_of(const std::string& text, const std::set<std::string>& rooms) {
   return house::close_over(house::read_dependencies(text, rooms));
@@ -54,7 +55,8 @@ house::Violations includes(const MadeUpTree& tree) {
 }
 
 testing::AssertionResult one_about(const house::Violations& violations, const std::string& part) {
-  if (violations.size() == 1 && violations[0].find(part) != std::string::npos) return testing::AssertionSuccess();
+  if (violations.size() == 1 && violations[0].find(part) != std::string::npos)
+    return testing::AssertionSuccess();
   auto result = testing::AssertionFailure() << violations.size() << " violations";
   for (const auto& violation : violations) result << "\n" << violation;
   return result;
@@ -74,7 +76,8 @@ TEST(HouseCheck, AllowedIncludesPass) {
       .add("src/gpu/c.h", "");
   tree.add("include/dermis/error.h", "#include <string>\n")
       .add("src/passes/blur/blur.cpp", "#include \"blur.h\"\n#include \"frame/plan.h\"\n");
-  tree.add("src/passes/blur/blur.h", "#include \"scene/scene.h\"\n").add("tests/unit/t.cpp", "#include \"gpu/b.h\"\n");
+  tree.add("src/passes/blur/blur.h", "#include \"scene/scene.h\"\n")
+      .add("tests/unit/t.cpp", "#include \"gpu/b.h\"\n");
   EXPECT_EQ(includes(tree), house::Violations{});
 }
 
@@ -98,21 +101,26 @@ TEST(HouseCheck, FindsAnIncludeInAShader) {
 
 TEST(HouseCheck, FindsAPassThatIncludesAnother) {
   MadeUpTree tree;
-  tree.add("src/passes/blur/blur.cpp", "#include \"passes/shadow/shadow.h\"\n").add("src/passes/shadow/shadow.h", "");
+  tree.add("src/passes/blur/blur.cpp", "#include \"passes/shadow/shadow.h\"\n")
+      .add("src/passes/shadow/shadow.h", "");
   EXPECT_TRUE(one_about(includes(tree), "a pass is included from outside its folder"));
 }
 
 TEST(HouseCheck, FindsASharedPassHeaderThatIncludesAPass) {
   MadeUpTree tree;
-  tree.add("src/passes/shared.h", "#include \"shadow/shadow.h\"\n").add("src/passes/shadow/shadow.h", "#include \"passes/bindings.h\"\n");
+  tree.add("src/passes/shared.h", "#include \"shadow/shadow.h\"\n")
+      .add("src/passes/shadow/shadow.h", "#include \"passes/bindings.h\"\n");
   tree.add("src/passes/bindings.h", "");
-  EXPECT_TRUE(one_about(includes(tree), "src/passes/shared.h:1: \"shadow/shadow.h\": a pass is included from outside its folder"));
+  EXPECT_TRUE(
+      one_about(includes(tree),
+                "src/passes/shared.h:1: \"shadow/shadow.h\": a pass is included from outside its folder"));
 }
 
 TEST(HouseCheck, WritesTheDependencyTable) {
   const auto dependencies = house::read_dependencies(house_txt, {"core", "gpu", "frame", "scene", "passes"});
   EXPECT_EQ(house::dependency_table(dependencies),
-            "```\ncore\ngpu        -> core\nframe      -> gpu\nscene      -> core\npasses     -> frame, scene\n```\n");
+            "```\ncore\ngpu        -> core\nframe      -> gpu\nscene      -> core\npasses     -> frame, "
+            "scene\n```\n");
 }
 
 TEST(HouseCheck, FindsAPublicHeaderThatIncludesTheInside) {
@@ -130,8 +138,10 @@ TEST(HouseCheck, FindsARoomWithoutATarget) {
 TEST(HouseCheck, FindsForbiddenDependenciesAndCircles) {
   const std::set<std::string> rooms{"core", "gpu", "frame", "scene", "passes", "reference"};
   EXPECT_EQ(house::check_rules(rules_of(house_txt, rooms)), house::Violations{});
-  EXPECT_TRUE(one_about(house::check_rules(rules_of("gpu: scene\n", rooms)), "'gpu' must never depend on 'scene'"));
-  EXPECT_TRUE(one_about(house::check_rules(rules_of("core:\nreference: core gpu\n", rooms)), "'reference' must never depend on 'gpu'"));
+  EXPECT_TRUE(
+      one_about(house::check_rules(rules_of("gpu: scene\n", rooms)), "'gpu' must never depend on 'scene'"));
+  EXPECT_TRUE(one_about(house::check_rules(rules_of("core:\nreference: core gpu\n", rooms)),
+                        "'reference' must never depend on 'gpu'"));
   EXPECT_EQ(house::check_rules(rules_of("core: gpu\ngpu: core\n", rooms)).size(), 2u);
 }
 
@@ -178,7 +188,8 @@ TEST(HouseCheck, LeavesOutWhatIsNotSource) {
 TEST(HouseCheck, MeasuresFilesAndFunctions) {
   MadeUpTree tree;
   tree.add("src/core/a.cpp",
-           "namespace n {\n\nint f() {\n  if (x) {\n  }\n  return 1;\n}\n\nvoid g(int a,\n       int b) {\n}\nstruct S {\n};\n}\n");
+           "namespace n {\n\nint f() {\n  if (x) {\n  }\n  return 1;\n}\n\nvoid g(int a,\n       int b) "
+           "{\n}\nstruct S {\n};\n}\n");
   const auto files = house::file_lengths(tree.read());
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files[0].lines, 14);

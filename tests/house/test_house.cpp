@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules of the house, held against this source tree. test_check.cpp shows that each rule notices what breaks it.
+// The rules of the house, held against this source tree. test_check.cpp shows that each rule notices what
+// breaks it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -42,10 +43,12 @@ TEST(House, IncludesGoAlongTheDependencies) {
   expect_none(house::check_rules(rules));
 }
 
-/// The table of ARCHITECTURE.md is what the CMake files say. With DERMIS_UPDATE=1 in the environment it is written anew.
+/// The table of ARCHITECTURE.md is what the CMake files say. With DERMIS_UPDATE=1 in the environment it is
+/// written anew.
 TEST(House, ArchitectureShowsTheDependencies) {
   const std::string path = std::string(DERMIS_SOURCE_DIR) + "/ARCHITECTURE.md";
-  const std::string begin = "<!-- dependencies: written by DERMIS_UPDATE=1 build/release/tests/house/test_house -->\n";
+  const std::string begin =
+      "<!-- dependencies: written by DERMIS_UPDATE=1 build/release/tests/house/test_house -->\n";
   std::ifstream in(path);
   std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::size_t from = text.find(begin);
@@ -78,7 +81,8 @@ TEST(House, FilesAndFunctionsAreShort) {
     const int limit = house::is_shader(file.where) ? longest_shader : longest_file;
     EXPECT_LE(file.lines, limit) << file.where;
   }
-  for (const house::Length& function : functions) EXPECT_LE(function.lines, longest_function) << function.where;
+  for (const house::Length& function : functions)
+    EXPECT_LE(function.lines, longest_function) << function.where;
 }
 
 }  // namespace

@@ -12,12 +12,13 @@ namespace {
 
 void check_same(const Recorded& before, const Recorded& after) {
   const auto differ = [&](const std::string& what, const std::string& a, const std::string& b) {
-    throw input_error(after.file, "{} is {}, in {} it is {}; only runs of the same test can be compared", what, b, before.file, a);
+    throw input_error(after.file, "{} is {}, in {} it is {}; only runs of the same test can be compared",
+                      what, b, before.file, a);
   };
   if (before.scene != after.scene) differ("the scene", before.scene, after.scene);
   for (const auto& setting : after.settings) {
-    const auto other =
-        std::find_if(before.settings.begin(), before.settings.end(), [&](const auto& s) { return s.first == setting.first; });
+    const auto other = std::find_if(before.settings.begin(), before.settings.end(),
+                                    [&](const auto& s) { return s.first == setting.first; });
     // What an older program did not know, it did not change.
     if (other != before.settings.end() && other->second != setting.second)
       differ("setting '" + setting.first + "'", other->second, setting.second);
@@ -29,7 +30,8 @@ void find_pass(const RecordedTimes& before, const RecordedTimes& after, TimeChan
   const double sign = change.found.change == Change::slower ? 1 : -1;
   double most = 0;
   const auto old_ms = [&](const std::string& name) {
-    const auto same = std::find_if(before.passes.begin(), before.passes.end(), [&](const PassStatistics& p) { return p.name == name; });
+    const auto same = std::find_if(before.passes.begin(), before.passes.end(),
+                                   [&](const PassStatistics& p) { return p.name == name; });
     return same == before.passes.end() ? 0 : same->ms;
   };
   for (const PassStatistics& pass : after.passes) {
@@ -80,7 +82,8 @@ RunComparison compare_runs(Recorded before, Recorded after) {
   if (all.compared == 0) throw input_error(all.after.file, "has no cell in common with {}", all.before.file);
   all.only_before = count(all.before) - all.compared, all.only_after = count(all.after) - all.compared;
   std::stable_sort(all.changes.begin(), all.changes.end(), [](const TimeChange& a, const TimeChange& b) {
-    return std::pair(a.found.change == Change::faster, -a.found.beyond) < std::pair(b.found.change == Change::faster, -b.found.beyond);
+    return std::pair(a.found.change == Change::faster, -a.found.beyond) <
+           std::pair(b.found.change == Change::faster, -b.found.beyond);
   });
   return all;
 }
@@ -89,21 +92,24 @@ std::string comparison_text(const RunComparison& all) {
   std::string text;
   for (const auto& [name, run] : {std::pair("old", &all.before), std::pair("new", &all.after)})
     text += fmt::format("{}: {}, commit {}, {}\n", name, run->file, run->commit, run->device);
-  if (all.before.device != all.after.device) text += "the devices differ: this compares devices, not programs\n";
+  if (all.before.device != all.after.device)
+    text += "the devices differ: this compares devices, not programs\n";
   if (!all.changes.empty())
-    text += fmt::format("\n{:>5} {:>8}  {:<14} {:>10} {:>10} {:>9} {:>18}  {}\n", "heads", "distance", "what", "old ms", "new ms", "change",
-                        "beyond the spread", "most of it");
+    text += fmt::format("\n{:>5} {:>8}  {:<14} {:>10} {:>10} {:>9} {:>18}  {}\n", "heads", "distance", "what",
+                        "old ms", "new ms", "change", "beyond the spread", "most of it");
   for (const TimeChange& c : all.changes) {
     const std::string pass = c.pass.empty() ? "" : fmt::format("{} {:+.3g} ms", c.pass, c.pass_ms);
-    text += fmt::format("{:>5} {:>8g}  {:<14} {:>10.4g} {:>10.4g} {:>+8.1f}% {:>17.1f}%  {}\n", c.heads, c.distance, c.variant, c.before_ms,
-                        c.after_ms, 100 * (c.found.ratio - 1), 100 * c.found.beyond, pass);
+    text += fmt::format("{:>5} {:>8g}  {:<14} {:>10.4g} {:>10.4g} {:>+8.1f}% {:>17.1f}%  {}\n", c.heads,
+                        c.distance, c.variant, c.before_ms, c.after_ms, 100 * (c.found.ratio - 1),
+                        100 * c.found.beyond, pass);
   }
-  text +=
-      fmt::format("\n{} of {} times are slower, {} are faster: all new rounds beyond all old ones\n", all.slower, all.compared, all.faster);
-  text += fmt::format("if nothing had changed, about {:.1f} of each would come out so by chance\n", all.by_chance);
+  text += fmt::format("\n{} of {} times are slower, {} are faster: all new rounds beyond all old ones\n",
+                      all.slower, all.compared, all.faster);
+  text += fmt::format("if nothing had changed, about {:.1f} of each would come out so by chance\n",
+                      all.by_chance);
   if (all.only_before + all.only_after > 0)
-    text +=
-        fmt::format("not compared: {} times that only the old run has, {} that only the new one has\n", all.only_before, all.only_after);
+    text += fmt::format("not compared: {} times that only the old run has, {} that only the new one has\n",
+                        all.only_before, all.only_after);
   return text;
 }
 

@@ -16,18 +16,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double ms_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
-// A device that was idle needs a while to come up to its clocks: rounds are drawn and thrown away until this much has gone by.
+// A device that was idle needs a while to come up to its clocks: rounds are drawn and thrown away until this
+// much has gone by.
 constexpr double warm_up_ms = 300;
 
-// The frames of one cell. Those that fit in the task's memory stay prepared; the others are made anew for each turn.
+// The frames of one cell. Those that fit in the task's memory stay prepared; the others are made anew for
+// each turn.
 class Contest {
  public:
   Contest(Renderer& renderer, const Scene& scene, const Task& task, const Place& place)
       : renderer_(&renderer), scene_(&scene), task_(&task) {
     for (Variant& variant : variants_of(settings_at(task, place)))
-      entries_.push_back({.measured = {.variant = std::move(variant), .rounds_ms = {}, .passes = {}, .counts = {}}});
+      entries_.push_back(
+          {.measured = {.variant = std::move(variant), .rounds_ms = {}, .passes = {}, .counts = {}}});
   }
 
   std::size_t size() const { return entries_.size(); }
@@ -83,7 +88,8 @@ class Contest {
       entry.frame = renderer_->prepare(*scene_, entry.measured.variant.settings);
     } catch (const DeviceError&) {
       // Too little memory beside the frames that wait: from here on none does.
-      if (std::none_of(entries_.begin(), entries_.end(), [](const Entry& e) { return e.frame.has_value(); })) throw;
+      if (std::none_of(entries_.begin(), entries_.end(), [](const Entry& e) { return e.frame.has_value(); }))
+        throw;
       for (Entry& other : entries_) other.frame.reset();
       none_waits_ = true;
       entry.frame = renderer_->prepare(*scene_, entry.measured.variant.settings);
@@ -99,7 +105,8 @@ class Contest {
   std::vector<Entry> entries_;
 };
 
-// How long a cell takes beside others, in frames of one head: what does not depend on heads costs about half a head.
+// How long a cell takes beside others, in frames of one head: what does not depend on heads costs about half
+// a head.
 double work_of(const Place& place) { return place.heads + 0.5; }
 
 // Two frames, and as much again for their many pixels.
@@ -116,7 +123,8 @@ struct Bench {
 
   /// None if stopped.
   std::optional<Cell> cell(const Place& place) {
-    const std::string where = fmt::format("{} head{} at {:g} radii", place.heads, place.heads == 1 ? "" : "s", place.distance);
+    const std::string where =
+        fmt::format("{} head{} at {:g} radii", place.heads, place.heads == 1 ? "" : "s", place.distance);
     std::optional<Contest> contest(std::in_place, renderer, scene, task, place);
     std::optional<Picture> baseline, optimised;
     const auto each = [&](const std::string& what, const auto& action) {
@@ -137,9 +145,11 @@ struct Bench {
     while (contest->warm_ms() < warm_up_ms && !stopped())
       for (std::size_t i = 0; i < contest->size(); ++i) contest->draw(i, false);
     for (int round = 0; round < task.rounds; ++round)
-      each(fmt::format("round {} of {}", round + 1, task.rounds), [&](std::size_t i) { contest->draw(i, true); });
+      each(fmt::format("round {} of {}", round + 1, task.rounds),
+           [&](std::size_t i) { contest->draw(i, true); });
     if (stopped()) return std::nullopt;
-    Cell cell{.heads = place.heads, .distance = place.distance, .measured = contest->finish(), .difference = {}};
+    Cell cell{
+        .heads = place.heads, .distance = place.distance, .measured = contest->finish(), .difference = {}};
     contest.reset();  // its memory, before larger pictures are made
     describe(optimised->statistics);
     if (task.keep_pictures) run.pictures.push_back(cut_to_skin(*baseline, *optimised));
@@ -151,8 +161,9 @@ struct Bench {
   void compare(const Place& place, const std::string& where, double d_ref, Cell& cell) {
     if (task.picture_samples == 0) return;
     progress.show(where + ", pictures");
-    cell.difference = picture_difference(renderer, scene, cell.of(baseline_key).variant.settings, cell.of(optimised_key).variant.settings,
-                                         d_ref, task.picture_samples);
+    cell.difference =
+        picture_difference(renderer, scene, cell.of(baseline_key).variant.settings,
+                           cell.of(optimised_key).variant.settings, d_ref, task.picture_samples);
     progress.done(picture_work * work_of(place));
   }
 
@@ -179,10 +190,12 @@ RenderSettings settings_at(const Task& task, const Place& place) {
   return s;
 }
 
-void measure(Renderer& renderer, const Scene& scene, const Task& task, Run& run, const std::function<void(const Cell&)>& after_cell) {
+void measure(Renderer& renderer, const Scene& scene, const Task& task, Run& run,
+             const std::function<void(const Cell&)>& after_cell) {
   double total = 0;
   const auto frames = static_cast<double>(variants_of(task.settings).size()) * (task.rounds + 1);
-  for (const Place& place : places_of(task)) total += work_of(place) * (frames + (task.picture_samples == 0 ? 0 : picture_work));
+  for (const Place& place : places_of(task))
+    total += work_of(place) * (frames + (task.picture_samples == 0 ? 0 : picture_work));
   Bench bench{renderer, scene, task, run, Progress(total)};
   for (const Place& place : places_of(task)) {
     std::optional<Cell> cell = bench.cell(place);
@@ -195,7 +208,8 @@ void measure(Renderer& renderer, const Scene& scene, const Task& task, Run& run,
   if (run.pictures.size() > run.cells.size()) run.pictures.pop_back();  // of the cell that was not finished
   if (!task.keep_pictures || run.cells.empty() || bench.stopped()) return;
   const Cell& first = run.cells.front();  // fewest heads, nearest
-  run.maps = map_pictures(renderer, scene, first.of(baseline_key).variant.settings, first.of(optimised_key).variant.settings);
+  run.maps = map_pictures(renderer, scene, first.of(baseline_key).variant.settings,
+                          first.of(optimised_key).variant.settings);
 }
 
 }  // namespace dermis::cli::bench

@@ -35,15 +35,17 @@ std::string facts(const Run& run) {
   std::vector<std::pair<std::string, std::string>> rows{
       {"command", run.command},
       {"program", fmt::format("dermis {}, commit {}", run.version, run.commit)},
-      {"device", fmt::format("{}, {}, Vulkan {}, {} processor cores", run.device, run.driver, run.api, run.cores)},
+      {"device",
+       fmt::format("{}, {}, Vulkan {}, {} processor cores", run.device, run.driver, run.api, run.cores)},
       {"scene", run.scene},
       {"picture", fmt::format("{} x {} pixels, {} samples a pixel", s.width, s.height, s.samples)},
-      {"maps", fmt::format("light {0} x {0}, shadows {1} x {1} texels; {2} lights, {3} Gaussians", s.map_size, s.shadow_size, run.lights,
-                           run.gaussians)},
-      {"times",
-       fmt::format("medians of {} rounds \u00b1 half of the way from the least to the greatest; a round draws every column once; {}",
-                   run.rounds,
-                   run.timing == "submit" ? "each pass is its own submission, timed on the host" : "time stamps of the device")},
+      {"maps", fmt::format("light {0} x {0}, shadows {1} x {1} texels; {2} lights, {3} Gaussians", s.map_size,
+                           s.shadow_size, run.lights, run.gaussians)},
+      {"times", fmt::format("medians of {} rounds \u00b1 half of the way from the least to the greatest; a "
+                            "round draws every column once; {}",
+                            run.rounds,
+                            run.timing == "submit" ? "each pass is its own submission, timed on the host"
+                                                   : "time stamps of the device")},
   };
   if (!run.complete) rows.emplace_back("stopped", "not all cells were measured");
   return html::table(rows);
@@ -59,13 +61,16 @@ std::string paper_section(const Run& run) {
     for (const double distance : distances) {
       const Cell* cell = find_cell(run.cells, heads, distance);
       row.push_back(fmt::format("{} | {} | {}", cell ? ratio_text(cell->speedup()) : "-",
-                                cell ? ratio_text(cell->speedup_over_skipping()) : "-", ratio_text(paper_speedup(heads, distance))));
+                                cell ? ratio_text(cell->speedup_over_skipping()) : "-",
+                                ratio_text(paper_speedup(heads, distance))));
     }
     rows.push_back(std::move(row));
   }
-  return "<h2>Speed-up of the three optimisations together</h2>\n<p>Over the baseline | over the baseline that skips heads outside the "
+  return "<h2>Speed-up of the three optimisations together</h2>\n<p>Over the baseline | over the baseline "
+         "that skips heads outside the "
          "picture | "
-         "the paper's (Jimenez and Gutierrez 2008, table 1: GeForce 8800 GTX, 1920 x 1200 pixels, maps of 2048 texels).</p>\n" +
+         "the paper's (Jimenez and Gutierrez 2008, table 1: GeForce 8800 GTX, 1920 x 1200 pixels, maps of "
+         "2048 texels).</p>\n" +
          html::grid(headings, rows);
 }
 
@@ -74,7 +79,8 @@ template <class X>
 html::LineChart chart(const std::string& title, const std::string& x_name, const std::vector<X>& xs,
                       const std::function<std::pair<int, double>(X)>& place, const Run& run) {
   html::LineChart chart{.title = title, .x_name = x_name, .x = {}, .lines = {}};
-  html::Line baseline{"over the baseline", 0, false, {}}, skipping{"over the baseline that skips heads outside", 2, false, {}},
+  html::Line baseline{"over the baseline", 0, false, {}},
+      skipping{"over the baseline that skips heads outside", 2, false, {}},
       paper{"the paper, over its baseline", 1, true, {}};
   for (const X x : xs) {
     const auto [heads, distance] = place(x);
@@ -94,10 +100,12 @@ std::string charts_section(const Run& run) {
   std::vector<html::LineChart> against_heads, against_distance;
   for (const double distance : distances)
     against_heads.push_back(chart<int>(
-        fmt::format("at {:g} radii", distance), "heads", heads, [&](int h) { return std::pair(h, distance); }, run));
+        fmt::format("at {:g} radii", distance), "heads", heads, [&](int h) { return std::pair(h, distance); },
+        run));
   for (const int h : heads)
     against_distance.push_back(chart<double>(
-        fmt::format("{} head{}", h, h == 1 ? "" : "s"), "distance, radii", distances, [&](double d) { return std::pair(h, d); }, run));
+        fmt::format("{} head{}", h, h == 1 ? "" : "s"), "distance, radii", distances,
+        [&](double d) { return std::pair(h, d); }, run));
   double most = 1;
   for (const html::LineChart& c : against_heads)
     for (const html::Line& line : c.lines)
@@ -109,8 +117,8 @@ std::string charts_section(const Run& run) {
     for (html::LineChart& c : charts) c.y_max = y_max, text += html::line_chart(c);
     return text + "</div>\n";
   };
-  return "<h2>Speed-up against heads and distance</h2>\n" + html::legend(against_heads.front().lines) + together(against_heads) +
-         together(against_distance);
+  return "<h2>Speed-up against heads and distance</h2>\n" + html::legend(against_heads.front().lines) +
+         together(against_heads) + together(against_distance);
 }
 
 std::string frames_section(const Run& run) {
@@ -141,7 +149,8 @@ std::string texels_table(const Cell& cell) {
     for (const std::uint64_t count : {c.irradiance_texels, c.convolved_texels, c.launched, c.unshaded_reads})
       row.push_back(std::to_string(count));
     std::string sizes;
-    for (const int size : c.used_size) sizes += (sizes.empty() ? "" : " ") + (size ? std::to_string(size) : std::string("-"));
+    for (const int size : c.used_size)
+      sizes += (sizes.empty() ? "" : " ") + (size ? std::to_string(size) : std::string("-"));
     row.push_back(sizes);
     rows.push_back(std::move(row));
   }
@@ -182,15 +191,17 @@ std::string cells_section(const Run& run) {
   for (std::size_t i = 0; i < run.cells.size(); ++i) {
     const Cell& cell = run.cells[i];
     text += "<h3>" + html::escape(place_text(cell)) +
-            fmt::format(": speed-up {}, {} over skipping", ratio_text(cell.speedup()), ratio_text(cell.speedup_over_skipping()));
+            fmt::format(": speed-up {}, {} over skipping", ratio_text(cell.speedup()),
+                        ratio_text(cell.speedup_over_skipping()));
     if (cell.difference)
-      text += fmt::format("; pictures {:.2f} dB, FLIP {:.4f} apart over {} pixels", cell.difference->psnr_db, cell.difference->flip_mean,
-                          cell.difference->pixels);
+      text += fmt::format("; pictures {:.2f} dB, FLIP {:.4f} apart over {} pixels", cell.difference->psnr_db,
+                          cell.difference->flip_mean, cell.difference->pixels);
     text += "</h3>\n";
     if (i < run.pictures.size()) {
       const std::string left = fmt::format("baseline-{}", i), right = fmt::format("all-{}", i);
       text += "<div hidden>" + html::picture(left, run.pictures[i].baseline, "baseline") +
-              html::picture(right, run.pictures[i].optimised, "all") + "</div>\n" + html::slider(left, right, "baseline", "all");
+              html::picture(right, run.pictures[i].optimised, "all") + "</div>\n" +
+              html::slider(left, right, "baseline", "all");
     }
     text += "<div>" + bars(cell, groups) + "</div>\n" + texels_table(cell);
   }
@@ -201,8 +212,10 @@ std::string maps_section(const Run& run) {
   if (!run.maps) return "";
   const MapPictures& maps = *run.maps;
   const std::string whose = maps.heads == 1 ? "the head" : fmt::format("the nearest of {} heads", maps.heads);
-  return fmt::format("<h2>What is lit of {} at {:g} radii</h2>\n<div class=\"figures\">\n", whose, maps.distance) +
-         html::figure("The light map of the baseline", html::picture("map-irradiance", maps.irradiance, "light map")) +
+  return fmt::format("<h2>What is lit of {} at {:g} radii</h2>\n<div class=\"figures\">\n", whose,
+                     maps.distance) +
+         html::figure("The light map of the baseline",
+                      html::picture("map-irradiance", maps.irradiance, "light map")) +
          html::figure("The same with all optimisations: culled blue, clipped red, both purple, lit green",
                       html::picture("map-visibility", maps.visibility, "culled, clipped and lit texels")) +
          html::figure("The picture", html::picture("map-picture", maps.picture, "picture")) + "</div>\n";
@@ -211,8 +224,9 @@ std::string maps_section(const Run& run) {
 }  // namespace
 
 std::string run_page(const Run& run) {
-  return html::page("dermis bench: " + run.scene,
-                    facts(run) + paper_section(run) + charts_section(run) + frames_section(run) + maps_section(run) + cells_section(run));
+  return html::page("dermis bench: " + run.scene, facts(run) + paper_section(run) + charts_section(run) +
+                                                      frames_section(run) + maps_section(run) +
+                                                      cells_section(run));
 }
 
 }  // namespace dermis::cli::bench

@@ -8,8 +8,9 @@
 
 namespace dermis::cli::bench {
 
-/// Speed-ups next to the paper's as table and curves, frames, and for every cell its pictures under a slider, its passes as bars and its
-/// texels; what is lit of a head. One file that asks nothing of the network. Pictures where the run kept them.
+/// Speed-ups next to the paper's as table and curves, frames, and for every cell its pictures under a slider,
+/// its passes as bars and its texels; what is lit of a head. One file that asks nothing of the network.
+/// Pictures where the run kept them.
 std::string run_page(const Run& run);
 
 }  // namespace dermis::cli::bench

@@ -16,7 +16,8 @@ std::string common_name(std::string name) {
   for (const std::string_view what : {" head ", " batch ", " part "}) {
     const std::size_t at = name.find(what);
     if (at == std::string::npos) continue;
-    const std::size_t digits = at + what.size(), end = std::min(name.find_first_not_of("0123456789", digits), name.size());
+    const std::size_t digits = at + what.size(),
+                      end = std::min(name.find_first_not_of("0123456789", digits), name.size());
     if (end > digits) name.erase(at, end - at);
   }
   return name;
@@ -50,7 +51,8 @@ std::vector<PassStatistics> merge_passes(const std::vector<PassStatistics>& pass
   std::vector<PassStatistics> merged;
   for (const PassStatistics& pass : passes) {
     const std::string name = common_name(pass.name);
-    const auto same = std::find_if(merged.begin(), merged.end(), [&](const PassStatistics& other) { return other.name == name; });
+    const auto same = std::find_if(merged.begin(), merged.end(),
+                                   [&](const PassStatistics& other) { return other.name == name; });
     if (same == merged.end())
       merged.push_back({.name = name, .ms = pass.ms, .calls = pass.calls});
     else
@@ -60,8 +62,9 @@ std::vector<PassStatistics> merge_passes(const std::vector<PassStatistics>& pass
 }
 
 const std::vector<std::string>& pass_groups() {
-  static const std::vector<std::string> groups{"shadow maps",      "irradiance",     "masks and borders", "convolutions",
-                                               "sum and specular", "other surfaces", "bloom and view",    "other"};
+  static const std::vector<std::string> groups{
+      "shadow maps",      "irradiance",     "masks and borders", "convolutions",
+      "sum and specular", "other surfaces", "bloom and view",    "other"};
   return groups;
 }
 

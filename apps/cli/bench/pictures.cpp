@@ -15,13 +15,16 @@ constexpr int tiny_width = 480;  // narrower ones are enlarged if a whole factor
 constexpr int map_side = 480;    // of a light map on the page
 constexpr int room = 12;         // around the skin
 
-image::ImageF super_sampled(Renderer& renderer, const Scene& scene, RenderSettings s, double d_ref, int samples) {
+image::ImageF super_sampled(Renderer& renderer, const Scene& scene, RenderSettings s, double d_ref,
+                            int samples) {
   s.width *= samples, s.height *= samples;
   s.samples = 1;
   s.bloom = 0;
   s.d_ref = d_ref;
   Picture fine = renderer.prepare(scene, s).picture();
-  return image::downsample_box({.width = fine.width, .height = fine.height, .channels = 4, .values = std::move(fine.linear_rgba)}, samples);
+  return image::downsample_box(
+      {.width = fine.width, .height = fine.height, .channels = 4, .values = std::move(fine.linear_rgba)},
+      samples);
 }
 
 struct Box {
@@ -32,16 +35,21 @@ Box skin_box(const Picture& a, const Picture& b) {
   Box box{a.width, a.height, 0, 0};
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
-      const std::size_t alpha = (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x)) * 4 + 3;
+      const std::size_t alpha =
+          (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x)) *
+              4 +
+          3;
       if (a.linear_rgba[alpha] <= 0 && b.linear_rgba[alpha] <= 0) continue;
-      box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1), std::max(box.bottom, y + 1)};
+      box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1),
+             std::max(box.bottom, y + 1)};
     }
   if (box.right == 0) return {0, 0, a.width, a.height};
   return {std::max(box.left - room, 0), std::max(box.top - room, 0), std::min(box.right + room, a.width),
           std::min(box.bottom + room, a.height)};
 }
 
-// `shrink` pixels along each axis become one, then each becomes `grow`; display values, as a browser would scale them.
+// `shrink` pixels along each axis become one, then each becomes `grow`; display values, as a browser would
+// scale them.
 image::Image8 cut(const Picture& picture, const Box& box, int shrink, int grow) {
   const int width = (box.right - box.left) / shrink, height = (box.bottom - box.top) / shrink;
   image::Image8 out{.width = width * grow, .height = height * grow, .rgba = {}};
@@ -54,7 +62,8 @@ image::Image8 cut(const Picture& picture, const Box& box, int shrink, int grow) 
           for (int u = 0; u < shrink; ++u) {
             const auto row = static_cast<std::size_t>(box.top + y / grow * shrink + v);
             const auto column = static_cast<std::size_t>(box.left + x / grow * shrink + u);
-            sum += picture.display_rgba[(row * static_cast<std::size_t>(picture.width) + column) * 4 + static_cast<std::size_t>(c)];
+            sum += picture.display_rgba[(row * static_cast<std::size_t>(picture.width) + column) * 4 +
+                                        static_cast<std::size_t>(c)];
           }
         out.at(x, y)[c] = static_cast<std::uint8_t>((sum + shrink * shrink / 2) / (shrink * shrink));
       }
@@ -63,7 +72,8 @@ image::Image8 cut(const Picture& picture, const Box& box, int shrink, int grow) 
 
 image::Image8 whole(const Picture& picture, int widest) {
   const int shrink = std::max((picture.width + widest - 1) / widest, 1);
-  return cut(picture, {0, 0, picture.width, picture.height}, std::min({shrink, picture.width, picture.height}), 1);
+  return cut(picture, {0, 0, picture.width, picture.height},
+             std::min({shrink, picture.width, picture.height}), 1);
 }
 
 Picture show(Renderer& renderer, const Scene& scene, RenderSettings s, const std::string& what) {
@@ -73,14 +83,18 @@ Picture show(Renderer& renderer, const Scene& scene, RenderSettings s, const std
 
 }  // namespace
 
-std::optional<PictureDifference> picture_difference(Renderer& renderer, const Scene& scene, const RenderSettings& baseline,
-                                                    const RenderSettings& optimised, double d_ref, int samples) {
+std::optional<PictureDifference> picture_difference(Renderer& renderer, const Scene& scene,
+                                                    const RenderSettings& baseline,
+                                                    const RenderSettings& optimised, double d_ref,
+                                                    int samples) {
   // One after the other: either may take much of the device.
   image::ImageF a = super_sampled(renderer, scene, baseline, d_ref, samples);
   image::ImageF b = super_sampled(renderer, scene, optimised, d_ref, samples);
-  const std::optional<image::ExposedDifference> found = image::compare_exposed(std::move(a), std::move(b), image::View::filmic);
+  const std::optional<image::ExposedDifference> found =
+      image::compare_exposed(std::move(a), std::move(b), image::View::filmic);
   if (!found) return std::nullopt;
-  return PictureDifference{.psnr_db = found->psnr_db, .flip_mean = found->flip_mean, .pixels = found->pixels, .samples = samples};
+  return PictureDifference{
+      .psnr_db = found->psnr_db, .flip_mean = found->flip_mean, .pixels = found->pixels, .samples = samples};
 }
 
 CellPictures cut_to_skin(const Picture& baseline, const Picture& optimised) {
@@ -91,7 +105,8 @@ CellPictures cut_to_skin(const Picture& baseline, const Picture& optimised) {
   return {cut(baseline, box, shrink, grow), cut(optimised, box, shrink, grow)};
 }
 
-MapPictures map_pictures(Renderer& renderer, const Scene& scene, const RenderSettings& baseline, const RenderSettings& optimised) {
+MapPictures map_pictures(Renderer& renderer, const Scene& scene, const RenderSettings& baseline,
+                         const RenderSettings& optimised) {
   return {.heads = optimised.heads,
           .distance = optimised.distance.value_or(0),
           .irradiance = whole(show(renderer, scene, baseline, "irradiance"), map_side),

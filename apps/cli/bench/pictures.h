@@ -9,15 +9,19 @@
 
 namespace dermis::cli::bench {
 
-/// Both pictures super-sampled, without bloom, from light maps of the size that the picture at its own size has (d_ref). None: no skin.
-std::optional<PictureDifference> picture_difference(Renderer& renderer, const Scene& scene, const RenderSettings& baseline,
-                                                    const RenderSettings& optimised, double d_ref, int samples);
+/// Both pictures super-sampled, without bloom, from light maps of the size that the picture at its own size
+/// has (d_ref). None: no skin.
+std::optional<PictureDifference> picture_difference(Renderer& renderer, const Scene& scene,
+                                                    const RenderSettings& baseline,
+                                                    const RenderSettings& optimised, double d_ref,
+                                                    int samples);
 
-/// The part of both where either holds skin, with some room around it; reduced by a whole factor to at most 960 pixels' width, or enlarged
-/// by one if it is tiny. The whole pictures if there is no skin.
+/// The part of both where either holds skin, with some room around it; reduced by a whole factor to at most
+/// 960 pixels' width, or enlarged by one if it is tiny. The whole pictures if there is no skin.
 CellPictures cut_to_skin(const Picture& baseline, const Picture& optimised);
 
 /// The light map of the baseline, what the optimised frame makes of it, and the picture, for one head.
-MapPictures map_pictures(Renderer& renderer, const Scene& scene, const RenderSettings& baseline, const RenderSettings& optimised);
+MapPictures map_pictures(Renderer& renderer, const Scene& scene, const RenderSettings& baseline,
+                         const RenderSettings& optimised);
 
 }  // namespace dermis::cli::bench

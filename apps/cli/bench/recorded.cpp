@@ -39,7 +39,8 @@ struct Place {
   }
   double number(double low, double high) const {
     const double value = json.is_number() ? json.get<double>() : NAN;
-    if (!(value >= low && value <= high)) throw input_error(file, "{}expected a number from {:g} to {:g}", where(), low, high);
+    if (!(value >= low && value <= high))
+      throw input_error(file, "{}expected a number from {:g} to {:g}", where(), low, high);
     return value;
   }
   std::string where() const { return path.empty() ? "" : path + ": "; }
@@ -53,16 +54,19 @@ RecordedTimes read_times(const std::string& variant, const Place& place) {
   for (std::size_t i = 0; i < rounds.list(); ++i) times.rounds_ms.push_back(rounds.at(i).number(0, 1e12));
   const Place passes = place.at("passes");
   for (std::size_t i = 0; i < passes.list(); ++i)
-    times.passes.push_back({.name = passes.at(i).at("name").text(), .ms = passes.at(i).at("ms").number(0, 1e12), .calls = 1});
+    times.passes.push_back(
+        {.name = passes.at(i).at("name").text(), .ms = passes.at(i).at("ms").number(0, 1e12), .calls = 1});
   return times;
 }
 
 RecordedCell read_cell(const Place& place) {
-  RecordedCell cell{
-      .heads = static_cast<int>(place.at("heads").number(1, 1e6)), .distance = place.at("distance").number(0, 1e9), .times = {}};
+  RecordedCell cell{.heads = static_cast<int>(place.at("heads").number(1, 1e6)),
+                    .distance = place.at("distance").number(0, 1e9),
+                    .times = {}};
   const Place variants = place.at("variants");
   if (!variants.json.is_object()) throw input_error(place.file, "{}expected an object", variants.where());
-  for (const auto& [variant, value] : variants.json.items()) cell.times.push_back(read_times(variant, variants.at(variant)));
+  for (const auto& [variant, value] : variants.json.items())
+    cell.times.push_back(read_times(variant, variants.at(variant)));
   return cell;
 }
 

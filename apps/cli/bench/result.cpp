@@ -31,7 +31,8 @@ ordered_json texels_json(const Statistics& s) {
 ordered_json variant_json(const Measured& m) {
   const Spread spread = m.spread();
   ordered_json passes = ordered_json::array();
-  for (const PassStatistics& pass : m.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
+  for (const PassStatistics& pass : m.passes)
+    passes.push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
   return {{"meaning", m.variant.meaning},
           {"technique", m.counts.technique},
           {"optimise", m.counts.optimise},
@@ -48,8 +49,10 @@ ordered_json cell_json(const Cell& cell) {
   for (const Measured& m : cell.measured) json[m.variant.key + "_ms"] = m.ms();
   json["speedup"] = cell.speedup();
   json["speedup_over_skip"] = cell.speedup_over_skipping();
-  json["speedup_margin_0"] = cell.of(baseline_key).ms() / cell.of(cell.has(at_edge_key) ? at_edge_key : optimised_key).ms();
-  if (cell.has(progressive_key)) json["speedup_progressive"] = cell.of(progressive_key).ms() / cell.of(optimised_progressive_key).ms();
+  json["speedup_margin_0"] =
+      cell.of(baseline_key).ms() / cell.of(cell.has(at_edge_key) ? at_edge_key : optimised_key).ms();
+  if (cell.has(progressive_key))
+    json["speedup_progressive"] = cell.of(progressive_key).ms() / cell.of(optimised_progressive_key).ms();
   json["paper_speedup"] = or_null(paper_speedup(cell.heads, cell.distance));
   const std::optional<PictureDifference>& d = cell.difference;
   json["psnr_db"] = d ? ordered_json(d->psnr_db) : ordered_json(nullptr);
@@ -65,7 +68,8 @@ ordered_json cell_json(const Cell& cell) {
 ordered_json settings_json(const Run& run) {
   const RenderSettings& s = run.settings;
   ordered_json placed = ordered_json::array();
-  for (const PlacedLight& light : s.placed_lights) placed.push_back({light.azimuth_deg, light.elevation_deg, light.irradiance});
+  for (const PlacedLight& light : s.placed_lights)
+    placed.push_back({light.azimuth_deg, light.elevation_deg, light.irradiance});
   return {{"size", {s.width, s.height}},
           {"map_size", s.map_size},
           {"shadow_size", s.shadow_size},
@@ -95,11 +99,13 @@ ordered_json settings_json(const Run& run) {
 }  // namespace
 
 bool Cell::has(const std::string& key) const {
-  return std::any_of(measured.begin(), measured.end(), [&](const Measured& m) { return m.variant.key == key; });
+  return std::any_of(measured.begin(), measured.end(),
+                     [&](const Measured& m) { return m.variant.key == key; });
 }
 
 const Measured& Cell::of(const std::string& key) const {
-  const auto found = std::find_if(measured.begin(), measured.end(), [&](const Measured& m) { return m.variant.key == key; });
+  const auto found =
+      std::find_if(measured.begin(), measured.end(), [&](const Measured& m) { return m.variant.key == key; });
   DERMIS_ASSERT(found != measured.end());
   return *found;
 }
@@ -130,8 +136,9 @@ std::vector<double> distances_of(const std::vector<Cell>& cells) {
 }
 
 const Cell* find_cell(const std::vector<Cell>& cells, int heads, double distance) {
-  const auto found =
-      std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) { return cell.heads == heads && cell.distance == distance; });
+  const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) {
+    return cell.heads == heads && cell.distance == distance;
+  });
   return found == cells.end() ? nullptr : &*found;
 }
 

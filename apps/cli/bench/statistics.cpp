@@ -12,7 +12,9 @@ Spread spread_of(std::vector<double> values) {
   DERMIS_ASSERT(!values.empty());
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
-  return {.median = n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2, .min = values.front(), .max = values.back()};
+  return {.median = n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2,
+          .min = values.front(),
+          .max = values.back()};
 }
 
 Comparison compare_times(const std::vector<double>& before, const std::vector<double>& after) {

@@ -14,8 +14,9 @@ Spread spread_of(std::vector<double> values);
 
 enum class Change { none, slower, faster };
 
-/// Two sets of times of the same thing. They differ when they do not overlap: every new one is above (or below) every old one. By chance
-/// that happens rarely, see chance(), and one stray time on either side only ever hides a change, it makes none.
+/// Two sets of times of the same thing. They differ when they do not overlap: every new one is above (or
+/// below) every old one. By chance that happens rarely, see chance(), and one stray time on either side only
+/// ever hides a change, it makes none.
 struct Comparison {
   Change change = Change::none;
   double ratio = 1;   ///< of the medians, new over old
@@ -23,7 +24,8 @@ struct Comparison {
 };
 Comparison compare_times(const std::vector<double>& before, const std::vector<double>& after);
 
-/// How likely one of the two directions is if nothing has changed: 1 over the number of ways to choose which of all times are the old ones.
+/// How likely one of the two directions is if nothing has changed: 1 over the number of ways to choose which
+/// of all times are the old ones.
 double chance(std::size_t before, std::size_t after);
 
 }  // namespace dermis::cli::bench

@@ -30,11 +30,15 @@ std::string sizes_text(std::vector<int> sizes) {
 
 std::string table_head(const Run& run) {
   const RenderSettings& s = run.settings;
-  std::string text =
-      fmt::format("{} ({}, Vulkan {})\n{}: {}x{} pixels, maps of {}, shadow maps of {}, {} samples, {} lights, {} Gaussians\n", run.device,
-                  run.driver, run.api, run.scene, s.width, s.height, s.map_size, s.shadow_size, s.samples, run.lights, run.gaussians);
-  text += fmt::format("frames in ms, medians of {} rounds\n\n", run.rounds) + fmt::format(fmt::runtime(cell_format), "heads", "distance");
-  for (const Variant& variant : variants_of(s)) text += fmt::format(fmt::runtime(time_format), variant.heading);
+  std::string text = fmt::format(
+      "{} ({}, Vulkan {})\n{}: {}x{} pixels, maps of {}, shadow maps of {}, {} samples, {} lights, {} "
+      "Gaussians\n",
+      run.device, run.driver, run.api, run.scene, s.width, s.height, s.map_size, s.shadow_size, s.samples,
+      run.lights, run.gaussians);
+  text += fmt::format("frames in ms, medians of {} rounds\n\n", run.rounds) +
+          fmt::format(fmt::runtime(cell_format), "heads", "distance");
+  for (const Variant& variant : variants_of(s))
+    text += fmt::format(fmt::runtime(time_format), variant.heading);
   for (const char* heading : {"| speed-up", "over skipping", "paper"}) text += fmt::format(" {}", heading);
   return text + " |   PSNR dB    FLIP | maps of all\n";
 }
@@ -42,7 +46,8 @@ std::string table_head(const Run& run) {
 std::string table_line(const Cell& cell) {
   std::string text = fmt::format(fmt::runtime(cell_format), cell.heads, fmt::format("{:g}", cell.distance));
   for (const Measured& m : cell.measured) text += fmt::format(fmt::runtime(time_format), time_text(m.ms()));
-  text += fmt::format(" | {:>8} {:>13} {:>5} |", ratio_text(cell.speedup()), ratio_text(cell.speedup_over_skipping()),
+  text += fmt::format(" | {:>8} {:>13} {:>5} |", ratio_text(cell.speedup()),
+                      ratio_text(cell.speedup_over_skipping()),
                       ratio_text(paper_speedup(cell.heads, cell.distance)));
   if (cell.difference)
     text += fmt::format(" {:>9.2f} {:>7.4f} |", cell.difference->psnr_db, cell.difference->flip_mean);
@@ -60,7 +65,8 @@ std::string paper_table(const Run& run) {
     for (const double distance : distances) {
       const Cell* cell = find_cell(run.cells, heads, distance);
       const std::string ours = cell ? ratio_text(cell->speedup()) : "-";
-      text += fmt::format(" {:>13}", fmt::format("{} ({})", ours, ratio_text(paper_speedup(heads, distance))));
+      text +=
+          fmt::format(" {:>13}", fmt::format("{} ({})", ours, ratio_text(paper_speedup(heads, distance))));
     }
   }
   return text + "\n";
@@ -69,8 +75,10 @@ std::string paper_table(const Run& run) {
 std::string table_foot(const Run& run) {
   std::string text = "\n";
   if (!run.cells.empty())
-    for (const Measured& m : run.cells.front().measured) text += fmt::format("{:<9} {}\n", m.variant.heading, m.variant.meaning);
-  return text + "\nspeed-up of all over the baseline (the paper's, on a GeForce 8800 GTX):\n" + paper_table(run);
+    for (const Measured& m : run.cells.front().measured)
+      text += fmt::format("{:<9} {}\n", m.variant.heading, m.variant.meaning);
+  return text + "\nspeed-up of all over the baseline (the paper's, on a GeForce 8800 GTX):\n" +
+         paper_table(run);
 }
 
 }  // namespace dermis::cli::bench

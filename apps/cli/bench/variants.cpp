@@ -38,7 +38,8 @@ RenderSettings unscattered(RenderSettings s) {
 std::vector<Variant> variants_of(const RenderSettings& common) {
   std::vector<Variant> all{
       {baseline_key, "baseline", "as published: every head, whole maps", every_head(common)},
-      {skipping_key, "skipping", "the baseline without heads wholly outside the picture; all but the baselines leave them out",
+      {skipping_key, "skipping",
+       "the baseline without heads wholly outside the picture; all but the baselines leave them out",
        with(common, false, false, false)},
       {"cull", "cull", "skin that faces away is not lit", with(common, true, false, false)},
       {"depth", "depth", "maps as large as the distance needs", with(common, false, true, false)},
@@ -46,13 +47,17 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
       {optimised_key, "all", "cull, depth and clip", with(common, true, true, true)},
   };
   if (common.clip_margin_mm != 0.0)
-    all.push_back({at_edge_key, "margin 0", "all, clipped at the edge of the picture as in the paper", at_edge(common)});
+    all.push_back({at_edge_key, "margin 0", "all, clipped at the edge of the picture as in the paper",
+                   at_edge(common)});
   if (common.maps == "full") {
-    all.push_back({progressive_key, "prog maps", "the baseline, every head, with progressive maps: wide Gaussians on smaller ones",
+    all.push_back({progressive_key, "prog maps",
+                   "the baseline, every head, with progressive maps: wide Gaussians on smaller ones",
                    progressive(every_head(common))});
-    all.push_back({optimised_progressive_key, "all prog", "all with progressive maps", progressive(with(common, true, true, true))});
+    all.push_back({optimised_progressive_key, "all prog", "all with progressive maps",
+                   progressive(with(common, true, true, true))});
   }
-  all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor", unscattered(common)});
+  all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
+                 unscattered(common)});
   return all;
 }
 

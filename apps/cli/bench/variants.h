@@ -16,16 +16,19 @@ struct Variant {
   RenderSettings settings;
 };
 
-inline constexpr const char* baseline_key = "baseline";        ///< what speed-ups refer to
-inline constexpr const char* skipping_key = "skip";            ///< the second baseline: without heads that no part of is in the picture
-inline constexpr const char* optimised_key = "all";            ///< whose speed-up and picture are reported
-inline constexpr const char* at_edge_key = "all_margin_0";     ///< clipped at the very edge of the picture, as in [JG08]
+inline constexpr const char* baseline_key = "baseline";  ///< what speed-ups refer to
+/// the second baseline: without heads that no part of is in the picture
+inline constexpr const char* skipping_key = "skip";
+inline constexpr const char* optimised_key = "all";  ///< whose speed-up and picture are reported
+/// clipped at the very edge of the picture, as in [JG08]
+inline constexpr const char* at_edge_key = "all_margin_0";
 inline constexpr const char* progressive_key = "progressive";  ///< the baseline with progressive maps
 inline constexpr const char* optimised_progressive_key = "all_progressive";
 inline constexpr const char* floor_key = "lambert";
 
-/// All variants of one cell, from settings that hold for each of them: same shaders, same sizes, same lights. What they differ in stands
-/// here and nowhere else. The baselines and `lambert` are not optimised, whatever the settings say.
+/// All variants of one cell, from settings that hold for each of them: same shaders, same sizes, same lights.
+/// What they differ in stands here and nowhere else. The baselines and `lambert` are not optimised, whatever
+/// the settings say.
 std::vector<Variant> variants_of(const RenderSettings& common);
 
 }  // namespace dermis::cli::bench

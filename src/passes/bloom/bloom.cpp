@@ -11,8 +11,10 @@
 namespace dermis::passes {
 namespace {
 
-// [DLE07]: weights and variances of the two Gaussians for d = 1; as a filter of unit weight they are divided by their sum.
-constexpr float narrow_weight = 0.0174f, wide_weight = 0.192f, narrow_variance = 0.008f, wide_variance = 0.0576f;
+// [DLE07]: weights and variances of the two Gaussians for d = 1; as a filter of unit weight they are divided
+// by their sum.
+constexpr float narrow_weight = 0.0174f, wide_weight = 0.192f, narrow_variance = 0.008f,
+                wide_variance = 0.0576f;
 
 }  // namespace
 
@@ -37,7 +39,9 @@ void BloomStep::prepare(gpu::PipelineLibrary& library) {
 
 void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
   const gpu::Texture& target = resources.texture(target_);
-  const auto or_picture = [&](frame::TextureId id) { return resources.sampled(id.valid() ? id : in_.picture, sampler_); };
+  const auto or_picture = [&](frame::TextureId id) {
+    return resources.sampled(id.valid() ? id : in_.picture, sampler_);
+  };
   Bindings()
       .add("picture", resources.sampled(in_.picture, sampler_))
       .add("narrow", or_picture(in_.narrow))
@@ -55,16 +59,24 @@ void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const f
 
 frame::TextureId add_bloom(frame::FramePlan& plan, frame::TextureId picture, float amount) {
   using Mode = BloomStep::Mode;
-  const float d = static_cast<float>(plan.textures()[picture.index].desc.height) / 12 / 2;  // half-size pixels
-  const frame::TextureId half = plan.add<BloomStep>("bloom halve", {picture, {}, {}}, {.mode = Mode::halve}).picture;
+  // half-size pixels
+  const float d = static_cast<float>(plan.textures()[picture.index].desc.height) / 12 / 2;
+  const frame::TextureId half =
+      plan.add<BloomStep>("bloom halve", {picture, {}, {}}, {.mode = Mode::halve}).picture;
   const auto blurred = [&](const char* name, float variance) {
     const float sigma = std::max(std::sqrt(variance) * d, 0.3f);
-    const auto x = plan.add<BloomStep>(std::string(name) + " x", {half, {}, {}}, {.mode = Mode::along_x, .sigma = sigma});
-    return plan.add<BloomStep>(std::string(name) + " y", {x.picture, {}, {}}, {.mode = Mode::along_y, .sigma = sigma}).picture;
+    const auto x = plan.add<BloomStep>(std::string(name) + " x", {half, {}, {}},
+                                       {.mode = Mode::along_x, .sigma = sigma});
+    return plan
+        .add<BloomStep>(std::string(name) + " y", {x.picture, {}, {}},
+                        {.mode = Mode::along_y, .sigma = sigma})
+        .picture;
   };
   const frame::TextureId narrow = blurred("bloom narrow", narrow_variance);
   const frame::TextureId wide = blurred("bloom wide", wide_variance);
-  return plan.add<BloomStep>("bloom combine", {picture, narrow, wide}, {.mode = Mode::combine, .amount = amount}).picture;
+  return plan
+      .add<BloomStep>("bloom combine", {picture, narrow, wide}, {.mode = Mode::combine, .amount = amount})
+      .picture;
 }
 
 }  // namespace dermis::passes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Light spread by the optics of a camera and an eye: part of the picture is replaced by itself filtered with (1 - r/d)^4.
-/// Based on: [DLE07] GPU Gems 3, ch. 14.3.4: for d = 1, 0.0174 G(0.008) + 0.192 G(0.0576); total 0.2094. Blurred at half size.
+/// Light spread by the optics of a camera and an eye: part of the picture is replaced by itself filtered with
+/// (1 - r/d)^4. Based on: [DLE07] GPU Gems 3, ch. 14.3.4: for d = 1, 0.0174 G(0.008) + 0.192 G(0.0576); total
+/// 0.2094. Blurred at half size.
 #pragma once
 
 #include "frame/plan.h"

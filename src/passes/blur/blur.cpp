@@ -44,11 +44,13 @@ void Blur::prepare(gpu::PipelineLibrary& library) {
     pipeline_ = &library.compute("blur.comp", {{"tiled", settings_.mask == Mask::tiles ? 1u : 0u}});
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
   const std::vector<float> table = kernel_table();
-  kernels_ = gpu::make_buffer(library.device(), "blur kernels", std::span<const float>(table), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  kernels_ = gpu::make_buffer(library.device(), "blur kernels", std::span<const float>(table),
+                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
 void Blur::draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const {
-  const gpu::ColourTarget colour{.texture = &resources.texture(in_.target), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
+  const gpu::ColourTarget colour{.texture = &resources.texture(in_.target),
+                                 .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
   std::optional<gpu::DepthTarget> depth;
   if (settings_.mask == Mask::depth) depth = gpu::DepthTarget{.texture = &resources.texture(in_.depth_mask)};
   cmd.begin_rendering_area(std::span(&colour, 1), depth, area, true);
@@ -56,7 +58,8 @@ void Blur::draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area)
   cmd.end_rendering();
 }
 
-// What averaging r x r texels into one has already added to the variance, in texels of the smaller map: that of r points, one r-th apart.
+// What averaging r x r texels into one has already added to the variance, in texels of the smaller map: that
+// of r points, one r-th apart.
 float Blur::averaged_texels2(const frame::FrameData& frame, const MapSquare& square) const {
   MapSquare before = square;
   before.halvings = settings_.halvings_before.value_or(square.halvings);
@@ -89,7 +92,8 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
     if (drawn())
       draw(cmd, resources, used_area(frame, square));
     else if (tiled)
-      cmd.dispatch_indirect(resources.buffer(in_.lists.arguments), square.index * sizeof(io::TileArgumentsIo));
+      cmd.dispatch_indirect(resources.buffer(in_.lists.arguments),
+                            square.index * sizeof(io::TileArgumentsIo));
     else
       cmd.dispatch_over(*pipeline_, side, side);
   }
@@ -101,8 +105,10 @@ std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, doubl
   double done_mm2 = 0;
   for (const double variance_mm2 : variances_mm2) {
     while (true) {
-      const double reach = done_mm2 == 0 ? first_sigma * first_sigma : 4 * done_mm2;  // variance after the largest step from here
-      // Below the texel everything is reached in one step: with a tap spacing of one texel no light can be skipped.
+      // variance after the largest step from here
+      const double reach = done_mm2 == 0 ? first_sigma * first_sigma : 4 * done_mm2;
+      // Below the texel everything is reached in one step: with a tap spacing of one texel no light can be
+      // skipped.
       const double dense_reach = done_mm2 + first_sigma * first_sigma;
       const double limit = std::max(reach, dense_reach);
       if (variance_mm2 <= limit * (1 + 1e-9)) break;
@@ -123,8 +129,10 @@ std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, doubl
 
 int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm) {
   double widest_mm2 = 0;
-  for (const BlurStep& step : blur_steps(profile, max_texels_per_mm)) widest_mm2 = std::max(widest_mm2, step.variance_mm2);
-  return static_cast<int>(std::clamp(std::ceil(3 * std::sqrt(widest_mm2) * max_texels_per_mm) + 2, 3.0, 96.0));
+  for (const BlurStep& step : blur_steps(profile, max_texels_per_mm))
+    widest_mm2 = std::max(widest_mm2, step.variance_mm2);
+  return static_cast<int>(
+      std::clamp(std::ceil(3 * std::sqrt(widest_mm2) * max_texels_per_mm) + 2, 3.0, 96.0));
 }
 
 }  // namespace dermis::passes

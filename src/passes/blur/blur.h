@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Spreads the light stored on the skin by one Gaussian, one axis a pass.
-/// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the one before); departures are named in kernels.h and blur.comp.
+/// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the one before); departures are named in
+/// kernels.h and blur.comp.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,8 @@ class Blur {
     std::uint32_t axis = 0;       ///< 0, then 1
     bool texel_averaged = false;  ///< the first step: its input is constant over each texel
     Mask mask = Mask::whole;
-    std::optional<std::uint32_t> halvings_before;  ///< the first step after Halve: of the map that it has read
+    /// the first step after Halve: of the map that it has read
+    std::optional<std::uint32_t> halvings_before;
   };
   struct In {
     frame::TextureId light, stretch;
@@ -56,9 +58,9 @@ struct BlurStep {
   bool ends_term = false;   ///< the light after this step is a term of the sum
 };
 
-/// The steps that blur by each variance in turn (narrow to wide). Sigma at most doubles a step, so that 13 taps suffice, and the first
-/// is at most kernel_max_sigma texels where the map is densest (max_texels_per_mm): extra steps are put in where the terms are further
-/// apart.
+/// The steps that blur by each variance in turn (narrow to wide). Sigma at most doubles a step, so that 13
+/// taps suffice, and the first is at most kernel_max_sigma texels where the map is densest
+/// (max_texels_per_mm): extra steps are put in where the terms are further apart.
 std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm);
 std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
 

@@ -5,13 +5,14 @@
 DERMIS_IO_BEGIN
 struct BlurIo {
   float variance_mm2;
-  uint axis;               // 0, then 1
-  uint texel_averaged;     // the first step: its input is constant over each texel
-  uvec2 origin;            // of the square in the pool
-  uint side;               // T, texels
-  uint square;             // number in the pool
-  uint first_tile;         // of its tiles in the list
-  float averaged_texels2;  // variance along each axis that the light has got since the step before, texels of this map
+  uint axis;            // 0, then 1
+  uint texel_averaged;  // the first step: its input is constant over each texel
+  uvec2 origin;         // of the square in the pool
+  uint side;            // T, texels
+  uint square;          // number in the pool
+  uint first_tile;      // of its tiles in the list
+  // variance along each axis that the light has got since the step before, texels of this map
+  float averaged_texels2;
 };
 DERMIS_IO_END
 #endif

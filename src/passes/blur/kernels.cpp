@@ -16,7 +16,8 @@ HalfKernel normalised(HalfKernel k) {
 
 HalfKernel sampled(double s) {
   HalfKernel k{};
-  for (int i = 0; i <= kernel_radius; ++i) k[static_cast<std::size_t>(i)] = s > 0 ? std::exp(-0.5 * i * i / (s * s)) : (i == 0 ? 1.0 : 0.0);
+  for (int i = 0; i <= kernel_radius; ++i)
+    k[static_cast<std::size_t>(i)] = s > 0 ? std::exp(-0.5 * i * i / (s * s)) : (i == 0 ? 1.0 : 0.0);
   return normalised(k);
 }
 
@@ -38,7 +39,8 @@ double variance(const HalfKernel& kernel) {
 
 HalfKernel discrete_gaussian(double sigma) {
   if (sigma <= 0) return sampled(0);
-  // Sampling narrows a narrow Gaussian and truncation a wide one: find the parameter that gives the variance asked for.
+  // Sampling narrows a narrow Gaussian and truncation a wide one: find the parameter that gives the variance
+  // asked for.
   double low = 0, high = 4 * kernel_max_sigma;
   for (int i = 0; i < 80; ++i) {
     const double middle = 0.5 * (low + high);
@@ -52,7 +54,8 @@ HalfKernel texel_averaged_gaussian(double sigma) {
   // tri * G at integer offsets: the second difference of the second integral.
   HalfKernel k{};
   for (int i = 0; i <= kernel_radius; ++i)
-    k[static_cast<std::size_t>(i)] = second_integral(i + 1, sigma) - 2 * second_integral(i, sigma) + second_integral(i - 1, sigma);
+    k[static_cast<std::size_t>(i)] =
+        second_integral(i + 1, sigma) - 2 * second_integral(i, sigma) + second_integral(i - 1, sigma);
   return normalised(k);
 }
 

@@ -33,10 +33,10 @@ void Border::record(gpu::Cmd& cmd, const frame::Resources& resources, const fram
       .bind(cmd, *pipeline_);
   for (const MapSquare& square : settings_.squares) {
     if (!instance_of(frame, square).visible) continue;
-    cmd.push(
-        *pipeline_,
-        io::BorderIo{
-            .origin = square.origin, .side = side_of(frame, square), .square = square.index, .first_tile = square.index * in_.lists.room});
+    cmd.push(*pipeline_, io::BorderIo{.origin = square.origin,
+                                      .side = side_of(frame, square),
+                                      .square = square.index,
+                                      .first_tile = square.index * in_.lists.room});
     cmd.dispatch_indirect(resources.buffer(in_.lists.arguments), square.index * sizeof(io::TileArgumentsIo));
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Extends the light by a few texels to where its chart goes on unlit, so that bilinear reads of visible points find light on all sides.
+/// Extends the light by a few texels to where its chart goes on unlit, so that bilinear reads of visible
+/// points find light on all sides.
 #pragma once
 
 #include "passes/light_pool.h"

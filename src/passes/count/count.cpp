@@ -23,7 +23,10 @@ void Count::prepare(gpu::PipelineLibrary& library) {
 
 void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
   const gpu::Texture& picture = resources.texture(in_.picture);
-  Bindings().add("picture", resources.sampled(in_.picture, sampler_)).add("Counters", resources.buffer(in_.counters)).bind(cmd, *pipeline_);
+  Bindings()
+      .add("picture", resources.sampled(in_.picture, sampler_))
+      .add("Counters", resources.buffer(in_.counters))
+      .bind(cmd, *pipeline_);
   const auto count = [&](glm::uvec2 origin, glm::uvec2 extent) {
     cmd.push(*pipeline_, io::CountIo{.origin = origin,
                                      .extent = extent,

@@ -24,7 +24,8 @@ void DepthMask::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void DepthMask::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void DepthMask::record(gpu::Cmd& cmd, const frame::Resources& resources,
+                       const frame::FrameData& frame) const {
   Bindings().add("light", resources.sampled(in_.light, sampler_)).bind(cmd, *pipeline_);
   const gpu::DepthTarget depth{.texture = &resources.texture(in_.mask), .clear = 0.0f};
   for (const MapSquare& square : settings_.squares) {

@@ -17,12 +17,18 @@ Gutters::Out Gutters::declare(frame::Declare& d, const In& in) {
 
 void Gutters::prepare(gpu::PipelineLibrary& library) { pipeline_ = &library.compute("gutters.comp"); }
 
-void Gutters::refresh(gpu::Cmd& cmd, const gpu::Texture& target, const GpuMesh& mesh, glm::uvec2 origin, std::uint32_t side) const {
+void Gutters::refresh(gpu::Cmd& cmd, const gpu::Texture& target, const GpuMesh& mesh, glm::uvec2 origin,
+                      std::uint32_t side) const {
   const auto found = mesh.gutters.find(side);
   if (found == mesh.gutters.end() || found->second.count == 0) return;
-  Bindings().add("Gutters", found->second.list).add("target", gpu::StorageImageBinding{&target}).bind(cmd, *pipeline_);
-  cmd.push(*pipeline_,
-           io::GuttersIo{.count = found->second.count, .mode = settings_.what == What::stretch ? 1u : 0u, .origin = origin, .side = side});
+  Bindings()
+      .add("Gutters", found->second.list)
+      .add("target", gpu::StorageImageBinding{&target})
+      .bind(cmd, *pipeline_);
+  cmd.push(*pipeline_, io::GuttersIo{.count = found->second.count,
+                                     .mode = settings_.what == What::stretch ? 1u : 0u,
+                                     .origin = origin,
+                                     .side = side});
   cmd.dispatch_over(*pipeline_, found->second.count, 1);
 }
 

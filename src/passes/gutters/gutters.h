@@ -10,7 +10,8 @@ class Gutters {
  public:
   enum class What : std::uint8_t { light, stretch };
   struct Settings {
-    std::vector<MapSquare> squares;  ///< stretch: one, at the origin, of the texture's size whatever the instance's T
+    /// stretch: one, at the origin, of the texture's size whatever the instance's T
+    std::vector<MapSquare> squares;
     What what = What::light;
   };
   struct In {
@@ -25,7 +26,8 @@ class Gutters {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
 
  private:
-  void refresh(gpu::Cmd& cmd, const gpu::Texture& target, const GpuMesh& mesh, glm::uvec2 origin, std::uint32_t side) const;
+  void refresh(gpu::Cmd& cmd, const gpu::Texture& target, const GpuMesh& mesh, glm::uvec2 origin,
+               std::uint32_t side) const;
   Settings settings_;
   In in_;
   const gpu::Pipeline* pipeline_ = nullptr;

@@ -34,12 +34,16 @@ void Halve::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame
     const MapSquare &from = settings_.from[i], &to = settings_.to[i];
     if (!instance_of(frame, to).visible) continue;
     const std::uint32_t side = side_of(frame, to);
-    cmd.push(*pipeline_, io::HalveIo{.origin = to.origin, .side = side, .ratio = side_of(frame, from) / side, .from = from.origin});
+    cmd.push(
+        *pipeline_,
+        io::HalveIo{
+            .origin = to.origin, .side = side, .ratio = side_of(frame, from) / side, .from = from.origin});
     cmd.dispatch_over(*pipeline_, side, side);
   }
 }
 
-std::vector<std::uint32_t> map_halvings(const gaussians::SumOfGaussians& profile, double mean_texels_per_mm, std::uint32_t map_size) {
+std::vector<std::uint32_t> map_halvings(const gaussians::SumOfGaussians& profile, double mean_texels_per_mm,
+                                        std::uint32_t map_size) {
   std::vector<std::uint32_t> halvings;
   double before_mm2 = 0;
   for (const gaussians::Gaussian& term : profile.terms) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Light that is blurred already goes on in a smaller map: a texel is the mean of those that it covers.
-/// Based on: the "progressively smaller" maps that [JG08] sec. 2 mentions; when it may be done: see map_halvings().
+/// Based on: the "progressively smaller" maps that [JG08] sec. 2 mentions; when it may be done: see
+/// map_halvings().
 #pragma once
 
 #include <vector>
@@ -36,9 +37,11 @@ class Halve {
 
 inline constexpr std::uint32_t max_halvings = 3;
 
-/// How often the map of each term is halved at T_max, 0 to max_halvings and never falling: as often as leaves the light it starts from,
-/// which the term before has blurred, a sigma of a texel at least (what a Gaussian of one texel lets through at the limit of sampling is
-/// 0.7 %). The first is 0. `map_size` is T_max, and mean_texels_per_mm the density there; only halvings that divide it are used.
-std::vector<std::uint32_t> map_halvings(const gaussians::SumOfGaussians& profile, double mean_texels_per_mm, std::uint32_t map_size);
+/// How often the map of each term is halved at T_max, 0 to max_halvings and never falling: as often as leaves
+/// the light it starts from, which the term before has blurred, a sigma of a texel at least (what a Gaussian
+/// of one texel lets through at the limit of sampling is 0.7 %). The first is 0. `map_size` is T_max, and
+/// mean_texels_per_mm the density there; only halvings that divide it are used.
+std::vector<std::uint32_t> map_halvings(const gaussians::SumOfGaussians& profile, double mean_texels_per_mm,
+                                        std::uint32_t map_size);
 
 }  // namespace dermis::passes

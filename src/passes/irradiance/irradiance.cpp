@@ -42,7 +42,8 @@ void Irradiance::prepare(gpu::PipelineLibrary& library) {
   through_ = ThroughBindings(library, settings_.through, settings_.mm_per_unit);
 }
 
-void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources,
+                        const frame::FrameData& frame) const {
   std::vector<gpu::ColourTarget> targets;
   const auto add_target = [&](frame::TextureId id) {
     targets.push_back({.texture = &resources.texture(id), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}});

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Heads drawn in their texture coordinates: the light that enters the skin, per texel.
-/// Based on: [DLE07] sec. 3.2; [BL03] Borshukov, Lewis: Realistic Human Face Rendering for "The Matrix Reloaded", 2003; what is not shaded:
-/// [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 (cull), 4 (the used square), 5 (clip).
+/// Based on: [DLE07] sec. 3.2; [BL03] Borshukov, Lewis: Realistic Human Face Rendering for "The Matrix
+/// Reloaded", 2003; what is not shaded: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008,
+/// sec. 3 (cull), 4 (the used square), 5 (clip).
 #pragma once
 
 #include "gaussians/sum.h"
@@ -19,7 +20,8 @@ class Irradiance {
     bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
     bool clip = false;          ///< leave out what lies outside FrameData::clip_planes
-    /// Of each skin mesh, of 1 to 8 terms: light also comes through the body, by passes/transmission.h. None: it does not.
+    /// Of each skin mesh, of 1 to 8 terms: light also comes through the body, by passes/transmission.h. None:
+    /// it does not.
     std::vector<gaussians::SumOfGaussians> through;
     double mm_per_unit = 1000;  ///< of the scene
   };
@@ -27,7 +29,8 @@ class Irradiance {
     frame::TextureId light;          ///< RGBA16F pool; the used squares are cleared here
     frame::TextureId shadow;         ///< of these instances
     frame::TextureId entering = {};  ///< with `through`: see Shadow
-    /// With `through`: RGBA16F pools for what joins at the second and the third group of terms, as many as the mesh with most groups needs.
+    /// With `through`: RGBA16F pools for what joins at the second and the third group of terms, as many as
+    /// the mesh with most groups needs.
     std::vector<frame::TextureId> joining = {};
   };
   struct Out {
@@ -46,8 +49,9 @@ class Irradiance {
   LightingSamplers samplers_;
 };
 
-/// Counts, over the texels that Irradiance shades, the looks through the body that found nothing to read: see transmission_misses.frag.
-/// Stands behind Irradiance with the same settings, of which `through` is not empty; only in full frames.
+/// Counts, over the texels that Irradiance shades, the looks through the body that found nothing to read: see
+/// transmission_misses.frag. Stands behind Irradiance with the same settings, of which `through` is not
+/// empty; only in full frames.
 class TransmissionMisses {
  public:
   struct Settings {

@@ -17,9 +17,10 @@ TransmissionMisses::Out TransmissionMisses::declare(frame::Declare& d, const In&
 
 void TransmissionMisses::prepare(gpu::PipelineLibrary& library) {
   const Irradiance::Settings& irradiance = settings_.irradiance;
-  gpu::GraphicsDesc desc{.vertex = irradiance.clip ? "irradiance_clipped.vert" : "irradiance.vert",
-                         .fragment = "transmission_misses.frag",
-                         .constants = {{"cull", irradiance.cull ? 1u : 0u}, {"slot", settings_.slot}, {"through_terms", 0u}}};
+  gpu::GraphicsDesc desc{
+      .vertex = irradiance.clip ? "irradiance_clipped.vert" : "irradiance.vert",
+      .fragment = "transmission_misses.frag",
+      .constants = {{"cull", irradiance.cull ? 1u : 0u}, {"slot", settings_.slot}, {"through_terms", 0u}}};
   pipelines_.clear();
   for (const gaussians::SumOfGaussians& profile : irradiance.through) {
     desc.constants.back().second = static_cast<std::uint32_t>(profile.terms.size());
@@ -29,7 +30,8 @@ void TransmissionMisses::prepare(gpu::PipelineLibrary& library) {
   through_ = ThroughBindings(library, irradiance.through, irradiance.mm_per_unit);
 }
 
-void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources,
+                                const frame::FrameData& frame) const {
   for (const MapSquare& square : settings_.irradiance.squares) {
     const GpuMesh& mesh = frame.scene->skin[square.mesh];
     const frame::Instance& instance = instance_of(frame, square);

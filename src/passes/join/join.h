@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Adds the light that a group of terms brings through the body to the light spread so far; see passes/transmission.h.
+/// Adds the light that a group of terms brings through the body to the light spread so far; see
+/// passes/transmission.h.
 #pragma once
 
 #include "passes/light_pool.h"
@@ -12,8 +13,9 @@ class Join {
     std::vector<MapSquare> squares;
   };
   struct In {
-    frame::TextureId light;    ///< RGBA16F pool: spread so far
-    frame::TextureId through;  ///< RGBA16F pool: what comes through; changed in place, the sum where there is light, and its alpha
+    frame::TextureId light;  ///< RGBA16F pool: spread so far
+    /// RGBA16F pool: what comes through; changed in place, the sum where there is light, and its alpha
+    frame::TextureId through;
   };
   struct Out {
     frame::TextureId light;  ///< the sum

@@ -49,13 +49,14 @@ ShadowFit fit_shadow(const scene::Light& light, const scene::BoundingSphere& sph
   if (distance > 1.1f * radius) {
     const float sine = radius / distance;
     const float tan_half = sine / std::sqrt(1 - sine * sine) * margin;
-    return {{perspective(tan_half, (distance - radius) * 0.9f, distance + radius * 1.1f) * view(light.position_m, to_centre / distance)},
+    return {{perspective(tan_half, (distance - radius) * 0.9f, distance + radius * 1.1f) *
+             view(light.position_m, to_centre / distance)},
             2 * tan_half / size};
   }
   const float near_m = radius * 0.005f, far_m = (distance + radius) * 1.1f;
   ShadowFit fit{.shadow_from_world = {}, .texel = 2 * margin / size};
-  for (const glm::vec3& axis :
-       {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)})
+  for (const glm::vec3& axis : {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0),
+                                glm::vec3(0, -1, 0), glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)})
     fit.shadow_from_world.push_back(perspective(margin, near_m, far_m) * view(light.position_m, axis));
   return fit;
 }

@@ -16,23 +16,30 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
   for (const bool skin : {false, true})
     for (const bool cut_out : {false, true})
       for (const bool mixed : {false, true}) {
-        gpu::GraphicsDesc desc{.vertex = "shadow.vert", .depth_format = VK_FORMAT_D32_SFLOAT, .depth_test = true, .depth_write = true};
+        gpu::GraphicsDesc desc{.vertex = "shadow.vert",
+                               .depth_format = VK_FORMAT_D32_SFLOAT,
+                               .depth_test = true,
+                               .depth_write = true};
         if (cut_out) desc.fragment = "shadow.frag";
         if (in_.entering.valid()) {
           desc.fragment = "shadow_entering.frag";
-          desc.constants = {{"skin", skin ? 1u : 0u}, {"cut_out", cut_out ? 1u : 0u}, {"mixed", mixed ? 1u : 0u}};
+          desc.constants = {
+              {"skin", skin ? 1u : 0u}, {"cut_out", cut_out ? 1u : 0u}, {"mixed", mixed ? 1u : 0u}};
           desc.colour_formats = {VK_FORMAT_R8G8B8A8_UNORM};
         }
         pipelines_[skin][cut_out][mixed] = &library.graphics(desc);
       }
 }
 
-void Shadow::draw(gpu::Cmd& cmd, const frame::FrameData& frame, bool skin, bool cut_out, const io::ShadowIo& io) const {
+void Shadow::draw(gpu::Cmd& cmd, const frame::FrameData& frame, bool skin, bool cut_out,
+                  const io::ShadowIo& io) const {
   for (const GpuMesh& mesh : skin ? frame.scene->skin : frame.scene->surfaces)
     for (const GpuDraw& draw : mesh.draws) {
       const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
       // Blended parts (lashes, brows) would cast the shadow of their whole card.
-      if (material.alpha_mode == scene::AlphaMode::blend || (material.alpha_mode == scene::AlphaMode::mask) != cut_out) continue;
+      if (material.alpha_mode == scene::AlphaMode::blend ||
+          (material.alpha_mode == scene::AlphaMode::mask) != cut_out)
+        continue;
       const gpu::Pipeline& pipeline = *pipelines_[skin][cut_out][skin && material.mixed];
       Bindings bindings;
       mesh.offer(bindings);
@@ -52,11 +59,14 @@ void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const fram
     const std::uint32_t target = instance.first_shadow_layer + layer;
     std::vector<gpu::ColourTarget> colour;
     if (in_.entering.valid())
-      colour.push_back({.texture = &resources.texture(in_.entering), .layer = target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}});
+      colour.push_back({.texture = &resources.texture(in_.entering),
+                        .layer = target,
+                        .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}});
     cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
                         {shadow.desc().width, shadow.desc().height}, true);
     if (layer < instance.shadow_from_world.size()) {
-      const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer], .offset_m = instance.offset_m};
+      const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
+                            .offset_m = instance.offset_m};
       for (const bool skin : {true, false})
         for (const bool cut_out : {false, true}) draw(cmd, frame, skin, cut_out, io);
     }

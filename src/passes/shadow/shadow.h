@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Depth as each light sees one head: a layer a light, six for a point light inside the scene. Reversed depth, 0 where nothing is. And,
-/// if wanted, what of the light enters there: for translucent shadow maps, [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, 2003.
+/// Depth as each light sees one head: a layer a light, six for a point light inside the scene. Reversed
+/// depth, 0 where nothing is. And, if wanted, what of the light enters there: for translucent shadow maps,
+/// [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, 2003.
 #pragma once
 
 #include "frame/plan.h"
@@ -17,7 +18,8 @@ class Shadow {
   };
   struct In {
     frame::TextureId shadow;  ///< D32; this head's layers begin at Instance::first_shadow_layer
-    /// RGBA8, the same layers: square root of the part that enters (albedo^mix of skin, 0 of other things), alpha 1 where something is.
+    /// RGBA8, the same layers: square root of the part that enters (albedo^mix of skin, 0 of other things),
+    /// alpha 1 where something is.
     frame::TextureId entering = {};  ///< not valid: not stored
   };
   struct Out {
@@ -31,7 +33,8 @@ class Shadow {
  private:
   Settings settings_;
   In in_;
-  void draw(gpu::Cmd& cmd, const frame::FrameData& frame, bool skin, bool cut_out, const io::ShadowIo& io) const;
+  void draw(gpu::Cmd& cmd, const frame::FrameData& frame, bool skin, bool cut_out,
+            const io::ShadowIo& io) const;
   const gpu::Pipeline* pipelines_[2][2][2] = {};  // [skin][cut out][mixed]
 };
 

@@ -16,7 +16,9 @@ float smoothstep(float low, float high, float x) {
 
 }  // namespace
 
-float direct_share(float sigma_texels, float shrink) { return smoothstep(1, 1.4f, shrink) * (1 - smoothstep(0.35f, 0.8f, sigma_texels)); }
+float direct_share(float sigma_texels, float shrink) {
+  return smoothstep(1, 1.4f, shrink) * (1 - smoothstep(0.35f, 0.8f, sigma_texels));
+}
 
 Skin::Out Skin::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::raster);
@@ -47,7 +49,8 @@ void Skin::prepare(gpu::PipelineLibrary& library) {
                            .cull = gpu::Cull::back,
                            .depth_test = true,
                            .depth_write = true};
-    if (through) desc.constants.emplace_back("through_terms", static_cast<std::uint32_t>(settings_.weights.size()));
+    if (through)
+      desc.constants.emplace_back("through_terms", static_cast<std::uint32_t>(settings_.weights.size()));
     Pipelines made{.single_sided = &library.graphics(desc)};
     desc.cull = gpu::Cull::none;
     made.double_sided = &library.graphics(desc);
@@ -68,7 +71,8 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
   gpu::ColourTarget colour_target{.texture = &colour};
   gpu::DepthTarget depth_target{.texture = &resources.texture(in_.depth)};
   if (settings_.clear) colour_target.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}, depth_target.clear = 0.0f;
-  cmd.begin_rendering(std::span(&colour_target, 1), depth_target, {colour.desc().width, colour.desc().height});
+  cmd.begin_rendering(std::span(&colour_target, 1), depth_target,
+                      {colour.desc().width, colour.desc().height});
   io::SkinIo io{.offset_m = instance.offset_m,
                 .weights = {},
                 .map_origin = settings_.square.origin,
@@ -78,14 +82,18 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
   bool mixed = false;
   for (std::size_t i = 0; i < settings_.weights.size(); ++i) {
     const float shrink = static_cast<float>(settings_.largest_side) / static_cast<float>(instance.map_side);
-    const float share = settings_.mixes ? direct_share(settings_.sigmas_mm[i] * settings_.texels_per_mm / shrink, shrink) : 0.0f;
+    const float share = settings_.mixes
+                            ? direct_share(settings_.sigmas_mm[i] * settings_.texels_per_mm / shrink, shrink)
+                            : 0.0f;
     mixed = mixed || share > 0;
     const std::uint32_t side = halved_side(instance.map_side, settings_.largest_side, settings_.halvings[i]);
     while (instance.map_side >> (io.halvings >> 4 * i & 15u) > side) io.halvings += 1u << 4 * i;
-    io.weights[i] = (1 - share) * glm::vec3(settings_.weights[i][0], settings_.weights[i][1], settings_.weights[i][2]);
+    io.weights[i] =
+        (1 - share) * glm::vec3(settings_.weights[i][0], settings_.weights[i][1], settings_.weights[i][2]);
   }
   const Pipelines& pipelines = mixed ? mixed_ : mapped_;
-  static constexpr std::array names{"light_0", "light_1", "light_2", "light_3", "light_4", "light_5", "light_6", "light_7"};
+  static constexpr std::array names{"light_0", "light_1", "light_2", "light_3",
+                                    "light_4", "light_5", "light_6", "light_7"};
   for (const GpuDraw& draw : mesh.draws) {
     if (!instance.visible) break;
     const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
@@ -98,8 +106,9 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
     if (through()) through_.offer(bindings, resources, in_.entering, 0);
     // A binding without a term is never read, but must be bound: any sampled texture serves.
     for (std::size_t i = 0; i < names.size(); ++i)
-      bindings.add(names[i], i < in_.lights.size() ? resources.sampled(in_.lights[i], light_sampler_)
-                                                   : gpu::SampledBinding{&frame.scene->white(), light_sampler_});
+      bindings.add(names[i], i < in_.lights.size()
+                                 ? resources.sampled(in_.lights[i], light_sampler_)
+                                 : gpu::SampledBinding{&frame.scene->white(), light_sampler_});
     bindings.bind(cmd, pipeline);
     cmd.push(pipeline, io);
     cmd.draw(draw.index_count, 1, draw.first_index);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The head on the screen: the weighted sum of the blurred light, albedo, two-lobe specular.
-/// Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6. With no terms it is the Lambert model with the same light and energy.
+/// Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6. With no terms it is the Lambert model with the same
+/// light and energy.
 #pragma once
 
 #include <array>
@@ -13,9 +14,10 @@
 
 namespace dermis::passes {
 
-/// How much of a term is lit at the pixel instead of read from the map, 0..1. A map at less than T_max holds light at about a texel a
-/// pixel: it cannot hold what a Gaussian narrower than its texels leaves sharp, while that Gaussian does not show at the pixel. Departs
-/// from [JG08] sec. 4, where all is read from the small map; changes smoothly with T so that nothing pops, and is 0 at T_max.
+/// How much of a term is lit at the pixel instead of read from the map, 0..1. A map at less than T_max holds
+/// light at about a texel a pixel: it cannot hold what a Gaussian narrower than its texels leaves sharp,
+/// while that Gaussian does not show at the pixel. Departs from [JG08] sec. 4, where all is read from the
+/// small map; changes smoothly with T so that nothing pops, and is 0 at T_max.
 float direct_share(float sigma_texels, float shrink);
 
 class Skin {
@@ -28,10 +30,11 @@ class Skin {
     std::vector<std::uint32_t> halvings;        ///< of the term's map, a term each; the first is 0
     bool environment = false;                   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;                  ///< lights with a radius cast penumbrae
-    bool mixes = false;                         ///< where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
-    std::vector<float> sigmas_mm;               ///< a term each
-    float texels_per_mm = 0;                    ///< mean of the unwrap, at T_max
-    std::uint32_t largest_side = 0;             ///< T_max
+    /// where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
+    bool mixes = false;
+    std::vector<float> sigmas_mm;    ///< a term each
+    float texels_per_mm = 0;         ///< mean of the unwrap, at T_max
+    std::uint32_t largest_side = 0;  ///< T_max
     /// The profile, if light comes through the body: of what is lit at the pixel, too. See Irradiance.
     std::optional<gaussians::SumOfGaussians> through;
     double mm_per_unit = 1000;  ///< of the scene
@@ -63,8 +66,8 @@ class Skin {
   VkSampler light_sampler_ = VK_NULL_HANDLE;
 };
 
-/// Counts, over the fragments of the final pass that are seen, those whose bilinear read weighs a texel that was never lit. Stands right
-/// behind Skin with the same square; only in full frames.
+/// Counts, over the fragments of the final pass that are seen, those whose bilinear read weighs a texel that
+/// was never lit. Stands right behind Skin with the same square; only in full frames.
 class SkinReads {
  public:
   struct Settings {

@@ -28,7 +28,8 @@ void SkinReads::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void SkinReads::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void SkinReads::record(gpu::Cmd& cmd, const frame::Resources& resources,
+                       const frame::FrameData& frame) const {
   const frame::Instance& instance = instance_of(frame, settings_.square);
   if (!instance.visible) return;
   const GpuMesh& mesh = frame.scene->skin[settings_.square.mesh];

@@ -14,7 +14,9 @@ Stretch::Out Stretch::declare(frame::Declare& d, const In& in) {
 }
 
 void Stretch::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.graphics({.vertex = "stretch.vert", .fragment = "stretch.frag", .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
+  pipeline_ = &library.graphics({.vertex = "stretch.vert",
+                                 .fragment = "stretch.frag",
+                                 .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
 }
 
 void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The metric of the unwrap in texture space: how far a millimetre of skin reaches in texture coordinates.
-/// Based on: [DLE07] GPU Gems 3, ch. 14.4.2 (stretch map); two lengths there, here the whole metric, because real unwraps are sheared.
+/// Based on: [DLE07] GPU Gems 3, ch. 14.4.2 (stretch map); two lengths there, here the whole metric, because
+/// real unwraps are sheared.
 #pragma once
 
 #include "frame/plan.h"
@@ -15,7 +16,9 @@ class Stretch {
   };
   struct In {
     frame::TextureId
-        stretch;  ///< RGBA16F, T_max x T_max, persistent: (a, b, c) of the Cholesky factor per metre, chart number (0 = no skin)
+        /// RGBA16F, T_max x T_max, persistent: (a, b, c) of the Cholesky factor per metre, chart number (0 =
+        /// no skin)
+            stretch;
   };
   struct Out {
     frame::TextureId stretch;

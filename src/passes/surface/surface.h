@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Everything that is not skin, as glTF metallic-roughness: opaque and cut-out parts, or the blended ones from far to near.
+/// Everything that is not skin, as glTF metallic-roughness: opaque and cut-out parts, or the blended ones
+/// from far to near.
 #pragma once
 
 #include <map>

@@ -24,7 +24,8 @@ io::TilesIo tiles_io(const frame::FrameData& frame, const MapSquare& square, con
 // One invocation a tile.
 void dispatch(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const io::TilesIo& io) {
   cmd.push(pipeline, io);
-  cmd.dispatch_over(pipeline, (io.side + TILE_WIDTH - 1) / TILE_WIDTH, (io.side + TILE_HEIGHT - 1) / TILE_HEIGHT);
+  cmd.dispatch_over(pipeline, (io.side + TILE_WIDTH - 1) / TILE_WIDTH,
+                    (io.side + TILE_HEIGHT - 1) / TILE_HEIGHT);
 }
 
 }  // namespace
@@ -55,7 +56,8 @@ void TileClasses::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void TileClasses::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void TileClasses::record(gpu::Cmd& cmd, const frame::Resources& resources,
+                         const frame::FrameData& frame) const {
   Bindings()
       .add("light", resources.sampled(in_.light, sampler_))
       .add("TileClasses", resources.buffer(in_.lists.classes))
@@ -106,7 +108,8 @@ IdleTiles::Out IdleTiles::declare(frame::Declare& d, const In& in) {
 
 void IdleTiles::prepare(gpu::PipelineLibrary& library) { pipeline_ = &library.compute("idle_tiles.comp"); }
 
-void IdleTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void IdleTiles::record(gpu::Cmd& cmd, const frame::Resources& resources,
+                       const frame::FrameData& frame) const {
   const gpu::Buffer& arguments = resources.buffer(in_.lists.arguments);
   for (const frame::TextureId map : in_.maps) {
     Bindings()
@@ -117,9 +120,12 @@ void IdleTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const f
     for (const MapSquare& square : settings_.squares) {
       if (!instance_of(frame, square).visible) continue;
       const std::uint32_t side = side_of(frame, square), first = square.index * in_.lists.room;
-      cmd.push(*pipeline_,
-               io::IdleIo{.origin = square.origin, .side = side, .square = square.index, .last_tile = first + tile_room(side) - 1});
-      cmd.dispatch_indirect(arguments, square.index * sizeof(io::TileArgumentsIo) + offsetof(io::TileArgumentsIo, idle_groups));
+      cmd.push(*pipeline_, io::IdleIo{.origin = square.origin,
+                                      .side = side,
+                                      .square = square.index,
+                                      .last_tile = first + tile_room(side) - 1});
+      cmd.dispatch_indirect(
+          arguments, square.index * sizeof(io::TileArgumentsIo) + offsetof(io::TileArgumentsIo, idle_groups));
     }
   }
 }

@@ -11,9 +11,10 @@ View::Out View::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::compute);
   in_ = in;
   const gpu::TextureDesc& picture = d.desc(in.picture);
-  display_ = d.create(
-      "display",
-      {.width = picture.width, .height = picture.height, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+  display_ = d.create("display", {.width = picture.width,
+                                  .height = picture.height,
+                                  .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                  .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
   d.sample(in.picture);
   d.write(display_);
   return {display_};

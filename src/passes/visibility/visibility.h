@@ -14,7 +14,8 @@ class Visibility {
     bool cull = true, clip = true;
   };
   struct In {
-    frame::TextureId picture;  ///< RGBA16F, T_max x T_max, persistent: the used square from its corner, alpha 0 where no skin is
+    /// RGBA16F, T_max x T_max, persistent: the used square from its corner, alpha 0 where no skin is
+    frame::TextureId picture;
   };
   struct Out {};
   explicit Visibility(const Settings& settings) : settings_(settings) {}

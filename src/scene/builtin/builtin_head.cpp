@@ -38,7 +38,8 @@ Primitive make_mesh(const Net& net) {
   for (int j = 0; j < net.rows; ++j) {
     for (int i = 0; i < net.columns; ++i) {
       const auto at = [&](int a, int b) { return static_cast<std::uint32_t>(net.index(i + a, j + b)); };
-      for (const std::uint32_t k : {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)}) mesh.indices.push_back(k);
+      for (const std::uint32_t k : {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)})
+        mesh.indices.push_back(k);
     }
   }
   make_tangents(mesh, MapRef{}.transform, 0);

@@ -18,7 +18,8 @@ std::vector<T> through(const std::vector<T>& points, int steps) {
     const T& b = points[static_cast<std::size_t>(i)];
     const T& c = points[static_cast<std::size_t>(i + 1)];
     const T& d = points[static_cast<std::size_t>(std::min(i + 2, n - 1))];
-    for (int s = 0; s < steps; ++s) out.push_back(catmull_rom(a, b, c, d, static_cast<float>(s) / static_cast<float>(steps)));
+    for (int s = 0; s < steps; ++s)
+      out.push_back(catmull_rom(a, b, c, d, static_cast<float>(s) / static_cast<float>(steps)));
   }
   out.push_back(points.back());
   return out;
@@ -60,7 +61,8 @@ float Tube::operator()(const vec3& p, float far_mm) const {
   return best;
 }
 
-Stroke::Stroke(const std::vector<vec3>& points, const Brush& brush, int steps) : brush_(brush), points_(smooth_curve(points, steps)) {
+Stroke::Stroke(const std::vector<vec3>& points, const Brush& brush, int steps)
+    : brush_(brush), points_(smooth_curve(points, steps)) {
   low_ = high_ = points_.front();
   for (const vec3& p : points_) {
     low_ = glm::min(low_, p);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The sculptor's tools of the built-in head: soft unions, a few volumes, and brush strokes that raise or press the surface.
-// All lengths are millimetres; a field is negative inside and grows by about one per millimetre outwards.
+// The sculptor's tools of the built-in head: soft unions, a few volumes, and brush strokes that raise or
+// press the surface. All lengths are millimetres; a field is negative inside and grows by about one per
+// millimetre outwards.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,8 @@ inline float soft_min(float a, float b, float k_mm) {
 }
 inline float soft_max(float a, float b, float k_mm) { return -soft_min(-a, -b, k_mm); }
 
-/// 1 at the centre, 0 from distance 1 on, twice differentiable; `d2` is the squared distance in units of the radius.
+/// 1 at the centre, 0 from distance 1 on, twice differentiable; `d2` is the squared distance in units of the
+/// radius.
 inline float falloff(float d2) {
   const float w = std::max(1.0f - d2, 0.0f);
   return w * w * w;
@@ -78,7 +80,8 @@ class Tube {
   vec3 low_{0}, high_{0};
 };
 
-/// A stroke of the brush or of the knife along a smooth curve: amount * falloff(distance), faded towards the ends.
+/// A stroke of the brush or of the knife along a smooth curve: amount * falloff(distance), faded towards the
+/// ends.
 class Stroke {
  public:
   struct Brush {
@@ -86,11 +89,13 @@ class Stroke {
     float amount_mm = 0;       ///< > 0 raises, < 0 presses
     float fade_start = 0.25f;  ///< part of the length over which the stroke comes in
     float fade_end = 0.25f;    ///< and goes out
-    bool frontal = true;       ///< distances are measured in x and y only (features on the face), else in space
+    /// distances are measured in x and y only (features on the face), else in space
+    bool frontal = true;
   };
   Stroke(const std::vector<vec3>& points, const Brush& brush, int steps = 6);
   float operator()(const vec3& p) const;
-  /// Distance to the curve [mm] and how far along it (0..1) the nearest point lies; the distance is 1e3 if it is over reach_mm.
+  /// Distance to the curve [mm] and how far along it (0..1) the nearest point lies; the distance is 1e3 if it
+  /// is over reach_mm.
   vec2 nearest(const vec3& p, float reach_mm) const;
 
  private:
@@ -99,7 +104,8 @@ class Stroke {
   vec3 low_{0}, high_{0};
 };
 
-/// Curve through the points (centripetal enough for our evenly spaced points: uniform Catmull-Rom), `steps` pieces per span.
+/// Curve through the points (centripetal enough for our evenly spaced points: uniform Catmull-Rom), `steps`
+/// pieces per span.
 std::vector<vec3> smooth_curve(const std::vector<vec3>& points, int steps);
 
 }  // namespace dermis::scene::builtin

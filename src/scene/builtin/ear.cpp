@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ear: a leaning plate on a root, its rim (helix) rolled outwards, the inner fold (antihelix) with its two legs, the bowl (concha),
-// the flap before it (tragus), its counterpart below, and the lobe.
+// The ear: a leaning plate on a root, its rim (helix) rolled outwards, the inner fold (antihelix) with its
+// two legs, the bowl (concha), the flap before it (tragus), its counterpart below, and the lobe.
 #include "scene/builtin/sculpture.h"
 
 namespace dermis::scene::builtin {
@@ -25,7 +25,10 @@ Ear::Ear()
                   {{8.6f, 9.5f, 3.8f}, 3.0f},
                   {{5.2f, 16.5f, 2.6f}, 2.8f},
                   {{2.5f, 22, 1.2f}, 2.2f}}),
-      inferior_crus_({{{8.2f, 9, 3.4f}, 2.6f}, {{3, 11.8f, 2.0f}, 2.5f}, {{-3, 13.2f, 0.8f}, 2.3f}, {{-8.5f, 13.2f, 0.2f}, 1.8f}}),
+      inferior_crus_({{{8.2f, 9, 3.4f}, 2.6f},
+                      {{3, 11.8f, 2.0f}, 2.5f},
+                      {{-3, 13.2f, 0.8f}, 2.3f},
+                      {{-8.5f, 13.2f, 0.2f}, 1.8f}}),
       lobe_rim_({{{9, -18, 2.6f}, 3.0f},
                  {{4.5f, -25.5f, 1.8f}, 3.5f},
                  {{-2, -29, 1.0f}, 3.5f},
@@ -51,7 +54,8 @@ float Ear::add(float f, const vec3& p, Detail detail) const {
   const float far = 60;
   // Root: fills most of the groove behind the ear, which a mesh without undercuts could not follow.
   f = soft_min(f, ellipsoid(q - vec3(1.5f, 2, -5.5f), {17.3f, 30.0f, 10.0f}), 5.0f);
-  if (detail == Detail::blunt) return soft_min(f, ellipsoid(q - vec3(2.0f, 1.0f, 2.0f), {21.0f, 34.0f, 9.0f}), 6.0f);
+  if (detail == Detail::blunt)
+    return soft_min(f, ellipsoid(q - vec3(2.0f, 1.0f, 2.0f), {21.0f, 34.0f, 9.0f}), 6.0f);
   // The plate is a dish: its edge stands out and carries the rim.
   const vec2 r((q.x - 1.5f) / 17.0f, (q.y - 3.5f) / 27.0f);
   const float dish = 3.4f * std::min(glm::dot(r, r), 1.6f);
@@ -64,8 +68,9 @@ float Ear::add(float f, const vec3& p, Detail detail) const {
   f = soft_min(f, antihelix_(q, far), 2.4f);
   f = soft_min(f, inferior_crus_(q, far), 2.2f);
   f = soft_min(f, lobe_rim_(q, far), 3.6f);
-  f = soft_min(f, ellipsoid(q - vec3(-9.5f, -21.0f, -4.0f), {6.0f, 9.0f, 5.5f}), 7.0f);  // where the lobe grows from the jaw
-  f = soft_min(f, ellipsoid(q - vec3(-12.0f, -6.6f, 2.4f), {3.2f, 5.2f, 4.0f}), 2.6f);   // tragus
+  // where the lobe grows from the jaw
+  f = soft_min(f, ellipsoid(q - vec3(-9.5f, -21.0f, -4.0f), {6.0f, 9.0f, 5.5f}), 7.0f);
+  f = soft_min(f, ellipsoid(q - vec3(-12.0f, -6.6f, 2.4f), {3.2f, 5.2f, 4.0f}), 2.6f);  // tragus
   for (const Dab& d : hollows_) f -= d(q);
   if (detail == Detail::fine) f -= Dab{{-1.5f, -20.5f, 3.2f}, {6, 4, 5}, -0.5f}(q);
   return f;

@@ -43,21 +43,25 @@ void Hairs::add(const vec2& root, float angle, float turn, float length_mm, floa
   }
 }
 
-// Upright beside the nose, then outwards along the arch; hairs of the upper edge lean down, those of the lower one up, and meet in a ridge.
+// Upright beside the nose, then outwards along the arch; hairs of the upper edge lean down, those of the
+// lower one up, and meet in a ridge.
 void Hairs::add_brow(float side) {
   const std::vector<vec3> curve = smooth_curve(brow_line, 8);
   for (int n = 0; n < 470; ++n) {
     const Dice dice{n, side > 0 ? 1 : 2};
     const float t = 0.98f * std::pow(dice(0), 0.9f) - 0.03f + 0.04f * dice(6);
-    const vec2 middle = point_on(curve, t), ahead = point_on(curve, std::min(t + 0.04f, 1.0f)) - point_on(curve, std::max(t - 0.04f, 0.0f));
+    const vec2 middle = point_on(curve, t), ahead = point_on(curve, std::min(t + 0.04f, 1.0f)) -
+                                                    point_on(curve, std::max(t - 0.04f, 0.0f));
     const float half = 4.9f * (1 - 0.62f * t) * smooth_step(-0.25f, 0.22f, t);
     const float offset = (dice(1) + dice(2) - 1.0f) * half * 1.05f - 0.4f;
     const float flow = std::atan2(ahead.y, ahead.x);
     const float upright = 1.25f * (1 - smooth_step(0.0f, 0.38f, t));
-    float angle = flow + upright + 0.10f - 0.17f * offset * smooth_step(0.10f, 0.5f, t) + 0.30f * (dice(3) - 0.5f);
+    float angle =
+        flow + upright + 0.10f - 0.17f * offset * smooth_step(0.10f, 0.5f, t) + 0.30f * (dice(3) - 0.5f);
     float turn = -0.45f * upright - 0.25f * dice(4);
     vec2 root = middle + vec2(0, offset);
-    const float length = (5.0f + 3.2f * dice(5)) * (1 - 0.35f * t) * (0.75f + 0.25f * smooth_step(0, 0.15f, t));
+    const float length =
+        (5.0f + 3.2f * dice(5)) * (1 - 0.35f * t) * (0.75f + 0.25f * smooth_step(0, 0.15f, t));
     root -= 0.35f * length * vec2(std::cos(angle), std::sin(angle));
     if (side < 0) {
       root.x = -root.x;
@@ -76,7 +80,8 @@ void Hairs::add_lashes(float side) {
     const float t = 0.05f + 0.95f * (static_cast<float>(n) + dice(0)) / 105.0f;
     vec2 root = point_on(curve, t) + vec2(0, 0.2f - 0.3f * dice(1));
     float angle = -1.95f + 1.25f * t + 0.35f * (dice(2) - 0.5f), turn = 0.25f + 0.55f * t;
-    const float length = (2.6f + 2.6f * dice(3)) * (0.55f + 0.75f * t) * (1 - 0.4f * smooth_step(0.85f, 1.0f, t));
+    const float length =
+        (2.6f + 2.6f * dice(3)) * (0.55f + 0.75f * t) * (1 - 0.4f * smooth_step(0.85f, 1.0f, t));
     if (side < 0) {
       root.x = -root.x;
       angle = 3.14159265f - angle;
@@ -88,9 +93,12 @@ void Hairs::add_lashes(float side) {
 
 void Hairs::sort_into_buckets() {
   std::vector<std::vector<std::uint32_t>> lists(static_cast<std::size_t>(buckets_x * buckets_y));
-  const auto cell = [](float at, float first, int count) { return std::clamp(static_cast<int>((at - first) / bucket_mm), 0, count - 1); };
+  const auto cell = [](float at, float first, int count) {
+    return std::clamp(static_cast<int>((at - first) / bucket_mm), 0, count - 1);
+  };
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
-    const vec2 low = glm::min(pieces_[k].from, pieces_[k].to) - widest_mm, high = glm::max(pieces_[k].from, pieces_[k].to) + widest_mm;
+    const vec2 low = glm::min(pieces_[k].from, pieces_[k].to) - widest_mm,
+               high = glm::max(pieces_[k].from, pieces_[k].to) + widest_mm;
     for (int j = cell(low.y, bottom_mm, buckets_y); j <= cell(high.y, bottom_mm, buckets_y); ++j) {
       for (int i = cell(low.x, left_mm, buckets_x); i <= cell(high.x, left_mm, buckets_x); ++i) {
         lists[static_cast<std::size_t>(j * buckets_x + i)].push_back(static_cast<std::uint32_t>(k));
@@ -117,7 +125,9 @@ float Hairs::coverage(const vec2& at, float softness_mm) const {
     const float half = 0.5f * glm::mix(piece.width_from_mm, piece.width_to_mm, t);
     // A hair thinner than a texel keeps its weight: it is drawn one texel wide and fainter.
     const float edge = std::max(half, 0.5f * softness_mm), strength = half / edge;
-    bare *= 1 - 0.9f * strength * (1 - smooth_step(edge - 0.5f * softness_mm, edge + 0.5f * softness_mm, glm::length(ap - t * ab)));
+    bare *= 1 - 0.9f * strength *
+                    (1 - smooth_step(edge - 0.5f * softness_mm, edge + 0.5f * softness_mm,
+                                     glm::length(ap - t * ab)));
   }
   return 1 - bare;
 }

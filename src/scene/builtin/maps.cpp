@@ -32,7 +32,8 @@ FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net) {
       const auto at = [&](int a, int b) { return net.at_mm[net.index(i + a, j + b)]; };
       const auto normal = [&](int a, int b) { return net.normal[net.index(i + a, j + b)]; };
       const vec3 flat = glm::mix(glm::mix(at(0, 0), at(1, 0), u), glm::mix(at(0, 1), at(1, 1), u), v);
-      const vec3 side = glm::mix(glm::mix(normal(0, 0), normal(1, 0), u), glm::mix(normal(0, 1), normal(1, 1), u), v);
+      const vec3 side =
+          glm::mix(glm::mix(normal(0, 0), normal(1, 0), u), glm::mix(normal(0, 1), normal(1, 1), u), v);
       vec3 p = flat;
       bust.project(p, Detail::fine, 0.35f, 1);
       vec3 g = bust.project(p, Detail::fine, 0.25f, 1);
@@ -72,8 +73,10 @@ class Baker {
       map->width = map->height = size_;
       map->rgba.assign(height_mm_.size() * 4, 255);
     }
-    parallel_for(static_cast<std::size_t>(size_), [&](std::size_t y) { paint_row(static_cast<int>(y), maps); });
-    parallel_for(static_cast<std::size_t>(size_), [&](std::size_t y) { normal_row(static_cast<int>(y), maps.normal); });
+    parallel_for(static_cast<std::size_t>(size_),
+                 [&](std::size_t y) { paint_row(static_cast<int>(y), maps); });
+    parallel_for(static_cast<std::size_t>(size_),
+                 [&](std::size_t y) { normal_row(static_cast<int>(y), maps.normal); });
     return maps;
   }
 
@@ -82,14 +85,17 @@ class Baker {
     const float inner = 1.0f - 2.0f * chart_margin, texel = 1.0f / static_cast<float>(size_);
     const float u = ((static_cast<float>(x) + 0.5f) * texel - chart_margin) / inner;
     const float v = (1.0f - chart_margin - (static_cast<float>(y) + 0.5f) * texel) / inner;
-    return {std::clamp(u, 0.0f, 1.0f) * static_cast<float>(net_.columns), std::clamp(v, 0.0f, 1.0f) * static_cast<float>(net_.rows)};
+    return {std::clamp(u, 0.0f, 1.0f) * static_cast<float>(net_.columns),
+            std::clamp(v, 0.0f, 1.0f) * static_cast<float>(net_.rows)};
   }
   template <class T, class Mix>
   T sample(const std::vector<T>& field, const Place& at, const Mix& mix) const {
     const float x = at.x * static_cast<float>(fine_.per_cell), y = at.y * static_cast<float>(fine_.per_cell);
-    const int i = std::min(static_cast<int>(x), fine_.stride - 2), j = std::min(static_cast<int>(y), net_.rows * fine_.per_cell - 1);
+    const int i = std::min(static_cast<int>(x), fine_.stride - 2),
+              j = std::min(static_cast<int>(y), net_.rows * fine_.per_cell - 1);
     const float u = x - static_cast<float>(i), v = y - static_cast<float>(j);
-    const T* row = &field[static_cast<std::size_t>(j) * static_cast<std::size_t>(fine_.stride) + static_cast<std::size_t>(i)];
+    const T* row = &field[static_cast<std::size_t>(j) * static_cast<std::size_t>(fine_.stride) +
+                          static_cast<std::size_t>(i)];
     return mix(mix(row[0], row[1], u), mix(row[fine_.stride], row[fine_.stride + 1], u), v);
   }
   vec3 sample(const std::vector<vec3>& field, const Place& at) const {
@@ -115,12 +121,14 @@ std::uint8_t to_srgb(float linear) {
   static const auto table = [] {
     std::array<std::uint8_t, 4096> t{};
     for (std::size_t i = 0; i < t.size(); ++i) {
-      const double x = std::pow((static_cast<double>(i) + 0.5) / 4096.0, 2.0);  // square root spacing: dense in the dark
+      // square root spacing: dense in the dark
+      const double x = std::pow((static_cast<double>(i) + 0.5) / 4096.0, 2.0);
       t[i] = to_byte(static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055));
     }
     return t;
   }();
-  return table[std::min<std::size_t>(4095, static_cast<std::size_t>(std::sqrt(std::max(linear, 0.0f)) * 4096.0f))];
+  return table[std::min<std::size_t>(4095,
+                                     static_cast<std::size_t>(std::sqrt(std::max(linear, 0.0f)) * 4096.0f))];
 }
 
 void Baker::paint_row(int y, Maps& maps) {
@@ -144,9 +152,11 @@ void Baker::paint_row(int y, Maps& maps) {
 // Gradient of the relief along the surface: the metric of the map takes differences of texels to mm.
 vec3 Baker::surface_slope(int x, int y) const {
   // One-sided at the borders of the chart, where the neighbour repeats the border.
-  const int low = static_cast<int>(std::ceil(chart_margin * static_cast<float>(size_))), high = size_ - 1 - low;
+  const int low = static_cast<int>(std::ceil(chart_margin * static_cast<float>(size_))),
+            high = size_ - 1 - low;
   const int xc = std::clamp(x, low, high), yc = std::clamp(y, low, high);
-  const int xa = std::max(xc - 1, low), xb = std::min(xc + 1, high), ya = std::max(yc - 1, low), yb = std::min(yc + 1, high);
+  const int xa = std::max(xc - 1, low), xb = std::min(xc + 1, high), ya = std::max(yc - 1, low),
+            yb = std::min(yc + 1, high);
   const auto h = [&](int a, int b) { return height_mm_[static_cast<std::size_t>(b) * size_ + a]; };
   const float hx = h(xb, yc) - h(xa, yc), hy = h(xc, yb) - h(xc, ya);
   const vec3 px = sample(fine_.at_mm, place(xb, yc)) - sample(fine_.at_mm, place(xa, yc));
@@ -158,7 +168,8 @@ vec3 Baker::surface_slope(int x, int y) const {
 
 // Tangent, bitangent, normal as a renderer interpolates them over the triangle.
 glm::mat3 Baker::mesh_frame(const Place& at) const {
-  const int i = std::min(static_cast<int>(at.x), net_.columns - 1), j = std::min(static_cast<int>(at.y), net_.rows - 1);
+  const int i = std::min(static_cast<int>(at.x), net_.columns - 1),
+            j = std::min(static_cast<int>(at.y), net_.rows - 1);
   const float u = at.x - static_cast<float>(i), v = at.y - static_cast<float>(j);
   const bool lower = u >= v;  // the diagonal of a cell runs from (0, 0) to (1, 1)
   const Vertex& a = mesh_.vertices[net_.index(i, j)];
@@ -186,6 +197,8 @@ void Baker::normal_row(int y, image::Image8& map) const {
 
 }  // namespace
 
-Maps bake(const Sculpture& bust, const Net& net, const Primitive& mesh, int map_size) { return Baker(bust, net, mesh, map_size).run(); }
+Maps bake(const Sculpture& bust, const Net& net, const Primitive& mesh, int map_size) {
+  return Baker(bust, net, mesh, map_size).run();
+}
 
 }  // namespace dermis::scene::builtin

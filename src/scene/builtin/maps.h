@@ -9,13 +9,15 @@
 
 namespace dermis::scene::builtin {
 
-/// Where the chart lies in the unit square: a margin all around, so that filtering and blurring never meet the border of the map.
+/// Where the chart lies in the unit square: a margin all around, so that filtering and blurring never meet
+/// the border of the map.
 inline constexpr float chart_margin = 1.0f / 64.0f;
 
 /// u to the right, v down; node (i, j) of the net. Columns grow to the left side of the head, rows upwards.
 inline vec2 chart_uv(const Net& net, float i, float j) {
   const float inner = 1.0f - 2.0f * chart_margin;
-  return {chart_margin + inner * i / static_cast<float>(net.columns), 1.0f - chart_margin - inner * j / static_cast<float>(net.rows)};
+  return {chart_margin + inner * i / static_cast<float>(net.columns),
+          1.0f - chart_margin - inner * j / static_cast<float>(net.rows)};
 }
 
 struct Maps {
@@ -24,7 +26,8 @@ struct Maps {
   image::Image8 reflection;  ///< R: specular intensity, G: roughness
 };
 
-/// `mesh` holds the net's nodes row by row (Net::index), with normals and tangents. Texels beyond the chart repeat its border.
+/// `mesh` holds the net's nodes row by row (Net::index), with normals and tangents. Texels beyond the chart
+/// repeat its border.
 Maps bake(const Sculpture& bust, const Net& net, const Primitive& mesh, int map_size);
 
 }  // namespace dermis::scene::builtin

@@ -30,7 +30,8 @@ Section section_at(float y) {
     const float mb = &a == &b ? (c.*m - b.*m) / span : (c.*m - a.*m) / (c.y - a.y);
     const float mc = &d == &c ? (c.*m - b.*m) / span : (d.*m - b.*m) / (d.y - b.y);
     const float t2 = t * t, t3 = t2 * t;
-    return (2 * t3 - 3 * t2 + 1) * (b.*m) + (t3 - 2 * t2 + t) * span * mb + (3 * t2 - 2 * t3) * (c.*m) + (t3 - t2) * span * mc;
+    return (2 * t3 - 3 * t2 + 1) * (b.*m) + (t3 - 2 * t2 + t) * span * mb + (3 * t2 - 2 * t3) * (c.*m) +
+           (t3 - t2) * span * mc;
   };
   return {y, blend(&Section::half_width), blend(&Section::half_depth), blend(&Section::middle_z)};
 }
@@ -39,9 +40,14 @@ Section section_at(float y) {
 
 Neck::Neck() {
   // sternocleidomastoid: from behind the ear to the pit of the neck, and the hollow before it
-  strokes_.emplace_back(
-      std::vector<vec3>{{58, -46, -22}, {55, -72, -14}, {50, -98, -2}, {42, -125, 10}, {30, -152, 21}, {15, -178, 27}, {12, -192, 27}},
-      Stroke::Brush{15, 3.4f, 0.15f, 0, false});
+  strokes_.emplace_back(std::vector<vec3>{{58, -46, -22},
+                                          {55, -72, -14},
+                                          {50, -98, -2},
+                                          {42, -125, 10},
+                                          {30, -152, 21},
+                                          {15, -178, 27},
+                                          {12, -192, 27}},
+                        Stroke::Brush{15, 3.4f, 0.15f, 0, false});
   strokes_.emplace_back(std::vector<vec3>{{49, -86, 14}, {40, -108, 20}, {28, -134, 27}, {17, -160, 29}},
                         Stroke::Brush{12, -1.8f, 0.3f, 0.4f, false});
   // trapezius
@@ -51,8 +57,9 @@ Neck::Neck() {
   strokes_.emplace_back(std::vector<vec3>{{13, -183, 26}, {34, -180, 23}, {58, -177, 12}, {84, -174, -4}},
                         Stroke::Brush{10, 2.6f, 0.15f, 0.2f, false});
   dabs_ = {
-      {{0, -142, 27}, {12, 13, 14}, 3.0f},   // larynx
-      {{0, -126, 28}, {22, 10, 16}, -1.2f},  // above it {{0, -179, 27}, {15, 17, 15}, -3.0f},  // pit of the neck
+      {{0, -142, 27}, {12, 13, 14}, 3.0f},  // larynx
+      // above it {{0, -179, 27}, {15, 17, 15}, -3.0f},  // pit of the neck
+      {{0, -126, 28}, {22, 10, 16}, -1.2f},
       {{52, -170, 6}, {24, 13, 22}, -4.0f},  // hollow over the clavicle
       {{0, -86, -67}, {14, 40, 16}, -1.6f},  // nape
   };

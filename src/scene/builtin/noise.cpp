@@ -19,9 +19,11 @@ int floor_int(float x) {
   return i - (x < static_cast<float>(i) ? 1 : 0);
 }
 
-// The twelve edges of a cube as gradients (Perlin's improved noise), four of them twice. A table: branches on a hash cannot be foretold.
-constexpr float edges[16][3] = {{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {1, 0, 1}, {-1, 0, 1}, {1, 0, -1}, {-1, 0, -1},
-                                {0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1}, {1, 1, 0}, {-1, 1, 0}, {0, -1, 1}, {0, -1, -1}};
+// The twelve edges of a cube as gradients (Perlin's improved noise), four of them twice. A table: branches on
+// a hash cannot be foretold.
+constexpr float edges[16][3] = {{1, 1, 0},  {-1, 1, 0},  {1, -1, 0}, {-1, -1, 0}, {1, 0, 1},  {-1, 0, 1},
+                                {1, 0, -1}, {-1, 0, -1}, {0, 1, 1},  {0, -1, 1},  {0, 1, -1}, {0, -1, -1},
+                                {1, 1, 0},  {-1, 1, 0},  {0, -1, 1}, {0, -1, -1}};
 float slope(std::uint32_t h, float x, float y, float z) {
   const float* e = edges[h >> 28];
   return e[0] * x + e[1] * y + e[2] * z;
@@ -39,13 +41,17 @@ std::uint32_t lattice_hash(int x, int y, int z, std::uint32_t seed) {
 
 float gradient_noise(const glm::vec3& p, std::uint32_t seed) {
   const int i = floor_int(p.x), j = floor_int(p.y), k = floor_int(p.z);
-  const float x = p.x - static_cast<float>(i), y = p.y - static_cast<float>(j), z = p.z - static_cast<float>(k);
+  const float x = p.x - static_cast<float>(i), y = p.y - static_cast<float>(j),
+              z = p.z - static_cast<float>(k);
   const float u = fade(x), v = fade(y), w = fade(z);
   const auto corner = [&](int a, int b, int c) {
-    return slope(lattice_hash(i + a, j + b, k + c, seed), x - static_cast<float>(a), y - static_cast<float>(b), z - static_cast<float>(c));
+    return slope(lattice_hash(i + a, j + b, k + c, seed), x - static_cast<float>(a),
+                 y - static_cast<float>(b), z - static_cast<float>(c));
   };
-  const float near = mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v);
-  const float far = mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v);
+  const float near =
+      mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v);
+  const float far =
+      mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v);
   return mix(near, far, w);
 }
 
@@ -67,7 +73,9 @@ Cell cells(const glm::vec3& p, std::uint32_t seed) {
   for (int n = 0; n < 8; ++n) {
     const int a = i + (n & 1), b = j + ((n >> 1) & 1), c = k + (n >> 2);
     const std::uint32_t h = lattice_hash(a, b, c, seed);
-    const auto jitter = [&](int shift) { return 0.2f + 0.6f * static_cast<float>((h >> shift) & 1023u) * (1.0f / 1023.0f); };
+    const auto jitter = [&](int shift) {
+      return 0.2f + 0.6f * static_cast<float>((h >> shift) & 1023u) * (1.0f / 1023.0f);
+    };
     const glm::vec3 d(static_cast<float>(a) + jitter(0) - p.x, static_cast<float>(b) + jitter(10) - p.y,
                       static_cast<float>(c) + jitter(20) - p.z);
     const float d2 = glm::dot(d, d);

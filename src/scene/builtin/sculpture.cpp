@@ -6,13 +6,17 @@ namespace dermis::scene::builtin {
 vec3 to_symmetric(const vec3& p) {
   vec3 q = p;
   const float face = smooth_step(-20, 60, p.z);
-  q.y += face * (0.012f * p.x + 0.8f * std::sin(0.035f * p.x + 0.6f));  // one eye and one corner of the mouth a little higher
-  q.x += face * (0.9f * std::sin(0.024f * p.y + 0.4f) - 0.3f);          // nose and chin a hair off the midline
+  // one eye and one corner of the mouth a little higher
+  q.y += face * (0.012f * p.x + 0.8f * std::sin(0.035f * p.x + 0.6f));
+  // nose and chin a hair off the midline
+  q.x += face * (0.9f * std::sin(0.024f * p.y + 0.4f) - 0.3f);
   q.z += 0.010f * p.x * face;
   return q;
 }
 
-float Sculpture::field(const vec3& p, Detail detail) const { return soft_max(uncut(p, detail), cut_mm - p.y, 7.0f); }
+float Sculpture::field(const vec3& p, Detail detail) const {
+  return soft_max(uncut(p, detail), cut_mm - p.y, 7.0f);
+}
 
 float Sculpture::uncut(const vec3& p, Detail detail) const {
   vec3 q = to_symmetric(p);
@@ -27,7 +31,8 @@ float Sculpture::uncut(const vec3& p, Detail detail) const {
 vec3 Sculpture::project(vec3& p, Detail detail, float step_mm, int steps) const {
   vec3 g(0, 0, 1);
   for (int i = 0; i < steps; ++i) {
-    // Gradient from the corners of a tetrahedron; their mean is the field at its centre, so that one step costs four samples.
+    // Gradient from the corners of a tetrahedron; their mean is the field at its centre, so that one step
+    // costs four samples.
     const float h = step_mm;
     const float a = field(p + vec3(h, -h, -h), detail), b = field(p + vec3(-h, -h, h), detail);
     const float c = field(p + vec3(-h, h, -h), detail), d = field(p + vec3(h, h, h), detail);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bust as a field: skull, face, ears and neck put together. Millimetres; y from the line of the eyes, z from the middle of the
-// head, looking along +z.
+// The bust as a field: skull, face, ears and neck put together. Millimetres; y from the line of the eyes, z
+// from the middle of the head, looking along +z.
 #pragma once
 
 #include "scene/builtin/clay.h"
@@ -8,8 +8,8 @@
 
 namespace dermis::scene::builtin {
 
-/// blunt: no hollows, so that a coarse net can be drawn over it. form: what a mesh of 25,000 triangles can carry. fine: adds creases
-/// narrower than its triangles, for the normal map.
+/// blunt: no hollows, so that a coarse net can be drawn over it. form: what a mesh of 25,000 triangles can
+/// carry. fine: adds creases narrower than its triangles, for the normal map.
 enum class Detail { blunt, form, fine };
 
 /// Brow, orbits, closed eyes, nose, lips, cheeks and chin. Works on the mirrored half (x >= 0, rounded at 0).

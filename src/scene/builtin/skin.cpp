@@ -7,8 +7,8 @@
 namespace dermis::scene::builtin {
 namespace {
 
-// Optical densities of one unit more of melanin and of blood (red, green, blue): melanin falls steadily from blue to red, haemoglobin
-// takes green and blue and hardly any red.
+// Optical densities of one unit more of melanin and of blood (red, green, blue): melanin falls steadily from
+// blue to red, haemoglobin takes green and blue and hardly any red.
 const vec3 melanin_density(0.22f, 0.40f, 0.62f);
 const vec3 blood_density(0.06f, 0.62f, 0.46f);
 const vec3 base_albedo(0.60f, 0.385f, 0.275f);  // a light to medium complexion, linear
@@ -62,21 +62,24 @@ Region Skin::region(const vec3& p) const {
   r.nose_tip = bell(q, {0, -38, 116}, {13, 9, 14}) + 0.8f * bell(q, {15, -43, 96}, {5, 6, 8});
   r.nose = bell(q, {0, -24, 104}, {15, 26, 24});
   r.forehead = face * smooth_step(14, 34, q.y) * (1 - r.scalp);
-  r.t_zone = std::min(1.0f, r.nose + r.nose_tip + r.forehead * std::exp(-q.x * q.x / 900) + 0.6f * bell(q, {0, -100, 94}, {18, 12, 16}));
+  r.t_zone = std::min(1.0f, r.nose + r.nose_tip + r.forehead * std::exp(-q.x * q.x / 900) +
+                                0.6f * bell(q, {0, -100, 94}, {18, 12, 16}));
   r.under_eye = bell(q, {28, -15, 78}, {14, 7, 16});
   r.upper_lid = bell(q, {31, 1, 80}, {17, 9, 16});
   r.crow = bell(q, {55, -3, 60}, {9, 13, 16});
   r.chin = face * bell(q, {0, -102, 94}, {24, 15, 24});
   const float moustache = bell(q, {12, -55, 97}, {16, 7, 14});
-  const float jaw = smooth_step(-52, -76, q.y + 0.25f * (60 - q.z)) * (1 - smooth_step(-112, -140, q.y)) * smooth_step(2, 22, q.z);
+  const float jaw = smooth_step(-52, -76, q.y + 0.25f * (60 - q.z)) * (1 - smooth_step(-112, -140, q.y)) *
+                    smooth_step(2, 22, q.z);
   r.beard = std::min(1.0f, std::max(jaw, moustache)) * (1 - r.lips);
   return r;
 }
 
 Region blend(const Region& a, const Region& b, float t) {
-  constexpr float Region::*parts[] = {&Region::lips,     &Region::cheek,  &Region::nose_tip,  &Region::nose,      &Region::ear,
-                                      &Region::forehead, &Region::t_zone, &Region::under_eye, &Region::upper_lid, &Region::beard,
-                                      &Region::scalp,    &Region::neck,   &Region::crow,      &Region::chin,      &Region::complexion};
+  constexpr float Region::*parts[] = {
+      &Region::lips,     &Region::cheek,  &Region::nose_tip,  &Region::nose,      &Region::ear,
+      &Region::forehead, &Region::t_zone, &Region::under_eye, &Region::upper_lid, &Region::beard,
+      &Region::scalp,    &Region::neck,   &Region::crow,      &Region::chin,      &Region::complexion};
   Region r;
   r.symmetric = glm::mix(a.symmetric, b.symmetric, t);
   for (float Region::*const part : parts) r.*part = a.*part + t * (b.*part - a.*part);
@@ -90,20 +93,22 @@ float Skin::hair(const vec3& p, const vec3& q) const {
   const vec2 brow = brow_.nearest(q, 6.0f);
   if (brow.x < 6.0f) {
     const float half = 4.4f * (1 - 0.7f * brow.y);
-    cover = std::max(cover, 0.22f * (1 - smooth_step(0.3f * half, 1.1f * half, brow.x)) * smooth_step(0.0f, 0.12f, brow.y) *
-                                (1 - smooth_step(0.85f, 1.0f, brow.y)));
+    cover = std::max(cover, 0.22f * (1 - smooth_step(0.3f * half, 1.1f * half, brow.x)) *
+                                smooth_step(0.0f, 0.12f, brow.y) * (1 - smooth_step(0.85f, 1.0f, brow.y)));
   }
   const vec2 lash = lash_.nearest(q, 1.2f);
-  return std::max(
-      cover, 0.80f * (1 - smooth_step(0.15f, 0.75f, lash.x)) * smooth_step(0.02f, 0.12f, lash.y) * (1 - smooth_step(0.97f, 1.0f, lash.y)));
+  return std::max(cover, 0.80f * (1 - smooth_step(0.15f, 0.75f, lash.x)) * smooth_step(0.02f, 0.12f, lash.y) *
+                             (1 - smooth_step(0.97f, 1.0f, lash.y)));
 }
 
 vec3 Skin::tint(const vec3& p, const Region& r) const {
-  const float broad = r.complexion, mottle = layered_noise(p * 0.16f, 3, 5), grain = gradient_noise(p * 1.1f, 9);
-  float melanin = 0.10f * broad + 0.05f * mottle + 0.05f * grain + 0.16f * r.forehead + 0.10f * r.neck - 0.10f * r.lips;
+  const float broad = r.complexion, mottle = layered_noise(p * 0.16f, 3, 5),
+              grain = gradient_noise(p * 1.1f, 9);
+  float melanin =
+      0.10f * broad + 0.05f * mottle + 0.05f * grain + 0.16f * r.forehead + 0.10f * r.neck - 0.10f * r.lips;
   float blood = 0.10f * mottle + 0.07f * layered_noise(p * 0.45f, 2, 13) + 0.05f * broad;
-  blood += 0.34f * r.cheek * (1 + 0.7f * mottle) + 0.42f * r.nose_tip + 0.42f * r.ear + 0.18f * r.chin + 0.20f * r.upper_lid -
-           0.10f * r.forehead;
+  blood += 0.34f * r.cheek * (1 + 0.7f * mottle) + 0.42f * r.nose_tip + 0.42f * r.ear + 0.18f * r.chin +
+           0.20f * r.upper_lid - 0.10f * r.forehead;
   const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
   blood += 0.25f * bell(q, {18, -42, 90}, {5, 8, 10});
   // Freckles: sparse cells, each with its own size and strength, over cheeks and nose.
@@ -113,7 +118,8 @@ vec3 Skin::tint(const vec3& p, const Region& r) const {
     const Cell c = cells(p * scale + 0.15f * grain, 41u + static_cast<std::uint32_t>(layer));
     const float chance = unit(c.id), radius = (0.10f + 0.16f * unit(c.id * 2246822519u));
     if (chance < 0.55f * where)
-      melanin += (0.25f + 0.5f * unit(c.id * 3266489917u)) * where * (1 - smooth_step(0.4f * radius, radius * 1.3f, c.nearest));
+      melanin += (0.25f + 0.5f * unit(c.id * 3266489917u)) * where *
+                 (1 - smooth_step(0.4f * radius, radius * 1.3f, c.nearest));
   }
   vec3 albedo = base_albedo * glm::exp(-melanin * melanin_density - blood * blood_density);
   // Thin skin over veins; a shaven beard and a shaven scalp: hair in the skin looks blue-grey through it.
@@ -133,7 +139,9 @@ SkinPoint Skin::paint(const vec3& p, const Region& r) const {
   const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
   s.albedo = tint(p, r);
   const float patch = layered_noise(p * 0.12f, 2, 71);
-  s.specular = std::clamp(0.62f + 0.30f * r.t_zone + 0.08f * patch - 0.12f * r.neck - 0.08f * r.scalp - 0.08f * r.under_eye, 0.0f, 1.0f);
+  s.specular = std::clamp(
+      0.62f + 0.30f * r.t_zone + 0.08f * patch - 0.12f * r.neck - 0.08f * r.scalp - 0.08f * r.under_eye, 0.0f,
+      1.0f);
   s.roughness = 0.565f - 0.085f * r.t_zone + 0.03f * patch + 0.02f * r.cheek + 0.02f * r.neck;
   if (r.lips > 0) {
     const float streak = gradient_noise(vec3(p.x * 1.5f, p.y * 0.25f, p.z * 0.4f), 81);
@@ -155,7 +163,8 @@ float Skin::relief_mm(const vec3& p, const Region& r) const {
   const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
   // Pores: wide and deep on nose, inner cheek and chin, hardly any on lids and lips.
   const float bare = (1 - r.lips) * (1 - 0.85f * std::min(1.0f, r.upper_lid + 0.7f * r.under_eye));
-  const float oily = std::min(1.0f, r.nose + 0.8f * r.nose_tip + 0.55f * r.cheek + 0.45f * r.forehead + 0.4f * r.chin);
+  const float oily =
+      std::min(1.0f, r.nose + 0.8f * r.nose_tip + 0.55f * r.cheek + 0.45f * r.forehead + 0.4f * r.chin);
   const Cell pore = cells(p * 0.78f, 101);
   const float radius = 0.16f + 0.10f * unit(pore.id);
   float h = -bare * (0.024f + 0.062f * oily) * (0.4f + 0.6f * unit(pore.id * 668265263u)) *
@@ -174,7 +183,8 @@ float Skin::relief_mm(const vec3& p, const Region& r) const {
     const float wander = 2.2f * gradient_noise(vec3(p.x * 0.03f, p.y * 0.05f, 1), 137);
     const float crease = std::abs(std::sin((q.y + wander - 4.0f * std::cos(q.x * 0.035f)) * 0.30f));
     h -= 0.085f * r.forehead * (1 - smooth_step(0.0f, 0.20f, crease)) *
-         smooth_step(-0.2f, 0.5f, gradient_noise(vec3(p.x * 0.035f, p.y * 0.06f, 7), 139)) * std::exp(-q.x * q.x / 1500);
+         smooth_step(-0.2f, 0.5f, gradient_noise(vec3(p.x * 0.035f, p.y * 0.06f, 7), 139)) *
+         std::exp(-q.x * q.x / 1500);
   }
   const float eye = std::max(r.crow, 0.8f * r.under_eye);
   if (eye > 0.02f) {
@@ -183,10 +193,13 @@ float Skin::relief_mm(const vec3& p, const Region& r) const {
     const float fan = std::abs(std::sin(angle * 9.0f + 0.6f * gradient_noise(p * 0.12f, 149)));
     h -= 0.060f * r.crow * (1 - smooth_step(0.0f, 0.30f, fan)) * smooth_step(10, 16, reach);
     h -= 0.030f * r.under_eye *
-         (1 - smooth_step(0.0f, 0.5f, std::abs(std::sin(q.y * 1.5f + 0.05f * q.x * q.x * 0.1f + 1.2f * gradient_noise(p * 0.2f, 151)))));
+         (1 - smooth_step(0.0f, 0.5f,
+                          std::abs(std::sin(q.y * 1.5f + 0.05f * q.x * q.x * 0.1f +
+                                            1.2f * gradient_noise(p * 0.2f, 151)))));
   }
   if (r.neck > 0.05f) {
-    const float ring = std::abs(std::sin((q.y + 0.22f * q.z + 2.0f * gradient_noise(p * 0.03f, 157)) * 0.16f));
+    const float ring =
+        std::abs(std::sin((q.y + 0.22f * q.z + 2.0f * gradient_noise(p * 0.03f, 157)) * 0.16f));
     h -= 0.13f * r.neck * (1 - smooth_step(0.0f, 0.22f, ring)) * smooth_step(-10, 20, q.z);
   }
   return h;

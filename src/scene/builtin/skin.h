@@ -13,7 +13,8 @@ struct SkinPoint {
   float roughness = 0.5f;  ///< glTF roughness (m = roughness^2)
 };
 
-/// Where a point lies on the face; all 0..1 unless said otherwise. Varies over millimetres, so it is worked out on a net and blended.
+/// Where a point lies on the face; all 0..1 unless said otherwise. Varies over millimetres, so it is worked
+/// out on a net and blended.
 struct Region {
   vec3 symmetric{0};  ///< mm; x keeps its sign (left is positive), the painter takes |x|
   float lips = 0, cheek = 0, nose_tip = 0, nose = 0, ear = 0, forehead = 0, t_zone = 0;

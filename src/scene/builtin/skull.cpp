@@ -8,9 +8,10 @@ namespace {
 
 const vec3 centre(0, -5, 0);
 
-// Landmarks of the left half and the midline, mm: y from the line of the eyes, z from the middle of the head. Placed by the canon of
-// proportions (eyes at half height, nose base half-way from brow to chin, mouth a third below) and rounded anthropometric means:
-// head 230 high, 152 wide, 195 long, face 140 wide at the cheekbones, jaw 104 wide.
+// Landmarks of the left half and the midline, mm: y from the line of the eyes, z from the middle of the head.
+// Placed by the canon of proportions (eyes at half height, nose base half-way from brow to chin, mouth a
+// third below) and rounded anthropometric means: head 230 high, 152 wide, 195 long, face 140 wide at the
+// cheekbones, jaw 104 wide.
 const std::vector<vec3> landmarks = {
     // midline, front, from the crown down; the nose is not part of this mass
     {0, 115, -8},
@@ -89,7 +90,8 @@ const std::vector<vec3> landmarks = {
     {72, 12, -52},
     {56, 12, -78},
     {30, 12, -94},
-    // orbit (eyeballs come later) and cheekbone {12, 0, 79}, {20, 0, 75.5f}, {32, 1, 75}, {42, 0, 73.5f}, {50, -1, 68.5f},
+    // orbit (eyeballs come later) and cheekbone {12, 0, 79}, {20, 0, 75.5f}, {32, 1, 75}, {42, 0, 73.5f},
+    // {50, -1, 68.5f},
     {57, -2, 58},
     {64, -3, 40},
     {70, -4, 18},
@@ -170,7 +172,8 @@ const std::vector<vec3> landmarks = {
     {30, -98, 2},
     {18, -103, -6}};
 
-// How far the surface may miss a landmark to stay smooth; adds to the diagonal of the interpolation (bending units).
+// How far the surface may miss a landmark to stay smooth; adds to the diagonal of the interpolation (bending
+// units).
 constexpr double stiffness = 2e-5;
 
 struct Interpolant {
@@ -196,7 +199,8 @@ void solve(std::vector<double>& a, std::vector<double>& b) {
       if (std::abs(a[i * n + k]) > std::abs(a[pivot * n + k])) pivot = i;
     }
     if (pivot != k) {
-      std::swap_ranges(a.begin() + static_cast<std::ptrdiff_t>(k * n), a.begin() + static_cast<std::ptrdiff_t>((k + 1) * n),
+      std::swap_ranges(a.begin() + static_cast<std::ptrdiff_t>(k * n),
+                       a.begin() + static_cast<std::ptrdiff_t>((k + 1) * n),
                        a.begin() + static_cast<std::ptrdiff_t>(pivot * n));
       std::swap(b[k], b[pivot]);
     }
@@ -227,7 +231,8 @@ Interpolant interpolate_landmarks() {
   const std::size_t n = radii.size(), m = n + 4;
   std::vector<double> a(m * m, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) a[i * m + j] = std::pow(static_cast<double>(glm::distance(f.directions[i], f.directions[j])), 3);
+    for (std::size_t j = 0; j < n; ++j)
+      a[i * m + j] = std::pow(static_cast<double>(glm::distance(f.directions[i], f.directions[j])), 3);
     a[i * m + i] += stiffness;
     const std::array<double, 4> linear = {1.0, f.directions[i].x, f.directions[i].y, f.directions[i].z};
     for (std::size_t k = 0; k < 4; ++k) a[i * m + n + k] = a[(n + k) * m + i] = linear[k];
@@ -238,7 +243,8 @@ Interpolant interpolate_landmarks() {
   return f;
 }
 
-// Cube faces +X -X +Y -Y +Z -Z; s and t are the two other axes in cyclic order, divided by the major one's magnitude.
+// Cube faces +X -X +Y -Y +Z -Z; s and t are the two other axes in cyclic order, divided by the major one's
+// magnitude.
 vec3 cube_direction(int face, float s, float t) {
   const int axis = face / 2;
   vec3 d(0);
@@ -252,7 +258,9 @@ vec3 cube_direction(int face, float s, float t) {
 float warp(float s) { return std::tan(s * 0.785398163f); }
 float unwarp(float s) { return std::atan(s) / 0.785398163f; }
 
-vec2 cubic_weights_low(float t) { return {t * (-0.5f + t * (1.0f - 0.5f * t)), 1.0f + t * t * (-2.5f + 1.5f * t)}; }
+vec2 cubic_weights_low(float t) {
+  return {t * (-0.5f + t * (1.0f - 0.5f * t)), 1.0f + t * t * (-2.5f + 1.5f * t)};
+}
 vec2 cubic_weights_high(float t) { return {t * (0.5f + t * (2.0f - 1.5f * t)), t * t * (-0.5f + 0.5f * t)}; }
 
 }  // namespace
@@ -262,7 +270,9 @@ Skull::Skull() {
   for (auto& face : radii_) face.resize(static_cast<std::size_t>(stride * stride));
   parallel_for(6 * stride, [&](std::size_t row) {
     const int face = static_cast<int>(row) / stride, j = static_cast<int>(row) % stride;
-    const auto at = [](int k) { return warp(2.0f * static_cast<float>(k - margin) / static_cast<float>(side) - 1.0f); };
+    const auto at = [](int k) {
+      return warp(2.0f * static_cast<float>(k - margin) / static_cast<float>(side) - 1.0f);
+    };
     for (int i = 0; i < stride; ++i) {
       radii_[static_cast<std::size_t>(face)][static_cast<std::size_t>(j * stride + i)] =
           static_cast<float>(f.radius(cube_direction(face, at(i), at(j))));
@@ -277,9 +287,11 @@ float Skull::radius(const vec3& d) const {
   const float inverse = 1.0f / std::max(m[axis], 1e-6f);
   const float x = (unwarp(d[(axis + 1) % 3] * inverse) + 1.0f) * 0.5f * side + margin;
   const float y = (unwarp(d[(axis + 2) % 3] * inverse) + 1.0f) * 0.5f * side + margin;
-  const int i = std::clamp(static_cast<int>(x), 1, stride - 3), j = std::clamp(static_cast<int>(y), 1, stride - 3);
+  const int i = std::clamp(static_cast<int>(x), 1, stride - 3),
+            j = std::clamp(static_cast<int>(y), 1, stride - 3);
   const float tx = x - static_cast<float>(i), ty = y - static_cast<float>(j);
-  const vec2 xl = cubic_weights_low(tx), xh = cubic_weights_high(tx), yl = cubic_weights_low(ty), yh = cubic_weights_high(ty);
+  const vec2 xl = cubic_weights_low(tx), xh = cubic_weights_high(tx), yl = cubic_weights_low(ty),
+             yh = cubic_weights_high(ty);
   const std::array<float, 4> wy = {yl.x, yl.y, yh.x, yh.y};
   float sum = 0;
   for (int k = 0; k < 4; ++k) {

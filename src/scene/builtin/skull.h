@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mass of the head without neck, nose, lips, lids and ears: the smoothest star-shaped surface through a list of landmarks.
+// The mass of the head without neck, nose, lips, lids and ears: the smoothest star-shaped surface through a
+// list of landmarks.
 #pragma once
 
 #include <array>
@@ -9,8 +10,9 @@
 
 namespace dermis::scene::builtin {
 
-/// r(direction) about a centre: a cubic radial basis function interpolates the landmarks' radii over the sphere of directions (the
-/// least bending of all interpolants in space), and a cube map of it makes it cheap.
+/// r(direction) about a centre: a cubic radial basis function interpolates the landmarks' radii over the
+/// sphere of directions (the least bending of all interpolants in space), and a cube map of it makes it
+/// cheap.
 class Skull {
  public:
   Skull();

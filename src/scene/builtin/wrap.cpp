@@ -22,8 +22,8 @@ float pull(const vec3& p, const Frame& ear) {
   const vec3 m(std::abs(p.x), p.y, p.z);
   const vec3 e = (vec3(m.x, m.y, m.z) - ear.origin) / vec3(20, 36, 30);
   float w = 0.45f + 0.55f * near({0, -30, 95}, {62, 75, 55}) + 0.22f * near({0, 42, 90}, {60, 38, 60});
-  w += 2.6f * near({31, -1, 78}, {23, 17, 30}) + 1.1f * near({0, -69, 97}, {31, 16, 30}) + 2.0f * near({0, -38, 108}, {23, 20, 34}) +
-       0.45f * near({50, -30, 66}, {26, 30, 34});
+  w += 2.6f * near({31, -1, 78}, {23, 17, 30}) + 1.1f * near({0, -69, 97}, {31, 16, 30}) +
+       2.0f * near({0, -38, 108}, {23, 20, 34}) + 0.45f * near({50, -30, 66}, {26, 30, 34});
   w += 1.2f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
   // Averaging thins the net on a sharp ridge, so the rim of the ear pulls more.
   const vec3 local = ear.to_local(m);
@@ -34,27 +34,34 @@ float pull(const vec3& p, const Frame& ear) {
   return w * w;
 }
 
-// Square to disc (elliptical grid map), disc to a hemisphere of equal area, longitudes doubled: the whole sphere, cut behind.
+// Square to disc (elliptical grid map), disc to a hemisphere of equal area, longitudes doubled: the whole
+// sphere, cut behind.
 vec3 sphere_direction(float s, float t) {
   const float x = s * std::sqrt(1.0f - 0.5f * t * t), y = t * std::sqrt(1.0f - 0.5f * s * s);
   const float r = std::min(std::sqrt(x * x + y * y), 1.0f);
-  const float sine = r * std::sqrt(2.0f - r * r);  // of the angle from the front of the hemisphere: 2 asin(r / sqrt 2)
+  // of the angle from the front of the hemisphere: 2 asin(r / sqrt 2)
+  const float sine = r * std::sqrt(2.0f - r * r);
   const float k = r > 1e-6f ? sine / r : std::sqrt(2.0f);
   const vec3 h(x * k, y * k, 1.0f - r * r);
-  const float longitude = 2.0f * std::atan2(h.x, std::max(h.z, 0.0f)), ring = std::sqrt(h.x * h.x + h.z * h.z);
+  const float longitude = 2.0f * std::atan2(h.x, std::max(h.z, 0.0f)),
+              ring = std::sqrt(h.x * h.x + h.z * h.z);
   return {ring * std::sin(longitude), h.y, ring * std::cos(longitude)};
 }
 
-// The part of the net under the cut hangs on its rim: from there to a line along the middle, on which the lower side is folded.
+// The part of the net under the cut hangs on its rim: from there to a line along the middle, on which the
+// lower side is folded.
 void lay_cap(Net& net) {
   const int rim_row = net.rows / rim_part;
   vec3 middle(0);
-  for (int i = 0; i < net.columns; ++i) middle += net.at_mm[net.index(i, rim_row)] / static_cast<float>(net.columns);
+  for (int i = 0; i < net.columns; ++i)
+    middle += net.at_mm[net.index(i, rim_row)] / static_cast<float>(net.columns);
   for (int i = 0; i <= net.columns; ++i) {
     const vec3 rim = net.at_mm[net.index(i, rim_row)];
     // Evenly from behind to the front, the same for both halves.
-    const float along = static_cast<float>(std::min(i, net.columns - i)) / (0.5f * static_cast<float>(net.columns));
-    const vec3 spine = glm::mix(net.at_mm[net.index(0, rim_row)], net.at_mm[net.index(net.columns / 2, rim_row)], along);
+    const float along =
+        static_cast<float>(std::min(i, net.columns - i)) / (0.5f * static_cast<float>(net.columns));
+    const vec3 spine =
+        glm::mix(net.at_mm[net.index(0, rim_row)], net.at_mm[net.index(net.columns / 2, rim_row)], along);
     vec3 line = middle + 0.75f * (spine - middle);
     line.y = Sculpture::cut_mm;
     for (int j = 0; j < rim_row; ++j) {
@@ -66,7 +73,8 @@ void lay_cap(Net& net) {
   }
 }
 
-// The net tends to draw together on one side of the face at the other's expense; as long as it is coarse its halves are made equal.
+// The net tends to draw together on one side of the face at the other's expense; as long as it is coarse its
+// halves are made equal.
 void balance_halves(Net& net) {
   for (int j = 0; j <= net.rows; ++j) {
     for (int i = 0; i <= net.columns / 2; ++i) {
@@ -81,7 +89,8 @@ void balance_halves(Net& net) {
 void close_seam(Net& net) {
   for (int j = 0; j <= net.rows; ++j) net.at_mm[net.index(net.columns, j)] = net.at_mm[net.index(0, j)];
   for (const int j : {0, net.rows}) {
-    for (int i = 0; i < net.columns / 2; ++i) net.at_mm[net.index(net.columns - i, j)] = net.at_mm[net.index(i, j)];
+    for (int i = 0; i < net.columns / 2; ++i)
+      net.at_mm[net.index(net.columns - i, j)] = net.at_mm[net.index(i, j)];
   }
 }
 
@@ -93,7 +102,8 @@ Net first_net(const Sculpture& bust, int columns, int rows) {
     for (int i = 0; i <= columns; ++i) {
       const vec3 d = sphere_direction(2.0f * static_cast<float>(i) / static_cast<float>(columns) - 1.0f,
                                       2.0f * static_cast<float>(j) / static_cast<float>(rows) - 1.0f);
-      float inside = 0, outside = 1;  // of a ray from the middle; the bust is star-shaped enough for that at this size
+      // of a ray from the middle; the bust is star-shaped enough for that at this size
+      float inside = 0, outside = 1;
       const vec3 reach = d * vec3(170, 240, 200);
       for (int k = 0; k < 16; ++k) {
         const float t = 0.5f * (inside + outside);
@@ -112,10 +122,12 @@ Net refine(const Net& coarse, int columns, int rows) {
     for (int i = 0; i <= columns; ++i) {
       const float x = static_cast<float>(i * coarse.columns) / static_cast<float>(columns),
                   y = static_cast<float>(j * coarse.rows) / static_cast<float>(rows);
-      const int a = std::min(static_cast<int>(x), coarse.columns - 1), b = std::min(static_cast<int>(y), coarse.rows - 1);
+      const int a = std::min(static_cast<int>(x), coarse.columns - 1),
+                b = std::min(static_cast<int>(y), coarse.rows - 1);
       const float u = x - static_cast<float>(a), v = y - static_cast<float>(b);
       const auto at = [&](int k, int l) { return coarse.at_mm[coarse.index(a + k, b + l)]; };
-      net.at_mm[net.index(i, j)] = glm::mix(glm::mix(at(0, 0), at(1, 0), u), glm::mix(at(0, 1), at(1, 1), u), v);
+      net.at_mm[net.index(i, j)] =
+          glm::mix(glm::mix(at(0, 0), at(1, 0), u), glm::mix(at(0, 1), at(1, 1), u), v);
     }
   }
   close_seam(net);
@@ -129,20 +141,22 @@ vec3 facing(const Net& net, int i, int j) {
   return length > 1e-6f ? n / length : vec3(0);  // zero where the net is folded
 }
 
-// Where the threads pull node (i, j). A longer thread pulls harder than in proportion, which keeps the net dense on nose and ears.
+// Where the threads pull node (i, j). A longer thread pulls harder than in proportion, which keeps the net
+// dense on nose and ears.
 vec3 balance(const Net& net, const std::vector<float>& weight, int i, int j) {
   const std::size_t self = net.index(i, j);
   vec3 sum(0);
   float total = 0;
   const auto thread = [&](int di, int dj, float share) {
     const std::size_t other = net.folded(i + di, j + dj);
-    const float w = share * (weight[self] + weight[other]) * (0.2f + glm::distance(net.at_mm[self], net.at_mm[other]));
+    const float w =
+        share * (weight[self] + weight[other]) * (0.2f + glm::distance(net.at_mm[self], net.at_mm[other]));
     sum += w * net.at_mm[other];
     total += w;
   };
   thread(1, 0, 1), thread(-1, 0, 1);
-  // The fold over the crown and the rim are cords that the net hangs on: they keep their length, or the end of the fold would be drawn
-  // down to the forehead and the rim would bunch up behind.
+  // The fold over the crown and the rim are cords that the net hangs on: they keep their length, or the end
+  // of the fold would be drawn down to the forehead and the rim would bunch up behind.
   if (j == net.rows / rim_part || (j == net.rows && i % net.columns != 0)) return sum / total;
   thread(0, 1, 1), thread(0, -1, 1);
   thread(1, 1, 0.25f), thread(-1, -1, 0.25f), thread(-1, 1, 0.25f), thread(1, -1, 0.25f);
@@ -193,8 +207,10 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
         if (f < -2.0f) p += side * std::min(-f, 4.0f);
         const vec3 before = p;
         const vec3 n = bust.project(p, detail, eps_mm, 1);
-        // Where the net has folded or slipped to the other side it is let off the surface until it is smooth again.
-        if (round + 3 < rounds && glm::dot(n, side) < 0.25f) p = glm::mix(before, balance(net, weight, i, j), 0.7f);
+        // Where the net has folded or slipped to the other side it is let off the surface until it is smooth
+        // again.
+        if (round + 3 < rounds && glm::dot(n, side) < 0.25f)
+          p = glm::mix(before, balance(net, weight, i, j), 0.7f);
         net.normal[self] = n;
         next[self] = p;
       }
@@ -221,7 +237,8 @@ std::size_t Net::folded(int i, int j) const {
 Net wrap(const Sculpture& bust, int columns, int rows) {
   DERMIS_ASSERT(columns % 8 == 0 && rows % (4 * rim_part) == 0);
   Net net = first_net(bust, columns / 4, rows / 4);
-  // Coarse nets are drawn over the blunt bust, the hollows last: a net that enters an ear before it is fine enough jumps over its rim.
+  // Coarse nets are drawn over the blunt bust, the hollows last: a net that enters an ear before it is fine
+  // enough jumps over its rim.
   relax(net, bust, Detail::blunt, 120, 5.0f);
   relax(net, bust, Detail::blunt, 80, 4.0f);
   net = refine(net, columns / 2, rows / 2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A square net drawn over the bust: its left and right sides meet along the back of the head, its upper side is folded in two over the
-// crown and its lower side under the cut. So one chart without overlap, one seam, and no pole where triangles would shrink to needles.
+// A square net drawn over the bust: its left and right sides meet along the back of the head, its upper side
+// is folded in two over the crown and its lower side under the cut. So one chart without overlap, one seam,
+// and no pole where triangles would shrink to needles.
 #pragma once
 
 #include "scene/builtin/sculpture.h"
@@ -18,7 +19,8 @@ struct Net {
   std::size_t folded(int i, int j) const;
 };
 
-/// Draws the net: spread evenly (denser where the face needs it), lying on the form. The same bits on every run.
+/// Draws the net: spread evenly (denser where the face needs it), lying on the form. The same bits on every
+/// run.
 Net wrap(const Sculpture& bust, int columns, int rows);
 
 }  // namespace dermis::scene::builtin

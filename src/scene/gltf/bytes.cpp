@@ -23,12 +23,14 @@ Component_ load(const std::byte* from) {
 /// glTF 2.0, 3.6.2.2: c / 127 and c / 255 and so on; the most negative number is -1 like its neighbour.
 template <class Component_>
 float normalized_value(Component_ value) {
-  return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<Component_>::max()), -1.0f);
+  return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<Component_>::max()),
+                  -1.0f);
 }
 
 /// Copies `count` elements, `stride` bytes apart, to out. The caller has checked that they lie in the view.
 template <class Component_, class T>
-void copy_elements(const Accessor& a, const std::byte* from, std::uint64_t count, std::uint64_t stride, T* out) {
+void copy_elements(const Accessor& a, const std::byte* from, std::uint64_t count, std::uint64_t stride,
+                   T* out) {
   const std::uint64_t column = column_bytes(a);
   for (std::uint64_t i = 0; i < count; ++i)
     for (int c = 0; c < a.columns; ++c)
@@ -42,7 +44,8 @@ void copy_elements(const Accessor& a, const std::byte* from, std::uint64_t count
 }
 
 template <class T>
-void copy_any(const Accessor& a, Component component, const std::byte* from, std::uint64_t count, std::uint64_t stride, T* out) {
+void copy_any(const Accessor& a, Component component, const std::byte* from, std::uint64_t count,
+              std::uint64_t stride, T* out) {
   switch (component) {
     case Component::int8: return copy_elements<std::int8_t>(a, from, count, stride, out);
     case Component::uint8: return copy_elements<std::uint8_t>(a, from, count, stride, out);
@@ -57,26 +60,30 @@ void copy_any(const Accessor& a, Component component, const std::byte* from, std
 }  // namespace
 
 Bytes::Bytes(const Document& document, const Container& container) : document_(document) {
-  for (std::size_t i = 0; i < document.buffers.size(); ++i) buffers_.push_back(buffer_bytes(document.buffers[i], i, container));
+  for (std::size_t i = 0; i < document.buffers.size(); ++i)
+    buffers_.push_back(buffer_bytes(document.buffers[i], i, container));
 }
 
 Bytes::Shared Bytes::file_bytes(const std::filesystem::path& path) {
   Shared& file = files_[path.lexically_normal()];
   if (!file) {
-    file = std::make_shared<const std::vector<std::byte>>(read_file(path, std::min(budget_bytes_, std::uint64_t{2} << 30)));
+    file = std::make_shared<const std::vector<std::byte>>(
+        read_file(path, std::min(budget_bytes_, std::uint64_t{2} << 30)));
     budget_bytes_ -= file->size();
   }
   return file;
 }
 
-std::span<const std::byte> Bytes::buffer_bytes(const Buffer& buffer, std::size_t number, const Container& container) {
+std::span<const std::byte> Bytes::buffer_bytes(const Buffer& buffer, std::size_t number,
+                                               const Container& container) {
   if (!buffer.uri && !buffer.is_chunk) return {};
   const std::string where = fmt::format("{}: buffers[{}]", document_.file, number);
   std::span<const std::byte> bytes;
   if (!buffer.uri) {
     bytes = *container.binary;
     if (bytes.size() > buffer.byte_length + glb_padding_bytes)
-      throw input_error(where, "byteLength is {}, the binary chunk has {} bytes", buffer.byte_length, bytes.size());
+      throw input_error(where, "byteLength is {}, the binary chunk has {} bytes", buffer.byte_length,
+                        bytes.size());
   } else if (auto data = data_uri(*buffer.uri, where)) {
     embedded_.push_back(std::make_shared<const std::vector<std::byte>>(std::move(*data)));
     bytes = *embedded_.back();
@@ -84,13 +91,16 @@ std::span<const std::byte> Bytes::buffer_bytes(const Buffer& buffer, std::size_t
     bytes = *file_bytes(uri_path(document_.folder, *buffer.uri, where));
   }
   if (bytes.size() < buffer.byte_length)
-    throw input_error(where, "is cut off: byteLength is {}, there are {} bytes", buffer.byte_length, bytes.size());
+    throw input_error(where, "is cut off: byteLength is {}, there are {} bytes", buffer.byte_length,
+                      bytes.size());
   return bytes.first(buffer.byte_length);
 }
 
 std::span<const std::byte> Bytes::part(int buffer, std::uint64_t offset, std::uint64_t length) const {
   // Ranges were checked against byteLength, which bytes have unless there are none at all.
-  if (buffers_[buffer].empty()) throw input_error(document_.file, "buffers[{}]: is used, but has neither a uri nor a binary chunk", buffer);
+  if (buffers_[buffer].empty())
+    throw input_error(document_.file, "buffers[{}]: is used, but has neither a uri nor a binary chunk",
+                      buffer);
   return buffers_[buffer].subspan(offset, length);
 }
 
@@ -119,14 +129,15 @@ std::vector<T> Bytes::elements(int index) {
   const Sparse& sparse = *a.sparse;
   const Accessor scalar;  // shape of the sparse indices
   std::vector<std::uint32_t> where(sparse.count);
-  copy_any(scalar, sparse.indices_component, view(sparse.indices_view).data() + sparse.indices_offset, sparse.count,
-           size_of(sparse.indices_component), where.data());
+  copy_any(scalar, sparse.indices_component, view(sparse.indices_view).data() + sparse.indices_offset,
+           sparse.count, size_of(sparse.indices_component), where.data());
   std::vector<T> values(sparse.count * components);
-  copy_any(a, a.component, view(sparse.values_view).data() + sparse.values_offset, sparse.count, stride_bytes(a, BufferView{}),
-           values.data());
+  copy_any(a, a.component, view(sparse.values_view).data() + sparse.values_offset, sparse.count,
+           stride_bytes(a, BufferView{}), values.data());
   for (std::size_t i = 0; i < where.size(); ++i) {
     if (where[i] >= a.count || (i > 0 && where[i] <= where[i - 1]))
-      throw input_error(document_.file, "{}.sparse: index {} is {}; they must increase and stay below {}", a.place, i, where[i], a.count);
+      throw input_error(document_.file, "{}.sparse: index {} is {}; they must increase and stay below {}",
+                        a.place, i, where[i], a.count);
     std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * components), components,
                 out.begin() + static_cast<std::ptrdiff_t>(where[i] * components));
   }

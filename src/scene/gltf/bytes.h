@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bytes behind a document: buffers from chunk, data uris and files, bufferViews (meshopt undone), accessors as floats or integers.
+// The bytes behind a document: buffers from chunk, data uris and files, bufferViews (meshopt undone),
+// accessors as floats or integers.
 #pragma once
 
 #include <map>
@@ -13,12 +14,14 @@ namespace dermis::scene::gltf {
 
 class Bytes {
  public:
-  /// Reads every buffer. InputError: a file is missing or shorter than its byteLength says, 4 GiB in all. Both arguments must outlive this.
+  /// Reads every buffer. InputError: a file is missing or shorter than its byteLength says, 4 GiB in all.
+  /// Both arguments must outlive this.
   Bytes(const Document& document, const Container& container);
 
   /// The bytes of a bufferView, decompressed if need be; valid as long as this.
   std::span<const std::byte> view(int index);
-  /// All elements of an accessor, `components()` numbers each, normalised integers as glTF says, sparse values in place. Finite or not.
+  /// All elements of an accessor, `components()` numbers each, normalised integers as glTF says, sparse
+  /// values in place. Finite or not.
   std::vector<float> floats(int accessor);
   /// The same for an accessor of unsigned integers with one component.
   std::vector<std::uint32_t> integers(int accessor);
@@ -27,7 +30,8 @@ class Bytes {
 
  private:
   using Shared = std::shared_ptr<const std::vector<std::byte>>;
-  std::span<const std::byte> buffer_bytes(const Buffer& buffer, std::size_t number, const Container& container);
+  std::span<const std::byte> buffer_bytes(const Buffer& buffer, std::size_t number,
+                                          const Container& container);
   std::span<const std::byte> part(int buffer, std::uint64_t offset, std::uint64_t length) const;
   Shared file_bytes(const std::filesystem::path& path);
   template <class T>
@@ -41,7 +45,9 @@ class Bytes {
   std::uint64_t budget_bytes_ = std::uint64_t{4} << 30;  ///< what may still be read
 };
 
-/// Undoes EXT_meshopt_compression. InputError (where): damaged, or a size that the compressed bytes cannot hold.
-std::vector<std::byte> decode_meshopt(const MeshoptView& view, std::span<const std::byte> compressed, const std::string& where);
+/// Undoes EXT_meshopt_compression. InputError (where): damaged, or a size that the compressed bytes cannot
+/// hold.
+std::vector<std::byte> decode_meshopt(const MeshoptView& view, std::span<const std::byte> compressed,
+                                      const std::string& where);
 
 }  // namespace dermis::scene::gltf

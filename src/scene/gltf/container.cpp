@@ -13,12 +13,15 @@ constexpr std::uint32_t magic_gltf = 0x46546C67, chunk_json = 0x4E4F534A, chunk_
 constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
 
 std::uint32_t u32_at(std::span<const std::byte> bytes, std::size_t offset) {
-  std::uint32_t value = 0;  // glTF is little-endian, and so is every machine that runs Vulkan drivers we know of
+  // glTF is little-endian, and so is every machine that runs Vulkan drivers we know of
+  std::uint32_t value = 0;
   std::memcpy(&value, bytes.data() + offset, sizeof value);
   return value;
 }
 
-std::string_view as_text(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+std::string_view as_text(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 /// The part of the file that its header claims.
 std::span<const std::byte> checked_extent(const std::string& file, std::span<const std::byte> all) {
@@ -26,8 +29,10 @@ std::span<const std::byte> checked_extent(const std::string& file, std::span<con
   const std::uint32_t version = u32_at(all, 4);
   if (version != 2) throw input_error(file, "has .glb version {}, expected 2", version);
   const std::uint32_t length = u32_at(all, 8);
-  if (length > all.size()) throw input_error(file, "is cut off: its header says {} bytes, there are {}", length, all.size());
-  if (length < header_bytes + chunk_header_bytes) throw input_error(file, "the .glb length {} is too short to hold a chunk", length);
+  if (length > all.size())
+    throw input_error(file, "is cut off: its header says {} bytes, there are {}", length, all.size());
+  if (length < header_bytes + chunk_header_bytes)
+    throw input_error(file, "the .glb length {} is too short to hold a chunk", length);
   return all.first(length);
 }
 
@@ -35,11 +40,14 @@ void split_chunks(const std::string& file, Container& container) {
   const std::span<const std::byte> all = checked_extent(file, container.bytes);
   std::size_t offset = header_bytes;
   for (int number = 0; offset < all.size(); ++number) {
-    if (all.size() - offset < chunk_header_bytes) throw input_error(file, "the header of .glb chunk {} is cut off", number);
+    if (all.size() - offset < chunk_header_bytes)
+      throw input_error(file, "the header of .glb chunk {} is cut off", number);
     const std::uint32_t length = u32_at(all, offset), type = u32_at(all, offset + 4);
     offset += chunk_header_bytes;
-    if (length > all.size() - offset) throw input_error(file, ".glb chunk {} of {} bytes reaches past the end of the file", number, length);
-    if (length % 4 != 0) throw input_error(file, ".glb chunk {} has {} bytes, not a multiple of 4", number, length);
+    if (length > all.size() - offset)
+      throw input_error(file, ".glb chunk {} of {} bytes reaches past the end of the file", number, length);
+    if (length % 4 != 0)
+      throw input_error(file, ".glb chunk {} has {} bytes, not a multiple of 4", number, length);
     const auto data = all.subspan(offset, length);
     offset += length;
     if (number == 0) {
@@ -49,7 +57,8 @@ void split_chunks(const std::string& file, Container& container) {
     } else if (type == chunk_json) {
       throw input_error(file, "has two JSON chunks");
     } else if (type == chunk_bin) {
-      if (number != 1) throw input_error(file, "the binary chunk must be the second, is number {}", number + 1);
+      if (number != 1)
+        throw input_error(file, "the binary chunk must be the second, is number {}", number + 1);
       container.binary = data;
     }  // chunks of other types are for extensions: skipped, as the specification asks
   }
@@ -67,8 +76,10 @@ Container open_container(const std::filesystem::path& path) {
     return container;
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  const bool json_like = first != std::string_view::npos && (text[first] == '{' || text.starts_with("\xEF\xBB\xBF"));
-  if (!json_like) throw input_error(file, "is not glTF: it starts with neither 'glTF' (.glb) nor '{{' (.gltf)");
+  const bool json_like =
+      first != std::string_view::npos && (text[first] == '{' || text.starts_with("\xEF\xBB\xBF"));
+  if (!json_like)
+    throw input_error(file, "is not glTF: it starts with neither 'glTF' (.glb) nor '{{' (.gltf)");
   container.json = text;
   return container;
 }

@@ -12,8 +12,10 @@ namespace {
 
 /// What a file may require of us. (Required or not, each is read wherever it stands.)
 constexpr std::array<std::string_view, 9> supported_extensions{
-    "EXT_meshopt_compression", "KHR_draco_mesh_compression", "KHR_lights_punctual", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_specular",     "KHR_materials_unlit", "KHR_mesh_quantization",
+    "EXT_meshopt_compression", "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_specular",
+    "KHR_materials_unlit",     "KHR_mesh_quantization",
     "KHR_texture_transform"};
 
 struct Version {
@@ -24,9 +26,11 @@ Version read_version(const Value& value) {
   const std::string& text = value.text();
   const std::size_t dot = text.find('.');
   const auto digits = [](std::string_view s) {
-    return !s.empty() && s.size() <= 4 && std::all_of(s.begin(), s.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    return !s.empty() && s.size() <= 4 &&
+           std::all_of(s.begin(), s.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
   };
-  if (dot == std::string::npos || !digits(std::string_view(text).substr(0, dot)) || !digits(std::string_view(text).substr(dot + 1)))
+  if (dot == std::string::npos || !digits(std::string_view(text).substr(0, dot)) ||
+      !digits(std::string_view(text).substr(dot + 1)))
     value.fail("must be of the form \"2.0\", is \"{}\"", text.substr(0, 20));
   return {std::stoi(text.substr(0, dot)), std::stoi(text.substr(dot + 1))};
 }
@@ -49,8 +53,8 @@ void check_common(const Value& object) {
 
 void check_collections(const Value& root) {
   check_common(root);
-  for (const char* collection : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images", "materials", "meshes", "nodes",
-                                 "samplers", "scenes", "skins", "textures"})
+  for (const char* collection : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images",
+                                 "materials", "meshes", "nodes", "samplers", "scenes", "skins", "textures"})
     root.for_each(collection, check_common);
 }
 
@@ -60,19 +64,22 @@ void read_header(Document& document, const Value& root) {
   const Value asset = root.at("asset").object();
   const Value version_value = asset.at("version");
   const Version version = read_version(version_value);
-  if (version.major != 2) version_value.fail("glTF {}.{} is not supported, expected 2.0", version.major, version.minor);
+  if (version.major != 2)
+    version_value.fail("glTF {}.{} is not supported, expected 2.0", version.major, version.minor);
   if (const std::optional<Value> least = asset.find("minVersion")) {
     const Version minimum = read_version(*least);
-    if (minimum.major != 2 || minimum.minor != 0) least->fail("needs glTF {}.{}, this reader knows 2.0", minimum.major, minimum.minor);
+    if (minimum.major != 2 || minimum.minor != 0)
+      least->fail("needs glTF {}.{}, this reader knows 2.0", minimum.major, minimum.minor);
   }
   if (version.minor != 0) warn("{}: glTF 2.{} is read as 2.0", document.file, version.minor);
   const auto is_supported = [](const std::string& name) {
-    return std::find(supported_extensions.begin(), supported_extensions.end(), name) != supported_extensions.end();
+    return std::find(supported_extensions.begin(), supported_extensions.end(), name) !=
+           supported_extensions.end();
   };
   for (const std::string& name : names_in(root, "extensionsRequired"))
     if (!is_supported(name))
-      throw input_error(document.file, "requires the extension {}, which is not supported; supported are: {}", name,
-                        fmt::join(supported_extensions, ", "));
+      throw input_error(document.file, "requires the extension {}, which is not supported; supported are: {}",
+                        name, fmt::join(supported_extensions, ", "));
   std::vector<std::string> unread;
   for (const std::string& name : names_in(root, "extensionsUsed")) {
     if (!is_supported(name)) unread.push_back(name);

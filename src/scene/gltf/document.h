@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A glTF file after reading: plain structs whose references are resolved and in range (-1 = none). No vertex data has been touched yet.
+// A glTF file after reading: plain structs whose references are resolved and in range (-1 = none). No vertex
+// data has been touched yet.
 #pragma once
 
 #include <array>
@@ -48,7 +49,14 @@ struct BufferView {
   std::optional<MeshoptView> meshopt;
 };
 
-enum class Component : std::uint16_t { int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125, float32 = 5126 };
+enum class Component : std::uint16_t {
+  int8 = 5120,
+  uint8 = 5121,
+  int16 = 5122,
+  uint16 = 5123,
+  uint32 = 5125,
+  float32 = 5126
+};
 std::uint64_t size_of(Component component);  ///< bytes
 const char* name_of(Component component);
 
@@ -80,9 +88,12 @@ struct Texture {
   bool nearest = false;
 };
 
-std::uint64_t column_bytes(const Accessor& accessor);                          ///< from one column to the next
-std::uint64_t element_bytes(const Accessor& accessor);                         ///< of one element, without padding at its end
-std::uint64_t stride_bytes(const Accessor& accessor, const BufferView& view);  ///< from one element to the next
+/// from one column to the next
+std::uint64_t column_bytes(const Accessor& accessor);
+/// of one element, without padding at its end
+std::uint64_t element_bytes(const Accessor& accessor);
+/// from one element to the next
+std::uint64_t stride_bytes(const Accessor& accessor, const BufferView& view);
 
 using Attributes = std::map<std::string, int>;  ///< semantic -> accessor
 struct DracoData {
@@ -146,7 +157,8 @@ struct Document {
 /// Splits a .glb or .gltf. InputError: chunk framing, empty parts.
 Container open_container(const std::filesystem::path& path);
 
-/// Reads and checks the whole JSON. InputError: version, required extensions, types, ranges, references, loops.
+/// Reads and checks the whole JSON. InputError: version, required extensions, types, ranges, references,
+/// loops.
 Document read_document(const Value& root, const Container& container, const std::filesystem::path& path);
 
 // The parts of read_document, one file each.
@@ -166,6 +178,7 @@ MapRef read_texture_info(const Document& document, const Value& info, const char
 /// The map of a texture with given coordinates' set and transform.
 MapRef map_of_texture(const Document& document, int texture, const Value& where);
 /// extras.dermis of a material. `shared` gives coordinates to maps that are named by number only.
-void read_dermis_extras(const Document& document, const Value& extras, const MapRef& shared, MaterialSource& into);
+void read_dermis_extras(const Document& document, const Value& extras, const MapRef& shared,
+                        MaterialSource& into);
 
 }  // namespace dermis::scene::gltf

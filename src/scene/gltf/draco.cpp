@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// KHR_draco_mesh_compression. The library checks its input but takes memory for what the header claims, so the header is held against the
-// primitive's accessors first.
+// KHR_draco_mesh_compression. The library checks its input but takes memory for what the header claims, so
+// the header is held against the primitive's accessors first.
 #include <cstring>
 
 // The library's headers do not keep our warnings.
@@ -90,19 +90,21 @@ void check_claim(std::span<const std::byte> compressed, std::uint64_t faces, con
   try {
     const HeaderReader::Claim claim = HeaderReader(compressed).read();
     if (claim.known && claim.faces != faces)
-      throw input_error(where, "the Draco data holds {} triangles, the accessor of the indices says {}", claim.faces, faces);
+      throw input_error(where, "the Draco data holds {} triangles, the accessor of the indices says {}",
+                        claim.faces, faces);
     if (faces > compressed.size() * max_faces_per_byte + free_faces)
       throw input_error(where, "{} bytes of Draco data cannot hold {} triangles", compressed.size(), faces);
   } catch (const Damaged&) { throw input_error(where, "the Draco data is damaged"); }
 }
 
-std::vector<float> read_attribute(const draco::Mesh& mesh, std::uint32_t id, const Accessor& accessor, const std::string& where) {
+std::vector<float> read_attribute(const draco::Mesh& mesh, std::uint32_t id, const Accessor& accessor,
+                                  const std::string& where) {
   const draco::PointAttribute* stored = mesh.GetAttributeByUniqueId(id);
   if (stored == nullptr) throw input_error(where, "the Draco data has no attribute {}", id);
   const int components = accessor.components();
   if (stored->num_components() != components)
-    throw input_error(where, "Draco attribute {} has {} components, the accessor {}", id, static_cast<int>(stored->num_components()),
-                      components);
+    throw input_error(where, "Draco attribute {} has {} components, the accessor {}", id,
+                      static_cast<int>(stored->num_components()), components);
   // Our own reading of "normalized": the accessor's word counts, not the one in the compressed data.
   draco::GeometryAttribute attribute = *stored;
   attribute.set_normalized(accessor.normalized);
@@ -110,8 +112,10 @@ std::vector<float> read_attribute(const draco::Mesh& mesh, std::uint32_t id, con
   for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {
     const draco::AttributeValueIndex value = stored->mapped_index(point);
     float* to = out.data() + std::size_t{point.value()} * components;
-    if (value.value() >= stored->size() || !attribute.ConvertValue<float>(value, static_cast<std::int8_t>(components), to))
-      throw input_error(where, "the Draco data is damaged: attribute {} has no value for vertex {}", id, point.value());
+    if (value.value() >= stored->size() ||
+        !attribute.ConvertValue<float>(value, static_cast<std::int8_t>(components), to))
+      throw input_error(where, "the Draco data is damaged: attribute {} has no value for vertex {}", id,
+                        point.value());
   }
   return out;
 }
@@ -128,17 +132,19 @@ DracoMesh decode_draco(const Document& document, Bytes& bytes, const MeshPrimiti
   buffer.Init(reinterpret_cast<const char*>(compressed.data()), compressed.size());
   draco::Decoder decoder;
   auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
-  if (!decoded.ok()) throw input_error(where, "the Draco data is damaged: {}", decoded.status().error_msg_string());
+  if (!decoded.ok())
+    throw input_error(where, "the Draco data is damaged: {}", decoded.status().error_msg_string());
   const draco::Mesh& mesh = *decoded.value();
   DracoMesh out;
   out.vertices = mesh.num_points();
   if (out.vertices != claimed_vertices(document, primitive) || std::uint64_t{mesh.num_faces()} * 3 != corners)
-    throw input_error(where, "the Draco data holds {} vertices and {} triangles, the accessors say {} and {}", out.vertices,
-                      mesh.num_faces(), claimed_vertices(document, primitive), corners / 3);
+    throw input_error(where, "the Draco data holds {} vertices and {} triangles, the accessors say {} and {}",
+                      out.vertices, mesh.num_faces(), claimed_vertices(document, primitive), corners / 3);
   for (draco::FaceIndex face(0); face < mesh.num_faces(); ++face)
     for (int corner = 0; corner < 3; ++corner) out.indices.push_back(mesh.face(face)[corner].value());
   for (const auto& [semantic, id] : primitive.draco->attributes)
-    out.attributes[semantic] = read_attribute(mesh, id, document.accessors[primitive.attributes.at(semantic)], where);
+    out.attributes[semantic] =
+        read_attribute(mesh, id, document.accessors[primitive.attributes.at(semantic)], where);
   return out;
 }
 

@@ -15,12 +15,14 @@ namespace dermis::scene::gltf {
 
 namespace {
 
-constexpr std::uint64_t max_pixels_in_all = std::uint64_t{1} << 30;  // 4 GiB decoded; each picture alone is limited by its decoder
-constexpr float skin_ior = 1.4f;                                     // F0 of skin 0.028
+// 4 GiB decoded; each picture alone is limited by its decoder
+constexpr std::uint64_t max_pixels_in_all = std::uint64_t{1} << 30;
+constexpr float skin_ior = 1.4f;  // F0 of skin 0.028
 
 bool says_skin(const std::string& name) {
   std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return lower.find("skin") != std::string::npos;
 }
 
@@ -34,8 +36,8 @@ std::string quoted_names(const std::vector<MaterialSource>& materials) {
 /// Every map of a material, so that no list of them has to be kept twice.
 template <class Body>
 void for_each_map(Material& m, const Body& body) {
-  for (MapRef* map : {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.emissive_map, &m.specular_map,
-                      &m.specular_colour_map})
+  for (MapRef* map : {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map,
+                      &m.emissive_map, &m.specular_map, &m.specular_colour_map})
     if (map->present()) body(*map);
   for (MapRef* map : {&m.skin_settings.specular, &m.skin_settings.roughness, &m.skin_settings.displacement})
     if (map->present()) body(*map);
@@ -47,7 +49,8 @@ glm::dmat3 rotation_of(const glm::dmat4& world) {
   const glm::dvec3 back = glm::length(z) > 0 ? glm::normalize(z) : glm::dvec3(0, 0, 1);
   const glm::dvec3 side = glm::cross(y, back);
   const glm::dvec3 any = std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-  const glm::dvec3 right = glm::normalize(glm::length(side) > 1e-9 * glm::length(y) ? side : glm::cross(any, back));
+  const glm::dvec3 right =
+      glm::normalize(glm::length(side) > 1e-9 * glm::length(y) ? side : glm::cross(any, back));
   return {right, glm::cross(back, right), back};
 }
 
@@ -68,7 +71,8 @@ Light place_light(Light light, const Node& node, const glm::dmat4& world, double
   light.position_m = glm::vec3(world[3]);
   light.direction = glm::vec3(-rotation_of(world)[2]);
   light.range_m *= scale;
-  // The distance in colour / d^2 is scaled, so the intensity is too: a change of units must not change how bright the head is.
+  // The distance in colour / d^2 is scaled, so the intensity is too: a change of units must not change how
+  // bright the head is.
   if (light.type != LightType::directional) light.colour *= scale * scale, light.radius *= scale;
   return light;
 }
@@ -92,7 +96,8 @@ std::vector<MaterialSource> used_materials(const Document& document, std::vector
   return used;
 }
 
-void choose_skin(const Document& document, const std::string& skin_material, std::vector<MaterialSource>& materials) {
+void choose_skin(const Document& document, const std::string& skin_material,
+                 std::vector<MaterialSource>& materials) {
   bool any = false;
   const auto choose = [&](const auto& is_skin) {
     for (MaterialSource& m : materials) {
@@ -104,7 +109,9 @@ void choose_skin(const Document& document, const std::string& skin_material, std
   const auto may_be = [](const MaterialSource& m) { return m.says_skin.value_or(true); };
   if (!skin_material.empty()) {
     choose([&](const MaterialSource& m) { return m.material.name == skin_material; });
-    if (!any) throw input_error(document.file, "no material is called '{}'; there are: {}", skin_material, quoted_names(materials));
+    if (!any)
+      throw input_error(document.file, "no material is called '{}'; there are: {}", skin_material,
+                        quoted_names(materials));
   }
   if (!any) choose([](const MaterialSource& m) { return m.says_skin.value_or(false); });
   if (!any) choose([&](const MaterialSource& m) { return may_be(m) && says_skin(m.material.name); });
@@ -133,12 +140,14 @@ void decode_images(const Document& document, Bytes& bytes, int max_map_side, Sce
     encoded[i] = {};
     pixels_in_all += static_cast<std::uint64_t>(pixels->width) * static_cast<std::uint64_t>(pixels->height);
     if (pixels_in_all > max_pixels_in_all)
-      throw input_error(document.file, "its images have more than {} pixels together, the limit", max_pixels_in_all);
+      throw input_error(document.file, "its images have more than {} pixels together, the limit",
+                        max_pixels_in_all);
     scene.images[i] = {name, std::move(pixels)};
   });
   for (Material& m : scene.materials)
     for_each_map(m, [&](MapRef& map) {
-      map.image = static_cast<int>(std::lower_bound(sources.begin(), sources.end(), map.image) - sources.begin());
+      map.image =
+          static_cast<int>(std::lower_bound(sources.begin(), sources.end(), map.image) - sources.begin());
     });
 }
 
@@ -146,7 +155,8 @@ void place_lights_and_cameras(const Document& document, double unit_scale, Scene
   const std::vector<glm::dmat4> world = world_matrices(document, unit_scale);
   for (const int n : shown_nodes(document)) {
     const Node& node = document.nodes[n];
-    if (node.camera >= 0) scene.cameras.push_back(place_camera(document.cameras[node.camera], node, world[n], unit_scale));
+    if (node.camera >= 0)
+      scene.cameras.push_back(place_camera(document.cameras[node.camera], node, world[n], unit_scale));
     if (node.light >= 0 && document.lights[node.light])
       scene.lights.push_back(place_light(*document.lights[node.light], node, world[n], unit_scale));
   }

@@ -18,14 +18,18 @@ using namespace gltf;
 
 constexpr float least_height_m = 0.10f, most_height_m = 0.60f;
 
-/// Texture coordinates that some map of the material wants and the primitive lacks: drawn as if they were all (0, 0).
+/// Texture coordinates that some map of the material wants and the primitive lacks: drawn as if they were all
+/// (0, 0).
 void warn_of_missing_uv(const Document& document, const Primitive& primitive, const Material& material) {
-  if (primitive.has_uv || (!material.skin && !material.base_colour_map.present() && !material.normal_map.present())) return;
+  if (primitive.has_uv ||
+      (!material.skin && !material.base_colour_map.present() && !material.normal_map.present()))
+    return;
   warn("{}: '{}' has no texture coordinates{}", document.file, printable(primitive.name),
        material.skin ? ", which skin is rendered in" : ", its maps show one texel");
 }
 
-void complete_surface(const Document& document, Primitive& primitive, const Material& material, bool file_tangents) {
+void complete_surface(const Document& document, Primitive& primitive, const Material& material,
+                      bool file_tangents) {
   make_missing_normals(primitive);
   warn_of_missing_uv(document, primitive, material);
   // Fine normals of a displacement map use the tangents too; with both, the normal map rules.
@@ -48,8 +52,10 @@ void warn_of_size(const Document& document, const Scene& scene) {
   }
   const float height = high - low;
   if (any && (height < least_height_m || height > most_height_m))
-    warn("{}: the skin is {:.4g} m high, a head has 0.1 to 0.6 m; light spreads by mm, so give the right size with --unit-scale",
-         document.file, height);
+    warn(
+        "{}: the skin is {:.4g} m high, a head has 0.1 to 0.6 m; light spreads by mm, so give the right size "
+        "with --unit-scale",
+        document.file, height);
 }
 
 Scene load(const std::filesystem::path& path, const LoadOptions& options) {
@@ -65,7 +71,8 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   choose_skin(document, options.skin_material, materials);
   for (MaterialSource& m : materials) scene.materials.push_back(std::move(m.material));
   for (std::size_t i = 0; i < scene.primitives.size(); ++i)
-    complete_surface(document, scene.primitives[i], scene.materials[scene.primitives[i].material], placed.file_tangents[i]);
+    complete_surface(document, scene.primitives[i], scene.materials[scene.primitives[i].material],
+                     placed.file_tangents[i]);
   place_lights_and_cameras(document, options.unit_scale, scene);
   decode_images(document, bytes, options.max_map_side, scene);
   warn_of_size(document, scene);

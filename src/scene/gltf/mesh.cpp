@@ -32,18 +32,20 @@ std::vector<std::uint32_t> as_triangles(std::vector<std::uint32_t> corners, int 
   return triangles;
 }
 
-void check_indices(const Document& document, const MeshPrimitive& primitive, const std::vector<std::uint32_t>& indices,
-                   std::size_t vertices) {
+void check_indices(const Document& document, const MeshPrimitive& primitive,
+                   const std::vector<std::uint32_t>& indices, std::size_t vertices) {
   for (std::size_t i = 0; i < indices.size(); ++i)
     if (indices[i] >= vertices)
-      throw input_error(document.file, "{}: index {} is {}, there are {} vertices", primitive.place, i, indices[i], vertices);
+      throw input_error(document.file, "{}: index {} is {}, there are {} vertices", primitive.place, i,
+                        indices[i], vertices);
 }
 
-void check_finite(const Document& document, const MeshPrimitive& primitive, const char* name, const std::vector<float>& values,
-                  int components) {
+void check_finite(const Document& document, const MeshPrimitive& primitive, const char* name,
+                  const std::vector<float>& values, int components) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
-      throw input_error(document.file, "{}: {} of vertex {} is not finite", primitive.place, name, i / components);
+      throw input_error(document.file, "{}: {} of vertex {} is not finite", primitive.place, name,
+                        i / components);
 }
 
 /// The vertices that some triangle uses, in their order; empty if all are. Indices are renumbered.
@@ -76,14 +78,17 @@ class Source {
     std::iota(all.begin(), all.end(), 0u);
     return all;
   }
-  std::vector<float> attribute(const std::string& name, int components, const std::vector<std::uint32_t>& order) {
+  std::vector<float> attribute(const std::string& name, int components,
+                               const std::vector<std::uint32_t>& order) {
     const auto found = primitive_.attributes.find(name);
     if (found == primitive_.attributes.end()) return {};
     const auto compressed = draco_.attributes.find(name);
-    if (compressed != draco_.attributes.end()) return gather(std::move(compressed->second), components, order);
+    if (compressed != draco_.attributes.end())
+      return gather(std::move(compressed->second), components, order);
     return gather(bytes_.floats(found->second), components, order);
   }
-  std::vector<float> finite(const std::string& name, int components, const std::vector<std::uint32_t>& order) {
+  std::vector<float> finite(const std::string& name, int components,
+                            const std::vector<std::uint32_t>& order) {
     std::vector<float> values = attribute(name, components, order);
     check_finite(document_, primitive_, name.c_str(), values, components);
     return values;
@@ -100,7 +105,8 @@ class Source {
 std::vector<float> with_alpha(const std::vector<float>& rgb) {
   std::vector<float> rgba;
   rgba.reserve(rgb.size() / 3 * 4);
-  for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) rgba.insert(rgba.end(), {rgb[i], rgb[i + 1], rgb[i + 2], 1.0f});
+  for (std::size_t i = 0; i + 2 < rgb.size(); i += 3)
+    rgba.insert(rgba.end(), {rgb[i], rgb[i + 1], rgb[i + 2], 1.0f});
   return rgba;
 }
 
@@ -118,11 +124,13 @@ std::uint64_t claimed_triangles(const Document& document, const MeshPrimitive& p
   return corners < 3 ? 0 : corners - 2;
 }
 
-std::vector<float> gather(std::vector<float> values, int components, const std::vector<std::uint32_t>& order) {
+std::vector<float> gather(std::vector<float> values, int components,
+                          const std::vector<std::uint32_t>& order) {
   if (order.empty()) return values;
   std::vector<float> out(order.size() * components);
   for (std::size_t i = 0; i < order.size(); ++i)
-    for (int c = 0; c < components; ++c) out[i * components + c] = values[std::size_t{order[i]} * components + c];
+    for (int c = 0; c < components; ++c)
+      out[i * components + c] = values[std::size_t{order[i]} * components + c];
   return out;
 }
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// One primitive of a mesh in its own coordinates: triangles and attributes as float arrays, before nodes, skins and morph targets.
+// One primitive of a mesh in its own coordinates: triangles and attributes as float arrays, before nodes,
+// skins and morph targets.
 #pragma once
 
 #include "scene/gltf/bytes.h"
 
 namespace dermis::scene::gltf {
 
-/// Arrays hold `vertices` times their number of components; an absent attribute is empty. Every index is below `vertices`, every vertex is
-/// used, and all numbers but normals and tangents are finite.
+/// Arrays hold `vertices` times their number of components; an absent attribute is empty. Every index is
+/// below `vertices`, every vertex is used, and all numbers but normals and tangents are finite.
 struct LocalMesh {
   std::size_t vertices = 0;
-  std::vector<std::uint32_t> indices;                 ///< triangles
-  std::vector<std::uint32_t> original;                ///< which element of the accessors each vertex was; empty: the same
+  std::vector<std::uint32_t> indices;  ///< triangles
+  /// which element of the accessors each vertex was; empty: the same
+  std::vector<std::uint32_t> original;
   std::vector<float> positions, normals, tangents;    ///< 3, 3, 4 each
   std::array<std::vector<float>, 2> uvs;              ///< 2 each
   std::vector<float> colours;                         ///< 4 each

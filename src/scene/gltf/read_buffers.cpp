@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// buffers, bufferViews and accessors: every range is checked against what holds it, so that reading cannot leave it later.
+// buffers, bufferViews and accessors: every range is checked against what holds it, so that reading cannot
+// leave it later.
 #include <algorithm>
 
 #include "scene/gltf/document.h"
@@ -10,9 +11,11 @@ namespace {
 
 constexpr std::uint64_t min_stride = 4, max_stride = 252;
 
-// An accessor without bytes of its own (sparse over nothing, or Draco) costs the file nothing, so what it may claim is held against the
-// size of all buffers: the densest Draco data we know of holds some 20 indices a byte. Below the floor it takes no memory worth a word.
-constexpr std::uint64_t max_zero_elements = 1u << 24, free_zero_elements = 1u << 16, zero_elements_per_byte = 64;
+// An accessor without bytes of its own (sparse over nothing, or Draco) costs the file nothing, so what it may
+// claim is held against the size of all buffers: the densest Draco data we know of holds some 20 indices a
+// byte. Below the floor it takes no memory worth a word.
+constexpr std::uint64_t max_zero_elements = 1u << 24, free_zero_elements = 1u << 16,
+                        zero_elements_per_byte = 64;
 
 std::uint64_t zero_element_limit(const Document& document) {
   std::uint64_t bytes = 0;
@@ -21,9 +24,11 @@ std::uint64_t zero_element_limit(const Document& document) {
   return std::min(max_zero_elements, free_zero_elements + bytes * zero_elements_per_byte);
 }
 
-void check_within(const Value& where, std::uint64_t offset, std::uint64_t length, std::uint64_t size, const char* what) {
+void check_within(const Value& where, std::uint64_t offset, std::uint64_t length, std::uint64_t size,
+                  const char* what) {
   if (offset > size || length > size - offset)
-    where.fail("bytes {} to {} reach past the end of its {}, which has {}", offset, offset + length, what, size);
+    where.fail("bytes {} to {} reach past the end of its {}, which has {}", offset, offset + length, what,
+               size);
 }
 
 MeshoptView read_meshopt(const Document& document, const Value& value) {
@@ -52,19 +57,26 @@ MeshoptView read_meshopt(const Document& document, const Value& value) {
   else if (filter == "EXPONENTIAL")
     view.filter = MeshoptFilter::exponential;
   else
-    value.at("filter").fail("must be NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL, is '{}'", filter.substr(0, 40));
+    value.at("filter").fail("must be NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL, is '{}'",
+                            filter.substr(0, 40));
   const bool attributes = view.mode == MeshoptMode::attributes;
-  if (attributes && view.stride % 4 != 0) value.fail("byteStride {} must be a multiple of 4 in mode ATTRIBUTES", view.stride);
-  if (!attributes && view.stride != 2 && view.stride != 4) value.fail("byteStride {} must be 2 or 4 in mode {}", view.stride, mode);
+  if (attributes && view.stride % 4 != 0)
+    value.fail("byteStride {} must be a multiple of 4 in mode ATTRIBUTES", view.stride);
+  if (!attributes && view.stride != 2 && view.stride != 4)
+    value.fail("byteStride {} must be 2 or 4 in mode {}", view.stride, mode);
   if (view.mode == MeshoptMode::triangles && view.count % 3 != 0)
     value.fail("count {} must be a multiple of 3 in mode TRIANGLES", view.count);
-  if (!attributes && view.filter != MeshoptFilter::none) value.fail("filter {} is only for mode ATTRIBUTES", filter);
+  if (!attributes && view.filter != MeshoptFilter::none)
+    value.fail("filter {} is only for mode ATTRIBUTES", filter);
   const std::uint64_t s = view.stride;
-  const bool fits = view.filter == MeshoptFilter::none || (view.filter == MeshoptFilter::octahedral && (s == 4 || s == 8)) ||
-                    (view.filter == MeshoptFilter::quaternion && s == 8) || view.filter == MeshoptFilter::exponential;
+  const bool fits = view.filter == MeshoptFilter::none ||
+                    (view.filter == MeshoptFilter::octahedral && (s == 4 || s == 8)) ||
+                    (view.filter == MeshoptFilter::quaternion && s == 8) ||
+                    view.filter == MeshoptFilter::exponential;
   if (!fits) value.fail("byteStride {} does not fit filter {}", s, filter);
   check_within(value, view.offset, view.length, document.buffers[view.buffer].byte_length, "buffer");
-  if (document.buffers[view.buffer].fallback) value.fail("buffer {} is a fallback without bytes", view.buffer);
+  if (document.buffers[view.buffer].fallback)
+    value.fail("buffer {} is a fallback without bytes", view.buffer);
   return view;
 }
 
@@ -75,15 +87,18 @@ BufferView read_view(const Document& document, const Value& value) {
   view.length = value.at("byteLength").count(1);
   view.stride = value.count_or("byteStride", 0, min_stride, max_stride);
   if (view.stride % 4 != 0) value.fail("byteStride {} must be a multiple of 4", view.stride);
-  if (view.stride > view.length) value.fail("byteStride {} is more than byteLength {}", view.stride, view.length);
+  if (view.stride > view.length)
+    value.fail("byteStride {} is more than byteLength {}", view.stride, view.length);
   check_within(value, view.offset, view.length, document.buffers[view.buffer].byte_length, "buffer");
   if (const std::optional<Value> meshopt = value.extension("EXT_meshopt_compression")) {
     view.meshopt = read_meshopt(document, *meshopt);
-    if (view.meshopt->count > max_count / view.meshopt->stride || view.meshopt->count * view.meshopt->stride != view.length)
-      meshopt->fail("count {} times byteStride {} must be the view's byteLength {}", view.meshopt->count, view.meshopt->stride,
-                    view.length);
+    if (view.meshopt->count > max_count / view.meshopt->stride ||
+        view.meshopt->count * view.meshopt->stride != view.length)
+      meshopt->fail("count {} times byteStride {} must be the view's byteLength {}", view.meshopt->count,
+                    view.meshopt->stride, view.length);
   } else if (document.buffers[view.buffer].fallback) {
-    value.fail("buffer {} is a fallback without bytes, and the view has no EXT_meshopt_compression", view.buffer);
+    value.fail("buffer {} is a fallback without bytes, and the view has no EXT_meshopt_compression",
+               view.buffer);
   }
   return view;
 }
@@ -106,8 +121,13 @@ void read_shape(Accessor& accessor, const Value& value) {
     const char* name;
     int columns, rows;
   };
-  static constexpr std::array<Shape, 7> shapes{
-      {{"SCALAR", 1, 1}, {"VEC2", 1, 2}, {"VEC3", 1, 3}, {"VEC4", 1, 4}, {"MAT2", 2, 2}, {"MAT3", 3, 3}, {"MAT4", 4, 4}}};
+  static constexpr std::array<Shape, 7> shapes{{{"SCALAR", 1, 1},
+                                                {"VEC2", 1, 2},
+                                                {"VEC3", 1, 3},
+                                                {"VEC4", 1, 4},
+                                                {"MAT2", 2, 2},
+                                                {"MAT3", 3, 3},
+                                                {"MAT4", 4, 4}}};
   const std::string& name = value.text();
   for (const Shape& shape : shapes)
     if (name == shape.name) {
@@ -119,8 +139,8 @@ void read_shape(Accessor& accessor, const Value& value) {
 }
 
 /// `count` elements of `bytes` each, `stride` apart, must lie in the view.
-void check_elements(const Value& where, const BufferView& view, std::uint64_t offset, std::uint64_t count, std::uint64_t bytes,
-                    std::uint64_t stride) {
+void check_elements(const Value& where, const BufferView& view, std::uint64_t offset, std::uint64_t count,
+                    std::uint64_t bytes, std::uint64_t stride) {
   const std::uint64_t extent = (count - 1) * stride + bytes;  // count < 2^48, stride < 2^8: no overflow
   check_within(where, offset, extent, view.length, "bufferView");
 }
@@ -128,18 +148,22 @@ void check_elements(const Value& where, const BufferView& view, std::uint64_t of
 Sparse read_sparse(const Document& document, const Value& value, const Accessor& accessor) {
   Sparse sparse;
   sparse.count = value.at("count").count(1);
-  if (sparse.count > accessor.count) value.fail("count {} is more than the accessor's {}", sparse.count, accessor.count);
+  if (sparse.count > accessor.count)
+    value.fail("count {} is more than the accessor's {}", sparse.count, accessor.count);
   const Value indices = value.at("indices"), values = value.at("values");
   sparse.indices_view = indices.index("bufferView", document.views.size(), "bufferView");
   sparse.indices_offset = indices.count_or("byteOffset", 0);
   sparse.indices_component = read_component(indices.at("componentType"));
   const Component c = sparse.indices_component;
-  if (c != Component::uint8 && c != Component::uint16 && c != Component::uint32) indices.fail("componentType must be an unsigned integer");
+  if (c != Component::uint8 && c != Component::uint16 && c != Component::uint32)
+    indices.fail("componentType must be an unsigned integer");
   sparse.values_view = values.index("bufferView", document.views.size(), "bufferView");
   sparse.values_offset = values.count_or("byteOffset", 0);
   const std::uint64_t bytes = element_bytes(accessor), stride = stride_bytes(accessor, BufferView{});
-  check_elements(indices, document.views[sparse.indices_view], sparse.indices_offset, sparse.count, size_of(c), size_of(c));
-  check_elements(values, document.views[sparse.values_view], sparse.values_offset, sparse.count, bytes, stride);
+  check_elements(indices, document.views[sparse.indices_view], sparse.indices_offset, sparse.count,
+                 size_of(c), size_of(c));
+  check_elements(values, document.views[sparse.values_view], sparse.values_offset, sparse.count, bytes,
+                 stride);
   return sparse;
 }
 
@@ -150,7 +174,8 @@ Accessor read_accessor(const Document& document, const Value& value) {
   accessor.count = value.at("count").count(1);
   read_shape(accessor, value.at("type"));
   accessor.normalized = value.boolean_or("normalized", false);
-  if (accessor.normalized && (accessor.component == Component::float32 || accessor.component == Component::uint32))
+  if (accessor.normalized &&
+      (accessor.component == Component::float32 || accessor.component == Component::uint32))
     value.fail("normalized is not for {}", name_of(accessor.component));
   for (const char* bound : {"min", "max"}) value.numbers(bound, accessor.components());
   accessor.view = value.index_or_none("bufferView", document.views.size(), "bufferView");
@@ -158,14 +183,17 @@ Accessor read_accessor(const Document& document, const Value& value) {
   if (accessor.view >= 0) {
     const BufferView& view = document.views[accessor.view];
     const std::uint64_t bytes = element_bytes(accessor), stride = stride_bytes(accessor, view);
-    if (stride < bytes) value.fail("an element has {} bytes, but the bufferView's byteStride is {}", bytes, stride);
+    if (stride < bytes)
+      value.fail("an element has {} bytes, but the bufferView's byteStride is {}", bytes, stride);
     check_elements(value, view, accessor.offset, accessor.count, bytes, stride);
   } else {
     if (value.has("byteOffset")) value.fail("byteOffset without a bufferView");
     const std::uint64_t limit = zero_element_limit(document);
-    if (accessor.count > limit) value.fail("{} elements without a bufferView; the limit for this file is {}", accessor.count, limit);
+    if (accessor.count > limit)
+      value.fail("{} elements without a bufferView; the limit for this file is {}", accessor.count, limit);
   }
-  if (const std::optional<Value> sparse = value.find("sparse")) accessor.sparse = read_sparse(document, *sparse, accessor);
+  if (const std::optional<Value> sparse = value.find("sparse"))
+    accessor.sparse = read_sparse(document, *sparse, accessor);
   return accessor;
 }
 
@@ -194,7 +222,8 @@ const char* name_of(Component component) {
 
 std::uint64_t column_bytes(const Accessor& accessor) {
   const std::uint64_t bytes = accessor.rows * size_of(accessor.component);
-  return accessor.columns == 1 ? bytes : (bytes + 3) / 4 * 4;  // columns of matrices start at multiples of four
+  // columns of matrices start at multiples of four
+  return accessor.columns == 1 ? bytes : (bytes + 3) / 4 * 4;
 }
 
 std::uint64_t element_bytes(const Accessor& accessor) {
@@ -217,11 +246,13 @@ void read_buffers(Document& document, const Value& root, bool has_binary) {
     buffer.is_chunk = document.buffers.empty() && has_binary && !buffer.uri && !buffer.fallback;
     document.buffers.push_back(std::move(buffer));
   });
-  root.for_each("bufferViews", [&](const Value& value) { document.views.push_back(read_view(document, value)); });
+  root.for_each("bufferViews",
+                [&](const Value& value) { document.views.push_back(read_view(document, value)); });
 }
 
 void read_accessors(Document& document, const Value& root) {
-  root.for_each("accessors", [&](const Value& value) { document.accessors.push_back(read_accessor(document, value)); });
+  root.for_each("accessors",
+                [&](const Value& value) { document.accessors.push_back(read_accessor(document, value)); });
 }
 
 }  // namespace dermis::scene::gltf

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// extras.dermis of a material: what glTF has no word for. Strict, because a mistyped key would silently render other skin.
+// extras.dermis of a material: what glTF has no word for. Strict, because a mistyped key would silently
+// render other skin.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -12,11 +13,13 @@ namespace dermis::scene::gltf {
 
 namespace {
 
-/// A texture's number, which then uses the coordinates of the colour map (skin maps share one unwrap), or a textureInfo object.
+/// A texture's number, which then uses the coordinates of the colour map (skin maps share one unwrap), or a
+/// textureInfo object.
 MapRef read_map(const Document& document, const Value& texture, const MapRef& shared) {
   if (texture.is_object()) return read_texture_info(document, texture);
   const std::uint64_t number = texture.count();
-  if (number >= document.textures.size()) texture.fail("there is no texture {} ({} in all)", number, document.textures.size());
+  if (number >= document.textures.size())
+    texture.fail("there is no texture {} ({} in all)", number, document.textures.size());
   MapRef map = map_of_texture(document, static_cast<int>(number), texture);
   map.uv_set = shared.uv_set;
   map.transform = shared.transform;
@@ -28,7 +31,8 @@ int read_channel(const Value& value) {
   static const std::string letters = "rgbaRGBA";
   const std::string& text = value.text();
   const std::size_t found = text.size() == 1 ? letters.find(text) : std::string::npos;
-  if (found == std::string::npos) value.fail("must be 0 to 3 or one of R, G, B, A, is '{}'", text.substr(0, 20));
+  if (found == std::string::npos)
+    value.fail("must be 0 to 3 or one of R, G, B, A, is '{}'", text.substr(0, 20));
   return static_cast<int>(found % 4);
 }
 
@@ -42,16 +46,18 @@ MapRef read_channel_map(const Document& document, const Value& value, const MapR
 }
 
 gaussians::SumOfGaussians read_profile(const Document& document, const Value& value) {
-  if (value.is_object()) return gaussians::parse_json(value.json().dump(), fmt::format("{}: {}", document.file, value.place()));
+  if (value.is_object())
+    return gaussians::parse_json(value.json().dump(), fmt::format("{}: {}", document.file, value.place()));
   const std::string& name = value.text();
   const std::vector<std::string_view> known = gaussians::known_names();
   if (std::find(known.begin(), known.end(), name) != known.end()) return gaussians::known(name);
-  if (std::filesystem::path(name).is_absolute()) value.fail("the profile must be named relative to the scene");
+  if (std::filesystem::path(name).is_absolute())
+    value.fail("the profile must be named relative to the scene");
   const std::filesystem::path path = document.folder / name;
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
-    value.fail("'{}' is neither a file beside the scene nor a published profile; known are: {}", name.substr(0, 200),
-               fmt::join(known, ", "));
+    value.fail("'{}' is neither a file beside the scene nor a published profile; known are: {}",
+               name.substr(0, 200), fmt::join(known, ", "));
   return gaussians::load_json(path);
 }
 
@@ -64,7 +70,8 @@ std::vector<SpecularLobe> read_lobes(const Value& value) {
     const Value pair = value.element(i);
     if (pair.array_size() != 2) pair.fail("must be [factor on m, weight]");
     const double m_factor = pair.element(0).number(), weight = pair.element(1).number();
-    if (!(m_factor > 0 && m_factor <= 100)) pair.fail("the factor on m must be over 0 and up to 100, is {}", m_factor);
+    if (!(m_factor > 0 && m_factor <= 100))
+      pair.fail("the factor on m must be over 0 and up to 100, is {}", m_factor);
     if (!(weight >= 0 && weight <= 1)) pair.fail("the weight must be 0 to 1, is {}", weight);
     lobes.push_back({static_cast<float>(m_factor), static_cast<float>(weight)});
     sum += weight;
@@ -73,7 +80,8 @@ std::vector<SpecularLobe> read_lobes(const Value& value) {
   return lobes;
 }
 
-void read_displacement(const Document& document, const Value& value, const MapRef& shared, SkinSettings& into) {
+void read_displacement(const Document& document, const Value& value, const MapRef& shared,
+                       SkinSettings& into) {
   value.only_keys({"texture", "mm", "middle"});
   into.displacement = read_map(document, value.at("texture"), shared);
   value.at("mm");
@@ -83,15 +91,19 @@ void read_displacement(const Document& document, const Value& value, const MapRe
 
 }  // namespace
 
-void read_dermis_extras(const Document& document, const Value& extras, const MapRef& shared, MaterialSource& into) {
+void read_dermis_extras(const Document& document, const Value& extras, const MapRef& shared,
+                        MaterialSource& into) {
   extras.object().only_keys({"skin", "profile", "mix", "specular", "roughness", "displacement", "lobes"});
   SkinSettings& skin = into.material.skin_settings;
   into.says_skin = extras.boolean_or("skin", true);
   if (const auto profile = extras.find("profile")) skin.profile = read_profile(document, *profile);
   if (extras.has("mix")) skin.mix = static_cast<float>(extras.number_or("mix", 0, 0, 1));
-  if (const auto specular = extras.find("specular")) skin.specular = read_channel_map(document, *specular, shared, 0);
-  if (const auto roughness = extras.find("roughness")) skin.roughness = read_channel_map(document, *roughness, shared, 1);
-  if (const auto displacement = extras.find("displacement")) read_displacement(document, *displacement, shared, skin);
+  if (const auto specular = extras.find("specular"))
+    skin.specular = read_channel_map(document, *specular, shared, 0);
+  if (const auto roughness = extras.find("roughness"))
+    skin.roughness = read_channel_map(document, *roughness, shared, 1);
+  if (const auto displacement = extras.find("displacement"))
+    read_displacement(document, *displacement, shared, skin);
   if (const auto lobes = extras.find("lobes")) skin.lobes = read_lobes(*lobes);
 }
 

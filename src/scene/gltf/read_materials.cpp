@@ -22,8 +22,10 @@ Texture read_sampler(const Value& value) {
   Texture sampler;
   sampler.wrap_u = read_wrap(value, "wrapS");
   sampler.wrap_v = read_wrap(value, "wrapT");
-  const std::uint64_t magnification = value.count_or("magFilter", 9729), minification = value.count_or("minFilter", 9987);
-  if (magnification != 9728 && magnification != 9729) value.at("magFilter").fail("must be 9728 (nearest) or 9729 (linear)");
+  const std::uint64_t magnification = value.count_or("magFilter", 9729),
+                      minification = value.count_or("minFilter", 9987);
+  if (magnification != 9728 && magnification != 9729)
+    value.at("magFilter").fail("must be 9728 (nearest) or 9729 (linear)");
   if (minification != 9728 && minification != 9729 && (minification < 9984 || minification > 9987))
     value.at("minFilter").fail("must be 9728, 9729 or 9984 to 9987");
   sampler.nearest = magnification == 9728;
@@ -37,7 +39,8 @@ ImageSource read_image(const Document& document, const Value& value) {
   if (image.uri.has_value() == (image.view >= 0)) value.fail("must have either a uri or a bufferView");
   const std::string mime = value.text_or("mimeType", "");
   if (image.view >= 0 && mime.empty()) value.fail("has a bufferView but no mimeType");
-  if (image.view >= 0 && document.views[image.view].stride != 0) value.fail("its bufferView has a byteStride");
+  if (image.view >= 0 && document.views[image.view].stride != 0)
+    value.fail("its bufferView has a byteStride");
   const bool is_file = image.uri && !image.uri->starts_with("data:");
   image.name = value.text_or("name", is_file ? *image.uri : value.place());
   return image;
@@ -49,12 +52,14 @@ glm::mat3x2 read_texture_transform(const Value& value) {
   const double rotation = value.number_or("rotation", 0);
   const double su = scale.empty() ? 1 : scale[0], sv = scale.empty() ? 1 : scale[1];
   const double c = std::cos(rotation), s = std::sin(rotation);
-  // The extension's text turns counter-clockwise in a picture whose v points down; its GLSL excerpt has the sine's signs the other way
-  // round. Its test model, three.js and the Khronos viewer agree on these.
-  return {glm::vec2(su * c, -su * s), glm::vec2(sv * s, sv * c), offset.empty() ? glm::vec2(0) : glm::vec2(offset[0], offset[1])};
+  // The extension's text turns counter-clockwise in a picture whose v points down; its GLSL excerpt has the
+  // sine's signs the other way round. Its test model, three.js and the Khronos viewer agree on these.
+  return {glm::vec2(su * c, -su * s), glm::vec2(sv * s, sv * c),
+          offset.empty() ? glm::vec2(0) : glm::vec2(offset[0], offset[1])};
 }
 
-MapRef map_member(const Document& document, const Value& value, const char* key, const char* scale_key = nullptr) {
+MapRef map_member(const Document& document, const Value& value, const char* key,
+                  const char* scale_key = nullptr) {
   const std::optional<Value> info = value.find(key);
   return info ? read_texture_info(document, *info, scale_key) : MapRef{};
 }
@@ -117,7 +122,8 @@ MaterialSource read_material(const Document& document, const Value& value) {
   MaterialSource source;
   Material& material = source.material;
   material.name = value.text_or("name", "");
-  if (const std::optional<Value> pbr = value.find("pbrMetallicRoughness")) read_metallic_roughness(document, *pbr, material);
+  if (const std::optional<Value> pbr = value.find("pbrMetallicRoughness"))
+    read_metallic_roughness(document, *pbr, material);
   material.normal_map = map_member(document, value, "normalTexture", "scale");
   material.occlusion_map = map_member(document, value, "occlusionTexture", "strength");
   material.emissive = colour_member(value, "emissiveFactor", glm::vec3(0), 1);
@@ -128,7 +134,8 @@ MaterialSource read_material(const Document& document, const Value& value) {
   read_material_extensions(document, value, source);
   const std::optional<Value> extras = value.find("extras");
   if (extras && extras->is_object() && extras->has("dermis")) {
-    const MapRef& shared = material.base_colour_map.present() ? material.base_colour_map : material.normal_map;
+    const MapRef& shared =
+        material.base_colour_map.present() ? material.base_colour_map : material.normal_map;
     read_dermis_extras(document, extras->at("dermis"), shared, source);
   }
   return source;
@@ -143,7 +150,9 @@ MapRef map_of_texture(const Document& document, int texture, const Value& where)
   map.wrap_u = t.wrap_u;
   map.wrap_v = t.wrap_v;
   map.nearest = t.nearest;
-  if (t.image < 0) warn("{}: {}: texture {} has no PNG or JPEG picture, the map is left out", document.file, where.place(), texture);
+  if (t.image < 0)
+    warn("{}: {}: texture {} has no PNG or JPEG picture, the map is left out", document.file, where.place(),
+         texture);
   return map;
 }
 
@@ -156,7 +165,8 @@ MapRef read_texture_info(const Document& document, const Value& info, const char
     set = transform->count_or("texCoord", set, 0, 1000);
   }
   if (set > 1) {
-    warn("{}: {}: uses TEXCOORD_{}; only sets 0 and 1 are read, the map is left out", document.file, info.place(), set);
+    warn("{}: {}: uses TEXCOORD_{}; only sets 0 and 1 are read, the map is left out", document.file,
+         info.place(), set);
     return {};
   }
   map.uv_set = static_cast<int>(set);
@@ -164,7 +174,8 @@ MapRef read_texture_info(const Document& document, const Value& info, const char
 }
 
 void read_textures(Document& document, const Value& root) {
-  root.for_each("images", [&](const Value& value) { document.images.push_back(read_image(document, value)); });
+  root.for_each("images",
+                [&](const Value& value) { document.images.push_back(read_image(document, value)); });
   std::vector<Texture> samplers;
   root.for_each("samplers", [&](const Value& value) { samplers.push_back(read_sampler(value)); });
   root.for_each("textures", [&](const Value& value) {
@@ -177,7 +188,8 @@ void read_textures(Document& document, const Value& root) {
 }
 
 void read_materials(Document& document, const Value& root) {
-  root.for_each("materials", [&](const Value& value) { document.materials.push_back(read_material(document, value)); });
+  root.for_each("materials",
+                [&](const Value& value) { document.materials.push_back(read_material(document, value)); });
 }
 
 }  // namespace dermis::scene::gltf

@@ -31,7 +31,8 @@ constexpr Formats unit_values{.float32 = true, .uint8_norm = true, .uint16_norm 
 constexpr Formats joint_numbers{.uint8_plain = true, .uint16_plain = true};
 constexpr Formats quantized_vectors{.float32 = true, .int8_norm = true, .int16_norm = true};
 constexpr Formats quantized_any{true, true, true, true, true, true, true, true, true};
-constexpr Formats quantized_deltas{.float32 = true, .int8_plain = true, .int8_norm = true, .int16_plain = true, .int16_norm = true};
+constexpr Formats quantized_deltas{
+    .float32 = true, .int8_plain = true, .int8_norm = true, .int16_plain = true, .int16_norm = true};
 
 struct Rule {
   Formats formats;
@@ -43,7 +44,8 @@ std::optional<Rule> rule_for(const std::string& semantic, bool quantized) {
   if (semantic == "POSITION") return Rule{quantized ? quantized_any : floats, 3, 3};
   if (semantic == "NORMAL") return Rule{quantized ? quantized_vectors : floats, 3, 3};
   if (semantic == "TANGENT") return Rule{quantized ? quantized_vectors : floats, 4, 4};
-  if (semantic == "TEXCOORD_0" || semantic == "TEXCOORD_1") return Rule{quantized ? quantized_any : unit_values, 2, 2};
+  if (semantic == "TEXCOORD_0" || semantic == "TEXCOORD_1")
+    return Rule{quantized ? quantized_any : unit_values, 2, 2};
   if (semantic == "COLOR_0") return Rule{unit_values, 3, 4};
   if (semantic == "JOINTS_0" || semantic == "JOINTS_1") return Rule{joint_numbers, 4, 4};
   if (semantic == "WEIGHTS_0" || semantic == "WEIGHTS_1") return Rule{unit_values, 4, 4};
@@ -52,15 +54,16 @@ std::optional<Rule> rule_for(const std::string& semantic, bool quantized) {
 
 std::optional<Rule> target_rule(const std::string& semantic, bool quantized) {
   if (semantic == "POSITION") return Rule{quantized ? quantized_deltas : floats, 3, 3};
-  if (semantic == "NORMAL" || semantic == "TANGENT") return Rule{quantized ? quantized_vectors : floats, 3, 3};
+  if (semantic == "NORMAL" || semantic == "TANGENT")
+    return Rule{quantized ? quantized_vectors : floats, 3, 3};
   return std::nullopt;
 }
 
 void check_format(const Value& where, const std::string& semantic, const Accessor& a, const Rule& rule) {
   const bool shape = a.columns == 1 && a.rows >= rule.least && a.rows <= rule.most;
   if (shape && rule.formats.holds(a)) return;
-  where.fail("{} cannot be made of {} x {}{} ({})", semantic.substr(0, 40), a.components(), a.normalized ? "normalized " : "",
-             name_of(a.component), a.place);
+  where.fail("{} cannot be made of {} x {}{} ({})", semantic.substr(0, 40), a.components(),
+             a.normalized ? "normalized " : "", name_of(a.component), a.place);
 }
 
 Attributes read_attributes(const Document& document, const Value& value) {
@@ -78,13 +81,17 @@ void check_attributes(const Document& document, const Value& value, const MeshPr
   for (const auto& [semantic, index] : primitive.attributes) {
     const Accessor& accessor = document.accessors[index];
     if (count == 0) count = accessor.count;
-    if (accessor.count != count) value.fail("{} has {} elements, others have {}", semantic.substr(0, 40), accessor.count, count);
-    if (const auto rule = rule_for(semantic, document.quantized)) check_format(value, semantic, accessor, *rule);
+    if (accessor.count != count)
+      value.fail("{} has {} elements, others have {}", semantic.substr(0, 40), accessor.count, count);
+    if (const auto rule = rule_for(semantic, document.quantized))
+      check_format(value, semantic, accessor, *rule);
   }
   for (const char* set : {"0", "1"}) {
     const bool joints = primitive.attributes.contains(std::string("JOINTS_") + set);
     const bool weights = primitive.attributes.contains(std::string("WEIGHTS_") + set);
-    if (joints != weights) value.fail("has {}_{} without {}_{}", joints ? "JOINTS" : "WEIGHTS", set, joints ? "WEIGHTS" : "JOINTS", set);
+    if (joints != weights)
+      value.fail("has {}_{} without {}_{}", joints ? "JOINTS" : "WEIGHTS", set, joints ? "WEIGHTS" : "JOINTS",
+                 set);
   }
 }
 
@@ -93,12 +100,15 @@ Attributes read_target(const Document& document, const Value& value, const MeshP
   for (const auto& [semantic, index] : target) {
     const std::optional<Rule> rule = target_rule(semantic, document.quantized);
     const auto base = primitive.attributes.find(semantic);
-    if (!rule) continue;  // texture coordinates and colours may be morphed too; nothing we draw at rest needs them
-    if (base == primitive.attributes.end()) value.fail("morphs {}, which the primitive does not have", semantic);
+    // texture coordinates and colours may be morphed too; nothing we draw at rest needs them
+    if (!rule) continue;
+    if (base == primitive.attributes.end())
+      value.fail("morphs {}, which the primitive does not have", semantic);
     const Accessor& accessor = document.accessors[index];
     check_format(value, semantic, accessor, *rule);
     const std::uint64_t expected = document.accessors[base->second].count;
-    if (accessor.count != expected) value.fail("{} has {} elements, the primitive {}", semantic, accessor.count, expected);
+    if (accessor.count != expected)
+      value.fail("{} has {} elements, the primitive {}", semantic, accessor.count, expected);
   }
   return target;
 }
@@ -108,8 +118,10 @@ DracoData read_draco(const Document& document, const Value& value, const MeshPri
   draco.view = value.index("bufferView", document.views.size(), "bufferView");
   const Value attributes = value.at("attributes");
   for (const std::string& semantic : attributes.keys()) {
-    draco.attributes[semantic] = static_cast<std::uint32_t>(attributes.at(semantic.c_str()).count(0, 0xFFFFFFFF));
-    if (!primitive.attributes.contains(semantic)) attributes.fail("{} is not an attribute of the primitive", semantic.substr(0, 40));
+    draco.attributes[semantic] =
+        static_cast<std::uint32_t>(attributes.at(semantic.c_str()).count(0, 0xFFFFFFFF));
+    if (!primitive.attributes.contains(semantic))
+      attributes.fail("{} is not an attribute of the primitive", semantic.substr(0, 40));
   }
   if (!draco.attributes.contains("POSITION")) attributes.fail("'POSITION' is missing");
   return draco;
@@ -118,10 +130,12 @@ DracoData read_draco(const Document& document, const Value& value, const MeshPri
 void check_indices(const Document& document, const Value& value, const MeshPrimitive& primitive) {
   if (primitive.indices < 0) return;
   const Accessor& a = document.accessors[primitive.indices];
-  const bool integer = a.component == Component::uint8 || a.component == Component::uint16 || a.component == Component::uint32;
+  const bool integer =
+      a.component == Component::uint8 || a.component == Component::uint16 || a.component == Component::uint32;
   if (a.components() != 1 || !integer || a.normalized)
     value.fail("indices cannot be {} x {} ({})", a.components(), name_of(a.component), a.place);
-  if (a.view >= 0 && document.views[a.view].stride != 0) value.fail("the bufferView of the indices has a byteStride");
+  if (a.view >= 0 && document.views[a.view].stride != 0)
+    value.fail("the bufferView of the indices has a byteStride");
   if (a.view < 0 && !primitive.draco) value.fail("the indices' accessor has no bufferView");
 }
 
@@ -135,9 +149,12 @@ MeshPrimitive read_primitive(const Document& document, const Value& value) {
   if (attributes.keys().empty()) attributes.fail("is empty");
   primitive.attributes = read_attributes(document, attributes);
   check_attributes(document, value, primitive);
-  if (const auto draco = value.extension("KHR_draco_mesh_compression")) primitive.draco = read_draco(document, *draco, primitive);
+  if (const auto draco = value.extension("KHR_draco_mesh_compression"))
+    primitive.draco = read_draco(document, *draco, primitive);
   check_indices(document, value, primitive);
-  value.for_each("targets", [&](const Value& target) { primitive.targets.push_back(read_target(document, target, primitive)); });
+  value.for_each("targets", [&](const Value& target) {
+    primitive.targets.push_back(read_target(document, target, primitive));
+  });
   return primitive;
 }
 
@@ -150,7 +167,8 @@ void read_meshes(Document& document, const Value& root) {
     value.at("primitives");
     value.for_each("primitives", [&](const Value& primitive) {
       mesh.primitives.push_back(read_primitive(document, primitive));
-      const std::size_t first = mesh.primitives.front().targets.size(), here = mesh.primitives.back().targets.size();
+      const std::size_t first = mesh.primitives.front().targets.size(),
+                        here = mesh.primitives.back().targets.size();
       if (here != first) primitive.fail("has {} morph targets, the mesh's first primitive {}", here, first);
     });
     mesh.weights = value.numbers("weights", 0);

@@ -17,19 +17,22 @@ glm::dmat4 read_matrix(const Value& value, const std::vector<double>& m) {
     if (value.has(other)) value.fail("has both matrix and {}", other);
   glm::dmat4 matrix;
   for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = m[i];
-  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) value.fail("the last row of the matrix must be 0 0 0 1");
+  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
+    value.fail("the last row of the matrix must be 0 0 0 1");
   return matrix;
 }
 
 glm::dmat4 read_local(const Value& value) {
   if (const std::vector<double> m = value.numbers("matrix", 16); !m.empty()) return read_matrix(value, m);
-  const std::vector<double> t = value.numbers("translation", 3), r = value.numbers("rotation", 4), s = value.numbers("scale", 3);
+  const std::vector<double> t = value.numbers("translation", 3), r = value.numbers("rotation", 4),
+                            s = value.numbers("scale", 3);
   glm::dmat4 local(1);
   if (!t.empty()) local = glm::translate(local, glm::dvec3(t[0], t[1], t[2]));
   if (!r.empty()) {
     const glm::dquat q(r[3], r[0], r[1], r[2]);  // glm: w first
     const double length = glm::length(q);
-    if (std::abs(length - 1) > 0.01) value.at("rotation").fail("must be a unit quaternion, has length {}", length);
+    if (std::abs(length - 1) > 0.01)
+      value.at("rotation").fail("must be a unit quaternion, has length {}", length);
     local *= glm::mat4_cast(q / length);
   }
   if (!s.empty()) local = glm::scale(local, glm::dvec3(s[0], s[1], s[2]));
@@ -44,7 +47,8 @@ Node read_node(const Document& document, const Value& value, std::size_t nodes, 
   node.mesh = value.index_or_none("mesh", document.meshes.size(), "mesh");
   node.skin = value.index_or_none("skin", skins, "skin");
   node.camera = value.index_or_none("camera", document.cameras.size(), "camera");
-  if (const auto light = value.extension("KHR_lights_punctual")) node.light = light->index("light", document.lights.size(), "light");
+  if (const auto light = value.extension("KHR_lights_punctual"))
+    node.light = light->index("light", document.lights.size(), "light");
   node.children = value.indices("children", nodes, "node");
   node.weights = value.numbers("weights", 0);
   if (node.mesh < 0 && node.skin >= 0) value.fail("has a skin but no mesh");
@@ -55,7 +59,8 @@ Node read_node(const Document& document, const Value& value, std::size_t nodes, 
   if (!node.weights.empty() && node.weights.size() != targets)
     value.fail("has {} weights for {} morph targets", node.weights.size(), targets);
   for (const MeshPrimitive& primitive : mesh.primitives)
-    if (node.skin >= 0 && !primitive.attributes.contains("JOINTS_0")) value.fail("has a skin, but {} has no JOINTS_0", primitive.place);
+    if (node.skin >= 0 && !primitive.attributes.contains("JOINTS_0"))
+      value.fail("has a skin, but {} has no JOINTS_0", primitive.place);
   return node;
 }
 
@@ -63,7 +68,8 @@ void link_parents(Document& document) {
   for (std::size_t i = 0; i < document.nodes.size(); ++i)
     for (const int child : document.nodes[i].children) {
       Node& node = document.nodes[child];
-      if (node.parent >= 0) throw input_error(document.file, "{}: has two parents, nodes {} and {}", node.place, node.parent, i);
+      if (node.parent >= 0)
+        throw input_error(document.file, "{}: has two parents, nodes {} and {}", node.place, node.parent, i);
       node.parent = static_cast<int>(i);
     }
   // Every node has at most one parent now, so walking up either ends at a root or runs in a circle.
@@ -71,9 +77,10 @@ void link_parents(Document& document) {
     int steps = 0;
     for (int up = node.parent; up >= 0; up = document.nodes[up].parent)
       if (++steps > max_depth || &document.nodes[up] == &node)
-        throw input_error(
-            document.file, "{}: {}", node.place,
-            steps > max_depth ? fmt::format("is nested deeper than {} levels, or in a loop", max_depth) : "is its own ancestor");
+        throw input_error(document.file, "{}: {}", node.place,
+                          steps > max_depth
+                              ? fmt::format("is nested deeper than {} levels, or in a loop", max_depth)
+                              : "is its own ancestor");
   }
 }
 
@@ -86,8 +93,10 @@ void read_skins(Document& document, const Value& root) {
     skin.inverse_bind = value.index_or_none("inverseBindMatrices", document.accessors.size(), "accessor");
     if (skin.inverse_bind >= 0) {
       const Accessor& a = document.accessors[skin.inverse_bind];
-      if (a.columns != 4 || a.rows != 4 || a.component != Component::float32) value.fail("inverseBindMatrices must be MAT4 of FLOAT");
-      if (a.count < skin.joints.size()) value.fail("has {} inverseBindMatrices for {} joints", a.count, skin.joints.size());
+      if (a.columns != 4 || a.rows != 4 || a.component != Component::float32)
+        value.fail("inverseBindMatrices must be MAT4 of FLOAT");
+      if (a.count < skin.joints.size())
+        value.fail("has {} inverseBindMatrices for {} joints", a.count, skin.joints.size());
     }
     document.skins.push_back(std::move(skin));
   });
@@ -114,7 +123,9 @@ void read_scenes(Document& document, const Value& root) {
 
 void read_nodes(Document& document, const Value& root) {
   const std::size_t nodes = root.size_of("nodes"), skins = root.size_of("skins");
-  root.for_each("nodes", [&](const Value& value) { document.nodes.push_back(read_node(document, value, nodes, skins)); });
+  root.for_each("nodes", [&](const Value& value) {
+    document.nodes.push_back(read_node(document, value, nodes, skins));
+  });
   link_parents(document);
   read_skins(document, root);
   read_scenes(document, root);

@@ -21,12 +21,14 @@ float positive(const Value& value, const char* key) {
 
 void read_perspective(const Value& value, Camera& camera) {
   camera.fov_y_rad = positive(value, "yfov");
-  if (camera.fov_y_rad >= std::numbers::pi_v<float>) value.fail("yfov must be less than pi, is {}", camera.fov_y_rad);
+  if (camera.fov_y_rad >= std::numbers::pi_v<float>)
+    value.fail("yfov must be less than pi, is {}", camera.fov_y_rad);
   camera.znear_m = positive(value, "znear");
   if (value.has("aspectRatio")) positive(value, "aspectRatio");
   if (!value.has("zfar")) return;
   camera.zfar_m = positive(value, "zfar");
-  if (*camera.zfar_m <= camera.znear_m) value.fail("zfar {} must be more than znear {}", *camera.zfar_m, camera.znear_m);
+  if (*camera.zfar_m <= camera.znear_m)
+    value.fail("zfar {} must be more than znear {}", *camera.zfar_m, camera.znear_m);
 }
 
 void read_orthographic(const Value& value, Camera& camera) {
@@ -57,9 +59,11 @@ Camera read_camera(const Value& value) {
 void read_spot(const Value& value, Light& light) {
   constexpr double right_angle = std::numbers::pi / 2 + 1e-6;
   light.inner_cone_rad = static_cast<float>(value.number_or("innerConeAngle", 0, 0, right_angle));
-  light.outer_cone_rad = static_cast<float>(value.number_or("outerConeAngle", std::numbers::pi / 4, 0, right_angle));
+  light.outer_cone_rad =
+      static_cast<float>(value.number_or("outerConeAngle", std::numbers::pi / 4, 0, right_angle));
   if (light.inner_cone_rad >= light.outer_cone_rad)
-    value.fail("innerConeAngle {} must be less than outerConeAngle {}", light.inner_cone_rad, light.outer_cone_rad);
+    value.fail("innerConeAngle {} must be less than outerConeAngle {}", light.inner_cone_rad,
+               light.outer_cone_rad);
 }
 
 // extras.dermis: what KHR_lights_punctual has no word for. Strict, as that of materials is.
@@ -88,7 +92,8 @@ std::optional<Light> read_light(const Document& document, const Value& value) {
     light.colour[i] = static_cast<float>(colour[i]);
   }
   light.colour *= intensity;
-  if (!std::isfinite(light.colour.x + light.colour.y + light.colour.z)) value.fail("color times intensity is out of range");
+  if (!std::isfinite(light.colour.x + light.colour.y + light.colour.z))
+    value.fail("color times intensity is out of range");
   if (value.has("range")) light.range_m = positive(value, "range");
   if (type == "directional")
     light.type = LightType::directional;
@@ -98,7 +103,8 @@ std::optional<Light> read_light(const Document& document, const Value& value) {
     light.type = LightType::spot;
     read_spot(value.at("spot"), light);
   } else {
-    warn("{}: {}: light type '{}' is not known, the light is left out", document.file, value.place(), type.substr(0, 40));
+    warn("{}: {}: light type '{}' is not known, the light is left out", document.file, value.place(),
+         type.substr(0, 40));
     return std::nullopt;
   }
   read_extras(value, light);
@@ -110,9 +116,10 @@ void check_channel(const Document& document, const Value& channel, std::size_t s
   const Value target = channel.at("target");
   const int node = target.index_or_none("node", document.nodes.size(), "node");
   const std::string& path = target.at("path").text();
-  const bool has_targets =
-      node >= 0 && document.nodes[node].mesh >= 0 && !document.meshes[document.nodes[node].mesh].primitives[0].targets.empty();
-  if (path == "weights" && node >= 0 && !has_targets) target.fail("animates the weights of node {}, which has no morph targets", node);
+  const bool has_targets = node >= 0 && document.nodes[node].mesh >= 0 &&
+                           !document.meshes[document.nodes[node].mesh].primitives[0].targets.empty();
+  if (path == "weights" && node >= 0 && !has_targets)
+    target.fail("animates the weights of node {}, which has no morph targets", node);
 }
 
 }  // namespace
@@ -123,7 +130,8 @@ void read_cameras(Document& document, const Value& root) {
 
 void read_lights(Document& document, const Value& root) {
   if (const auto extension = root.extension("KHR_lights_punctual"))
-    extension->for_each("lights", [&](const Value& value) { document.lights.push_back(read_light(document, value)); });
+    extension->for_each("lights",
+                        [&](const Value& value) { document.lights.push_back(read_light(document, value)); });
 }
 
 void check_animations(const Document& document, const Value& root) {

@@ -8,7 +8,8 @@ namespace dermis::scene::gltf {
 namespace {
 
 Frame frame_of(const glm::dmat4& matrix) {
-  // Cofactors: |M| M^-T without dividing by |M|; its sign is taken out so that normals keep pointing outwards under a mirror.
+  // Cofactors: |M| M^-T without dividing by |M|; its sign is taken out so that normals keep pointing outwards
+  // under a mirror.
   const glm::dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
   const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
   const bool mirrored = glm::dot(x, cofactors[0]) < 0;
@@ -22,7 +23,8 @@ const std::vector<glm::dmat4>& JointMatrices::of(int node) {
   const auto [entry, is_new] = by_skin_.try_emplace(number);
   if (number < 0 || !is_new) return entry->second;
   const Skin& skin = document_.skins[number];
-  const std::vector<float> inverse_bind = skin.inverse_bind >= 0 ? bytes_.floats(skin.inverse_bind) : std::vector<float>{};
+  const std::vector<float> inverse_bind =
+      skin.inverse_bind >= 0 ? bytes_.floats(skin.inverse_bind) : std::vector<float>{};
   for (std::size_t j = 0; j < skin.joints.size(); ++j) {
     glm::dmat4 bind(1);
     for (int k = 0; k < 16 && !inverse_bind.empty(); ++k) {
@@ -43,8 +45,8 @@ void Frames::check_joints(const LocalMesh& mesh, const MeshPrimitive& primitive)
   for (int set = 0; set < 2; ++set)
     for (std::size_t i = 0; i < mesh.joints[set].size(); ++i)
       if (mesh.weights[set][i] != 0 && static_cast<std::size_t>(mesh.joints[set][i]) >= joints_.size())
-        throw input_error(document_.file, "{}: vertex {} hangs on joint {}, the skin has {}", primitive.place, i / 4, mesh.joints[set][i],
-                          joints_.size());
+        throw input_error(document_.file, "{}: vertex {} hangs on joint {}, the skin has {}", primitive.place,
+                          i / 4, mesh.joints[set][i], joints_.size());
 }
 
 Frame Frames::at(const LocalMesh& mesh, std::size_t i) const {
@@ -58,7 +60,8 @@ Frame Frames::at(const LocalMesh& mesh, std::size_t i) const {
       blended += weight * joints_[static_cast<std::size_t>(mesh.joints[set][k])];
       sum += weight;
     }
-  // Weights that do not sum to 1 would pull the vertex towards the origin; without any weight the node itself carries it.
+  // Weights that do not sum to 1 would pull the vertex towards the origin; without any weight the node itself
+  // carries it.
   if (!(sum > 1e-6)) return rigid_;
   return frame_of(blended / sum);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the vertices of one node get into the world: by the node's matrix, or by its skin's joints as they stand.
+// How the vertices of one node get into the world: by the node's matrix, or by its skin's joints as they
+// stand.
 #pragma once
 
 #include "scene/gltf/mesh.h"
@@ -8,7 +9,8 @@ namespace dermis::scene::gltf {
 
 struct Frame {
   glm::dmat4 matrix{1};
-  glm::dmat3 normal_matrix{1};  ///< inverse transpose up to a positive factor; sound for flat (singular) matrices too
+  /// inverse transpose up to a positive factor; sound for flat (singular) matrices too
+  glm::dmat3 normal_matrix{1};
   bool mirrored = false;
 };
 

@@ -16,7 +16,8 @@ constexpr std::array<std::uint8_t, 256> base64_values() {
   std::array<std::uint8_t, 256> values{};
   values.fill(not_a_digit);
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < digits.size(); ++i) values[static_cast<unsigned char>(digits[i])] = static_cast<std::uint8_t>(i);
+  for (std::size_t i = 0; i < digits.size(); ++i)
+    values[static_cast<unsigned char>(digits[i])] = static_cast<std::uint8_t>(i);
   return values;
 }
 
@@ -84,17 +85,21 @@ std::optional<std::vector<std::byte>> data_uri(std::string_view uri, const std::
   return bytes;
 }
 
-std::filesystem::path uri_path(const std::filesystem::path& folder, const std::string& uri, const std::string& where) {
+std::filesystem::path uri_path(const std::filesystem::path& folder, const std::string& uri,
+                               const std::string& where) {
   namespace fs = std::filesystem;
   const std::string shown = uri.substr(0, 120);
   if (uri.empty()) throw input_error(where, "the uri is empty");
   if (uri.find('\0') != std::string::npos) throw input_error(where, "the uri holds a zero byte");
-  if (has_scheme(uri)) throw input_error(where, "'{}' is not a relative uri; only files beside the scene are read", shown);
+  if (has_scheme(uri))
+    throw input_error(where, "'{}' is not a relative uri; only files beside the scene are read", shown);
   const std::optional<std::string> decoded = decode_percent(uri);
   for (const std::string& name : {uri, decoded.value_or(uri)})
-    if (fs::path(name).is_absolute()) throw input_error(where, "'{}' is an absolute path; only files beside the scene are read", shown);
+    if (fs::path(name).is_absolute())
+      throw input_error(where, "'{}' is an absolute path; only files beside the scene are read", shown);
   std::error_code ignored;
-  if (decoded && !fs::exists(folder / *decoded, ignored) && fs::exists(folder / uri, ignored)) return folder / uri;
+  if (decoded && !fs::exists(folder / *decoded, ignored) && fs::exists(folder / uri, ignored))
+    return folder / uri;
   return folder / decoded.value_or(uri);
 }
 

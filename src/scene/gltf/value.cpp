@@ -31,16 +31,21 @@ std::string printable(std::string_view text, std::size_t most) {
 }
 
 JsonText::JsonText(std::string_view text, std::string file) : file_(std::move(file)) {
-  if (text.starts_with("\xEF\xBB\xBF")) throw input_error(file_, "the JSON starts with a byte-order mark, which glTF forbids");
+  if (text.starts_with("\xEF\xBB\xBF"))
+    throw input_error(file_, "the JSON starts with a byte-order mark, which glTF forbids");
   std::size_t values = 0;
   const auto watch = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > max_json_depth) throw input_error(file_, "the JSON is nested deeper than {} levels", max_json_depth);
-    if (++values > max_json_values) throw input_error(file_, "the JSON has more than {} values", max_json_values);
+    if (depth > max_json_depth)
+      throw input_error(file_, "the JSON is nested deeper than {} levels", max_json_depth);
+    if (++values > max_json_values)
+      throw input_error(file_, "the JSON has more than {} values", max_json_values);
     return true;
   };
   try {
     json_ = std::make_unique<Json>(Json::parse(text.begin(), text.end(), watch));
-  } catch (const Json::exception& error) { throw input_error(file_, "is not valid JSON: {}", short_reason(error.what())); }
+  } catch (const Json::exception& error) {
+    throw input_error(file_, "is not valid JSON: {}", short_reason(error.what()));
+  }
   if (!json_->is_object()) throw input_error(file_, "the JSON is not an object");
 }
 JsonText::~JsonText() = default;
@@ -61,7 +66,9 @@ std::size_t Value::array_size() const {
   if (json_->empty()) fail("is an empty array");
   return json_->size();
 }
-Value Value::element(std::size_t index) const { return {(*json_)[index], *file_, fmt::format("{}[{}]", place_, index)}; }
+Value Value::element(std::size_t index) const {
+  return {(*json_)[index], *file_, fmt::format("{}[{}]", place_, index)};
+}
 
 double Value::number() const {
   if (!json_->is_number()) expected("a number");
@@ -72,7 +79,8 @@ double Value::number() const {
 std::uint64_t Value::count(std::uint64_t least, std::uint64_t most) const {
   if (!is_integer()) expected("an integer");
   const auto value = json_->get<double>();  // exact below 2^53, and max_count is less
-  if (value < static_cast<double>(least) || value > static_cast<double>(most)) fail("must be {} to {}, is {}", least, most, value);
+  if (value < static_cast<double>(least) || value > static_cast<double>(most))
+    fail("must be {} to {}, is {}", least, most, value);
   return static_cast<std::uint64_t>(value);
 }
 const std::string& Value::text() const {
@@ -108,7 +116,8 @@ double Value::number_or(const char* key, double otherwise, double least, double 
   if (value < least || value > most) found->fail("must be {} to {}, is {}", least, most, value);
   return value;
 }
-std::uint64_t Value::count_or(const char* key, std::uint64_t otherwise, std::uint64_t least, std::uint64_t most) const {
+std::uint64_t Value::count_or(const char* key, std::uint64_t otherwise, std::uint64_t least,
+                              std::uint64_t most) const {
   const std::optional<Value> found = find(key);
   return found ? found->count(least, most) : otherwise;
 }
@@ -124,7 +133,8 @@ std::string Value::text_or(const char* key, const std::string& otherwise) const 
 int Value::as_index(std::size_t size, const char* what) const {
   if (!is_integer()) expected("an integer");
   const auto value = json_->get<double>();
-  if (value < 0 || value >= static_cast<double>(size)) fail("there is no {} {} ({} in all)", what, value, size);
+  if (value < 0 || value >= static_cast<double>(size))
+    fail("there is no {} {} ({} in all)", what, value, size);
   if (value > std::numeric_limits<int>::max()) fail("index {} is too large", value);
   return static_cast<int>(value);
 }
@@ -132,7 +142,9 @@ int Value::index_or_none(const char* key, std::size_t size, const char* what) co
   const std::optional<Value> found = find(key);
   return found ? found->as_index(size, what) : -1;
 }
-int Value::index(const char* key, std::size_t size, const char* what) const { return at(key).as_index(size, what); }
+int Value::index(const char* key, std::size_t size, const char* what) const {
+  return at(key).as_index(size, what);
+}
 
 std::vector<double> Value::numbers(const char* key, std::size_t size) const {
   const std::optional<Value> found = find(key);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A JSON value of a glTF file together with its place ("accessors[3].count"), so that every error names file and place. All reading of the
-// document goes through here: types, ranges and references are checked before anything is used.
+// A JSON value of a glTF file together with its place ("accessors[3].count"), so that every error names file
+// and place. All reading of the document goes through here: types, ranges and references are checked before
+// anything is used.
 //
-// Why not tinygltf: it skips optional members of a wrong type, reads files and decodes Draco before anything is validated, and refuses
-// meshopt fallback buffers. The checks below would all have to be written around it anyway; on the plain JSON they are the reader.
+// Why not tinygltf: it skips optional members of a wrong type, reads files and decodes Draco before anything
+// is validated, and refuses meshopt fallback buffers. The checks below would all have to be written around it
+// anyway; on the plain JSON they are the reader.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +22,19 @@
 
 namespace dermis::scene::gltf {
 
-/// Counts, offsets and lengths of a file stay below this, so that sums and products of a few of them fit 64 bits.
+/// Counts, offsets and lengths of a file stay below this, so that sums and products of a few of them fit 64
+/// bits.
 inline constexpr std::uint64_t max_count = std::uint64_t{1} << 48;
 
-/// Text of a file for a message: without control characters, so that the message stays one line, and cut to `most` bytes.
+/// Text of a file for a message: without control characters, so that the message stays one line, and cut to
+/// `most` bytes.
 std::string printable(std::string_view text, std::size_t most = 80);
 
 /// The parsed text; Values point into it.
 class JsonText {
  public:
-  /// `file` names the file in errors. InputError: not JSON, not UTF-8, too deep, too many values, not an object.
+  /// `file` names the file in errors. InputError: not JSON, not UTF-8, too deep, too many values, not an
+  /// object.
   JsonText(std::string_view text, std::string file);
   ~JsonText();
   JsonText(const JsonText&) = delete;
@@ -43,22 +48,26 @@ class JsonText {
 
 class Value {
  public:
-  Value(const nlohmann::json& json, const std::string& file, std::string place) : json_(&json), file_(&file), place_(std::move(place)) {}
+  Value(const nlohmann::json& json, const std::string& file, std::string place)
+      : json_(&json), file_(&file), place_(std::move(place)) {}
 
   const std::string& place() const { return place_; }
   const std::string& file() const { return *file_; }
   const nlohmann::json& json() const { return *json_; }
   template <class... Args>
   [[noreturn]] void fail(fmt::format_string<Args...> format, Args&&... args) const {
-    throw input_error(*file_, "{}{}{}", place_, place_.empty() ? "" : ": ", fmt::format(format, std::forward<Args>(args)...));
+    throw input_error(*file_, "{}{}{}", place_, place_.empty() ? "" : ": ",
+                      fmt::format(format, std::forward<Args>(args)...));
   }
 
   // What this value is. Each fails with place and expected type.
   const Value& object() const;
   std::size_t array_size() const;  ///< of a non-empty array
   Value element(std::size_t index) const;
-  double number() const;                                                               ///< finite, and finite as a float
-  std::uint64_t count(std::uint64_t least = 0, std::uint64_t most = max_count) const;  ///< integer; 3.0 is one
+  /// finite, and finite as a float
+  double number() const;
+  /// integer; 3.0 is one
+  std::uint64_t count(std::uint64_t least = 0, std::uint64_t most = max_count) const;
   const std::string& text() const;
   bool boolean() const;
   bool is_object() const;
@@ -71,7 +80,8 @@ class Value {
   Value at(const char* key) const;  ///< required
   double number_or(const char* key, double otherwise, double least = -std::numeric_limits<float>::max(),
                    double most = std::numeric_limits<float>::max()) const;
-  std::uint64_t count_or(const char* key, std::uint64_t otherwise, std::uint64_t least = 0, std::uint64_t most = max_count) const;
+  std::uint64_t count_or(const char* key, std::uint64_t otherwise, std::uint64_t least = 0,
+                         std::uint64_t most = max_count) const;
   bool boolean_or(const char* key, bool otherwise) const;
   std::string text_or(const char* key, const std::string& otherwise) const;
   /// An index below `size` of what is called `what`; absent: -1.

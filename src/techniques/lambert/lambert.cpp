@@ -11,7 +11,8 @@ FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings
   for (std::uint32_t head = 0; head < settings.heads; ++head) {
     screen.add_shadow(head);
     for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh)
-      plan.add<passes::Skin>(label("final", settings, head, mesh), {{}, screen.shadow(), screen.colour(), screen.depth()},
+      plan.add<passes::Skin>(label("final", settings, head, mesh),
+                             {{}, screen.shadow(), screen.colour(), screen.depth()},
                              {.square = {.instance = head, .mesh = mesh},
                               .samples = settings.samples,
                               .clear = screen.take_clear(),

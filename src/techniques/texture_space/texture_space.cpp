@@ -29,13 +29,15 @@ using passes::Mask;
 std::vector<std::array<float, 3>> weights(const gaussians::SumOfGaussians& profile) {
   std::vector<std::array<float, 3>> w;
   for (const gaussians::Gaussian& term : profile.terms)
-    w.push_back({static_cast<float>(term.weight[0]), static_cast<float>(term.weight[1]), static_cast<float>(term.weight[2])});
+    w.push_back({static_cast<float>(term.weight[0]), static_cast<float>(term.weight[1]),
+                 static_cast<float>(term.weight[2])});
   return w;
 }
 
 std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
   std::vector<float> sigmas;
-  for (const gaussians::Gaussian& term : profile.terms) sigmas.push_back(static_cast<float>(std::sqrt(term.variance_mm2)));
+  for (const gaussians::Gaussian& term : profile.terms)
+    sigmas.push_back(static_cast<float>(std::sqrt(term.variance_mm2)));
   return sigmas;
 }
 
@@ -50,7 +52,8 @@ struct Level {
 
 class TextureSpace {
  public:
-  TextureSpace(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&plan), settings_(settings), screen_(plan, settings) {
+  TextureSpace(frame::FramePlan& plan, const FrameSettings& settings)
+      : plan_(&plan), settings_(settings), screen_(plan, settings) {
     for (const SkinPart& part : settings_.skin) add_halvings(part);
     if (!settings_.skin.empty()) make_maps();
   }
@@ -60,9 +63,11 @@ class TextureSpace {
     for (std::uint32_t head = first_head; head < first_head + heads; ++head) screen_.add_shadow(head);
     std::vector<MapSquare> all;
     for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
-      for (std::uint32_t head = first_head; head < first_head + heads; ++head) all.push_back(square_of(head, mesh));
+      for (std::uint32_t head = first_head; head < first_head + heads; ++head)
+        all.push_back(square_of(head, mesh));
     if (!all.empty()) add_light(all);
-    for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh) add_convolution(mesh, of_mesh(all, mesh));
+    for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
+      add_convolution(mesh, of_mesh(all, mesh));
     for (std::uint32_t head = first_head; head < first_head + heads; ++head) {
       for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh) add_final(square_of(head, mesh));
       screen_.add_surfaces(head);
@@ -84,11 +89,14 @@ class TextureSpace {
 
  private:
   // One square a head of a batch and skin mesh, in rows.
-  std::uint32_t squares() const { return settings_.heads_per_batch * static_cast<std::uint32_t>(settings_.skin.size()); }
+  std::uint32_t squares() const {
+    return settings_.heads_per_batch * static_cast<std::uint32_t>(settings_.skin.size());
+  }
   std::uint32_t columns() const { return static_cast<std::uint32_t>(std::ceil(std::sqrt(squares()))); }
 
   MapSquare square_of(std::uint32_t head, std::uint32_t mesh) const {
-    const std::uint32_t index = head % settings_.heads_per_batch * static_cast<std::uint32_t>(settings_.skin.size()) + mesh;
+    const std::uint32_t index =
+        head % settings_.heads_per_batch * static_cast<std::uint32_t>(settings_.skin.size()) + mesh;
     return {.instance = head,
             .mesh = mesh,
             .origin = glm::uvec2(index % columns(), index / columns()) * settings_.map_size,
@@ -96,7 +104,8 @@ class TextureSpace {
             .largest_side = settings_.map_size};
   }
 
-  // What cull and clip have left unlit is skipped; with neither, the whole used square is convolved by the same kind of pass.
+  // What cull and clip have left unlit is skipped; with neither, the whole used square is convolved by the
+  // same kind of pass.
   bool sparse() const { return settings_.optimise.cull || settings_.optimise.clip; }
   Mask mask() const {
     if (sparse()) return settings_.mask;
@@ -107,7 +116,8 @@ class TextureSpace {
     return level.halvings > 0 ? fmt::format("{} 1/{}", what, 1u << level.halvings) : std::string(what);
   }
   std::string name(std::string_view what) const {
-    return settings_.heads > settings_.heads_per_batch ? fmt::format("{} batch {}", what, batch_) : std::string(what);
+    return settings_.heads > settings_.heads_per_batch ? fmt::format("{} batch {}", what, batch_)
+                                                       : std::string(what);
   }
   std::string name(std::string_view what, std::uint32_t mesh) const {
     return name(settings_.skin.size() > 1 ? fmt::format("{} part {}", what, mesh) : std::string(what));
@@ -116,7 +126,8 @@ class TextureSpace {
   // A term's map serves all skin meshes: it is halved as often as the one that needs it largest allows.
   void add_halvings(const SkinPart& part) {
     std::vector<std::uint32_t> halvings(part.profile.terms.size(), 0);
-    if (settings_.progressive) halvings = passes::map_halvings(part.profile, part.mean_texels_per_mm, settings_.map_size);
+    if (settings_.progressive)
+      halvings = passes::map_halvings(part.profile, part.mean_texels_per_mm, settings_.map_size);
     for (std::size_t k = 0; k < halvings.size(); ++k) {
       if (k == halvings_.size()) halvings_.push_back(halvings[k]);
       halvings_[k] = std::min(halvings_[k], halvings[k]);
@@ -137,14 +148,16 @@ class TextureSpace {
 
   void make_maps() {
     for (std::size_t k = 0; k < halvings_.size(); ++k) {
-      if (levels_.empty() || levels_.back().halvings != halvings_[k]) levels_.push_back(make_level(halvings_[k]));
+      if (levels_.empty() || levels_.back().halvings != halvings_[k])
+        levels_.push_back(make_level(halvings_[k]));
       blurred_.push_back(plan_->texture(fmt::format("light {}", k), pool(halvings_[k])));
       levels_.back().blurred.push_back(blurred_.back());
     }
     if (settings_.translucency)
       for (std::size_t g = 1; g < passes::transmission_groups(halvings_.size()).size(); ++g)
         joining_.push_back(plan_->texture(fmt::format("joining {}", g), pool(0)));
-    const gpu::TextureDesc map{.width = settings_.map_size, .height = settings_.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
+    const gpu::TextureDesc map{
+        .width = settings_.map_size, .height = settings_.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
     for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh) {
       const std::string suffix = settings_.skin.size() > 1 ? fmt::format(" part {}", mesh) : "";
       stretch_.push_back(plan_->texture("stretch" + suffix, map, frame::Lifetime::persistent));
@@ -167,7 +180,8 @@ class TextureSpace {
     level.scratch = plan_->texture("scratch" + suffix, pool(halvings));
     if (sparse()) level.border = passes::make_tile_lists(*plan_, "border" + suffix, squares(), side);
     if (mask() == Mask::tiles) level.lit = passes::make_tile_lists(*plan_, "lit" + suffix, squares(), side);
-    if (mask() == Mask::depth) level.depth_mask = plan_->texture("depth mask" + suffix, pool(halvings, VK_FORMAT_D32_SFLOAT));
+    if (mask() == Mask::depth)
+      level.depth_mask = plan_->texture("depth mask" + suffix, pool(halvings, VK_FORMAT_D32_SFLOAT));
     return level;
   }
 
@@ -182,42 +196,52 @@ class TextureSpace {
                                             .mm_per_unit = settings_.mm_per_unit};
     if (settings_.translucency)
       for (const SkinPart& part : settings_.skin) irradiance.through.push_back(part.profile);
-    plan_->add<passes::Irradiance>(name("irradiance"), {level.light, screen_.shadow(), screen_.entering(), joining_}, irradiance);
+    plan_->add<passes::Irradiance>(name("irradiance"),
+                                   {level.light, screen_.shadow(), screen_.entering(), joining_}, irradiance);
     if (settings_.translucency)
-      plan_->add<passes::TransmissionMisses>(name("count transmission misses"), {screen_.shadow(), screen_.entering(), screen_.counters()},
+      plan_->add<passes::TransmissionMisses>(name("count transmission misses"),
+                                             {screen_.shadow(), screen_.entering(), screen_.counters()},
                                              {.irradiance = irradiance, .slot = counter_transmission_misses});
     for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
-      plan_->add<passes::Count>(name("count texels", mesh), {level.light, screen_.counters()},
-                                {.slot = mesh_counter(mesh, 0, counter_lit_texels), .squares = of_mesh(all, mesh)});
+      plan_->add<passes::Count>(
+          name("count texels", mesh), {level.light, screen_.counters()},
+          {.slot = mesh_counter(mesh, 0, counter_lit_texels), .squares = of_mesh(all, mesh)});
     add_masks(level, all);
   }
 
   // Goes on in smaller maps with the light of one skin mesh.
-  void add_halved(const Level& level, frame::TextureId light, const std::vector<MapSquare>& from, const std::vector<MapSquare>& to) {
-    plan_->add<passes::Halve>(name(at("halve", level), to.front().mesh), {light, stretch_[to.front().mesh], level.light},
-                              {.from = from, .to = to});
+  void add_halved(const Level& level, frame::TextureId light, const std::vector<MapSquare>& from,
+                  const std::vector<MapSquare>& to) {
+    plan_->add<passes::Halve>(name(at("halve", level), to.front().mesh),
+                              {light, stretch_[to.front().mesh], level.light}, {.from = from, .to = to});
     add_masks(level, to);
   }
 
-  // What the convolutions of a level need beside its light: the other side of seams, a border, and where there is none.
+  // What the convolutions of a level need beside its light: the other side of seams, a border, and where
+  // there is none.
   void add_masks(const Level& level, const std::vector<MapSquare>& all) {
     const auto label = [&](std::string_view what) { return name(at(what, level)); };
     plan_->add<Gutters>(label("irradiance gutters"), {level.light}, {.squares = all});
     if (sparse()) add_border(level, all);
     for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
       if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
-        plan_->add<passes::Count>(
-            name(at("count masked texels", level), mesh), {level.light, screen_.counters()},
-            {.slot = mesh_counter(mesh, level.halvings, counter_masked_texels), .threshold = 0.5f, .absolute = true, .squares = squares});
-    if (mask() == Mask::depth) plan_->add<passes::DepthMask>(label("depth mask"), {level.light, level.depth_mask}, {.squares = all});
+        plan_->add<passes::Count>(name(at("count masked texels", level), mesh),
+                                  {level.light, screen_.counters()},
+                                  {.slot = mesh_counter(mesh, level.halvings, counter_masked_texels),
+                                   .threshold = 0.5f,
+                                   .absolute = true,
+                                   .squares = squares});
+    if (mask() == Mask::depth)
+      plan_->add<passes::DepthMask>(label("depth mask"), {level.light, level.depth_mask}, {.squares = all});
     if (mask() == Mask::tiles) {
       std::vector<frame::TextureId> maps = level.blurred;
       maps.push_back(level.scratch);
       plan_->add<passes::ClearTiles>(label("clear tiles"), {level.lit});
       plan_->add<passes::TileClasses>(label("tile classes"), {level.light, level.lit}, {all});
-      plan_->add<passes::Tiles>(
-          label("tiles"), {level.lit, screen_.counters()},
-          {.squares = all, .first_slot = mesh_counter(0, level.halvings, counter_tiles), .slot_stride = counter_mesh_stride});
+      plan_->add<passes::Tiles>(label("tiles"), {level.lit, screen_.counters()},
+                                {.squares = all,
+                                 .first_slot = mesh_counter(0, level.halvings, counter_tiles),
+                                 .slot_stride = counter_mesh_stride});
       plan_->add<passes::IdleTiles>(label("idle tiles"), {level.lit, maps}, {.squares = all});
     }
   }
@@ -230,37 +254,44 @@ class TextureSpace {
                               {.squares = all, .what = passes::Tiles::What::border});
     for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
       if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
-        plan_->add<passes::Border>(name(at("border", level), mesh), {level.light, stretch_[mesh], level.border}, {squares});
+        plan_->add<passes::Border>(name(at("border", level), mesh),
+                                   {level.light, stretch_[mesh], level.border}, {squares});
     if (level.halvings > 0) return;
     for (std::size_t g = 0; g < joining_.size(); ++g)
       for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
-        plan_->add<passes::Border>(name(fmt::format("joining {} border", g + 1), mesh), {joining_[g], stretch_[mesh], level.border},
-                                   {of_mesh(all, mesh)});
+        plan_->add<passes::Border>(name(fmt::format("joining {} border", g + 1), mesh),
+                                   {joining_[g], stretch_[mesh], level.border}, {of_mesh(all, mesh)});
   }
 
   // Of the nearest head.
   frame::TextureId add_visibility() {
-    const frame::TextureId picture =
-        plan_->texture("visibility", {.width = settings_.map_size, .height = settings_.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT},
-                       frame::Lifetime::persistent);
-    plan_->add<passes::Visibility>(
-        "visibility", {picture},
-        {.square = square_of(settings_.heads - 1, 0), .cull = settings_.optimise.cull, .clip = settings_.optimise.clip});
+    const frame::TextureId picture = plan_->texture(
+        "visibility",
+        {.width = settings_.map_size, .height = settings_.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT},
+        frame::Lifetime::persistent);
+    plan_->add<passes::Visibility>("visibility", {picture},
+                                   {.square = square_of(settings_.heads - 1, 0),
+                                    .cull = settings_.optimise.cull,
+                                    .clip = settings_.optimise.clip});
     return picture;
   }
 
-  // Gaussians compose: blurring a blurred map adds variances, so each term starts from the one before. Seams are refreshed after each step.
+  // Gaussians compose: blurring a blurred map adds variances, so each term starts from the one before. Seams
+  // are refreshed after each step.
   void add_convolution(std::uint32_t mesh, const std::vector<MapSquare>& all) {
     const Level* level = &levels_.front();
     frame::TextureId light = level->light;
     std::vector<MapSquare> squares = all;
     std::size_t term = 0, number = 0;
     bool first = true, joins = false;
-    const std::vector<std::size_t> groups = passes::transmission_groups(settings_.skin[mesh].profile.terms.size());
-    for (const passes::BlurStep& step : passes::blur_steps(settings_.skin[mesh].profile, settings_.skin[mesh].max_texels_per_mm)) {
+    const std::vector<std::size_t> groups =
+        passes::transmission_groups(settings_.skin[mesh].profile.terms.size());
+    for (const passes::BlurStep& step :
+         passes::blur_steps(settings_.skin[mesh].profile, settings_.skin[mesh].max_texels_per_mm)) {
       for (std::size_t g = 1; joins && g < groups.size(); ++g)
         if (groups[g] == term) light = add_join(g, light, *level, all);
-      passes::Blur::Settings blur{.squares = squares, .variance_mm2 = step.variance_mm2, .texel_averaged = first, .mask = mask()};
+      passes::Blur::Settings blur{
+          .squares = squares, .variance_mm2 = step.variance_mm2, .texel_averaged = first, .mask = mask()};
       if (halvings_[term] != level->halvings) {
         blur.halvings_before = level->halvings;
         level = &level_of(term);
@@ -272,9 +303,11 @@ class TextureSpace {
       const std::string step_name = fmt::format("blur {}", number++);
       // A step between two terms is overwritten by the step that ends the next term: its map serves both.
       const frame::TextureId target = blurred_[term];
-      plan_->add<passes::Blur>(name(step_name + " u", mesh), {light, stretch_[mesh], level->scratch, level->lit, level->depth_mask}, blur);
+      plan_->add<passes::Blur>(name(step_name + " u", mesh),
+                               {light, stretch_[mesh], level->scratch, level->lit, level->depth_mask}, blur);
       blur.axis = 1;
-      plan_->add<passes::Blur>(name(step_name + " v", mesh), {level->scratch, stretch_[mesh], target, level->lit, level->depth_mask}, blur);
+      plan_->add<passes::Blur>(name(step_name + " v", mesh),
+                               {level->scratch, stretch_[mesh], target, level->lit, level->depth_mask}, blur);
       plan_->add<Gutters>(name(step_name + " gutters", mesh), {target}, {.squares = squares});
       light = target;
       first = false;
@@ -284,7 +317,8 @@ class TextureSpace {
   }
 
   const Level& level_of(std::size_t term) const {
-    return *std::find_if(levels_.begin(), levels_.end(), [&](const Level& level) { return level.halvings == halvings_[term]; });
+    return *std::find_if(levels_.begin(), levels_.end(),
+                         [&](const Level& level) { return level.halvings == halvings_[term]; });
   }
 
   std::vector<MapSquare> on_level(std::vector<MapSquare> squares, const Level& level) const {
@@ -297,21 +331,26 @@ class TextureSpace {
     return square;
   }
 
-  // Light that the terms from here on bring through the body joins what the terms before have spread: passes/transmission.h.
-  frame::TextureId add_join(std::size_t group, frame::TextureId light, const Level& level, const std::vector<MapSquare>& all) {
+  // Light that the terms from here on bring through the body joins what the terms before have spread:
+  // passes/transmission.h.
+  frame::TextureId add_join(std::size_t group, frame::TextureId light, const Level& level,
+                            const std::vector<MapSquare>& all) {
     const std::uint32_t mesh = all.front().mesh;
     const std::vector<MapSquare> squares = on_level(all, level);
     frame::TextureId through = joining_[group - 1];
     if (level.halvings > 0) {
       const std::string what = at(fmt::format("joining {}", group), level);
-      through =
-          plan_
-              ->add<passes::Halve>(name(what, mesh), {through, stretch_[mesh], plan_->texture(name(what, mesh), pool(level.halvings))},
-                                   {.from = all, .to = squares})
-              .light;
+      through = plan_
+                    ->add<passes::Halve>(
+                        name(what, mesh),
+                        {through, stretch_[mesh], plan_->texture(name(what, mesh), pool(level.halvings))},
+                        {.from = all, .to = squares})
+                    .light;
     }
-    const frame::TextureId joined =
-        plan_->add<passes::Join>(name(fmt::format("join {}", group), mesh), {light, through}, {.squares = squares}).light;
+    const frame::TextureId joined = plan_
+                                        ->add<passes::Join>(name(fmt::format("join {}", group), mesh),
+                                                            {light, through}, {.squares = squares})
+                                        .light;
     plan_->add<Gutters>(name(fmt::format("join {} gutters", group), mesh), {joined}, {.squares = squares});
     return joined;
   }
@@ -319,31 +358,35 @@ class TextureSpace {
   void add_final(const MapSquare& square) {
     const SkinPart& part = settings_.skin[square.mesh];
     const std::size_t terms = part.profile.terms.size();
-    const std::vector<frame::TextureId> lights(blurred_.begin(), blurred_.begin() + static_cast<std::ptrdiff_t>(terms));
-    plan_->add<passes::Skin>(label("final", settings_, square.instance, square.mesh),
-                             {lights, screen_.shadow(), screen_.colour(), screen_.depth(), screen_.entering()},
-                             {.square = square,
-                              .samples = settings_.samples,
-                              .clear = screen_.take_clear(),
-                              .weights = weights(part.profile),
-                              .halvings = {halvings_.begin(), halvings_.begin() + static_cast<std::ptrdiff_t>(terms)},
-                              .environment = settings_.environment,
-                              .soft_shadows = settings_.soft_shadows,
-                              .mixes = settings_.optimise.depth,
-                              .sigmas_mm = sigmas_mm(part.profile),
-                              .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
-                              .largest_side = settings_.map_size,
-                              .through = settings_.translucency ? std::optional(part.profile) : std::nullopt,
-                              .mm_per_unit = settings_.mm_per_unit});
+    const std::vector<frame::TextureId> lights(blurred_.begin(),
+                                               blurred_.begin() + static_cast<std::ptrdiff_t>(terms));
+    plan_->add<passes::Skin>(
+        label("final", settings_, square.instance, square.mesh),
+        {lights, screen_.shadow(), screen_.colour(), screen_.depth(), screen_.entering()},
+        {.square = square,
+         .samples = settings_.samples,
+         .clear = screen_.take_clear(),
+         .weights = weights(part.profile),
+         .halvings = {halvings_.begin(), halvings_.begin() + static_cast<std::ptrdiff_t>(terms)},
+         .environment = settings_.environment,
+         .soft_shadows = settings_.soft_shadows,
+         .mixes = settings_.optimise.depth,
+         .sigmas_mm = sigmas_mm(part.profile),
+         .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
+         .largest_side = settings_.map_size,
+         .through = settings_.translucency ? std::optional(part.profile) : std::nullopt,
+         .mm_per_unit = settings_.mm_per_unit});
     for (const Level& level : levels_)
-      plan_->add<passes::SkinReads>(label(at("count unshaded reads", level), settings_, square.instance, square.mesh),
-                                    {level.blurred.front(), screen_.depth(), screen_.counters()},
-                                    {.square = on_level(square, level), .samples = settings_.samples, .slot = counter_unshaded_reads});
+      plan_->add<passes::SkinReads>(
+          label(at("count unshaded reads", level), settings_, square.instance, square.mesh),
+          {level.blurred.front(), screen_.depth(), screen_.counters()},
+          {.square = on_level(square, level), .samples = settings_.samples, .slot = counter_unshaded_reads});
   }
 
   static std::vector<MapSquare> of_mesh(const std::vector<MapSquare>& all, std::uint32_t mesh) {
     std::vector<MapSquare> squares;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(squares), [&](const MapSquare& s) { return s.mesh == mesh; });
+    std::copy_if(all.begin(), all.end(), std::back_inserter(squares),
+                 [&](const MapSquare& s) { return s.mesh == mesh; });
     return squares;
   }
 
@@ -355,7 +398,8 @@ class TextureSpace {
   std::vector<Level> levels_;              // large to small; the first holds the irradiance
   std::vector<frame::TextureId> blurred_;  // one a term
   std::vector<frame::TextureId> stretch_;  // one a skin mesh
-  std::vector<frame::TextureId> joining_;  // with translucency: what joins at the second and third group of terms
+  // with translucency: what joins at the second and third group of terms
+  std::vector<frame::TextureId> joining_;
 };
 
 }  // namespace

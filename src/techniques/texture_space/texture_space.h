@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Texture-space diffusion. Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007; GPU Gems 3, ch. 14.
+/// Texture-space diffusion. Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin.
+/// EGSR 2007; GPU Gems 3, ch. 14.
 #pragma once
 
 #include "techniques/technique.h"

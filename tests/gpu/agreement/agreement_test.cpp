@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The renderer and the reference hold the same equations, written twice: a difference that is not one of method is a mistake in one of
-// them.
+// The renderer and the reference hold the same equations, written twice: a difference that is not one of
+// method is a mistake in one of them.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -27,7 +27,8 @@ Agreement compare(const Picture& reference, const Picture& rendered) {
   std::vector<double> differences;
   for (std::size_t i = 0; i < reference.linear_rgba.size(); i += 4) {
     if (reference.linear_rgba[i + 3] < 1 || rendered.linear_rgba[i + 3] < 1) continue;
-    for (std::size_t c = 0; c < 3; ++c) a[c] += reference.linear_rgba[i + c], b[c] += rendered.linear_rgba[i + c];
+    for (std::size_t c = 0; c < 3; ++c)
+      a[c] += reference.linear_rgba[i + c], b[c] += rendered.linear_rgba[i + c];
     differences.push_back(std::abs(double(reference.linear_rgba[i + 1]) / rendered.linear_rgba[i + 1] - 1));
     ++out.pixels;
   }
@@ -53,21 +54,24 @@ Agreement agreement(const std::string& technique, RenderSettings s, int samples)
   s.technique = technique;
   const ReferencePicture reference = render_reference(head, s, {.samples = samples});
   const Agreement a = compare(reference.picture, renderer.render(head, s));
-  std::printf("%s, specular %s: ratio %.4f %.4f %.4f, typical difference %.4f over %d pixels\n", technique.c_str(),
-              s.specular ? "on" : "off", a.ratio[0], a.ratio[1], a.ratio[2], a.typical, a.pixels);
+  std::printf("%s, specular %s: ratio %.4f %.4f %.4f, typical difference %.4f over %d pixels\n",
+              technique.c_str(), s.specular ? "on" : "off", a.ratio[0], a.ratio[1], a.ratio[2], a.typical,
+              a.pixels);
   return a;
 }
 
 // A Gaussian of a hundredth of a millimetre leaves light where it fell: that is Lambert.
 TEST(Agreement, DirectLight) {
-  const auto narrow = std::filesystem::path(testing::TempDir()) / ("dermis_narrow_" + std::to_string(::getpid()) + ".json");
-  write_file(narrow, std::string_view(R"({"name": "narrow", "variances_mm2": [1e-4], "weights": [[1, 1, 1]]})"));
+  const auto narrow =
+      std::filesystem::path(testing::TempDir()) / ("dermis_narrow_" + std::to_string(::getpid()) + ".json");
+  write_file(narrow,
+             std::string_view(R"({"name": "narrow", "variances_mm2": [1e-4], "weights": [[1, 1, 1]]})"));
   for (const bool specular : {false, true}) {
     RenderSettings s = settings();
     s.profile = narrow.string();
     s.specular = specular;
-    // Software drivers approximate the sRGB curve (0.3 % in dark colours); and where a pixel holds many texels of the normal map, filtered
-    // normals are not what the mean of their light is.
+    // Software drivers approximate the sRGB curve (0.3 % in dark colours); and where a pixel holds many
+    // texels of the normal map, filtered normals are not what the mean of their light is.
     s.white_albedo = true;
     s.width = s.height = 512;
     const Agreement a = agreement("lambert", s, 8);

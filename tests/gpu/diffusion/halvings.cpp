@@ -27,7 +27,8 @@ TEST(Halvings, LeaveASigmaOfATexel) {
 
 TEST(Halvings, DivideTheMap) {
   for (const std::uint32_t size : {1000u, 1001u, 1002u, 1004u})
-    for (const std::uint32_t n : map_halvings(gaussians::skin_six(), 100, size)) EXPECT_EQ(size % (1u << n), 0u) << size;
+    for (const std::uint32_t n : map_halvings(gaussians::skin_six(), 100, size))
+      EXPECT_EQ(size % (1u << n), 0u) << size;
 }
 
 TEST(Halvings, FitTheirPoolAtEverySize) {

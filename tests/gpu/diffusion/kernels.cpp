@@ -22,7 +22,8 @@ TEST(Kernels, WeightsSumToOneAndVarianceIsExact) {
   }
 }
 
-// The mean over the first dark texel of an edge's Phi: sigma (phi(0) - phi(1/sigma)) - Phi(-1/sigma) ... as an integral.
+// The mean over the first dark texel of an edge's Phi: sigma (phi(0) - phi(1/sigma)) - Phi(-1/sigma) ... as
+// an integral.
 TEST(Kernels, AveragedKernelMatchesAnEdgeOnTexelBorders) {
   for (const double sigma : {0.1, 0.32, 0.88, 1.7}) {
     const HalfKernel k = texel_averaged_gaussian(sigma);

@@ -38,12 +38,14 @@ double expected(const Setting& s, const glm::dvec2& centre, double sigma_mm, boo
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       const glm::dvec2 p = centre + glm::dvec2((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5);
-      sum += 0.5 * std::erfc(-glm::dot(p - s.point, s.normal) * s.mm_per_unit_distance / sigma_mm / std::numbers::sqrt2);
+      sum += 0.5 * std::erfc(-glm::dot(p - s.point, s.normal) * s.mm_per_unit_distance / sigma_mm /
+                             std::numbers::sqrt2);
     }
   return sum / (n * n);
 }
 
-// The plane is as large as the map: uv = transform * (x, y) / size, centred, so that it holds `texels_per_mm` along its axes.
+// The plane is as large as the map: uv = transform * (x, y) / size, centred, so that it holds `texels_per_mm`
+// along its axes.
 Setting make_setting(const Case& c) {
   Setting s;
   const double size_mm = side / c.texels_per_mm;
@@ -55,7 +57,9 @@ Setting make_setting(const Case& c) {
   s.experiment.map_size = side;
   // On texel borders; the slanted edge runs midway between two rows of centres.
   s.point = glm::dvec2(side / 2.0) + (c.edge == Edge::across ? glm::dvec2(0.5, 0) : glm::dvec2(0));
-  s.normal = c.edge == Edge::along_v ? glm::dvec2(1, 0) : c.edge == Edge::along_u ? glm::dvec2(0, 1) : glm::normalize(glm::dvec2(1, 1));
+  s.normal = c.edge == Edge::along_v   ? glm::dvec2(1, 0)
+             : c.edge == Edge::along_u ? glm::dvec2(0, 1)
+                                       : glm::normalize(glm::dvec2(1, 1));
   // |grad of (n . texel)| per mm = |J^-T n|: texel = side * transform * P / size_mm.
   s.texel_per_mm = c.transform * (side / size_mm);
   s.mm_per_unit_distance = 1 / glm::length(glm::transpose(s.texel_per_mm) * s.normal);
@@ -71,14 +75,16 @@ struct Deviation {
 bool far_from_border(const Setting& s, const lab::Map& painted, const glm::dvec2& centre, double sigma_mm) {
   for (int i = 0; i < 32; ++i) {
     const double angle = 2 * std::numbers::pi * i / 32;
-    const glm::ivec2 p(glm::floor(centre + s.texel_per_mm * glm::dvec2(std::cos(angle), std::sin(angle)) * (4 * sigma_mm)));
+    const glm::ivec2 p(
+        glm::floor(centre + s.texel_per_mm * glm::dvec2(std::cos(angle), std::sin(angle)) * (4 * sigma_mm)));
     if (p.x < 0 || p.y < 0 || p.x >= side || p.y >= side || painted.at(p.x, p.y)[3] == 0) return false;
   }
   return true;
 }
 
 // The sum over the terms against the closed form, in the middle of the map where no border reaches.
-Deviation measure(const Setting& s, const lab::Result& result, const gaussians::SumOfGaussians& sum, bool averaged) {
+Deviation measure(const Setting& s, const lab::Result& result, const gaussians::SumOfGaussians& sum,
+                  bool averaged) {
   Deviation d;
   const int reach = 60;
   int counted = 0;
@@ -93,7 +99,8 @@ Deviation measure(const Setting& s, const lab::Result& result, const gaussians::
         double got = 0, want = 0;
         for (std::size_t i = 0; i < sum.terms.size(); ++i) {
           got += sum.terms[i].weight[channel] * result.levels[i].at(x, y)[channel];
-          want += sum.terms[i].weight[channel] * expected(s, centre, std::sqrt(sum.terms[i].variance_mm2), averaged);
+          want += sum.terms[i].weight[channel] *
+                  expected(s, centre, std::sqrt(sum.terms[i].variance_mm2), averaged);
         }
         d.worst[channel] = std::max(d.worst[channel], std::abs(got - want));
       }
@@ -117,11 +124,13 @@ gaussians::SumOfGaussians one_term(double variance_mm2) {
   return {.name = "one", .terms = {{.variance_mm2 = variance_mm2, .weight = {1, 1, 1}}}};
 }
 
-void expect_edge(const Case& c, const gaussians::SumOfGaussians& sum, double bound, bool averaged, const std::string& what) {
+void expect_edge(const Case& c, const gaussians::SumOfGaussians& sum, double bound, bool averaged,
+                 const std::string& what) {
   Setting s = make_setting(c);
   for (const auto& term : sum.terms) s.experiment.variances_mm2.push_back(term.variance_mm2);
   const Deviation d = measure(s, lab::run(s.experiment), sum, averaged);
-  for (int channel = 0; channel < 3; ++channel) EXPECT_LE(d.worst[channel], bound) << what << ", channel " << channel;
+  for (int channel = 0; channel < 3; ++channel)
+    EXPECT_LE(d.worst[channel], bound) << what << ", channel " << channel;
 }
 
 class KnifeEdge : public testing::Test {
@@ -145,7 +154,8 @@ TEST_F(KnifeEdge, WideTermsWithinOnePercent) {
   for (const auto& [name, transform] : shapes)
     for (const Edge edge : {Edge::along_u, Edge::along_v, Edge::across}) {
       const Case c{.texels_per_mm = 8, .edge = edge, .transform = transform, .node_scale = 1};
-      // Two texels of the direction in which they lie farthest apart, at most 2.72 mm or a quarter of the plane.
+      // Two texels of the direction in which they lie farthest apart, at most 2.72 mm or a quarter of the
+      // plane.
       expect_edge(c, one_term(1.0), 0.01, false, std::string(name) + ", sigma 1 mm");
     }
 }
@@ -154,17 +164,20 @@ TEST_F(KnifeEdge, WidestPublishedTermAlone) {
   for (const double density : {2.0, 4.0, 8.0})
     for (const Edge edge : {Edge::along_u, Edge::along_v, Edge::across}) {
       const double variance = std::min(7.41, std::pow(20 / density, 2));
-      expect_edge({.texels_per_mm = density, .edge = edge, .transform = shapes[0].second}, one_term(variance), 0.01, false,
-                  std::to_string(density) + " texels per mm");
+      expect_edge({.texels_per_mm = density, .edge = edge, .transform = shapes[0].second}, one_term(variance),
+                  0.01, false, std::to_string(density) + " texels per mm");
     }
 }
 
-// The published profile, 1 to 6 terms: narrow terms are below a texel, so the answer is averaged over each texel: 3 % of the peak.
+// The published profile, 1 to 6 terms: narrow terms are below a texel, so the answer is averaged over each
+// texel: 3 % of the peak.
 TEST_F(KnifeEdge, PublishedProfileWithinThreePercent) {
   for (std::size_t terms = 1; terms <= 6; ++terms)
     for (const double density : {1.0, 2.0, 4.0, 8.0}) {
-      if (terms == 6 && density > 6) continue;  // 2.72 mm would reach the plane's border: WidestPublishedTermAlone has it
-      expect_edge({.texels_per_mm = density, .edge = Edge::along_v, .transform = shapes[0].second}, first_terms(terms), 0.03, true,
+      // 2.72 mm would reach the plane's border: WidestPublishedTermAlone has it
+      if (terms == 6 && density > 6) continue;
+      expect_edge({.texels_per_mm = density, .edge = Edge::along_v, .transform = shapes[0].second},
+                  first_terms(terms), 0.03, true,
                   std::to_string(terms) + " terms, " + std::to_string(density) + " texels per mm");
     }
 }
@@ -175,22 +188,25 @@ double smallest_stretch(const glm::dmat2& m) {
   return std::sqrt(half_trace - std::sqrt(std::max(half_trace * half_trace - glm::determinant(g), 0.0)));
 }
 
-// An edge aslant to the texels is a staircase in the map (a shadow is seen at texel centres). With 6 texels per mm in the coarsest
-// direction its steps stay below the bound; with fewer the error is the sampling's, not the blur's.
+// An edge aslant to the texels is a staircase in the map (a shadow is seen at texel centres). With 6 texels
+// per mm in the coarsest direction its steps stay below the bound; with fewer the error is the sampling's,
+// not the blur's.
 TEST_F(KnifeEdge, PublishedProfileOnEveryUnwrap) {
   for (const auto& [name, transform] : shapes) {
     const double stretch = smallest_stretch(transform);
     for (const Edge edge : {Edge::along_u, Edge::along_v})
-      expect_edge({.texels_per_mm = 4 / stretch, .edge = edge, .transform = transform}, first_terms(5), 0.03, true, name);
-    expect_edge({.texels_per_mm = 6 / stretch, .edge = Edge::across, .transform = transform}, first_terms(4), 0.03, true,
-                std::string(name) + ", across");
+      expect_edge({.texels_per_mm = 4 / stretch, .edge = edge, .transform = transform}, first_terms(5), 0.03,
+                  true, name);
+    expect_edge({.texels_per_mm = 6 / stretch, .edge = Edge::across, .transform = transform}, first_terms(4),
+                0.03, true, std::string(name) + ", across");
   }
 }
 
 TEST_F(KnifeEdge, MillimetresAreMeasuredInTheWorld) {
   for (const double scale : {0.053, 20.0})
-    expect_edge({.texels_per_mm = 4, .edge = Edge::along_u, .transform = shapes[0].second, .node_scale = scale}, first_terms(5), 0.03, true,
-                "node scale");
+    expect_edge(
+        {.texels_per_mm = 4, .edge = Edge::along_u, .transform = shapes[0].second, .node_scale = scale},
+        first_terms(5), 0.03, true, "node scale");
 }
 
 // The test must see mistakes: a blur that does nothing, is 10 % too wide, or forgets the shear.

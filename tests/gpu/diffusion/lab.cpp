@@ -43,7 +43,9 @@ class Paint {
     return {};
   }
   void prepare(gpu::PipelineLibrary& library) {
-    pipeline_ = &library.graphics({.vertex = "paint.vert", .fragment = "paint.frag", .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
+    pipeline_ = &library.graphics({.vertex = "paint.vert",
+                                   .fragment = "paint.frag",
+                                   .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
   }
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
     const gpu::Texture& target = resources.texture(in_.light);
@@ -53,7 +55,8 @@ class Paint {
     frame.scene->skin[0].offer(bindings);
     bindings.bind(cmd, *pipeline_);
     cmd.push(*pipeline_, settings_.io);
-    for (const passes::GpuDraw& draw : frame.scene->skin[0].draws) cmd.draw(draw.index_count, 1, draw.first_index);
+    for (const passes::GpuDraw& draw : frame.scene->skin[0].draws)
+      cmd.draw(draw.index_count, 1, draw.first_index);
     cmd.end_rendering();
   }
 
@@ -84,7 +87,8 @@ Bench* bench() {
 
 Map read(const frame::Executor& executor, frame::TextureId id) {
   const gpu::Texture& texture = executor.resources().texture(id);
-  const std::vector<std::byte> bytes = gpu::read_back(executor.device(), texture, frame::final_layout(executor.plan(), id, false));
+  const std::vector<std::byte> bytes =
+      gpu::read_back(executor.device(), texture, frame::final_layout(executor.plan(), id, false));
   Map map{static_cast<int>(texture.desc().width), std::vector<float>(bytes.size() / 2)};
   for (std::size_t i = 0; i < map.rgba.size(); ++i) {
     std::uint16_t half = 0;
@@ -100,22 +104,24 @@ bool available() { return bench() != nullptr; }
 
 Result run(const Experiment& e) {
   std::vector<scene::SkinMesh> skin = scene::skin_meshes(e.scene);
-  const double density = scene::unwrap_density(skin[0], e.scene.mm_per_unit).largest_texels_per_mm.p95 * e.map_size;
+  const double density =
+      scene::unwrap_density(skin[0], e.scene.mm_per_unit).largest_texels_per_mm.p95 * e.map_size;
   if (e.drop_shear)
     for (glm::vec3& g : skin[0].metric) g.y = 0;
   gaussians::SumOfGaussians profile;
   for (const double v : e.variances_mm2) profile.terms.push_back({.variance_mm2 = v, .weight = {}});
   passes::GpuScene gpu_scene(bench()->library, e.scene, skin, {});
   if (e.gutters)
-    gpu_scene.make_gutters(bench()->device, 0, skin[0], static_cast<std::uint32_t>(e.map_size), passes::gutter_width(profile, density));
+    gpu_scene.make_gutters(bench()->device, 0, skin[0], static_cast<std::uint32_t>(e.map_size),
+                           passes::gutter_width(profile, density));
 
   frame::FramePlan plan;
   const auto side = static_cast<std::uint32_t>(e.map_size);
   const gpu::TextureDesc desc{.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   using passes::Gutters;
   const std::vector<passes::MapSquare> whole(1);
-  const frame::TextureId stretch = plan.texture("stretch", desc, frame::Lifetime::persistent), painted = plan.texture("painted", desc),
-                         scratch = plan.texture("scratch", desc);
+  const frame::TextureId stretch = plan.texture("stretch", desc, frame::Lifetime::persistent),
+                         painted = plan.texture("painted", desc), scratch = plan.texture("scratch", desc);
   plan.add<passes::Stretch>("stretch", {stretch}, {});
   plan.add<Gutters>("stretch gutters", {stretch}, {.squares = whole, .what = Gutters::What::stretch});
   plan.add<Paint>("paint", {painted}, {e.paint});
@@ -127,8 +133,10 @@ Result run(const Experiment& e) {
   for (const passes::BlurStep& step : passes::blur_steps(e.variances_mm2, density)) {
     const double v = step.variance_mm2 * e.variance_factor;
     const frame::TextureId target = plan.texture("level", desc);
-    plan.add<passes::Blur>("u", {light, stretch, scratch}, {.squares = whole, .variance_mm2 = v, .axis = 0, .texel_averaged = first});
-    plan.add<passes::Blur>("v", {scratch, stretch, target}, {.squares = whole, .variance_mm2 = v, .axis = 1, .texel_averaged = first});
+    plan.add<passes::Blur>("u", {light, stretch, scratch},
+                           {.squares = whole, .variance_mm2 = v, .axis = 0, .texel_averaged = first});
+    plan.add<passes::Blur>("v", {scratch, stretch, target},
+                           {.squares = whole, .variance_mm2 = v, .axis = 1, .texel_averaged = first});
     plan.add<Gutters>("gutters", {target}, {.squares = whole});
     plan.read_back(target);
     if (step.ends_term) levels.push_back(target);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Diffusion under the microscope: a scene's skin, painted with light known in closed form, blurred by the passes of the product.
+// Diffusion under the microscope: a scene's skin, painted with light known in closed form, blurred by the
+// passes of the product.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,7 +16,8 @@ struct Map {
   int side = 0;
   std::vector<float> rgba;
   const float* at(int x, int y) const {
-    return rgba.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)) * 4;
+    return rgba.data() +
+           (static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)) * 4;
   }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Curvature, charts and seams together: on a sphere of 10 mm a Gaussian of variance v damps band l by exp(-v l (l+1) / (2 R^2)).
+// Curvature, charts and seams together: on a sphere of 10 mm a Gaussian of variance v damps band l by exp(-v
+// l (l+1) / (2 R^2)).
 #include <gtest/gtest.h>
 
 #include <cmath>

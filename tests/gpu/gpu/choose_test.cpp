@@ -39,7 +39,8 @@ TEST(Missing, OneSentenceForEachThing) {
        [](auto& f) { f.api_version = VK_MAKE_API_VERSION(0, 1, 2, 131), f.features13 = {}, f.formats = {}; }},
       {"shaderClipDistance", [](auto& f) { f.features.shaderClipDistance = VK_FALSE; }},
       {"depthClamp", [](auto& f) { f.features.depthClamp = VK_FALSE; }},
-      {"shaderStorageImageExtendedFormats", [](auto& f) { f.features.shaderStorageImageExtendedFormats = VK_FALSE; }},
+      {"shaderStorageImageExtendedFormats",
+       [](auto& f) { f.features.shaderStorageImageExtendedFormats = VK_FALSE; }},
       {"scalarBlockLayout", [](auto& f) { f.features12.scalarBlockLayout = VK_FALSE; }},
       {"timelineSemaphore", [](auto& f) { f.features12.timelineSemaphore = VK_FALSE; }},
       {"separateDepthStencilLayouts", [](auto& f) { f.features12.separateDepthStencilLayouts = VK_FALSE; }},
@@ -49,7 +50,8 @@ TEST(Missing, OneSentenceForEachThing) {
       {"VK_KHR_push_descriptor", [](auto& f) { f.extensions = {"VK_KHR_swapchain"}; }},
       {"graphics and compute", [](auto& f) { f.graphics_and_compute_queue = false; }},
       {"half-float images", [](auto& f) { f.formats[0] &= ~VK_FORMAT_FEATURE_2_STORAGE_IMAGE_BIT; }},
-      {"depth images", [](auto& f) { f.formats[1] &= ~VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_DEPTH_COMPARISON_BIT; }},
+      {"depth images",
+       [](auto& f) { f.formats[1] &= ~VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_DEPTH_COMPARISON_BIT; }},
       {"4 samples", [](auto& f) { f.colour_samples = VK_SAMPLE_COUNT_1_BIT; }},
       {"4 samples", [](auto& f) { f.depth_samples = VK_SAMPLE_COUNT_1_BIT; }},
   };
@@ -71,12 +73,13 @@ Candidate candidate(const char* name, VkPhysicalDeviceType type, std::vector<std
 }
 
 std::vector<Candidate> shelf() {
-  std::vector<Candidate> all{candidate("Soft", VK_PHYSICAL_DEVICE_TYPE_CPU),
-                             candidate("Old Discrete", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, {"needs A", "needs B"}),
-                             candidate("Virtual One", VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU),
-                             candidate("Built In", VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU),
-                             candidate("Card 4000", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU),
-                             candidate("Card 5000", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU)};
+  std::vector<Candidate> all{
+      candidate("Soft", VK_PHYSICAL_DEVICE_TYPE_CPU),
+      candidate("Old Discrete", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, {"needs A", "needs B"}),
+      candidate("Virtual One", VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU),
+      candidate("Built In", VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU),
+      candidate("Card 4000", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU),
+      candidate("Card 5000", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU)};
   sort_best_first(all);
   return all;
 }
@@ -90,7 +93,8 @@ std::string refusal(const std::vector<Candidate>& all, const std::string& select
 TEST(Choose, BestFirstAndUnusableLast) {
   std::vector<std::string> names;
   for (const Candidate& c : shelf()) names.push_back(c.summary.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"Card 4000", "Card 5000", "Built In", "Virtual One", "Soft", "Old Discrete"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"Card 4000", "Card 5000", "Built In", "Virtual One", "Soft",
+                                             "Old Discrete"}));
 }
 
 TEST(Choose, ByBestIndexOrPartOfTheName) {
@@ -104,9 +108,11 @@ TEST(Choose, ByBestIndexOrPartOfTheName) {
 TEST(Choose, RefusalsSayWhatThereIs) {
   const auto all = shelf();
   EXPECT_EQ(refusal(all, "radeon"),
-            "no device 'radeon'; there are: 0: Card 4000; 1: Card 5000; 2: Built In; 3: Virtual One; 4: Soft; 5: Old Discrete");
+            "no device 'radeon'; there are: 0: Card 4000; 1: Card 5000; 2: Built In; 3: Virtual One; 4: "
+            "Soft; 5: Old Discrete");
   EXPECT_EQ(refusal(all, "6"),
-            "no device '6'; there are: 0: Card 4000; 1: Card 5000; 2: Built In; 3: Virtual One; 4: Soft; 5: Old Discrete");
+            "no device '6'; there are: 0: Card 4000; 1: Card 5000; 2: Built In; 3: Virtual One; 4: Soft; 5: "
+            "Old Discrete");
   EXPECT_EQ(refusal(all, "old"), "Old Discrete cannot be used: needs A; needs B");
   EXPECT_EQ(refusal({}, "best"), no_driver_message());
   EXPECT_NE(no_driver_message().find("mesa-vulkan-drivers"), std::string::npos);

@@ -26,21 +26,23 @@ std::string refusal(const std::function<void()>& action) {
   setenv("VK_DRIVER_FILES", "/nonexistent", 1);
   setenv("VK_ICD_FILENAMES", "/nonexistent", 1);
   const bool none = list_devices().empty();
-  std::fprintf(stderr, "%s: %s\n", none ? "none" : "some", refusal([] { const Device device(Device::Options{}); }).c_str());
+  std::fprintf(stderr, "%s: %s\n", none ? "none" : "some",
+               refusal([] { const Device device(Device::Options{}); }).c_str());
   std::exit(1);
 }
 
 TEST(NoDriverDeathTest, SaysWhatToInstall) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(without_drivers(), testing::ExitedWithCode(1), "none: no Vulkan driver found.*1.3.*apt install mesa-vulkan-drivers");
+  EXPECT_EXIT(without_drivers(), testing::ExitedWithCode(1),
+              "none: no Vulkan driver found.*1.3.*apt install mesa-vulkan-drivers");
 }
 
 TEST(NoLoader, SaysWhatToInstall) {
   EXPECT_EQ(open_loader("libvulkan-of-nowhere.so.1"), nullptr);
   const std::string said = refusal([] { const Instance instance(false, "libvulkan-of-nowhere.so.1"); });
-  EXPECT_EQ(
-      said,
-      "no Vulkan loader (libvulkan-of-nowhere.so.1): install it and a driver (Debian, Ubuntu: apt install libvulkan1 mesa-vulkan-drivers)");
+  EXPECT_EQ(said,
+            "no Vulkan loader (libvulkan-of-nowhere.so.1): install it and a driver (Debian, Ubuntu: apt "
+            "install libvulkan1 mesa-vulkan-drivers)");
 }
 
 TEST_F(Devices, AreListedWithWhatThereIsToKnow) {
@@ -74,29 +76,42 @@ TEST_F(Devices, LimitsAreThoseOfVulkan) {
 }
 
 TEST_F(Devices, ErrorsNameTheCall) {
-  EXPECT_EQ(refusal([] { check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "vkThing"); }), "vkThing: out of device memory (VkResult -2)");
+  EXPECT_EQ(refusal([] { check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "vkThing"); }),
+            "vkThing: out of device memory (VkResult -2)");
   EXPECT_EQ(refusal([] { check(VK_SUCCESS, "vkThing"); }), "");
 }
 
 TEST_F(Devices, RefuseWhatIsTooLarge) {
   const std::uint32_t side = device().limits().max_image_side;
   constexpr VkImageUsageFlags sampled = VK_IMAGE_USAGE_SAMPLED_BIT;
-  const auto texture = [&](const TextureDesc& desc) { return refusal([&] { const Texture made(device(), "map", desc); }); };
-  EXPECT_NE(texture({.width = 100000, .height = 8, .format = VK_FORMAT_R8_UNORM, .usage = sampled}).find("'map' would be 100000x8 texels"),
+  const auto texture = [&](const TextureDesc& desc) {
+    return refusal([&] { const Texture made(device(), "map", desc); });
+  };
+  EXPECT_NE(texture({.width = 100000, .height = 8, .format = VK_FORMAT_R8_UNORM, .usage = sampled})
+                .find("'map' would be 100000x8 texels"),
             std::string::npos);
-  EXPECT_NE(texture({.width = 8, .height = side + 1, .format = VK_FORMAT_R8_UNORM, .usage = sampled}).find("a side"), std::string::npos);
-  EXPECT_NE(texture({.width = 8, .height = 8, .layers = 1u << 20, .format = VK_FORMAT_R8_UNORM, .usage = sampled}).find("1048576 layers"),
+  EXPECT_NE(texture({.width = 8, .height = side + 1, .format = VK_FORMAT_R8_UNORM, .usage = sampled})
+                .find("a side"),
             std::string::npos);
-  EXPECT_NE(texture({.width = 8, .height = 8, .format = VK_FORMAT_D32_SFLOAT, .usage = VK_IMAGE_USAGE_STORAGE_BIT})
-                .find("needs D32_SFLOAT images"),
-            std::string::npos);
-  const std::string huge =
-      texture({.width = side, .height = side, .layers = 256, .format = VK_FORMAT_R32G32B32A32_SFLOAT, .usage = sampled});
+  EXPECT_NE(
+      texture({.width = 8, .height = 8, .layers = 1u << 20, .format = VK_FORMAT_R8_UNORM, .usage = sampled})
+          .find("1048576 layers"),
+      std::string::npos);
+  EXPECT_NE(
+      texture({.width = 8, .height = 8, .format = VK_FORMAT_D32_SFLOAT, .usage = VK_IMAGE_USAGE_STORAGE_BIT})
+          .find("needs D32_SFLOAT images"),
+      std::string::npos);
+  const std::string huge = texture({.width = side,
+                                    .height = side,
+                                    .layers = 256,
+                                    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                                    .usage = sampled});
   EXPECT_NE(huge.find("no device memory for 'map': needed "), std::string::npos) << huge;
   const std::uint64_t over = device().limits().max_storage_buffer_bytes + 4;
   if (over <= device().limits().max_buffer_bytes) {
-    const std::string said =
-        refusal([&] { const Buffer b(device(), "list", {.bytes = over, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}); });
+    const std::string said = refusal([&] {
+      const Buffer b(device(), "list", {.bytes = over, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    });
     EXPECT_NE(said.find("'list' would be"), std::string::npos) << said;
   }
   EXPECT_EQ(device().image_bytes() + device().buffer_bytes(), 0u);
@@ -155,7 +170,8 @@ TEST(Validation, SeesWhatIsWrong) {
   validated->run([&](VkCommandBuffer commands) {
     Cmd cmd(*validated, commands);
     cmd.copy(a, b, 64);
-    cmd.copy(b, a, 64);  // reads what was just written, without a barrier: only synchronization validation sees it
+    // reads what was just written, without a barrier: only synchronization validation sees it
+    cmd.copy(b, a, 64);
   });
   ASSERT_FALSE(validated->validation_messages().empty());
   EXPECT_NE(validated->validation_messages()[0].find("SYNC-HAZARD-READ-AFTER-WRITE"), std::string::npos)

@@ -17,7 +17,9 @@ struct Vertex {
 
 /// A counter-clockwise triangle (with +Y up) over the lower left half of the picture, at one depth.
 std::vector<Vertex> lower_left(float depth, const float (&c)[3]) {
-  return {{{-1, -1, depth}, {c[0], c[1], c[2]}}, {{1, -1, depth}, {c[0], c[1], c[2]}}, {{-1, 1, depth}, {c[0], c[1], c[2]}}};
+  return {{{-1, -1, depth}, {c[0], c[1], c[2]}},
+          {{1, -1, depth}, {c[0], c[1], c[2]}},
+          {{-1, 1, depth}, {c[0], c[1], c[2]}}};
 }
 
 struct Pixel {
@@ -55,10 +57,14 @@ class Draw : public GpuTest {
     float opacity = 1;
   };
   /// Draws all triangles with one pipeline and returns the (resolved) picture; row 0 is the top.
-  std::vector<Pixel> draw(const GraphicsDesc& desc, const std::vector<Vertex>& vertices, const Options& options) {
-    const Buffer pulled = make_buffer<Vertex>(device(), "vertices", vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    const TextureDesc plain{
-        .width = extent.width, .height = extent.height, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT};
+  std::vector<Pixel> draw(const GraphicsDesc& desc, const std::vector<Vertex>& vertices,
+                          const Options& options) {
+    const Buffer pulled =
+        make_buffer<Vertex>(device(), "vertices", vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    const TextureDesc plain{.width = extent.width,
+                            .height = extent.height,
+                            .format = VK_FORMAT_R8G8B8A8_UNORM,
+                            .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT};
     TextureDesc many = plain;
     many.samples = desc.samples;
     TextureDesc depth_desc = many;
@@ -76,7 +82,8 @@ class Draw : public GpuTest {
       transition(cmd, depth, VK_IMAGE_LAYOUT_UNDEFINED, depth_target_layout);
       const ColourTarget colour{&target, 0, std::array<float, 4>{0, 0, 1, 1}, sampled ? &resolved : nullptr};
       std::optional<DepthTarget> depth_target;
-      if (desc.depth_format != VK_FORMAT_UNDEFINED) depth_target = DepthTarget{&depth, 0, options.clear_depth, false};
+      if (desc.depth_format != VK_FORMAT_UNDEFINED)
+        depth_target = DepthTarget{&depth, 0, options.clear_depth, false};
       cmd.begin_rendering(std::span(&colour, 1), depth_target, extent, options.y_down);
       cmd.bind(pipeline, std::array<Binding, 2>{BufferBinding{&pulled}, BufferBinding{&tint_}});
       cmd.push(pipeline, options.opacity);
@@ -85,7 +92,9 @@ class Draw : public GpuTest {
     });
     return as<Pixel>(read_back(device(), resolved, colour_target_layout));
   }
-  static Pixel at(const std::vector<Pixel>& picture, std::uint32_t x, std::uint32_t y) { return picture[y * extent.width + x]; }
+  static Pixel at(const std::vector<Pixel>& picture, std::uint32_t x, std::uint32_t y) {
+    return picture[y * extent.width + x];
+  }
   static bool drawn(const std::vector<Pixel>& picture) {
     return std::ranges::any_of(picture, [](const Pixel& p) { return p != Pixel{0, 0, 255, 255}; });
   }
@@ -134,7 +143,8 @@ TEST_F(Draw, FourSamplesAreAveragedAndTheNearerWins) {
     const auto picture = draw(desc, vertices, {});
     EXPECT_EQ(at(picture, 2, 12), (Pixel{0, 255, 0, 255})) << near_first;
     EXPECT_EQ(at(picture, 12, 2), blue);
-    // The diagonal runs through these pixels: some of the four samples are green and the rest blue, and their sum is one.
+    // The diagonal runs through these pixels: some of the four samples are green and the rest blue, and their
+    // sum is one.
     int mixed = 0;
     for (std::uint32_t i = 0; i < extent.width; ++i) {
       const Pixel p = at(picture, i, i);
@@ -181,10 +191,14 @@ TEST_F(Draw, ClampKeepsWhatLiesOutsideTheDepthRange) {
 
 TEST_F(Draw, DepthOnlyThenSampledByComparison) {
   const auto vertices = lower_left(0.5f, red);
-  const Buffer pulled = make_buffer<Vertex>(device(), "vertices", vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  const Texture shadow(
-      device(), "shadow",
-      {.width = 16, .height = 16, .layers = 2, .format = VK_FORMAT_D32_SFLOAT, .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT});
+  const Buffer pulled =
+      make_buffer<Vertex>(device(), "vertices", vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  const Texture shadow(device(), "shadow",
+                       {.width = 16,
+                        .height = 16,
+                        .layers = 2,
+                        .format = VK_FORMAT_D32_SFLOAT,
+                        .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT});
   const Texture single(device(), "single",
                        {.width = 16,
                         .height = 16,
@@ -225,16 +239,22 @@ TEST_F(Draw, DepthOnlyThenSampledByComparison) {
 
 TEST_F(Draw, IndexedIndirectAndTimed) {
   const auto vertices = lower_left(0.5f, red);
-  const Buffer pulled = make_buffer<Vertex>(device(), "vertices", vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  const Buffer pulled =
+      make_buffer<Vertex>(device(), "vertices", vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   const std::uint32_t order[] = {7, 7, 7, 0, 1, 2};
-  const Buffer indices = make_buffer<std::uint32_t>(device(), "indices", order, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  const Buffer indices =
+      make_buffer<std::uint32_t>(device(), "indices", order, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   const VkDrawIndirectCommand draws[] = {{3, 0, 0, 0}, {3, 1, 0, 0}};
-  const Buffer arguments = make_buffer<VkDrawIndirectCommand>(device(), "arguments", draws, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+  const Buffer arguments =
+      make_buffer<VkDrawIndirectCommand>(device(), "arguments", draws, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
   const Pipeline& pipeline = library().graphics(base());
   Timer timer(device(), 4);
   for (const bool indirect : {false, true}) {
     const Texture target(device(), "target",
-                         {.width = 16, .height = 16, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
+                         {.width = 16,
+                          .height = 16,
+                          .format = VK_FORMAT_R8G8B8A8_UNORM,
+                          .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
     device().run([&](VkCommandBuffer commands) {
       Cmd cmd(device(), commands);
       timer.reset(commands);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An engine with its own instance, device, queue and command buffers uses the library for a part of its frame.
+// An engine with its own instance, device, queue and command buffers uses the library for a part of its
+// frame.
 #include <array>
 
 #include "fixture.h"
@@ -9,9 +10,12 @@
 namespace dermis::gpu {
 namespace {
 
-VKAPI_ATTR VkBool32 VKAPI_CALL count_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT type,
-                                             const VkDebugUtilsMessengerCallbackDataEXT* data, void* messages) {
-  if (type & VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT) static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
+VKAPI_ATTR VkBool32 VKAPI_CALL count_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                             VkDebugUtilsMessageTypeFlagsEXT type,
+                                             const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                             void* messages) {
+  if (type & VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT)
+    static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
   return VK_FALSE;
 }
 
@@ -19,12 +23,15 @@ VKAPI_ATTR VkBool32 VKAPI_CALL count_message(VkDebugUtilsMessageSeverityFlagBits
 class Engine {
  public:
   explicit Engine(PFN_vkGetInstanceProcAddr get) : get_(get) {
-    const auto global = [&]<class F>(F& f, const char* name) { f = reinterpret_cast<F>(get(VK_NULL_HANDLE, name)); };
+    const auto global = [&]<class F>(F& f, const char* name) {
+      f = reinterpret_cast<F>(get(VK_NULL_HANDLE, name));
+    };
     PFN_vkCreateInstance create_instance{};
     global(create_instance, "vkCreateInstance");
     VkDebugUtilsMessengerCreateInfoEXT messenger{};
     messenger.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-    messenger.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+    messenger.messageSeverity =
+        VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
     messenger.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
     messenger.pfnUserCallback = count_message;
     messenger.pUserData = &messages;
@@ -41,7 +48,8 @@ class Engine {
     info.ppEnabledLayerNames = &layer;
     info.enabledExtensionCount = 1;
     info.ppEnabledExtensionNames = &debug_utils;
-    if (create_instance(&info, nullptr, &instance) == VK_ERROR_LAYER_NOT_PRESENT) {  // works without the layer too, with less to see
+    // works without the layer too, with less to see
+    if (create_instance(&info, nullptr, &instance) == VK_ERROR_LAYER_NOT_PRESENT) {
       info.pNext = nullptr;
       info.enabledLayerCount = info.enabledExtensionCount = 0;
       EXPECT_EQ(create_instance(&info, nullptr, &instance), VK_SUCCESS);
@@ -68,7 +76,11 @@ class Engine {
   }
 
   Device::External external() const {
-    return {.get_instance_proc_addr = get_, .instance = instance, .physical_device = physical, .device = device, .queue = queue};
+    return {.get_instance_proc_addr = get_,
+            .instance = instance,
+            .physical_device = physical,
+            .device = device,
+            .queue = queue};
   }
   void begin() {
     VkCommandBufferBeginInfo info{};
@@ -150,7 +162,8 @@ struct FillPush {
 };
 
 /// Records one dispatch that writes 1 * 100 + 2 * 10 + 3 per element.
-void record_fill(Device& device, PipelineLibrary& library, VkCommandBuffer commands, const Buffer& in, const Buffer& out) {
+void record_fill(Device& device, PipelineLibrary& library, VkCommandBuffer commands, const Buffer& in,
+                 const Buffer& out) {
   Cmd cmd(device, commands);
   const Pipeline& fill = library.compute("fill.comp");
   cmd.bind(fill, std::array<Binding, 2>{BufferBinding{&in}, BufferBinding{&out}});
@@ -161,7 +174,8 @@ void record_fill(Device& device, PipelineLibrary& library, VkCommandBuffer comma
 class External : public testing::Test {
  protected:
   void SetUp() override {
-    if (list_devices().empty()) GTEST_SKIP() << "no Vulkan device (Debian, Ubuntu: apt install mesa-vulkan-drivers)";
+    if (list_devices().empty())
+      GTEST_SKIP() << "no Vulkan device (Debian, Ubuntu: apt install mesa-vulkan-drivers)";
     engine_ = std::make_unique<Engine>(open_loader());
   }
   void TearDown() override {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of this folder share: a validated device, and the promise that the validation layer stays silent.
+// What the tests of this folder share: a validated device, and the promise that the validation layer stays
+// silent.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,7 +24,8 @@ std::span<const std::uint32_t> find_shader(std::string_view name);
 
 namespace dermis::gpu {
 
-/// A device of our own for each test, with the validation layer where it is installed. Skips where there is no device.
+/// A device of our own for each test, with the validation layer where it is installed. Skips where there is
+/// no device.
 class GpuTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -60,7 +62,8 @@ class GpuTest : public testing::Test {
     image.newLayout = to;
     image.srcQueueFamilyIndex = image.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     image.image = texture.handle();
-    image.subresourceRange = {aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+    image.subresourceRange = {aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0,
+                              VK_REMAINING_ARRAY_LAYERS};
     VkDependencyInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     info.imageMemoryBarrierCount = 1;

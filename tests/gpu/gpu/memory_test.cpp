@@ -17,7 +17,8 @@ TEST_F(Memory, SmallResourcesShareABlockAndNeverOverlap) {
   std::vector<RawBuffer> live;
   const auto check_apart = [&] {
     std::map<std::pair<VkDeviceMemory, std::uint64_t>, std::uint64_t> ranges;
-    for (const RawBuffer& buffer : live) ranges[{buffer.allocation->memory, buffer.allocation->offset}] = buffer.allocation->bytes;
+    for (const RawBuffer& buffer : live)
+      ranges[{buffer.allocation->memory, buffer.allocation->offset}] = buffer.allocation->bytes;
     ASSERT_EQ(ranges.size(), live.size());
     for (auto range = ranges.begin(); range != ranges.end(); ++range) {
       const auto next = std::next(range);
@@ -64,7 +65,10 @@ TEST_F(Memory, ImagesAndBuffersAreCountedApart) {
   EXPECT_GE(buffers, mib);
   {
     const Texture texture(device(), "texture",
-                          {.width = 512, .height = 512, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+                          {.width = 512,
+                           .height = 512,
+                           .format = VK_FORMAT_R8G8B8A8_UNORM,
+                           .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
     EXPECT_GE(device().image_bytes(), mib);
     EXPECT_EQ(device().buffer_bytes(), buffers);
   }
@@ -79,7 +83,8 @@ TEST_F(Memory, MovedResourcesAreFreedOnce) {
   b = Buffer(device(), "b", {.bytes = 2048});
   EXPECT_EQ(b.name(), "b");
   EXPECT_EQ(b.desc().bytes, 2048u);
-  Texture t(device(), "t", {.width = 4, .height = 4, .format = VK_FORMAT_R8_UNORM, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  Texture t(device(), "t",
+            {.width = 4, .height = 4, .format = VK_FORMAT_R8_UNORM, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   Texture u = std::move(t);
   EXPECT_FALSE(t);  // NOLINT(bugprone-use-after-move)
   u = {};
@@ -104,7 +109,8 @@ class SmallHeap : public GpuTest {
     if (IsSkipped()) return;
     VkPhysicalDeviceMemoryProperties properties = device().memory().properties();
     for (std::uint32_t i = 0; i < properties.memoryHeapCount; ++i) properties.memoryHeaps[i].size = 32 * mib;
-    pool_ = std::make_unique<MemoryPool>(device().vk(), device().handle(), properties, std::uint64_t{1} << 30);
+    pool_ =
+        std::make_unique<MemoryPool>(device().vk(), device().handle(), properties, std::uint64_t{1} << 30);
   }
   void TearDown() override {
     while (!held_.empty()) let_go();
@@ -141,7 +147,11 @@ TEST_F(SmallHeap, IsFilledToTheBrimAndThenSaysSo) {
   while (said.empty()) said = take(mib);
   EXPECT_GE(held_.size(), 30u);
   EXPECT_LE(held_.size(), 32u);
-  EXPECT_EQ(said.find("no device memory for 'bite': needed 1.0 MiB; the heap has 32.0 MiB, of which this program holds "), 0u) << said;
+  EXPECT_EQ(
+      said.find(
+          "no device memory for 'bite': needed 1.0 MiB; the heap has 32.0 MiB, of which this program holds "),
+      0u)
+      << said;
   EXPECT_NE(said.find("try smaller maps"), std::string::npos);
   let_go();
   EXPECT_EQ(take(mib), "");

@@ -23,7 +23,8 @@ TEST_F(Pipelines, ComputeWritesWhatTheShaderSays) {
   std::vector<float> from(3 * 100);
   for (std::size_t i = 0; i < from.size(); ++i) from[i] = static_cast<float>(i);
   const Buffer in = make_buffer<float>(device(), "in", from, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  const Buffer out(device(), "out", {.bytes = 100 * sizeof(float), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+  const Buffer out(device(), "out",
+                   {.bytes = 100 * sizeof(float), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   const Pipeline& fill = library().compute("fill.comp");
   device().run([&](VkCommandBuffer commands) {
     Cmd cmd(device(), commands);
@@ -47,14 +48,17 @@ TEST_F(Pipelines, ReflectionFindsBindingsPushAndWorkgroup) {
   EXPECT_EQ(found.workgroup, (std::array<std::uint32_t, 3>{64, 1, 1}));
   const ShaderInterface grid = reflect(test_gpu::find_shader("grid.comp"), "grid.comp");
   using Constant = std::pair<std::string, std::uint32_t>;
-  EXPECT_EQ(grid.constants, (std::vector<Constant>{{"doubled", 1}, {"group_x", 4}, {"offset", 7}, {"unused", 9}}));
+  EXPECT_EQ(grid.constants,
+            (std::vector<Constant>{{"doubled", 1}, {"group_x", 4}, {"offset", 7}, {"unused", 9}}));
   EXPECT_EQ(grid.workgroup, (std::array<std::uint32_t, 3>{8, 2, 1}));
-  EXPECT_EQ(grid.workgroup_constants, (std::array<std::uint32_t, 3>{4, ShaderInterface::fixed, ShaderInterface::fixed}));
+  EXPECT_EQ(grid.workgroup_constants,
+            (std::array<std::uint32_t, 3>{4, ShaderInterface::fixed, ShaderInterface::fixed}));
   const ShaderInterface store = reflect(test_gpu::find_shader("store.comp"), "store.comp");
   ASSERT_EQ(store.bindings.size(), 2u);
   EXPECT_EQ(store.bindings[0].kind, BindingKind::storage_image);
   EXPECT_EQ(store.bindings[1].kind, BindingKind::uniform_buffer);
-  EXPECT_EQ(reflect(test_gpu::find_shader("shadow.comp"), "shadow.comp").bindings[0].kind, BindingKind::sampled_image);
+  EXPECT_EQ(reflect(test_gpu::find_shader("shadow.comp"), "shadow.comp").bindings[0].kind,
+            BindingKind::sampled_image);
   EXPECT_EQ(reflect(test_gpu::find_shader("shadow.comp"), "shadow.comp").push_bytes, 12u);
 }
 
@@ -64,13 +68,15 @@ TEST_F(Pipelines, ConstantsByNameSetWorkgroupBoolAndFloat) {
     std::uint32_t group_x;
     float expected;
   };
-  const Case cases[] = {{{}, 8, 8.5f},
-                        {{{"group_x", 16}}, 16, 16.5f},
-                        {{{"group_x", 4}, {"doubled", 1}, {"offset", bits(0.25f)}, {"unused", bits(-1)}}, 4, 8.25f}};
+  const Case cases[] = {
+      {{}, 8, 8.5f},
+      {{{"group_x", 16}}, 16, 16.5f},
+      {{{"group_x", 4}, {"doubled", 1}, {"offset", bits(0.25f)}, {"unused", bits(-1)}}, 4, 8.25f}};
   for (const Case& c : cases) {
     const Pipeline& pipeline = library().compute("grid.comp", c.constants);
     EXPECT_EQ(pipeline.interface.workgroup[0], c.group_x);
-    const Buffer out(device(), "out", {.bytes = 64 * sizeof(float), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    const Buffer out(device(), "out",
+                     {.bytes = 64 * sizeof(float), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     device().run([&](VkCommandBuffer commands) {
       Cmd cmd(device(), commands);
       cmd.bind(pipeline, std::array<Binding, 1>{BufferBinding{&out}});
@@ -87,7 +93,8 @@ TEST_F(Pipelines, AreMadeOnceAndKeepTheirPlace) {
   EXPECT_GT(library().creation_ms(), 0);
   const VkSampler sampler = library().sampler({.filter = Filter::nearest});
   EXPECT_EQ(sampler, library().sampler({.filter = Filter::nearest}));
-  EXPECT_NE(sampler, library().sampler({.filter = Filter::linear, .u = Address::repeat, .max_anisotropy = 8}));
+  EXPECT_NE(sampler,
+            library().sampler({.filter = Filter::linear, .u = Address::repeat, .max_anisotropy = 8}));
 }
 
 TEST_F(Pipelines, TooLargeWorkgroupIsARefusal) {
@@ -95,14 +102,17 @@ TEST_F(Pipelines, TooLargeWorkgroupIsARefusal) {
     library().compute("grid.comp", {{"group_x", 1u << 20}});
     FAIL();
   } catch (const DeviceError& error) {
-    EXPECT_NE(std::string(error.what()).find("needs workgroups of 1048576x2x1"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("needs workgroups of 1048576x2x1"), std::string::npos)
+        << error.what();
   }
 }
 
 TEST_F(Pipelines, IndirectDispatchTakesItsSizeFromABuffer) {
   const std::uint32_t arguments[] = {99, 2, 2, 1};
-  const Buffer in = make_buffer<std::uint32_t>(device(), "arguments", arguments, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-  const Buffer out(device(), "out", {.bytes = 64 * sizeof(float), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+  const Buffer in =
+      make_buffer<std::uint32_t>(device(), "arguments", arguments, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+  const Buffer out(device(), "out",
+                   {.bytes = 64 * sizeof(float), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   const Pipeline& grid = library().compute("grid.comp");
   device().run([&](VkCommandBuffer commands) {
     Cmd cmd(device(), commands);
@@ -114,14 +124,18 @@ TEST_F(Pipelines, IndirectDispatchTakesItsSizeFromABuffer) {
 
 TEST_F(PipelineDeathTest, OurMistakesStopWithBothValues) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_DEATH(library().compute("grid.comp", {{"group_y", 1}}), "group_y.*declared: doubled, group_x, offset, unused");
+  EXPECT_DEATH(library().compute("grid.comp", {{"group_y", 1}}),
+               "group_y.*declared: doubled, group_x, offset, unused");
   EXPECT_DEATH(library().compute("missing.comp"), "missing.comp");
   const Pipeline& grid = library().compute("grid.comp");
-  EXPECT_DEATH(device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).bind(grid, {}); }), "0 given, 1 declared");
-  EXPECT_DEATH(
-      device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).bind(grid, std::array<Binding, 1>{SampledBinding{}}); }),
-      "binding 0 'to'");
-  EXPECT_DEATH(device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).push(grid, 1.0f); }), "4 given, 0 declared");
+  EXPECT_DEATH(device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).bind(grid, {}); }),
+               "0 given, 1 declared");
+  EXPECT_DEATH(device().run([&](VkCommandBuffer commands) {
+    Cmd(device(), commands).bind(grid, std::array<Binding, 1>{SampledBinding{}});
+  }),
+               "binding 0 'to'");
+  EXPECT_DEATH(device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).push(grid, 1.0f); }),
+               "4 given, 0 declared");
   EXPECT_DEATH(reflect(std::array<std::uint32_t, 6>{1, 2, 3, 4, 5, 6}, "junk"), "junk: is not SPIR-V");
 }
 
@@ -130,7 +144,8 @@ class PipelineCache : public GpuTest {
  protected:
   void SetUp() override {
     GpuTest::SetUp();
-    folder_ = std::filesystem::path(testing::TempDir()) / fmt::format("dermis_cache_{}", ::testing::UnitTest::GetInstance()->random_seed());
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              fmt::format("dermis_cache_{}", ::testing::UnitTest::GetInstance()->random_seed());
     folder_ /= testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::remove_all(folder_);
     file_ = folder_ / "deep" / "pipelines.bin";
@@ -161,14 +176,17 @@ TEST_F(PipelineCache, SurvivesEveryKindOfDamage) {
   const auto damaged = [&](auto&& change) {
     std::vector<std::byte> bytes = good;
     change(bytes);
-    std::ofstream(file_, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    std::ofstream(file_, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     EXPECT_TRUE(load_pipeline_cache(file_, device().properties()).empty());
     build_and_save();
     EXPECT_FALSE(load_pipeline_cache(file_, device().properties()).empty());
   };
-  for (const std::size_t at : {std::size_t{0}, std::size_t{9}, std::size_t{30}, std::size_t{45}, std::size_t{56}, good.size() - 1})
+  for (const std::size_t at :
+       {std::size_t{0}, std::size_t{9}, std::size_t{30}, std::size_t{45}, std::size_t{56}, good.size() - 1})
     damaged([&](std::vector<std::byte>& bytes) { bytes[at] ^= std::byte{0x40}; });
-  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{55}, std::size_t{56}, good.size() - 1})
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{1}, std::size_t{55}, std::size_t{56}, good.size() - 1})
     damaged([&](std::vector<std::byte>& bytes) { bytes.resize(size); });
   damaged([&](std::vector<std::byte>& bytes) { bytes.resize(good.size() + 100); });
   std::filesystem::remove(file_);

@@ -24,9 +24,12 @@ std::vector<std::byte> counting_bytes(std::uint64_t count) {
 
 TEST(TextureBytes, CountMipsLayersAndSamples) {
   EXPECT_EQ(bytes_of({.width = 5, .height = 3, .format = VK_FORMAT_R8G8B8A8_SRGB}), 60u);
-  EXPECT_EQ(bytes_of({.width = 5, .height = 3, .layers = 2, .mips = 3, .format = VK_FORMAT_R16G16B16A16_SFLOAT}), (15u + 2u + 1u) * 2 * 8);
+  EXPECT_EQ(
+      bytes_of({.width = 5, .height = 3, .layers = 2, .mips = 3, .format = VK_FORMAT_R16G16B16A16_SFLOAT}),
+      (15u + 2u + 1u) * 2 * 8);
   EXPECT_EQ(bytes_of({.width = 4, .height = 4, .format = VK_FORMAT_D32_SFLOAT, .samples = 4}), 256u);
-  EXPECT_EQ(bytes_of({.width = 65536, .height = 65536, .layers = 2, .format = VK_FORMAT_R32G32B32A32_SFLOAT}), std::uint64_t{1} << 37);
+  EXPECT_EQ(bytes_of({.width = 65536, .height = 65536, .layers = 2, .format = VK_FORMAT_R32G32B32A32_SFLOAT}),
+            std::uint64_t{1} << 37);
   EXPECT_EQ(aspect_of(VK_FORMAT_D32_SFLOAT), static_cast<VkImageAspectFlags>(VK_IMAGE_ASPECT_DEPTH_BIT));
   EXPECT_EQ(aspect_of(VK_FORMAT_R8_UNORM), static_cast<VkImageAspectFlags>(VK_IMAGE_ASPECT_COLOR_BIT));
   EXPECT_STREQ(format_name(VK_FORMAT_R16G16_SFLOAT), "R16G16_SFLOAT");
@@ -39,7 +42,8 @@ TEST_F(Transfer, BuffersComeBackAsTheyWent) {
     upload(device(), buffer, bytes);
     EXPECT_EQ(read_back(device(), buffer), bytes) << count;
   }
-  const Buffer none = make_buffer<float>(device(), "none", std::span<const float>{}, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  const Buffer none =
+      make_buffer<float>(device(), "none", std::span<const float>{}, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   EXPECT_EQ(none.desc().bytes, sizeof(float));
 }
 
@@ -47,7 +51,8 @@ TEST_F(Transfer, MappedBuffersReachTheDevice) {
   const Buffer up(device(), "up", {.bytes = 64, .place = BufferPlace::upload});
   const Buffer down(device(), "down", {.bytes = 64, .place = BufferPlace::readback});
   ASSERT_EQ(up.mapped().size(), 64u);
-  std::iota(reinterpret_cast<std::uint8_t*>(up.mapped().data()), reinterpret_cast<std::uint8_t*>(up.mapped().data()) + 64, std::uint8_t{1});
+  std::iota(reinterpret_cast<std::uint8_t*>(up.mapped().data()),
+            reinterpret_cast<std::uint8_t*>(up.mapped().data()) + 64, std::uint8_t{1});
   device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).copy(up, down, 64); });
   EXPECT_TRUE(std::ranges::equal(up.mapped(), down.mapped()));
   device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).fill(down, 0x04030201); });
@@ -55,8 +60,10 @@ TEST_F(Transfer, MappedBuffersReachTheDevice) {
 }
 
 TEST_F(Transfer, TexturesComeBackAsTheyWent) {
-  for (const VkFormat format : {VK_FORMAT_R8_UNORM, VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R32_SFLOAT}) {
-    const TextureDesc desc{.width = 37, .height = 21, .layers = 3, .format = format, .usage = VK_IMAGE_USAGE_SAMPLED_BIT};
+  for (const VkFormat format :
+       {VK_FORMAT_R8_UNORM, VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R32_SFLOAT}) {
+    const TextureDesc desc{
+        .width = 37, .height = 21, .layers = 3, .format = format, .usage = VK_IMAGE_USAGE_SAMPLED_BIT};
     const auto bytes = counting_bytes(bytes_of(desc));
     const Texture texture(device(), "map", desc);
     upload(device(), texture, bytes);
@@ -71,8 +78,12 @@ TEST_F(Transfer, TexturesComeBackAsTheyWent) {
 
 TEST_F(Transfer, EveryMipAndLayerIsWhereItBelongs) {
   // Each texel holds (layer, mip, x, y), so a shader that samples it says where it landed.
-  const TextureDesc desc{
-      .width = 6, .height = 5, .layers = 2, .mips = 3, .format = VK_FORMAT_R32G32B32A32_SFLOAT, .usage = VK_IMAGE_USAGE_SAMPLED_BIT};
+  const TextureDesc desc{.width = 6,
+                         .height = 5,
+                         .layers = 2,
+                         .mips = 3,
+                         .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                         .usage = VK_IMAGE_USAGE_SAMPLED_BIT};
   std::vector<float> texels;
   for (std::uint32_t mip = 0; mip < desc.mips; ++mip)
     for (std::uint32_t layer = 0; layer < desc.layers; ++layer)
@@ -86,32 +97,38 @@ TEST_F(Transfer, EveryMipAndLayerIsWhereItBelongs) {
   const VkSampler nearest = library().sampler({.filter = Filter::nearest});
   for (const auto& [layer, mip, x, y] :
        {std::array{0u, 0u, 5u, 4u}, {1u, 0u, 2u, 3u}, {1u, 1u, 2u, 1u}, {0u, 2u, 0u, 0u}, {1u, 2u, 0u, 0u}}) {
-    const float width = static_cast<float>(std::max(1u, desc.width >> mip)), height = static_cast<float>(std::max(1u, desc.height >> mip));
+    const float width = static_cast<float>(std::max(1u, desc.width >> mip)),
+                height = static_cast<float>(std::max(1u, desc.height >> mip));
     device().run([&](VkCommandBuffer commands) {
       Cmd cmd(device(), commands);
       cmd.bind(sample, std::array<Binding, 2>{SampledBinding{&texture, nearest}, BufferBinding{&out}});
-      cmd.push(sample, SamplePush{(static_cast<float>(x) + 0.5f) / width, (static_cast<float>(y) + 0.5f) / height,
-                                  static_cast<float>(layer), static_cast<float>(mip)});
+      cmd.push(sample,
+               SamplePush{(static_cast<float>(x) + 0.5f) / width, (static_cast<float>(y) + 0.5f) / height,
+                          static_cast<float>(layer), static_cast<float>(mip)});
       cmd.dispatch(1, 1);
     });
     const auto found = values_of<float>(out);
-    EXPECT_EQ(found,
-              (std::vector<float>{static_cast<float>(layer), static_cast<float>(mip), static_cast<float>(x), static_cast<float>(y)}));
+    EXPECT_EQ(found, (std::vector<float>{static_cast<float>(layer), static_cast<float>(mip),
+                                         static_cast<float>(x), static_cast<float>(y)}));
   }
 }
 
 TEST_F(Transfer, SamplersFilterAndRepeatAsAsked) {
   const std::array<Colour, 2> texels{Colour{0, 0, 0, 0}, Colour{1, 1, 1, 1}};
-  const Texture texture(
-      device(), "ramp",
-      {.width = 2, .height = 1, .format = VK_FORMAT_R32G32B32A32_SFLOAT, .usage = VK_IMAGE_USAGE_SAMPLED_BIT, .array = true});
+  const Texture texture(device(), "ramp",
+                        {.width = 2,
+                         .height = 1,
+                         .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                         .usage = VK_IMAGE_USAGE_SAMPLED_BIT,
+                         .array = true});
   upload(device(), texture, std::as_bytes(std::span(texels)));
   const Buffer out(device(), "out", {.bytes = sizeof(Colour), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   const Pipeline& sample = library().compute("sample.comp");
   const auto at = [&](float u, const SamplerDesc& desc) {
     device().run([&](VkCommandBuffer commands) {
       Cmd cmd(device(), commands);
-      cmd.bind(sample, std::array<Binding, 2>{SampledBinding{&texture, library().sampler(desc)}, BufferBinding{&out}});
+      cmd.bind(sample, std::array<Binding, 2>{SampledBinding{&texture, library().sampler(desc)},
+                                              BufferBinding{&out}});
       cmd.push(sample, SamplePush{u, 0.5f, 0, 0});
       cmd.dispatch(1, 1);
     });
@@ -126,7 +143,8 @@ TEST_F(Transfer, SamplersFilterAndRepeatAsAsked) {
 }
 
 TEST_F(Transfer, StorageImagesAreWrittenToTheirEdges) {
-  const TextureDesc desc{.width = 13, .height = 9, .format = VK_FORMAT_R16G16B16A16_SFLOAT, .usage = VK_IMAGE_USAGE_STORAGE_BIT};
+  const TextureDesc desc{
+      .width = 13, .height = 9, .format = VK_FORMAT_R16G16B16A16_SFLOAT, .usage = VK_IMAGE_USAGE_STORAGE_BIT};
   const Texture texture(device(), "target", desc);
   const float factor[] = {1, 2, 0.5f, 4};
   const Buffer scale = make_buffer<float>(device(), "scale", factor, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);

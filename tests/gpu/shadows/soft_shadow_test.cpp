@@ -58,10 +58,12 @@ RenderSettings plain(int width, int height) {
 
 constexpr float height_m = 0.02f;
 
-// A floor of 120 mm, and over its half x < 0 a plate `height_m` above. Light comes from that side, at 45 degrees.
+// A floor of 120 mm, and over its half x < 0 a plate `height_m` above. Light comes from that side, at 45
+// degrees.
 Scene plate_over_floor(double tangent) {
   scene::Scene made = scene::plane(0.12, glm::dmat2(0.46, 0, 0, 0.46), {0.02, 0.02}, 2);
-  const scene::Primitive plate = scene::plane(0.12, glm::dmat2(0.46, 0, 0, 0.46), {0.52, 0.52}, 2).primitives.front();
+  const scene::Primitive plate =
+      scene::plane(0.12, glm::dmat2(0.46, 0, 0, 0.46), {0.52, 0.52}, 2).primitives.front();
   scene::Primitive& both = made.primitives.front();
   const auto base = static_cast<std::uint32_t>(both.vertices.size());
   for (scene::Vertex v : plate.vertices) {
@@ -74,21 +76,25 @@ Scene plate_over_floor(double tangent) {
   return wrap(std::move(made));
 }
 
-// Of the light that the floor would have without the plate. Seen from x, points u of the disc (-1 lowest, 1 highest) are over the edge from
-// x + h (t u - 1) / (t u + 1) = 0 on; each counts by its cosine, which goes as 1 + t u, and by how wide the disc is there.
+// Of the light that the floor would have without the plate. Seen from x, points u of the disc (-1 lowest, 1
+// highest) are over the edge from x + h (t u - 1) / (t u + 1) = 0 on; each counts by its cosine, which goes
+// as 1 + t u, and by how wide the disc is there.
 double share_past_the_edge(double x_m, double tangent) {
-  const double slope = x_m / double{height_m}, u = std::clamp((1 - slope) / (1 + slope) / tangent, -1.0, 1.0), root = std::sqrt(1 - u * u);
+  const double slope = x_m / double{height_m}, u = std::clamp((1 - slope) / (1 + slope) / tangent, -1.0, 1.0),
+               root = std::sqrt(1 - u * u);
   return 0.5 - (u * root + std::asin(u)) / pi + tangent * 2 / (3 * pi) * root * root * root;
 }
 
 TEST(SoftShadow, OfAnEdge) {
   for (const double tangent : {0.05, 0.2, 0.5}) {
-    const Picture picture = renderer().render(plate_over_floor(tangent), plain(60, 8));  // 1 mm a pixel along x, from 0
+    // 1 mm a pixel along x, from 0
+    const Picture picture = renderer().render(plate_over_floor(tangent), plain(60, 8));
     double worst = 0;
     for (int x = 0; x < picture.width; ++x) {
       double seen = 0;
       for (int y = 0; y < picture.height; ++y)
-        seen += double{picture.linear_rgba[4 * static_cast<std::size_t>(y * picture.width + x)]} / picture.height;
+        seen +=
+            double{picture.linear_rgba[4 * static_cast<std::size_t>(y * picture.width + x)]} / picture.height;
       const double wanted = share_past_the_edge((x + 0.5) / 1000, tangent) * std::sqrt(0.5);
       worst = std::max(worst, std::abs(seen - wanted));
     }
@@ -97,7 +103,8 @@ TEST(SoftShadow, OfAnEdge) {
   }
 }
 
-// Nothing shades a sphere but itself, and that is in the cosine: mean over the disc of max(c + t s u, 0), s the sine.
+// Nothing shades a sphere but itself, and that is in the cosine: mean over the disc of max(c + t s u, 0), s
+// the sine.
 TEST(SoftShadow, OfASphereIsItsHorizon) {
   for (const double tangent : {0.05, 0.2, 0.5, 3.0}) {
     scene::Scene made = scene::sphere(0.1, 64);
@@ -113,7 +120,8 @@ TEST(SoftShadow, OfASphereIsItsHorizon) {
         const double u = (i + 0.5) / 500 - 1;
         wanted += std::max(c + tangent * std::sqrt(1 - c * c) * u, 0.0) * 2 / pi * std::sqrt(1 - u * u) / 500;
       }
-      const double seen = double{picture.linear_rgba[4 * static_cast<std::size_t>(middle * picture.width + x)]};
+      const double seen =
+          double{picture.linear_rgba[4 * static_cast<std::size_t>(middle * picture.width + x)]};
       worst = std::max(worst, std::abs(seen - wanted));
     }
     std::printf("tangent %.2f: off by %.4f of the light at most\n", tangent, worst);
@@ -121,7 +129,8 @@ TEST(SoftShadow, OfASphereIsItsHorizon) {
   }
 }
 
-// Six maps, which begin close to the light. Straight below it the plate is between, beside the plate nothing is.
+// Six maps, which begin close to the light. Straight below it the plate is between, beside the plate nothing
+// is.
 TEST(SoftShadow, OfALightInsideTheScene) {
   for (const double radius : {0.002, 0.02, 100.0}) {
     scene::Scene made = plate_over_floor(0.1).data();
@@ -134,9 +143,12 @@ TEST(SoftShadow, OfALightInsideTheScene) {
     const Picture picture = renderer().render(wrap(std::move(made)), plain(60, 8));
     for (const float value : picture.linear_rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0);
     if (radius > 1) continue;
-    EXPECT_EQ(picture.linear_rgba[0], 0) << radius;  // 0.5 mm beside the plate's edge, under it as the lamp sees it
+    // 0.5 mm beside the plate's edge, under it as the lamp sees it
+    EXPECT_EQ(picture.linear_rgba[0], 0) << radius;
     const double x = 0.0595, d2 = std::pow(x + 0.04, 2) + 0.05 * 0.05;
-    EXPECT_NEAR(double{picture.linear_rgba[4 * 59]}, 0.02 / d2 * 0.05 / std::sqrt(d2) / pi, 0.02 * 0.02 / d2 / pi) << radius;
+    EXPECT_NEAR(double{picture.linear_rgba[4 * 59]}, 0.02 / d2 * 0.05 / std::sqrt(d2) / pi,
+                0.02 * 0.02 / d2 / pi)
+        << radius;
   }
 }
 
@@ -144,7 +156,8 @@ class SoftScan : public testing::Test {
  protected:
   void SetUp() override {
     const std::filesystem::path heads = std::filesystem::path(DERMIS_SOURCE_DIR) / "assets" / "heads";
-    if (!std::filesystem::exists(heads / "LeePerrySmith.glb") || !std::filesystem::exists(heads / "Map-COL.jpg"))
+    if (!std::filesystem::exists(heads / "LeePerrySmith.glb") ||
+        !std::filesystem::exists(heads / "Map-COL.jpg"))
       GTEST_SKIP() << "the scan is not there; ./run fetch-assets brings it";
     static const Scene opened = Scene::load(heads / "lee-perry-smith.gltf");
     scan = &opened;
@@ -159,15 +172,21 @@ class SoftScan : public testing::Test {
 };
 
 image::ImageF linear(Picture picture) {
-  return {.width = picture.width, .height = picture.height, .channels = 4, .values = std::move(picture.linear_rgba)};
+  return {.width = picture.width,
+          .height = picture.height,
+          .channels = 4,
+          .values = std::move(picture.linear_rgba)};
 }
 
-image::Image8 shown(const Picture& picture) { return image::to_display(linear(picture), image::View::filmic); }
+image::Image8 shown(const Picture& picture) {
+  return image::to_display(linear(picture), image::View::filmic);
+}
 
 image::Image8 super_sampled(const Scene& scene, RenderSettings s) {
   constexpr int times = 4;
   s.width *= times, s.height *= times, s.samples = 1;
-  return image::to_display(image::downsample_box(linear(renderer().render(scene, s)), times), image::View::filmic);
+  return image::to_display(image::downsample_box(linear(renderer().render(scene, s)), times),
+                           image::View::filmic);
 }
 
 // Nearer to the truth than the hard shadows are by far.
@@ -179,8 +198,10 @@ TEST_F(SoftScan, IsThatOfTheReference) {
   std::vector<std::uint8_t> skin(static_cast<std::size_t>(settings.width * settings.height));
   for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = reference.linear_rgba[4 * i + 3] > 0.5f;
   const double soft_db = image::psnr_db(truth, soft, skin), hard_db = image::psnr_db(truth, hard, skin);
-  const double soft_flip = image::mean_flip(truth, soft, skin), hard_flip = image::mean_flip(truth, hard, skin);
-  std::printf("against the reference: soft %.2f dB, FLIP %.4f; hard %.2f dB, %.4f\n", soft_db, soft_flip, hard_db, hard_flip);
+  const double soft_flip = image::mean_flip(truth, soft, skin),
+               hard_flip = image::mean_flip(truth, hard, skin);
+  std::printf("against the reference: soft %.2f dB, FLIP %.4f; hard %.2f dB, %.4f\n", soft_db, soft_flip,
+              hard_db, hard_flip);
   EXPECT_GE(soft_db, 38);
   EXPECT_GE(soft_db, hard_db + 2);
   EXPECT_LT(soft_flip, 0.9 * hard_flip);

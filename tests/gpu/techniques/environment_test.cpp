@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light from a picture of the surroundings: white stays white, turning it turns the light and nothing else, what is optimised shows
-// nothing.
+// Light from a picture of the surroundings: white stays white, turning it turns the light and nothing else,
+// what is optimised shows nothing.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -30,12 +30,15 @@ std::string test_name(const testing::TestParamInfo<std::string>& technique) {
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
-INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechniqueInSurroundings, testing::ValuesIn(technique_names()), test_name);
+INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechniqueInSurroundings, testing::ValuesIn(technique_names()),
+                         test_name);
 
 // Folds see less of the sky, and white skin instead of it.
 TEST_P(EveryTechniqueInSurroundings, WhiteFurnace) {
   for (const Subject& subject : subjects()) {
-    if (!subject.missing.empty() || (subject.name != "scan" && subject.name != "sphere" && subject.name != "built-in head")) continue;
+    if (!subject.missing.empty() ||
+        (subject.name != "scan" && subject.name != "sphere" && subject.name != "built-in head"))
+      continue;
     const Scene scene = subject.open();
     for (const bool specular : {false, true}) {
       SCOPED_TRACE(subject.name + (specular ? " with specular" : ""));
@@ -100,7 +103,8 @@ TEST_P(EveryTechniqueInSurroundings, TwoRunsAreBitEqual) {
 }
 
 TEST(Surroundings, WhatIsOptimisedDoesNotShow) {
-  const auto found = std::find_if(subjects().begin(), subjects().end(), [](const Subject& s) { return s.name == "scan"; });
+  const auto found =
+      std::find_if(subjects().begin(), subjects().end(), [](const Subject& s) { return s.name == "scan"; });
   ASSERT_NE(found, subjects().end());
   if (!found->missing.empty()) GTEST_SKIP() << found->missing;
   const Scene scan = found->open();
@@ -113,7 +117,8 @@ TEST(Surroundings, WhatIsOptimisedDoesNotShow) {
   EXPECT_LT(all.statistics.launched, none.statistics.launched);
   double mean = 0;
   for (std::size_t i = 0; i < all.display_rgba.size(); ++i)
-    mean += std::abs(all.display_rgba[i] - none.display_rgba[i]) / static_cast<double>(all.display_rgba.size());
+    mean +=
+        std::abs(all.display_rgba[i] - none.display_rgba[i]) / static_cast<double>(all.display_rgba.size());
   EXPECT_LT(mean, 0.5);
 }
 

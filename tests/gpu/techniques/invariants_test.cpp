@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must hold for every technique of the list, whatever it does inside. A new technique is tested by being in the list.
+// What must hold for every technique of the list, whatever it does inside. A new technique is tested by being
+// in the list.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -51,7 +52,8 @@ void expect_white(const std::string& technique, bool specular, double tolerance)
       missing += (missing.empty() ? "" : "; ") + subject.missing;
       continue;
     }
-    const SkinRange skin = skin_range(renderer().render(scene_of(subject), furnace_settings(technique, specular)));
+    const SkinRange skin =
+        skin_range(renderer().render(scene_of(subject), furnace_settings(technique, specular)));
     EXPECT_GT(skin.pixels, 1000u);
     EXPECT_GE(skin.low, 1 - tolerance);
     EXPECT_LE(skin.high, 1 + tolerance);
@@ -110,7 +112,8 @@ TEST_P(EveryTechnique, HalvingTheMapKeepsTheMeanColour) {
   }
 }
 
-// Scattering moves light, it neither makes nor loses any. Lit from the camera, little of it leaves for the far side.
+// Scattering moves light, it neither makes nor loses any. Lit from the camera, little of it leaves for the
+// far side.
 TEST_P(EveryTechnique, ScatteringKeepsTheLight) {
   const auto render = [](const std::string& technique) {
     RenderSettings s = small_settings(technique);
@@ -132,7 +135,8 @@ TEST_P(EveryTechnique, ValidationIsSilent) {
   s.heads = 2;
   validated->render(scene_of(subjects()[2]), s);
   for (const Subject& subject : subjects())
-    if (subject.name == "MakeHuman" && subject.missing.empty()) validated->render(scene_of(subject), small_settings(GetParam()));
+    if (subject.name == "MakeHuman" && subject.missing.empty())
+      validated->render(scene_of(subject), small_settings(GetParam()));
   for (const std::string& message : validated->validation_messages()) ADD_FAILURE() << message;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the three optimisations of [JG08] leave out: counted on the device, counted again here by their rules, and not missed in the
-// picture.
+// What the three optimisations of [JG08] leave out: counted on the device, counted again here by their rules,
+// and not missed in the picture.
 #include <glm/glm.hpp>
 
 #include "gpu/techniques/support.h"
@@ -37,7 +37,8 @@ std::size_t count_texels(const scene::SkinMesh& mesh, const Wanted& wanted) {
     scene::for_each_texel(uv, side, [&](int x, int y) {
       const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) / static_cast<double>(side) - a;
       const double u = (p.x * c.y - p.y * c.x) / area, v = (b.x * p.y - b.y * p.x) / area;
-      if (wanted(t, glm::dvec3(1 - u - v, u, v))) counted[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)] = true;
+      if (wanted(t, glm::dvec3(1 - u - v, u, v)))
+        counted[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)] = true;
     });
   }
   return static_cast<std::size_t>(std::count(counted.begin(), counted.end(), true));
@@ -79,10 +80,12 @@ TEST_F(OnTheScan, CullLeavesWhatTheRuleLeaves) {
   RenderSettings s = settings_with(true, false, false);
   s.orbit_deg = {0.001, 0};  // the framing camera instead of the scene's
   const glm::dvec3 eye(scene::framing_camera(sphere, 1, 0.001, 0).world_from_camera[3]);
-  const std::size_t expected = count_texels(*mesh, [&](std::size_t t, const glm::dvec3&) { return !culled(*mesh, t, eye); });
+  const std::size_t expected =
+      count_texels(*mesh, [&](std::size_t t, const glm::dvec3&) { return !culled(*mesh, t, eye); });
   const std::size_t all = count_texels(*mesh, [](std::size_t, const glm::dvec3&) { return true; });
   const Statistics st = renderer().render(*scan, s).statistics;
-  EXPECT_NEAR(static_cast<double>(st.irradiance_texels), static_cast<double>(expected), 0.001 * static_cast<double>(expected));
+  EXPECT_NEAR(static_cast<double>(st.irradiance_texels), static_cast<double>(expected),
+              0.001 * static_cast<double>(expected));
   EXPECT_LT(static_cast<double>(expected), 0.8 * static_cast<double>(all));
   EXPECT_EQ(st.unshaded_reads, 0u);
 }
@@ -93,7 +96,8 @@ TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
     s.width = 192;
     s.distance = 2.5;
     s.clip_margin_mm = margin_mm;
-    const glm::dmat4 camera_from_world = glm::inverse(glm::dmat4(scene::distance_camera(sphere, 2.5, 20).world_from_camera));
+    const glm::dmat4 camera_from_world =
+        glm::inverse(glm::dmat4(scene::distance_camera(sphere, 2.5, 20).world_from_camera));
     const double slope_y = std::tan(glm::radians(10.0)), slope_x = slope_y * 192 / 128;
     const auto inside = [&](std::size_t t, const glm::dvec3& w) {
       glm::dvec3 p(0);
@@ -104,9 +108,11 @@ TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
                    y = (-q.z * slope_y - std::abs(q.y)) / std::hypot(1, slope_y);
       return std::min(x, y) >= -margin_mm * 0.001;
     };
-    const std::size_t expected = count_texels(*mesh, inside), all = count_texels(*mesh, [](auto, auto) { return true; });
+    const std::size_t expected = count_texels(*mesh, inside),
+                      all = count_texels(*mesh, [](auto, auto) { return true; });
     const Statistics st = renderer().render(*scan, s).statistics;
-    EXPECT_NEAR(static_cast<double>(st.irradiance_texels), static_cast<double>(expected), 0.001 * static_cast<double>(expected));
+    EXPECT_NEAR(static_cast<double>(st.irradiance_texels), static_cast<double>(expected),
+                0.001 * static_cast<double>(expected));
     EXPECT_LT(static_cast<double>(expected), 0.8 * static_cast<double>(all));
   }
 }
@@ -114,7 +120,8 @@ TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
 TEST_F(OnTheScan, DepthTakesTheMapThatTheNearestPointNeeds) {
   glm::dvec3 low(1e9), high(-1e9);
   for (const std::uint32_t i : mesh->indices)
-    low = min(low, glm::dvec3(mesh->vertices[i].position_m)), high = max(high, glm::dvec3(mesh->vertices[i].position_m));
+    low = min(low, glm::dvec3(mesh->vertices[i].position_m)),
+    high = max(high, glm::dvec3(mesh->vertices[i].position_m));
   PreparedFrame frame = renderer().prepare(*scan, settings_with(false, true, false));
   for (const double distance : {2.5, 5.0, 10.0, 20.0, 50.0, 100.0}) {
     RenderSettings s = settings_with(false, true, false);
@@ -128,7 +135,8 @@ TEST_F(OnTheScan, DepthTakesTheMapThatTheNearestPointNeeds) {
     std::vector<bool> covered(static_cast<std::size_t>(expected) * static_cast<std::size_t>(expected));
     for (std::size_t t = 0; t < mesh->triangle_chart.size(); ++t)
       scene::for_each_texel(scene::triangle_uv(*mesh, t), expected, [&](int x, int y) {
-        covered[static_cast<std::size_t>(y) * static_cast<std::size_t>(expected) + static_cast<std::size_t>(x)] = true;
+        covered[static_cast<std::size_t>(y) * static_cast<std::size_t>(expected) +
+                static_cast<std::size_t>(x)] = true;
       });
     const auto texels = static_cast<double>(std::count(covered.begin(), covered.end(), true));
     EXPECT_NEAR(static_cast<double>(st.irradiance_texels), texels, 0.001 * texels) << distance;

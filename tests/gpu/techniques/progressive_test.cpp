@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smaller maps for wide Gaussians: the picture stays, the work shrinks. A wide profile makes maps of 512 texels halve three times.
+// Smaller maps for wide Gaussians: the picture stays, the work shrinks. A wide profile makes maps of 512
+// texels halve three times.
 #include <cmath>
 #include <fstream>
 
@@ -11,7 +12,8 @@ namespace {
 class Progressive : public testing::Test {
  protected:
   void SetUp() override {
-    const auto found = std::find_if(subjects().begin(), subjects().end(), [](const Subject& s) { return s.name == "scan"; });
+    const auto found =
+        std::find_if(subjects().begin(), subjects().end(), [](const Subject& s) { return s.name == "scan"; });
     ASSERT_NE(found, subjects().end());
     if (!found->missing.empty()) GTEST_SKIP() << found->missing;
     static const Scene opened = found->open();

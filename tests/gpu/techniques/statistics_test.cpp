@@ -23,8 +23,8 @@ TEST(FrameStatistics, PassesAddUpToTheFrame) {
     SCOPED_TRACE(technique);
     // One frame: medians over several need not add up to the median frame on a machine that does other work.
     const Statistics s = statistics_of(technique, 512, 1, 1);
-    const double passes =
-        std::accumulate(s.passes.begin(), s.passes.end(), 0.0, [](double t, const PassStatistics& p) { return t + p.ms; });
+    const double passes = std::accumulate(s.passes.begin(), s.passes.end(), 0.0,
+                                          [](double t, const PassStatistics& p) { return t + p.ms; });
     EXPECT_EQ(s.frames, 1);
     EXPECT_GT(s.frame_ms_median, 0);
     EXPECT_NEAR(passes / s.frame_ms_median, 1, 0.1);
@@ -54,7 +54,8 @@ TEST(FrameStatistics, TexelsAreCounted) {
   EXPECT_EQ(first.irradiance_texels, again.irradiance_texels);
   EXPECT_EQ(first.convolved_texels, again.convolved_texels);
   EXPECT_EQ(first.launched, again.launched);
-  // Six charts of (1/3 - 2 * 0.02)^2 of the map, packed 3 x 2; the upper bound leaves room for a border of texels around each.
+  // Six charts of (1/3 - 2 * 0.02)^2 of the map, packed 3 x 2; the upper bound leaves room for a border of
+  // texels around each.
   const double side = 256 * (1.0 / 3 - 0.04), charts = 6 * side * (256 * (1.0 / 3 - 0.04));
   EXPECT_NEAR(static_cast<double>(first.irradiance_texels), charts, 0.1 * charts);
   EXPECT_EQ(first.gaussians, 6);
@@ -64,7 +65,8 @@ TEST(FrameStatistics, TexelsAreCounted) {
 }
 
 TEST(FrameStatistics, CountsAreSummedOverHeads) {
-  const Statistics one = statistics_of("texture-space", 256, 1), three = statistics_of("texture-space", 256, 3);
+  const Statistics one = statistics_of("texture-space", 256, 1),
+                   three = statistics_of("texture-space", 256, 3);
   EXPECT_EQ(three.irradiance_texels, 3 * one.irradiance_texels);
   EXPECT_EQ(three.used_size, (std::vector<int>{256, 256, 256}));
   EXPECT_EQ(three.heads, 3);
@@ -75,7 +77,8 @@ TEST(FrameStatistics, SkinPixelsAreThoseOfThePicture) {
     const Picture picture = renderer().render(sphere(0.1), small_settings(technique));
     std::uint64_t pixels = 0;
     for (std::size_t i = 3; i < picture.linear_rgba.size(); i += 4) pixels += picture.linear_rgba[i] >= 0.5f;
-    EXPECT_NEAR(static_cast<double>(picture.statistics.skin_pixels), static_cast<double>(pixels), 0.001 * static_cast<double>(pixels))
+    EXPECT_NEAR(static_cast<double>(picture.statistics.skin_pixels), static_cast<double>(pixels),
+                0.001 * static_cast<double>(pixels))
         << technique;
     EXPECT_GT(pixels, 5000u);
   }
@@ -85,18 +88,22 @@ TEST(FrameStatistics, SkinPixelsAreThoseOfThePicture) {
 TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
   for (const std::string& technique : technique_names()) {
     SCOPED_TRACE(technique);
-    const nlohmann::json j = nlohmann::json::parse(renderer().render(sphere(0.1), small_settings(technique)).statistics.json());
+    const nlohmann::json j =
+        nlohmann::json::parse(renderer().render(sphere(0.1), small_settings(technique)).statistics.json());
     for (const char* key : {"dermis", "device", "driver", "api", "technique", "timing"})
       EXPECT_TRUE(j.at(key).is_string() && j.at(key) != "") << key;
-    for (const char* key : {"map_size", "heads", "lights", "gaussians", "load_ms", "pipeline_ms", "skin_pixels", "d_ref"})
+    for (const char* key :
+         {"map_size", "heads", "lights", "gaussians", "load_ms", "pipeline_ms", "skin_pixels", "d_ref"})
       EXPECT_TRUE(j.at(key).is_number()) << key;
-    for (const char* key : {"median", "min", "max", "frames"}) EXPECT_TRUE(j.at("frame_ms").at(key).is_number()) << key;
+    for (const char* key : {"median", "min", "max", "frames"})
+      EXPECT_TRUE(j.at("frame_ms").at(key).is_number()) << key;
     for (const char* key : {"irradiance", "convolved", "launched", "unshaded_reads", "transmission_misses"})
       EXPECT_TRUE(j.at("texels").at(key).is_number_unsigned()) << key;
     for (const char* key : {"images", "buffers", "peak"}) EXPECT_GT(j.at("memory_bytes").at(key), 0) << key;
     EXPECT_TRUE(j.at("texels").at("used_size").is_array());
     const bool scatters = technique != "lambert";
-    EXPECT_EQ(j.at("optimise"), scatters ? nlohmann::json({"cull", "depth", "clip"}) : nlohmann::json::array());
+    EXPECT_EQ(j.at("optimise"),
+              scatters ? nlohmann::json({"cull", "depth", "clip"}) : nlohmann::json::array());
     EXPECT_EQ(j.at("maps"), scatters ? nlohmann::json("full") : nlohmann::json());
     EXPECT_EQ(j.at("mask").is_string(), scatters);
     EXPECT_EQ(j.at("size"), nlohmann::json({128, 128}));

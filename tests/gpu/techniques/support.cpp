@@ -17,7 +17,8 @@ fs::path shared_assets() {
   return fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
 }
 
-Subject from_file(const std::string& name, const fs::path& path, const std::vector<fs::path>& needs, const std::string& advice) {
+Subject from_file(const std::string& name, const fs::path& path, const std::vector<fs::path>& needs,
+                  const std::string& advice) {
   Subject subject{.name = name, .open = [path] { return Scene::load(path); }, .missing = {}};
   for (const fs::path& file : needs)
     if (!fs::exists(file)) subject.missing = file.filename().string() + " is not there; " + advice;
@@ -78,14 +79,15 @@ const std::vector<Subject>& subjects() {
   static const std::vector<Subject> all = [] {
     const fs::path heads = fs::path(DERMIS_SOURCE_DIR) / "assets" / "heads";
     const fs::path shared = shared_assets();
-    const fs::path makehuman = shared / "makehuman" / "mh-african-man-young.glb", ict = shared / "ict-facekit" / "ict-mean-animated.glb";
+    const fs::path makehuman = shared / "makehuman" / "mh-african-man-young.glb",
+                   ict = shared / "ict-facekit" / "ict-mean-animated.glb";
     const std::string cache = "set DERMIS_ASSET_CACHE to the folder that holds it";
     return std::vector<Subject>{
         {"sphere", [] { return sphere(0.1); }, {}},
         {"sheared plane", sheared_plane, {}},
         {"built-in head", [] { return Scene::built_in(); }, {}},
-        from_file("scan", heads / "lee-perry-smith.gltf", {heads / "LeePerrySmith.glb", heads / "Map-COL.jpg"},
-                  "./run fetch-assets brings it"),
+        from_file("scan", heads / "lee-perry-smith.gltf",
+                  {heads / "LeePerrySmith.glb", heads / "Map-COL.jpg"}, "./run fetch-assets brings it"),
         from_file("MakeHuman", makehuman, {makehuman}, cache),
         from_file("ICT", ict, {ict}, cache),
     };

@@ -34,7 +34,8 @@ Scene sheared_plane();
 /// The sphere under one directional light that shines where the framing camera looks.
 Scene sphere_lit_from_the_camera(double radius_m);
 
-/// A head by name: loading may fail because the files are not there, then it is empty and `missing` says what to do.
+/// A head by name: loading may fail because the files are not there, then it is empty and `missing` says what
+/// to do.
 struct Subject {
   std::string name;
   std::function<Scene()> open;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the optimisations leave out is not missed: pictures with and without them, from all sides, near, far, in a row and on the move.
+// What the optimisations leave out is not missed: pictures with and without them, from all sides, near, far,
+// in a row and on the move.
 #include <fmt/format.h>
 #include <array>
 #include <cstdlib>
@@ -39,7 +40,9 @@ image::ImageF super_sampled(PreparedFrame& frame, RenderSettings s, double d_ref
   s.d_ref = d_ref;
   frame.set(s);
   Picture fine = frame.picture();
-  return image::downsample_box({.width = fine.width, .height = fine.height, .channels = 4, .values = std::move(fine.linear_rgba)}, super);
+  return image::downsample_box(
+      {.width = fine.width, .height = fine.height, .channels = 4, .values = std::move(fine.linear_rgba)},
+      super);
 }
 
 class Views : public testing::Test {
@@ -49,13 +52,14 @@ class Views : public testing::Test {
   }
 };
 
-void expect_same_picture(PreparedFrame& optimised, PreparedFrame& baseline, const RenderSettings& s, const std::string& view) {
+void expect_same_picture(PreparedFrame& optimised, PreparedFrame& baseline, const RenderSettings& s,
+                         const std::string& view) {
   SCOPED_TRACE(view);
   optimised.set(s);
   const Statistics st = optimised.picture().statistics;
   EXPECT_EQ(st.unshaded_reads, 0u);
-  const auto d =
-      image::compare_exposed(super_sampled(baseline, without(s), st.d_ref), super_sampled(optimised, s, st.d_ref), image::View::filmic);
+  const auto d = image::compare_exposed(super_sampled(baseline, without(s), st.d_ref),
+                                        super_sampled(optimised, s, st.d_ref), image::View::filmic);
   ASSERT_TRUE(d.has_value()) << "no skin";
   EXPECT_GE(d->psnr_db, 40);
   EXPECT_LE(d->flip_mean, 0.02);
@@ -72,17 +76,20 @@ RenderSettings small_view() {
 }
 
 TEST_F(Views, FromAllSides) {
-  PreparedFrame optimised = renderer().prepare(*scan(), small_view()), baseline = renderer().prepare(*scan(), without(small_view()));
+  PreparedFrame optimised = renderer().prepare(*scan(), small_view()),
+                baseline = renderer().prepare(*scan(), without(small_view()));
   const double elevations[] = {0, 30, -20};
   for (int k = 0; k < 12; ++k) {
     RenderSettings s = small_view();
     s.orbit_deg = {30.0 * k + 1, elevations[k % 3]};
-    expect_same_picture(optimised, baseline, s, fmt::format("azimuth {}, elevation {}", s.orbit_deg[0], s.orbit_deg[1]));
+    expect_same_picture(optimised, baseline, s,
+                        fmt::format("azimuth {}, elevation {}", s.orbit_deg[0], s.orbit_deg[1]));
   }
 }
 
 TEST_F(Views, NearAndFarAndInARow) {
-  PreparedFrame optimised = renderer().prepare(*scan(), small_view()), baseline = renderer().prepare(*scan(), without(small_view()));
+  PreparedFrame optimised = renderer().prepare(*scan(), small_view()),
+                baseline = renderer().prepare(*scan(), without(small_view()));
   for (const auto& [distance, heads] : {std::pair(2.5, 1), {5.0, 1}, {5.0, 4}, {20.0, 1}, {50.0, 6}}) {
     RenderSettings s = small_view();
     s.distance = distance;
@@ -97,7 +104,8 @@ TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
   s.width = 448, s.height = 280;
   s.map_size = 480, s.shadow_size = 512;  // texels a pixel about as in the paper's test
   s.bloom = 0;
-  PreparedFrame optimised = renderer().prepare(*scan(), s), baseline = renderer().prepare(*scan(), without(s));
+  PreparedFrame optimised = renderer().prepare(*scan(), s),
+                baseline = renderer().prepare(*scan(), without(s));
   // Of 200 steps from 2.5 to 100 radii those in which maps shrink to a third.
   const double step = std::pow(100 / 2.5, 1 / 199.0);
   constexpr int steps = 40;
@@ -116,7 +124,8 @@ TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
         change[1] += std::abs(int{b.display_rgba[p]} - int{last[1][p]});
         ++values;
       }
-      EXPECT_LE(change[1], 2 * change[0]) << "from " << *s.distance << " radii on, over " << values << " values";
+      EXPECT_LE(change[1], 2 * change[0])
+          << "from " << *s.distance << " radii on, over " << values << " values";
       worst = std::max(worst, change[1] / change[0]);
     }
     last[0] = a.display_rgba, last[1] = b.display_rgba;
@@ -126,16 +135,18 @@ TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
   std::cout << "largest ratio of changes " << worst << "\n";
 }
 
-// Triangles of the crowd's coarsest heads are thinner than a texel where others around them are culled: views in which such were read
-// unlit.
+// Triangles of the crowd's coarsest heads are thinner than a texel where others around them are culled: views
+// in which such were read unlit.
 TEST(CoarseHeads, EveryReadFindsLight) {
   const char* folder = std::getenv("DERMIS_ASSET_CACHE");
   const std::filesystem::path crowd =
-      (folder ? std::filesystem::path(folder) : std::filesystem::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets") / "makehuman" /
-      "crowd";
+      (folder ? std::filesystem::path(folder)
+              : std::filesystem::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets") /
+      "makehuman" / "crowd";
   const std::pair<const char*, std::array<double, 2>> views[] = {
-      {"african-man-old", {90, -30}},      {"african-man-old", {135, -30}},          {"african-man-old", {180, 0}},
-      {"asian-woman-young", {45, -30}},    {"asian-woman-young", {22.5, 60}},        {"european-man-young", {90, 0}},
+      {"african-man-old", {90, -30}},      {"african-man-old", {135, -30}},
+      {"african-man-old", {180, 0}},       {"asian-woman-young", {45, -30}},
+      {"asian-woman-young", {22.5, 60}},   {"european-man-young", {90, 0}},
       {"european-woman-young", {45, -30}}, {"south-asian-man-middleage", {112.5, 0}}};
   for (const auto& [name, orbit_deg] : views) {
     const std::filesystem::path file = crowd / ("mh-crowd-" + std::string(name) + "-lod2.glb");
@@ -146,7 +157,8 @@ TEST(CoarseHeads, EveryReadFindsLight) {
     s.map_size = s.shadow_size = 512;
     s.lights = 2;
     s.orbit_deg = orbit_deg;
-    EXPECT_EQ(renderer().render(Scene::load(file), s).statistics.unshaded_reads, 0u) << name << " " << orbit_deg[0] << " " << orbit_deg[1];
+    EXPECT_EQ(renderer().render(Scene::load(file), s).statistics.unshaded_reads, 0u)
+        << name << " " << orbit_deg[0] << " " << orbit_deg[1];
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The scan's ear with the light behind it: as the reference has it, with all optimisations, and without a lit point that was not there.
+// The scan's ear with the light behind it: as the reference has it, with all optimisations, and without a lit
+// point that was not there.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -41,15 +42,17 @@ RenderSettings ear_settings() {
 }
 
 image::Image8 shown(const Picture& picture) {
-  return image::to_display({.width = picture.width, .height = picture.height, .channels = 4, .values = picture.linear_rgba},
-                           image::View::filmic);
+  return image::to_display(
+      {.width = picture.width, .height = picture.height, .channels = 4, .values = picture.linear_rgba},
+      image::View::filmic);
 }
 
 // The front of the ear: a polygon inside its outline.
 std::vector<std::uint8_t> ear_region() {
-  static constexpr glm::dvec2 corners[] = {{0.25, 0.193}, {0.367, 0.163}, {0.467, 0.173}, {0.56, 0.227}, {0.62, 0.333},
-                                           {0.627, 0.5},  {0.593, 0.65},  {0.5, 0.8},     {0.367, 0.95}, {0.2, 0.967},
-                                           {0.15, 0.833}, {0.183, 0.567}, {0.2, 0.333}};
+  static constexpr glm::dvec2 corners[] = {{0.25, 0.193}, {0.367, 0.163}, {0.467, 0.173}, {0.56, 0.227},
+                                           {0.62, 0.333}, {0.627, 0.5},   {0.593, 0.65},  {0.5, 0.8},
+                                           {0.367, 0.95}, {0.2, 0.967},   {0.15, 0.833},  {0.183, 0.567},
+                                           {0.2, 0.333}};
   std::vector<std::uint8_t> mask(side * side);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
@@ -57,7 +60,8 @@ std::vector<std::uint8_t> ear_region() {
       bool inside = false;
       for (std::size_t i = 0, j = std::size(corners) - 1; i < std::size(corners); j = i++) {
         const glm::dvec2 a = corners[i], b = corners[j];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
+          inside = !inside;
       }
       mask[static_cast<std::size_t>(y * side + x)] = inside;
     }
@@ -71,7 +75,8 @@ TEST_F(Ear, GlowsAsTheReferenceDoes) {
   s.translucency = false;
   const Picture off = renderer().render(*scan, s);
   const std::vector<std::uint8_t> region = ear_region();
-  const double with = image::mean_flip(shown(truth), shown(on), region), without = image::mean_flip(shown(truth), shown(off), region);
+  const double with = image::mean_flip(shown(truth), shown(on), region),
+               without = image::mean_flip(shown(truth), shown(off), region);
   std::printf("FLIP over the ear: %.4f with, %.4f without, ratio %.3f\n", with, without, with / without);
   EXPECT_LE(with, 0.5 * without);
   std::array<double, 3> light[3] = {};  // over the region: truth, with, without
@@ -113,7 +118,8 @@ TEST_F(Ear, TheOptimisationsAreNotMissed) {
     const Picture whole = renderer().render(*scan, s);
     std::vector<std::uint8_t> skin(static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height));
     for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = whole.linear_rgba[4 * i + 3] > 0;
-    const double psnr = image::psnr_db(shown(whole), shown(optimised), skin), flip = image::mean_flip(shown(whole), shown(optimised), skin);
+    const double psnr = image::psnr_db(shown(whole), shown(optimised), skin),
+                 flip = image::mean_flip(shown(whole), shown(optimised), skin);
     std::printf("azimuth %.0f: %.1f dB, FLIP %.4f\n", azimuth, psnr, flip);
     EXPECT_GE(psnr, 40) << azimuth;
     EXPECT_LE(flip, 0.02) << azimuth;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How transmitted light is shared out over the chain of convolutions: whatever the groups, each term counts by its weight.
+// How transmitted light is shared out over the chain of convolutions: whatever the groups, each term counts
+// by its weight.
 #include <gtest/gtest.h>
 
 #include "gaussians/known.h"
@@ -28,8 +29,11 @@ void expect_exact(const gaussians::SumOfGaussians& profile) {
       double sum = 0;
       for (std::size_t i = 0; i < profile.terms.size(); ++i)
         for (std::size_t g = 0; g < first.size(); ++g)
-          if (first[g] <= i) sum += profile.terms[i].weight[static_cast<std::size_t>(c)] * double{io.share[g * TRANSMISSION_TERMS + j][c]};
-      EXPECT_NEAR(sum, profile.terms[j].weight[static_cast<std::size_t>(c)], 1e-6) << "term " << j << ", channel " << c;
+          if (first[g] <= i)
+            sum += profile.terms[i].weight[static_cast<std::size_t>(c)] *
+                   double{io.share[g * TRANSMISSION_TERMS + j][c]};
+      EXPECT_NEAR(sum, profile.terms[j].weight[static_cast<std::size_t>(c)], 1e-6)
+          << "term " << j << ", channel " << c;
     }
 }
 
@@ -40,13 +44,15 @@ TEST(TransmissionShares, EachTermCountsByItsWeight) {
     gaussians::SumOfGaussians made;
     for (std::size_t i = 0; i < terms; ++i) {
       const double x = static_cast<double>(i);
-      made.terms.push_back({.variance_mm2 = 0.01 * (1 + x * x), .weight = {0.1 + 0.02 * x, i % 2 ? 0.3 : 0.0, i + 1 == terms ? 1.0 : 0.0}});
+      made.terms.push_back({.variance_mm2 = 0.01 * (1 + x * x),
+                            .weight = {0.1 + 0.02 * x, i % 2 ? 0.3 : 0.0, i + 1 == terms ? 1.0 : 0.0}});
     }
     expect_exact(made);
   }
 }
 
-// exp(-d^2 / 2v) grows with v, so what joins is never negative: half floats hold it, and nothing is taken away.
+// exp(-d^2 / 2v) grows with v, so what joins is never negative: half floats hold it, and nothing is taken
+// away.
 TEST(TransmissionShares, NothingIsTakenAway) {
   const gaussians::SumOfGaussians profile = gaussians::skin_six();
   const io::TransmissionIo io = transmission_io(profile, 1000);
@@ -55,7 +61,8 @@ TEST(TransmissionShares, NothingIsTakenAway) {
       for (int c = 0; c < 3; ++c) {
         double sum = 0;
         for (std::size_t i = 0; i < profile.terms.size(); ++i)
-          sum += double{io.share[g * TRANSMISSION_TERMS + i][c]} * std::exp(-d_m * d_m * double{io.falloff_per_m2[i]});
+          sum += double{io.share[g * TRANSMISSION_TERMS + i][c]} *
+                 std::exp(-d_m * d_m * double{io.falloff_per_m2[i]});
         EXPECT_GE(sum, -1e-6) << d_m;
       }
 }

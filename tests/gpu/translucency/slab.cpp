@@ -18,7 +18,8 @@ Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene
 scene::Scene slab(double thickness_mm) {
   constexpr double side_m = 0.04;
   scene::Scene made = scene::plane(side_m, glm::dmat2(0.46, 0, 0, 0.46), {0.02, 0.02}, 4);
-  scene::Primitive back = scene::plane(side_m, glm::dmat2(0.46, 0, 0, 0.46), {0.52, 0.52}, 4).primitives.front();
+  scene::Primitive back =
+      scene::plane(side_m, glm::dmat2(0.46, 0, 0, 0.46), {0.52, 0.52}, 4).primitives.front();
   scene::Primitive& both = made.primitives.front();
   const auto base = static_cast<std::uint32_t>(both.vertices.size());
   for (scene::Vertex v : back.vertices) {
@@ -78,14 +79,16 @@ RenderSettings slab_settings() {
 std::array<double, 3> slab_factor(double thickness_mm) {
   std::array<double, 3> sum{};
   for (const gaussians::Gaussian& g : gaussians::skin_six().terms)
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += g.weight[c] * std::exp(-thickness_mm * thickness_mm / (2 * g.variance_mm2));
+    for (std::size_t c = 0; c < 3; ++c)
+      sum[c] += g.weight[c] * std::exp(-thickness_mm * thickness_mm / (2 * g.variance_mm2));
   return sum;
 }
 
 std::array<double, 3> middle(const Picture& picture) {
   std::array<double, 3> mean{};
   for (std::size_t i = 0; i < picture.linear_rgba.size(); ++i)
-    if (i % 4 != 3) mean[i % 4] += double{picture.linear_rgba[i]} / static_cast<double>(picture.linear_rgba.size() / 4);
+    if (i % 4 != 3)
+      mean[i % 4] += double{picture.linear_rgba[i]} / static_cast<double>(picture.linear_rgba.size() / 4);
   return mean;
 }
 

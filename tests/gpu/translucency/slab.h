@@ -11,8 +11,8 @@
 
 namespace dermis::tests {
 
-/// Front z = 0 with normal +z, back z = -thickness, both 40 mm wide, each a chart of its own; seen from +z without perspective, 1 mm up and
-/// down. `skin` is material 0.
+/// Front z = 0 with normal +z, back z = -thickness, both 40 mm wide, each a chart of its own; seen from +z
+/// without perspective, 1 mm up and down. `skin` is material 0.
 scene::Scene slab(double thickness_mm);
 
 /// A directional light that falls on the back at this angle to its normal; irradiance facing it.
@@ -26,7 +26,8 @@ Scene wrap(scene::Scene data);
 /// White skin, nothing but the scene's lights, no reflection.
 RenderSettings slab_settings();
 
-/// What a slab shows over its lit side's radiance B: sum_i w_i exp(-d^2 / 2 v_i) of the six Gaussians of skin.
+/// What a slab shows over its lit side's radiance B: sum_i w_i exp(-d^2 / 2 v_i) of the six Gaussians of
+/// skin.
 std::array<double, 3> slab_factor(double thickness_mm);
 
 /// Mean of the pixels in the middle, linear.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light through slabs against the sum of Gaussians in closed form and against the reference, for one light and for four of all kinds.
+// Light through slabs against the sum of Gaussians in closed form and against the reference, for one light
+// and for four of all kinds.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,8 +53,10 @@ TEST(Slab, ShowsTheSumOfGaussians) {
       const auto seen = middle(picture), wanted = slab_factor(d);
       for (std::size_t c = 0; c < 3; ++c) {
         const double back = l.irradiance[static_cast<int>(c)] / pi;
-        EXPECT_NEAR(seen[c], back * wanted[c], 0.02 * back * thin[c]) << d << " mm, " << lights << " lights, channel " << c;
-        std::printf("%4.1f mm, %d lights, channel %zu: %.5f, closed form %.5f\n", d, lights, c, seen[c] / back, wanted[c]);
+        EXPECT_NEAR(seen[c], back * wanted[c], 0.02 * back * thin[c])
+            << d << " mm, " << lights << " lights, channel " << c;
+        std::printf("%4.1f mm, %d lights, channel %zu: %.5f, closed form %.5f\n", d, lights, c,
+                    seen[c] / back, wanted[c]);
       }
     }
 }
@@ -70,11 +73,13 @@ TEST(Slab, IsThatOfTheReference) {
       const auto seen = middle(renderer().render(scene, s)), wanted = middle(truth.picture);
       for (std::size_t c = 0; c < 3; ++c) {
         double variance = 0;
-        for (std::size_t i = c; i < truth.variance_rgba.size(); i += 4) variance += double{truth.variance_rgba[i]};
+        for (std::size_t i = c; i < truth.variance_rgba.size(); i += 4)
+          variance += double{truth.variance_rgba[i]};
         const double error = std::sqrt(variance) / static_cast<double>(truth.variance_rgba.size() / 4);
         const double back = l.irradiance[static_cast<int>(c)] / pi;
         EXPECT_LT(error, 0.02 * back * thin[c]);
-        EXPECT_NEAR(seen[c], wanted[c], 0.02 * back * thin[c] + 3 * error) << d << " mm, " << lights << " lights, channel " << c;
+        EXPECT_NEAR(seen[c], wanted[c], 0.02 * back * thin[c] + 3 * error)
+            << d << " mm, " << lights << " lights, channel " << c;
       }
     }
 }
@@ -84,11 +89,13 @@ TEST(Slab, AtAnAngleItIsTheThicknessThatCounts) {
   const auto thin = slab_factor(0.5);
   for (const double angle : {30.0, 60.0})
     for (const double d : {0.5, 1.0, 2.0}) {
-      const auto seen = middle(renderer().render(lit_slab(d, {from_behind({2, 2, 2}, angle)}), slab_settings()));
+      const auto seen =
+          middle(renderer().render(lit_slab(d, {from_behind({2, 2, 2}, angle)}), slab_settings()));
       const auto wanted = slab_factor(d);
       const double back = 2 * std::cos(angle * pi / 180) / pi;
       for (std::size_t c = 0; c < 3; ++c)
-        EXPECT_NEAR(seen[c], back * wanted[c], 0.02 * back * thin[c]) << angle << " degrees, " << d << " mm, channel " << c;
+        EXPECT_NEAR(seen[c], back * wanted[c], 0.02 * back * thin[c])
+            << angle << " degrees, " << d << " mm, channel " << c;
     }
 }
 
@@ -140,7 +147,8 @@ TEST(Slab, TheColourOfTheLitSideActs) {
   const auto white = middle(renderer().render(wrap(scene), s));
   // The back's vertices stand behind those of the front.
   auto& vertices = scene.primitives.front().vertices;
-  for (std::size_t i = vertices.size() / 2; i < vertices.size(); ++i) vertices[i].colour = {0.64f, 0.36f, 0.16f, 1};
+  for (std::size_t i = vertices.size() / 2; i < vertices.size(); ++i)
+    vertices[i].colour = {0.64f, 0.36f, 0.16f, 1};
   const auto tinted = middle(renderer().render(wrap(scene), s));
   const double wanted[] = {0.64, 0.36, 0.16};
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(tinted[c] / white[c], wanted[c], 0.01);
@@ -153,7 +161,8 @@ TEST(Slab, AnyNumberOfTerms) {
     std::string variances, weights;
     double wanted = 0;
     for (std::size_t i = 0; i < terms; ++i) {
-      const double variance = 0.05 * std::pow(3.0, static_cast<double>(i)), weight = 1.0 / static_cast<double>(terms);
+      const double variance = 0.05 * std::pow(3.0, static_cast<double>(i)),
+                   weight = 1.0 / static_cast<double>(terms);
       const std::string comma = i ? ", " : "", w = std::to_string(weight);
       variances += comma + std::to_string(variance);
       weights += comma + "[" + w + ", " + w + ", " + w + "]";
@@ -162,7 +171,8 @@ TEST(Slab, AnyNumberOfTerms) {
     const auto path = folder / ("dermis_terms_" + std::to_string(terms) + ".json");
     FILE* file = std::fopen(path.c_str(), "w");
     ASSERT_NE(file, nullptr);
-    std::fprintf(file, R"({"name": "made up", "variances_mm2": [%s], "weights": [%s]})", variances.c_str(), weights.c_str());
+    std::fprintf(file, R"({"name": "made up", "variances_mm2": [%s], "weights": [%s]})", variances.c_str(),
+                 weights.c_str());
     std::fclose(file);
     RenderSettings s = slab_settings();
     s.profile = path.string();

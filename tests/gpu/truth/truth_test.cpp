@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Real time against ground truth: how much nearer the techniques come than no scattering at all, and that they do not drift away.
-// docs/truth.md has the same at full size.
+// Real time against ground truth: how much nearer the techniques come than no scattering at all, and that
+// they do not drift away. docs/truth.md has the same at full size.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ image::ImageF three_channels(const std::vector<float>& rgba, int width, int heig
   for (int y = 0; y < height * times; ++y)
     for (int x = 0; x < width * times; ++x)
       for (int c = 0; c < 3; ++c)
-        out.at(x / times, y / times)[c] +=
-            rgba[static_cast<std::size_t>(4 * (y * width * times + x) + c)] / static_cast<float>(times * times);
+        out.at(x / times, y / times)[c] += rgba[static_cast<std::size_t>(4 * (y * width * times + x) + c)] /
+                                           static_cast<float>(times * times);
   return out;
 }
 
@@ -42,7 +42,8 @@ struct Error {
 /// A scene, its reference, its skin.
 class Truth {
  public:
-  Truth(Scene scene, const RenderSettings& settings, int samples) : scene_(std::move(scene)), settings_(settings) {
+  Truth(Scene scene, const RenderSettings& settings, int samples)
+      : scene_(std::move(scene)), settings_(settings) {
     const ReferencePicture picture = render_reference(scene_, settings_, {.samples = samples});
     reference_ = three_channels(picture.picture.linear_rgba, settings_.width, settings_.height, 1);
     variance_ = three_channels(picture.variance_rgba, settings_.width, settings_.height, 1);
@@ -105,7 +106,8 @@ RenderSettings small(int width, int height) {
 
 TEST(Truth, TheScanUnderALightFromTheSide) {
   const fs::path heads = fs::path(DERMIS_SOURCE_DIR) / "assets" / "heads";
-  if (!fs::exists(heads / "LeePerrySmith.glb")) GTEST_SKIP() << "the scan is not there; ./run fetch-assets brings it";
+  if (!fs::exists(heads / "LeePerrySmith.glb"))
+    GTEST_SKIP() << "the scan is not there; ./run fetch-assets brings it";
   const Truth truth(Scene::load(heads / "lee-perry-smith.gltf"), small(96, 108), 128);
   auto lambert = truth.errors("lambert", false), scattered = truth.errors("texture-space", false),
        optimised = truth.errors("texture-space", true);
@@ -124,7 +126,8 @@ TEST(Truth, TheBuiltInHeadDoesNotDriftAway) {
   EXPECT_LT(scattered["skin"].rel_mse, 1.5e-4);
 }
 
-// Surroundings alone: what a head hides of them, and what it sends on. The bounds are a fifth over what was measured.
+// Surroundings alone: what a head hides of them, and what it sends on. The bounds are a fifth over what was
+// measured.
 TEST(Truth, TheBuiltInHeadInAStudio) {
   RenderSettings s = small(96, 96);
   s.placed_lights.clear();
@@ -136,7 +139,8 @@ TEST(Truth, TheBuiltInHeadInAStudio) {
   EXPECT_LT(scattered["skin"].rel_mse, 2.8e-3);
 }
 
-/// A plane of skin under a light from straight above, half of it in the shadow of a sheet; a camera between both sees 12 mm of it.
+/// A plane of skin under a light from straight above, half of it in the shadow of a sheet; a camera between
+/// both sees 12 mm of it.
 Scene knife_edge() {
   scene::Scene made = scene::plane(0.06, glm::dmat2(1), {}, 1);
   made.materials.push_back({.name = "sheet"});
@@ -159,8 +163,8 @@ Scene knife_edge() {
   return Scene(std::make_shared<const scene::Scene>(std::move(made)));
 }
 
-// The edge of a shadow against the reference instead of the closed form: 1 % of the peak on average, 3 % in each column of a quarter of a
-// millimetre, where the narrowest Gaussians are smaller than a texel (17 a mm).
+// The edge of a shadow against the reference instead of the closed form: 1 % of the peak on average, 3 % in
+// each column of a quarter of a millimetre, where the narrowest Gaussians are smaller than a texel (17 a mm).
 TEST(Truth, AKnifeEdge) {
   RenderSettings s = small(48, 16);
   s.placed_lights.clear();
@@ -174,7 +178,8 @@ TEST(Truth, AKnifeEdge) {
   for (int x = 0; x < s.width; ++x)
     for (int c = 0; c < 3; ++c) {
       double difference = 0;
-      for (int y = 0; y < s.height; ++y) difference += (double(picture.at(x, y)[c]) - reference.at(x, y)[c]) / s.height;
+      for (int y = 0; y < s.height; ++y)
+        difference += (double(picture.at(x, y)[c]) - reference.at(x, y)[c]) / s.height;
       mean += std::abs(difference) / (3 * s.width);
       worst = std::max(worst, std::abs(difference));
     }

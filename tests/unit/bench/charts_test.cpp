@@ -28,11 +28,12 @@ TEST(Charts, StepsOfAnAxis) {
 }
 
 TEST(Charts, ALineHasGapsWhereThereIsNothing) {
-  const html::LineChart chart{.title = "a < b",
-                              .x_name = "heads",
-                              .x = {"1", "2", "4", "8"},
-                              .lines = {{"ours", 0, false, {1.0, 2.0, std::nullopt, 1.5}}, {"theirs", 1, true, {1.0, 1.0, 1.0, 1.0}}},
-                              .y_max = 2};
+  const html::LineChart chart{
+      .title = "a < b",
+      .x_name = "heads",
+      .x = {"1", "2", "4", "8"},
+      .lines = {{"ours", 0, false, {1.0, 2.0, std::nullopt, 1.5}}, {"theirs", 1, true, {1.0, 1.0, 1.0, 1.0}}},
+      .y_max = 2};
   const std::string svg = html::line_chart(chart);
   EXPECT_EQ(count(svg, "<polyline"), 3u);
   EXPECT_EQ(count(svg, "<circle"), 7u);
@@ -45,7 +46,8 @@ TEST(Charts, ALineHasGapsWhereThereIsNothing) {
 }
 
 TEST(Charts, BarsShareAScale) {
-  const html::BarChart chart{.unit = "ms", .parts = {"a", "b"}, .bars = {{"all", {30, 10}}, {"half", {20, 0}}}};
+  const html::BarChart chart{
+      .unit = "ms", .parts = {"a", "b"}, .bars = {{"all", {30, 10}}, {"half", {20, 0}}}};
   const std::string svg = html::bar_chart(chart);
   EXPECT_EQ(count(svg, "<rect"), 3u) << "nothing is not drawn";
   EXPECT_NE(svg.find("width=\"420.00\""), std::string::npos);
@@ -59,7 +61,9 @@ TEST(Charts, BarsShareAScale) {
 TEST(Charts, Legends) {
   EXPECT_EQ(count(html::legend(std::vector<std::string>{"a&b", "c"}), "<rect"), 2u);
   EXPECT_NE(html::legend(std::vector<std::string>{"a&b"}).find("a&amp;b"), std::string::npos);
-  EXPECT_EQ(count(html::legend(std::vector<html::Line>{{"x", 0, true, {}}, {"y", 1, false, {}}}), "stroke-dasharray"), 1u);
+  EXPECT_EQ(count(html::legend(std::vector<html::Line>{{"x", 0, true, {}}, {"y", 1, false, {}}}),
+                  "stroke-dasharray"),
+            1u);
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ class CompareRuns : public testing::Test {
   }
 
  private:
-  std::filesystem::path path_ = std::filesystem::temp_directory_path() / ("dermis-compare-runs-" + std::to_string(::getpid()) + ".json");
+  std::filesystem::path path_ = std::filesystem::temp_directory_path() /
+                                ("dermis-compare-runs-" + std::to_string(::getpid()) + ".json");
 };
 
 TEST_F(CompareRuns, EqualRunsAreEqual) {
@@ -46,7 +47,8 @@ TEST_F(CompareRuns, EqualRunsAreEqual) {
   EXPECT_EQ(found.compared, 4u * 10);
   EXPECT_EQ(found.slower + found.faster + found.changes.size(), 0u);
   EXPECT_NEAR(found.by_chance, 40 / 20.0, 1e-9);
-  EXPECT_NE(comparison_text(found).find("0 of 40 times are slower, 0 are faster"), std::string::npos) << comparison_text(found);
+  EXPECT_NE(comparison_text(found).find("0 of 40 times are slower, 0 are faster"), std::string::npos)
+      << comparison_text(found);
 }
 
 TEST_F(CompareRuns, ASlowdownIsFoundAndExplained) {
@@ -100,14 +102,16 @@ TEST_F(CompareRuns, AnotherTestIsNotComparable) {
     compare_runs(recorded(made_up()), recorded(j));
     FAIL() << "compared";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("setting 'map_size' is 64, in "), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("setting 'map_size' is 64, in "), std::string::npos)
+        << error.what();
   }
   json scene = made_up();
   scene["scene"] = "another.glb";
   EXPECT_THROW(compare_runs(recorded(made_up()), recorded(scene)), InputError);
   json device = made_up();
   device["device"] = "another";
-  EXPECT_NE(comparison_text(compare_runs(recorded(made_up()), recorded(device))).find("devices differ"), std::string::npos);
+  EXPECT_NE(comparison_text(compare_runs(recorded(made_up()), recorded(device))).find("devices differ"),
+            std::string::npos);
 }
 
 TEST_F(CompareRuns, WhatIsNoResultIsRefusedWithItsPlace) {
@@ -115,7 +119,9 @@ TEST_F(CompareRuns, WhatIsNoResultIsRefusedWithItsPlace) {
     try {
       recorded(text);
       FAIL() << "read: " << text.substr(0, 60);
-    } catch (const InputError& error) { EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what(); }
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    }
   };
   refuse("{", "is no JSON");
   refuse("[]", "has no 'commit'");
@@ -130,7 +136,8 @@ TEST_F(CompareRuns, WhatIsNoResultIsRefusedWithItsPlace) {
   broken("/cells/1/heads", "two", "cells[1].heads: expected a number");
   broken("/cells/1/heads", 1e300, "cells[1].heads: expected a number");
   broken("/cells/0/variants", json::array(), "cells[0].variants: expected an object");
-  broken("/cells/0/variants/cull/rounds_ms", json::array(), "cells[0].variants.cull.rounds_ms: expected 1 to");
+  broken("/cells/0/variants/cull/rounds_ms", json::array(),
+         "cells[0].variants.cull.rounds_ms: expected 1 to");
   broken("/cells/0/variants/cull/rounds_ms/2", -1, "rounds_ms[2]: expected a number from 0");
   broken("/cells/0/variants/cull/rounds_ms/2", nullptr, "rounds_ms[2]: expected a number");
   broken("/cells/0/variants/cull/passes/0/name", 1, "passes[0].name: expected text");

@@ -14,12 +14,15 @@ Measured measured(const Variant& variant, double ms) {
               {.name = "view", .ms = ms / 4, .calls = 1}};
   m.counts.technique = variant.settings.technique;
   m.counts.irradiance_texels = 100, m.counts.convolved_texels = 600, m.counts.launched = 1300;
-  m.counts.used_size = std::vector<int>(static_cast<std::size_t>(variant.settings.heads), variant.settings.depth ? 64 : 128);
+  m.counts.used_size =
+      std::vector<int>(static_cast<std::size_t>(variant.settings.heads), variant.settings.depth ? 64 : 128);
   return m;
 }
 
 image::Image8 flat(int width, int height, std::uint8_t value) {
-  return {.width = width, .height = height, .rgba = std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 4), value)};
+  return {.width = width,
+          .height = height,
+          .rgba = std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 4), value)};
 }
 
 }  // namespace
@@ -44,7 +47,9 @@ Run made_up_run() {
         cell.measured.push_back(measured(variant, variant.key == optimised_key ? 20 : ms));
         ms -= 4;
       }
-      if (distance < 5) cell.difference = PictureDifference{.psnr_db = 45.5, .flip_mean = 0.0125, .pixels = 321, .samples = 4};
+      if (distance < 5)
+        cell.difference =
+            PictureDifference{.psnr_db = 45.5, .flip_mean = 0.0125, .pixels = 321, .samples = 4};
       run.cells.push_back(std::move(cell));
     }
   return run;
@@ -52,9 +57,13 @@ Run made_up_run() {
 
 Run made_up_run_with_pictures() {
   Run run = made_up_run();
-  for (std::size_t i = 0; i < run.cells.size(); ++i) run.pictures.push_back({flat(12, 8, 50), flat(12, 8, 60)});
-  run.maps =
-      MapPictures{.heads = 1, .distance = 2.5, .irradiance = flat(8, 8, 90), .visibility = flat(8, 8, 20), .picture = flat(12, 8, 50)};
+  for (std::size_t i = 0; i < run.cells.size(); ++i)
+    run.pictures.push_back({flat(12, 8, 50), flat(12, 8, 60)});
+  run.maps = MapPictures{.heads = 1,
+                         .distance = 2.5,
+                         .irradiance = flat(8, 8, 90),
+                         .visibility = flat(8, 8, 20),
+                         .picture = flat(12, 8, 50)};
   return run;
 }
 

@@ -35,7 +35,8 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.technique, v.key == floor_key ? "lambert" : "texture-space");
     EXPECT_EQ(v.settings.skip_unseen_heads, v.key != baseline_key && v.key != progressive_key);
     const bool all = v.key == optimised_key || v.key == at_edge_key || v.key == optimised_progressive_key;
-    EXPECT_EQ(v.settings.maps, v.key == progressive_key || v.key == optimised_progressive_key ? "progressive" : "full");
+    EXPECT_EQ(v.settings.maps,
+              v.key == progressive_key || v.key == optimised_progressive_key ? "progressive" : "full");
     EXPECT_EQ(v.settings.cull, all || v.key == "cull");
     EXPECT_EQ(v.settings.depth, all || v.key == "depth");
     EXPECT_EQ(v.settings.clip, all || v.key == "clip");
@@ -58,11 +59,14 @@ TEST(RunJson, KeysThatAreAContract) {
   EXPECT_EQ(j.at("dermis"), "1.2.3");
   ASSERT_EQ(j.at("cells").size(), 4u);
   for (const json& cell : j.at("cells")) {
-    for (const char* key : {"heads", "distance", "baseline_ms", "skip_ms", "cull_ms", "depth_ms", "clip_ms", "all_ms", "lambert_ms",
-                            "speedup", "speedup_over_skip", "speedup_margin_0", "progressive_ms", "speedup_progressive"})
+    for (const char* key : {"heads", "distance", "baseline_ms", "skip_ms", "cull_ms", "depth_ms", "clip_ms",
+                            "all_ms", "lambert_ms", "speedup", "speedup_over_skip", "speedup_margin_0",
+                            "progressive_ms", "speedup_progressive"})
       EXPECT_TRUE(cell.at(key).is_number()) << key;
-    EXPECT_NEAR(cell.at("speedup"), cell.at("baseline_ms").get<double>() / cell.at("all_ms").get<double>(), 1e-12);
-    EXPECT_NEAR(cell.at("speedup_over_skip"), cell.at("skip_ms").get<double>() / cell.at("all_ms").get<double>(), 1e-12);
+    EXPECT_NEAR(cell.at("speedup"), cell.at("baseline_ms").get<double>() / cell.at("all_ms").get<double>(),
+                1e-12);
+    EXPECT_NEAR(cell.at("speedup_over_skip"),
+                cell.at("skip_ms").get<double>() / cell.at("all_ms").get<double>(), 1e-12);
     EXPECT_EQ(cell.at("texels").at("all").at("irradiance"), 100);
     EXPECT_FALSE(cell.at("texels").contains("lambert"));
     EXPECT_EQ(cell.at("variants").at("cull").at("rounds_ms").size(), 3u);
@@ -107,7 +111,8 @@ TEST(RunPage, HoldsEveryCell) {
   EXPECT_EQ(count(page, ">nan<") + count(page, ">inf<"), 0u);
   // Each half of a slider names a picture of its own.
   std::set<std::string> ids;
-  for (std::size_t at = page.find("data-from=\""); at != std::string::npos; at = page.find("data-from=\"", at + 1)) {
+  for (std::size_t at = page.find("data-from=\""); at != std::string::npos;
+       at = page.find("data-from=\"", at + 1)) {
     const std::size_t begin = at + 11;
     ids.insert(page.substr(begin, page.find('"', begin) - begin));
   }
@@ -125,7 +130,8 @@ TEST(RunPage, WithoutPictures) {
 
 TEST(RunPage, AsksNothingOfTheNetwork) {
   const std::string page = run_page(made_up_run_with_pictures());
-  EXPECT_EQ(count(page, "http://") + count(page, "https://") + count(page, "url(") + count(page, "@import"), 0u);
+  EXPECT_EQ(count(page, "http://") + count(page, "https://") + count(page, "url(") + count(page, "@import"),
+            0u);
   EXPECT_EQ(count(page, "src="), count(page, "src=\"data:"));
   EXPECT_EQ(count(page, "href="), count(page, "href=\"data:,\""));
 }

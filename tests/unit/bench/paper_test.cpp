@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Table 1 of [JG08], held against what the paper's text says about it and against numbers read off a second time.
+// Table 1 of [JG08], held against what the paper's text says about it and against numbers read off a second
+// time.
 #include "cli/bench/paper.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +52,8 @@ TEST(PaperTable, IsAsThePaperDescribesIt) {
 
 TEST(PaperTable, HasNoOtherCells) {
   for (const int heads : {0, 3, 5, 32, -1}) EXPECT_FALSE(paper_speedup(heads, 5).has_value()) << heads;
-  for (const double distance : {0.0, 2.4, 7.0, 99.0, 1000.0}) EXPECT_FALSE(paper_speedup(4, distance).has_value()) << distance;
+  for (const double distance : {0.0, 2.4, 7.0, 99.0, 1000.0})
+    EXPECT_FALSE(paper_speedup(4, distance).has_value()) << distance;
 }
 
 }  // namespace

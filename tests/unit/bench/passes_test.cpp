@@ -35,7 +35,8 @@ TEST(Passes, HaveTheirGroups) {
   EXPECT_EQ(group("final"), "sum and specular");
   EXPECT_EQ(group("bloom wide x"), "bloom and view");
   EXPECT_EQ(group("something new"), "other");
-  const std::vector<double> ms = group_ms({{"shadow", 1, 1}, {"blur 0 u", 2, 1}, {"blur 0 v", 4, 1}, {"something new", 8, 1}});
+  const std::vector<double> ms =
+      group_ms({{"shadow", 1, 1}, {"blur 0 u", 2, 1}, {"blur 0 v", 4, 1}, {"something new", 8, 1}});
   EXPECT_EQ(ms.size(), pass_groups().size());
   EXPECT_EQ(std::accumulate(ms.begin(), ms.end(), 0.0), 15);
   EXPECT_EQ(ms[group_of("blur 0 u")], 6);

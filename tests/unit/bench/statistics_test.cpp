@@ -18,12 +18,14 @@ TEST(Spread, MedianAndExtremes) {
 }
 
 TEST(Times, ThatOverlapHaveNotChanged) {
-  for (const std::vector<double>& after : {std::vector<double>{10, 11, 12}, {11.9, 13, 14}, {12, 12, 12}, {8, 9, 10}, {1, 100, 200}}) {
+  for (const std::vector<double>& after :
+       {std::vector<double>{10, 11, 12}, {11.9, 13, 14}, {12, 12, 12}, {8, 9, 10}, {1, 100, 200}}) {
     const Comparison c = compare_times({10, 11, 12}, after);
     EXPECT_EQ(c.change, Change::none) << after.front();
     EXPECT_EQ(c.beyond, 0);
   }
-  EXPECT_NEAR(compare_times({10, 11, 12}, {11, 12.1, 13}).ratio, 1.1, 1e-12) << "the ratio is there all the same";
+  EXPECT_NEAR(compare_times({10, 11, 12}, {11, 12.1, 13}).ratio, 1.1, 1e-12)
+      << "the ratio is there all the same";
 }
 
 TEST(Times, BeyondTheSpread) {

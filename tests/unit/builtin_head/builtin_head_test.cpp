@@ -45,7 +45,8 @@ std::uint64_t hash(const Scene& scene) {
     h = fnv(h, &v.tangent, sizeof v.tangent);
     h = fnv(h, &v.uv0, sizeof v.uv0);
   }
-  h = fnv(h, scene.primitives.front().indices.data(), scene.primitives.front().indices.size() * sizeof(std::uint32_t));
+  h = fnv(h, scene.primitives.front().indices.data(),
+          scene.primitives.front().indices.size() * sizeof(std::uint32_t));
   for (const MapImage& image : scene.images) h = fnv(h, image.pixels->rgba.data(), image.pixels->rgba.size());
   return h;
 }
@@ -69,7 +70,9 @@ double front_mm(double x, double y) {
   for (std::size_t t = 0; t < m.indices.size(); t += 3) {
     std::array<dvec3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = dvec3(m.vertices[m.indices[t + k]].position_m) * 1000.0;
-    const auto side = [&](const dvec3& a, const dvec3& b) { return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x); };
+    const auto side = [&](const dvec3& a, const dvec3& b) {
+      return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+    };
     const double u = side(p[1], p[2]), v = side(p[2], p[0]), w = side(p[0], p[1]), sum = u + v + w;
     if (std::abs(sum) < 1e-12 || u * sum < 0 || v * sum < 0 || w * sum < 0) continue;
     front = std::max(front, (u * p[0].z + v * p[1].z + w * p[2].z) / sum);
@@ -89,7 +92,8 @@ TEST(BuiltinHead, IsOneSkinPrimitiveOfAbout25000Triangles) {
   EXPECT_EQ(skin.name, "skin");
   EXPECT_FLOAT_EQ(skin.ior, 1.4f);
   EXPECT_FALSE(skin.skin_settings.mix.has_value());
-  for (const MapRef* ref : {&skin.base_colour_map, &skin.normal_map, &skin.skin_settings.specular, &skin.skin_settings.roughness}) {
+  for (const MapRef* ref : {&skin.base_colour_map, &skin.normal_map, &skin.skin_settings.specular,
+                            &skin.skin_settings.roughness}) {
     ASSERT_TRUE(ref->present());
     ASSERT_LT(static_cast<std::size_t>(ref->image), head().images.size());
   }
@@ -127,7 +131,8 @@ TEST(BuiltinHead, HasTheSizeOfABustAndItsMiddleAtTheOrigin) {
 TEST(BuiltinHead, IsClosed) {
   std::map<std::pair<Key, Key>, int> edges;
   for (std::size_t t = 0; t < mesh().indices.size(); t += 3) {
-    const std::array<Key, 3> k = {key(mesh().indices[t]), key(mesh().indices[t + 1]), key(mesh().indices[t + 2])};
+    const std::array<Key, 3> k = {key(mesh().indices[t]), key(mesh().indices[t + 1]),
+                                  key(mesh().indices[t + 2])};
     if (k[0] == k[1] || k[1] == k[2] || k[2] == k[0]) continue;
     for (std::size_t e = 0; e < 3; ++e) ++edges[std::minmax(k[e], k[(e + 1) % 3])];
   }
@@ -140,7 +145,8 @@ TEST(BuiltinHead, TrianglesFaceOutwardsAndHaveArea) {
   int degenerate = 0, turned = 0;
   const Primitive& m = mesh();
   for (std::size_t t = 0; t < m.indices.size(); t += 3) {
-    const Vertex &a = m.vertices[m.indices[t]], &b = m.vertices[m.indices[t + 1]], &c = m.vertices[m.indices[t + 2]];
+    const Vertex &a = m.vertices[m.indices[t]], &b = m.vertices[m.indices[t + 1]],
+                 &c = m.vertices[m.indices[t + 2]];
     const vec3 n = glm::cross(b.position_m - a.position_m, c.position_m - a.position_m);
     degenerate += glm::length(n) < 2e-9f;  // mm^2 / 500
     turned += glm::dot(n, a.normal + b.normal + c.normal) < 0;
@@ -163,9 +169,11 @@ TEST(BuiltinHead, UnwrapDoesNotOverlapAndKeepsTheFaceDense) {
   double face = 0, area = 0;
   const Primitive& m = mesh();
   for (std::size_t t = 0; t < m.indices.size(); t += 3) {
-    const Vertex &a = m.vertices[m.indices[t]], &b = m.vertices[m.indices[t + 1]], &c = m.vertices[m.indices[t + 2]];
+    const Vertex &a = m.vertices[m.indices[t]], &b = m.vertices[m.indices[t + 1]],
+                 &c = m.vertices[m.indices[t + 2]];
     if (a.position_m.z < 0.06f || a.position_m.y < -0.08f) continue;
-    area += 0.5e6 * static_cast<double>(glm::length(glm::cross(b.position_m - a.position_m, c.position_m - a.position_m)));
+    area += 0.5e6 * static_cast<double>(
+                        glm::length(glm::cross(b.position_m - a.position_m, c.position_m - a.position_m)));
     const vec2 u = b.uv0 - a.uv0, v = c.uv0 - a.uv0;
     face += 0.5 * static_cast<double>(std::abs(u.x * v.y - u.y * v.x)) * 2048 * 2048;
   }
@@ -175,8 +183,8 @@ TEST(BuiltinHead, UnwrapDoesNotOverlapAndKeepsTheFaceDense) {
 TEST(BuiltinHead, LooksLikeAFace) {
   // Heights in mm above the eyes, which lie 35 mm above the origin.
   const auto depth = [](double x, double above_eyes) { return front_mm(x, above_eyes + 35); };
-  const double tip = depth(0, -37), root = depth(0, 3), brow = depth(0, 18), lips = depth(0, -73), chin = depth(0, -102),
-               groove = depth(0, -87);
+  const double tip = depth(0, -37), root = depth(0, 3), brow = depth(0, 18), lips = depth(0, -73),
+               chin = depth(0, -102), groove = depth(0, -87);
   EXPECT_GT(tip, root + 20) << "nose";
   EXPECT_GT(brow, root + 2) << "brow";
   EXPECT_GT(tip, depth(17, -20) + 20) << "nose against cheek";
@@ -206,7 +214,9 @@ TEST(BuiltinHead, NostrilsAreHollow) {
       std::array<dvec3, 3> p;
       for (std::size_t k = 0; k < 3; ++k) p[k] = dvec3(m.vertices[m.indices[t + k]].position_m) * 1000.0;
       if (p[0].y < -20 || p[0].y > 40) continue;  // only the nose is above
-      const auto side = [&](const dvec3& a, const dvec3& b) { return (b.x - a.x) * (z - a.z) - (b.z - a.z) * (x - a.x); };
+      const auto side = [&](const dvec3& a, const dvec3& b) {
+        return (b.x - a.x) * (z - a.z) - (b.z - a.z) * (x - a.x);
+      };
       const double u = side(p[1], p[2]), v = side(p[2], p[0]), w = side(p[0], p[1]), sum = u + v + w;
       if (std::abs(sum) < 1e-12 || u * sum < 0 || v * sum < 0 || w * sum < 0) continue;
       low = std::min(low, (u * p[0].y + v * p[1].y + w * p[2].y) / sum);
@@ -219,12 +229,14 @@ TEST(BuiltinHead, NostrilsAreHollow) {
 }
 
 TEST(BuiltinHead, ColourIsSkinAndVaries) {
-  const image::Image8& colour = *head().images[static_cast<std::size_t>(head().materials.front().base_colour_map.image)].pixels;
+  const image::Image8& colour =
+      *head().images[static_cast<std::size_t>(head().materials.front().base_colour_map.image)].pixels;
   std::set<std::uint32_t> different;
   double red = 0, green = 0, blue = 0;
   for (std::size_t i = 0; i < colour.rgba.size(); i += 4) {
     red += colour.rgba[i], green += colour.rgba[i + 1], blue += colour.rgba[i + 2];
-    different.insert(static_cast<std::uint32_t>(colour.rgba[i] << 16 | colour.rgba[i + 1] << 8 | colour.rgba[i + 2]));
+    different.insert(
+        static_cast<std::uint32_t>(colour.rgba[i] << 16 | colour.rgba[i + 1] << 8 | colour.rgba[i + 2]));
     ASSERT_EQ(colour.rgba[i + 3], 255);
   }
   EXPECT_GT(red, 1.1 * green);
@@ -254,9 +266,11 @@ TEST(BuiltinHead, ColourMeetsAcrossTheSeam) {
   int pairs = 0, far_apart = 0;
   for (const auto& [place, ids] : places) {
     for (std::size_t k = 1; k < ids.size(); ++k) {
-      const vec3 d = glm::abs(texel(colour, mesh().vertices[ids[0]].uv0) - texel(colour, mesh().vertices[ids[k]].uv0));
+      const vec3 d =
+          glm::abs(texel(colour, mesh().vertices[ids[0]].uv0) - texel(colour, mesh().vertices[ids[k]].uv0));
       ++pairs;
-      far_apart += std::max({d.x, d.y, d.z}) > 24;  // a texel of 256 spans up to 4 mm, stubble and freckles are smaller
+      // a texel of 256 spans up to 4 mm, stubble and freckles are smaller
+      far_apart += std::max({d.x, d.y, d.z}) > 24;
       ASSERT_GT(glm::dot(mesh().vertices[ids[0]].normal, mesh().vertices[ids[k]].normal), 0.9999f);
     }
   }

@@ -17,7 +17,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Environment painted(int width, int height, const std::function<glm::dvec3(const glm::dvec3&)>& radiance) {
-  Environment e{.name = "painted", .radiance = {.width = width, .height = height, .channels = 3, .values = {}}};
+  Environment e{.name = "painted",
+                .radiance = {.width = width, .height = height, .channels = 3, .values = {}}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const glm::dvec3 rgb = radiance(direction_of((x + 0.5) / width, (y + 0.5) / height));
@@ -40,16 +41,19 @@ TEST(Directions, PlaceIsTheInverse) {
     const glm::dvec2 at = place_of(d);
     EXPECT_LT(glm::length(direction_of(at.x, at.y) - d), 1e-12);
   }
-  EXPECT_LT(glm::length(direction_of(0.5, 0.5) - glm::dvec3(0, 0, -1)), 1e-12) << "the middle lies behind the head";
+  EXPECT_LT(glm::length(direction_of(0.5, 0.5) - glm::dvec3(0, 0, -1)), 1e-12)
+      << "the middle lies behind the head";
   EXPECT_LT(glm::length(direction_of(0.75, 0.5) - glm::dvec3(1, 0, 0)), 1e-12);
   EXPECT_LT(glm::length(direction_of(0.3, 0) - glm::dvec3(0, 1, 0)), 1e-12);
 }
 
 TEST(Irradiance, OfAUniformSurroundingIsPi) {
   for (const auto& [width, height] : {std::pair(1, 1), {64, 32}, {7, 5}, {2, 1}}) {
-    const Irradiance e = irradiance_of(painted(width, height, [](const glm::dvec3&) { return glm::dvec3(1, 2, 0.5); }));
+    const Irradiance e =
+        irradiance_of(painted(width, height, [](const glm::dvec3&) { return glm::dvec3(1, 2, 0.5); }));
     for (const glm::dvec3& n : some_directions())
-      EXPECT_LT(glm::length(evaluate(e, n) - pi * glm::dvec3(1, 2, 0.5)), 0.02 * pi) << width << "x" << height;
+      EXPECT_LT(glm::length(evaluate(e, n) - pi * glm::dvec3(1, 2, 0.5)), 0.02 * pi)
+          << width << "x" << height;
   }
 }
 
@@ -64,19 +68,24 @@ TEST(Irradiance, IsTheCosineIntegral) {
       for (int y = 0; y < p.height; ++y)
         for (int x = 0; x < p.width; ++x) {
           const glm::dvec3 d = direction_of((x + 0.5) / p.width, (y + 0.5) / p.height);
-          exact += std::max(glm::dot(d, n), 0.0) * p.at(x, y)[1] * std::sin(pi * (y + 0.5) / p.height) * 2 * pi * pi / (p.width * p.height);
+          exact += std::max(glm::dot(d, n), 0.0) * p.at(x, y)[1] * std::sin(pi * (y + 0.5) / p.height) * 2 *
+                   pi * pi / (p.width * p.height);
         }
       worst = std::max(worst, std::abs(evaluate(e, n).y - exact));
       mean += exact / 50;
     }
     return worst / mean;
   };
-  EXPECT_LT(error(painted(128, 64, [](const glm::dvec3& d) { return glm::dvec3(1 + 0.6 * d.y + 0.3 * d.x * d.z + 0.2 * d.x); })), 0.005);
+  EXPECT_LT(error(painted(
+                128, 64,
+                [](const glm::dvec3& d) { return glm::dvec3(1 + 0.6 * d.y + 0.3 * d.x * d.z + 0.2 * d.x); })),
+            0.005);
   EXPECT_LT(error(studio()), 0.12);
 }
 
 TEST(Prefilter, WhiteStaysWhite) {
-  const std::vector<image::ImageF> levels = prefilter(painted(32, 16, [](const glm::dvec3&) { return glm::dvec3(0.7, 1, 3); }));
+  const std::vector<image::ImageF> levels =
+      prefilter(painted(32, 16, [](const glm::dvec3&) { return glm::dvec3(0.7, 1, 3); }));
   ASSERT_EQ(levels.size(), static_cast<std::size_t>(prefilter_levels));
   for (std::size_t k = 0; k < levels.size(); ++k) {
     EXPECT_EQ(levels[k].width, prefilter_width >> k);
@@ -90,8 +99,9 @@ TEST(Prefilter, WhiteStaysWhite) {
 // A small lamp: each level keeps its light, spreads it further, and stays centred on it.
 TEST(Prefilter, SpreadsALamp) {
   const glm::dvec3 lamp = glm::normalize(glm::dvec3(0.3, 0.2, -1));
-  const std::vector<image::ImageF> levels =
-      prefilter(painted(512, 256, [&](const glm::dvec3& d) { return glm::dvec3(glm::dot(d, lamp) > std::cos(0.05) ? 100 : 0.1); }));
+  const std::vector<image::ImageF> levels = prefilter(painted(512, 256, [&](const glm::dvec3& d) {
+    return glm::dvec3(glm::dot(d, lamp) > std::cos(0.05) ? 100 : 0.1);
+  }));
   double last_peak = 1e9, first_sum = 0;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     double sum = 0, peak = 0;
@@ -132,7 +142,9 @@ class Files : public testing::Test {
     try {
       from_name_or_file(path);
       ADD_FAILURE() << path << " was read";
-    } catch (const InputError& error) { EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what(); }
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    }
   }
 };
 
@@ -144,7 +156,8 @@ TEST_F(Files, HostileOnesAreRefusedOrMended) {
   expect_refused(file("header.hdr", "#?RADIENCE\nnonsense"), "");
   expect_refused(file("text.exr", "not a picture"), "");
   expect_refused(file("wide.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 15000 +X 30000\n"), "");
-  expect_refused(file("cut.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 512 +X 1024\n" + std::string(100, '\2')), "");
+  expect_refused(
+      file("cut.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 512 +X 1024\n" + std::string(100, '\2')), "");
 }
 
 TEST_F(Files, PixelsThatAreNoNumbersAreMended) {
@@ -165,7 +178,8 @@ TEST_F(Files, OnePixelIsAUniformSurrounding) {
   const std::string path = testing::TempDir() + "dermis_environment_one.exr";
   image::save_exr(path, {.width = 1, .height = 1, .channels = 3, .values = {0.5f, 0.25f, 0.125f}});
   const Irradiance e = irradiance_of(load(path));
-  for (const glm::dvec3& n : some_directions()) EXPECT_LT(glm::length(evaluate(e, n) - pi * glm::dvec3(0.5, 0.25, 0.125)), 1e-3);
+  for (const glm::dvec3& n : some_directions())
+    EXPECT_LT(glm::length(evaluate(e, n) - pi * glm::dvec3(0.5, 0.25, 0.125)), 1e-3);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Over the sphere, in steps whose sum is exact for polynomials of this degree in all but rounding of the steps.
+// Over the sphere, in steps whose sum is exact for polynomials of this degree in all but rounding of the
+// steps.
 template <class F>
 void over_the_sphere(F&& f) {
   constexpr int rows = 160;
@@ -36,7 +37,8 @@ TEST(Harmonics, AreOrthonormal) {
 }
 
 TEST(Harmonics, CosineLobeIsTheIntegral) {
-  for (const glm::dvec3& n : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::normalize(glm::dvec3(1, -2, 0.5))}) {
+  for (const glm::dvec3& n :
+       {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::normalize(glm::dvec3(1, -2, 0.5))}) {
     Harmonics sum{};
     over_the_sphere([&](const glm::dvec3& d, double weight) {
       const Harmonics y = harmonics(d);
@@ -49,7 +51,9 @@ TEST(Harmonics, CosineLobeIsTheIntegral) {
 
 // Order 5 is all that a cubic polynomial needs: projected and summed again it is itself, also when turned.
 TEST(Harmonics, HoldAPolynomialAndTurnIt) {
-  const auto radiance = [](const glm::dvec3& d) { return glm::dvec3(2 + d.x, 1 + d.x * d.z + d.y, 1.5 + d.z * d.z * d.x - d.y * d.y); };
+  const auto radiance = [](const glm::dvec3& d) {
+    return glm::dvec3(2 + d.x, 1 + d.x * d.z + d.y, 1.5 + d.z * d.z * d.x - d.y * d.y);
+  };
   image::ImageF picture{.width = 256, .height = 128, .channels = 3, .values = {}};
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {

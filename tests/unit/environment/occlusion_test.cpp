@@ -13,14 +13,16 @@
 namespace dermis::environment {
 namespace {
 
-// A floor of skin in the xy plane, 1 m wide, with a wall of height h along x = -0.5 m (or none): what the floor sees is known.
+// A floor of skin in the xy plane, 1 m wide, with a wall of height h along x = -0.5 m (or none): what the
+// floor sees is known.
 scene::Scene floor_with_wall(double height_m) {
   scene::Scene made = scene::plane(1);
   if (height_m <= 0) return made;
   made.materials.push_back({.name = "wall"});
   scene::Primitive wall{.name = "wall", .material = 1};
-  for (const glm::vec3 p : {glm::vec3(-0.5f, -50, 0), glm::vec3(-0.5f, 50, 0), glm::vec3(-0.5f, 50, static_cast<float>(height_m)),
-                            glm::vec3(-0.5f, -50, static_cast<float>(height_m))})
+  for (const glm::vec3 p :
+       {glm::vec3(-0.5f, -50, 0), glm::vec3(-0.5f, 50, 0), glm::vec3(-0.5f, 50, static_cast<float>(height_m)),
+        glm::vec3(-0.5f, -50, static_cast<float>(height_m))})
     wall.vertices.push_back({.position_m = p});
   wall.indices = {0, 1, 2, 0, 2, 3};
   made.primitives.push_back(wall);
@@ -28,7 +30,8 @@ scene::Scene floor_with_wall(double height_m) {
 }
 
 const float* texel(const Occlusion& o, int x, int y) {
-  return o.values.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(o.side) + static_cast<std::size_t>(x)) * 4;
+  return o.values.data() +
+         (static_cast<std::size_t>(y) * static_cast<std::size_t>(o.side) + static_cast<std::size_t>(x)) * 4;
 }
 
 TEST(Occlusion, BesideAWallIsTheFormFactor) {
@@ -61,7 +64,8 @@ TEST(Occlusion, NothingInTheWayIsOpen) {
   }
 }
 
-// A sky that is brighter towards +x, or -x, or above: what is left of it beside the wall, against a sum over fine steps.
+// A sky that is brighter towards +x, or -x, or above: what is left of it beside the wall, against a sum over
+// fine steps.
 TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
   const scene::Scene scene = floor_with_wall(0.5);
   const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
@@ -82,15 +86,19 @@ TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
         const double v = (i + 0.5) / rows;
         const glm::dvec3 d = direction_of((j + 0.5) / (2 * rows), v);
         if (d.z <= 0 || (d.x < 0 && distance * d.z < -d.x * 0.5)) continue;
-        exact += radiance(d) * (d.z * std::sin(std::numbers::pi * v) * std::numbers::pi * std::numbers::pi / (rows * rows));
+        exact += radiance(d) *
+                 (d.z * std::sin(std::numbers::pi * v) * std::numbers::pi * std::numbers::pi / (rows * rows));
       }
     for (int y = 20; y < 44; ++y)
-      for (int c = 0; c < 3; ++c) mean[c] += double{light[static_cast<std::size_t>((y * 64 + x) * 4 + c)]} / 24;
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], exact[c], 0.02 * std::numbers::pi) << distance << ", channel " << c;
+      for (int c = 0; c < 3; ++c)
+        mean[c] += double{light[static_cast<std::size_t>((y * 64 + x) * 4 + c)]} / 24;
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(mean[c], exact[c], 0.02 * std::numbers::pi) << distance << ", channel " << c;
   }
 }
 
-/// Two strips of skin that meet at a right angle along the y axis: a floor and a wall, each 1 m wide, on one half of the unwrap each.
+/// Two strips of skin that meet at a right angle along the y axis: a floor and a wall, each 1 m wide, on one
+/// half of the unwrap each.
 scene::Scene corner() {
   scene::Scene made = scene::plane(1);
   scene::Primitive& p = made.primitives.front();
@@ -108,17 +116,21 @@ scene::Scene corner() {
   return made;
 }
 
-// White skin in white surroundings is white, whatever hides what; and in a corner the floor at a distance d sees the wall, whose share of
-// the sky is known.
+// White skin in white surroundings is white, whatever hides what; and in a corner the floor at a distance d
+// sees the wall, whose share of the sky is known.
 TEST(Occlusion, WhatHidesTheSkySendsItOn) {
   const scene::Scene scene = corner();
   const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
   SkyHarmonics white{};
   white[0] = glm::dvec3(std::sqrt(4 * std::numbers::pi));
   const SkyLight light = sky_light(o, white);
-  for (std::size_t i = 0; i < light.direct.size(); i += 4) EXPECT_NEAR(light.direct[i] + light.bounced[i], std::numbers::pi, 0.01);
-  // 0.25 m from the wall: of the height z of the wall a strip dz has the form factor below, and sees the floor as the floor sees it.
-  const auto share = [](double distance) { return 1 - 0.5 * (1 - distance / std::sqrt(distance * distance + 1)); };
+  for (std::size_t i = 0; i < light.direct.size(); i += 4)
+    EXPECT_NEAR(light.direct[i] + light.bounced[i], std::numbers::pi, 0.01);
+  // 0.25 m from the wall: of the height z of the wall a strip dz has the form factor below, and sees the
+  // floor as the floor sees it.
+  const auto share = [](double distance) {
+    return 1 - 0.5 * (1 - distance / std::sqrt(distance * distance + 1));
+  };
   constexpr double d = 0.25;
   double hidden = 0, open = 0;
   for (int i = 0; i < 1000; ++i) {

@@ -25,7 +25,8 @@ constexpr Way texture_readers[] = {{"sampled by compute", PassKind::compute, Acc
                                    {"image read by compute", PassKind::compute, Access::storage_read},
                                    {"image read by raster", PassKind::raster, Access::storage_read},
                                    {"copied from", PassKind::copy, Access::copy_source}};
-constexpr Way depth_writers[] = {{"depth", PassKind::raster, Access::depth_target}, {"copied to", PassKind::copy, Access::copy_target}};
+constexpr Way depth_writers[] = {{"depth", PassKind::raster, Access::depth_target},
+                                 {"copied to", PassKind::copy, Access::copy_target}};
 constexpr Way depth_readers[] = {{"sampled by compute", PassKind::compute, Access::sampled},
                                  {"sampled by raster", PassKind::raster, Access::sampled},
                                  {"copied from", PassKind::copy, Access::copy_source}};
@@ -60,7 +61,8 @@ void expect_pair(FramePlan& plan, Id id, const Way& first, const Way& second) {
   ASSERT_EQ(barriers.size(), 2u);
   ASSERT_EQ(barriers[1].size(), 1u);
   const Barrier& b = barriers[1].front();
-  const Demand from = demand_of(first.access, first.kind, is_texture), to = demand_of(second.access, second.kind, is_texture);
+  const Demand from = demand_of(first.access, first.kind, is_texture),
+               to = demand_of(second.access, second.kind, is_texture);
   EXPECT_EQ(b.is_texture, is_texture);
   EXPECT_EQ(b.index, id.index);
   EXPECT_FALSE(b.first_use);
@@ -142,7 +144,8 @@ TEST(Barriers, ReadInANewStageWaitsForTheWrite) {
   EXPECT_EQ(barriers[2].size(), 2u);
   for (const Barrier& b : barriers[2]) {
     EXPECT_NE(b.source_stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, 0u);
-    EXPECT_EQ(b.target_stages, VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT);
+    EXPECT_EQ(b.target_stages,
+              VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT);
     EXPECT_EQ(b.old_layout, b.new_layout);
   }
   ASSERT_EQ(barriers[3].size(), 1u);
@@ -174,8 +177,9 @@ TEST(Barriers, WriteAfterReadsWaitsForAllOfThem) {
   add(plan, "overwrite", PassKind::copy, {{Access::copy_target, map}});
   const auto barriers = derive_barriers(plan);
   ASSERT_EQ(barriers[3].size(), 1u);
-  constexpr VkPipelineStageFlags2 readers =
-      VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+  constexpr VkPipelineStageFlags2 readers = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT |
+                                            VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
+                                            VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
   EXPECT_EQ(barriers[3].front().source_stages & readers, readers);
   EXPECT_EQ(barriers[3].front().old_layout, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   expect_clean(plan);
@@ -210,7 +214,8 @@ TEST(Barriers, PersistentContentsKeepTheirLayoutFromFrameToFrame) {
   expect_clean(plan);
 }
 
-// A frame that ends as it begins has nothing to change, except in the very first frame, when the image has no layout yet.
+// A frame that ends as it begins has nothing to change, except in the very first frame, when the image has no
+// layout yet.
 TEST(Barriers, PersistentContentsThatEndAsTheyBeginGetALayoutInTheFirstFrame) {
   FramePlan plan;
   const TextureId history = plan.texture("history", small_map, Lifetime::persistent);
@@ -282,9 +287,11 @@ TEST(Plan, UsageIsCollectedFromTheAccesses) {
   add(plan, "read", PassKind::raster, {{Access::sampled, map}, {Access::indirect_arguments, list}});
   plan.read_back(map);
   EXPECT_EQ(plan.textures()[map.index].desc.usage,
-            static_cast<VkImageUsageFlags>(VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT));
+            static_cast<VkImageUsageFlags>(VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT));
   EXPECT_EQ(plan.buffers()[list.index].desc.usage,
-            static_cast<VkBufferUsageFlags>(VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT));
+            static_cast<VkBufferUsageFlags>(VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                            VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT));
 }
 
 TEST(Plan, TheSameUseTwiceIsOneUse) {
@@ -301,14 +308,17 @@ TEST(PlanDeathTest, AResourceHasOneAccessInAPass) {
   const BufferId list = plan.buffer("list", small_buffer);
   EXPECT_DEATH(add(plan, "both", PassKind::compute, {{Access::sampled, map}, {Access::storage_write, map}}),
                "internal error: .*access == use.access");
-  EXPECT_DEATH(add(plan, "both", PassKind::compute, {{Access::storage_read, list}, {Access::storage_write, list}}),
-               "internal error: .*access == use.access");
+  EXPECT_DEATH(
+      add(plan, "both", PassKind::compute, {{Access::storage_read, list}, {Access::storage_write, list}}),
+      "internal error: .*access == use.access");
 }
 
 TEST(PlanDeathTest, AHandleOfNoPlanIsCaught) {
   FramePlan plan;
-  EXPECT_DEATH(add(plan, "stray", PassKind::compute, {{Access::sampled, TextureId{}}}), "internal error: .*4294967295 vs 0");
-  EXPECT_DEATH(add(plan, "stray", PassKind::compute, {{Access::storage_read, BufferId{}}}), "internal error: .*4294967295 vs 0");
+  EXPECT_DEATH(add(plan, "stray", PassKind::compute, {{Access::sampled, TextureId{}}}),
+               "internal error: .*4294967295 vs 0");
+  EXPECT_DEATH(add(plan, "stray", PassKind::compute, {{Access::storage_read, BufferId{}}}),
+               "internal error: .*4294967295 vs 0");
 }
 
 }  // namespace

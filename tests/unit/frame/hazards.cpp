@@ -12,13 +12,15 @@ namespace {
 using Stages = VkPipelineStageFlags2;
 using Accesses = VkAccessFlags2;
 
-constexpr Accesses all_writes = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
-                                VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT;
+constexpr Accesses all_writes =
+    VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
+    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT;
 
-// Vulkan 1.3, table "Supported access types": an access flag without one of its stages makes a barrier invalid.
+// Vulkan 1.3, table "Supported access types": an access flag without one of its stages makes a barrier
+// invalid.
 Stages stages_that_may(Accesses access) {
-  constexpr Stages shaders =
-      VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+  constexpr Stages shaders = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
+                             VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
   switch (access) {
     case VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT: return VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT;
     case VK_ACCESS_2_SHADER_SAMPLED_READ_BIT:
@@ -40,7 +42,8 @@ void for_each_bit(std::uint64_t mask, F&& f) {
   for (; mask != 0; mask &= mask - 1) f(mask & (~mask + 1));
 }
 
-// What has become of one stage of something that happened: who comes surely after it, and which accesses of which stages see its writes.
+// What has become of one stage of something that happened: who comes surely after it, and which accesses of
+// which stages see its writes.
 struct Trace {
   Stages ended_by = 0;  // the stage itself; 0 for a layout change, which no stage does
   Stages after = 0;
@@ -59,7 +62,8 @@ bool waits_for(const Barrier& b, const Trace& t) { return ((t.ended_by | t.after
 
 void carry(const Barrier& b, const Event& event, Trace& t) {
   if (!waits_for(b, t)) return;
-  // A write is made available by a barrier whose first scope holds the stage and the access themselves; chains do not carry accesses back.
+  // A write is made available by a barrier whose first scope holds the stage and the access themselves;
+  // chains do not carry accesses back.
   const Stages here = t.ended_by & b.source_stages;
   if (event.writes && here != 0 && (event.written & b.source_access) == event.written) t.available = true;
   if (t.available) for_each_bit(b.target_stages, [&](Stages s) { t.visible[s] |= b.target_access; });
@@ -79,7 +83,8 @@ class Walk {
         const PassNode& pass = plan_->passes()[p];
         if (pass.only_in_full_frames && !counting) continue;
         pass_ = &pass;
-        const auto use = std::ranges::find_if(pass.uses, [&](const Use& u) { return u.is_texture == is_texture_ && u.index == index_; });
+        const auto use = std::ranges::find_if(
+            pass.uses, [&](const Use& u) { return u.is_texture == is_texture_ && u.index == index_; });
         for (const Barrier& b : barriers[p])
           if (b.is_texture == is_texture_ && b.index == index_) {
             if (use == pass.uses.end()) report("has a barrier before a pass that does not touch it");
@@ -97,21 +102,26 @@ class Walk {
   }
 
   bool transient() const {
-    return (is_texture_ ? plan_->textures()[index_].lifetime : plan_->buffers()[index_].lifetime) == Lifetime::transient;
+    return (is_texture_ ? plan_->textures()[index_].lifetime : plan_->buffers()[index_].lifetime) ==
+           Lifetime::transient;
   }
 
   void check_form(const Barrier& b) {
     if (b.source_stages == 0 && b.source_access != 0) report("waits for accesses of no stage");
     if (b.target_stages == 0) report("has a barrier that nobody waits at");
     for_each_bit(b.source_access, [&](Accesses a) {
-      if ((stages_that_may(a) & b.source_stages) == 0) report("names a source access that its stages cannot do");
+      if ((stages_that_may(a) & b.source_stages) == 0)
+        report("names a source access that its stages cannot do");
     });
     for_each_bit(b.target_access, [&](Accesses a) {
-      if ((stages_that_may(a) & b.target_stages) == 0) report("names a target access that its stages cannot do");
+      if ((stages_that_may(a) & b.target_stages) == 0)
+        report("names a target access that its stages cannot do");
     });
-    if (!is_texture_ && (b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED || b.new_layout != VK_IMAGE_LAYOUT_UNDEFINED))
+    if (!is_texture_ &&
+        (b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED || b.new_layout != VK_IMAGE_LAYOUT_UNDEFINED))
       report("is a buffer with a layout");
-    if (b.first_use != !used_in_frame_) report("is not said rightly to be used for the first time in the frame");
+    if (b.first_use != !used_in_frame_)
+      report("is not said rightly to be used for the first time in the frame");
   }
 
   void apply(const Barrier& b) {
@@ -119,13 +129,16 @@ class Walk {
     // barriers.h: in the first frame of a plan nothing has a layout yet.
     const VkImageLayout old = frame_ == 0 && b.first_use ? VK_IMAGE_LAYOUT_UNDEFINED : b.old_layout;
     const bool changes_layout = is_texture_ && old != b.new_layout;
-    if (is_texture_ && old != VK_IMAGE_LAYOUT_UNDEFINED && old != layout_) report("is not in the layout that a barrier starts from");
-    if (is_texture_ && old == VK_IMAGE_LAYOUT_UNDEFINED && (used_in_frame_ || (frame_ > 0 && !transient()))) report("loses its contents");
+    if (is_texture_ && old != VK_IMAGE_LAYOUT_UNDEFINED && old != layout_)
+      report("is not in the layout that a barrier starts from");
+    if (is_texture_ && old == VK_IMAGE_LAYOUT_UNDEFINED && (used_in_frame_ || (frame_ > 0 && !transient())))
+      report("loses its contents");
     for (Event& event : past_)
       for (Trace& t : event.traces) {
         if (changes_layout && !waits_for(b, t)) report("changes layout while in use by " + event.name);
         carry(b, event, t);
-        if (changes_layout && event.writes && !t.available) report("changes layout before there is an end to the write of " + event.name);
+        if (changes_layout && event.writes && !t.available)
+          report("changes layout before there is an end to the write of " + event.name);
       }
     if (!changes_layout) return;
     layout_ = b.new_layout;
@@ -141,7 +154,8 @@ class Walk {
       if (!event.writes && demand.written == 0) continue;
       for (const Trace& t : event.traces) {
         if ((t.after & demand.stages) != demand.stages) report("does not wait for " + event.name);
-        if (event.writes) for_each_bit(demand.stages, [&](Stages s) { check_visible(t, s, demand, event.name); });
+        if (event.writes)
+          for_each_bit(demand.stages, [&](Stages s) { check_visible(t, s, demand, event.name); });
       }
     }
     Event event{.name = "pass " + pass_->name, .written = demand.written, .writes = demand.written != 0};
@@ -152,7 +166,8 @@ class Walk {
 
   void check_visible(const Trace& t, Stages stage, const Demand& demand, const std::string& writer) {
     const auto seen = t.visible.find(stage);
-    if (seen == t.visible.end() || (seen->second & demand.access) != demand.access) report("does not see what was written by " + writer);
+    if (seen == t.visible.end() || (seen->second & demand.access) != demand.access)
+      report("does not see what was written by " + writer);
   }
 
   const FramePlan* plan_;
@@ -170,17 +185,24 @@ class Walk {
 
 Demand demand_of(Access access, PassKind kind, bool is_texture) {
   Demand d;
-  const Stages shader = kind == PassKind::compute ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
-                                                  : VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+  const Stages shader = kind == PassKind::compute
+                            ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
+                            : VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
   switch (access) {
-    case Access::sampled: d = {shader, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}; break;
-    case Access::storage_read: d = {shader, VK_ACCESS_2_SHADER_STORAGE_READ_BIT, 0, VK_IMAGE_LAYOUT_GENERAL}; break;
+    case Access::sampled:
+      d = {shader, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+      break;
+    case Access::storage_read:
+      d = {shader, VK_ACCESS_2_SHADER_STORAGE_READ_BIT, 0, VK_IMAGE_LAYOUT_GENERAL};
+      break;
     case Access::storage_write:
-      d = {shader, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, 0, VK_IMAGE_LAYOUT_GENERAL};
+      d = {shader, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, 0,
+           VK_IMAGE_LAYOUT_GENERAL};
       break;
     case Access::colour_target:
-      d = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
-           0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+      d = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+           VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, 0,
+           VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
       break;
     case Access::depth_target:
       d = {VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
@@ -188,13 +210,16 @@ Demand demand_of(Access access, PassKind kind, bool is_texture) {
            VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
       break;
     case Access::copy_source:
-      d = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, 0, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+      d = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, 0,
+           VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
       break;
     case Access::copy_target:
-      d = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, 0, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+      d = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, 0,
+           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
       break;
     case Access::indirect_arguments:
-      d = {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
+      d = {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, 0,
+           VK_IMAGE_LAYOUT_UNDEFINED};
       break;
   }
   d.written = d.access & all_writes;
@@ -202,14 +227,17 @@ Demand demand_of(Access access, PassKind kind, bool is_texture) {
   return d;
 }
 
-std::vector<std::string> hazards(const FramePlan& plan, const std::vector<std::vector<Barrier>>& barriers, bool counting) {
+std::vector<std::string> hazards(const FramePlan& plan, const std::vector<std::vector<Barrier>>& barriers,
+                                 bool counting) {
   std::vector<std::string> found;
   if (barriers.size() != plan.passes().size()) return {"there is not one list of barriers a pass"};
   for (std::size_t p = 0; p < barriers.size(); ++p)
     if (plan.passes()[p].only_in_full_frames && !counting && !barriers[p].empty())
       found.push_back(fmt::format("pass '{}' is left out but has barriers", plan.passes()[p].name));
-  for (std::uint32_t t = 0; t < plan.textures().size(); ++t) Walk(plan, true, t, found).run(barriers, counting);
-  for (std::uint32_t b = 0; b < plan.buffers().size(); ++b) Walk(plan, false, b, found).run(barriers, counting);
+  for (std::uint32_t t = 0; t < plan.textures().size(); ++t)
+    Walk(plan, true, t, found).run(barriers, counting);
+  for (std::uint32_t b = 0; b < plan.buffers().size(); ++b)
+    Walk(plan, false, b, found).run(barriers, counting);
   return found;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reads a plan and a list of barriers as a device would and says what may go wrong. Nothing here is taken from src/frame/barriers.cpp but
-// the struct Barrier: what an access means, and what a barrier achieves, is stated anew after the Vulkan specification, so that a mistake
-// there is not believed here.
+// Reads a plan and a list of barriers as a device would and says what may go wrong. Nothing here is taken
+// from src/frame/barriers.cpp but the struct Barrier: what an access means, and what a barrier achieves, is
+// stated anew after the Vulkan specification, so that a mistake there is not believed here.
 #pragma once
 
 #include <string>
@@ -20,9 +20,11 @@ struct Demand {
 };
 Demand demand_of(Access access, PassKind kind, bool is_texture);
 
-/// Runs the plan twice on one queue, from undefined images on, without waiting in between. Each line names frame, pass and resource.
-/// Found: uses that are not ordered, writes that are not made available or visible, wrong layouts, contents lost, and barriers that
-/// the specification forbids or that stand before a pass which does not touch the resource.
-std::vector<std::string> hazards(const FramePlan& plan, const std::vector<std::vector<Barrier>>& barriers, bool counting = true);
+/// Runs the plan twice on one queue, from undefined images on, without waiting in between. Each line names
+/// frame, pass and resource. Found: uses that are not ordered, writes that are not made available or visible,
+/// wrong layouts, contents lost, and barriers that the specification forbids or that stand before a pass
+/// which does not touch the resource.
+std::vector<std::string> hazards(const FramePlan& plan, const std::vector<std::vector<Barrier>>& barriers,
+                                 bool counting = true);
 
 }  // namespace dermis::frame::test

@@ -32,7 +32,8 @@ struct MadeUp {
   Settings settings;
 };
 
-inline void add(FramePlan& plan, const std::string& name, PassKind kind, std::vector<Touch> touches, bool only_in_full_frames = false) {
+inline void add(FramePlan& plan, const std::string& name, PassKind kind, std::vector<Touch> touches,
+                bool only_in_full_frames = false) {
   plan.add<MadeUp>(name, {}, {kind, std::move(touches), only_in_full_frames});
 }
 

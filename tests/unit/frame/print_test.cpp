@@ -21,7 +21,8 @@ FramePlan example() {
   const TextureId colour = plan.texture("colour", screen, Lifetime::persistent);
   const BufferId list = plan.buffer("list", small_buffer, Lifetime::persistent);
   add(plan, "shadow", PassKind::raster, {{Access::depth_target, depth}});
-  add(plan, "blur", PassKind::compute, {{Access::sampled, depth}, {Access::storage_write, map}, {Access::indirect_arguments, list}});
+  add(plan, "blur", PassKind::compute,
+      {{Access::sampled, depth}, {Access::storage_write, map}, {Access::indirect_arguments, list}});
   add(plan, "final", PassKind::raster, {{Access::sampled, map}, {Access::colour_target, colour}});
   add(plan, "keep", PassKind::copy, {{Access::copy_target, list}});
   return plan;
@@ -62,8 +63,8 @@ TEST(PrintDot, ArrowsGoWithTheData) {
   const std::string dot = print_dot(example());
   EXPECT_TRUE(dot.starts_with("digraph frame {\n"));
   EXPECT_TRUE(dot.ends_with("}\n"));
-  for (const char* line :
-       {"  p0 -> t1;\n", "  t1 -> p1;\n", "  p1 -> t0;\n", "  b0 -> p1;\n", "  t0 -> p2;\n", "  p2 -> t2;\n", "  p3 -> b0;\n"})
+  for (const char* line : {"  p0 -> t1;\n", "  t1 -> p1;\n", "  p1 -> t0;\n", "  b0 -> p1;\n",
+                           "  t0 -> p2;\n", "  p2 -> t2;\n", "  p3 -> b0;\n"})
     expect_has(dot, line);
   expect_has(dot, "p1 [shape=box, style=filled, fillcolor=\"#f2d6c9\", label=\"blur\"]");
   expect_has(dot, "t1 [shape=ellipse, label=\"shadow maps\\n8x8x2 D32_SFLOAT\"]");

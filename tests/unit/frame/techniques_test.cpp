@@ -23,26 +23,33 @@ std::vector<Case> cases() {
       for (const std::size_t parts : {0u, 1u, 2u})
         for (const std::uint32_t samples : {1u, 4u})
           for (const bool more : {false, true}) {
-            techniques::FrameSettings s{
-                .width = 64, .height = 48, .samples = samples, .map_size = 64, .shadow_size = 64, .shadow_layers = 2, .heads = heads};
+            techniques::FrameSettings s{.width = 64,
+                                        .height = 48,
+                                        .samples = samples,
+                                        .map_size = 64,
+                                        .shadow_size = 64,
+                                        .shadow_layers = 2,
+                                        .heads = heads};
             s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
             s.has_surfaces = s.has_blended = more;
             s.bloom = more ? 0.05f : 0.0f;
             s.translucency = more && parts > 0 && technique.scatters;
-            all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique.name, heads, parts, samples,
-                                       more ? ", surfaces, bloom" : ""),
+            all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique.name, heads,
+                                       parts, samples, more ? ", surfaces, bloom" : ""),
                            &technique, std::move(s)});
           }
   for (const passes::Mask mask : {passes::Mask::alpha, passes::Mask::depth, passes::Mask::tiles})
     for (const std::size_t parts : {1u, 2u})
       for (const bool sparse : {false, true}) {
-        techniques::FrameSettings s{.width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64, .heads = 3};
+        techniques::FrameSettings s{
+            .width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64, .heads = 3};
         s.heads_per_batch = 2;
         s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
         s.mask = mask;
         s.translucency = true;
         s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
-        all.push_back({fmt::format("two batches, {} skin parts, mask {}{}", parts, static_cast<int>(mask), sparse ? ", cull and clip" : ""),
+        all.push_back({fmt::format("two batches, {} skin parts, mask {}{}", parts, static_cast<int>(mask),
+                                   sparse ? ", cull and clip" : ""),
                        &techniques::find_technique("texture-space"), std::move(s)});
       }
   return all;
@@ -58,11 +65,13 @@ TEST(TechniqueFrames, HaveNoHazard) {
     c.technique->build(plan, c.settings);
     EXPECT_GE(plan.passes().size(), 3u) << c.name;
     for (const bool counting : {false, true})
-      EXPECT_EQ(first_of(hazards(plan, derive_barriers(plan, counting), counting)), "") << c.name << ", counting " << counting;
+      EXPECT_EQ(first_of(hazards(plan, derive_barriers(plan, counting), counting)), "")
+          << c.name << ", counting " << counting;
   }
 }
 
-// Each barrier is there for a reason: without it the checker must complain. This also shows that the checker sees every pass.
+// Each barrier is there for a reason: without it the checker must complain. This also shows that the checker
+// sees every pass.
 TEST(TechniqueFrames, HaveNoBarrierTooMany) {
   std::size_t removed = 0;
   for (const Case& c : cases()) {
@@ -77,8 +86,8 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
           const Barrier& b = barriers[p][k];
           EXPECT_FALSE(hazards(plan, fewer, counting).empty())
               << c.name << ": nothing is missed without the barrier of '"
-              << (b.is_texture ? plan.textures()[b.index].name : plan.buffers()[b.index].name) << "' before '" << plan.passes()[p].name
-              << "', counting " << counting;
+              << (b.is_texture ? plan.textures()[b.index].name : plan.buffers()[b.index].name) << "' before '"
+              << plan.passes()[p].name << "', counting " << counting;
         }
     }
   }

@@ -22,7 +22,8 @@ std::string error_of(const std::string& text, bool normalise = false) {
   return "no error";
 }
 
-std::string two_terms(const std::string& variances, const std::string& weights, const std::string& more = "") {
+std::string two_terms(const std::string& variances, const std::string& weights,
+                      const std::string& more = "") {
   return fmt::format(R"({{"variances_mm2": {}, "weights": {}{}}})", variances, weights, more);
 }
 
@@ -42,7 +43,9 @@ TEST(ProfileJson, RoundTripKeepsEveryBit) {
   EXPECT_EQ(back.name, sum.name);
   ASSERT_EQ(back.terms.size(), sum.terms.size());
   for (const Gaussian& term : back.terms) {
-    const auto same = [&](const Gaussian& g) { return g.variance_mm2 == term.variance_mm2 && g.weight == term.weight; };
+    const auto same = [&](const Gaussian& g) {
+      return g.variance_mm2 == term.variance_mm2 && g.weight == term.weight;
+    };
     EXPECT_EQ(std::count_if(sum.terms.begin(), sum.terms.end(), same), 1) << term.variance_mm2;
   }
   EXPECT_EQ(back.error_percent, sum.error_percent);
@@ -76,45 +79,59 @@ TEST(ProfileJson, EightTermsAreTheMost) {
     }
   }
   EXPECT_EQ(error_of(two_terms("[]", "[]")), "p.json: variances_mm2 must have 1 to 8 terms, got 0");
-  EXPECT_EQ(error_of(two_terms("[1]", good_weights)), "p.json: variances_mm2 has 1 terms and weights has 2, expected as many");
+  EXPECT_EQ(error_of(two_terms("[1]", good_weights)),
+            "p.json: variances_mm2 has 1 terms and weights has 2, expected as many");
 }
 
 TEST(ProfileJson, Variances) {
-  EXPECT_EQ(error_of(two_terms("[-1, 2]", good_weights)), "p.json: variances_mm2[0] must be > 0 mm^2, got -1");
+  EXPECT_EQ(error_of(two_terms("[-1, 2]", good_weights)),
+            "p.json: variances_mm2[0] must be > 0 mm^2, got -1");
   EXPECT_EQ(error_of(two_terms("[1, 0]", good_weights)), "p.json: variances_mm2[1] must be > 0 mm^2, got 0");
-  EXPECT_EQ(error_of(two_terms("[2, 2]", good_weights)), "p.json: variances_mm2 has 2 twice, expected different ones");
-  EXPECT_NE(error_of(two_terms("[1, 1e999]", good_weights)).find("p.json: is not valid JSON"), std::string::npos);
-  EXPECT_EQ(error_of(two_terms("[1, \"2\"]", good_weights)), "p.json: variances_mm2[1] must be a number, got string");
-  EXPECT_NE(error_of(two_terms("[[1, 1, 1], [2, 2, 2]]", good_weights)).find("make the profile with --variances shared"),
+  EXPECT_EQ(error_of(two_terms("[2, 2]", good_weights)),
+            "p.json: variances_mm2 has 2 twice, expected different ones");
+  EXPECT_NE(error_of(two_terms("[1, 1e999]", good_weights)).find("p.json: is not valid JSON"),
+            std::string::npos);
+  EXPECT_EQ(error_of(two_terms("[1, \"2\"]", good_weights)),
+            "p.json: variances_mm2[1] must be a number, got string");
+  EXPECT_NE(error_of(two_terms("[[1, 1, 1], [2, 2, 2]]", good_weights))
+                .find("make the profile with --variances shared"),
             std::string::npos);
   EXPECT_EQ(error_of(two_terms("7", good_weights)), "p.json: variances_mm2 must be a list, got number");
 }
 
 TEST(ProfileJson, Weights) {
   const std::string off = "[[0.25, 0.5, 1], [0.75, 0.498, 0]]";
-  EXPECT_EQ(error_of(two_terms("[1, 2]", off)), "p.json: weights of green sum to 0.998, expected 1 within 0.001 (or have them normalised)");
+  EXPECT_EQ(error_of(two_terms("[1, 2]", off)),
+            "p.json: weights of green sum to 0.998, expected 1 within 0.001 (or have them normalised)");
   EXPECT_EQ(error_of(two_terms("[1, 2]", "[[0.25, 0.5, 1], [0.75, 0.4995, 0]]")), "no error");
   const SumOfGaussians sum = parse_json(two_terms("[1, 2]", "[[1, 2, 3], [3, 2, 0]]"), "p.json", true);
   EXPECT_EQ(sum.terms[0].weight, (Rgb{0.25, 0.5, 1}));
   EXPECT_EQ(sum.terms[1].weight, (Rgb{0.75, 0.5, 0}));
-  EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1, 0, 1], [0, 0, 0]]"), true), "p.json: weights of green sum to 0 and cannot be normalised");
-  EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1.5, 1, 1], [-0.5, 0, 0]]")), "p.json: weights[1][0] must be >= 0, got -0.5");
-  EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1, 1, 1], [0, 0]]")), "p.json: weights[1] must be a list of three numbers (red, green, blue)");
-  EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1, 1, 1], 0]")), "p.json: weights[1] must be a list of three numbers (red, green, blue)");
-  EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1, 1, 1], [0, null, 0]]")), "p.json: weights[1][1] must be a number, got null");
+  EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1, 0, 1], [0, 0, 0]]"), true),
+            "p.json: weights of green sum to 0 and cannot be normalised");
+  EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1.5, 1, 1], [-0.5, 0, 0]]")),
+            "p.json: weights[1][0] must be >= 0, got -0.5");
+  EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1, 1, 1], [0, 0]]")),
+            "p.json: weights[1] must be a list of three numbers (red, green, blue)");
+  EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1, 1, 1], 0]")),
+            "p.json: weights[1] must be a list of three numbers (red, green, blue)");
+  EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1, 1, 1], [0, null, 0]]")),
+            "p.json: weights[1][1] must be a number, got null");
   EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1e308, 1, 1], [1e308, 0, 0]]"), true),
             "p.json: weights of red sum to inf and cannot be normalised");
 }
 
 TEST(ProfileJson, Keys) {
   EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "wieghts": 3)")),
-            "p.json: key 'wieghts' is not known; known are: name, model, variances_mm2, weights, error_percent, total_reflectance, "
+            "p.json: key 'wieghts' is not known; known are: name, model, variances_mm2, weights, "
+            "error_percent, total_reflectance, "
             "mean_free_path_mm, diffuse_mean_free_path_mm");
   EXPECT_EQ(error_of(R"({"weights": [[1,1,1]]})"), "p.json: key 'variances_mm2' is missing");
   EXPECT_EQ(error_of(R"({"variances_mm2": [1]})"), "p.json: key 'weights' is missing");
   EXPECT_EQ(error_of(R"({"variances_mm2": [1], "weights": [[1,1,1]], "variances_mm2": [2]})"),
             "p.json: key 'variances_mm2' is given twice");
-  EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "name": 3)")), "p.json: name must be a text, got number");
+  EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "name": 3)")),
+            "p.json: name must be a text, got number");
   EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "total_reflectance": [1, 2, 1])")),
             "p.json: total_reflectance[1] must be 0 to 1, got 2");
   EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "mean_free_path_mm": [1, -2, 1])")),
@@ -124,7 +141,8 @@ TEST(ProfileJson, Keys) {
 }
 
 TEST(ProfileJson, BrokenText) {
-  for (const char* text : {"", "{", "nonsense", "{\"variances_mm2\": [1,]}", "\xff\xfe", "{\"name\": \"\x01\"}", "{} {}"}) {
+  for (const char* text :
+       {"", "{", "nonsense", "{\"variances_mm2\": [1,]}", "\xff\xfe", "{\"name\": \"\x01\"}", "{} {}"}) {
     const std::string error = error_of(text);
     EXPECT_EQ(error.find("p.json: is not valid JSON: "), 0u) << text << " -> " << error;
     EXPECT_EQ(error.find('\n'), std::string::npos) << error;
@@ -132,7 +150,8 @@ TEST(ProfileJson, BrokenText) {
   EXPECT_EQ(error_of("[]"), "p.json: a profile must be an object, got array");
   EXPECT_EQ(error_of("3"), "p.json: a profile must be an object, got number");
   EXPECT_EQ(error_of(std::string(200000, '[')), "p.json: profile is nested more than 8 deep");
-  EXPECT_EQ(error_of(fmt::format(R"({{"name": {})", std::string(200000, '['))), "p.json: profile is nested more than 8 deep");
+  EXPECT_EQ(error_of(fmt::format(R"({{"name": {})", std::string(200000, '['))),
+            "p.json: profile is nested more than 8 deep");
 }
 
 TEST(ProfileJson, EveryTruncationIsAnError) {
@@ -144,7 +163,8 @@ TEST(ProfileJson, EveryTruncationIsAnError) {
 
 TEST(ProfileJson, NameOrFile) {
   EXPECT_EQ(from_name_or_file("skin").terms.size(), 6u);
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("dermis_profile_{}.json", ::getpid());
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / fmt::format("dermis_profile_{}.json", ::getpid());
   std::ofstream(path) << two_terms("[1, 2]", "[[1, 2, 3], [3, 2, 0]]");
   EXPECT_EQ(from_name_or_file(path.string(), true).terms.size(), 2u);
   EXPECT_THROW(from_name_or_file(path.string()), InputError);
@@ -153,7 +173,8 @@ TEST(ProfileJson, NameOrFile) {
     from_name_or_file("no_such_profile");
     FAIL() << "no error";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "profile 'no_such_profile' is neither a file nor a published name; published are: skin");
+    EXPECT_STREQ(error.what(),
+                 "profile 'no_such_profile' is neither a file nor a published name; published are: skin");
   }
   EXPECT_THROW(from_name_or_file(std::filesystem::temp_directory_path().string()), InputError);
 }

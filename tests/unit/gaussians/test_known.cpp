@@ -25,8 +25,8 @@ TEST(Known, SkinIsWhiteAndOrdered) {
   EXPECT_EQ(skin.max_variance_mm2(), 7.41);
 }
 
-// Moments worked out from the published table by hand: mean square radius <r^2> = 2 sum w v and R(0) = sum w / (2 pi v). A slip in any
-// digit of the table moves one of them.
+// Moments worked out from the published table by hand: mean square radius <r^2> = 2 sum w v and R(0) = sum w
+// / (2 pi v). A slip in any digit of the table moves one of them.
 TEST(Known, SkinHasThePublishedMoments) {
   const double mean_square_mm2[] = {2.76574, 0.13626, 0.04954};
   const double peak_per_mm2[] = {6.28552, 12.59060, 17.27245};
@@ -47,7 +47,9 @@ TEST(Known, EveryNameIsKnownAndOthersListThem) {
   try {
     known("marble");
     FAIL() << "no error";
-  } catch (const InputError& error) { EXPECT_STREQ(error.what(), "profile 'marble' is not known; known are: skin"); }
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "profile 'marble' is not known; known are: skin");
+  }
 }
 
 }  // namespace

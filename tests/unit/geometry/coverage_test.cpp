@@ -41,12 +41,15 @@ TEST(Coverage, EveryTexelOnceWhereTrianglesShareEdges) {
       for (int x = 0; x <= cells; ++x) {
         const bool rim = x == 0 || y == 0 || x == cells || y == cells;
         const double shift = 0.5 / side;  // vertices on texel centres
-        points.emplace_back(glm::dvec2(x + (rim ? 0 : noise(random)), y + (rim ? 0 : noise(random))) / double(cells) + (rim ? 0 : shift));
+        points.emplace_back(glm::dvec2(x + (rim ? 0 : noise(random)), y + (rim ? 0 : noise(random))) /
+                                double(cells) +
+                            (rim ? 0 : shift));
       }
     std::vector<int> count(side * side, 0);
     const auto add = [&](int a, int b, int c) {
       const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
-      for_each_texel({at(a), at(b), at(c)}, side, [&](int x, int y) { ++count[static_cast<std::size_t>(y * side + x)]; });
+      for_each_texel({at(a), at(b), at(c)}, side,
+                     [&](int x, int y) { ++count[static_cast<std::size_t>(y * side + x)]; });
     };
     for (int y = 0; y < cells; ++y)
       for (int x = 0; x < cells; ++x) {
@@ -59,13 +62,15 @@ TEST(Coverage, EveryTexelOnceWhereTrianglesShareEdges) {
 }
 
 TEST(Coverage, TopLeftRule) {
-  // A square whose border runs through texel centres 1.5 and 3.5: top and left centres count, bottom and right ones do not.
+  // A square whose border runs through texel centres 1.5 and 3.5: top and left centres count, bottom and
+  // right ones do not.
   std::vector<glm::ivec2> texels;
   const auto p = [](double x, double y) { return glm::vec2(glm::dvec2(x, y) / 8.0); };
   const auto visit = [&](int x, int y) { texels.emplace_back(x, y); };
   for_each_texel({p(1.5, 1.5), p(3.5, 1.5), p(1.5, 3.5)}, 8, visit);
   for_each_texel({p(3.5, 1.5), p(3.5, 3.5), p(1.5, 3.5)}, 8, visit);
-  std::sort(texels.begin(), texels.end(), [](auto a, auto b) { return std::pair(a.y, a.x) < std::pair(b.y, b.x); });
+  std::sort(texels.begin(), texels.end(),
+            [](auto a, auto b) { return std::pair(a.y, a.x) < std::pair(b.y, b.x); });
   EXPECT_EQ(texels, (std::vector<glm::ivec2>{{1, 1}, {2, 1}, {1, 2}, {2, 2}}));
 }
 

@@ -21,7 +21,8 @@ image::Image8 heights_of(int width, int height, const std::function<double(doubl
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       for (int c = 0; c < 3; ++c)
-        h.at(x, y)[c] = static_cast<std::uint8_t>(std::lround(255 * value((x + 0.5) / width, (y + 0.5) / height)));
+        h.at(x, y)[c] =
+            static_cast<std::uint8_t>(std::lround(255 * value((x + 0.5) / width, (y + 0.5) / height)));
   return h;
 }
 
@@ -29,7 +30,9 @@ glm::dvec3 normal_at(const image::Image8& n, int x, int y) {
   return glm::normalize(glm::dvec3(n.at(x, y)[0], n.at(x, y)[1], n.at(x, y)[2]) / 127.5 - 1.0);
 }
 
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) { return std::acos(std::min(1.0, glm::dot(a, b))) * 180 / pi; }
+double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::acos(std::min(1.0, glm::dot(a, b))) * 180 / pi;
+}
 
 TEST(Displacement, WavesAgainstTheirDerivative) {
   DisplacementSettings s;
@@ -43,8 +46,11 @@ TEST(Displacement, WavesAgainstTheirDerivative) {
   for (int y = 0; y < n.height; ++y)
     for (int x = 0; x < n.width; ++x) {
       const double u = (x + 0.5) / n.width, v = (y + 0.5) / n.height;
-      const double dh_du = 2 * 0.3 * ku * std::cos(ku * u) / 60, dh_dv = -2 * 0.2 * kv * std::sin(kv * v) / 90;  // mm per mm
-      ASSERT_LT(degrees_between(normal_at(n, x, y), glm::normalize(glm::dvec3(-dh_du, dh_dv, 1))), 2.5) << x << ' ' << y;
+      // mm per mm
+      const double dh_du = 2 * 0.3 * ku * std::cos(ku * u) / 60,
+                   dh_dv = -2 * 0.2 * kv * std::sin(kv * v) / 90;
+      ASSERT_LT(degrees_between(normal_at(n, x, y), glm::normalize(glm::dvec3(-dh_du, dh_dv, 1))), 2.5)
+          << x << ' ' << y;
       ASSERT_EQ(n.at(x, y)[3], 255);
     }
 }
@@ -55,7 +61,8 @@ TEST(Displacement, ARampOfStairsComesOutEven) {
   s.displacement_mm = 3;
   s.mm_per_uv = {9.6, 9.6};
   s.wrap_u = Wrap::clamp;
-  const image::Image8 n = displaced_normals(heights_of(256, 8, [](double u, double) { return 24 * u / 255; }), s);
+  const image::Image8 n =
+      displaced_normals(heights_of(256, 8, [](double u, double) { return 24 * u / 255; }), s);
   const glm::dvec3 expected = glm::normalize(glm::dvec3(-24 * 3 / 255.0 / 9.6, 0, 1));
   double mean = 0, worst = 0;
   for (int x = 16; x < 240; ++x) {
@@ -74,14 +81,17 @@ TEST(Displacement, FlatHeightsKeepTheBase) {
   image::Image8 base{4, 4, std::vector<std::uint8_t>(64, 255)};
   for (int i = 0; i < 16; ++i) {
     const glm::dvec3 n = glm::normalize(glm::dvec3(0.1 * (i % 4) - 0.15, 0.2 * (i / 4) - 0.3, 1));
-    for (int c = 0; c < 3; ++c) base.at(i % 4, i / 4)[c] = static_cast<std::uint8_t>(std::lround((n[c] + 1) * 127.5));
+    for (int c = 0; c < 3; ++c)
+      base.at(i % 4, i / 4)[c] = static_cast<std::uint8_t>(std::lround((n[c] + 1) * 127.5));
   }
   const image::Image8 grey = heights_of(4, 4, [](double, double) { return 0.5; });
   DisplacementSettings s;
   s.displacement_mm = 5;
   const image::Image8 same = displaced_normals(grey, s, &base);
   for (int i = 0; i < 16; ++i) {
-    const glm::dvec3 n(glm::dvec3(base.at(i % 4, i / 4)[0], base.at(i % 4, i / 4)[1], base.at(i % 4, i / 4)[2]) / 127.5 - 1.0);
+    const glm::dvec3 n(
+        glm::dvec3(base.at(i % 4, i / 4)[0], base.at(i % 4, i / 4)[1], base.at(i % 4, i / 4)[2]) / 127.5 -
+        1.0);
     EXPECT_LT(degrees_between(normal_at(same, i % 4, i / 4), glm::normalize(n)), 0.6);
   }
   s.base_scale = 0;
@@ -115,11 +125,13 @@ TEST(Displacement, TakesOnlyWhatIsFinerThanTheBase) {
                              return flat;
                            }()};
   const auto strength = [&](double waves) {
-    const image::Image8 n =
-        displaced_normals(heights_of(256, 256, [&](double u, double) { return 0.5 + 0.4 * std::sin(2 * pi * waves * u); }), s, &base);
+    const image::Image8 n = displaced_normals(
+        heights_of(256, 256, [&](double u, double) { return 0.5 + 0.4 * std::sin(2 * pi * waves * u); }), s,
+        &base);
     double part = 0;  // of the wave in the slopes
     for (int x = 0; x < 256; ++x)
-      part -= normal_at(n, x, 128).x / normal_at(n, x, 128).z * std::cos(2 * pi * waves * (x + 0.5) / 256) / 128;
+      part -=
+          normal_at(n, x, 128).x / normal_at(n, x, 128).z * std::cos(2 * pi * waves * (x + 0.5) / 256) / 128;
     return part / (3 * 0.4 * 2 * pi * waves / 40);
   };
   EXPECT_LT(strength(1), 0.09) << "a slow wave is the base map's affair";

@@ -31,10 +31,12 @@ TEST(BoundingSphere, HoldsAllAndTouchesOne) {
   std::mt19937 random(7);
   std::normal_distribution<float> normal;
   std::vector<glm::vec3> points;
-  for (int i = 0; i < 500; ++i) points.emplace_back(normal(random), 2 * normal(random), 0.5f * normal(random));
+  for (int i = 0; i < 500; ++i)
+    points.emplace_back(normal(random), 2 * normal(random), 0.5f * normal(random));
   const BoundingSphere sphere = bounding_sphere(points);
   double farthest = 0;
-  for (const glm::vec3& p : points) farthest = std::max(farthest, glm::distance(glm::dvec3(p), glm::dvec3(sphere.centre_m)));
+  for (const glm::vec3& p : points)
+    farthest = std::max(farthest, glm::distance(glm::dvec3(p), glm::dvec3(sphere.centre_m)));
   EXPECT_LE(farthest, sphere.radius_m);
   EXPECT_NEAR(farthest / sphere.radius_m, 1, 1e-5);
 }
@@ -61,12 +63,14 @@ TEST(Framing, OutlineFillsTheSmallerSide) {
     for (const double azimuth : {0.0, 40.0, -135.0}) {
       const Camera camera = framing_camera(head, aspect, azimuth, 15, 20);
       const glm::dvec3 to = eye_of(camera) - glm::dvec3(head.centre_m);
-      const double tangent = std::tan(std::asin(head.radius_m / glm::length(to)));  // of the outline's half angle
+      // of the outline's half angle
+      const double tangent = std::tan(std::asin(head.radius_m / glm::length(to)));
       EXPECT_NEAR(tangent / (std::tan(10 * degrees) * std::min(1.0, aspect)), 0.95, 1e-5);
       EXPECT_NEAR(std::atan2(to.x, to.z) / degrees, azimuth, 1e-3);
       EXPECT_NEAR(std::asin(to.y / glm::length(to)) / degrees, 15, 1e-3);
       // The centre projects to the middle of the picture.
-      const glm::dvec4 seen = glm::inverse(glm::dmat4(camera.world_from_camera)) * glm::dvec4(glm::dvec3(head.centre_m), 1);
+      const glm::dvec4 seen =
+          glm::inverse(glm::dmat4(camera.world_from_camera)) * glm::dvec4(glm::dvec3(head.centre_m), 1);
       EXPECT_NEAR(seen.x, 0, 1e-6);
       EXPECT_NEAR(seen.y, 0, 1e-6);
       EXPECT_LT(seen.z, 0);
@@ -113,8 +117,11 @@ TEST(LightRig, DirectionsAndIrradianceAtTheCentre) {
     double azimuth, elevation;
     glm::dvec3 irradiance;
   };
-  const std::vector<Expected> table{
-      {45, 35, {3, 2.88, 2.7}}, {-60, 10, {0.68, 0.736, 0.8}}, {160, 25, {2, 2, 2}}, {195, 20, {1, 1, 1}}, {375, 20, {1, 1, 1}}};
+  const std::vector<Expected> table{{45, 35, {3, 2.88, 2.7}},
+                                    {-60, 10, {0.68, 0.736, 0.8}},
+                                    {160, 25, {2, 2, 2}},
+                                    {195, 20, {1, 1, 1}},
+                                    {375, 20, {1, 1, 1}}};
   const std::vector<Light> lights = light_rig(head, 5);
   ASSERT_EQ(lights.size(), table.size());
   for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -122,7 +129,8 @@ TEST(LightRig, DirectionsAndIrradianceAtTheCentre) {
     EXPECT_EQ(light.type, LightType::spot);
     const glm::dvec3 to = glm::dvec3(light.position_m) - glm::dvec3(head.centre_m);
     EXPECT_NEAR(glm::length(to), 4 * head.radius_m, 1e-5);
-    EXPECT_LT(glm::distance(glm::normalize(to), head_direction(table[i].azimuth, table[i].elevation)), 1e-5) << i;
+    EXPECT_LT(glm::distance(glm::normalize(to), head_direction(table[i].azimuth, table[i].elevation)), 1e-5)
+        << i;
     EXPECT_LT(glm::distance(glm::normalize(to), -glm::dvec3(light.direction)), 1e-5);
     EXPECT_LT(glm::distance(glm::dvec3(light.colour) / glm::dot(to, to), table[i].irradiance), 1e-4) << i;
     EXPECT_NEAR(light.inner_cone_rad, std::asin(0.25), 1e-5);
@@ -140,10 +148,13 @@ TEST(LightRig, LampsOfOnesOwn) {
   for (std::size_t i = 0; i < 2; ++i) {
     const glm::dvec3 to = glm::dvec3(lights[i].position_m) - glm::dvec3(head.centre_m);
     EXPECT_EQ(lights[i].name, lamps[i].name);
-    EXPECT_LT(glm::distance(to, 4.0 * head.radius_m * head_direction(lamps[i].azimuth_deg, lamps[i].elevation_deg)), 1e-5);
+    EXPECT_LT(
+        glm::distance(to, 4.0 * head.radius_m * head_direction(lamps[i].azimuth_deg, lamps[i].elevation_deg)),
+        1e-5);
     EXPECT_LT(glm::distance(glm::dvec3(lights[i].colour) / glm::dot(to, to), lamps[i].irradiance), 1e-4);
   }
-  EXPECT_NEAR(lights[0].position_m.x - head.centre_m.x, 4 * head.radius_m * std::cos(10 * degrees), 1e-5) << "90 degrees is the left";
+  EXPECT_NEAR(lights[0].position_m.x - head.centre_m.x, 4 * head.radius_m * std::cos(10 * degrees), 1e-5)
+      << "90 degrees is the left";
   EXPECT_TRUE(light_rig(head, std::vector<Lamp>{}).empty());
   EXPECT_THROW(light_rig(BoundingSphere{}, lamps), InputError);
 }
@@ -153,8 +164,9 @@ TEST(LightRig, ConesHoldTheWholeRow) {
   for (const Light& light : light_rig(head, 4, offsets)) {
     for (const glm::vec3& offset : offsets) {
       const glm::dvec3 to = glm::dvec3(head.centre_m) + glm::dvec3(offset) - glm::dvec3(light.position_m);
-      const double half = std::acos(std::min(1.0, glm::dot(glm::normalize(to), glm::dvec3(light.direction)))) +
-                          std::asin(std::min(1.0, head.radius_m / glm::length(to)));
+      const double half =
+          std::acos(std::min(1.0, glm::dot(glm::normalize(to), glm::dvec3(light.direction)))) +
+          std::asin(std::min(1.0, head.radius_m / glm::length(to)));
       EXPECT_LE(std::min(half, 83 * degrees), light.inner_cone_rad + 1e-4) << light.name;
     }
     EXPECT_LT(light.outer_cone_rad, 1.5708f);

@@ -25,8 +25,9 @@ SkinMesh mesh_of(const Scene& scene) { return skin_meshes(scene).at(0); }
 std::vector<int> coverage(const SkinMesh& mesh, int side) {
   std::vector<int> chart(static_cast<std::size_t>(side * side), 0);
   for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t)
-    for_each_texel(triangle_uv(mesh, t), side,
-                   [&](int x, int y) { chart[static_cast<std::size_t>(y * side + x)] = mesh.triangle_chart[t]; });
+    for_each_texel(triangle_uv(mesh, t), side, [&](int x, int y) {
+      chart[static_cast<std::size_t>(y * side + x)] = mesh.triangle_chart[t];
+    });
   return chart;
 }
 
@@ -38,7 +39,8 @@ void expect_sound(const SkinMesh& mesh, const std::vector<GutterTexel>& gutters,
   for (const GutterTexel& g : gutters) {
     ASSERT_LT(last, g.y * side + g.x) << "sorted, each texel once";
     last = g.y * side + g.x;
-    const int x = static_cast<int>(std::floor(g.source_x - 0.5)), y = static_cast<int>(std::floor(g.source_y - 0.5));
+    const int x = static_cast<int>(std::floor(g.source_x - 0.5)),
+              y = static_cast<int>(std::floor(g.source_y - 0.5));
     const double fx = g.source_x - 0.5 - x, fy = g.source_y - 0.5 - y;
     int found = 0;
     for (const int dy : {0, 1})
@@ -55,9 +57,10 @@ void expect_sound(const SkinMesh& mesh, const std::vector<GutterTexel>& gutters,
 
 using Surface = std::function<glm::dvec3(glm::dvec2)>;  ///< of parameters in mm
 
-/// A grid over [low, high] of a surface; uv = transform * parameters + offset. Both scenes' positions in metres.
-void append_patch(Primitive& primitive, const Surface& surface, glm::dvec2 low, glm::dvec2 high, const glm::dmat2& transform,
-                  glm::dvec2 offset, int n) {
+/// A grid over [low, high] of a surface; uv = transform * parameters + offset. Both scenes' positions in
+/// metres.
+void append_patch(Primitive& primitive, const Surface& surface, glm::dvec2 low, glm::dvec2 high,
+                  const glm::dmat2& transform, glm::dvec2 offset, int n) {
   const auto base = static_cast<std::uint32_t>(primitive.vertices.size());
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) {
@@ -69,7 +72,8 @@ void append_patch(Primitive& primitive, const Surface& surface, glm::dvec2 low, 
     }
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
-      const std::uint32_t a = base + static_cast<std::uint32_t>(j * (n + 1) + i), b = a + static_cast<std::uint32_t>(n + 1);
+      const std::uint32_t a = base + static_cast<std::uint32_t>(j * (n + 1) + i),
+                          b = a + static_cast<std::uint32_t>(n + 1);
       primitive.indices.insert(primitive.indices.end(), {a, a + 1, b + 1, a, b + 1, b});
     }
 }
@@ -103,7 +107,8 @@ TEST(Gutters, CylinderSeamGoesRoundToItsOtherSide) {
     }
     ++seam;
     EXPECT_EQ(g.chart, 1);
-    // Facets are chords, straight across the seam: exactly 200 texels further round, but kept half a texel away from the rim.
+    // Facets are chords, straight across the seam: exactly 200 texels further round, but kept half a texel
+    // away from the rim.
     const double expected = g.x < 100 ? g.x + 0.5 + 200 : g.x + 0.5 - 200;
     EXPECT_NEAR(g.source_x, std::clamp(expected, 25.5, 224.5), 2e-3) << g.x << ' ' << g.y;
     EXPECT_NEAR(g.source_y, g.y + 0.5, 2e-3);
@@ -129,14 +134,18 @@ TEST(Gutters, FoldedPlanesContinueEachOther) {
     int from_floor = 0, from_wall = 0;
     double worst = 0;
     for (const GutterTexel& g : gutters) {
-      const glm::dvec2 uv = glm::dvec2(g.x + 0.5, g.y + 0.5) / double(side), source = glm::dvec2(g.source_x, g.source_y) / double(side);
+      const glm::dvec2 uv = glm::dvec2(g.x + 0.5, g.y + 0.5) / double(side),
+                       source = glm::dvec2(g.source_x, g.source_y) / double(side);
       if (g.chart == 1) {  // floor: beyond x = 40 lies the wall at height x - 40
         const glm::dvec2 mm = (uv - 0.05) / 0.01;
         if (mm.y < 0 || mm.y > 40) continue;
         const bool clear = mm.y > 1 && mm.y < 39;  // of the open ends, where sources give way too
-        const glm::dvec2 expected = turned * glm::dvec2(mm.x - 40, mm.y) + glm::dvec2(0.6, mirrored ? 0.6 : 0.9);
+        const glm::dvec2 expected =
+            turned * glm::dvec2(mm.x - 40, mm.y) + glm::dvec2(0.6, mirrored ? 0.6 : 0.9);
         worst = std::max(worst, glm::distance(source, expected) * side);
-        if (clear && (mm.x - 40) * 0.007 * side > 1) { EXPECT_LT(glm::distance(source, expected) * side, 0.02) << g.x << ' ' << g.y; }
+        if (clear && (mm.x - 40) * 0.007 * side > 1) {
+          EXPECT_LT(glm::distance(source, expected) * side, 0.02) << g.x << ' ' << g.y;
+        }
         ++from_floor;
       } else if (g.chart == 2) {  // wall: below z = 0 lies the floor
         const glm::dvec2 mm = glm::inverse(turned) * (uv - glm::dvec2(0.6, mirrored ? 0.6 : 0.9));
@@ -144,7 +153,9 @@ TEST(Gutters, FoldedPlanesContinueEachOther) {
         const bool clear = mm.y > 1 && mm.y < 39;  // of the open ends, where sources give way too
         const glm::dvec2 expected = glm::dvec2(40 + mm.x, mm.y) * 0.01 + 0.05;
         worst = std::max(worst, glm::distance(source, expected) * side);
-        if (clear && -mm.x * 0.01 * side > 1) { EXPECT_LT(glm::distance(source, expected) * side, 0.02) << g.x << ' ' << g.y; }
+        if (clear && -mm.x * 0.01 * side > 1) {
+          EXPECT_LT(glm::distance(source, expected) * side, 0.02) << g.x << ' ' << g.y;
+        }
         ++from_wall;
       }
     }
@@ -160,7 +171,9 @@ glm::dvec3 position_mm_at(const SkinMesh& mesh, glm::dvec2 uv) {
     const auto t = [&](std::size_t k) { return glm::dvec2(mesh.unwrap[mesh.indices[i + k]]); };
     const glm::dvec2 s = glm::inverse(glm::dmat2(t(1) - t(0), t(2) - t(0))) * (uv - t(0));
     if (s.x < -1e-5 || s.y < -1e-5 || s.x + s.y > 1 + 1e-5) continue;
-    const auto p = [&](std::size_t k) { return glm::dvec3(mesh.vertices[mesh.indices[i + k]].position_m) * 1e3; };
+    const auto p = [&](std::size_t k) {
+      return glm::dvec3(mesh.vertices[mesh.indices[i + k]].position_m) * 1e3;
+    };
     return p(0) + (p(1) - p(0)) * s.x + (p(2) - p(0)) * s.y;
   }
   return glm::dvec3(1e9);
@@ -181,26 +194,32 @@ TEST(Gutters, SphereFollowsGreatCircles) {
     const glm::dvec2 uv = glm::dvec2(g.x + 0.5, g.y + 0.5) / double(side);
     const int c = g.chart - 1;
     const glm::dvec2 low = glm::dvec2(c % 3 / 3.0 + margin, c / 3 / 2.0 + margin), high = low + chart_size;
-    // From the nearest rim point, in the tangent plane, as far as the metric at the rim says; then along the great circle.
-    const glm::dvec2 rim = glm::clamp(uv, low + 1e-6, high - 1e-6), inside = glm::mix(rim, 0.5 * (low + high), 1e-3);
+    // From the nearest rim point, in the tangent plane, as far as the metric at the rim says; then along the
+    // great circle.
+    const glm::dvec2 rim = glm::clamp(uv, low + 1e-6, high - 1e-6),
+                     inside = glm::mix(rim, 0.5 * (low + high), 1e-3);
     const double h = 1e-4;
     const auto at = [&](glm::dvec2 q) { return position_mm_at(mesh, q); };
-    const glm::dvec2 way(inside.x > 0.5 * (low.x + high.x) ? -h : h, inside.y > 0.5 * (low.y + high.y) ? -h : h);
+    const glm::dvec2 way(inside.x > 0.5 * (low.x + high.x) ? -h : h,
+                         inside.y > 0.5 * (low.y + high.y) ? -h : h);
     const glm::dvec3 dp_du = (at(inside + glm::dvec2(way.x, 0)) - at(inside)) / way.x,
                      dp_dv = (at(inside + glm::dvec2(0, way.y)) - at(inside)) / way.y;
     const glm::dvec3 start = glm::normalize(at(rim));
     glm::dvec3 step = dp_du * (uv - rim).x + dp_dv * (uv - rim).y;
     const double length = glm::length(step);
     step = glm::normalize(step - start * glm::dot(start, step));
-    const glm::dvec3 expected = radius_mm * (std::cos(length / radius_mm) * start + std::sin(length / radius_mm) * step);
-    const glm::dvec3 source = glm::normalize(at(glm::dvec2(g.source_x, g.source_y) / double(side))) * radius_mm;
+    const glm::dvec3 expected =
+        radius_mm * (std::cos(length / radius_mm) * start + std::sin(length / radius_mm) * step);
+    const glm::dvec3 source =
+        glm::normalize(at(glm::dvec2(g.source_x, g.source_y) / double(side))) * radius_mm;
     const double error = glm::distance(source, expected) / texel_mm;
     worst = std::max(worst, error);
     ++checked;
     if (error < 0.5) ++within_half;
   }
   EXPECT_GT(checked, 1000u);
-  EXPECT_GT(double(within_half) / double(checked), 0.93) << "the rest lies beside a rim, where sources give way to stay on covered texels";
+  EXPECT_GT(double(within_half) / double(checked), 0.93)
+      << "the rest lies beside a rim, where sources give way to stay on covered texels";
   EXPECT_LT(worst, 1.2);
 }
 
@@ -233,7 +252,8 @@ TEST(Gutters, OpenBordersOnlyFill) {
     EXPECT_NEAR(g.source_x, std::clamp(g.x + 0.5, 16.5, 47.5), 1e-6);
     EXPECT_NEAR(g.source_y, std::clamp(g.y + 0.5, 16.5, 47.5), 1e-6);
   }
-  EXPECT_EQ(gutters.size(), 4u * 2 * 32 + 4 * 3) << "two texels on four sides, three of four within 2 texels at each corner";
+  EXPECT_EQ(gutters.size(), 4u * 2 * 32 + 4 * 3)
+      << "two texels on four sides, three of four within 2 texels at each corner";
 }
 
 TEST(Gutters, ListsTexelsOnTheBorderItself) {
@@ -247,7 +267,8 @@ TEST(Gutters, ListsTexelsOnTheBorderItself) {
 }
 
 TEST(Gutters, MirroredHalvesOnTheSameTexels) {
-  // Left and right of x = 0 share their coordinates: beyond the seam lies the mirror image, which is the chart itself.
+  // Left and right of x = 0 share their coordinates: beyond the seam lies the mirror image, which is the
+  // chart itself.
   const auto flat = [](glm::dvec2 s) { return glm::dvec3(s.x, s.y, 0); };
   Primitive p;
   append_patch(p, flat, {0, 0}, {40, 40}, glm::dmat2(0.01, 0, 0, 0.01), {0.3, 0.3}, 4);
@@ -269,8 +290,10 @@ TEST(Gutters, SurviveDegenerateTriangles) {
   Scene scene = sphere(0.01, 8);
   Primitive& p = scene.primitives[0];
   p.indices.insert(p.indices.end(), {0, 0, 1, 5, 5, 5, 0, 1, 2});
-  for (std::size_t v = 0; v < 30; ++v) p.vertices[v].uv0 = p.vertices[0].uv0;                     // flat on the map
-  for (std::size_t v = 100; v < 120; ++v) p.vertices[v].position_m = p.vertices[100].position_m;  // no area in the world
+  // flat on the map
+  for (std::size_t v = 0; v < 30; ++v) p.vertices[v].uv0 = p.vertices[0].uv0;
+  // no area in the world
+  for (std::size_t v = 100; v < 120; ++v) p.vertices[v].position_m = p.vertices[100].position_m;
   const SkinMesh mesh = mesh_of(scene);
   const std::vector<GutterTexel> gutters = build_gutters(mesh, 128, 20);
   expect_sound(mesh, gutters, 128);
@@ -302,8 +325,8 @@ TEST(Gutters, Scan) {
   for (const GutterTexel& g : gutters) fill_only += g.chart == 0 ? 1 : 0;
   EXPECT_GT(gutters.size(), 100'000u);
   EXPECT_LT(double(fill_only) / double(gutters.size()), 0.001) << "the scan is closed";
-  std::printf("scan: %d charts, %zu gutter texels, %zu of them fill only, %.2f s\n", mesh.charts, gutters.size(), fill_only,
-              seconds.count());
+  std::printf("scan: %d charts, %zu gutter texels, %zu of them fill only, %.2f s\n", mesh.charts,
+              gutters.size(), fill_only, seconds.count());
 }
 
 }  // namespace

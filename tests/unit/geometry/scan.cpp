@@ -36,7 +36,8 @@ std::optional<Scene> load_scan() {
   primitive.name = "scan";
   primitive.node = 0;
   primitive.has_uv = true;
-  for (std::size_t i = 0; i < index_count; ++i) primitive.indices.push_back(value_at<std::uint16_t>(bytes, 2 * i));
+  for (std::size_t i = 0; i < index_count; ++i)
+    primitive.indices.push_back(value_at<std::uint16_t>(bytes, 2 * i));
   for (std::size_t i = 0; i < vertex_count; ++i) {
     Vertex vertex;
     vertex.position_m = glm::vec3(glm::dvec3(value_at<glm::vec3>(bytes, 106104 + 12 * i)) * metres_per_unit);

@@ -24,7 +24,8 @@ void expect_orthonormal(const Primitive& primitive) {
   }
 }
 
-/// Two unit quads in the xy plane that share the edge x = 0; coordinates of the left one mirror those of the right one.
+/// Two unit quads in the xy plane that share the edge x = 0; coordinates of the left one mirror those of the
+/// right one.
 Primitive mirrored_plane() {
   Primitive p;
   for (const float y : {0.f, 1.f})
@@ -74,7 +75,8 @@ TEST(Tangents, MirroredPlaneSplitsTheSeam) {
   for (std::size_t i = 0; i < p.indices.size(); ++i) {
     const bool left = i < 6;
     const Vertex& v = p.vertices[p.indices[i]];
-    EXPECT_LT(glm::distance(v.tangent, left ? glm::vec4(-1, 0, 0, -1) : glm::vec4(1, 0, 0, 1)), 1e-6f) << "corner " << i;
+    EXPECT_LT(glm::distance(v.tangent, left ? glm::vec4(-1, 0, 0, -1) : glm::vec4(1, 0, 0, 1)), 1e-6f)
+        << "corner " << i;
   }
   const std::size_t once = p.vertices.size();
   make_tangents(p, identity);
@@ -101,7 +103,8 @@ TEST(Tangents, SphereFollowsTheCharts) {
 }
 
 TEST(Tangents, AngleWeightsIgnoreHowAQuadIsCut) {
-  // A fan of 1 triangle on one side of the corner, many thin ones on the other: the mean must not lean to the many.
+  // A fan of 1 triangle on one side of the corner, many thin ones on the other: the mean must not lean to the
+  // many.
   Primitive p;
   p.vertices.resize(1);
   const auto add = [&](double angle, glm::vec2 uv) {
@@ -110,9 +113,12 @@ TEST(Tangents, AngleWeightsIgnoreHowAQuadIsCut) {
     v.uv0 = uv;
     p.vertices.push_back(v);
   };
-  // Left of 90 degrees the picture is turned by -10 degrees, right of it by +10 degrees, both about the corner.
+  // Left of 90 degrees the picture is turned by -10 degrees, right of it by +10 degrees, both about the
+  // corner.
   const double turn = 0.1745;
-  const auto uv = [&](double angle, double by) { return glm::vec2(glm::dvec2(std::cos(angle + by), -std::sin(angle + by))); };
+  const auto uv = [&](double angle, double by) {
+    return glm::vec2(glm::dvec2(std::cos(angle + by), -std::sin(angle + by)));
+  };
   add(0, uv(0, turn)), add(1.5707963, uv(1.5707963, turn));
   for (int k = 0; k <= 8; ++k) add(1.5707963 * (1 + k / 8.0), uv(1.5707963 * (1 + k / 8.0), -turn));
   p.indices = {0, 1, 2};
@@ -129,10 +135,13 @@ TEST(Normals, SmoothOverWeldedPositionsAndAreaWeighted) {
   p.vertices[5].normal = glm::vec3(std::numeric_limits<float>::quiet_NaN());
   p.indices.insert(p.indices.end(), {7, 7, 8});  // degenerate
   make_missing_normals(p);
-  for (std::size_t v = 0; v < p.vertices.size(); ++v) EXPECT_LT(glm::distance(p.vertices[v].normal, exact[v].normal), 0.03f) << v;
+  for (std::size_t v = 0; v < p.vertices.size(); ++v)
+    EXPECT_LT(glm::distance(p.vertices[v].normal, exact[v].normal), 0.03f) << v;
   for (std::size_t a = 0; a < p.vertices.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
-      ASSERT_TRUE(p.vertices[a].position_m != p.vertices[b].position_m || p.vertices[a].normal == p.vertices[b].normal) << a << ' ' << b;
+      ASSERT_TRUE(p.vertices[a].position_m != p.vertices[b].position_m ||
+                  p.vertices[a].normal == p.vertices[b].normal)
+          << a << ' ' << b;
 }
 
 TEST(Normals, KeepsGivenOnesButMakesThemUnit) {
@@ -164,7 +173,8 @@ TEST(Tangents, Scan) {
     area += a;
     if (p.vertices[p.indices[i]].tangent.w < 0) mirrored += a;
   }
-  EXPECT_NEAR(mirrored / area, 0.2, 0.05) << "the scan's notes: about a fifth of the area has mirrored coordinates";
+  EXPECT_NEAR(mirrored / area, 0.2, 0.05)
+      << "the scan's notes: about a fifth of the area has mirrored coordinates";
 }
 
 }  // namespace

@@ -23,12 +23,15 @@ TEST(TurnedNeighbours, NoneWhereNormalsAreThoseOfTheFaces) {
   for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) EXPECT_TRUE(neighbours(packed, t).empty());
 }
 
-// All that touch a turned vertex are turned, and are told to all that touch them in turn, across the edges of the cube too.
+// All that touch a turned vertex are turned, and are told to all that touch them in turn, across the edges of
+// the cube too.
 TEST(TurnedNeighbours, ThoseAroundATurnedVertex) {
   SkinMesh mesh = sphere_mesh(32);
-  const glm::vec3 place = mesh.vertices[mesh.indices[0]].position_m;  // a corner of the cube: three charts meet
+  // a corner of the cube: three charts meet
+  const glm::vec3 place = mesh.vertices[mesh.indices[0]].position_m;
   for (Vertex& v : mesh.vertices)
-    if (glm::distance(v.position_m, place) < 1e-7f) v.normal = glm::normalize(glm::cross(v.normal, glm::vec3(0.3f, 0.5f, 0.9f)));
+    if (glm::distance(v.position_m, place) < 1e-7f)
+      v.normal = glm::normalize(glm::cross(v.normal, glm::vec3(0.3f, 0.5f, 0.9f)));
   const std::vector<std::uint32_t> packed = turned_neighbours(mesh);
   std::vector<std::uint32_t> turned;
   const auto touches = [&](std::size_t t, const glm::vec3& p) {
@@ -43,7 +46,8 @@ TEST(TurnedNeighbours, ThoseAroundATurnedVertex) {
     std::vector<std::uint32_t> wanted;
     for (const std::uint32_t other : turned) {
       bool meets = false;
-      for (std::size_t k = 0; k < 3; ++k) meets = meets || touches(t, mesh.vertices[mesh.indices[3 * other + k]].position_m);
+      for (std::size_t k = 0; k < 3; ++k)
+        meets = meets || touches(t, mesh.vertices[mesh.indices[3 * other + k]].position_m);
       if (meets && other != t) wanted.push_back(other);
     }
     EXPECT_EQ(neighbours(packed, t), wanted) << t;

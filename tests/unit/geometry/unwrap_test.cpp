@@ -38,11 +38,14 @@ void expect_metric(const SkinMesh& mesh, const glm::dvec3& expected, double rela
   }
 }
 
-TEST(Metric, PlaneInMillimetres) { expect_metric(only_mesh(plane(0.05, glm::dmat2(1), {}, 4)), {2500, 0, 2500}, 1e-5); }
+TEST(Metric, PlaneInMillimetres) {
+  expect_metric(only_mesh(plane(0.05, glm::dmat2(1), {}, 4)), {2500, 0, 2500}, 1e-5);
+}
 
 TEST(Metric, StretchedAndSheared) {
   expect_metric(only_mesh(plane(0.05, glm::dmat2(1.0 / 3, 0, 0, 1), {0.2, 0}, 4)), {9 * 2500, 0, 2500}, 1e-5);
-  // (s, t) -> (s/2 + t/2, t/2): P = 50 mm (s, -t), s = 2u - 2v, t = 2v, so dP/du = (100, 0), dP/dv = (-100, -100).
+  // (s, t) -> (s/2 + t/2, t/2): P = 50 mm (s, -t), s = 2u - 2v, t = 2v, so dP/du = (100, 0), dP/dv = (-100,
+  // -100).
   expect_metric(only_mesh(plane(0.05, glm::dmat2(0.5, 0, 0.5, 0.5), {}, 4)), {1e4, -1e4, 2e4}, 1e-5);
 }
 
@@ -86,7 +89,8 @@ TEST(Metric, SphereIsSmoothWithinAndSymmetricBetweenCharts) {
 TEST(Metric, DensityOfAPlane) {
   const UnwrapDensity density = unwrap_density(only_mesh(plane(0.05, glm::dmat2(0.25, 0, 0, 1))), 1000);
   EXPECT_NEAR(density.area_mm2, 2500, 1e-3);
-  EXPECT_NEAR(density.texels_per_mm.mean, 1 / std::sqrt(200.0 * 50), 1e-7);  // 200 mm along u, 50 mm along v per unit
+  // 200 mm along u, 50 mm along v per unit
+  EXPECT_NEAR(density.texels_per_mm.mean, 1 / std::sqrt(200.0 * 50), 1e-7);
   EXPECT_NEAR(density.largest_texels_per_mm.max, 1 / 50.0, 1e-7);
 }
 
@@ -113,7 +117,8 @@ TEST(Metric, NothingValidStillPositiveDefinite) {
 }
 
 TEST(Metric, NeverAveragedAcrossAMirror) {
-  // Two quads side by side that show the same half of the map, the left one mirrored and twice as wide in the world.
+  // Two quads side by side that show the same half of the map, the left one mirrored and twice as wide in the
+  // world.
   Scene scene = plane(0.05);
   Primitive& p = scene.primitives[0];
   p.vertices.clear();
@@ -147,7 +152,9 @@ TEST(Unwrap, MovesByWholeTilesElseFits) {
   EXPECT_FALSE(mesh.unwrap_note.empty());
   for (const glm::vec2& uv : mesh.unwrap) EXPECT_TRUE(uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    EXPECT_LT(glm::distance(glm::dvec2(mesh.vertices[v].uv0) * mesh.unwrap_scale + mesh.unwrap_offset, glm::dvec2(mesh.unwrap[v])), 1e-6);
+    EXPECT_LT(glm::distance(glm::dvec2(mesh.vertices[v].uv0) * mesh.unwrap_scale + mesh.unwrap_offset,
+                            glm::dvec2(mesh.unwrap[v])),
+              1e-6);
   expect_metric(mesh, {2500, 0, 2500}, 1e-5);
 }
 
@@ -198,7 +205,8 @@ TEST(Unwrap, Scan) {
     ASSERT_TRUE(std::isfinite(l.x) && std::isfinite(l.y) && std::isfinite(l.z));
     cosines.push_back(std::abs(g.y) / std::sqrt(g.x * g.z));
   }
-  std::nth_element(cosines.begin(), cosines.begin() + static_cast<std::ptrdiff_t>(cosines.size() / 2), cosines.end());
+  std::nth_element(cosines.begin(), cosines.begin() + static_cast<std::ptrdiff_t>(cosines.size() / 2),
+                   cosines.end());
   EXPECT_NEAR(cosines[cosines.size() / 2], 0.35, 0.05) << "u and v are far from orthogonal on the scan";
   const UnwrapDensity density = unwrap_density(mesh, 1000);
   RecordProperty("charts", mesh.charts);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every file of gltf-valid and gltf-malformed: what loads, what fails and why is a golden list (tests/golden/gltf-corpus.tsv).
-// DERMIS_UPDATE_GOLDEN=1 writes it anew; look at the difference before committing it.
+// Every file of gltf-valid and gltf-malformed: what loads, what fails and why is a golden list
+// (tests/golden/gltf-corpus.tsv). DERMIS_UPDATE_GOLDEN=1 writes it anew; look at the difference before
+// committing it.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -23,7 +24,8 @@ struct Entry {
 };
 
 std::string without(std::string text, const std::string& part) {
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part)) text.erase(at, part.size());
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part))
+    text.erase(at, part.size());
   return text;
 }
 
@@ -40,7 +42,8 @@ void try_to_load(const fs::path& root, Entry& entry) {
     entry.reason = without(without(error.what(), (root / entry.file).string() + ": "), root.string() + "/");
     // The parser's own words differ between its versions.
     const std::string json = "is not valid JSON";
-    if (const std::size_t at = entry.reason.find(json); at != std::string::npos) entry.reason.resize(at + json.size());
+    if (const std::size_t at = entry.reason.find(json); at != std::string::npos)
+      entry.reason.resize(at + json.size());
   }
   entry.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -77,8 +80,10 @@ const std::vector<Entry>& corpus() {
 TEST(GltfCorpus, IsAsTheGoldenListSays) {
   DERMIS_NEED_ASSETS(root);
   std::string list =
-      "# what the loader makes of gltf-valid and gltf-malformed; written by test_gltf with DERMIS_UPDATE_GOLDEN=1\nfile\tresult\treason\n";
-  for (const Entry& e : corpus()) list += e.file + "\t" + (e.loads ? "loads" : "fails") + "\t" + e.reason + "\n";
+      "# what the loader makes of gltf-valid and gltf-malformed; written by test_gltf with "
+      "DERMIS_UPDATE_GOLDEN=1\nfile\tresult\treason\n";
+  for (const Entry& e : corpus())
+    list += e.file + "\t" + (e.loads ? "loads" : "fails") + "\t" + e.reason + "\n";
   const fs::path golden = fs::path(DERMIS_SOURCE_DIR) / "tests" / "golden" / "gltf-corpus.tsv";
   if (std::getenv("DERMIS_UPDATE_GOLDEN") != nullptr) write_text(golden, list);
   std::istringstream actual(list), expected(read_text(golden));
@@ -95,15 +100,18 @@ TEST(GltfCorpus, ValidFilesLoadUnlessTheyRequireMore) {
   for (const Entry& e : corpus()) {
     if (!e.file.starts_with("gltf-valid") || e.errors != "0" || e.loads) continue;
     // A newer glTF that a file itself says is needed is a requirement like an extension.
-    const bool says_why = e.reason.starts_with("requires the extension ") || e.reason.starts_with("asset.minVersion: needs glTF 2.1");
+    const bool says_why = e.reason.starts_with("requires the extension ") ||
+                          e.reason.starts_with("asset.minVersion: needs glTF 2.1");
     EXPECT_TRUE(says_why) << e.file << ": " << e.reason;
   }
 }
 
 TEST(GltfCorpus, FilesWithStructuralErrorsFail) {
   DERMIS_NEED_ASSETS(root);
-  // What the validator calls an error but leaves the geometry whole: repaired or without effect on a scene at rest.
-  const std::set<std::string> harmless{"ACCESSOR_VECTOR3_NON_UNIT", "MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY", "NODE_SKIN_NO_SCENE",
+  // What the validator calls an error but leaves the geometry whole: repaired or without effect on a scene at
+  // rest.
+  const std::set<std::string> harmless{"ACCESSOR_VECTOR3_NON_UNIT",
+                                       "MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY", "NODE_SKIN_NO_SCENE",
                                        "BUFFER_VIEW_TARGET_OVERRIDE"};
   int failed = 0;
   for (const Entry& e : corpus()) {

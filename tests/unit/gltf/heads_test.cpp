@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Real heads: the scan with a manifest of our own, the MakeHuman people, the ICT face, and the same head stored in many ways.
+// Real heads: the scan with a manifest of our own, the MakeHuman people, the ICT face, and the same head
+// stored in many ways.
 #include <cmath>
 #include <set>
 
@@ -46,7 +47,8 @@ double outward_part(const Scene& scene) {
   double good = 0, all = 0;
   for (const Primitive& p : scene.primitives)
     for (std::size_t i = 0; i < p.indices.size(); i += 3) {
-      const Vertex &a = p.vertices[p.indices[i]], &b = p.vertices[p.indices[i + 1]], &c = p.vertices[p.indices[i + 2]];
+      const Vertex &a = p.vertices[p.indices[i]], &b = p.vertices[p.indices[i + 1]],
+                   &c = p.vertices[p.indices[i + 2]];
       const glm::vec3 face = glm::cross(b.position_m - a.position_m, c.position_m - a.position_m);
       const double area = glm::length(face);
       all += area;
@@ -60,8 +62,9 @@ float largest_difference_m(const Scene& a, const Scene& b) {
   float largest = 0;
   for (std::size_t p = 0; p < a.primitives.size(); ++p)
     for (std::size_t i = 0; i < a.primitives[p].indices.size(); ++i)
-      largest = std::max(largest, glm::distance(a.primitives[p].vertices[a.primitives[p].indices[i]].position_m,
-                                                b.primitives[p].vertices[b.primitives[p].indices[i]].position_m));
+      largest =
+          std::max(largest, glm::distance(a.primitives[p].vertices[a.primitives[p].indices[i]].position_m,
+                                          b.primitives[p].vertices[b.primitives[p].indices[i]].position_m));
   return largest;
 }
 
@@ -82,10 +85,11 @@ Json scan_manifest() {
     "buffers": [{"uri": "LeePerrySmith.glb", "byteLength": 404976}],
     "images": [{"uri": "Map-COL.jpg"}, {"uri": "Map-SPEC.jpg"}], "textures": [{"source": 0}, {"source": 1}],
     "extensionsUsed": ["KHR_texture_transform"]})");
-  json["materials"] = Json::array({{{"name", "face"},
-                                    {"normalTexture", info(0)},
-                                    {"pbrMetallicRoughness", {{"baseColorTexture", info(0)}, {"roughnessFactor", 0.55}}},
-                                    {"extras", {{"dermis", {{"mix", 0}, {"specular", {{"texture", 1}, {"channel", "R"}}}}}}}}});
+  json["materials"] = Json::array(
+      {{{"name", "face"},
+        {"normalTexture", info(0)},
+        {"pbrMetallicRoughness", {{"baseColorTexture", info(0)}, {"roughnessFactor", 0.55}}},
+        {"extras", {{"dermis", {{"mix", 0}, {"specular", {{"texture", 1}, {"channel", "R"}}}}}}}}});
   return json;
 }
 
@@ -113,7 +117,8 @@ TEST(GltfHeads, ScanThroughAManifestThatReadsTheGlb) {
   const fs::path scan = *root / "lee-perry-smith";
   if (!fs::exists(scan / "LeePerrySmith.glb")) GTEST_SKIP() << "the scan is not in the asset cache";
   const TempFolder folder;
-  for (const char* name : {"LeePerrySmith.glb", "Map-COL.jpg", "Map-SPEC.jpg"}) fs::copy_file(scan / name, folder.path() / name);
+  for (const char* name : {"LeePerrySmith.glb", "Map-COL.jpg", "Map-SPEC.jpg"})
+    fs::copy_file(scan / name, folder.path() / name);
   Json manifest = scan_manifest();
   point_at_glb(manifest, scan / "LeePerrySmith.glb");
   write_text(folder.path() / "head.gltf", manifest.dump());
@@ -242,7 +247,8 @@ TEST(GltfHeads, MissingNormalsAreMade) {
 TEST(GltfHeads, LightsAndCameraStandInTheWorld) {
   DERMIS_NEED_ASSETS(root);
   const Warnings quiet;
-  const Scene scene = load_gltf(*root / "gltf-valid" / "head-variants" / "head-lights-camera-specular-ior.glb");
+  const Scene scene =
+      load_gltf(*root / "gltf-valid" / "head-variants" / "head-lights-camera-specular-ior.glb");
   ASSERT_EQ(scene.lights.size(), 3u);
   ASSERT_EQ(scene.cameras.size(), 1u);
   for (const Light& light : scene.lights) EXPECT_NEAR(glm::length(light.direction), 1, 1e-5f);
@@ -253,9 +259,11 @@ TEST(GltfHeads, LightsAndCameraStandInTheWorld) {
 TEST(GltfHeads, TextureTransformsAreThoseOfItsTestModel) {
   DERMIS_NEED_ASSETS(root);
   const Warnings quiet;
-  const Scene scene = load_gltf(*root / "gltf-valid" / "assimp" / "textureTransform" / "TextureTransformTest.gltf");
+  const Scene scene =
+      load_gltf(*root / "gltf-valid" / "assimp" / "textureTransform" / "TextureTransformTest.gltf");
   for (const Material& m : scene.materials) {
-    // Where the model's "correct" marks stand on the quads (their nodes), the arrow's picture must be on its diagonal.
+    // Where the model's "correct" marks stand on the quads (their nodes), the arrow's picture must be on its
+    // diagonal.
     const glm::mat3x2& t = m.base_colour_map.transform;
     if (m.name == "Rotation") {
       const glm::vec2 uv = t * glm::vec3(0.5f - 0.07904822f, 0.5f + 0.51626749f, 1);

@@ -53,7 +53,8 @@ void bend_values(const Json& original, const std::string& bin, int rounds) {
       auto where = flat.begin();
       std::advance(where, static_cast<std::ptrdiff_t>(random() % flat.size()));
       // An earlier change may have removed what this pointer goes through.
-      if (mutant.contains(Json::json_pointer(where.key()))) mutant[Json::json_pointer(where.key())] = wild[random() % wild.size()];
+      if (mutant.contains(Json::json_pointer(where.key())))
+        mutant[Json::json_pointer(where.key())] = wild[random() % wild.size()];
     }
     Builder b;
     b.json = mutant;
@@ -73,7 +74,9 @@ Builder draco_head(const fs::path& root) {
   return b;
 }
 
-Json& draco_extension(Builder& b) { return b.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]; }
+Json& draco_extension(Builder& b) {
+  return b.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"];
+}
 
 }  // namespace
 
@@ -101,7 +104,8 @@ TEST(GltfHostile, NotFiles) {
   EXPECT_ERROR(error_of(folder.path() / "empty.gltf"), "is empty");
   write_text(folder.path() / "text.gltf", "solid cube");
   EXPECT_ERROR(error_of(folder.path() / "text.gltf"), "is not glTF");
-  write_text(folder.path() / "deep.gltf", "{\"a\":" + std::string(100000, '[') + std::string(100000, ']') + "}");
+  write_text(folder.path() / "deep.gltf",
+             "{\"a\":" + std::string(100000, '[') + std::string(100000, ']') + "}");
   EXPECT_ERROR(error_of(folder.path() / "deep.gltf"), "nested deeper");
   write_text(folder.path() / "open.gltf", "{\"a\":" + std::string(100000, '{'));
   EXPECT_NE(error_of(folder.path() / "open.gltf"), "");
@@ -110,24 +114,30 @@ TEST(GltfHostile, NotFiles) {
 }
 
 TEST(GltfHostile, NumbersThatAreNone) {
-  for (const float bad :
-       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                          -std::numeric_limits<float>::infinity()}) {
     Builder b;
     b.mesh({{"POSITION", b.accessor({0, 0, 0, bad, 0, 0, 0, 1, 0}, "VEC3")}});
     EXPECT_ERROR(b.error(), "POSITION of vertex 1 is not finite");
     Builder uv;
     uv.triangle();
-    uv.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = uv.accessor({0, 0, 1, bad, 0, 1}, "VEC2");
+    uv.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
+        uv.accessor({0, 0, 1, bad, 0, 1}, "VEC2");
     EXPECT_ERROR(uv.error(), "TEXCOORD_0 of vertex 1 is not finite");
     Builder normal;  // can be made anew
     normal.triangle();
-    normal.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = normal.accessor({0, 0, bad, 0, 0, 0, 0, 0, 5}, "VEC3");
+    normal.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
+        normal.accessor({0, 0, bad, 0, 0, 0, 0, 0, 5}, "VEC3");
     const Scene made = normal.load();
     for (const Vertex& v : made.primitives[0].vertices) EXPECT_EQ(v.normal, glm::vec3(0, 0, 1));
   }
-  EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["translation"] = {1e30, 0, 0}; }), "more than 1000000 m from the origin");
+  EXPECT_ERROR(bent([](Builder& b) {
+                 b.json["nodes"][0]["translation"] = {1e30, 0, 0};
+               }),
+               "more than 1000000 m from the origin");
   EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["translation"] = {1e300, 0, 0}; }), "out of range");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["matrix"] = std::vector<double>(16, 1); }), "last row");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["matrix"] = std::vector<double>(16, 1); }),
+               "last row");
   EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["rotation"] = {0, 0, 0, 0}; }), "unit quaternion");
 }
 
@@ -136,15 +146,20 @@ TEST(GltfHostile, RangesAndReferences) {
                  b.json["meshes"][0]["primitives"][0]["indices"] = b.accessor({0, 1, 3}, "SCALAR", 5123);
                }),
                "index 2 is 3, there are 3 vertices");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 4; }), "reach past the end of its bufferView");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["byteOffset"] = 4; }), "reach past the end of its bufferView");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 1ull << 47; }), "reach past the end of its bufferView");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 4; }),
+               "reach past the end of its bufferView");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["byteOffset"] = 4; }),
+               "reach past the end of its bufferView");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 1ull << 47; }),
+               "reach past the end of its bufferView");
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 1ull << 63; }), "must be 1 to");
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 0; }), "must be 1 to");
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = -3; }), "must be 1 to");
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 2.5; }), "must be an integer");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["bufferViews"][0]["byteLength"] = 1000; }), "reach past the end of its buffer");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["bufferViews"][0]["byteOffset"] = (1ull << 48) - 1; }), "reach past the end of its buffer");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["bufferViews"][0]["byteLength"] = 1000; }),
+               "reach past the end of its buffer");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["bufferViews"][0]["byteOffset"] = (1ull << 48) - 1; }),
+               "reach past the end of its buffer");
   EXPECT_ERROR(bent([](Builder& b) { b.json["buffers"][0]["byteLength"] = 1000; }), "cut off");
   EXPECT_ERROR(bent([](Builder& b) {
                  b.json["buffers"][0]["byteLength"] = 36;
@@ -160,12 +175,14 @@ TEST(GltfHostile, RangesAndReferences) {
   EXPECT_ERROR(bent([](Builder& b) { b.json["meshes"][0]["primitives"][0]["mode"] = 7; }), "must be 0 to 6");
   EXPECT_ERROR(bent([](Builder& b) { b.json.erase("asset"); }), "'asset' is missing");
   EXPECT_ERROR(bent([](Builder& b) { b.json["asset"]["version"] = "1.0"; }), "glTF 1.0 is not supported");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["extensionsRequired"] = {"EXT_of_tomorrow"}; }), "requires the extension EXT_of_tomorrow");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["extensionsRequired"] = {"EXT_of_tomorrow"}; }),
+               "requires the extension EXT_of_tomorrow");
 }
 
 TEST(GltfHostile, NothingToDraw) {
   EXPECT_ERROR(bent([](Builder& b) { b.json["scenes"][0].erase("nodes"); }), "no triangles to draw");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["meshes"][0]["primitives"][0]["attributes"].erase("POSITION"); }), "no triangles to draw");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["meshes"][0]["primitives"][0]["attributes"].erase("POSITION"); }),
+               "no triangles to draw");
   EXPECT_ERROR(bent([](Builder& b) {
                  b.json["meshes"][0]["primitives"][0]["indices"] = b.accessor({0, 1}, "SCALAR", 5123);
                }),
@@ -197,23 +214,30 @@ TEST(GltfHostile, SmallFilesThatClaimMuch) {
   }
   EXPECT_ERROR(many.error(few), "more than 5 triangles");
   const std::string meshopt = bent([](Builder& b) {
-    b.json["buffers"].push_back({{"byteLength", 1ull << 40}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+    b.json["buffers"].push_back(
+        {{"byteLength", 1ull << 40}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
     b.json["bufferViews"][0] = {{"buffer", 1},
                                 {"byteLength", 12ull << 30},
                                 {"extensions",
                                  {{"EXT_meshopt_compression",
-                                   {{"buffer", 0}, {"byteLength", 36}, {"byteStride", 12}, {"count", 1u << 30}, {"mode", "ATTRIBUTES"}}}}}};
+                                   {{"buffer", 0},
+                                    {"byteLength", 36},
+                                    {"byteStride", 12},
+                                    {"count", 1u << 30},
+                                    {"mode", "ATTRIBUTES"}}}}}};
   });
   EXPECT_ERROR(meshopt, "36 compressed bytes cannot hold");
   const std::string draco = bent([](Builder& b) {
     // Header of an edgebreaker mesh, bitstream 2.2, that claims 2^28 vertices and faces.
     const std::string header("DRACO\x02\x02\x01\x01\x00\x00\x00\x80\x80\x80\x80\x01\x80\x80\x80\x80\x01", 22);
-    b.json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", b.bytes.size()}, {"byteLength", header.size()}});
+    b.json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", b.bytes.size()}, {"byteLength", header.size()}});
     b.bytes += header + std::string(2, '\0');
     b.json["buffers"][0]["byteLength"] = b.bytes.size();
     Json& primitive = b.json["meshes"][0]["primitives"][0];
     primitive["indices"] = b.accessor({0, 1, 2}, "SCALAR", 5123);
-    primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 2}, {"attributes", {{"POSITION", 0}}}};
+    primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 2},
+                                                             {"attributes", {{"POSITION", 0}}}};
   });
   EXPECT_ERROR(draco, "Draco data holds 268435456 triangles");
 }
@@ -221,7 +245,8 @@ TEST(GltfHostile, SmallFilesThatClaimMuch) {
 TEST(GltfHostile, MessagesStayOneLine) {
   const std::string nasty = "a\nb\r\x1b[2J" + std::string(5000, 'x');
   for (const std::string& error :
-       {bent([&](Builder& b) { b.json["extensionsRequired"] = {nasty}; }), bent([&](Builder& b) { b.json["buffers"][0]["uri"] = nasty; }),
+       {bent([&](Builder& b) { b.json["extensionsRequired"] = {nasty}; }),
+        bent([&](Builder& b) { b.json["buffers"][0]["uri"] = nasty; }),
         bent([&](Builder& b) { b.json["meshes"][0]["primitives"][0]["attributes"][nasty] = 99; })}) {
     ASSERT_FALSE(error.empty());
     EXPECT_LE(error.size(), 2000u);
@@ -239,12 +264,15 @@ TEST(GltfHostile, DracoDataThatDoesNotFit) {
   };
   const Json& primitive = original.json["meshes"][0]["primitives"][0];
   EXPECT_EQ(error([](Builder&) {}), "");
-  EXPECT_ERROR(error([&](Builder& b) { b.json["accessors"][primitive["indices"].get<int>()]["count"] = 3; }), "triangles");
+  EXPECT_ERROR(error([&](Builder& b) { b.json["accessors"][primitive["indices"].get<int>()]["count"] = 3; }),
+               "triangles");
   EXPECT_ERROR(error([&](Builder& b) {
-                 for (const auto& [name, a] : primitive["attributes"].items()) b.json["accessors"][a.template get<int>()]["count"] = 7;
+                 for (const auto& [name, a] : primitive["attributes"].items())
+                   b.json["accessors"][a.template get<int>()]["count"] = 7;
                }),
                "vertices");
-  EXPECT_ERROR(error([](Builder& b) { draco_extension(b)["attributes"]["POSITION"] = 99; }), "no attribute 99");
+  EXPECT_ERROR(error([](Builder& b) { draco_extension(b)["attributes"]["POSITION"] = 99; }),
+               "no attribute 99");
 }
 
 TEST(GltfHostile, DracoMetadataIsSteppedOver) {
@@ -253,7 +281,8 @@ TEST(GltfHostile, DracoMetadataIsSteppedOver) {
   Json view = b.json["bufferViews"][draco_extension(b)["bufferView"].get<int>()];
   std::string data = b.bytes.substr(view.value("byteOffset", 0u), view["byteLength"]);
   data[10] = static_cast<char>(0x80);  // flags: metadata follow the header's 11 bytes
-  // One attribute's {id 0: no entries, no children}; the mesh's: one entry "k" = 2 bytes, one child "c" that is empty.
+  // One attribute's {id 0: no entries, no children}; the mesh's: one entry "k" = 2 bytes, one child "c" that
+  // is empty.
   data.insert(11, std::string("\x01\x00\x00\x00\x01\x01k\x02xy\x01\x01"
                               "c\x00\x00",
                               15));
@@ -278,7 +307,8 @@ TEST(GltfHostile, FlippedBytes) {
 TEST(GltfHostile, FlippedBytesOfRealFiles) {
   DERMIS_NEED_ASSETS(root);
   const fs::path variants = *root / "gltf-valid" / "head-variants";
-  for (const char* name : {"head-draco.glb", "head-sparse-over-base.glb"}) flip_bytes(read_text(variants / name), 60);
+  for (const char* name : {"head-draco.glb", "head-sparse-over-base.glb"})
+    flip_bytes(read_text(variants / name), 60);
   flip_bytes(read_text(*root / "gltf-valid" / "meshoptimizer" / "fuzz-seed.glb"), 200);
 }
 
@@ -295,8 +325,9 @@ TEST(GltfHostile, BentValues) {
   b.json["nodes"][0]["skin"] = 0;
   b.json["nodes"].push_back({{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}});
   b.json["skins"] = Json::array({{{"joints", {1}}}});
-  b.json["accessors"][0]["sparse"] = {
-      {"count", 1}, {"indices", {{"bufferView", 4}, {"componentType", 5123}}}, {"values", {{"bufferView", 0}}}};
+  b.json["accessors"][0]["sparse"] = {{"count", 1},
+                                      {"indices", {{"bufferView", 4}, {"componentType", 5123}}},
+                                      {"values", {{"bufferView", 0}}}};
   b.json["cameras"] = Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.2}}])");
   ASSERT_EQ(b.error(), "");
   bend_values(b.json, b.bytes, 1500);

@@ -14,7 +14,8 @@ namespace dermis::scene::test {
 
 std::optional<fs::path> assets() {
   const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const fs::path root = cache != nullptr ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
+  const fs::path root =
+      cache != nullptr ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
   std::error_code ignored;
   if (!fs::exists(root / "gltf-valid" / "INDEX.tsv", ignored)) return std::nullopt;
   return fs::canonical(root);
@@ -124,7 +125,8 @@ std::string Builder::error(const LoadOptions& options) const {
 }
 
 void write_text(const fs::path& path, const std::string& text) {
-  fs::remove(path);  // a file that is cut to zero and written again is flushed to the disk on closing, which is slow
+  // a file that is cut to zero and written again is flushed to the disk on closing, which is slow
+  fs::remove(path);
   std::ofstream out(path, std::ios::binary);
   out << text;
   if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
@@ -154,7 +156,8 @@ struct Warnings::State {
   LogSink former;
 };
 Warnings::Warnings() : state_(std::make_shared<State>()) {
-  state_->former = set_log_sink([state = state_.get()](LogLevel, const std::string& line) { state->lines.push_back(line); });
+  state_->former = set_log_sink(
+      [state = state_.get()](LogLevel, const std::string& line) { state->lines.push_back(line); });
 }
 Warnings::~Warnings() { set_log_sink(state_->former); }
 bool Warnings::any_with(const std::string& part) const { return all().find(part) != std::string::npos; }

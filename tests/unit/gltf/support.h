@@ -34,13 +34,16 @@ class TempFolder {
   fs::path path_;
 };
 
-/// A document and its one buffer. Starts as an empty scene; `json` may be bent in any way before it is loaded.
+/// A document and its one buffer. Starts as an empty scene; `json` may be bent in any way before it is
+/// loaded.
 class Builder {
  public:
   Builder();
-  /// Appends the numbers as a bufferView and an accessor; returns the accessor's index. Integers are given as floats too.
+  /// Appends the numbers as a bufferView and an accessor; returns the accessor's index. Integers are given as
+  /// floats too.
   int accessor(const std::vector<float>& values, const std::string& type, int component = 5126);
-  /// A mesh with one primitive of the given attributes, and a node in the scene that holds it; returns the mesh's index.
+  /// A mesh with one primitive of the given attributes, and a node in the scene that holds it; returns the
+  /// mesh's index.
   int mesh(const Json& attributes, int indices = -1);
   /// Triangle (0,0,0) (0.2,0,0) (0,0.2,0) with coordinates (0,0) (1,0) (0,1); returns the mesh's index.
   int triangle();
@@ -73,6 +76,12 @@ class Warnings {
   std::shared_ptr<State> state_;
 };
 
+/// Fails where `actual` is more than `tolerance` away from `expected`.
+inline void expect_near(const glm::vec3& actual, const glm::vec3& expected, float tolerance = 1e-5f) {
+  EXPECT_NEAR(glm::distance(actual, expected), 0, tolerance)
+      << actual.x << " " << actual.y << " " << actual.z;
+}
+
 }  // namespace dermis::scene::test
 
 #define DERMIS_NEED_ASSETS(variable)                     \
@@ -80,4 +89,5 @@ class Warnings {
   if (!variable) GTEST_SKIP() << "the shared assets are not in DERMIS_ASSET_CACHE"
 
 /// The error must hold this text.
-#define EXPECT_ERROR(error, part) EXPECT_NE((error).find(part), std::string::npos) << "error: '" << (error) << "'"
+#define EXPECT_ERROR(error, part) \
+  EXPECT_NE((error).find(part), std::string::npos) << "error: '" << (error) << "'"

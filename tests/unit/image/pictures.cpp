@@ -63,7 +63,8 @@ Bytes make_png(const PngRecipe& recipe, std::span<const std::uint8_t> samples) {
   if (!recipe.palette_rgba.empty()) {
     spng_plte palette{};
     spng_trns transparency{};
-    palette.n_entries = transparency.n_type3_entries = static_cast<std::uint32_t>(recipe.palette_rgba.size() / 4);
+    palette.n_entries = transparency.n_type3_entries =
+        static_cast<std::uint32_t>(recipe.palette_rgba.size() / 4);
     for (std::uint32_t i = 0; i < palette.n_entries; ++i) {
       const std::uint8_t* p = &recipe.palette_rgba[i * 4];
       palette.entries[i] = {p[0], p[1], p[2], 0};
@@ -97,10 +98,12 @@ Bytes make_jpeg(int width, int height, JpegKind kind, std::span<const std::uint8
   info.image_width = static_cast<JDIMENSION>(width);
   info.image_height = static_cast<JDIMENSION>(height);
   info.input_components = kind == JpegKind::grey ? 1 : (kind == JpegKind::cmyk ? 4 : 3);
-  info.in_color_space = kind == JpegKind::grey ? JCS_GRAYSCALE : (kind == JpegKind::cmyk ? JCS_CMYK : JCS_RGB);
+  info.in_color_space =
+      kind == JpegKind::grey ? JCS_GRAYSCALE : (kind == JpegKind::cmyk ? JCS_CMYK : JCS_RGB);
   jpeg_set_defaults(&info);
   jpeg_set_quality(&info, 95, TRUE);
-  for (int c = 0; c < info.num_components; ++c) info.comp_info[c].h_samp_factor = info.comp_info[c].v_samp_factor = 1;
+  for (int c = 0; c < info.num_components; ++c)
+    info.comp_info[c].h_samp_factor = info.comp_info[c].v_samp_factor = 1;
   if (kind == JpegKind::progressive) jpeg_simple_progression(&info);
   jpeg_start_compress(&info, TRUE);
   while (info.next_scanline < info.image_height) {
@@ -115,7 +118,8 @@ Bytes make_jpeg(int width, int height, JpegKind kind, std::span<const std::uint8
 
 Bytes make_exr(const ExrRecipe& r, std::span<const float> values) {
   const Imath::Box2i data(Imath::V2i(r.x, r.y), Imath::V2i(r.x + r.width - 1, r.y + r.height - 1));
-  const Imath::Box2i show(Imath::V2i(r.show_x, r.show_y), Imath::V2i(r.show_x + r.show_width - 1, r.show_y + r.show_height - 1));
+  const Imath::Box2i show(Imath::V2i(r.show_x, r.show_y),
+                          Imath::V2i(r.show_x + r.show_width - 1, r.show_y + r.show_height - 1));
   Imf::Header header(r.show_width == 0 ? data : show, data);
   header.compression() = static_cast<Imf::Compression>(r.compression);
   const std::size_t pixel = r.channels.size() * sizeof(float);
@@ -123,7 +127,8 @@ Bytes make_exr(const ExrRecipe& r, std::span<const float> values) {
   for (std::size_t c = 0; c < r.channels.size(); ++c) {
     const std::string name(1, r.channels[c]);
     header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-    source.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data() + c, data, pixel, pixel * static_cast<std::size_t>(r.width)));
+    source.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data() + c, data, pixel,
+                                         pixel * static_cast<std::size_t>(r.width)));
   }
   Memory stream;
   if (r.tile == 0) {

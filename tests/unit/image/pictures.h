@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files made in memory for the tests, by the libraries themselves, so that our readers meet formats that our writers do not write.
+// Files made in memory for the tests, by the libraries themselves, so that our readers meet formats that our
+// writers do not write.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +16,8 @@ namespace dermis::image::test {
 
 using Bytes = std::vector<std::byte>;
 
-/// samples: as stored, 16-bit ones in host order; colour_type as in the PNG specification (0 grey, 2 RGB, 3 palette, 4 grey + alpha, 6
-/// RGBA).
+/// samples: as stored, 16-bit ones in host order; colour_type as in the PNG specification (0 grey, 2 RGB, 3
+/// palette, 4 grey + alpha, 6 RGBA).
 struct PngRecipe {
   std::uint32_t width = 1;
   std::uint32_t height = 1;
@@ -33,11 +34,12 @@ enum class JpegKind { rgb, grey, cmyk, progressive };
 Bytes make_jpeg(int width, int height, JpegKind kind, std::span<const std::uint8_t> samples);
 
 struct ExrRecipe {
-  int x = 0, y = 0, width = 1, height = 1;                      ///< data window
-  int show_x = 0, show_y = 0, show_width = 0, show_height = 0;  ///< display window; width 0: as the data window
-  std::string channels = "RGB";                                 ///< one letter each
-  int compression = 3;                                          ///< ZIP; the number of the file format
-  int tile = 0;                                                 ///< 0: rows
+  int x = 0, y = 0, width = 1, height = 1;  ///< data window
+  /// display window; width 0: as the data window
+  int show_x = 0, show_y = 0, show_width = 0, show_height = 0;
+  std::string channels = "RGB";  ///< one letter each
+  int compression = 3;           ///< ZIP; the number of the file format
+  int tile = 0;                  ///< 0: rows
 };
 /// values: interleaved in the order of recipe.channels, written as floats.
 Bytes make_exr(const ExrRecipe& recipe, std::span<const float> values);

@@ -28,7 +28,8 @@ TEST(Srgb, IsItsInverse) {
     EXPECT_GE(linear_to_srgb(x), last);
     last = linear_to_srgb(x);
   }
-  for (int i = 0; i < 256; ++i) EXPECT_EQ(to_display8(View::srgb, srgb8_to_linear(static_cast<std::uint8_t>(i))), i);
+  for (int i = 0; i < 256; ++i)
+    EXPECT_EQ(to_display8(View::srgb, srgb8_to_linear(static_cast<std::uint8_t>(i))), i);
 }
 
 TEST(Srgb, EightBitsAreTheNearest) {
@@ -50,8 +51,10 @@ TEST(Half, MatchesImath) {
     ASSERT_EQ(std::bit_cast<std::uint32_t>(ours), std::bit_cast<std::uint32_t>(expected)) << i;
     if (!std::isnan(ours)) { ASSERT_EQ(float_to_half(ours), i); }
   }
-  for (std::uint32_t high = 0; high < 0x20000; ++high) {  // sign, exponent, 8 bits of mantissa; then the bits that are rounded away
-    for (const std::uint32_t low : {0x0000u, 0x0001u, 0x0fffu, 0x1000u, 0x1001u, 0x1fffu, 0x2000u, 0x3000u, 0x3001u, 0x5000u, 0x7000u}) {
+  // sign, exponent, 8 bits of mantissa; then the bits that are rounded away
+  for (std::uint32_t high = 0; high < 0x20000; ++high) {
+    for (const std::uint32_t low : {0x0000u, 0x0001u, 0x0fffu, 0x1000u, 0x1001u, 0x1fffu, 0x2000u, 0x3000u,
+                                    0x3001u, 0x5000u, 0x7000u}) {
       const float value = std::bit_cast<float>(high << 15 | low);
       if (std::isnan(value)) continue;
       ASSERT_EQ(float_to_half(value), Imath::half(value).bits()) << value;
@@ -68,7 +71,8 @@ TEST(Half, Edges) {
   EXPECT_EQ(float_to_half(0x1p-25f), 0);  // a tie between 0 and the smallest, to even
   EXPECT_EQ(float_to_half(0x1.8p-25f), 1);
   EXPECT_TRUE(std::isnan(half_to_float(float_to_half(std::numeric_limits<float>::quiet_NaN()))));
-  EXPECT_TRUE(std::isnan(half_to_float(float_to_half(std::bit_cast<float>(0x7f800001u))))) << "a payload in the low bits alone";
+  EXPECT_TRUE(std::isnan(half_to_float(float_to_half(std::bit_cast<float>(0x7f800001u)))))
+      << "a payload in the low bits alone";
 }
 
 TEST(View, Filmic) {
@@ -101,9 +105,11 @@ TEST(View, DisplayValues) {
 
 TEST(View, Pictures) {
   const ImageF rgba{.width = 2, .height = 1, .channels = 4, .values = {1, 0.5f, 0, 0.5f, 9, -1, 0.5f, 2}};
-  EXPECT_EQ(to_display(rgba, View::srgb).rgba, (std::vector<std::uint8_t>{255, 188, 0, 128, 255, 0, 188, 255}));
+  EXPECT_EQ(to_display(rgba, View::srgb).rgba,
+            (std::vector<std::uint8_t>{255, 188, 0, 128, 255, 0, 188, 255}));
   const ImageF grey{.width = 1, .height = 2, .channels = 1, .values = {0.5f, 1}};
-  EXPECT_EQ(to_display(grey, View::linear).rgba, (std::vector<std::uint8_t>{128, 128, 128, 255, 255, 255, 255, 255}));
+  EXPECT_EQ(to_display(grey, View::linear).rgba,
+            (std::vector<std::uint8_t>{128, 128, 128, 255, 255, 255, 255, 255}));
 }
 
 }  // namespace

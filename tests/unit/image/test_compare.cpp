@@ -137,11 +137,13 @@ TEST(ErrorColours, FromBlackToPaleYellow) {
   double before = -1;
   for (int i = 0; i <= 255; ++i) {
     const Colour m = magma(static_cast<float>(i) / 255);
-    const double brightness = 0.2126 * srgb8_to_linear(m[0]) + 0.7152 * srgb8_to_linear(m[1]) + 0.0722 * srgb8_to_linear(m[2]);
+    const double brightness =
+        0.2126 * srgb8_to_linear(m[0]) + 0.7152 * srgb8_to_linear(m[1]) + 0.0722 * srgb8_to_linear(m[2]);
     EXPECT_GE(brightness, before) << i;
     before = brightness;
   }
-  const Image8 picture = error_colours({.width = 3, .height = 1, .channels = 1, .values = {0, 0.25f, 1}}, 0.25f, Region{1, 1, 0});
+  const Image8 picture = error_colours({.width = 3, .height = 1, .channels = 1, .values = {0, 0.25f, 1}},
+                                       0.25f, Region{1, 1, 0});
   EXPECT_EQ(picture.at(0, 0)[2], 4);
   EXPECT_EQ(picture.at(1, 0)[1], 253);
   EXPECT_EQ(picture.at(2, 0)[0], picture.at(2, 0)[2]) << "outside is grey";

@@ -43,7 +43,8 @@ TEST(CompareExposed, ShowsWhatDarknessHides) {
 }
 
 TEST(CompareExposed, OnlyWhatIsCoveredInEitherCounts) {
-  EXPECT_EQ(compare_exposed(half_covered(0.2f, 0), half_covered(0.2f, 0.5f), View::srgb)->psnr_db, psnr_cap_db);
+  EXPECT_EQ(compare_exposed(half_covered(0.2f, 0), half_covered(0.2f, 0.5f), View::srgb)->psnr_db,
+            psnr_cap_db);
   ImageF more = half_covered(0.2f);
   more.at(12, 4)[3] = 0.1f;
   EXPECT_EQ(compare_exposed(half_covered(0.2f), more, View::srgb)->pixels, 65u);

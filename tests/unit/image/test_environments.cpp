@@ -14,14 +14,16 @@ namespace fs = std::filesystem;
 
 fs::path environment(const std::string& name) {
   const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const fs::path assets = cache != nullptr ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
+  const fs::path assets =
+      cache != nullptr ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
   return assets / "environments" / name;
 }
 
 class Environments : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::exists(environment("studio_small_09_1k.hdr"))) GTEST_SKIP() << "no environments in the asset cache (DERMIS_ASSET_CACHE)";
+    if (!fs::exists(environment("studio_small_09_1k.hdr")))
+      GTEST_SKIP() << "no environments in the asset cache (DERMIS_ASSET_CACHE)";
   }
 };
 

@@ -19,7 +19,10 @@ std::vector<float> values(std::size_t count) {
 }
 
 ImageF picture(int width, int height, int channels) {
-  return {.width = width, .height = height, .channels = channels, .values = values(static_cast<std::size_t>(width * height * channels))};
+  return {.width = width,
+          .height = height,
+          .channels = channels,
+          .values = values(static_cast<std::size_t>(width * height * channels))};
 }
 
 TEST(Exr, OurWriterRoundTripsFloat) {
@@ -41,7 +44,8 @@ TEST(Exr, OurWriterRoundsHalfToNearest) {
   EXPECT_EQ(out.values[0], max_half);
   EXPECT_EQ(out.values[1], -max_half);
   EXPECT_EQ(out.values[2], 1.0f);
-  for (std::size_t i = 3; i < in.values.size(); ++i) EXPECT_EQ(out.values[i], half_to_float(float_to_half(in.values[i])));
+  for (std::size_t i = 3; i < in.values.size(); ++i)
+    EXPECT_EQ(out.values[i], half_to_float(float_to_half(in.values[i])));
 }
 
 TEST(Exr, AlphaIsWrittenAndColourComesBack) {
@@ -75,7 +79,8 @@ TEST(Exr, CompressionsAndTiles) {
   for (const int compression : {0, 1, 2, 3, 4}) {  // none, RLE, ZIPS, ZIP, PIZ: exact
     for (const int tile : {0, 16, 128}) {
       const ExrRecipe recipe{.width = 45, .height = 70, .compression = compression, .tile = tile};
-      EXPECT_EQ(decode_image_f(make_exr(recipe, in.values), "sky").values, in.values) << compression << " tile " << tile;
+      EXPECT_EQ(decode_image_f(make_exr(recipe, in.values), "sky").values, in.values)
+          << compression << " tile " << tile;
     }
   }
 }
@@ -94,17 +99,21 @@ TEST(Exr, MissingChannelsAreListed) {
 
 TEST(Exr, DataWindowIsCroppedToTheDisplayWindow) {
   const ImageF in = picture(6, 5, 3);
-  // The data reaches from (-2, -1) to (3, 3); (0, 0) to (7, 3) is shown: 2 columns and 1 row are cut, the rest is black.
-  const ExrRecipe recipe{.x = -2, .y = -1, .width = 6, .height = 5, .show_x = 0, .show_y = 0, .show_width = 8, .show_height = 4};
+  // The data reaches from (-2, -1) to (3, 3); (0, 0) to (7, 3) is shown: 2 columns and 1 row are cut, the
+  // rest is black.
+  const ExrRecipe recipe{
+      .x = -2, .y = -1, .width = 6, .height = 5, .show_x = 0, .show_y = 0, .show_width = 8, .show_height = 4};
   const ImageF out = decode_image_f(make_exr(recipe, in.values), "sky");
   ASSERT_EQ(out.width, 8);
   ASSERT_EQ(out.height, 4);
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 8; ++x) {
-      for (int c = 0; c < 3; ++c) EXPECT_EQ(out.at(x, y)[c], x < 4 ? in.at(x + 2, y + 1)[c] : 0.0f) << x << " " << y;
+      for (int c = 0; c < 3; ++c)
+        EXPECT_EQ(out.at(x, y)[c], x < 4 ? in.at(x + 2, y + 1)[c] : 0.0f) << x << " " << y;
     }
   }
-  const ExrRecipe apart{.x = 100, .y = 0, .width = 6, .height = 5, .show_x = 0, .show_y = 0, .show_width = 8, .show_height = 4};
+  const ExrRecipe apart{
+      .x = 100, .y = 0, .width = 6, .height = 5, .show_x = 0, .show_y = 0, .show_width = 8, .show_height = 4};
   EXPECT_EQ(error_of_f(make_exr(apart, in.values)), "sky: EXR has no pixel inside its display window");
 }
 

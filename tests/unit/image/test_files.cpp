@@ -20,10 +20,14 @@ namespace fs = std::filesystem;
 
 class Files : public ::testing::Test {
  protected:
-  Files() : folder_(fs::temp_directory_path() / fmt::format("dermis_image_{}", ::getpid())) { fs::create_directory(folder_); }
+  Files() : folder_(fs::temp_directory_path() / fmt::format("dermis_image_{}", ::getpid())) {
+    fs::create_directory(folder_);
+  }
   ~Files() override { fs::remove_all(folder_); }
 
-  std::size_t count() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator())); }
+  std::size_t count() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
   static std::string error_of(const std::function<void()>& action) {
     try {
       action();
@@ -57,8 +61,8 @@ TEST_F(Files, TwoRunsWriteTheSameBytes) {
 
 TEST_F(Files, AMissingFolderLeavesNothing) {
   const fs::path gone = folder_ / "gone";
-  for (const std::string& error :
-       {error_of([&] { save_png(gone / "map.png", map_); }), error_of([&] { save_exr(gone / "sky.exr", sky_); })}) {
+  for (const std::string& error : {error_of([&] { save_png(gone / "map.png", map_); }),
+                                   error_of([&] { save_exr(gone / "sky.exr", sky_); })}) {
     EXPECT_NE(error.find("does not exist"), std::string::npos) << error;
   }
   EXPECT_EQ(count(), 0u);
@@ -91,7 +95,10 @@ TEST_F(Files, APipeIsWrittenToAndStays) {
 
 TEST_F(Files, AFullDeviceIsAnErrorAndStays) {
   if (!fs::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  EXPECT_NE(error_of([] { write_file("/dev/full", std::string_view("light")); }).find("/dev/full: cannot be written"), std::string::npos);
+  EXPECT_NE(error_of([] {
+              write_file("/dev/full", std::string_view("light"));
+            }).find("/dev/full: cannot be written"),
+            std::string::npos);
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 

@@ -19,24 +19,30 @@ namespace fs = std::filesystem;
 /// The pictures and values of the authors' implementation; empty if they are not at hand.
 fs::path truth() {
   const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const fs::path assets = cache != nullptr ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
+  const fs::path assets =
+      cache != nullptr ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
   const fs::path folder = assets / ".." / "truth" / "flip";
   return fs::exists(folder) ? folder : fs::path();
 }
 
 Image8 flat(int width, int height, std::uint8_t r, std::uint8_t g, std::uint8_t b) {
   Image8 picture{.width = width, .height = height, .rgba = {}};
-  for (int i = 0; i < width * height; ++i) picture.rgba.insert(picture.rgba.end(), {r, g, b, std::uint8_t{255}});
+  for (int i = 0; i < width * height; ++i)
+    picture.rgba.insert(picture.rgba.end(), {r, g, b, std::uint8_t{255}});
   return picture;
 }
 
 Image8 noisy(int width, int height, std::uint32_t seed) {
-  return {.width = width, .height = height, .rgba = test::noise(static_cast<std::size_t>(width * height * 4), seed)};
+  return {.width = width,
+          .height = height,
+          .rgba = test::noise(static_cast<std::size_t>(width * height * 4), seed)};
 }
 
 ImageF flat_f(int width, int height, float value) {
-  return {
-      .width = width, .height = height, .channels = 3, .values = std::vector<float>(static_cast<std::size_t>(width * height * 3), value)};
+  return {.width = width,
+          .height = height,
+          .channels = 3,
+          .values = std::vector<float>(static_cast<std::size_t>(width * height * 3), value)};
 }
 
 void expect_near(const FlipSummary& got, const FlipSummary& expected, double tolerance) {
@@ -60,7 +66,9 @@ constexpr double tolerance = 2e-5;
 
 TEST_F(PublishedFlip, DisplayPictures) {
   const Image8 reference = load_image8(truth() / "ref.png");
-  const auto summary = [&](const char* name) { return summarise_flip(flip_map(reference, load_image8(truth() / name))); };
+  const auto summary = [&](const char* name) {
+    return summarise_flip(flip_map(reference, load_image8(truth() / name)));
+  };
   expect_near(summary("blur.png"), {0.048311, 0.057225, 0.038470, 0.085896, 0.001599, 0.362398}, tolerance);
   expect_near(summary("hue.png"), {0.243250, 0.246036, 0.229727, 0.259853, 0.118533, 0.348938}, tolerance);
   expect_near(summary("noise.png"), {0.078765, 0.086081, 0.067708, 0.107301, 0.004621, 0.288984}, tolerance);
@@ -79,11 +87,13 @@ TEST_F(PublishedFlip, EveryPixelOfAMap) {
 }
 
 TEST_F(PublishedFlip, LinearPictures) {
-  const HdrFlip flip = hdr_flip(load_image_f(truth() / "hdr_ref.exr"), load_image_f(truth() / "hdr_test.exr"));
+  const HdrFlip flip =
+      hdr_flip(load_image_f(truth() / "hdr_ref.exr"), load_image_f(truth() / "hdr_test.exr"));
   EXPECT_NEAR(flip.start_exposure, 1.8978, 1e-4);
   EXPECT_NEAR(flip.stop_exposure, 2.6560, 1e-4);
   EXPECT_EQ(flip.exposures, 2);
-  expect_near(summarise_flip(flip.map), {0.189940, 0.186099, 0.166900, 0.217539, 0.122800, 0.483472}, tolerance);
+  expect_near(summarise_flip(flip.map), {0.189940, 0.186099, 0.166900, 0.217539, 0.122800, 0.483472},
+              tolerance);
 }
 
 TEST(Flip, IsZeroForEqualPictures) {
@@ -98,12 +108,15 @@ TEST(Flip, IsZeroForEqualPictures) {
 TEST(Flip, FlatPicturesAgainstTheFormula) {
   constexpr double green[] = {87.7347, -86.1827, 83.1793}, blue[] = {32.2970, 79.1875, -107.8602};
   const auto hunt = [](const double* lab, int c) { return 0.01 * lab[0] * lab[c]; };
-  const double greatest = std::pow(green[0] - blue[0] + std::hypot(hunt(green, 1) - hunt(blue, 1), hunt(green, 2) - hunt(blue, 2)), 0.7);
-  const double bend = 0.4 * greatest, black_white = 0.95 + 0.05 * (std::pow(100, 0.7) - bend) / (greatest - bend);
+  const double greatest = std::pow(
+      green[0] - blue[0] + std::hypot(hunt(green, 1) - hunt(blue, 1), hunt(green, 2) - hunt(blue, 2)), 0.7);
+  const double bend = 0.4 * greatest,
+               black_white = 0.95 + 0.05 * (std::pow(100, 0.7) - bend) / (greatest - bend);
   EXPECT_NEAR(mean_flip(flat(30, 30, 0, 0, 0), flat(30, 30, 255, 255, 255)), black_white, 1e-5);
   EXPECT_NEAR(mean_flip(flat(30, 30, 0, 255, 0), flat(30, 30, 0, 0, 255)), 1, 1e-5);
   // CIELAB lightness of the display value 119 is 50.03: below the bend.
-  EXPECT_NEAR(mean_flip(flat(30, 30, 0, 0, 0), flat(30, 30, 119, 119, 119)), 0.95 / bend * std::pow(50.0344, 0.7), 1e-4);
+  EXPECT_NEAR(mean_flip(flat(30, 30, 0, 0, 0), flat(30, 30, 119, 119, 119)),
+              0.95 / bend * std::pow(50.0344, 0.7), 1e-4);
 }
 
 TEST(Flip, IsSymmetric) {
@@ -118,7 +131,8 @@ TEST(Flip, IsSymmetric) {
   EXPECT_LE(s.max, 1);
 }
 
-// Rows and columns are filtered one after the other: turned and mirrored pictures must give turned and mirrored maps, bands or not.
+// Rows and columns are filtered one after the other: turned and mirrored pictures must give turned and
+// mirrored maps, bands or not.
 TEST(Flip, TurnsWithThePictures) {
   const Image8 a = noisy(40, 150, 1), b = noisy(40, 150, 2);
   const auto turned = [](const Image8& p) {
@@ -129,7 +143,8 @@ TEST(Flip, TurnsWithThePictures) {
   };
   const ImageF upright = flip_map(a, b), lying = flip_map(turned(a), turned(b));
   for (int y = 0; y < lying.height; ++y)
-    for (int x = 0; x < lying.width; ++x) ASSERT_NEAR(*lying.at(x, y), *upright.at(y, upright.height - 1 - x), 2e-4) << x << ' ' << y;
+    for (int x = 0; x < lying.width; ++x)
+      ASSERT_NEAR(*lying.at(x, y), *upright.at(y, upright.height - 1 - x), 2e-4) << x << ' ' << y;
 }
 
 TEST(Flip, OnePixelIsSeenTenPixelsFar) {
@@ -159,7 +174,8 @@ TEST(Flip, OverAMask) {
   for (int y = 0; y < 40; ++y)
     for (int x = 0; x < 60; ++x) {
       if (x >= 40) b.at(x, y)[0] = 200;
-      left[static_cast<std::size_t>(y * 60 + x)] = x < 30, right[static_cast<std::size_t>(y * 60 + x)] = x >= 50;
+      left[static_cast<std::size_t>(y * 60 + x)] = x < 30,
+                                             right[static_cast<std::size_t>(y * 60 + x)] = x >= 50;
     }
   EXPECT_EQ(mean_flip(a, b, left), 0);
   EXPECT_NEAR(mean_flip(a, b, right), mean_flip(flat(30, 30, 90, 120, 60), flat(30, 30, 200, 120, 60)), 1e-4);
@@ -183,7 +199,8 @@ TEST(Flip, WeightedPercentilesOfAMap) {
 ImageF noisy_f(int width, int height, std::uint32_t seed, float scale) {
   ImageF picture = flat_f(width, height, 0);
   const std::vector<std::uint8_t> noise = test::noise(picture.values.size(), seed);
-  for (std::size_t i = 0; i < noise.size(); ++i) picture.values[i] = scale * (1 + static_cast<float>(noise[i]));
+  for (std::size_t i = 0; i < noise.size(); ++i)
+    picture.values[i] = scale * (1 + static_cast<float>(noise[i]));
   return picture;
 }
 
@@ -192,7 +209,8 @@ TEST(HdrFlip, BrighterPicturesAreShownDarker) {
   const HdrFlip bright = hdr_flip(noisy_f(30, 80, 1, 0.16f), noisy_f(30, 80, 2, 0.16f));
   EXPECT_NEAR(dim.start_exposure - bright.start_exposure, 4, 1e-5);
   EXPECT_NEAR(dim.stop_exposure - bright.stop_exposure, 4, 1e-5);
-  for (std::size_t i = 0; i < dim.map.values.size(); ++i) ASSERT_NEAR(dim.map.values[i], bright.map.values[i], 1e-3);
+  for (std::size_t i = 0; i < dim.map.values.size(); ++i)
+    ASSERT_NEAR(dim.map.values[i], bright.map.values[i], 1e-3);
 }
 
 TEST(HdrFlip, ExposuresComeFromTheReference) {
@@ -219,8 +237,10 @@ TEST(HdrFlip, BlackReferencesAndBackgrounds) {
 
 TEST(HdrFlip, HostileValues) {
   ImageF a = flat_f(12, 12, 1), b = a;
-  a.values[0] = std::numeric_limits<float>::max(), a.values[5] = -1, a.values[9] = std::numeric_limits<float>::quiet_NaN();
-  a.values[40] = std::numeric_limits<float>::denorm_min(), b.values[3] = std::numeric_limits<float>::infinity();
+  a.values[0] = std::numeric_limits<float>::max(), a.values[5] = -1,
+  a.values[9] = std::numeric_limits<float>::quiet_NaN();
+  a.values[40] = std::numeric_limits<float>::denorm_min(),
+  b.values[3] = std::numeric_limits<float>::infinity();
   for (const float value : hdr_flip(a, b).map.values) {
     ASSERT_LE(0, value);
     ASSERT_LE(value, 1);

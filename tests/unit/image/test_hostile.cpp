@@ -29,7 +29,8 @@ std::string hdr_text(int width, int height) {
       for (int x = 0; x < width; x += 64) {
         const int count = std::min(64, width - x);
         text += static_cast<char>(x / 64 % 2 == 0 ? 128 + count : count);
-        for (const std::uint8_t v : noise(static_cast<std::size_t>(x / 64 % 2 == 0 ? 1 : count), static_cast<std::uint32_t>(y * 4 + c)))
+        for (const std::uint8_t v : noise(static_cast<std::size_t>(x / 64 % 2 == 0 ? 1 : count),
+                                          static_cast<std::uint32_t>(y * 4 + c)))
           text += static_cast<char>(v);
       }
     }
@@ -45,15 +46,16 @@ std::vector<Sample> samples() {
   const std::vector<std::uint8_t> bytes = noise(100 * 80 * 4, 8);
   std::vector<Sample> all = {
       {"png", make_png({.width = 100, .height = 80, .palette_rgba = {}}, bytes), error8},
-      {"interlaced png", make_png({.width = 100, .height = 80, .interlaced = true, .palette_rgba = {}}, bytes), error8},
+      {"interlaced png",
+       make_png({.width = 100, .height = 80, .interlaced = true, .palette_rgba = {}}, bytes), error8},
       {"jpeg", make_jpeg(100, 80, JpegKind::rgb, bytes), error8},
       {"progressive jpeg", make_jpeg(100, 80, JpegKind::progressive, bytes), error8},
       {"hdr", bytes_of(hdr_text(100, 80)), error_f},
       {"tiled exr", make_exr({.width = 100, .height = 80, .tile = 32}, floats), error_f},
   };
   for (int compression = 0; compression < 10; ++compression) {
-    all.push_back(
-        {fmt::format("exr {}", compression), make_exr({.width = 100, .height = 80, .compression = compression}, floats), error_f});
+    all.push_back({fmt::format("exr {}", compression),
+                   make_exr({.width = 100, .height = 80, .compression = compression}, floats), error_f});
   }
   return all;
 }
@@ -61,7 +63,8 @@ std::vector<Sample> samples() {
 TEST(Hostile, CutFilesAreErrors) {
   for (const Sample& sample : samples()) {
     ASSERT_EQ(sample.error_of(sample.file), "no error") << sample.name;
-    std::vector<std::size_t> lengths = {0, 1, 3, 4, 7, 8, 20, sample.file.size() - 1, sample.file.size() - 2, sample.file.size() - 9};
+    std::vector<std::size_t> lengths = {
+        0, 1, 3, 4, 7, 8, 20, sample.file.size() - 1, sample.file.size() - 2, sample.file.size() - 9};
     for (std::size_t i = 1; i <= 20; ++i) lengths.push_back(sample.file.size() * i / 21);
     for (const std::size_t length : lengths) {
       const std::string error = sample.error_of(std::span(sample.file).first(length));
@@ -75,15 +78,18 @@ TEST(Hostile, CutFilesAreErrors) {
   }
 }
 
-// Every outcome but an InputError or a picture of the declared size is a bug; memory faults show under the sanitizers.
+// Every outcome but an InputError or a picture of the declared size is a bug; memory faults show under the
+// sanitizers.
 TEST(Hostile, AlteredBytesNeverCrash) {
   std::mt19937 random(1);
   const LogSink before = set_log_sink([](LogLevel, const std::string&) {});
   for (const Sample& sample : samples()) {
     for (int round = 0; round < 150; ++round) {
       Bytes altered = sample.file;
-      const std::size_t reach = round % 2 == 0 ? std::min<std::size_t>(400, altered.size()) : altered.size();  // headers get their share
-      for (std::uint32_t i = 0; i <= random() % 4; ++i) altered[random() % reach] = static_cast<std::byte>(random());
+      // headers get their share
+      const std::size_t reach = round % 2 == 0 ? std::min<std::size_t>(400, altered.size()) : altered.size();
+      for (std::uint32_t i = 0; i <= random() % 4; ++i)
+        altered[random() % reach] = static_cast<std::byte>(random());
       const std::string error = sample.error_of(altered);
       EXPECT_EQ(error.find('\n'), std::string::npos) << error;
     }
@@ -92,7 +98,8 @@ TEST(Hostile, AlteredBytesNeverCrash) {
 }
 
 void put32(Bytes& file, std::size_t at, std::uint32_t value, bool big_endian) {
-  for (std::size_t i = 0; i < 4; ++i) file[at + i] = static_cast<std::byte>(value >> 8 * (big_endian ? 3 - i : i));
+  for (std::size_t i = 0; i < 4; ++i)
+    file[at + i] = static_cast<std::byte>(value >> 8 * (big_endian ? 3 - i : i));
 }
 
 Bytes png_that_claims(std::uint32_t width, std::uint32_t height) {
@@ -120,7 +127,8 @@ Bytes jpeg_that_claims(unsigned width, unsigned height) {
 
 Bytes exr_that_claims(std::int32_t width, std::int32_t height, int compression = 3) {
   Bytes file = make_exr({.compression = compression}, std::vector<float>(3, 1.0f));
-  for (const std::string_view name : {std::string_view("dataWindow\0box2i", 17), std::string_view("displayWindow\0box2i", 20)}) {
+  for (const std::string_view name :
+       {std::string_view("dataWindow\0box2i", 17), std::string_view("displayWindow\0box2i", 20)}) {
     const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
     const std::size_t at = text.find(name) + name.size() + 4;
     put32(file, at + 8, static_cast<std::uint32_t>(width - 1), false);
@@ -143,7 +151,8 @@ TEST(Hostile, HugeSizesAreRefusedBeforeMemoryIsTaken) {
   EXPECT_EQ(error_of_f(exr_that_claims(30000, 4)), "sky: " + side);
   EXPECT_EQ(error_of_f(bytes_of("#?RADIANCE\n\n-Y 4 +X 30000\nabcd")), "sky: " + side);
   EXPECT_EQ(error_of8(png_that_claims(0x7fffffff, 0x7fffffff)).find("map: "), 0u);
-  EXPECT_EQ(error_of_f(exr_that_claims(0x7fffffff, 0x7fffffff)).find("sky: is 2147483647 x 2147483647 pixels"), 0u);
+  EXPECT_EQ(
+      error_of_f(exr_that_claims(0x7fffffff, 0x7fffffff)).find("sky: is 2147483647 x 2147483647 pixels"), 0u);
   EXPECT_EQ(error_of_f(exr_that_claims(0, 5)), "sky: has no pixels (0 x 5)");
   EXPECT_NE(error_of8(png_that_claims(0, 5)), "no error");
   EXPECT_NE(error_of8(jpeg_that_claims(5, 0)), "no error");
@@ -153,7 +162,9 @@ TEST(Hostile, HugeSizesAreRefusedBeforeMemoryIsTaken) {
   for (int compression = 0; compression < 10; ++compression) {
     EXPECT_EQ(error_of_f(exr_that_claims(16384, 16384, compression)).find("sky: "), 0u) << compression;
   }
-  EXPECT_EQ(error_of_f(bytes_of("#?RADIANCE\n\n-Y 16384 +X 16384\nabcd")).find("sky: is truncated or damaged: "), 0u);
+  EXPECT_EQ(
+      error_of_f(bytes_of("#?RADIANCE\n\n-Y 16384 +X 16384\nabcd")).find("sky: is truncated or damaged: "),
+      0u);
   EXPECT_LT(peak_kib() - before_kib, 200 * 1024);
 }
 
@@ -161,7 +172,8 @@ TEST(Hostile, LimitsOfTheCaller) {
   const Bytes png = make_png({.width = 20, .height = 10, .palette_rgba = {}}, noise(800, 1));
   EXPECT_EQ(error_of8(png, {.max_side = 20}), "no error");
   EXPECT_EQ(error_of8(png, {.max_side = 19}), "map: is 20 x 10 pixels, the limit is 19 a side");
-  EXPECT_EQ(error_of8(png, {.max_side = 100, .max_pixels = 199}), "map: is 20 x 10 pixels, the limit is 199 in all");
+  EXPECT_EQ(error_of8(png, {.max_side = 100, .max_pixels = 199}),
+            "map: is 20 x 10 pixels, the limit is 199 in all");
 }
 
 TEST(Hostile, ManyChannelsAndDeepPicturesAreRefused) {
@@ -181,7 +193,8 @@ TEST(Hostile, OtherFormatsAreNamed) {
   EXPECT_EQ(error_of8(bytes_of("hello")), "map: is of an unknown picture format, expected PNG or JPEG");
   EXPECT_EQ(error_of8({}), "map: is of an unknown picture format, expected PNG or JPEG");
   EXPECT_EQ(error_of8(bytes_of("#?RADIANCE\n")), "map: is a Radiance HDR picture, expected PNG or JPEG");
-  EXPECT_EQ(error_of_f(make_png({.palette_rgba = {}}, noise(4, 1))), "sky: is a PNG picture, expected Radiance HDR or OpenEXR");
+  EXPECT_EQ(error_of_f(make_png({.palette_rgba = {}}, noise(4, 1))),
+            "sky: is a PNG picture, expected Radiance HDR or OpenEXR");
 }
 
 }  // namespace

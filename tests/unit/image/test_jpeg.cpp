@@ -34,15 +34,20 @@ void expect_close(const Image8& picture, const std::vector<std::uint8_t>& sample
 
 TEST(Jpeg, RgbGreyAndProgressive) {
   for (const auto& [width, height] : {std::pair{1, 1}, {8, 8}, {37, 21}}) {
-    expect_close(decode_image8(make_jpeg(width, height, JpegKind::rgb, ramp(width, height, 3)), "map"), ramp(width, height, 3), 3);
-    expect_close(decode_image8(make_jpeg(width, height, JpegKind::progressive, ramp(width, height, 3)), "map"), ramp(width, height, 3), 3);
-    expect_close(decode_image8(make_jpeg(width, height, JpegKind::grey, ramp(width, height, 1)), "map"), ramp(width, height, 1), 1);
+    expect_close(decode_image8(make_jpeg(width, height, JpegKind::rgb, ramp(width, height, 3)), "map"),
+                 ramp(width, height, 3), 3);
+    expect_close(
+        decode_image8(make_jpeg(width, height, JpegKind::progressive, ramp(width, height, 3)), "map"),
+        ramp(width, height, 3), 3);
+    expect_close(decode_image8(make_jpeg(width, height, JpegKind::grey, ramp(width, height, 1)), "map"),
+                 ramp(width, height, 1), 1);
   }
 }
 
 TEST(Jpeg, CmykIsNamed) {
   const std::vector<std::uint8_t> samples(16 * 16 * 4, 100);
-  EXPECT_EQ(error_of8(make_jpeg(16, 16, JpegKind::cmyk, samples)), "map: JPEG has CMYK colours, expected RGB or grey");
+  EXPECT_EQ(error_of8(make_jpeg(16, 16, JpegKind::cmyk, samples)),
+            "map: JPEG has CMYK colours, expected RGB or grey");
 }
 
 // What follows the end marker (thumbnails, padding of cameras) is no damage.
@@ -68,7 +73,8 @@ TEST(Jpeg, EndlessScansAreRefused) {
     repeated.insert(repeated.end(), &file[end], file.data() + file.size());
     return repeated;
   };
-  const LogSink before = set_log_sink([](LogLevel, const std::string&) {});  // the order of the scans is odd: one warning
+  // the order of the scans is odd: one warning
+  const LogSink before = set_log_sink([](LogLevel, const std::string&) {});
   EXPECT_EQ(error_of8(with_repeats(20)), "no error");
   EXPECT_EQ(error_of8(with_repeats(1000)), "map: JPEG has more than 200 scans");
   set_log_sink(before);

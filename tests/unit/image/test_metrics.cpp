@@ -11,7 +11,9 @@ namespace dermis::image {
 namespace {
 
 Image8 flat(int width, int height, std::uint8_t value) {
-  return {.width = width, .height = height, .rgba = std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 4), value)};
+  return {.width = width,
+          .height = height,
+          .rgba = std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 4), value)};
 }
 
 TEST(Psnr, ClosedForms) {

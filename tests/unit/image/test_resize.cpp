@@ -13,7 +13,9 @@ namespace {
 
 Image8 random_picture(int width, int height, bool opaque) {
   std::mt19937 random(3);
-  Image8 picture{.width = width, .height = height, .rgba = std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 4))};
+  Image8 picture{.width = width,
+                 .height = height,
+                 .rgba = std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 4))};
   for (std::size_t i = 0; i < picture.rgba.size(); ++i)
     picture.rgba[i] = opaque && i % 4 == 3 ? std::uint8_t{255} : static_cast<std::uint8_t>(random() >> 24);
   return picture;
@@ -33,10 +35,13 @@ TEST(Mips, Sizes) {
 
 TEST(Mips, OneColourStaysThatColour) {
   for (int value = 0; value < 256; value += 5) {
-    const Image8 base{.width = 13, .height = 7, .rgba = std::vector<std::uint8_t>(13 * 7 * 4, static_cast<std::uint8_t>(value))};
+    const Image8 base{.width = 13,
+                      .height = 7,
+                      .rgba = std::vector<std::uint8_t>(13 * 7 * 4, static_cast<std::uint8_t>(value))};
     for (const bool srgb : {false, true}) {
       for (const Image8& level : mip_chain(base, srgb)) {
-        for (const std::uint8_t v : level.rgba) ASSERT_EQ(v, value) << "srgb " << srgb << " width " << level.width;
+        for (const std::uint8_t v : level.rgba)
+          ASSERT_EQ(v, value) << "srgb " << srgb << " width " << level.width;
       }
     }
   }
@@ -48,7 +53,8 @@ TEST(Mips, BlackAndWhiteMeetInLinearLight) {
   EXPECT_EQ(mip_chain(base, false)[1].rgba, (std::vector<std::uint8_t>{128, 128, 128, 255}));
 }
 
-// The last level is the mean of all of base, odd sides included: every pixel counts alike, and nothing is rounded on the way.
+// The last level is the mean of all of base, odd sides included: every pixel counts alike, and nothing is
+// rounded on the way.
 TEST(Mips, LastLevelIsTheMean) {
   for (const auto& [width, height] : {std::pair{64, 64}, {37, 51}, {100, 3}, {5, 5}}) {
     const Image8 base = random_picture(width, height, true);
@@ -56,13 +62,15 @@ TEST(Mips, LastLevelIsTheMean) {
     for (std::size_t i = 0; i < base.rgba.size(); ++i) {
       if (i % 4 == 3) continue;
       plain[i % 4] += base.rgba[i] / (static_cast<double>(base.rgba.size()) / 4);
-      linear[i % 4] += static_cast<double>(srgb8_to_linear(base.rgba[i])) / (static_cast<double>(base.rgba.size()) / 4);
+      linear[i % 4] +=
+          static_cast<double>(srgb8_to_linear(base.rgba[i])) / (static_cast<double>(base.rgba.size()) / 4);
     }
     const Image8 data = mip_chain(base, false).back();
     const Image8 colour = mip_chain(base, true).back();
     for (std::size_t c = 0; c < 3; ++c) {
       EXPECT_NEAR(data.rgba[c], plain[c], 0.51);
-      EXPECT_NEAR(colour.rgba[c], 255 * static_cast<double>(linear_to_srgb(static_cast<float>(linear[c]))), 0.51);
+      EXPECT_NEAR(colour.rgba[c], 255 * static_cast<double>(linear_to_srgb(static_cast<float>(linear[c]))),
+                  0.51);
     }
   }
 }
@@ -89,8 +97,8 @@ TEST(Downsample, AveragesBlocks) {
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 3; ++x) {
       for (int c = 0; c < 2; ++c) {
-        const float sum = picture.at(2 * x, 2 * y)[c] + picture.at(2 * x + 1, 2 * y)[c] + picture.at(2 * x, 2 * y + 1)[c] +
-                          picture.at(2 * x + 1, 2 * y + 1)[c];
+        const float sum = picture.at(2 * x, 2 * y)[c] + picture.at(2 * x + 1, 2 * y)[c] +
+                          picture.at(2 * x, 2 * y + 1)[c] + picture.at(2 * x + 1, 2 * y + 1)[c];
         EXPECT_EQ(small.at(x, y)[c], sum / 4);
       }
     }

@@ -19,7 +19,8 @@ TEST(Algebra, ConvolutionMultipliesTransforms) {
   const auto product = gaussians::convolve(f, g);
   ASSERT_EQ(product.size(), 4u);
   for (const double k : {0.0, 0.5, 2.0, 7.0})
-    EXPECT_NEAR(gaussians::transform(product, k), gaussians::transform(f, k) * gaussians::transform(g, k), 1e-12);
+    EXPECT_NEAR(gaussians::transform(product, k), gaussians::transform(f, k) * gaussians::transform(g, k),
+                1e-12);
   EXPECT_NEAR(gaussians::total(product), 0.8 * 0.6, 1e-12);
 }
 
@@ -37,13 +38,16 @@ TEST(Algebra, MergingKeepsTotalVarianceAndShape) {
     EXPECT_NEAR(gaussians::transform(few, k), gaussians::transform(many, k), 1e-3 * gaussians::total(many));
 }
 
-/// Stacks layers both ways and compares all seven spectra over all frequencies: within 1 % of the light that entered, and what one sees
-/// from above also within 1 % of its own total (of 0.05 where less than that passes).
+/// Stacks layers both ways and compares all seven spectra over all frequencies: within 1 % of the light that
+/// entered, and what one sees from above also within 1 % of its own total (of 0.05 where less than that
+/// passes).
 void expect_agreement(const optics::Layers& layers, int terms = 6) {
-  LayerSums stack = gaussians::fit_layer(layers.back(), layers.size() > 1 ? layers[layers.size() - 2].eta : 1, 1, terms);
+  LayerSums stack =
+      gaussians::fit_layer(layers.back(), layers.size() > 1 ? layers[layers.size() - 2].eta : 1, 1, terms);
   double lost = 0;
   for (std::size_t i = layers.size() - 1; i-- > 0;) {
-    const auto stacked = gaussians::stack(gaussians::fit_layer(layers[i], i == 0 ? 1 : layers[i - 1].eta, layers[i + 1].eta, terms), stack);
+    const auto stacked = gaussians::stack(
+        gaussians::fit_layer(layers[i], i == 0 ? 1 : layers[i - 1].eta, layers[i + 1].eta, terms), stack);
     stack = stacked.layer;
     lost += stacked.lost;
   }
@@ -53,7 +57,8 @@ void expect_agreement(const optics::Layers& layers, int terms = 6) {
   for (double k = 1e-3 / exact.outer_mm(); k < 40 / exact.inner_mm(); k *= 1.2) {
     const profile::Spectra at = exact.spectra(k);
     const auto near = [&](const std::vector<Term>& terms_of, double truth, double part, const char* what) {
-      EXPECT_NEAR(gaussians::transform(terms_of, k), truth, 0.01 * part) << what << ", k " << k << ", layers " << layers.size();
+      EXPECT_NEAR(gaussians::transform(terms_of, k), truth, 0.01 * part)
+          << what << ", k " << k << ", layers " << layers.size();
     };
     near(stack.reflect_above, at.reflect_above, all.reflect_above, "R+");
     near(stack.beam_reflect, at.beam.reflect, all.beam.reflect, "R+ of a beam");
@@ -72,7 +77,8 @@ TEST(Algebra, LayersAgreeWithLayersInHankelSpace) {
   expect_agreement({{0.5675, 9.2091, 1.4, 0.25}, {0.3166, 4.6046, 1.4, infinite}});
   expect_agreement({{0.1, 1, 1.4, 2}, {0.01, 3, 1.33, 1}});           // ends in air, with an index step
   expect_agreement({{0.02, 2, 1.4, 0.3}, {0.05, 1, 1.4, infinite}});  // a thin layer on the rest
-  expect_agreement({{0.02, 2, 1.4, 0.1}, {0.05, 1, 1.4, 0.2}}, 8);    // only thin layers: their T has a narrow core
+  // only thin layers: their T has a narrow core
+  expect_agreement({{0.02, 2, 1.4, 0.1}, {0.05, 1, 1.4, 0.2}}, 8);
 }
 
 }  // namespace

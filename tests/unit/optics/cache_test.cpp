@@ -40,9 +40,11 @@ TEST(MonteCarloCache, AChangedDigitIsNoticed) {
   const std::filesystem::path file = std::filesystem::directory_iterator(folder)->path();
   const std::string whole = text_of(file);
   const std::size_t totals = whole.find('\n') + 1;
-  // The first total, a ring in the middle, the checksum itself; then a file that ends early, and one that goes on.
+  // The first total, a ring in the middle, the checksum itself; then a file that ends early, and one that
+  // goes on.
   std::vector<std::string> damaged;
-  for (const std::size_t from : {whole.find('.', totals) + 1, whole.find('.', whole.size() / 2) + 1, whole.size() - 3}) {
+  for (const std::size_t from :
+       {whole.find('.', totals) + 1, whole.find('.', whole.size() / 2) + 1, whole.size() - 3}) {
     damaged.push_back(whole);
     damaged.back()[from] = damaged.back()[from] == '7' ? '8' : '7';
   }
@@ -94,9 +96,11 @@ TEST(MonteCarloNoise, FallsWithPhotonsAlsoInMixtures) {
   EXPECT_FALSE(profile::sampled(profile::Dipole({.1, 1, 0, 1.4})).has_value());
   const optics::Skin dark{.melanin = 0.3};
   const auto made = [&](std::uint64_t photons) {
-    return profile::make_profiles(dark, profile::Model::monte_carlo, {.photons = photons, .seed = 1, .cache = {}}, "test");
+    return profile::make_profiles(dark, profile::Model::monte_carlo,
+                                  {.photons = photons, .seed = 1, .cache = {}}, "test");
   };
-  const auto few = profile::sampled(*made(32'000).profiles[0]), many = profile::sampled(*made(320'000).profiles[0]);
+  const auto few = profile::sampled(*made(32'000).profiles[0]),
+             many = profile::sampled(*made(320'000).profiles[0]);
   ASSERT_TRUE(few && many);
   EXPECT_GT(many->noise_percent, 0);
   EXPECT_NEAR(few->noise_percent / many->noise_percent, std::sqrt(10.0), 1);  // noise of noise: 64 batches
@@ -105,7 +109,8 @@ TEST(MonteCarloNoise, FallsWithPhotonsAlsoInMixtures) {
 
 TEST(MonteCarloNoise, WhatIsCutIsCounted) {
   // Light that is never absorbed walks for ever: some of it is given up.
-  const auto r = profile::monte_carlo(profile::scene_of(optics::Medium{0, 1, 0, 1.4}), {.photons = 1000, .seed = 1, .cache = {}});
+  const auto r = profile::monte_carlo(profile::scene_of(optics::Medium{0, 1, 0, 1.4}),
+                                      {.photons = 1000, .seed = 1, .cache = {}});
   EXPECT_GT(r->cut, 0);
   EXPECT_LT(r->cut, 0.02);
   EXPECT_NEAR(r->reflected_total + r->cut, 1, 5 * r->reflected_total_error + 1e-9);
@@ -113,12 +118,15 @@ TEST(MonteCarloNoise, WhatIsCutIsCounted) {
 }
 
 TEST(MonteCarloOptions, PhotonsAreCheckedBeforeTheyAreShared) {
-  for (const std::uint64_t photons : {std::uint64_t{0}, std::uint64_t{10}, std::uint64_t{100'000'000'000'000'000}}) {
+  for (const std::uint64_t photons :
+       {std::uint64_t{0}, std::uint64_t{10}, std::uint64_t{100'000'000'000'000'000}}) {
     try {
-      profile::make_profiles(optics::Skin{}, profile::Model::automatic, {.photons = photons, .seed = 1, .cache = {}}, "test");
+      profile::make_profiles(optics::Skin{}, profile::Model::automatic,
+                             {.photons = photons, .seed = 1, .cache = {}}, "test");
       ADD_FAILURE() << photons;
     } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find(fmt::format("got {}", photons)), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(fmt::format("got {}", photons)), std::string::npos)
+          << error.what();
     }
   }
 }

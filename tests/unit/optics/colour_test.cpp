@@ -38,7 +38,8 @@ const Group groups[] = {
 TEST(SkinColour, MeasuredGroupsLieNearTheModel) {
   for (const Group& group : groups) {
     const optics::SkinMatch match = optics::nearest_skin(group.lab);
-    std::printf("%-24s melanin %.4f haemoglobin %.4f  dE %.2f\n", group.name, match.skin.melanin, match.skin.haemoglobin, match.delta_e);
+    std::printf("%-24s melanin %.4f haemoglobin %.4f  dE %.2f\n", group.name, match.skin.melanin,
+                match.skin.haemoglobin, match.delta_e);
     EXPECT_LT(match.delta_e, 4) << group.name;
   }
 }
@@ -48,15 +49,16 @@ TEST(SkinColour, FindsItsOwnColours) {
     for (const double blood : {0.005, 0.03}) {
       optics::Skin skin = optics::measured_skin();
       skin.melanin = melanin, skin.haemoglobin = blood;
-      const optics::SkinMatch match = optics::nearest_skin(optics::lab_from_linear(optics::skin_colour(skin)));
+      const optics::SkinMatch match =
+          optics::nearest_skin(optics::lab_from_linear(optics::skin_colour(skin)));
       EXPECT_LT(match.delta_e, 0.5);
       EXPECT_NEAR(match.skin.melanin / melanin, 1, 0.1);
       EXPECT_NEAR(match.skin.haemoglobin / blood, 1, 0.2);
     }
 }
 
-// The colours of skin fold back on themselves; these two are met in the other fold than the nearest grid point's, one by swatches at 5.0
-// and 9.8 dE.
+// The colours of skin fold back on themselves; these two are met in the other fold than the nearest grid
+// point's, one by swatches at 5.0 and 9.8 dE.
 TEST(SkinColour, FindsTheBetterFold) {
   EXPECT_LT(optics::nearest_skin({28.1595, 0.3932, 3.7488}, optics::Skin{}).delta_e, 5.0);
   EXPECT_LT(optics::nearest_skin({49.7161, -3.8881, 12.5156}, optics::Skin{}).delta_e, 9.8);
@@ -66,7 +68,8 @@ TEST(SkinColour, CoarseAndFineAgree) {
   for (const double nm : {420.0, 550.0, 650.0})
     for (const double melanin : {0.005, 0.3}) {
       const optics::Layers layers = optics::skin_layers({.melanin = melanin}, nm);
-      EXPECT_NEAR(optics::adding_doubling_coarse(layers).reflectance, optics::adding_doubling(layers).reflectance, 2e-3);
+      EXPECT_NEAR(optics::adding_doubling_coarse(layers).reflectance,
+                  optics::adding_doubling(layers).reflectance, 2e-3);
     }
 }
 
@@ -81,7 +84,8 @@ TEST(SpectralProfile, IntegratesToTheColour) {
   const optics::Skin skin{.melanin = 0.01};
   const optics::Rgb colour = optics::skin_reflectance(skin);
   const auto diffusion = profile::make_profiles(skin, profile::Model::multipole, {}, "test");
-  const auto photons = profile::make_profiles(skin, profile::Model::automatic, {.photons = 100'000, .seed = 1, .cache = {}}, "test");
+  const auto photons = profile::make_profiles(skin, profile::Model::automatic,
+                                              {.photons = 100'000, .seed = 1, .cache = {}}, "test");
   EXPECT_EQ(photons.model, profile::Model::monte_carlo);
   EXPECT_NE(photons.reason.find("nm"), std::string::npos);
   for (int c = 0; c < 3; ++c) {
@@ -109,21 +113,24 @@ TEST(Model, AutomaticSaysWhatDecided) {
   EXPECT_NE(chosen({thin, thick}).reason.find("0.20 mean free paths (layer 0, red)"), std::string::npos);
   optics::RgbMedium pale;
   for (auto& medium : pale) medium = {.sigma_a_per_mm = .01, .sigma_s_per_mm = 1};
-  EXPECT_EQ(profile::make_profiles(pale, profile::Model::automatic, few, "test").model, profile::Model::dipole);
+  EXPECT_EQ(profile::make_profiles(pale, profile::Model::automatic, few, "test").model,
+            profile::Model::dipole);
   pale[1].sigma_a_per_mm = 1;
   const auto mixed = profile::make_profiles(pale, profile::Model::automatic, few, "test");
   EXPECT_EQ(mixed.model, profile::Model::monte_carlo);
   EXPECT_NE(mixed.reason.find("0.500 (green)"), std::string::npos);
-  EXPECT_THROW(profile::make_profiles(optics::RgbLayers{thick}, profile::Model::beam, few, "test"), InputError);
+  EXPECT_THROW(profile::make_profiles(optics::RgbLayers{thick}, profile::Model::beam, few, "test"),
+               InputError);
   // Spectral skin without melanin and blood: pale enough for diffusion, if the epidermis is thick enough
   const auto skin = [&](double epidermis_mm) {
-    return profile::make_profiles(optics::Skin{.melanin = 0, .haemoglobin = 0, .epidermis_mm = epidermis_mm}, profile::Model::automatic,
-                                  few, "test");
+    return profile::make_profiles(optics::Skin{.melanin = 0, .haemoglobin = 0, .epidermis_mm = epidermis_mm},
+                                  profile::Model::automatic, few, "test");
   };
   EXPECT_EQ(skin(1).model, profile::Model::multipole);
   const auto film = skin(0.01);
   EXPECT_EQ(film.model, profile::Model::monte_carlo);
-  EXPECT_NE(film.reason.find("the epidermis measures 0.04 mean free paths (700 nm), under 2"), std::string::npos);
+  EXPECT_NE(film.reason.find("the epidermis measures 0.04 mean free paths (700 nm), under 2"),
+            std::string::npos);
   EXPECT_THROW(profile::parse_model("tripole"), InputError);
 }
 

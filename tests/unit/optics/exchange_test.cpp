@@ -28,7 +28,8 @@ gaussians::Exported burley_skin() {
     input.profiles[c] = std::make_shared<profile::Burley>(totals[c], shapes[c], "test");
     input.medium[c] = profile::equivalent_medium(*input.profiles[c], 1.4);
     const auto fit = gaussians::fit_channel(*input.profiles[c], 4);
-    for (const auto& term : fit.terms) input.terms[c].push_back({term.variance_mm2, term.weight / fit.weight_sum()});
+    for (const auto& term : fit.terms)
+      input.terms[c].push_back({term.variance_mm2, term.weight / fit.weight_sum()});
   }
   return input;
 }
@@ -38,7 +39,8 @@ void expect_triple(const Json& values, const Rgb& by_hand, const char* what) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(values[c].get<double>() / by_hand[c], 1, 1e-5) << what << c;
 }
 
-// d = 0.8, 0.35, 0.2 mm and A = 0.7, 0.4, 0.2 in each system's own numbers. Nothing here shares a factor with the code.
+// d = 0.8, 0.35, 0.2 mm and A = 0.7, 0.4, 0.2 in each system's own numbers. Nothing here shares a factor with
+// the code.
 TEST(Exchange, NumbersByHandOfBurleySystems) {
   const auto input = burley_skin();
   const Json unity = Json::parse(gaussians::export_text("unity", input))["parameters"];
@@ -57,7 +59,8 @@ TEST(Exchange, NumbersByHandOfBurleySystems) {
 
 // skin1: sigma_t' = 0.772, 1.05, 1.49 per mm; one term as wide as the published skin's widest.
 TEST(Exchange, NumbersByHandOfMediaAndKernels) {
-  gaussians::Exported input{.name = "skin1", .profiles = {}, .terms = {}, .medium = optics::find_material("skin1")->medium()};
+  gaussians::Exported input{
+      .name = "skin1", .profiles = {}, .terms = {}, .medium = optics::find_material("skin1")->medium()};
   for (int c = 0; c < 3; ++c) {
     input.profiles[c] = std::make_shared<profile::Dipole>(input.medium[c]);
     input.terms[c] = {{7.41, 1}};
@@ -67,8 +70,10 @@ TEST(Exchange, NumbersByHandOfMediaAndKernels) {
   expect_triple(pbr["subsurface_radius_scale"], {1, 0.7352381, 0.5181208}, "openpbr");
   EXPECT_EQ(pbr["specular_ior"], 1.3);
   const Json gltf = Json::parse(gaussians::export_text("gltf", input))["parameters"]["extensions"];
-  EXPECT_NEAR(gltf["KHR_materials_volume"]["attenuationDistance"].get<double>(), 6.711409e-4, 1e-9);           // 1 / 1.49 mm, in metres
-  expect_triple(gltf["KHR_materials_volume"]["attenuationColor"], {0.5956386, 0.4942580, 0.3678794}, "gltf");  // e^{-sigma_t' / 1.49}
+  // 1 / 1.49 mm, in metres
+  EXPECT_NEAR(gltf["KHR_materials_volume"]["attenuationDistance"].get<double>(), 6.711409e-4, 1e-9);
+  // e^{-sigma_t' / 1.49}
+  expect_triple(gltf["KHR_materials_volume"]["attenuationColor"], {0.5956386, 0.4942580, 0.3678794}, "gltf");
   EXPECT_EQ(gltf["KHR_materials_ior"]["ior"], 1.3);
   // 1.5 sqrt(7.41) mm in metres; taps of a unit Gaussian between +-1/96, and from there to 5/96
   const Json separable = Json::parse(gaussians::export_text("separable", input))["parameters"];
@@ -82,7 +87,9 @@ TEST(Exchange, NumbersByHandOfMediaAndKernels) {
 // What one number cannot hold is said.
 TEST(Exchange, SaysWhatIsMergedAndCut) {
   gaussians::Exported input = burley_skin();
-  const auto lost = [&](const char* system) { return Json::parse(gaussians::export_text(system, input))["lost"].dump(); };
+  const auto lost = [&](const char* system) {
+    return Json::parse(gaussians::export_text(system, input))["lost"].dump();
+  };
   EXPECT_EQ(lost("unreal").find("the red one"), std::string::npos);
   EXPECT_EQ(lost("unreal").find("cut to 1"), std::string::npos);
   input.medium[2].eta = 1.5;
@@ -108,33 +115,37 @@ void expect_shapes(const gaussians::Imported& imported) {
 TEST(Exchange, BurleySystemsGiveTheProfileBack) {
   const auto input = burley_skin();
   const Json unity = Json::parse(gaussians::export_text("unity", input))["parameters"];
-  expect_shapes(gaussians::parse_import("unity reflectance=0.7,0.4,0.2 scattering_distance=" + triple(unity["scatteringDistance"]) +
-                                            " multiplier=" + number(unity["scatteringDistanceMultiplier"]),
-                                        "--import"));
+  expect_shapes(gaussians::parse_import(
+      "unity reflectance=0.7,0.4,0.2 scattering_distance=" + triple(unity["scatteringDistance"]) +
+          " multiplier=" + number(unity["scatteringDistanceMultiplier"]),
+      "--import"));
   const Json unreal = Json::parse(gaussians::export_text("unreal", input))["parameters"];
-  expect_shapes(gaussians::parse_import("unreal enable_mean_free_path=1 surface_albedo=" + triple(unreal["SurfaceAlbedo"]) +
-                                            " mean_free_path_color=" + triple(unreal["MeanFreePathColor"]) +
-                                            " mean_free_path_distance=" + number(unreal["MeanFreePathDistance"]),
-                                        "--import"));
+  expect_shapes(gaussians::parse_import(
+      "unreal enable_mean_free_path=1 surface_albedo=" + triple(unreal["SurfaceAlbedo"]) +
+          " mean_free_path_color=" + triple(unreal["MeanFreePathColor"]) +
+          " mean_free_path_distance=" + number(unreal["MeanFreePathDistance"]),
+      "--import"));
   const Json cycles = Json::parse(gaussians::export_text("cycles", input))["parameters"];
   expect_shapes(gaussians::parse_import("cycles scene_unit_mm=1000 color=" + triple(cycles["Color"]) +
-                                            " radius=" + triple(cycles["Radius"]) + " scale=" + number(cycles["Scale"]),
+                                            " radius=" + triple(cycles["Radius"]) +
+                                            " scale=" + number(cycles["Scale"]),
                                         "--import"));
 }
 
 TEST(Exchange, MediumSystemsGiveTheMeanFreePathBack) {
   const auto input = burley_skin();
   const Json pbr = Json::parse(gaussians::export_text("openpbr", input))["parameters"];
-  const auto a = gaussians::parse_import("openpbr scene_unit_mm=1000 specular_ior=1.4 subsurface_color=" + triple(pbr["subsurface_color"]) +
-                                             " subsurface_radius=" + number(pbr["subsurface_radius"]) +
-                                             " subsurface_radius_scale=" + triple(pbr["subsurface_radius_scale"]),
-                                         "--import");
+  const auto a = gaussians::parse_import(
+      "openpbr scene_unit_mm=1000 specular_ior=1.4 subsurface_color=" + triple(pbr["subsurface_color"]) +
+          " subsurface_radius=" + number(pbr["subsurface_radius"]) +
+          " subsurface_radius_scale=" + triple(pbr["subsurface_radius_scale"]),
+      "--import");
   const Json gltf = Json::parse(gaussians::export_text("gltf", input))["parameters"]["extensions"];
-  const auto b =
-      gaussians::parse_import("gltf ior=1.4 multiscatter_color=" + triple(gltf["KHR_materials_volume_scatter"]["multiscatterColor"]) +
-                                  " attenuation_color=" + triple(gltf["KHR_materials_volume"]["attenuationColor"]) +
-                                  " attenuation_distance=" + number(gltf["KHR_materials_volume"]["attenuationDistance"]),
-                              "--import");
+  const auto b = gaussians::parse_import(
+      "gltf ior=1.4 multiscatter_color=" + triple(gltf["KHR_materials_volume_scatter"]["multiscatterColor"]) +
+          " attenuation_color=" + triple(gltf["KHR_materials_volume"]["attenuationColor"]) +
+          " attenuation_distance=" + number(gltf["KHR_materials_volume"]["attenuationDistance"]),
+      "--import");
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(a.medium[c].mean_free_path().mm / input.medium[c].mean_free_path().mm, 1, 1e-6);
     EXPECT_NEAR(b.medium[c].mean_free_path().mm / input.medium[c].mean_free_path().mm, 1, 1e-6);
@@ -170,27 +181,38 @@ std::string message_of(const char* text) {
 }
 
 TEST(Exchange, AmbiguousImportsAreRefusedWithTheirReadings) {
-  EXPECT_NE(message_of("radius=1").find("a mean free path, a diffuse mean free path or Burley's d, in mm, cm or scene units"),
+  EXPECT_NE(message_of("radius=1")
+                .find("a mean free path, a diffuse mean free path or Burley's d, in mm, cm or scene units"),
             std::string::npos);
-  EXPECT_NE(message_of("cycles color=0.8 radius=1,0.2,0.1").find("as metres it is 1000,200,100 mm, as centimetres 10,2,1 mm"),
+  EXPECT_NE(message_of("cycles color=0.8 radius=1,0.2,0.1")
+                .find("as metres it is 1000,200,100 mm, as centimetres 10,2,1 mm"),
             std::string::npos);
-  EXPECT_NE(message_of("openpbr subsurface_color=0.8 subsurface_radius=1").find("scene_unit_mm"), std::string::npos);
-  EXPECT_NE(message_of("unreal surface_albedo=0.5 mean_free_path_color=1 mean_free_path_distance=1").find("two readings"),
+  EXPECT_NE(message_of("openpbr subsurface_color=0.8 subsurface_radius=1").find("scene_unit_mm"),
             std::string::npos);
-  EXPECT_NE(message_of("unreal enable_mean_free_path=2 surface_albedo=0.5 mean_free_path_color=1 mean_free_path_distance=1")
+  EXPECT_NE(message_of("unreal surface_albedo=0.5 mean_free_path_color=1 mean_free_path_distance=1")
+                .find("two readings"),
+            std::string::npos);
+  EXPECT_NE(message_of("unreal enable_mean_free_path=2 surface_albedo=0.5 mean_free_path_color=1 "
+                       "mean_free_path_distance=1")
                 .find("must be 0 or 1"),
             std::string::npos);
   EXPECT_NE(message_of("separable width=1").find("do not say a profile"), std::string::npos);
-  EXPECT_NE(message_of("unity reflectance=0.5 radius=1").find("known: reflectance, scattering_distance"), std::string::npos);
+  EXPECT_NE(message_of("unity reflectance=0.5 radius=1").find("known: reflectance, scattering_distance"),
+            std::string::npos);
   EXPECT_NE(message_of("unity reflectance=0 scattering_distance=1").find("above 0"), std::string::npos);
-  EXPECT_NE(message_of("unity reflectance=0.5 scattering_distance=-1").find("1e-6 to 1e6 mm"), std::string::npos);
-  EXPECT_NE(message_of("cycles scene_unit_mm=1 color=0.5 radius=-2").find("radius * scale must be above 0, got -2 mm"), std::string::npos);
+  EXPECT_NE(message_of("unity reflectance=0.5 scattering_distance=-1").find("1e-6 to 1e6 mm"),
+            std::string::npos);
+  EXPECT_NE(message_of("cycles scene_unit_mm=1 color=0.5 radius=-2")
+                .find("radius * scale must be above 0, got -2 mm"),
+            std::string::npos);
   // One number where the system has one
   for (const char* text :
-       {"cycles scene_unit_mm=1000,1,1 color=0.5 radius=1", "openpbr scene_unit_mm=1,1,10 subsurface_color=0.5 subsurface_radius=1",
+       {"cycles scene_unit_mm=1000,1,1 color=0.5 radius=1",
+        "openpbr scene_unit_mm=1,1,10 subsurface_color=0.5 subsurface_radius=1",
         "openpbr scene_unit_mm=1 specular_ior=1.3,1.4,1.5 subsurface_color=0.5 subsurface_radius=1",
         "gltf ior=1.3,1.4,1.5 multiscatter_color=0.5 attenuation_color=0.5 attenuation_distance=0.001",
-        "unreal enable_mean_free_path=1,0,0 surface_albedo=0.5 mean_free_path_color=1 mean_free_path_distance=1"})
+        "unreal enable_mean_free_path=1,0,0 surface_albedo=0.5 mean_free_path_color=1 "
+        "mean_free_path_distance=1"})
     EXPECT_NE(message_of(text).find("is one number for all channels"), std::string::npos) << text;
   EXPECT_THROW(gaussians::export_text("maya", burley_skin()), InputError);
 }

@@ -38,7 +38,8 @@ TEST(Dipole, TransformAndTotalAgreeWithTheRadialForm) {
       const profile::BetterDipole better(one);
       const RadialOnly radial(one);
       for (const double k : {0.0, 0.1, 1.0, 5.0})
-        EXPECT_NEAR(radial.hankel(k / dipole.outer_mm()), dipole.hankel(k / dipole.outer_mm()), 1e-3 * dipole.total());
+        EXPECT_NEAR(radial.hankel(k / dipole.outer_mm()), dipole.hankel(k / dipole.outer_mm()),
+                    1e-3 * dipole.total());
       for (const double r : {0.3, 1.0, 3.0, 10.0}) {
         const double radius = r * dipole.inner_mm();
         EXPECT_NEAR(inverse_hankel(dipole, radius) / dipole.at(radius), 1, 1e-5) << name << r;
@@ -53,9 +54,11 @@ TEST(Dipole, TotalsOfTheBetterDipole) {
   struct Row {
     double albedo, jensen, better;
   };
-  for (const Row& row : {Row{0.5, 0.07382, 0.02489}, Row{0.8, 0.19078, 0.11329}, Row{0.9, 0.28445, 0.21339}, Row{0.95, 0.38265, 0.33177},
-                         Row{0.99, 0.61277, 0.60447}, Row{0.999, 0.84582, 0.85099}}) {
-    const optics::Medium medium{.sigma_a_per_mm = 1 - row.albedo, .sigma_s_per_mm = row.albedo, .g = 0, .eta = 1.4};
+  for (const Row& row :
+       {Row{0.5, 0.07382, 0.02489}, Row{0.8, 0.19078, 0.11329}, Row{0.9, 0.28445, 0.21339},
+        Row{0.95, 0.38265, 0.33177}, Row{0.99, 0.61277, 0.60447}, Row{0.999, 0.84582, 0.85099}}) {
+    const optics::Medium medium{
+        .sigma_a_per_mm = 1 - row.albedo, .sigma_s_per_mm = row.albedo, .g = 0, .eta = 1.4};
     EXPECT_NEAR(Dipole(medium).total(), row.jensen, 1e-4 * row.jensen + 5e-6) << row.albedo;
     EXPECT_NEAR(profile::BetterDipole(medium).total(), row.better, 1e-4 * row.better + 5e-6) << row.albedo;
   }
@@ -69,9 +72,11 @@ TEST(Fit, EveryMaterialAsGoodAsAnIndependentFitter) {
       const ChannelFit fit = gaussians::fit_channel(dipole, k);
       const double expected = row.error_percent[k - 2];
       EXPECT_LE(fit.error_percent, expected * (1 + 1e-3) + 6e-5) << row.material << row.channel << " k " << k;
-      EXPECT_GE(fit.error_percent, expected * (1 - 1e-2) - 1e-4) << row.material << row.channel << " k " << k << ": better than optimal";
+      EXPECT_GE(fit.error_percent, expected * (1 - 1e-2) - 1e-4)
+          << row.material << row.channel << " k " << k << ": better than optimal";
       if (k == 4 && std::string(row.material) != "ketchup")
-        worst_four = std::max(worst_four, fit.error_percent), best_four = std::min(best_four, fit.error_percent);
+        worst_four = std::max(worst_four, fit.error_percent),
+        best_four = std::min(best_four, fit.error_percent);
     }
   }
   EXPECT_NEAR(worst_four, 1.503, 2e-3);
@@ -80,7 +85,8 @@ TEST(Fit, EveryMaterialAsGoodAsAnIndependentFitter) {
 
 TEST(Fit, RadialAndSpectralFormsGiveTheSameSum) {
   const optics::Medium medium = optics::find_material("skin2")->medium()[1];
-  const ChannelFit spectral = gaussians::fit_channel(Dipole(medium), 4), radial = gaussians::fit_channel(RadialOnly(medium), 4);
+  const ChannelFit spectral = gaussians::fit_channel(Dipole(medium), 4),
+                   radial = gaussians::fit_channel(RadialOnly(medium), 4);
   EXPECT_NEAR(radial.error_percent, spectral.error_percent, 1e-4 * spectral.error_percent);
   for (int i = 0; i < 4; ++i) {
     EXPECT_NEAR(radial.terms[i].variance_mm2 / spectral.terms[i].variance_mm2, 1, 1e-3);
@@ -156,13 +162,15 @@ std::array<double, 2> best_gaussian(const profile::RadialProfile& table, double 
   }
   const auto explained = [&](double v) {
     double product = 0;
-    for (int i = 0; i < count; ++i) product += radius[i] * value[i] * std::exp(-radius[i] * radius[i] / (2 * v)) * step;
+    for (int i = 0; i < count; ++i)
+      product += radius[i] * value[i] * std::exp(-radius[i] * radius[i] / (2 * v)) * step;
     return product * product / (v / 2) / square;  // Int r G^2 dr, G = e^{-r^2/2v}, is v/2
   };
   double low = std::log(1e-2 * end_mm * end_mm), high = std::log(4 * end_mm * end_mm);
   for (int i = 0; i < 40; ++i) {
     const double a = low + 0.382 * (high - low), b = low + 0.618 * (high - low);
-    (explained(std::exp(a)) < explained(std::exp(b)) ? low : high) = explained(std::exp(a)) < explained(std::exp(b)) ? a : b;
+    (explained(std::exp(a)) < explained(std::exp(b)) ? low : high) =
+        explained(std::exp(a)) < explained(std::exp(b)) ? a : b;
   }
   return {std::exp(low), 100 * std::sqrt(1 - explained(std::exp(low)))};
 }
@@ -170,7 +178,8 @@ std::array<double, 2> best_gaussian(const profile::RadialProfile& table, double 
 // Tables are straight between their rows and jump at their end; a grid of its own would see neither.
 TEST(Fit, TablesAreIntegratedFromRowToRow) {
   std::string decay = "r_mm,R,G,B\n";
-  for (int i = 0; i < 16; ++i) decay += fmt::format("{0},{1},{1},{1}\n", i / 10.0, 0.05 * std::exp(-i / 10.0));
+  for (int i = 0; i < 16; ++i)
+    decay += fmt::format("{0},{1},{1},{1}\n", i / 10.0, 0.05 * std::exp(-i / 10.0));
   struct Table {
     std::string csv;
     double end_mm;
@@ -187,14 +196,16 @@ TEST(Fit, TablesAreIntegratedFromRowToRow) {
     EXPECT_NEAR(profile->hankel(0) / profile->total(), 1, 1e-3);
   }
   // A box of radius 1: (1 - e^{-t})^2 / t is largest for t = 1/2v = 1.2564
-  const auto box = gaussians::fit_channel(*profile::parse_csv("r_mm,R,G,B\n0,.3,.3,.3\n1,.3,.3,.3\n", "box.csv")[0], 1);
+  const auto box =
+      gaussians::fit_channel(*profile::parse_csv("r_mm,R,G,B\n0,.3,.3,.3\n1,.3,.3,.3\n", "box.csv")[0], 1);
   EXPECT_NEAR(box.terms[0].variance_mm2, 0.39796, 1e-4);
   EXPECT_NEAR(box.error_percent, 43.066, 5e-3);
 }
 
 // Without absorption a thick slab is a half-space, however thick.
 TEST(Fit, ThickSlabsOfClearMediaStayFinite) {
-  const auto dipole = gaussians::fit_channel(Dipole(optics::Medium{.sigma_a_per_mm = 0, .sigma_s_per_mm = 1}), 6);
+  const auto dipole =
+      gaussians::fit_channel(Dipole(optics::Medium{.sigma_a_per_mm = 0, .sigma_s_per_mm = 1}), 6);
   for (const double thickness_mm : {1e5, 1e6}) {
     const profile::LayeredProfile slab({{0, 1, 1.4, thickness_mm}}, profile::SlabProfile::Side::reflected);
     EXPECT_NEAR(gaussians::fit_channel(slab, 6).error_percent, dipole.error_percent, 1e-3) << thickness_mm;

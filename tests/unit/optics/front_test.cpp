@@ -36,7 +36,8 @@ TEST(PublicProfile, PresetsAndFiles) {
 
 TEST(PublicProfile, SkinAndColours) {
   double delta_e = 99;
-  const SpectralSkin pale = skin_of_colour("65,7.1,13.3", &delta_e), dark = skin_of_colour("38.14,12.66,15.04");
+  const SpectralSkin pale = skin_of_colour("65,7.1,13.3", &delta_e),
+                     dark = skin_of_colour("38.14,12.66,15.04");
   EXPECT_LT(delta_e, 4);
   EXPECT_LT(pale.melanin, dark.melanin);
   const ScatterProfile a = profile_of_skin(pale, {.gaussians = 4, .photons = 20'000}),
@@ -47,9 +48,11 @@ TEST(PublicProfile, SkinAndColours) {
   EXPECT_GT(a.total_reflectance[0], a.total_reflectance[2]);
 }
 
-// Photon beam diffusion of a pale medium without a boundary gives more light back than entered; the exact total is 0.9128.
+// Photon beam diffusion of a pale medium without a boundary gives more light back than entered; the exact
+// total is 0.9128.
 TEST(PublicProfile, CutTotalsAreNotHidden) {
-  const ScatterProfile beam = profile_of_coefficients({{.001, .001, .001}, {.999, .999, .999}, 0, 1}, {.gaussians = 2, .model = "beam"});
+  const ScatterProfile beam = profile_of_coefficients({{.001, .001, .001}, {.999, .999, .999}, 0, 1},
+                                                      {.gaussians = 2, .model = "beam"});
   EXPECT_EQ(beam.total_reflectance[0], 1);
   EXPECT_NEAR(beam.model_total[0], 1.0057, 1e-3);
   const ScatterProfile dipole = profile_of_preset("skin1", {.gaussians = 2, .model = "dipole"});
@@ -57,7 +60,8 @@ TEST(PublicProfile, CutTotalsAreNotHidden) {
 }
 
 TEST(PublicProfile, MinusZeroIsZero) {
-  const ScatterProfile clear = profile_of_coefficients({{-0.0, -0.0, -0.0}, {1, 1, 1}}, {.gaussians = 2, .model = "dipole"});
+  const ScatterProfile clear =
+      profile_of_coefficients({{-0.0, -0.0, -0.0}, {1, 1, 1}}, {.gaussians = 2, .model = "dipole"});
   EXPECT_EQ(clear.diffuse_mean_free_path_mm[0], 0);  // unknown, not -inf
 }
 
@@ -71,7 +75,8 @@ TEST(PublicProfile, MistakesAreNamed) {
     profile_of_coefficients({{1, 1, 1}, {1, 0, 1}}, {.model = "dipole"});
     FAIL() << "a black channel has no profile";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("coefficients: green: reflects nothing"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("coefficients: green: reflects nothing"), std::string::npos)
+        << error.what();
   }
 }
 

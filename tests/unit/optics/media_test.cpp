@@ -38,7 +38,8 @@ TEST(Media, MinusZeroIsZero) {
   const auto medium = optics::parse_coefficients("sigma_a=-0 sigma_s=1", "test");
   EXPECT_FALSE(std::signbit(medium[0].sigma_a_per_mm));
   EXPECT_EQ((Medium{.sigma_a_per_mm = -0.0, .sigma_s_per_mm = 1}.diffuse_mean_free_path().mm), HUGE_VAL);
-  const auto layers = optics::parse_layers(R"([{"sigma_a_per_mm":[-0.0,0.1,-0],"sigma_s_reduced_per_mm":1}])", "test");
+  const auto layers =
+      optics::parse_layers(R"([{"sigma_a_per_mm":[-0.0,0.1,-0],"sigma_s_reduced_per_mm":1}])", "test");
   for (const int c : {0, 2}) EXPECT_FALSE(std::signbit(layers[0].sigma_a_per_mm[c]));
 }
 
@@ -49,11 +50,15 @@ TEST(Media, TheTwoMeanFreePathsDoNotConvert) {
 }
 
 TEST(Media, BadCoefficientsAreNamed) {
-  const auto parse = [](const char* text) { return message_of([&] { optics::parse_coefficients(text, "--coefficients"); }); };
+  const auto parse = [](const char* text) {
+    return message_of([&] { optics::parse_coefficients(text, "--coefficients"); });
+  };
   EXPECT_NE(parse("sigma_a=-1,1,1 sigma_s=1").find("sigma_a must be 0 to"), std::string::npos);
-  EXPECT_NE(parse("sigma_a=1 sigma_s=1 g=1").find("g must be above -1 and below 1, got 1"), std::string::npos);
+  EXPECT_NE(parse("sigma_a=1 sigma_s=1 g=1").find("g must be above -1 and below 1, got 1"),
+            std::string::npos);
   EXPECT_NE(parse("sigma_a=1 sigma_s=1 eta=0.9").find("eta must be 1 to 3, got 0.9"), std::string::npos);
-  EXPECT_NE(parse("sigma_a=1 sigma_s=1 sigma_t=2").find("known: sigma_a, sigma_s, g, eta"), std::string::npos);
+  EXPECT_NE(parse("sigma_a=1 sigma_s=1 sigma_t=2").find("known: sigma_a, sigma_s, g, eta"),
+            std::string::npos);
   EXPECT_NE(parse("sigma_a=1,2 sigma_s=1").find("one number or three"), std::string::npos);
   EXPECT_NE(parse("sigma_a=nan sigma_s=1").find("sigma_a must be"), std::string::npos);
   EXPECT_NE(parse("sigma_a=0 sigma_s=0").find("both 0"), std::string::npos);
@@ -67,9 +72,12 @@ TEST(Fresnel, MomentsAndBoundaryFactors) {
   struct Row {
     double n, poly, c1, c2, classical, moments;
   };
-  for (const Row& row : {Row{1.1, .193332, .194345, .087920, 1.47933, 1.35035}, Row{1.2, .335987, .336306, .198496, 2.01199, 1.80580},
-                         Row{1.3, .444763, .444457, .300267, 2.60206, 2.34053}, Row{1.33, .472357, .471949, .328239, 2.79044, 2.51536},
-                         Row{1.37, .506158, .505673, .363635, 3.04988, 2.75857}, Row{1.4, .529489, .528985, .388783, 3.25070, 2.94849},
+  for (const Row& row : {Row{1.1, .193332, .194345, .087920, 1.47933, 1.35035},
+                         Row{1.2, .335987, .336306, .198496, 2.01199, 1.80580},
+                         Row{1.3, .444763, .444457, .300267, 2.60206, 2.34053},
+                         Row{1.33, .472357, .471949, .328239, 2.79044, 2.51536},
+                         Row{1.37, .506158, .505673, .363635, 3.04988, 2.75857},
+                         Row{1.4, .529489, .528985, .388783, 3.25070, 2.94849},
                          Row{1.5, .596733, .596346, .464430, 3.95950, 3.62793}}) {
     EXPECT_NEAR(optics::fresnel_diffuse_polynomial(row.n), row.poly, 1e-6) << row.n;
     EXPECT_NEAR(optics::fresnel_moment_2c1(row.n), row.c1, 1e-6) << row.n;
@@ -80,7 +88,8 @@ TEST(Fresnel, MomentsAndBoundaryFactors) {
   struct Outside {
     double n, c1, poly;
   };
-  for (const Outside& row : {Outside{1.3, .061132, .061788}, Outside{1.4, .076812, .077954}, Outside{1.5, .091778, .092825}}) {
+  for (const Outside& row :
+       {Outside{1.3, .061132, .061788}, Outside{1.4, .076812, .077954}, Outside{1.5, .091778, .092825}}) {
     EXPECT_NEAR(optics::fresnel_moment_2c1(1 / row.n), row.c1, 1e-6) << row.n;
     EXPECT_NEAR(optics::fresnel_diffuse_polynomial(1 / row.n), row.poly, 1e-6) << row.n;
   }
@@ -97,8 +106,12 @@ TEST(Presets, TotalsOfEveryMeasuredMaterial) {
       const profile::Dipole dipole(material.medium()[c]);
       EXPECT_NEAR(dipole.total(), truth::totals[i].computed[c], 1e-4) << material.name << c;
       EXPECT_EQ(material.published_reflectance[c], truth::totals[i].published[c]) << material.name << c;
-      EXPECT_NEAR(dipole.total(), truth::totals[i].published[c], material.name == "chicken1" && c == 2 ? 0.03 : 0.02) << material.name << c;
-      EXPECT_NEAR(dipole.total(), optics::dipole_total_reflectance(material.medium()[c].reduced_albedo(), material.eta), 1e-12);
+      EXPECT_NEAR(dipole.total(), truth::totals[i].published[c],
+                  material.name == "chicken1" && c == 2 ? 0.03 : 0.02)
+          << material.name << c;
+      EXPECT_NEAR(dipole.total(),
+                  optics::dipole_total_reflectance(material.medium()[c].reduced_albedo(), material.eta),
+                  1e-12);
     }
   }
 }
@@ -115,8 +128,10 @@ TEST(Inversion, GivesTheCoefficientsBack) {
     if (material.name == "spectralon") continue;
     for (const Medium& medium : material.medium()) {
       const double total = profile::Dipole(medium).total();
-      const Medium by_mfp = optics::medium_from_reflectance(total, medium.mean_free_path(), medium.eta, "test");
-      const Medium by_dmfp = optics::medium_from_reflectance(total, medium.diffuse_mean_free_path(), medium.eta, "test");
+      const Medium by_mfp =
+          optics::medium_from_reflectance(total, medium.mean_free_path(), medium.eta, "test");
+      const Medium by_dmfp =
+          optics::medium_from_reflectance(total, medium.diffuse_mean_free_path(), medium.eta, "test");
       for (const Medium& found : {by_mfp, by_dmfp}) {
         EXPECT_NEAR(found.sigma_a_per_mm / medium.sigma_a_per_mm, 1, 1e-6);
         EXPECT_NEAR(found.sigma_s_per_mm / medium.sigma_s_per_mm, 1, 1e-6);
@@ -129,10 +144,13 @@ TEST(Inversion, GivesTheCoefficientsBack) {
 }
 
 TEST(Layers, FilesAreCheckedKeyByKey) {
-  const auto parse = [](const char* json) { return message_of([&] { optics::parse_layers(json, "skin.json"); }); };
-  const auto layers = optics::parse_layers(R"([{"sigma_a_per_mm":[0.1,0.2,0.3],"sigma_s_reduced_per_mm":2,"thickness_mm":0.25},
+  const auto parse = [](const char* json) {
+    return message_of([&] { optics::parse_layers(json, "skin.json"); });
+  };
+  const auto layers = optics::parse_layers(
+      R"([{"sigma_a_per_mm":[0.1,0.2,0.3],"sigma_s_reduced_per_mm":2,"thickness_mm":0.25},
                                               {"sigma_a_per_mm":0.1,"sigma_s_reduced_per_mm":1,"eta":1.38}])",
-                                           "skin.json");
+      "skin.json");
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_EQ(layers[0].sigma_a_per_mm[2], 0.3);
   EXPECT_EQ(layers[0].eta, 1.4);
@@ -141,21 +159,29 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
   EXPECT_NE(parse("[]").find("1 to 32 layers, got 0"), std::string::npos);
   EXPECT_NE(parse("{").find("not JSON"), std::string::npos);
   EXPECT_NE(parse("{}").find("expected a list"), std::string::npos);
-  EXPECT_NE(parse(R"([{"sigma_a":1}])").find("layer 0: unknown key 'sigma_a'; known: sigma_a_per_mm"), std::string::npos);
+  EXPECT_NE(parse(R"([{"sigma_a":1}])").find("layer 0: unknown key 'sigma_a'; known: sigma_a_per_mm"),
+            std::string::npos);
   EXPECT_NE(parse(R"([{"eta":1.3,"eta":1.4}])").find("'eta' is given twice"), std::string::npos);
   EXPECT_NE(parse(R"([{"eta":1e999}])").find("skin.json: a number is too large"), std::string::npos);
   EXPECT_NE(parse(std::string(100'000, '[').c_str()).find("not JSON"), std::string::npos);
-  EXPECT_NE(parse(R"([{"sigma_a_per_mm":1}])").find("'sigma_s_reduced_per_mm' is missing"), std::string::npos);
+  EXPECT_NE(parse(R"([{"sigma_a_per_mm":1}])").find("'sigma_s_reduced_per_mm' is missing"),
+            std::string::npos);
   EXPECT_NE(
-      parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1},{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1}])").find("only the last"),
+      parse(
+          R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1},{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1}])")
+          .find("only the last"),
       std::string::npos);
-  EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":"x"}])").find("expected a number"), std::string::npos);
-  EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"thickness_mm":-1}])").find("thickness_mm must be above 0"),
+  EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":"x"}])").find("expected a number"),
+            std::string::npos);
+  EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"thickness_mm":-1}])")
+                .find("thickness_mm must be above 0"),
             std::string::npos);
   EXPECT_NE(parse(R"([{"sigma_a_per_mm":0,"sigma_s_reduced_per_mm":1,"thickness_mm":1e155}])")
                 .find("layer 0: thickness_mm must be at most 1e+06"),
             std::string::npos);
-  EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"eta":0.5}])").find("eta must be 1 to 3"), std::string::npos);
+  EXPECT_NE(
+      parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"eta":0.5}])").find("eta must be 1 to 3"),
+      std::string::npos);
 }
 
 TEST(Tabulated, ReadsWhatItShouldAndNothingElse) {

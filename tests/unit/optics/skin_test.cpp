@@ -26,14 +26,16 @@ TEST(Radiative, ChandrasekharH) {
   struct Row {
     double a, h, normal, diffuse;
   };
-  for (const Row& row : {Row{.2, 1.078645, .035231, .046265}, Row{.5, 1.251260, .115226, .146544}, Row{.8, 1.598220, .285255, .341867},
-                         Row{.9, 1.850099, .414947, .478024}, Row{.95, 2.077124, .535541, .596669}, Row{.99, 2.472793, .752721, .794564},
+  for (const Row& row : {Row{.2, 1.078645, .035231, .046265}, Row{.5, 1.251260, .115226, .146544},
+                         Row{.8, 1.598220, .285255, .341867}, Row{.9, 1.850099, .414947, .478024},
+                         Row{.95, 2.077124, .535541, .596669}, Row{.99, 2.472793, .752721, .794564},
                          Row{.999, 2.756073, .912845, .929713}, Row{1, 2.907811, 1, 1}}) {
     EXPECT_NEAR(optics::chandrasekhar_h(row.a, 1), row.h, 1e-5) << row.a;
     EXPECT_NEAR(optics::exact_reflectance_perpendicular(row.a), row.normal, 1e-5) << row.a;
     EXPECT_NEAR(optics::exact_reflectance_diffuse(row.a), row.diffuse, 1e-5) << row.a;
     if (row.a < 1) {  // the same half-space by adding and doubling
-      EXPECT_NEAR(optics::adding_doubling({{1 - row.a, row.a, 1, infinite}}).reflectance, row.normal, 1e-6) << row.a;
+      EXPECT_NEAR(optics::adding_doubling({{1 - row.a, row.a, 1, infinite}}).reflectance, row.normal, 1e-6)
+          << row.a;
     }
   }
 }
@@ -43,8 +45,11 @@ TEST(Radiative, AddingDoublingAgainstMonteCarlo) {
     double albedo, total;
   };  // n = 1.4, per flux sent; 2e6 photons
   const double into = 1 - optics::fresnel(1, 1 / 1.4);
-  for (const Row& row : {Row{.5, .05234}, Row{.8, .15300}, Row{.9, .25088}, Row{.95, .35900}, Row{.99, .60359}, Row{.999, .83023}})
-    EXPECT_NEAR(into * optics::adding_doubling({{1 - row.albedo, row.albedo, 1.4, infinite}}).reflectance, row.total, 4e-4) << row.albedo;
+  for (const Row& row : {Row{.5, .05234}, Row{.8, .15300}, Row{.9, .25088}, Row{.95, .35900},
+                         Row{.99, .60359}, Row{.999, .83023}})
+    EXPECT_NEAR(into * optics::adding_doubling({{1 - row.albedo, row.albedo, 1.4, infinite}}).reflectance,
+                row.total, 4e-4)
+        << row.albedo;
   const optics::Totals slab = optics::adding_doubling({{.1, 1, 1.4, 4}});
   EXPECT_NEAR(into * slab.reflectance, .26404, 4e-4);
   EXPECT_NEAR(into * slab.transmittance, .08188 + .01158, 4e-4);
@@ -61,9 +66,11 @@ TEST(Radiative, AsExactAsStated) {
   };
   for (const Row& row :
        {Row{{{.5, .5, 1.4, infinite}}, .053797, 0}, Row{{{.1, .9, 1.4, infinite}}, .257759, 0},
-        Row{{{.01, .99, 1.4, infinite}}, .620838, 0}, Row{{{.05, .95, 1.3, 1}}, .261938, .603778}, Row{{{.1, 1, 1.4, 4}}, .271535, .096408},
-        Row{{{.1, 1, 1.4, 1}}, .216967, .521081}, Row{{{.5, 4, 1.4, .25}, {.05, 2, 1.4, infinite}}, .320177, 0}}) {
-    const optics::Totals fine = optics::adding_doubling(row.layers), coarse = optics::adding_doubling_coarse(row.layers);
+        Row{{{.01, .99, 1.4, infinite}}, .620838, 0}, Row{{{.05, .95, 1.3, 1}}, .261938, .603778},
+        Row{{{.1, 1, 1.4, 4}}, .271535, .096408}, Row{{{.1, 1, 1.4, 1}}, .216967, .521081},
+        Row{{{.5, 4, 1.4, .25}, {.05, 2, 1.4, infinite}}, .320177, 0}}) {
+    const optics::Totals fine = optics::adding_doubling(row.layers),
+                         coarse = optics::adding_doubling_coarse(row.layers);
     EXPECT_NEAR(fine.reflectance, row.reflectance, 3e-4);
     EXPECT_NEAR(fine.transmittance, row.transmittance, 3e-4);
     EXPECT_NEAR(coarse.reflectance, row.reflectance, 2e-3);
@@ -79,21 +86,28 @@ struct TypeRow {
   double nm, monte_carlo, multipole;
 };
 const TypeRow types[] = {
-    {"Caucasian", {.005, .7, .005}, 450, .34276, .35521}, {"Caucasian", {.005, .7, .005}, 550, .38725, .38925},
-    {"Caucasian", {.005, .7, .005}, 650, .52010, .52088}, {"Asian", {.15, 0, .01}, 450, .04608, .06393},
-    {"Asian", {.15, 0, .01}, 550, .07534, .09884},        {"Asian", {.15, 0, .01}, 650, .14357, .16853},
-    {"African", {.5, .7, .05}, 450, .01256, .01767},      {"African", {.5, .7, .05}, 550, .01708, .02391},
+    {"Caucasian", {.005, .7, .005}, 450, .34276, .35521},
+    {"Caucasian", {.005, .7, .005}, 550, .38725, .38925},
+    {"Caucasian", {.005, .7, .005}, 650, .52010, .52088},
+    {"Asian", {.15, 0, .01}, 450, .04608, .06393},
+    {"Asian", {.15, 0, .01}, 550, .07534, .09884},
+    {"Asian", {.15, 0, .01}, 650, .14357, .16853},
+    {"African", {.5, .7, .05}, 450, .01256, .01767},
+    {"African", {.5, .7, .05}, 550, .01708, .02391},
     {"African", {.5, .7, .05}, 650, .02386, .03340},
 };
 
-// The three skins of the 2006 sketch: Monte-Carlo of 1e6 photons (+-0.0005) and closed forms, both of independent programs.
+// The three skins of the 2006 sketch: Monte-Carlo of 1e6 photons (+-0.0005) and closed forms, both of
+// independent programs.
 TEST(Skin, TotalsOfTheSketch) {
   for (const TypeRow& row : types) {
     const optics::Layers layers = optics::skin_layers(row.skin, row.nm);
-    EXPECT_NEAR(profile::LayeredProfile(layers, profile::SlabProfile::Side::reflected).total(), row.multipole, 1e-4 * row.multipole + 5e-6)
+    EXPECT_NEAR(profile::LayeredProfile(layers, profile::SlabProfile::Side::reflected).total(), row.multipole,
+                1e-4 * row.multipole + 5e-6)
         << row.name << row.nm;
     EXPECT_NEAR(optics::adding_doubling(layers).reflectance, row.monte_carlo, 0.002) << row.name << row.nm;
-    const auto photons = profile::monte_carlo(profile::scene_of(layers), {.photons = 60'000, .seed = 4, .cache = {}});
+    const auto photons =
+        profile::monte_carlo(profile::scene_of(layers), {.photons = 60'000, .seed = 4, .cache = {}});
     EXPECT_NEAR(photons->reflected_total, row.monte_carlo, 0.002) << row.name << row.nm;
   }
 }
@@ -102,10 +116,12 @@ TEST(Skin, Chromophores) {
   struct Row {
     double nm, em, pm, base, oxy, deoxy, scattering;
   };
-  for (const Row& row :
-       {Row{450, 96.4598, 72.3833, .12192, 33.6370, 55.3113, 9.2091}, Row{500, 67.9163, 43.8824, .07022, 11.2092, 11.1713, 7.2760},
-        Row{550, 49.4466, 27.9046, .04593, 23.0344, 28.6013, 6.0823}, Row{600, 37.0084, 18.4578, .03452, 1.7136, 7.8594, 5.3058},
-        Row{650, 28.3493, 12.6200, .02915, .1971, 2.0081, 4.7778}, Row{700, 22.1497, 8.8753, .02663, .1553, .9608, 4.4043}}) {
+  for (const Row& row : {Row{450, 96.4598, 72.3833, .12192, 33.6370, 55.3113, 9.2091},
+                         Row{500, 67.9163, 43.8824, .07022, 11.2092, 11.1713, 7.2760},
+                         Row{550, 49.4466, 27.9046, .04593, 23.0344, 28.6013, 6.0823},
+                         Row{600, 37.0084, 18.4578, .03452, 1.7136, 7.8594, 5.3058},
+                         Row{650, 28.3493, 12.6200, .02915, .1971, 2.0081, 4.7778},
+                         Row{700, 22.1497, 8.8753, .02663, .1553, .9608, 4.4043}}) {
     EXPECT_NEAR(optics::eumelanin_per_mm(row.nm) / row.em, 1, 1e-5);
     EXPECT_NEAR(optics::pheomelanin_per_mm(row.nm) / row.pm, 1, 1e-5);
     EXPECT_NEAR(optics::baseline_per_mm(row.nm) / row.base, 1, 1e-3);
@@ -115,7 +131,9 @@ TEST(Skin, Chromophores) {
   }
 }
 
-double total(const Skin& skin, double nm) { return optics::adding_doubling(optics::skin_layers(skin, nm)).reflectance; }
+double total(const Skin& skin, double nm) {
+  return optics::adding_doubling(optics::skin_layers(skin, nm)).reflectance;
+}
 
 TEST(Skin, LightestToDarkestIsOrderedAtEveryWavelength) {
   for (const double nm : optics::wavelengths_nm()) {
@@ -137,7 +155,8 @@ TEST(Skin, LightestToDarkestIsOrderedAtEveryWavelength) {
 
 TEST(Skin, TheWOfHaemoglobin) {
   const Skin skin{.melanin = .01, .haemoglobin = .02, .oxygenation = .95};
-  const double low1 = total(skin, 542), middle = total(skin, 560), low2 = total(skin, 576), after = total(skin, 600);
+  const double low1 = total(skin, 542), middle = total(skin, 560), low2 = total(skin, 576),
+               after = total(skin, 600);
   EXPECT_LT(low1, middle - .01);
   EXPECT_LT(low2, middle - .01);
   EXPECT_GT(after, low2 + .1);
@@ -185,8 +204,9 @@ TEST(Observer, WhiteGreyAndLab) {
 /// Rows of a CSV file beside the source tree, or none.
 std::vector<std::vector<double>> csv_rows(const std::string& name) {
   const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const std::filesystem::path shared =
-      cache != nullptr ? std::filesystem::path(cache).parent_path() : std::filesystem::path(DERMIS_SOURCE_DIR) / ".." / "shared";
+  const std::filesystem::path shared = cache != nullptr
+                                           ? std::filesystem::path(cache).parent_path()
+                                           : std::filesystem::path(DERMIS_SOURCE_DIR) / ".." / "shared";
   std::ifstream in(shared / "facts" / name);
   std::vector<std::vector<double>> rows;
   for (std::string line; std::getline(in, line);) {
@@ -213,8 +233,9 @@ TEST(Tables, AreTheSourcesOwn) {
     EXPECT_EQ(optics::wavelengths_nm()[i], cie[i][0]);
     y += cie[i][2] * cie[i][4];
   }
-  // By the matrix of Rec.709 the weights are the observer's own three columns again, wavelength by wavelength;
-  // x and z to the 2e-4 by which the white that the matrix is printed for differs from that of the tables
+  // By the matrix of Rec.709 the weights are the observer's own three columns again, wavelength by
+  // wavelength; x and z to the 2e-4 by which the white that the matrix is printed for differs from that of
+  // the tables
   for (std::size_t i = 0; i < cie.size(); ++i) {
     const optics::Rgb w = optics::rec709_weights()[i];
     const double x = cie[i][1] * cie[i][4] / y, z = cie[i][3] * cie[i][4] / y;

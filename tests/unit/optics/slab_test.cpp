@@ -43,8 +43,10 @@ TEST(Multipole, ClosedFormAndImagesAgree) {
 }
 
 TEST(Multipole, ThickSlabIsTheDipole) {
-  for (const Layer& medium : {Layer{0.05, 1.2, 1.4}, Layer{0.5, 1, 1.4}, Layer{0.001, 3, 1.3}, Layer{2, 8, 1.5}, Layer{0.3, 0.2, 1}}) {
-    const double diffuse_mm = medium.medium().diffuse_mean_free_path().mm, mean_mm = medium.medium().mean_free_path().mm;
+  for (const Layer& medium : {Layer{0.05, 1.2, 1.4}, Layer{0.5, 1, 1.4}, Layer{0.001, 3, 1.3},
+                              Layer{2, 8, 1.5}, Layer{0.3, 0.2, 1}}) {
+    const double diffuse_mm = medium.medium().diffuse_mean_free_path().mm,
+                 mean_mm = medium.medium().mean_free_path().mm;
     const profile::Dipole dipole(medium.medium());
     double before = 1;
     for (const double lengths : {3.0, 6.0, 12.0, 25.0}) {  // thicknesses in diffuse mean free paths
@@ -52,12 +54,15 @@ TEST(Multipole, ThickSlabIsTheDipole) {
       layer.thickness_mm = lengths * diffuse_mm + 2 * mean_mm;
       const SlabProfile slab(layer, Side::reflected);
       const double deviation = std::abs(slab.total() - dipole.total());
-      EXPECT_LE(deviation, 2 * std::exp(-2 * lengths)) << medium.sigma_a_per_mm << " " << lengths;  // light goes there and back
+      // light goes there and back
+      EXPECT_LE(deviation, 2 * std::exp(-2 * lengths)) << medium.sigma_a_per_mm << " " << lengths;
       EXPECT_LE(deviation, before);
-      EXPECT_LE(SlabProfile(layer, Side::transmitted).total(), 8 * std::exp(-lengths)) << medium.sigma_a_per_mm << " " << lengths;
+      EXPECT_LE(SlabProfile(layer, Side::transmitted).total(), 8 * std::exp(-lengths))
+          << medium.sigma_a_per_mm << " " << lengths;
       before = deviation + 1e-12;
       if (lengths < 25) continue;
-      for (const double r : {0.1, 1.0, 3.0}) EXPECT_NEAR(slab.at(r * diffuse_mm) / dipole.at(r * diffuse_mm), 1, 1e-6) << r;
+      for (const double r : {0.1, 1.0, 3.0})
+        EXPECT_NEAR(slab.at(r * diffuse_mm) / dipole.at(r * diffuse_mm), 1, 1e-6) << r;
     }
   }
 }
@@ -65,23 +70,26 @@ TEST(Multipole, ThickSlabIsTheDipole) {
 // Unequal layers with index steps, thin and thick: light is neither made nor, without absorption, lost.
 TEST(Layers, RandomStacksKeepTheLight) {
   std::mt19937 random(3);
-  const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
   double worst = 0;
   for (int i = 0; i < 300; ++i) {
     optics::Layers clear, absorbing;
     for (int layer = 0; layer < 2 + i % 4; ++layer) {
-      const double sigma_s = std::exp(between(std::log(0.1), std::log(30))), depth = std::exp(between(std::log(0.02), std::log(20)));
+      const double sigma_s = std::exp(between(std::log(0.1), std::log(30))),
+                   depth = std::exp(between(std::log(0.02), std::log(20)));
       const double eta = between(1, 1.6), sigma_a = sigma_s * std::exp(between(std::log(1e-4), std::log(10)));
       clear.push_back({0, sigma_s, eta, depth / sigma_s});
       absorbing.push_back({sigma_a, sigma_s, eta, depth / (sigma_s + sigma_a)});
     }
     const profile::Spectra kept = LayeredProfile(clear, Side::reflected).spectra(0),
                            less = LayeredProfile(absorbing, Side::reflected).spectra(0);
-    for (const double all :
-         {kept.beam.reflect + kept.beam.transmit, kept.reflect_above + kept.transmit_above, kept.reflect_below + kept.transmit_below})
+    for (const double all : {kept.beam.reflect + kept.beam.transmit, kept.reflect_above + kept.transmit_above,
+                             kept.reflect_below + kept.transmit_below})
       worst = std::max(worst, std::abs(all - 1));
-    for (const double all :
-         {less.beam.reflect + less.beam.transmit, less.reflect_above + less.transmit_above, less.reflect_below + less.transmit_below}) {
+    for (const double all : {less.beam.reflect + less.beam.transmit, less.reflect_above + less.transmit_above,
+                             less.reflect_below + less.transmit_below}) {
       EXPECT_LE(all, 1) << "stack " << i;
       EXPECT_GT(all, 0) << "stack " << i;
     }
@@ -97,25 +105,28 @@ TEST(Multipole, NeverMoreLightThanEntered) {
         for (const double below : {1.0, 1.4, 2.0}) {
           const Multipole slab({sigma_a, 1, eta, d / (1 + sigma_a)}, 1, below);
           const profile::Spectra s = slab.spectra(0);
-          for (const double all :
-               {s.beam.reflect + s.beam.transmit, s.reflect_above + s.transmit_above, s.reflect_below + s.transmit_below}) {
+          for (const double all : {s.beam.reflect + s.beam.transmit, s.reflect_above + s.transmit_above,
+                                   s.reflect_below + s.transmit_below}) {
             EXPECT_LE(all, 1 + 1e-9) << sigma_a << " " << d << " " << eta << " " << below;
             if (sigma_a == 0) { EXPECT_NEAR(all, 1, 0.005) << d; }
           }
           for (const double k : {0.0, 0.7, 20.0, 400.0, 1e5}) {
             const profile::Spectra at = slab.spectra(k);
-            for (const double part : {at.reflect_above, at.transmit_above, at.reflect_below, at.transmit_below, at.beam.reflect,
-                                      at.beam.transmit - at.beam.straight, at.beam.straight})
+            for (const double part :
+                 {at.reflect_above, at.transmit_above, at.reflect_below, at.transmit_below, at.beam.reflect,
+                  at.beam.transmit - at.beam.straight, at.beam.straight})
               EXPECT_GE(part, -1e-12) << sigma_a << " " << d << " " << k;
           }
         }
 }
 
 TEST(Multipole, PartsAddUpToTheLayer) {
-  for (const profile::TwoFlux& layer : {profile::TwoFlux{.5, .5}, {.4, .41}, {.1, .6}, {.3, 1e-6}, {1e-9, .2}, {0, .3}, {1e-100, 1e-100}}) {
+  for (const profile::TwoFlux& layer :
+       {profile::TwoFlux{.5, .5}, {.4, .41}, {.1, .6}, {.3, 1e-6}, {1e-9, .2}, {0, .3}, {1e-100, 1e-100}}) {
     const auto doubled = [](const profile::TwoFlux& half) {
       const double bounces = 1 / (1 - half.reflect * half.reflect);
-      return profile::TwoFlux{half.reflect * (1 + half.transmit * half.transmit * bounces), half.transmit * half.transmit * bounces};
+      return profile::TwoFlux{half.reflect * (1 + half.transmit * half.transmit * bounces),
+                              half.transmit * half.transmit * bounces};
     };
     const profile::TwoFlux again = doubled(doubled(profile::part_of(layer, 0.25)));
     EXPECT_NEAR(again.reflect, layer.reflect, 1e-9) << layer.transmit;
@@ -144,7 +155,8 @@ TEST(Multipole, ThinSlabJoinsTheMultipole) {
       }
 }
 
-// Against the transport equation, where the multipole is 0.07 off: a film, and a thin layer on its own kind, which is a half-space.
+// Against the transport equation, where the multipole is 0.07 off: a film, and a thin layer on its own kind,
+// which is a half-space.
 TEST(Multipole, ThinSlabIsNearTheTruth) {
   for (const double eta : {1.0, 1.4})
     for (const double sigma_a : {0.0, 0.05})
@@ -156,7 +168,9 @@ TEST(Multipole, ThinSlabIsNearTheTruth) {
         EXPECT_NEAR(ours.beam.transmit, truth.transmittance, eta == 1 ? 0.016 : 0.07) << eta << " " << d;
         if (sigma_a == 0) continue;
         const Layer rest{sigma_a, 1, eta, infinite};
-        EXPECT_NEAR(LayeredProfile({film, rest}, Side::reflected).total(), optics::adding_doubling({rest}).reflectance, 0.06) << eta << d;
+        EXPECT_NEAR(LayeredProfile({film, rest}, Side::reflected).total(),
+                    optics::adding_doubling({rest}).reflectance, 0.06)
+            << eta << d;
       }
 }
 
@@ -183,7 +197,8 @@ double halves_against_whole(double half, double eta) {
   double worst = 0;
   for (const double sigma_a : {0.0, 0.001, 0.01, 0.03, 0.05, 0.1, 0.2, 0.35, 0.5, 1.0, 3.0, 10.0, 100.0}) {
     const double d = half / (1 + sigma_a);
-    const auto two = LayeredProfile({{sigma_a, 1, eta, d}, {sigma_a, 1, eta, d}}, Side::reflected).spectra(0).beam;
+    const auto two =
+        LayeredProfile({{sigma_a, 1, eta, d}, {sigma_a, 1, eta, d}}, Side::reflected).spectra(0).beam;
     const auto one = LayeredProfile({{sigma_a, 1, eta, 2 * d}}, Side::reflected).spectra(0).beam;
     EXPECT_LE(two.reflect + two.transmit, 1 + 1e-9);
     if (sigma_a == 0) { EXPECT_NEAR(two.reflect + two.transmit, 1, 1e-6); }
@@ -201,12 +216,14 @@ TEST(Layers, TwoHalvesAgainstTheWhole) {
       if (deviation > worst) worst = deviation, where = half;
     }
     std::printf("| %.2f | %.3f at %.2f |", eta, worst, where);  // a row of docs/theory.md
-    for (const double half : {0.05, 0.2, 0.6, 1.0, 1.5, 2.0, 4.0, 8.0}) std::printf(" %.3f |", halves_against_whole(half, eta));
+    for (const double half : {0.05, 0.2, 0.6, 1.0, 1.5, 2.0, 4.0, 8.0})
+      std::printf(" %.3f |", halves_against_whole(half, eta));
     std::printf("\n");
   }
   double no_tissue = 0;
   for (const double eta : {2.0, 3.0})
-    for (double half = 0.02; half < 12; half *= 1.06) no_tissue = std::max(no_tissue, halves_against_whole(half, eta));
+    for (double half = 0.02; half < 12; half *= 1.06)
+      no_tissue = std::max(no_tissue, halves_against_whole(half, eta));
   std::printf("indices 2 and 3: %.3f\n", no_tissue);
   EXPECT_LE(no_tissue, 0.1);
 }
@@ -216,24 +233,27 @@ TEST(Layers, TotalsOfTwoLayeredSkin) {
   struct Row {
     double sa_epi, sa_derm, ss_epi, ss_derm, total;
   };
-  for (const Row& row : {Row{0.5675, 0.3166, 9.2091, 4.6046, 0.35521}, Row{0.2606, 0.1678, 6.0823, 3.0411, 0.38925},
-                         Row{0.1472, 0.0323, 4.7778, 2.3889, 0.52088}, Row{10.9611, 0.5113, 9.2091, 4.6046, 0.06393},
-                         Row{4.2247, 0.2897, 6.0823, 3.0411, 0.09884}, Row{1.9178, 0.0354, 4.7778, 2.3889, 0.16853},
-                         Row{44.6794, 2.0686, 9.2091, 4.6046, 0.01767}, Row{21.5149, 1.2649, 6.0823, 3.0411, 0.02391},
-                         Row{11.8298, 0.0602, 4.7778, 2.3889, 0.03340}}) {
+  for (const Row& row :
+       {Row{0.5675, 0.3166, 9.2091, 4.6046, 0.35521}, Row{0.2606, 0.1678, 6.0823, 3.0411, 0.38925},
+        Row{0.1472, 0.0323, 4.7778, 2.3889, 0.52088}, Row{10.9611, 0.5113, 9.2091, 4.6046, 0.06393},
+        Row{4.2247, 0.2897, 6.0823, 3.0411, 0.09884}, Row{1.9178, 0.0354, 4.7778, 2.3889, 0.16853},
+        Row{44.6794, 2.0686, 9.2091, 4.6046, 0.01767}, Row{21.5149, 1.2649, 6.0823, 3.0411, 0.02391},
+        Row{11.8298, 0.0602, 4.7778, 2.3889, 0.03340}}) {
     const optics::Layers skin{{row.sa_epi, row.ss_epi, 1.4, 0.25}, {row.sa_derm, row.ss_derm, 1.4, infinite}};
     EXPECT_NEAR(LayeredProfile(skin, Side::reflected).total(), row.total,
                 4e-4 * row.total + 5e-6);  // the inputs are printed to four digits
   }
 }
 
-// The multipole as light sent onto a surface sees it, times 1 - F(0) of n = 1.4: independent closed forms, printed to five digits.
+// The multipole as light sent onto a surface sees it, times 1 - F(0) of n = 1.4: independent closed forms,
+// printed to five digits.
 TEST(Layers, TotalsPerFluxSent) {
   const double into = 1 - (0.4 / 2.4) * (0.4 / 2.4);
   const auto slab = LayeredProfile({{.1, 1, 1.4, 4}}, Side::reflected).spectra(0);
   EXPECT_NEAR(into * slab.reflect_above, .28857, 1e-4 * .28857);
   EXPECT_NEAR(into * slab.transmit_above, .07962, 1e-4 * .07962);
-  EXPECT_NEAR(into * LayeredProfile({{.5, 4, 1.4, .25}, {.05, 2, 1.4, infinite}}, Side::reflected).total(), .33910, 1e-4 * .33910);
+  EXPECT_NEAR(into * LayeredProfile({{.5, 4, 1.4, .25}, {.05, 2, 1.4, infinite}}, Side::reflected).total(),
+              .33910, 1e-4 * .33910);
   const auto thin = LayeredProfile({{.1, 1, 1.4, 1.01}}, Side::reflected).spectra(0);
   EXPECT_NEAR(into * thin.reflect_above, .26350, 1e-4 * .26350);
   EXPECT_NEAR(into * thin.transmit_above, .44506, 1e-4 * .44506);
@@ -266,11 +286,13 @@ TEST(Burley, TotalQuantilesAndTransform) {
    private:
     const profile::Burley& b_;
   } numeric(burley);
-  for (const double k : {0.0, 0.5, 2.0, 10.0}) EXPECT_NEAR(numeric.hankel(k), burley.hankel(k), 1e-3 * 0.7) << k;
+  for (const double k : {0.0, 0.5, 2.0, 10.0})
+    EXPECT_NEAR(numeric.hankel(k), burley.hankel(k), 1e-3 * 0.7) << k;
   EXPECT_NEAR(numeric.quantile(0.9), burley.quantile(0.9), 2e-3);
 }
 
-// The published fits by hand, A = 0.7: s = 1.157 (perpendicular), 1.235 (from everywhere), 5.374161 (diffuse mean free path).
+// The published fits by hand, A = 0.7: s = 1.157 (perpendicular), 1.235 (from everywhere), 5.374161 (diffuse
+// mean free path).
 TEST(Burley, ShapesFromLengths) {
   using profile::Burley;
   EXPECT_NEAR(Burley::shape_mm(0.7, optics::MeanFreePath(2)), 2 / 1.157, 1e-12);
@@ -291,7 +313,8 @@ TEST(Burley, SlabTransmittance) {
   const profile::Burley burley(0.7, 0.5, "test");
   EXPECT_NEAR(burley.slab_transmittance(1), 0.2932277, 1e-7);
   EXPECT_NEAR(burley.slab_transmittance(1.5), 0.175 * (std::exp(-3.0) + 3 * std::exp(-1.0)), 1e-12);
-  EXPECT_NEAR(burley.slab_transmittance(2), 0.7 - burley.within(2), 1e-12);  // what a half-space sends back from beyond t
+  // what a half-space sends back from beyond t
+  EXPECT_NEAR(burley.slab_transmittance(2), 0.7 - burley.within(2), 1e-12);
   EXPECT_NEAR(burley.slab_transmittance(60), 0, 1e-12);
 }
 
@@ -300,7 +323,9 @@ TEST(Burley, MistakesAreNamed) {
     try {
       profile::parse_burley(fmt::format("reflectance=0.5 {}=1,-1,1", key), "--burley");
       FAIL() << key;
-    } catch (const InputError& error) { EXPECT_EQ(std::string(error.what()), fmt::format("--burley: {} must be above 0, got -1", key)); }
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()), fmt::format("--burley: {} must be above 0, got -1", key));
+    }
   }
   EXPECT_THROW(profile::Burley(1.5, 1, "x"), InputError);
   EXPECT_THROW(profile::Burley(0.5, 0, "x"), InputError);

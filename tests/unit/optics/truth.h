@@ -8,8 +8,9 @@ namespace dermis::truth {
 
 using Rgb = std::array<double, 3>;
 
-/// Optimal non-negative Gaussian fits of the classical dipole, eta 1.3 (marble 1.5): error in per cent for 2..6 terms, one channel each,
-/// from an independent fitter. Order of the rows: the materials of optics::jensen_materials() without spectralon, red, green, blue.
+/// Optimal non-negative Gaussian fits of the classical dipole, eta 1.3 (marble 1.5): error in per cent
+/// for 2..6 terms, one channel each, from an independent fitter. Order of the rows: the materials of
+/// optics::jensen_materials() without spectralon, red, green, blue.
 struct FitRow {
   const char* material;
   int channel;
@@ -17,8 +18,8 @@ struct FitRow {
 };
 extern const std::array<FitRow, 33> fit_rows;
 
-/// Totals of the classical dipole in closed form, computed independently, rounded to 4 digits; and the column that was printed
-/// with the coefficients in 2001.
+/// Totals of the classical dipole in closed form, computed independently, rounded to 4 digits; and the column
+/// that was printed with the coefficients in 2001.
 struct TotalRow {
   const char* material;
   Rgb computed;

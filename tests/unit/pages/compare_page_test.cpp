@@ -12,7 +12,9 @@ using nlohmann::json;
 
 image::Image8 grey(int width, int height, std::uint8_t value) {
   image::Image8 picture{
-      .width = width, .height = height, .rgba = std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 4), value)};
+      .width = width,
+      .height = height,
+      .rgba = std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 4), value)};
   for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
   return picture;
 }
@@ -25,7 +27,8 @@ Compared display_pair(std::uint8_t a, std::uint8_t b) {
 
 Compared linear_pair() {
   const auto flat = [](float value) {
-    return image::ImageF{.width = 30, .height = 20, .channels = 3, .values = std::vector<float>(30 * 20 * 3, value)};
+    return image::ImageF{
+        .width = 30, .height = 20, .channels = 3, .values = std::vector<float>(30 * 20 * 3, value)};
   };
   Compared c{.a = "a.exr", .b = "b.exr", .region_name = "region.png", .view = "filmic"};
   c.region = image::Region(600);
@@ -41,7 +44,8 @@ TEST(ComparePage, JsonOfDisplayPictures) {
   const Compared c = display_pair(40, 90);
   const json found = json::parse(compared_json(c));
   EXPECT_EQ(found.at("flip").at("mean"), c.found.flip.mean);
-  for (const char* key : {"weighted_median", "q1", "q3", "min", "max"}) EXPECT_GT(found.at("flip").at(key), 0) << key;
+  for (const char* key : {"weighted_median", "q1", "q3", "min", "max"})
+    EXPECT_GT(found.at("flip").at(key), 0) << key;
   EXPECT_EQ(found.at("psnr_db"), c.found.psnr_db);
   EXPECT_EQ(found.at("rel_mse"), c.found.rel_mse);
   EXPECT_EQ(found.at("size"), json({30, 20}));
@@ -62,8 +66,8 @@ TEST(ComparePage, JsonOfLinearPictures) {
 
 TEST(ComparePage, TextForPeople) {
   const std::string text = compared_text(linear_pair());
-  for (const char* part : {"A, the reference: a.exr", "1 of 600 compared (region.png)", "HDR-FLIP, mean", "dB", "relative MSE",
-                           "beyond 3 standard errors", "view filmic"})
+  for (const char* part : {"A, the reference: a.exr", "1 of 600 compared (region.png)", "HDR-FLIP, mean",
+                           "dB", "relative MSE", "beyond 3 standard errors", "view filmic"})
     EXPECT_NE(text.find(part), std::string::npos) << part;
   EXPECT_NE(compared_text(display_pair(40, 40)).find("100.00 dB"), std::string::npos);
 }
@@ -87,7 +91,8 @@ TEST(ComparePage, PicturesAreInTheFileOnce) {
 
 TEST(ComparePage, AsksNothingOfTheNetwork) {
   for (const std::string& page : {compared_page(display_pair(40, 90)), compared_page(linear_pair())}) {
-    EXPECT_EQ(count(page, "http://") + count(page, "https://") + count(page, "url(") + count(page, "@import"), 0u);
+    EXPECT_EQ(count(page, "http://") + count(page, "https://") + count(page, "url(") + count(page, "@import"),
+              0u);
     EXPECT_EQ(count(page, "src="), count(page, "src=\"data:")) << "every source is inside";
     EXPECT_EQ(count(page, "href="), count(page, "href=\"data:,\""));
   }

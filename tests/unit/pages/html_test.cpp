@@ -10,9 +10,11 @@ namespace {
 
 TEST(Html, TextStandsForItself) {
   EXPECT_EQ(html::escape("a < b & \"c\" > 'd'"), "a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39;");
-  EXPECT_EQ(html::escape("caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82"), "caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82");
+  EXPECT_EQ(html::escape("caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82"),
+            "caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82");
   EXPECT_EQ(html::escape("line\nbreak\x01\x7f"), "line break  ");
-  EXPECT_EQ(html::escape("\xff\xc3(\xe2\x82"), "\xef\xbf\xbd\xef\xbf\xbd(\xef\xbf\xbd\xef\xbf\xbd") << "no UTF-8";
+  EXPECT_EQ(html::escape("\xff\xc3(\xe2\x82"), "\xef\xbf\xbd\xef\xbf\xbd(\xef\xbf\xbd\xef\xbf\xbd")
+      << "no UTF-8";
   EXPECT_EQ(html::escape(""), "");
 }
 
@@ -35,7 +37,8 @@ TEST(Html, PicturesSurviveTheirUri) {
   std::size_t remainders = 0;
   for (int width = 1; width <= 12; ++width) {
     image::Image8 picture{.width = width, .height = 3, .rgba = {}};
-    for (int i = 0; i < width * 3 * 4; ++i) picture.rgba.push_back(i % 4 == 3 ? std::uint8_t{255} : static_cast<std::uint8_t>(i * 37));
+    for (int i = 0; i < width * 3 * 4; ++i)
+      picture.rgba.push_back(i % 4 == 3 ? std::uint8_t{255} : static_cast<std::uint8_t>(i * 37));
     const std::string uri = html::png_uri(picture);
     constexpr std::string_view kind = "data:image/png;base64,";
     ASSERT_TRUE(uri.starts_with(kind));
@@ -52,7 +55,8 @@ TEST(Html, ScalesAndTables) {
   const std::string scale = html::magma_scale(0.5);
   EXPECT_NE(scale.find("#000004"), std::string::npos);
   EXPECT_NE(scale.find("#fcfdbf"), std::string::npos);
-  for (const char* tick : {">0<", ">0.125<", ">0.25<", ">0.375<", ">0.5<"}) EXPECT_NE(scale.find(tick), std::string::npos) << tick;
+  for (const char* tick : {">0<", ">0.125<", ">0.25<", ">0.375<", ">0.5<"})
+    EXPECT_NE(scale.find(tick), std::string::npos) << tick;
   EXPECT_NE(html::table({{"<name>", "&"}}).find("<td>&lt;name&gt;</td><td>&amp;</td>"), std::string::npos);
 }
 

@@ -18,7 +18,9 @@ SceneComparison made_up() {
   c.model = "bssrdf";
   c.samples = 64, c.noise_percent = 1.5, c.reference_seconds = 2;
   c.width = 4, c.height = 2, c.supersample = 4;
-  c.regions = {{"skin", {1, 1, 1, 1, 0, 0, 0, 0}, 4}, {"nose", {1, 0, 0, 0, 0, 0, 0, 0}, 1}, {"ears", std::vector<std::uint8_t>(8), 0}};
+  c.regions = {{"skin", {1, 1, 1, 1, 0, 0, 0, 0}, 4},
+               {"nose", {1, 0, 0, 0, 0, 0, 0, 0}, 1},
+               {"ears", std::vector<std::uint8_t>(8), 0}};
   const auto picture = [](std::uint8_t value) {
     image::Image8 p{.width = 4, .height = 2, .rgba = std::vector<std::uint8_t>(32, value)};
     for (std::size_t i = 3; i < 32; i += 4) p.rgba[i] = 255;
@@ -32,8 +34,18 @@ SceneComparison made_up() {
     t.statistics.frame_ms_median = 12.34;
     t.statistics.gaussians = t.name == "lambert" ? 0 : 6;
     t.statistics.optimise = {"cull"};
-    t.errors = {RegionError{.flip = 0.02, .hdr_flip = 0.03, .psnr_db = 40, .rel_mse = 1e-3, .rel_mse_unbiased = 9e-4, .share = 1},
-                RegionError{.flip = 0.04, .hdr_flip = 0.05, .psnr_db = 35, .rel_mse = 2e-3, .rel_mse_unbiased = {}, .share = 0.5},
+    t.errors = {RegionError{.flip = 0.02,
+                            .hdr_flip = 0.03,
+                            .psnr_db = 40,
+                            .rel_mse = 1e-3,
+                            .rel_mse_unbiased = 9e-4,
+                            .share = 1},
+                RegionError{.flip = 0.04,
+                            .hdr_flip = 0.05,
+                            .psnr_db = 35,
+                            .rel_mse = 2e-3,
+                            .rel_mse_unbiased = {},
+                            .share = 0.5},
                 std::nullopt};
     t.shown = picture(120);
     t.flip_map = {.width = 4, .height = 2, .channels = 1, .values = std::vector<float>(8, 0.1f)};
@@ -66,8 +78,8 @@ TEST(SceneComparisonPage, Json) {
 
 TEST(SceneComparisonPage, TextHasATablePerRegion) {
   const std::string text = scene_comparison_text(made_up());
-  for (const char* part :
-       {"skin: 4 pixels", "nose: 1 pixels", "ears: empty", "lambert", "12.3", "50 %", "0.0200", "40.00", "noise of the reference"})
+  for (const char* part : {"skin: 4 pixels", "nose: 1 pixels", "ears: empty", "lambert", "12.3", "50 %",
+                           "0.0200", "40.00", "noise of the reference"})
     EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 

@@ -12,7 +12,8 @@
 namespace dermis::reference {
 namespace {
 
-/// Mean and worst deviation from `wanted` over pixels that are all skin; the worst is of single pixels, noise included.
+/// Mean and worst deviation from `wanted` over pixels that are all skin; the worst is of single pixels, noise
+/// included.
 struct Deviation {
   double mean = 0, worst = 0;
   int pixels = 0;
@@ -48,15 +49,16 @@ TEST(Picture, VolumeFurnaceIsWhite) {
   }
 }
 
-// On a sphere of radius a, a Gaussian of the chord's length sums to 1 - exp(-2 a^2 / v): only what would lie beyond the far side is
-// missing.
+// On a sphere of radius a, a Gaussian of the chord's length sums to 1 - exp(-2 a^2 / v): only what would lie
+// beyond the far side is missing.
 TEST(Picture, SphereKeepsTheLightOfItsProfile) {
   constexpr double radius_mm = 2.5;
   const scene::Scene sphere = scene::sphere(radius_mm / 1000, 64);
   glm::dvec3 wanted(0);
   for (const gaussians::Gaussian& g : gaussians::skin_six().terms)
     for (int c = 0; c < 3; ++c)
-      wanted[c] += g.weight[static_cast<std::size_t>(c)] * -std::expm1(-2 * radius_mm * radius_mm / g.variance_mm2);
+      wanted[c] +=
+          g.weight[static_cast<std::size_t>(c)] * -std::expm1(-2 * radius_mm * radius_mm / g.variance_mm2);
   EXPECT_LT(wanted.r, 0.99);  // the far side does matter here
   Job job = tests::furnace(sphere, 24);
   job.view.specular = false;
@@ -66,7 +68,8 @@ TEST(Picture, SphereKeepsTheLightOfItsProfile) {
 }
 
 TEST(Picture, SurfaceFurnaceIsWhite) {
-  const scene::Scene sphere = scene::sphere(0.05, 32);  // large against the profile: nothing reaches the far side
+  // large against the profile: nothing reaches the far side
+  const scene::Scene sphere = scene::sphere(0.05, 32);
   for (const bool specular : {false, true}) {
     Job job = tests::furnace(sphere, 24);
     job.view.specular = specular;
@@ -96,7 +99,8 @@ scene::Scene knife_edge() {
 double mean_phi(double a, double b, double sigma) {
   const auto integral = [&](double x) {
     const double z = x / sigma;
-    return sigma * (z * 0.5 * std::erfc(-z / std::sqrt(2.0)) + std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi));
+    return sigma * (z * 0.5 * std::erfc(-z / std::sqrt(2.0)) +
+                    std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi));
   };
   return (integral(b) - integral(a)) / (b - a);
 }
@@ -118,7 +122,8 @@ TEST(Picture, KnifeEdgeIsTheAnalyticOne) {
       double mean = 0, wanted = 0;
       for (int y = 0; y < picture.height; ++y) mean += double(picture.at(x, y)[c]) / picture.height;
       for (const gaussians::Gaussian& g : gaussians::skin_six().terms)
-        wanted += g.weight[static_cast<std::size_t>(c)] * mean_phi(-left - width, -left, std::sqrt(g.variance_mm2));
+        wanted +=
+            g.weight[static_cast<std::size_t>(c)] * mean_phi(-left - width, -left, std::sqrt(g.variance_mm2));
       worst = std::max(worst, std::abs(mean - wanted));
       EXPECT_NEAR(mean, wanted, 0.005) << "column " << x << ", channel " << c;
     }
@@ -126,12 +131,13 @@ TEST(Picture, KnifeEdgeIsTheAnalyticOne) {
   std::printf("knife edge: at most %.4f of the peak away\n", worst);
 }
 
-// Stripes far finer than a pixel. Light enters and leaves through sqrt(albedo) each: the mean of the roots twice, not the mean of albedos,
-// which a camera that filters its maps would see.
+// Stripes far finer than a pixel. Light enters and leaves through sqrt(albedo) each: the mean of the roots
+// twice, not the mean of albedos, which a camera that filters its maps would see.
 TEST(Picture, APixelIsTheMeanOfItsPointsNotOfItsMaps) {
   scene::Scene scene = scene::plane(0.1, glm::dmat2(1), {}, 1);
   image::Image8 stripes{.width = 256, .height = 1, .rgba = {}};
-  for (int x = 0; x < 256; ++x) stripes.rgba.insert(stripes.rgba.end(), 3, x % 2 ? 255 : 56), stripes.rgba.push_back(255);
+  for (int x = 0; x < 256; ++x)
+    stripes.rgba.insert(stripes.rgba.end(), 3, x % 2 ? 255 : 56), stripes.rgba.push_back(255);
   scene.images.push_back({"stripes", std::make_shared<const image::Image8>(stripes)});
   scene::Material& skin = scene.materials.front();
   skin.base_colour_map.image = 0;
@@ -146,7 +152,8 @@ TEST(Picture, APixelIsTheMeanOfItsPointsNotOfItsMaps) {
   job.profiles.push_back({.name = "wide", .terms = {{.variance_mm2 = 4, .weight = {1, 1, 1}}}});
   const Deviation d = deviation(tests::rendered(Tracer(scene, job), 4096), glm::dvec3(root * root));
   EXPECT_EQ(d.pixels, 16);
-  EXPECT_LT(std::abs(d.mean), 0.01) << "filtered colour would give " << root * std::sqrt((1 + dark) / 2) << " instead of " << root * root;
+  EXPECT_LT(std::abs(d.mean), 0.01) << "filtered colour would give " << root * std::sqrt((1 + dark) / 2)
+                                    << " instead of " << root * root;
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace {
 TEST(RandomNumbers, ABlockHasOneInEachStratum) {
   for (std::uint32_t block = 0; block < 200; ++block) {
     std::vector<Random> samples;
-    for (std::uint32_t k = 0; k < samples_a_block; ++k) samples.push_back(random_of(5, 17, block * samples_a_block + k));
+    for (std::uint32_t k = 0; k < samples_a_block; ++k)
+      samples.push_back(random_of(5, 17, block * samples_a_block + k));
     for (int draw = 0; draw < 20; ++draw) {
       std::array<double, samples_a_block> u{};
       for (std::size_t k = 0; k < u.size(); ++k) u[k] = samples[k].next();
@@ -23,7 +24,8 @@ TEST(RandomNumbers, ABlockHasOneInEachStratum) {
       for (std::size_t k = 0; k < u.size(); ++k) {
         EXPECT_GT(u[k], 0);
         EXPECT_LT(u[k], 1);
-        EXPECT_NEAR(u[k] - u[0], static_cast<double>(k) / samples_a_block, 1e-9) << "shifted as a whole, in an order of its own";
+        EXPECT_NEAR(u[k] - u[0], static_cast<double>(k) / samples_a_block, 1e-9)
+            << "shifted as a whole, in an order of its own";
       }
     }
   }

@@ -52,7 +52,8 @@ TEST(Regions, ABallHasATerminatorAndNeitherNoseNorEars) {
   View view = framed(ball, 96);
   view.lights = {from({1, 0, 0})};
   const std::vector<Region> all = regions(rays, view);
-  for (const char* empty : {"ears", "nose", "shadow edges", "thin parts", "folds"}) EXPECT_EQ(named(all, empty).pixels, 0u) << empty;
+  for (const char* empty : {"ears", "nose", "shadow edges", "thin parts", "folds"})
+    EXPECT_EQ(named(all, empty).pixels, 0u) << empty;
   EXPECT_GT(named(all, "skin").pixels, 5000u);
   const Region& terminator = named(all, "terminator");
   for_each_point(rays, view, [&](const rays::SurfacePoint& p, std::size_t i) {
@@ -74,7 +75,8 @@ TEST(Regions, SeamsAreWhereTheUnwrapIsCut) {
   EXPECT_GT(seams.pixels, 100u);
   for_each_point(rays, view, [&](const rays::SurfacePoint& p, std::size_t i) {
     const glm::dvec3 a = glm::abs(p.position_m);
-    const double off_mm = 1000 * std::abs(a.z - std::max(a.x, a.y)) / std::sqrt(2.0);  // from the nearest cut that is seen
+    // from the nearest cut that is seen
+    const double off_mm = 1000 * std::abs(a.z - std::max(a.x, a.y)) / std::sqrt(2.0);
     if (off_mm < 1) { EXPECT_TRUE(seams.mask[i]) << off_mm; }
     if (off_mm > 7 && std::abs(a.x - a.y) > 0.01) { EXPECT_FALSE(seams.mask[i]) << off_mm; }
     EXPECT_NE(seams.mask[i] != 0, rest.mask[i] != 0) << "without lights there is nothing else";
@@ -135,7 +137,9 @@ TEST(Regions, ASlitIsAFold) {
   ASSERT_TRUE(inside && top);
   EXPECT_NEAR(1000 * gap_m(rays, rays::surface_point(scene, *inside)), 2.3, 0.2);
   EXPECT_GT(gap_m(rays, rays::surface_point(scene, *top)), 1);
-  EXPECT_EQ(named(regions(rays::RayScene(tests::box(50, 100)), framed(tests::box(50, 100), 16)), "folds").pixels, 0u);
+  EXPECT_EQ(
+      named(regions(rays::RayScene(tests::box(50, 100)), framed(tests::box(50, 100), 16)), "folds").pixels,
+      0u);
 }
 
 TEST(Regions, OfTheBuiltInHead) {

@@ -39,8 +39,8 @@ TEST_P(Run, GoesOnFromACheckpointAsIfItHadNotStopped) {
   const std::uint64_t mark = fingerprint(scene_, s, 7);
   std::atomic<bool> stop{false};
   Film film(40, 40);
-  const bool complete =
-      render(tracer, film, {.samples = 6, .noise_percent = {}, .seed = 7, .stop = &stop}, [&](const Film& f) { stop = f.samples() == 2; });
+  const bool complete = render(tracer, film, {.samples = 6, .noise_percent = {}, .seed = 7, .stop = &stop},
+                               [&](const Film& f) { stop = f.samples() == 2; });
   EXPECT_FALSE(complete);
   ASSERT_EQ(film.samples(), 2u);
   save_checkpoint(path, film, mark);
@@ -77,7 +77,8 @@ TEST_P(Run, EndsWhenTheNoiseIsLowAndTheVarianceIsHonest) {
   EXPECT_LT(film.samples(), 4096u);
   EXPECT_GT(film.samples(), 128u) << "variances of too few blocks scatter themselves";
   EXPECT_LE(film.noise_percent(), noise_percent);
-  // Against an independent run: differences scatter as both variances say. Over pixels that are all skin the mean square of z is 1.
+  // Against an independent run: differences scatter as both variances say. Over pixels that are all skin the
+  // mean square of z is 1.
   const Film other = tests::rendered(tracer, film.samples(), 4);
   const image::ImageF a = film.picture(), b = other.picture(), va = film.variance(), vb = other.variance();
   double sum = 0;
@@ -96,7 +97,9 @@ TEST_P(Run, EndsWhenTheNoiseIsLowAndTheVarianceIsHonest) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Run, testing::Values(Model::bssrdf, Model::volume),
-                         [](const auto& parameter) { return parameter.param == Model::bssrdf ? "bssrdf" : "volume"; });
+                         [](const auto& parameter) {
+                           return parameter.param == Model::bssrdf ? "bssrdf" : "volume";
+                         });
 
 }  // namespace
 }  // namespace dermis::reference

@@ -17,6 +17,7 @@ scene::Camera from_above(double z_m, double half_m);
 reference::Job furnace(const scene::Scene& scene, int side);
 
 /// `samples` of every pixel.
-reference::Film rendered(const reference::Tracer& tracer, std::uint32_t samples, std::uint64_t seed = 1, int threads = 0);
+reference::Film rendered(const reference::Tracer& tracer, std::uint32_t samples, std::uint64_t seed = 1,
+                         int threads = 0);
 
 }  // namespace dermis::tests

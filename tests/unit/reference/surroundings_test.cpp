@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures of the surroundings as light: directions are drawn as they claim, and what is lit by them is known.
+// Pictures of the surroundings as light: directions are drawn as they claim, and what is lit by them is
+// known.
 #include "reference/surroundings.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +18,10 @@ namespace {
 
 using std::numbers::pi;
 
-environment::Environment painted(int width, int height, const std::function<glm::dvec3(const glm::dvec3&)>& radiance) {
-  environment::Environment e{.name = "painted", .radiance = {.width = width, .height = height, .channels = 3, .values = {}}};
+environment::Environment painted(int width, int height,
+                                 const std::function<glm::dvec3(const glm::dvec3&)>& radiance) {
+  environment::Environment e{.name = "painted",
+                             .radiance = {.width = width, .height = height, .channels = 3, .values = {}}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const glm::dvec3 rgb = radiance(environment::direction_of((x + 0.5) / width, (y + 0.5) / height));
@@ -28,18 +31,20 @@ environment::Environment painted(int width, int height, const std::function<glm:
 }
 
 std::shared_ptr<const Surroundings> uniform(double radiance) {
-  return std::make_shared<const Surroundings>(painted(8, 4, [&](const glm::dvec3&) { return glm::dvec3(radiance); }), 1, 0);
+  return std::make_shared<const Surroundings>(
+      painted(8, 4, [&](const glm::dvec3&) { return glm::dvec3(radiance); }), 1, 0);
 }
 
 environment::Environment two_lamps(int width, int height) {
   return painted(width, height, [](const glm::dvec3& d) {
-    return glm::dvec3(0.1, 0.2, 0.1) + (glm::dot(d, glm::normalize(glm::dvec3(1, 1, 1))) > 0.9 ? glm::dvec3(9) : glm::dvec3(0)) +
+    return glm::dvec3(0.1, 0.2, 0.1) +
+           (glm::dot(d, glm::normalize(glm::dvec3(1, 1, 1))) > 0.9 ? glm::dvec3(9) : glm::dvec3(0)) +
            (d.y < -0.95 ? glm::dvec3(0, 3, 0) : glm::dvec3(0));
   });
 }
 
-// The mean of f / density over directions that are drawn is the integral of f, for any f: here 1, which finds holes and wrong solid angles,
-// and the radiance times a cosine, against a sum over fine steps.
+// The mean of f / density over directions that are drawn is the integral of f, for any f: here 1, which finds
+// holes and wrong solid angles, and the radiance times a cosine, against a sum over fine steps.
 TEST(Surroundings, DirectionsAreDrawnAsTheyClaim) {
   const glm::dvec3 n = glm::normalize(glm::dvec3(0.2, -0.5, 0.8));
   for (const auto& [width, height] : {std::pair(1, 1), {7, 5}, {64, 32}, {1500, 700}})
@@ -60,10 +65,12 @@ TEST(Surroundings, DirectionsAreDrawnAsTheyClaim) {
       for (int y = 0; y < rows; ++y)
         for (int x = 0; x < 2 * rows; ++x) {
           const glm::dvec3 d = environment::direction_of((x + 0.5) / (2 * rows), (y + 0.5) / rows);
-          summed += sky.radiance(d) * (std::max(0.0, glm::dot(n, d)) * std::sin(pi * (y + 0.5) / rows) * pi * pi / (rows * rows));
+          summed += sky.radiance(d) * (std::max(0.0, glm::dot(n, d)) * std::sin(pi * (y + 0.5) / rows) * pi *
+                                       pi / (rows * rows));
         }
       EXPECT_NEAR(ones / (4 * pi), 1, 0.03) << width << " x " << height;
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn[c] / summed[c], 1, 0.02) << width << " x " << height << ", channel " << c;
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(drawn[c] / summed[c], 1, 0.02) << width << " x " << height << ", channel " << c;
     }
 }
 
@@ -106,7 +113,8 @@ scene::Scene well() {
   constexpr float half = 0.012f, high = 0.03f;
   for (int i = 0; i < 8; ++i) {
     scene::Vertex v;
-    v.position_m = {(i & 3) == 1 || (i & 3) == 2 ? half : -half, (i & 2) ? half : -half, i & 4 ? high : -1e-4f};
+    v.position_m = {(i & 3) == 1 || (i & 3) == 2 ? half : -half, (i & 2) ? half : -half,
+                    i & 4 ? high : -1e-4f};
     p.vertices.push_back(v);
   }
   for (std::uint32_t i = 0; i < 4; ++i) {
@@ -119,7 +127,8 @@ scene::Scene well() {
   return made;
 }
 
-// White surroundings, white bodies: whatever hides the sky sends on as much as it hides, over any number of bounces.
+// White surroundings, white bodies: whatever hides the sky sends on as much as it hides, over any number of
+// bounces.
 TEST(Surroundings, FurnaceIsWhiteInAWell) {
   scene::Scene scene = well();
   for (scene::Material& material : scene.materials) material.base_colour = {0.5f, 0.5f, 0.5f, 1};
@@ -144,11 +153,14 @@ TEST(Surroundings, ASmallLampIsADirectionalLight) {
   Job job = tests::furnace(ball, 16);
   job.view.ambient = 0;
   Job lit = job;
-  const auto disc =
-      painted(1024, 512, [&](const glm::dvec3& d) { return glm::dvec3(glm::dot(d, to_lamp) > std::cos(half_angle) ? radiance : 0); });
+  const auto disc = painted(1024, 512, [&](const glm::dvec3& d) {
+    return glm::dvec3(glm::dot(d, to_lamp) > std::cos(half_angle) ? radiance : 0);
+  });
   job.view.surroundings = std::make_shared<const Surroundings>(disc, 1, 0);
-  lit.view.lights.push_back({.name = "sun", .colour = glm::vec3(static_cast<float>(irradiance)), .direction = -glm::vec3(to_lamp)});
-  const double ours = mean_of(tests::rendered(Tracer(ball, job), 256)), wanted = mean_of(tests::rendered(Tracer(ball, lit), 256));
+  lit.view.lights.push_back(
+      {.name = "sun", .colour = glm::vec3(static_cast<float>(irradiance)), .direction = -glm::vec3(to_lamp)});
+  const double ours = mean_of(tests::rendered(Tracer(ball, job), 256)),
+               wanted = mean_of(tests::rendered(Tracer(ball, lit), 256));
   EXPECT_NEAR(ours / wanted, 1, 0.015);
 }
 
@@ -161,7 +173,8 @@ TEST(Surroundings, ShowInAMirror) {
   job.view.ambient = 0;
   job.view.camera = tests::from_above(0.5, 0.01);
   job.view.surroundings = std::make_shared<const Surroundings>(
-      painted(256, 128, [](const glm::dvec3& d) { return glm::dvec3(1 + d.z, 1 - d.z, d.z > 0.9 ? 1 : 0); }), 1, 0);
+      painted(256, 128, [](const glm::dvec3& d) { return glm::dvec3(1 + d.z, 1 - d.z, d.z > 0.9 ? 1 : 0); }),
+      1, 0);
   const image::ImageF picture = tests::rendered(Tracer(scene, job), 4096).picture();
   EXPECT_NEAR(picture.at(2, 2)[0], 2, 0.02);
   EXPECT_NEAR(picture.at(2, 2)[1], 0, 0.02);

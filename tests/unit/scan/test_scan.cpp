@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The manifest of the scan, as the loader understands it: size, orientation, flipped coordinates, skin, camera and lights.
+// The manifest of the scan, as the loader understands it: size, orientation, flipped coordinates, skin,
+// camera and lights.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,9 +18,11 @@ class Scan : public ::testing::Test {
  protected:
   void SetUp() override {
     const std::filesystem::path heads = std::filesystem::path(DERMIS_SOURCE_DIR) / "assets/heads";
-    for (const char* name : {"LeePerrySmith.glb", "Map-COL.jpg", "Map-SPEC.jpg", "Infinite-Level_02_Tangent_SmoothUV.jpg",
-                             "Infinite-Level_02_Disp_NoSmoothUV-4096.jpg"}) {
-      if (!std::filesystem::exists(heads / name)) GTEST_SKIP() << "the scan's files are not beside its manifest (run: ./run fetch-assets)";
+    for (const char* name :
+         {"LeePerrySmith.glb", "Map-COL.jpg", "Map-SPEC.jpg", "Infinite-Level_02_Tangent_SmoothUV.jpg",
+          "Infinite-Level_02_Disp_NoSmoothUV-4096.jpg"}) {
+      if (!std::filesystem::exists(heads / name))
+        GTEST_SKIP() << "the scan's files are not beside its manifest (run: ./run fetch-assets)";
     }
     static const Scene loaded = load_gltf(heads / "lee-perry-smith.gltf");
     scene_ = &loaded;
@@ -30,7 +33,8 @@ class Scan : public ::testing::Test {
   const Material& skin() const { return scene_->materials[0]; }
   const Vertex& nose_tip() const {
     const auto& v = head().vertices;
-    return *std::max_element(v.begin(), v.end(), [](const Vertex& a, const Vertex& b) { return a.position_m.z < b.position_m.z; });
+    return *std::max_element(
+        v.begin(), v.end(), [](const Vertex& a, const Vertex& b) { return a.position_m.z < b.position_m.z; });
   }
 
   const Scene* scene_ = nullptr;
@@ -54,14 +58,18 @@ TEST_F(Scan, FacesTheViewer) {
 
 TEST_F(Scan, ReadsItsMapsTheRightWayUp) {
   const SkinSettings& settings = skin().skin_settings;
-  for (const MapRef* map : {&skin().base_colour_map, &skin().normal_map, &settings.specular, &settings.displacement}) {
+  for (const MapRef* map :
+       {&skin().base_colour_map, &skin().normal_map, &settings.specular, &settings.displacement}) {
     ASSERT_TRUE(map->present());
-    // In the pictures the nose tip is at 0.387 of the height from the top; the file's coordinates count from the bottom.
+    // In the pictures the nose tip is at 0.387 of the height from the top; the file's coordinates count from
+    // the bottom.
     const glm::vec2 uv = map->transform * glm::vec3(nose_tip().uv0, 1.f);
     EXPECT_NEAR(uv.x, 0.500f, 0.001f);
     EXPECT_NEAR(uv.y, 0.387f, 0.001f);
   }
-  const auto side = [&](const MapRef& map) { return scene_->images[static_cast<std::size_t>(map.image)].pixels->width; };
+  const auto side = [&](const MapRef& map) {
+    return scene_->images[static_cast<std::size_t>(map.image)].pixels->width;
+  };
   EXPECT_EQ(side(skin().normal_map), 1024);
   EXPECT_EQ(side(settings.displacement), 4096);
 }
@@ -98,14 +106,16 @@ TEST_F(Scan, LightsComeFromBothSides) {
   ASSERT_EQ(scene_->lights.size(), 2u);
   ASSERT_EQ(scene_->cameras.size(), 1u);
   const glm::mat3 camera_from_world = glm::transpose(glm::mat3(scene_->cameras[0].world_from_camera));
-  const glm::vec3 to_key = -(camera_from_world * scene_->lights[0].direction), to_fill = -(camera_from_world * scene_->lights[1].direction);
+  const glm::vec3 to_key = -(camera_from_world * scene_->lights[0].direction),
+                  to_fill = -(camera_from_world * scene_->lights[1].direction);
   EXPECT_EQ(scene_->lights[0].type, LightType::directional);
   EXPECT_EQ(scene_->lights[1].type, LightType::directional);
   EXPECT_LT(to_key.x, -0.5f);  // upper left, before the face
   EXPECT_GT(to_key.y, 0.3f);
   EXPECT_GT(to_key.z, 0.3f);
   EXPECT_GT(to_fill.x, 0.7f);
-  EXPECT_NEAR(scene_->lights[0].colour.r, 3.f, 1e-4f);  // irradiance: a face-on white surface would show as 3/pi
+  // irradiance: a face-on white surface would show as 3/pi
+  EXPECT_NEAR(scene_->lights[0].colour.r, 3.f, 1e-4f);
   EXPECT_NEAR(scene_->lights[1].colour.b, 0.8f, 1e-4f);
 }
 
