@@ -6,6 +6,7 @@
 #include "api/output.h"
 #include "api/renderer_state.h"
 #include "api/setup.h"
+#include "core/cache.h"
 #include "core/error.h"
 #include "frame/executor.h"
 #include "passes/blur/blur.h"
@@ -165,8 +166,8 @@ void PreparedFrame::State::upload() {
 void PreparedFrame::State::look_at_the_sky() {
   api::SharedScene& shared = *scene;
   for (std::size_t i = shared.sky_seen.size(); i < shared.subject.skin.size(); ++i) {
-    environment::Occlusion seen = environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i],
-                                                                gpu::default_pipeline_cache().parent_path());
+    environment::Occlusion seen =
+        environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], cache::default_folder());
     shared.gpu->skin[i].sky_seen =
         passes::unwrap_map(device(), shared.gpu->skin[i].name + " sky seen", seen.side, seen.values);
     seen.values = {};

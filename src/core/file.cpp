@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/file.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -46,13 +48,17 @@ std::vector<std::byte> read_file(const fs::path& path, std::uint64_t limit_bytes
   if (!fs::exists(status)) throw input_error(path.string(), "no such file");
   if (fs::is_directory(status)) throw input_error(path.string(), "is a directory, expected a file");
   if (!fs::is_regular_file(status)) throw input_error(path.string(), "is not a regular file");
-  const std::uint64_t size = fs::file_size(path, error);
-  if (error) throw input_error(path.string(), "cannot be read: {}", error.message());
+  const File file(std::fopen(path.c_str(), "rb"));
+  if (!file) throw input_error(path.string(), "cannot be opened: {}", std::strerror(errno));
+  // Of the file that is open: another may have taken its name meanwhile.
+  struct stat opened {};
+  if (::fstat(::fileno(file.get()), &opened) != 0)
+    throw input_error(path.string(), "cannot be read: {}", std::strerror(errno));
+  const auto size = static_cast<std::uint64_t>(opened.st_size);
   if (size > limit_bytes)
     throw input_error(path.string(), "has {} bytes, the limit is {}", size, limit_bytes);
   if (size == 0 && !allow_empty) throw input_error(path.string(), "is empty");
-  const File file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw input_error(path.string(), "cannot be opened: {}", std::strerror(errno));
+
   std::vector<std::byte> bytes(size);
   if (size != 0 && std::fread(bytes.data(), 1, size, file.get()) != size)
     throw input_error(path.string(), "cannot be read to its end");
@@ -80,10 +86,11 @@ void check_writable(const fs::path& path) {
 void write_file(const fs::path& path, std::span<const std::byte> bytes) {
   check_writable(path);
   if (is_stream(path)) return write_bytes(path, bytes, path);
-  // The process id keeps two runs that write the same name apart.
+  // The process id and a number keep two runs, or two threads, that write the same name apart.
+  static std::atomic<unsigned> number{0};
   std::error_code ignored;
   fs::path part = path;
-  part += fmt::format(".{}.part", ::getpid());
+  part += fmt::format(".{}.{}.part", ::getpid(), number++);
   try {
     write_bytes(part, bytes, path);
   } catch (...) {

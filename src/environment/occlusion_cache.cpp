@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstring>
 #include <span>
 
-#include "core/error.h"
-#include "core/file.h"
-#include "core/log.h"
+#include "core/cache.h"
 #include "environment/occlusion.h"
 #include "image/colour.h"
 
@@ -31,7 +31,8 @@ class Hash {
   std::array<std::uint64_t, 2> state_{0xCBF29CE484222325u, 0x9E3779B97F4A7C15u};
 };
 
-constexpr std::uint32_t version = 4;  // of what bake_occlusion does and of the file
+constexpr std::uint32_t version = 5;  // of what bake_occlusion does and of the file
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31;
 
 Hash hash_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const OcclusionSettings& settings) {
   Hash hash;
@@ -113,26 +114,14 @@ void round_to_half(Occlusion& occlusion) {
 Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
                            const std::filesystem::path& folder, const OcclusionSettings& settings) {
   const Hash hash = hash_of(scene, mesh, settings);
-  const std::filesystem::path file = folder / fmt::format("occlusion-{:016x}.bin", hash.state()[0]);
-  std::error_code error;
-  if (!folder.empty() && std::filesystem::is_regular_file(file, error)) {
-    try {
-      if (Occlusion found = read(read_file(file, std::uint64_t{1} << 28), hash, settings.side);
-          found.side > 0)
-        return found;
-    } catch (const InputError&) {  // made again below
-    }
-    warn("{}: not what it should be; made again", file.string());
-  }
+  const std::filesystem::path file =
+      folder.empty() ? folder : folder / fmt::format("occlusion-{:016x}.bin", hash.state()[0]);
+  if (const auto bytes = cache::read(file, most_bytes))
+    if (Occlusion found = read(*bytes, hash, settings.side); found.side > 0) return found;
+
   Occlusion made = bake_occlusion(scene, mesh, settings);
   round_to_half(made);
-  if (folder.empty()) return made;
-  try {
-    std::filesystem::create_directories(folder, error);
-    write_file(file, write(made, hash));
-  } catch (const InputError& e) {
-    warn("what the skin sees of its surroundings is not kept for the next run: {}", e.what());
-  }
+  if (!file.empty()) cache::write(file, write(made, hash));
   return made;
 }
 

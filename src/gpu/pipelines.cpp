@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 
 #include "core/assert.h"
+#include "core/cache.h"
 #include "core/error.h"
 #include "gpu/device.h"
 #include "gpu/formats.h"
@@ -435,13 +435,8 @@ double PipelineLibrary::creation_ms() const { return state_->creation_ms; }
 Device& PipelineLibrary::device() { return *state_->device; }
 
 std::filesystem::path default_pipeline_cache() {
-  const auto from = [](const char* variable) -> std::filesystem::path {
-    const char* value = std::getenv(variable);
-    return value && *value ? value : "";
-  };
-  if (const auto cache = from("XDG_CACHE_HOME"); !cache.empty()) return cache / "dermis" / "pipelines.bin";
-  if (const auto home = from("HOME"); !home.empty()) return home / ".cache" / "dermis" / "pipelines.bin";
-  return {};
+  const std::filesystem::path folder = cache::default_folder();
+  return folder.empty() ? folder : folder / "pipelines.bin";
 }
 
 }  // namespace dermis::gpu

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "profile/monte_carlo_cache.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <deque>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string_view>
 
-#include "core/error.h"
-#include "core/file.h"
-#include "core/log.h"
+#include "core/cache.h"
 
 namespace dermis::profile {
 namespace {
 
 constexpr std::size_t kept_in_memory = 64, max_rings = 4096;
+constexpr std::uint64_t most_bytes = 1 << 20;
 
 struct Entry {
   std::string key;
@@ -24,19 +26,15 @@ struct Entry {
 std::mutex mutex;
 std::deque<Entry> memory;
 
-std::uint64_t fnv1a(std::string_view text) {
-  std::uint64_t hash = 0xCBF29CE484222325u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
-  return hash;
+std::span<const std::byte> bytes_of(std::string_view text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
 }
 
 std::filesystem::path file_of(const std::string& key, const std::filesystem::path& folder) {
+  if (folder.empty()) return {};
   // the key inside the file settles collisions
-  return folder / fmt::format("monte-carlo-{:016x}.txt", fnv1a(key));
+  return folder / fmt::format("monte-carlo-{:016x}.txt", cache::checksum(bytes_of(key)));
 }
-
-/// The last line of a file. A changed digit would be a wrong skin that nobody notices.
-std::string checksum_line(std::string_view body) { return fmt::format("checksum {:016x}\n", fnv1a(body)); }
 
 void put(std::string& text, const std::vector<double>& values) {
   text += fmt::format("{}", values.size());
@@ -54,7 +52,7 @@ std::string write(const std::string& key, const MonteCarloResult& r) {
   put(text, r.reflected.energies());
   put(text, r.reflected_error);
   put(text, r.transmitted.energies());
-  return text + checksum_line(text);
+  return text;
 }
 
 bool get(std::istream& in, std::vector<double>& values, std::size_t expected) {
@@ -67,8 +65,6 @@ bool get(std::istream& in, std::vector<double>& values, std::size_t expected) {
 }
 
 std::optional<MonteCarloResult> read(const std::string& key, const std::string& text) {
-  const std::size_t size = checksum_line("").size(), body = text.size() < size ? 0 : text.size() - size;
-  if (text.substr(body) != checksum_line(std::string_view(text).substr(0, body))) return std::nullopt;
   std::istringstream in(text);
   std::string line;
   std::vector<double> totals, edges, reflected, transmitted;
@@ -114,27 +110,22 @@ std::shared_ptr<const MonteCarloResult> cached(const std::string& key, const std
     for (const Entry& entry : memory)
       if (entry.key == key) return entry.result;
   }
-  std::error_code error;
-  if (folder.empty() || !std::filesystem::is_regular_file(file_of(key, folder), error)) return nullptr;
-  try {
-    const auto bytes = read_file(file_of(key, folder), 1 << 20);
-    auto result = read(key, std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-    if (!result) return nullptr;
-    auto shared = std::make_shared<const MonteCarloResult>(std::move(*result));
-    keep(key, shared);
-    return shared;
-  } catch (const InputError&) { return nullptr; }
+  const auto bytes = cache::read(file_of(key, folder), most_bytes);
+  if (!bytes) return nullptr;
+  auto result = read(key, std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+  if (!result) return nullptr;
+  auto shared = std::make_shared<const MonteCarloResult>(std::move(*result));
+  keep(key, shared);
+  return shared;
 }
 
 void remember(const std::string& key, const std::filesystem::path& folder,
               const std::shared_ptr<const MonteCarloResult>& result) {
   keep(key, result);
   if (folder.empty()) return;
-  try {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    write_file(file_of(key, folder), write(key, *result));
-  } catch (const InputError& error) { warn("Monte-Carlo result not kept: {}", error.what()); }
+  const std::string text = write(key, *result);
+  const auto bytes = bytes_of(text);
+  cache::write(file_of(key, folder), {bytes.begin(), bytes.end()});
 }
 
 }  // namespace dermis::profile

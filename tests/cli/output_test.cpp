@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is written: complete or not at all, and only JSON where JSON was asked for. Too little memory ends as
 // any other error.
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -39,6 +40,28 @@ TEST_F(Output, StatisticsAloneOnStandardOutput) {
   EXPECT_EQ(statistics.at("size"), json({48, 48}));
   const Result devices = run({"info", "--json"});
   EXPECT_TRUE(json::accept(devices.out)) << devices.out;
+}
+
+TEST_F(Output, TheCacheSaysWhatItHoldsAndIsCleared) {
+  const fs::path cache = folder() / "kept" / "dermis";
+  fs::create_directories(cache);
+  const Surroundings here{.variables = {"XDG_CACHE_HOME=" + (folder() / "kept").string()}};
+  std::ofstream(cache / "occlusion-1.bin") << "12345";
+  std::ofstream(cache / "mine.txt") << "stays";
+  const auto kinds = [&](const Arguments& arguments) {
+    const json said = json::parse(run(arguments, here).out, nullptr, false);
+    EXPECT_EQ(said.at("cache").at("folder"), cache.string());
+    return said.at("cache").at("kinds");
+  };
+  EXPECT_EQ(kinds({"info", "--cache", "--json"}).at("occlusion"), json({{"files", 1}, {"bytes", 5}}));
+  EXPECT_NE(run({"info", "--cache"}, here).out.find("limit 1000 MB"), std::string::npos);
+  EXPECT_EQ(kinds({"info", "--clear-cache", "--json"}).at("occlusion").at("files"), 1);
+  EXPECT_EQ(kinds({"info", "--cache", "--json"}).at("occlusion").at("files"), 0);
+  EXPECT_TRUE(fs::exists(cache / "mine.txt"));
+  // Without a home nothing is kept, and nothing is wrong.
+  const Result homeless = run({"info", "--cache"}, {.variables = {"XDG_CACHE_HOME=", "HOME="}});
+  EXPECT_EQ(homeless.status, 0);
+  EXPECT_NE(homeless.out.find("nothing is kept"), std::string::npos);
 }
 
 TEST_F(Output, StatisticsInAFileAndASummaryForPeople) {
