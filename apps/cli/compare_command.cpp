@@ -25,11 +25,6 @@ struct CompareArguments : SceneArguments {
   SceneComparisonSettings scene_settings;
 };
 
-image::View view_of(const std::string& name) {
-  if (const std::optional<image::View> view = image::view_named(name)) return *view;
-  throw input_error("--view", "'{}' is not known; known: filmic, srgb, linear", name);
-}
-
 /// What can be refused before pictures are read.
 void check_outputs(const CompareArguments& arguments) {
   if (arguments.html == "-") throw input_error("--html", "needs a file, not standard output");
@@ -74,11 +69,11 @@ void compare_linear(const CompareArguments& arguments, std::span<const std::byte
     const auto negative = std::find_if(values.begin(), values.end(), [](float value) { return value < 0; });
     if (negative != values.end()) throw input_error(name, "holds {}; variances are 0 or more", *negative);
   }
-  const image::View view = view_of(arguments.settings.view);
-  compared.view = arguments.settings.view;
-  compared.found = image::compare(a, b, view, variances, compared.region);
-  compared.shown_a = image::to_display(a, view);
-  compared.shown_b = image::to_display(b, view);
+  const image::ToneMap tone_map = image::find_tone_map(arguments.settings.tone_map);
+  compared.tone_map = arguments.settings.tone_map;
+  compared.found = image::compare(a, b, tone_map, variances, compared.region);
+  compared.shown_a = image::to_display(a, tone_map);
+  compared.shown_b = image::to_display(b, tone_map);
 }
 
 void compare_display(const CompareArguments& arguments, std::span<const std::byte> a_bytes,
@@ -133,7 +128,7 @@ void run(const CompareArguments& arguments) {
   if (!arguments.scene.empty() && two) throw CLI::ExcludesError("--scene", "A and B");
   if (arguments.variances.size() > 2)
     throw CLI::ArgumentMismatch::AtMost("--z", 2, arguments.variances.size());
-  view_of(arguments.settings.view);
+  image::find_tone_map(arguments.settings.tone_map);
   check_outputs(arguments);
   arguments.scene.empty() ? compare_two(arguments) : compare_techniques(arguments);
 }
@@ -177,7 +172,7 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
       ->group("Model");
   CLI::Option* scene = command.get_option("--scene");
   for (CLI::Option* option : command.get_options())
-    if (option != scene && option->get_name() != "--view" &&
+    if (option != scene && option->get_name() != "--tone-map" && option->get_name() != "--view" &&
         std::find(before.begin(), before.end(), option) == before.end())
       option->needs(scene);
 }

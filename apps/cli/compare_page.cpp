@@ -31,7 +31,7 @@ Rows rows(const Compared& c) {
   if (c.found.exposures != 0)
     rows.emplace_back("exposures", fmt::format("{} from {:.4f} to {:.4f} EV", c.found.exposures,
                                                c.found.start_exposure, c.found.stop_exposure));
-  rows.emplace_back(c.view.empty() ? "PSNR" : fmt::format("PSNR (view {})", c.view),
+  rows.emplace_back(c.tone_map.empty() ? "PSNR" : fmt::format("PSNR (tone map {})", c.tone_map),
                     fmt::format("{:.2f} dB", c.found.psnr_db));
   rows.emplace_back("relative MSE", fmt::format("{:.6g}", c.found.rel_mse));
   if (c.found.z) {
@@ -72,7 +72,7 @@ std::string compared_json(const Compared& c) {
   if (c.found.exposures != 0)
     json["exposures"] = {
         {"start", c.found.start_exposure}, {"stop", c.found.stop_exposure}, {"count", c.found.exposures}};
-  if (!c.view.empty()) json["view"] = c.view;
+  if (!c.tone_map.empty()) json["tone_map"] = c.tone_map;
   json["psnr_db"] = c.found.psnr_db;
   json["rel_mse"] = c.found.rel_mse;
   if (c.found.z)

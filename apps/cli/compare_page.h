@@ -11,7 +11,7 @@ namespace dermis::cli {
 struct Compared {
   std::string a, b;         ///< names of the files; a is the reference
   std::string region_name;  ///< empty: none
-  std::string view;         ///< of linear pictures; empty: display pictures
+  std::string tone_map;     ///< of linear pictures; empty: display pictures
   image::Image8 shown_a, shown_b;
   image::Region region;
   image::Comparison found;

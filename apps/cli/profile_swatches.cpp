@@ -19,8 +19,7 @@ image::Image8 skin_swatches(const optics::Skin& fixed) {
     skin.melanin = 0.001 * std::pow(500.0, static_cast<double>(i % columns) / (columns - 1));
     skin.haemoglobin = 0.001 * std::pow(100.0, static_cast<double>(i / columns) / (rows - 1));
     const optics::Rgb linear = optics::skin_colour(skin);
-    for (int c = 0; c < 3; ++c)
-      colours[i][c] = image::to_display8(image::View::srgb, static_cast<float>(linear[c]));
+    for (int c = 0; c < 3; ++c) colours[i][c] = image::linear_to_srgb8(static_cast<float>(linear[c]));
   });
   image::Image8 picture{.width = columns * side,
                         .height = rows * side,

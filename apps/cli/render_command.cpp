@@ -24,6 +24,9 @@ std::string summary(const Statistics& s) {
   for (const PassStatistics& pass : s.passes)
     text += fmt::format("  {:<32} {:9.2f} ms\n", pass.name, pass.ms);
   text += fmt::format("  {:<32} {:9.2f} ms  (median of {})\n", "frame", s.frame_ms_median, s.frames);
+  if (s.skin_mean)
+    text += fmt::format("exposure auto: {:.2f} EV; mean luminance of the skin {:.3f}\n", s.exposure_ev,
+                        *s.skin_mean);
   text +=
       fmt::format("loading {:.0f} ms, upload {:.0f} ms, pipelines {:.0f} ms, peak device memory {:.0f} MB\n",
                   s.load_ms, s.upload_ms, s.pipeline_ms, static_cast<double>(s.peak_bytes) / 1e6);

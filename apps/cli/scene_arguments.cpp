@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/ranges.h>
+
 #include <charconv>
 #include <filesystem>
 
@@ -37,6 +39,17 @@ PlacedLight parse_light(const std::string& text) {
     break;
   }
   throw CLI::ValidationError("--light", "expected AZ,EL or AZ,EL,IRRADIANCE, got '" + text + "'");
+}
+
+// EV, or auto: none.
+std::optional<double> parse_exposure(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  double ev = 0;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, ev);
+  if (number.ec != std::errc() || number.ptr != end)
+    throw CLI::ValidationError("--exposure", "expected EV or auto, got '" + text + "'");
+  return ev;
 }
 
 void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help,
@@ -202,8 +215,24 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
       .add_option("--distance", s.distance,
                   "the eye stands this far from the middle head, in radii of its bounding sphere")
       ->group("Camera");
-  command.add_option("--exposure", s.exposure_ev, "radiance is multiplied by 2^EV")->group("Camera");
-  command.add_option("--view", s.view, "view transform of PNG: filmic, srgb, linear")->group("Camera");
+  command
+      .add_option_function<std::string>(
+          "--exposure", [&s](const std::string& text) { s.exposure_ev = parse_exposure(text); },
+          "radiance is multiplied by 2^EV; auto: by the light on the skin, so that white skin would show 0.5 "
+          "on average")
+      ->type_name("EV|auto")
+      ->default_str("0")
+      ->group("Camera");
+  command
+      .add_option("--tone-map", s.tone_map,
+                  fmt::format("how display values (PNG, PSNR, FLIP) come from light: {}",
+                              fmt::join(tone_map_names(), ", ")))
+      ->group("Camera");
+  command
+      .add_option_function<std::string>(
+          "--view", [](const std::string&) { throw CLI::ValidationError("--view", "is now --tone-map"); },
+          "the former name of --tone-map")
+      ->group("");  // not in the help
 }
 
 void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
@@ -271,7 +300,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
   add_environment_options(command, arguments.settings);
   if (use == SceneUse::bench)
     for (const char* own :
-         {"--optimise", "--skip-unseen-heads", "--distance", "--camera", "--orbit", "--exposure", "--view"})
+         {"--optimise", "--skip-unseen-heads", "--distance", "--camera", "--orbit", "--exposure"})
       command.remove_option(command.get_option(own));
 }
 

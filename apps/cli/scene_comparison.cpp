@@ -17,20 +17,15 @@
 #include "core/error.h"
 #include "gaussians/one.h"
 #include "image/codec.h"
-#include "image/colour.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
 #include "image/resize.h"
+#include "image/tone_map.h"
 
 namespace dermis::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-image::View view_of(const std::string& name) {
-  if (const std::optional<image::View> view = image::view_named(name)) return *view;
-  throw input_error("", "--view '{}' is not known; there are: filmic, srgb, linear", name);
-}
 
 /// Linear light as the errors see it: three channels.
 image::ImageF without_alpha(const std::vector<float>& rgba, int width, int height) {
@@ -116,12 +111,14 @@ Scene with_one_gaussian(const Scene& scene, const RenderSettings& s) {
 class Run {
  public:
   Run(const Scene& scene, const SceneComparisonSettings& settings)
-      : scene_(scene), settings_(settings), renderer_({.device = settings.device}) {
+      : scene_(scene),
+        settings_(settings),
+        tone_map_(image::find_tone_map(settings.render.tone_map)),
+        renderer_({.device = settings.device}) {
     all_.scene = scene.name();
-    all_.view = settings.render.view;
+    all_.tone_map = settings.render.tone_map;
     all_.width = settings.render.width, all_.height = settings.render.height;
     all_.supersample = settings.supersample;
-    view_of(all_.view);
   }
 
   SceneComparison result() {
@@ -129,12 +126,13 @@ class Run {
     all_.regions = picture_regions(scene_, settings_.render);
     if (all_.regions.front().pixels == 0)
       throw input_error(scene_.name(), "shows no skin from this camera: nothing to compare");
+    choose_exposure();
     settings_.reference_file.empty() ? render_truth() : load_truth();
-    all_.shown_reference = image::to_display(truth_.linear, view_of(all_.view));
+    all_.shown_reference = image::to_display(truth_.linear, tone_map_);
     if (!truth_.variance.values.empty()) {
       const image::ImageF noisy = noisier(truth_.linear, truth_.variance);
       image::ImageF map;
-      all_.noise = Comparer(all_, truth_).errors(noisy, image::to_display(noisy, view_of(all_.view)), map);
+      all_.noise = Comparer(all_, truth_).errors(noisy, image::to_display(noisy, tone_map_), map);
     }
     std::vector<std::string> names = settings_.techniques;
     if (names.empty()) names = technique_names();
@@ -144,6 +142,16 @@ class Run {
   }
 
  private:
+  // One for all pictures, the reference too.
+  void choose_exposure() {
+    if (!settings_.render.exposure_ev) {
+      RenderSettings one = settings_.render;
+      one.technique = "texture-space";
+      settings_.render.exposure_ev = renderer_.prepare(scene_, one).picture().statistics.exposure_ev;
+    }
+    all_.exposure_ev = *settings_.render.exposure_ev;
+  }
+
   void render_truth() {
     ReferenceSettings r = settings_.reference;
     if (::isatty(STDERR_FILENO))
@@ -221,14 +229,15 @@ class Run {
     }
     const image::ImageF linear = image::downsample_box(
         without_alpha(picture.linear_rgba, picture.width, picture.height), all_.supersample);
-    row.shown = image::to_display(linear, view_of(all_.view));
+    row.shown = image::to_display(linear, tone_map_);
     row.errors = Comparer(all_, truth_).errors(linear, row.shown, row.flip_map);
     all_.techniques.push_back(std::move(row));
     return all_.techniques.back().statistics;
   }
 
   const Scene& scene_;
-  const SceneComparisonSettings& settings_;
+  SceneComparisonSettings settings_;
+  image::ToneMap tone_map_;
   Renderer renderer_;
   SceneComparison all_;
   Truth truth_;
@@ -244,6 +253,8 @@ void check(const SceneComparisonSettings& s) {
     throw input_error("", "--msaa must be 1 or 4, got {}", s.render.samples);
   if (s.supersample < 1 || s.supersample > 16)
     throw input_error("", "--supersample must be 1 to 16, got {}", s.supersample);
+  if (!s.render.exposure_ev && !s.reference_file.empty())
+    throw input_error("--exposure", "auto cannot know how {} was exposed; give the number", s.reference_file);
   const std::int64_t side = std::max(s.render.width, s.render.height);
   if (s.supersample * side > 65536)
     throw input_error("", "--supersample {} makes pictures of {} pixels a side, more than 65536",

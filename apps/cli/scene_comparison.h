@@ -46,12 +46,13 @@ struct ComparedTechnique {
 };
 
 struct SceneComparison {
-  std::string scene, view, model;
+  std::string scene, tone_map, model;
   std::string reference_file;    ///< empty: rendered now
   int samples = 0;               ///< of the reference, if it was rendered now
   double noise_percent = 0;      ///< the same
   double reference_seconds = 0;  ///< the same
   int width = 0, height = 0, supersample = 1;
+  double exposure_ev = 0;  ///< of all pictures; chosen by a frame of texture-space where none was given
   std::vector<PictureRegion> regions;  ///< "skin" first
   image::Image8 shown_reference;
   std::vector<ComparedTechnique> techniques;

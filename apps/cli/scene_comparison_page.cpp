@@ -61,7 +61,8 @@ std::string reference_line(const SceneComparison& c) {
 }
 
 std::string picture_line(const SceneComparison& c) {
-  std::string text = fmt::format("{}, {}x{}, view {}", c.scene, c.width, c.height, c.view);
+  std::string text = fmt::format("{}, {}x{}, tone map {}, exposure {:g} EV", c.scene, c.width, c.height,
+                                 c.tone_map, c.exposure_ev);
   if (c.supersample > 1) text += fmt::format(", errors of {0} x {0} pictures a pixel", c.supersample);
   return text;
 }
@@ -132,8 +133,11 @@ std::string scene_comparison_text(const SceneComparison& c) {
 
 std::string scene_comparison_json(const SceneComparison& c) {
   using nlohmann::ordered_json;
-  ordered_json json{
-      {"scene", c.scene}, {"size", {c.width, c.height}}, {"view", c.view}, {"supersample", c.supersample}};
+  ordered_json json{{"scene", c.scene},
+                    {"size", {c.width, c.height}},
+                    {"tone_map", c.tone_map},
+                    {"exposure_ev", c.exposure_ev},
+                    {"supersample", c.supersample}};
   if (c.reference_file.empty())
     json["reference"] = {{"model", c.model},
                          {"samples", c.samples},

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The figures of docs/truth.md: bench/truth/truth.sh OUT, from the root of the tree, after a build and ./run fetch-assets.
+# TONE_MAP: of the display values (default natural).
 # One JSON and one page a case; a case whose JSON is there is not made again. tools/truth_table.py OUT prints the tables.
 set -eu
 out=$1
@@ -15,7 +16,7 @@ case_of() {
   shift
   if [ ! -f "$out/$name.result.json" ]; then
     echo "$name"
-    "$dermis" compare "$@" --each-optimisation --json "$out/$name.result.json" --html "$out/$name.html" >"$out/$name.txt"
+    "$dermis" compare "$@" --tone-map "${TONE_MAP:-natural}" --each-optimisation --json "$out/$name.result.json" --html "$out/$name.html" >"$out/$name.txt"
   fi
 }
 side="--light 90,10 --shadow-size 8192"

@@ -56,8 +56,9 @@ Json sweep(Renderer& renderer, const std::string& path) {
     s.orbit_deg = {22.5 * (k % 16), -30.0 + 30 * (k / 16)};
     optimised.set(s);
     const Statistics st = optimised.picture().statistics;
-    const auto d = image::compare_exposed(super_sampled(baseline, without(s), st.d_ref),
-                                          super_sampled(optimised, s, st.d_ref), image::View::filmic);
+    const auto d =
+        image::compare_exposed(super_sampled(baseline, without(s), st.d_ref),
+                               super_sampled(optimised, s, st.d_ref), image::find_tone_map(s.tone_map));
     Json view = {{"orbit_deg", s.orbit_deg}, {"unshaded_reads", st.unshaded_reads}};
     unshaded += st.unshaded_reads;
     if (d) {
@@ -139,6 +140,7 @@ int main(int argc, char** argv) {
     RenderSettings tiny;
     tiny.width = tiny.height = 8, tiny.map_size = tiny.shadow_size = 32;
     const Statistics st = renderer.render(Scene::built_in(), tiny).statistics;
+    result["tone_map"] = tiny.tone_map;
     result["device"] = st.device, result["driver"] = st.driver;
     result["sweeps"] = Json::array();
     if (moves && !scenes.empty()) result["dolly"] = dolly(renderer, scenes.front());

@@ -76,12 +76,15 @@ struct RenderSettings {
   /// part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
   std::optional<double> mix;
   bool specular = true;
-  bool white_albedo = false;    ///< every albedo is 1
-  bool translucency = true;     ///< light also comes through the body: ears lit from behind glow
-  double bloom = 0.05;          ///< 0 to 1
-  double exposure_ev = 0;       ///< radiance is multiplied by 2^EV
-  std::string view = "filmic";  ///< filmic, srgb, linear
-  int frames = 1;               ///< timed frames after one warm-up, >= 1
+  bool white_albedo = false;  ///< every albedo is 1
+  bool translucency = true;   ///< light also comes through the body: ears lit from behind glow
+  double bloom = 0.05;        ///< 0 to 1
+  /// radiance is multiplied by 2^EV; none: chosen by the light on the skin, so that white skin would show 0.5
+  /// on average (docs/techniques.md); Statistics say what it is
+  std::optional<double> exposure_ev = 0.0;
+  /// natural, neutral, agx, filmic, srgb, linear: what a display shows; see docs/techniques.md
+  std::string tone_map = "natural";
+  int frames = 1;  ///< timed frames after one warm-up, >= 1
   /// picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K
   std::string show = "picture";
 
@@ -104,6 +107,11 @@ struct Statistics {
   int width = 0, height = 0, map_size = 0, heads = 1, lights = 0, gaussians = 0;
   std::optional<double> distance;
   bool translucency = false;  ///< light came through the body
+  std::string tone_map;
+  double exposure_ev = 0;  ///< given or chosen
+  /// where the exposure was chosen: mean luminance of the skin in the picture, before bloom; none: no lit
+  /// skin
+  std::optional<double> skin_mean;
   double frame_ms_median = 0, frame_ms_min = 0, frame_ms_max = 0;
   int frames = 0;
   std::vector<PassStatistics> passes;
@@ -125,7 +133,7 @@ struct Picture {
   int width = 0, height = 0;
   /// with exposure and bloom; alpha = share of the pixel that is skin
   std::vector<float> linear_rgba;
-  std::vector<std::uint8_t> display_rgba;  ///< after the view transform
+  std::vector<std::uint8_t> display_rgba;  ///< after the tone map
   Statistics statistics;
 
   /// .png (display values) or .exr (linear, 32-bit float), atomically. InputError: another ending, a missing
@@ -194,6 +202,9 @@ class PreparedFrame {
 };
 
 std::vector<std::string> technique_names();
+
+/// What RenderSettings::tone_map may be; the first is the default.
+std::vector<std::string> tone_map_names();
 
 /// The frame that render() would run, as text or in Graphviz's dot language. Needs no device.
 std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot = false);

@@ -164,6 +164,7 @@ void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& s
   st.gaussians = setup.gaussians;
   st.distance = settings.distance;
   st.d_ref = setup.view.d_ref;
+  st.tone_map = settings.tone_map;
   st.skin_pixels = counts[techniques::counter_skin_pixels];
   for (const scene::Material& m : subject.scene->materials)
     if (m.skin) st.skin_materials.push_back(m.name);
@@ -179,6 +180,11 @@ void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& s
   st.used_size.resize(setup.heads.size());
   for (const HeadSetup& head : setup.heads)
     st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;
+}
+
+std::vector<float> read_before_bloom(frame::Executor& executor, const techniques::FrameOutputs& out) {
+  return floats_of_halves(gpu::read_back(executor.device(), executor.resources().texture(out.before_bloom),
+                                         executor.layout_of(out.before_bloom)));
 }
 
 void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out,

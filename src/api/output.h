@@ -21,6 +21,9 @@ void fill_counts(Statistics& statistics, const Subject& subject, const RenderSet
                  const FrameSetup& setup, const techniques::FrameOutputs& out,
                  std::span<const std::byte> counters);
 
+/// The picture before bloom, linear RGBA.
+std::vector<float> read_before_bloom(frame::Executor& executor, const techniques::FrameOutputs& out);
+
 /// The picture, or the map that settings.show names, which check_show() has accepted.
 void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out,
                   const RenderSettings& settings, const FrameSetup& setup);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 
+#include "api/exposure.h"
 #include "api/output.h"
 #include "api/renderer_state.h"
 #include "api/setup.h"
 #include "core/cache.h"
 #include "core/error.h"
+#include "core/log.h"
 #include "frame/executor.h"
 #include "passes/blur/blur.h"
 #include "passes/frame_data.h"
@@ -79,11 +82,14 @@ struct PreparedFrame::State {
   std::vector<frame::FrameTime> times;  ///< since the last change
   std::vector<std::byte> counters;      ///< of this view; empty: not counted yet
   double pipeline_ms = 0;
+  std::optional<double> exposure_ev;  ///< given or chosen; none: it was to be chosen, and no skin is lit
 
   gpu::Device& device() { return renderer->device; }
   void set(const RenderSettings& wanted);
   void plan(const RenderSettings& wanted, const api::FrameSetup& next);
   void upload();
+  void make_data();
+  std::optional<double> measure_exposure();
   void look_at_the_sky();
   void count();
 };
@@ -114,13 +120,37 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   setup = std::move(next);
   settings = wanted;
   upload();
-  data = frame_data(device(), setup, *scene->gpu);
-  if (surroundings) {
-    data.environment = &surroundings->map;
-    data.sky = sky.maps;
-  }
+  exposure_ev = wanted.exposure_ev;
+  if (!exposure_ev) exposure_ev = measure_exposure();
+  if (!exposure_ev) warn("{}: no lit skin in the picture, so --exposure auto is 0 EV", source.name());
+  setup.frame.radiance_scale = static_cast<float>(std::exp2(exposure_ev.value_or(0)));
+  make_data();
   times.clear();
   counters.clear();
+}
+
+void PreparedFrame::State::make_data() {
+  data = frame_data(device(), setup, *scene->gpu);
+  if (!surroundings) return;
+  data.environment = &surroundings->map;
+  data.sky = sky.maps;
+}
+
+// A frame of the same view with white skin that does not reflect at its surface: what it shows is the light
+// on the skin. None: no lit skin.
+std::optional<double> PreparedFrame::State::measure_exposure() {
+  const io::FrameIo as_wanted = setup.frame;
+  setup.frame.white_albedo = 1;
+  setup.frame.specular_on = 0;
+  const std::optional<double> ev = api::choose_exposure([&](double tried_ev) {
+    setup.frame.radiance_scale = static_cast<float>(std::exp2(tried_ev));
+    make_data();
+    executor->run_full(data);
+    return api::mean_skin_luminance(api::read_before_bloom(*executor, outputs));
+  });
+
+  setup.frame = as_wanted;
+  return ev;
 }
 
 void PreparedFrame::State::plan(const RenderSettings& wanted, const api::FrameSetup& next) {
@@ -228,6 +258,9 @@ Picture PreparedFrame::picture() {
   statistics.device = summary.name, statistics.driver = summary.driver, statistics.api = summary.api;
   statistics.image_bytes = s.device().image_bytes(), statistics.buffer_bytes = s.device().buffer_bytes(),
   statistics.peak_bytes = s.device().peak_bytes();
+  statistics.exposure_ev = s.exposure_ev.value_or(0);
+  if (!s.settings.exposure_ev && s.exposure_ev)
+    statistics.skin_mean = api::mean_skin_luminance(api::read_before_bloom(*s.executor, s.outputs));
   api::read_picture(picture, *s.executor, s.outputs, s.settings, s.setup);
   return picture;
 }

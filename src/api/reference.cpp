@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "image/codec.h"
-#include "image/colour.h"
+#include "image/tone_map.h"
 #include "optics/presets.h"
 #include "reference/checkpoint.h"
 #include "reference/render.h"
@@ -121,14 +121,12 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
   return setup;
 }
 
-Picture picture_of(const reference::Film& film, const std::string& view) {
-  const std::optional<image::View> shown = image::view_named(view);
-  if (!shown) throw input_error("", "--view '{}' is not known; there are: filmic, srgb, linear", view);
+Picture picture_of(const reference::Film& film, image::ToneMap tone_map) {
   image::ImageF linear = film.picture();
   Picture picture;
   picture.width = picture.statistics.width = linear.width;
   picture.height = picture.statistics.height = linear.height;
-  picture.display_rgba = image::to_display(linear, *shown).rgba;
+  picture.display_rgba = image::to_display(linear, tone_map).rgba;
   for (std::size_t i = 3; i < picture.display_rgba.size(); i += 4) picture.display_rgba[i] = 255;
   picture.linear_rgba = std::move(linear.values);
   return picture;
@@ -168,9 +166,13 @@ class Watch {
 
 ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
   check(r);
+  if (!s.exposure_ev)
+    throw input_error("",
+                      "--exposure auto is of the renderer; give the reference the number that `dermis render "
+                      "--exposure auto` prints");
+  const image::ToneMap tone_map = image::find_tone_map(s.tone_map);
   const reference::Job setup = set_up(scene.data(), s, r);
   reference::Film film(s.width, s.height);
-  picture_of(reference::Film(1, 1), s.view);  // a wrong --view must not be found out after an hour
   const std::uint64_t fingerprint =
       r.checkpoint.empty() ? 0 : reference::fingerprint(scene.data(), setup, r.seed);
   if (r.resume && !r.checkpoint.empty() && !load_checkpoint(r.checkpoint, film, fingerprint))
@@ -187,7 +189,7 @@ ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, c
                                    [&](const reference::Film& f) { watch.after_pass(f); });
   if (!out.complete && film.samples() > 0 && !r.checkpoint.empty())
     save_checkpoint(r.checkpoint, film, fingerprint);
-  out.picture = picture_of(film, s.view);
+  out.picture = picture_of(film, tone_map);
   out.variance_rgba = film.variance().values;
   out.samples = static_cast<int>(film.samples());
   out.noise_percent = film.noise_percent();

@@ -24,7 +24,7 @@ reference::View reference_view(const scene::Scene& scene, const RenderSettings& 
   view.width = s.width, view.height = s.height;
   view.lights = choose_lights(scene, s, sphere, scene::head_row_offsets(1, sphere.radius_m));
   view.ambient = s.ambient;
-  view.radiance_scale = std::exp2(s.exposure_ev);
+  view.radiance_scale = std::exp2(s.exposure_ev.value_or(0));
   view.specular = s.specular, view.white_albedo = s.white_albedo;
   view.mix = s.mix;
   return view;

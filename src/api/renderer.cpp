@@ -51,6 +51,11 @@ std::vector<std::string> technique_names() {
   return names;
 }
 
+std::vector<std::string> tone_map_names() {
+  const std::span<const std::string_view> names = image::tone_map_names();
+  return {names.begin(), names.end()};
+}
+
 std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot) {
   api::check_settings(settings);
   const api::FrameSetup setup = api::set_up(api::examine(scene.shared()), settings);

@@ -15,6 +15,7 @@ void require(const char* name, T value, T low, T high, const char* unit) {
 
 void check_settings(const RenderSettings& s) {
   techniques::find_technique(s.technique);
+  image::find_tone_map(s.tone_map);
   if (s.width < 1 || s.height < 1 || s.width > 65536 || s.height > 65536)
     throw input_error("", "--size must be 1x1 to 65536x65536 pixels, got {}x{}", s.width, s.height);
   if (s.mask && *s.mask != "alpha" && *s.mask != "depth" && *s.mask != "tiles")
@@ -46,7 +47,7 @@ void check_settings(const RenderSettings& s) {
   require("environment-rotation", s.environment_rotation_deg, -3600.0, 3600.0, " degrees");
   if (s.mix) require("mix", *s.mix, 0.0, 1.0, "");
   require("bloom", s.bloom, 0.0, 1.0, "");
-  require("exposure", s.exposure_ev, -64.0, 64.0, " EV");
+  if (s.exposure_ev) require("exposure", *s.exposure_ev, -64.0, 64.0, " EV");
   require("frames", s.frames, 1, 1'000'000, "");
   for (const double angle : s.orbit_deg) require("orbit", angle, -3600.0, 3600.0, " degrees");
 }

@@ -78,13 +78,6 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
   return part;
 }
 
-passes::ViewTransform view_transform(const std::string& name) {
-  if (name == "filmic") return passes::ViewTransform::filmic;
-  if (name == "srgb") return passes::ViewTransform::srgb;
-  if (name == "linear") return passes::ViewTransform::linear;
-  throw input_error("", "--view '{}' is not known; there are: filmic, srgb, linear", name);
-}
-
 constexpr int default_heads_per_batch = 4;
 
 // How many heads the pool of light maps holds at T_max. Only the published baseline uses one set of maps for
@@ -143,7 +136,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
   plan.shadow_layers =
       static_cast<std::uint32_t>(std::max<std::size_t>(setup.heads.front().shadow_from_world.size(), 1));
   plan.bloom = static_cast<float>(s.bloom);
-  plan.view = view_transform(s.view);
+  plan.tone_map = image::find_tone_map(s.tone_map);
   plan.visibility = s.show == "visibility";
   plan.environment = !s.environment.empty();
   plan.soft_shadows =
@@ -195,7 +188,7 @@ FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceT
   io::FrameIo& frame = setup.frame;
   frame.clip_from_world = setup.view.clip_from_world;
   frame.eye_m = setup.view.eye_m;
-  frame.radiance_scale = static_cast<float>(std::exp2(s.exposure_ev));
+  frame.radiance_scale = static_cast<float>(std::exp2(s.exposure_ev.value_or(0)));
   frame.view_direction = setup.view.direction;
   frame.orthographic = setup.view.camera.orthographic ? 1 : 0;
   frame.ambient = glm::vec3(static_cast<float>(s.ambient));

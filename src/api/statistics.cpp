@@ -22,6 +22,9 @@ std::string Statistics::json() const {
   j["lights"] = lights;
   j["gaussians"] = gaussians;
   j["translucency"] = translucency;
+  j["tone_map"] = tone_map;
+  j["exposure_ev"] = exposure_ev;
+  j["skin_mean"] = skin_mean ? nlohmann::ordered_json(*skin_mean) : nlohmann::ordered_json(nullptr);
   j["frame_ms"] = {
       {"median", frame_ms_median}, {"min", frame_ms_min}, {"max", frame_ms_max}, {"frames", frames}};
   j["passes"] = nlohmann::ordered_json::array();

@@ -6,9 +6,6 @@
 #include <bit>
 #include <cmath>
 
-#include "core/assert.h"
-#include "core/parallel.h"
-
 namespace dermis::image {
 
 float srgb_to_linear(float display) {
@@ -71,58 +68,6 @@ float half_to_float(std::uint16_t bits) {
     return sign != 0 ? -small : small;
   }
   return std::bit_cast<float>(sign | ((magnitude << 13) + 0x38000000u));
-}
-
-float filmic(float linear) {
-  if (!(linear > 0)) return 0;
-  if (linear > 1e6f) return 1;  // the squares below would overflow
-  const float mapped = linear * (2.51f * linear + 0.03f) / (linear * (2.43f * linear + 0.59f) + 0.14f);
-  return mapped < 1 ? mapped : 1;
-}
-
-std::optional<View> view_named(std::string_view name) {
-  if (name == "filmic") return View::filmic;
-  if (name == "srgb") return View::srgb;
-  if (name == "linear") return View::linear;
-  return std::nullopt;
-}
-
-float apply_view(View view, float linear) {
-  const float clamped = linear > 0 ? (linear < 1 ? linear : 1.0f) : 0.0f;  // NaN compares false: 0
-  switch (view) {
-    case View::filmic: return linear_to_srgb(filmic(linear));
-    case View::srgb: return linear_to_srgb(clamped);
-    case View::linear: break;
-  }
-  return clamped;
-}
-
-std::uint8_t to_display8(View view, float linear) {
-  switch (view) {
-    case View::filmic: return linear_to_srgb8(filmic(linear));
-    case View::srgb: return linear_to_srgb8(linear);
-    case View::linear: break;
-  }
-  return static_cast<std::uint8_t>(std::lround(apply_view(view, linear) * 255.0f));
-}
-
-Image8 to_display(const ImageF& linear, View view) {
-  DERMIS_ASSERT_LE(1, linear.channels);
-  DERMIS_ASSERT_LE(linear.channels, 4);
-  const bool grey = linear.channels < 3;
-  const int alpha = linear.channels == 2 ? 1 : (linear.channels == 4 ? 3 : -1);
-  Image8 shown{.width = linear.width, .height = linear.height, .rgba = {}};
-  shown.rgba.resize(static_cast<std::size_t>(linear.width) * static_cast<std::size_t>(linear.height) * 4);
-  parallel_for(static_cast<std::size_t>(linear.height), [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < linear.width; ++x) {
-      const float* in = linear.at(x, y);
-      std::uint8_t* out = shown.at(x, y);
-      for (int c = 0; c < 3; ++c) out[c] = to_display8(view, in[grey ? 0 : c]);
-      out[3] = alpha < 0 ? std::uint8_t{255} : to_display8(View::linear, in[alpha]);
-    }
-  });
-  return shown;
 }
 
 }  // namespace dermis::image

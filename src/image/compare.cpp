@@ -7,6 +7,7 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "image/codec.h"
+#include "image/colour.h"
 #include "image/metrics.h"
 
 namespace dermis::image {
@@ -94,10 +95,10 @@ Comparison compare(const Image8& reference, const Image8& test, const Region& re
   return result;
 }
 
-Comparison compare(const ImageF& reference, const ImageF& test, View view, std::span<const ImageF> variances,
-                   const Region& region) {
+Comparison compare(const ImageF& reference, const ImageF& test, ToneMap tone_map,
+                   std::span<const ImageF> variances, const Region& region) {
   Comparison result;
-  result.psnr_db = psnr_db(to_display(reference, view), to_display(test, view), region);
+  result.psnr_db = psnr_db(to_display(reference, tone_map), to_display(test, tone_map), region);
   result.rel_mse = rel_mse(reference, test, region);
   if (!variances.empty()) result.z = z_test(reference, test, variances, region);
   HdrFlip flip = hdr_flip(reference, test);

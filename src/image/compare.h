@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "image/colour.h"
 #include "image/compare_flip.h"
 #include "image/image.h"
+#include "image/tone_map.h"
 
 namespace dermis::image {
 
@@ -48,8 +48,8 @@ struct Comparison {
 /// Display pictures: FLIP, PSNR of their values, relative error of their linear light. InputError: as the
 /// parts.
 Comparison compare(const Image8& reference, const Image8& test, const Region& region = {});
-/// Linear pictures of 3 or 4 channels: HDR-FLIP, PSNR after the view transform, relative error.
-Comparison compare(const ImageF& reference, const ImageF& test, View view,
+/// Linear pictures of 3 or 4 channels: HDR-FLIP, PSNR after the tone map, relative error.
+Comparison compare(const ImageF& reference, const ImageF& test, ToneMap tone_map,
                    std::span<const ImageF> variances = {}, const Region& region = {});
 
 }  // namespace dermis::image

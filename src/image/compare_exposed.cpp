@@ -26,7 +26,7 @@ void expose(ImageF& picture, float factor) {
 
 }  // namespace
 
-std::optional<ExposedDifference> compare_exposed(ImageF reference, ImageF test, View view) {
+std::optional<ExposedDifference> compare_exposed(ImageF reference, ImageF test, ToneMap tone_map) {
   DERMIS_ASSERT_EQ(reference.channels, 4);
   DERMIS_ASSERT_EQ(test.channels, 4);
   if (reference.width != test.width || reference.height != test.height)
@@ -41,13 +41,13 @@ std::optional<ExposedDifference> compare_exposed(ImageF reference, ImageF test, 
   if (found.pixels == 0) return std::nullopt;
   Image8 shown;
   for (int step = 0; step < most_steps; ++step) {
-    shown = to_display(reference, view);
+    shown = to_display(reference, tone_map);
     found.mean_display = mean_over(shown, mask);
     if (found.mean_display >= 0.25 && found.mean_display <= 0.5) break;
     const float factor = found.mean_display < 0.25 ? 1.4f : 0.7f;
     expose(reference, factor), expose(test, factor);
   }
-  const Image8 other = to_display(test, view);
+  const Image8 other = to_display(test, tone_map);
   found.psnr_db = psnr_db(shown, other, mask);
   found.flip_mean = mean_flip(shown, other, mask);
   return found;

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "image/colour.h"
 #include "image/image.h"
+#include "image/tone_map.h"
 
 namespace dermis::image {
 
@@ -23,6 +23,6 @@ struct ExposedDifference {
 /// power of 1.4 or 0.7, under which their mean display value in the reference is 0.25 to 0.5: differences of
 /// a picture that is black or white everywhere do not show. RGBA of one size. None if no pixel counts.
 /// InputError: different sizes.
-std::optional<ExposedDifference> compare_exposed(ImageF reference, ImageF test, View view);
+std::optional<ExposedDifference> compare_exposed(ImageF reference, ImageF test, ToneMap tone_map);
 
 }  // namespace dermis::image

@@ -5,9 +5,10 @@
 
 #include "passes/bloom/bloom.h"
 #include "passes/count/count.h"
+#include "passes/resolve/resolve.h"
 #include "passes/shadow/shadow.h"
 #include "passes/surface/surface.h"
-#include "passes/view/view.h"
+#include "passes/tone_map/tone_map.h"
 
 namespace dermis::techniques {
 
@@ -74,10 +75,12 @@ FrameOutputs Screen::finish() {
   out.picture = settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour_}).picture : colour_;
   plan_->add<passes::Count>("count skin pixels", {out.picture, counters_},
                             {.slot = counter_skin_pixels, .threshold = 0.5f});
+  out.before_bloom = out.picture;
   if (settings_.bloom > 0) out.picture = passes::add_bloom(*plan_, out.picture, settings_.bloom);
-  out.display = plan_->add<passes::View>("view", {out.picture}, {settings_.view}).display;
+  out.display = plan_->add<passes::ToneMap>("tone map", {out.picture}, {settings_.tone_map}).display;
   out.counters = counters_;
-  plan_->read_back(out.picture);
+  plan_->read_back(out.before_bloom);
+  if (settings_.bloom > 0) plan_->read_back(out.picture);
   plan_->read_back(out.display);
   plan_->read_back(shadow_);
   for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer)

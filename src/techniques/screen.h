@@ -19,7 +19,7 @@ class Screen {
 
   void add_shadow(std::uint32_t head);
   void add_surfaces(std::uint32_t head);  ///< opaque, then blended
-  FrameOutputs finish();                  ///< resolve, bloom, view transform
+  FrameOutputs finish();                  ///< resolve, bloom, tone map
 
  private:
   frame::FramePlan* plan_;

@@ -13,9 +13,9 @@
 
 #include "frame/plan.h"
 #include "gaussians/sum.h"
+#include "image/tone_map.h"
 #include "passes/halve/halve.h"
 #include "passes/light_pool.h"
-#include "passes/view/view.h"
 
 namespace dermis::techniques {
 
@@ -60,7 +60,7 @@ struct FrameSettings {
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
   bool soft_shadows = false;  ///< some light has a radius
   float bloom = 0;            ///< 0..1
-  passes::ViewTransform view = passes::ViewTransform::filmic;
+  image::ToneMap tone_map = image::ToneMap::natural;
   bool operator==(const FrameSettings&) const = default;
 };
 
@@ -89,7 +89,8 @@ inline std::uint32_t mesh_counter(std::uint32_t mesh, std::uint32_t halvings, Me
 struct FrameOutputs {
   /// RGBA16F, linear, with bloom; alpha = share of the pixel that is skin
   frame::TextureId picture;
-  frame::TextureId display;                       ///< RGBA8, after the view transform
+  frame::TextureId before_bloom;                  ///< RGBA16F, as picture
+  frame::TextureId display;                       ///< RGBA8, after the tone map
   frame::BufferId counters;                       ///< uint[counter_count()]
   std::map<std::string, frame::TextureId> shows;  ///< what `--show` can show: "irradiance", "blur:0", ...
   /// of the square of light maps that is shown: the nearest head's, its first skin mesh

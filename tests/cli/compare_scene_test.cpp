@@ -137,7 +137,8 @@ TEST_F(CompareScene, WhatMakesNoSense) {
   refuse({"--model", "volume"}, "--medium");
   refuse({"--msaa", "3"}, "--msaa must be 1 or 4");
   refuse({"--map-size", "0"}, "--map-size");
-  refuse({"--view", "sepia"}, "filmic, srgb, linear");
+  refuse({"--exposure", "auto", "--reference", "truth.exr"}, "give the number");
+  refuse({"--tone-map", "sepia"}, "natural, neutral, agx, filmic, srgb, linear");
   refuse({"--camera", "none"}, "--camera");
   refuse({"--device", "abacus"}, "there are: 0: ");
   refuse({"--distance", "1000000"}, "shows no skin");

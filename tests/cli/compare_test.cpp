@@ -67,12 +67,13 @@ TEST_F(Compare, OnlyTheRegionCounts) {
 
 TEST_F(Compare, LinearPictures) {
   const std::string a = exr("a.exr", 20, 20, 0.5f), b = exr("b.exr", 20, 20, 0.6f);
-  const json filmic = found({a, b}), linear = found({a, b, "--view", "linear"});
+  const json filmic = found({a, b, "--tone-map", "filmic"}), linear = found({a, b, "--tone-map", "linear"});
   EXPECT_EQ(filmic.at("exposures").at("count"), 2);
   EXPECT_NE(filmic.at("psnr_db"), linear.at("psnr_db"));
   EXPECT_EQ(filmic.at("flip"), linear.at("flip")) << "HDR-FLIP has its own curve";
   EXPECT_NEAR(filmic.at("rel_mse"), 0.01 / 0.26, 1e-6);
-  expect_refused(run({"compare", a, b, "--view", "sepia"}), "known: filmic, srgb, linear");
+  expect_refused(run({"compare", a, b, "--tone-map", "sepia"}),
+                 "there are: natural, neutral, agx, filmic, srgb, linear");
 }
 
 TEST_F(Compare, NoiseAgainstVariances) {

@@ -103,10 +103,11 @@ TEST_F(MustRender, TinyAndHuge) {
   EXPECT_NE(rendered(tiny_gltf(), {"--unit-scale", "100"}).err.find("--unit-scale"), std::string::npos);
 }
 
-TEST_F(MustRender, EveryTechniqueAndView) {
+TEST_F(MustRender, EveryTechniqueAndToneMap) {
   for (const char* technique : {"texture-space", "lambert"})
-    for (const char* view : {"filmic", "srgb", "linear"})
-      rendered(tiny_gltf(), {"--technique", technique, "--view", view});
+    rendered(tiny_gltf(), {"--technique", technique});
+  for (const char* tone_map : {"neutral", "agx", "filmic", "srgb", "linear"})
+    rendered(tiny_gltf(), {"--tone-map", tone_map});
 }
 
 TEST_F(MustRender, EveryShow) {

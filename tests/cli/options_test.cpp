@@ -47,12 +47,18 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
     expect_not_understood(run({"render", scene, "-o", out, "--light", light}), "--light");
   expect_not_understood(run({"render", scene, "another.glb", "-o", out}), "another.glb");
   expect_not_understood(run({"info", "--brush"}), "--brush");
+  for (const char* exposure : {"bright", "1,5", "", "auto1"})
+    expect_not_understood(run({"render", scene, "-o", out, "--exposure", exposure}),
+                          "--exposure: expected EV or auto");
+  expect_not_understood(run({"render", scene, "-o", out, "--view", "filmic"}), "--view: is now --tone-map");
+  expect_not_understood(run({"bench", "--view", "filmic"}), "--view: is now --tone-map");
+  expect_not_understood(run({"compare", scene, scene, "--view", "filmic"}), "--view: is now --tone-map");
   expect_not_understood(run({"plan", "--brush"}), "--brush");
 }
 
 TEST_F(Options, UnknownNamesListTheKnownOnes) {
   refuse({"--technique", "oil"}, "texture-space, lambert");
-  refuse({"--view", "sepia"}, "filmic, srgb, linear");
+  refuse({"--tone-map", "sepia"}, "natural, neutral, agx, filmic, srgb, linear");
   refuse({"--mask", "tape"}, "alpha, depth, tiles");
   refuse({"--maps", "some"}, "full, progressive");
   refuse({"--camera", "main"}, "it has no cameras");

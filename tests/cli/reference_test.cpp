@@ -89,7 +89,8 @@ TEST_F(Reference, RefusesWhatMakesNoSense) {
   refuse({"--noise", "0"}, "--noise");
   refuse({"--noise", "nan"}, "--noise");
   refuse({"--threads", "-1"}, "--threads");
-  refuse({"--view", "pretty"}, "filmic, srgb, linear");
+  refuse({"--exposure", "auto"}, "give the reference the number");
+  refuse({"--tone-map", "pretty"}, "natural, neutral, agx, filmic, srgb, linear");
   refuse({"--camera", "none"}, "--camera");
   refuse({"--size", "0x5"}, "--size");
   refuse({"--size", "65536x65536"}, "pixels");

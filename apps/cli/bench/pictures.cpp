@@ -91,7 +91,7 @@ std::optional<PictureDifference> picture_difference(Renderer& renderer, const Sc
   image::ImageF a = super_sampled(renderer, scene, baseline, d_ref, samples);
   image::ImageF b = super_sampled(renderer, scene, optimised, d_ref, samples);
   const std::optional<image::ExposedDifference> found =
-      image::compare_exposed(std::move(a), std::move(b), image::View::filmic);
+      image::compare_exposed(std::move(a), std::move(b), image::find_tone_map(baseline.tone_map));
   if (!found) return std::nullopt;
   return PictureDifference{
       .psnr_db = found->psnr_db, .flip_mean = found->flip_mean, .pixels = found->pixels, .samples = samples};

@@ -93,7 +93,8 @@ ordered_json settings_json(const Run& run) {
           {"specular", s.specular},
           {"translucency", s.translucency},
           {"white_albedo", s.white_albedo},
-          {"bloom", s.bloom}};
+          {"bloom", s.bloom},
+          {"tone_map", s.tone_map}};
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 #include <glm/gtc/constants.hpp>
 
 #include "dermis/reference.h"
-#include "image/colour.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
 #include "image/resize.h"
+#include "image/tone_map.h"
 #include "scene/primitives.h"
 
 namespace dermis::tests {
@@ -179,14 +179,14 @@ image::ImageF linear(Picture picture) {
 }
 
 image::Image8 shown(const Picture& picture) {
-  return image::to_display(linear(picture), image::View::filmic);
+  return image::to_display(linear(picture), image::ToneMap::filmic);
 }
 
 image::Image8 super_sampled(const Scene& scene, RenderSettings s) {
   constexpr int times = 4;
   s.width *= times, s.height *= times, s.samples = 1;
   return image::to_display(image::downsample_box(linear(renderer().render(scene, s)), times),
-                           image::View::filmic);
+                           image::ToneMap::filmic);
 }
 
 // Nearer to the truth than the hard shadows are by far.

@@ -8,9 +8,9 @@
 
 #include "dermis/reference.h"
 #include "gpu/translucency/slab.h"
-#include "image/colour.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
+#include "image/tone_map.h"
 
 namespace dermis::tests {
 namespace {
@@ -44,7 +44,7 @@ RenderSettings ear_settings() {
 image::Image8 shown(const Picture& picture) {
   return image::to_display(
       {.width = picture.width, .height = picture.height, .channels = 4, .values = picture.linear_rgba},
-      image::View::filmic);
+      image::ToneMap::filmic);
 }
 
 // The front of the ear: a polygon inside its outline.

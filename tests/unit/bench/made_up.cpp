@@ -11,7 +11,7 @@ Measured measured(const Variant& variant, double ms) {
   Measured m{.variant = variant, .rounds_ms = {ms + 1, ms - 1, ms}, .passes = {}, .counts = {}};
   m.passes = {{.name = "shadow", .ms = ms / 4, .calls = 2},
               {.name = "blur 0 u", .ms = ms / 2, .calls = 1},
-              {.name = "view", .ms = ms / 4, .calls = 1}};
+              {.name = "tone map", .ms = ms / 4, .calls = 1}};
   m.counts.technique = variant.settings.technique;
   m.counts.irradiance_texels = 100, m.counts.convolved_texels = 600, m.counts.launched = 1300;
   m.counts.used_size =

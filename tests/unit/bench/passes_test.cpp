@@ -14,7 +14,7 @@ TEST(Passes, OfManyHeadsBecomeOne) {
                                                            {"blur 3 u batch 0", 4, 1},
                                                            {"blur 3 v batch 0", 8, 1},
                                                            {"blur 3 u batch 1 part 2", 16, 1},
-                                                           {"view", 32, 1}});
+                                                           {"tone map", 32, 1}});
   ASSERT_EQ(merged.size(), 4u);
   EXPECT_EQ(merged[0].name, "shadow");
   EXPECT_EQ(merged[0].ms, 3);
@@ -22,7 +22,7 @@ TEST(Passes, OfManyHeadsBecomeOne) {
   EXPECT_EQ(merged[1].name, "blur 3 u");
   EXPECT_EQ(merged[1].ms, 20);
   EXPECT_EQ(merged[2].name, "blur 3 v");
-  EXPECT_EQ(merged[3].name, "view");
+  EXPECT_EQ(merged[3].name, "tone map");
 }
 
 TEST(Passes, HaveTheirGroups) {
@@ -33,7 +33,7 @@ TEST(Passes, HaveTheirGroups) {
   EXPECT_EQ(group("blur 5 gutters"), "convolutions");
   EXPECT_EQ(group("halve 1/2"), "convolutions");
   EXPECT_EQ(group("final"), "sum and specular");
-  EXPECT_EQ(group("bloom wide x"), "bloom and view");
+  EXPECT_EQ(group("bloom wide x"), "bloom and tone map");
   EXPECT_EQ(group("something new"), "other");
   const std::vector<double> ms =
       group_ms({{"shadow", 1, 1}, {"blur 0 u", 2, 1}, {"blur 0 v", 4, 1}, {"something new", 8, 1}});

@@ -28,8 +28,7 @@ TEST(Srgb, IsItsInverse) {
     EXPECT_GE(linear_to_srgb(x), last);
     last = linear_to_srgb(x);
   }
-  for (int i = 0; i < 256; ++i)
-    EXPECT_EQ(to_display8(View::srgb, srgb8_to_linear(static_cast<std::uint8_t>(i))), i);
+  for (int i = 0; i < 256; ++i) EXPECT_EQ(linear_to_srgb8(srgb8_to_linear(static_cast<std::uint8_t>(i))), i);
 }
 
 TEST(Srgb, EightBitsAreTheNearest) {
@@ -73,43 +72,6 @@ TEST(Half, Edges) {
   EXPECT_TRUE(std::isnan(half_to_float(float_to_half(std::numeric_limits<float>::quiet_NaN()))));
   EXPECT_TRUE(std::isnan(half_to_float(float_to_half(std::bit_cast<float>(0x7f800001u)))))
       << "a payload in the low bits alone";
-}
-
-TEST(View, Filmic) {
-  EXPECT_EQ(filmic(0), 0.0f);
-  EXPECT_EQ(filmic(-3), 0.0f);
-  EXPECT_EQ(filmic(std::numeric_limits<float>::quiet_NaN()), 0.0f);
-  EXPECT_EQ(filmic(std::numeric_limits<float>::infinity()), 1.0f);
-  EXPECT_EQ(filmic(std::numeric_limits<float>::max()), 1.0f);
-  EXPECT_NEAR(filmic(1), 2.54 / 3.16, 1e-6);
-  EXPECT_NEAR(filmic(0.18f), 0.18 * 0.4818 / (0.18 * 1.0274 + 0.14), 1e-6);
-  float last = 0;
-  for (float x = 0; x < 50; x += 0.01f) {
-    EXPECT_GE(filmic(x), last) << x;
-    EXPECT_LE(filmic(x), 1.0f);
-    last = filmic(x);
-  }
-}
-
-TEST(View, DisplayValues) {
-  EXPECT_EQ(to_display8(View::linear, 0.5f), 128);
-  EXPECT_EQ(to_display8(View::srgb, 0.5f), 188);
-  EXPECT_EQ(to_display8(View::filmic, 1.0f), 232);  // 0.8038, as sRGB 0.9082
-  for (const View view : {View::filmic, View::srgb, View::linear}) {
-    EXPECT_EQ(to_display8(view, -1), 0);
-    EXPECT_EQ(to_display8(view, std::numeric_limits<float>::quiet_NaN()), 0);
-    EXPECT_EQ(to_display8(view, std::numeric_limits<float>::infinity()), 255);
-    EXPECT_EQ(to_display8(view, 1e30f), 255);
-  }
-}
-
-TEST(View, Pictures) {
-  const ImageF rgba{.width = 2, .height = 1, .channels = 4, .values = {1, 0.5f, 0, 0.5f, 9, -1, 0.5f, 2}};
-  EXPECT_EQ(to_display(rgba, View::srgb).rgba,
-            (std::vector<std::uint8_t>{255, 188, 0, 128, 255, 0, 188, 255}));
-  const ImageF grey{.width = 1, .height = 2, .channels = 1, .values = {0.5f, 1}};
-  EXPECT_EQ(to_display(grey, View::linear).rgba,
-            (std::vector<std::uint8_t>{128, 128, 128, 255, 255, 255, 255, 255}));
 }
 
 }  // namespace

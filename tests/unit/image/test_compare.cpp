@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "image/codec.h"
+#include "image/colour.h"
 #include "image/compare_map.h"
 #include "image/metrics.h"
 
@@ -94,13 +95,14 @@ TEST_F(ZTests, BadInput) {
   EXPECT_THROW(z_test(small, small, std::span(&negative, 1)), InputError);
 }
 
-TEST(Compare, LinearPicturesThroughTheView) {
+TEST(Compare, LinearPicturesThroughTheToneMap) {
   const ImageF a = flat(20, 10, 0.5f), b = flat(20, 10, 0.6f);
-  for (const View view : {View::filmic, View::srgb, View::linear}) {
-    const double step = to_display8(view, 0.6f) - to_display8(view, 0.5f);
-    EXPECT_NEAR(compare(a, b, view).psnr_db, 20 * std::log10(255 / step), 1e-9);
+  const Colour colour_a{0.5f, 0.5f, 0.5f}, colour_b{0.6f, 0.6f, 0.6f};
+  for (const ToneMap tone_map : {ToneMap::natural, ToneMap::filmic, ToneMap::srgb, ToneMap::linear}) {
+    const double step = to_display8(tone_map, colour_b)[0] - to_display8(tone_map, colour_a)[0];
+    EXPECT_NEAR(compare(a, b, tone_map).psnr_db, 20 * std::log10(255 / step), 1e-9);
   }
-  const Comparison all = compare(a, b, View::filmic);
+  const Comparison all = compare(a, b, ToneMap::filmic);
   EXPECT_EQ(all.exposures, 2);
   EXPECT_EQ(all.pixels, 200u);
   EXPECT_FALSE(all.z.has_value());
@@ -108,12 +110,13 @@ TEST(Compare, LinearPicturesThroughTheView) {
   EXPECT_GT(all.flip.mean, 0);
   Region region(200);
   region[3] = 1;
-  EXPECT_EQ(compare(a, b, View::filmic, {}, region).pixels, 1u);
-  EXPECT_TRUE(compare(a, b, View::filmic, std::span(&a, 1)).z.has_value());
+  EXPECT_EQ(compare(a, b, ToneMap::filmic, {}, region).pixels, 1u);
+  EXPECT_TRUE(compare(a, b, ToneMap::filmic, std::span(&a, 1)).z.has_value());
 }
 
 TEST(Compare, DisplayPictures) {
-  const Image8 a = to_display(flat(20, 10, 0.5f), View::srgb), b = to_display(flat(20, 10, 0.6f), View::srgb);
+  const Image8 a = to_display(flat(20, 10, 0.5f), ToneMap::srgb),
+               b = to_display(flat(20, 10, 0.6f), ToneMap::srgb);
   const Comparison same = compare(a, a), other = compare(a, b);
   EXPECT_EQ(same.psnr_db, 100);
   EXPECT_EQ(same.rel_mse, 0);

@@ -22,7 +22,7 @@ ImageF half_covered(float value, float outside = 0) {
 }
 
 TEST(CompareExposed, EqualPictures) {
-  const auto d = compare_exposed(half_covered(0.2f), half_covered(0.2f), View::filmic);
+  const auto d = compare_exposed(half_covered(0.2f), half_covered(0.2f), ToneMap::filmic);
   ASSERT_TRUE(d.has_value());
   EXPECT_EQ(d->psnr_db, psnr_cap_db);
   EXPECT_EQ(d->flip_mean, 0);
@@ -32,7 +32,7 @@ TEST(CompareExposed, EqualPictures) {
 // The same relative difference is found whether a picture is dim or glaring.
 TEST(CompareExposed, ShowsWhatDarknessHides) {
   for (const float scale : {1e-5f, 1.0f, 20.0f}) {
-    const auto d = compare_exposed(half_covered(0.2f * scale), half_covered(0.22f * scale), View::filmic);
+    const auto d = compare_exposed(half_covered(0.2f * scale), half_covered(0.22f * scale), ToneMap::filmic);
     ASSERT_TRUE(d.has_value());
     EXPECT_GE(d->mean_display, 0.25) << scale;
     EXPECT_LE(d->mean_display, 0.5) << scale;
@@ -43,24 +43,24 @@ TEST(CompareExposed, ShowsWhatDarknessHides) {
 }
 
 TEST(CompareExposed, OnlyWhatIsCoveredInEitherCounts) {
-  EXPECT_EQ(compare_exposed(half_covered(0.2f, 0), half_covered(0.2f, 0.5f), View::srgb)->psnr_db,
+  EXPECT_EQ(compare_exposed(half_covered(0.2f, 0), half_covered(0.2f, 0.5f), ToneMap::srgb)->psnr_db,
             psnr_cap_db);
   ImageF more = half_covered(0.2f);
   more.at(12, 4)[3] = 0.1f;
-  EXPECT_EQ(compare_exposed(half_covered(0.2f), more, View::srgb)->pixels, 65u);
-  EXPECT_EQ(compare_exposed(more, half_covered(0.2f), View::srgb)->pixels, 65u);
+  EXPECT_EQ(compare_exposed(half_covered(0.2f), more, ToneMap::srgb)->pixels, 65u);
+  EXPECT_EQ(compare_exposed(more, half_covered(0.2f), ToneMap::srgb)->pixels, 65u);
 }
 
 TEST(CompareExposed, NothingToCompare) {
   ImageF nothing = half_covered(0.2f);
   for (std::size_t i = 3; i < nothing.values.size(); i += 4) nothing.values[i] = 0;
-  EXPECT_FALSE(compare_exposed(nothing, nothing, View::filmic).has_value());
+  EXPECT_FALSE(compare_exposed(nothing, nothing, ToneMap::filmic).has_value());
   ImageF small{.width = 1, .height = 1, .channels = 4, .values = {1, 1, 1, 1}};
-  EXPECT_THROW(compare_exposed(half_covered(0.2f), small, View::filmic), InputError);
+  EXPECT_THROW(compare_exposed(half_covered(0.2f), small, ToneMap::filmic), InputError);
 }
 
 TEST(CompareExposed, ABlackPictureEndsToo) {
-  const auto d = compare_exposed(half_covered(0), half_covered(0), View::filmic);
+  const auto d = compare_exposed(half_covered(0), half_covered(0), ToneMap::filmic);
   ASSERT_TRUE(d.has_value());
   EXPECT_EQ(d->mean_display, 0);
   EXPECT_EQ(d->psnr_db, psnr_cap_db);

@@ -30,13 +30,13 @@ Compared linear_pair() {
     return image::ImageF{
         .width = 30, .height = 20, .channels = 3, .values = std::vector<float>(30 * 20 * 3, value)};
   };
-  Compared c{.a = "a.exr", .b = "b.exr", .region_name = "region.png", .view = "filmic"};
+  Compared c{.a = "a.exr", .b = "b.exr", .region_name = "region.png", .tone_map = "filmic"};
   c.region = image::Region(600);
   c.region[5] = 1;
   const image::ImageF variance = flat(0.01f);
-  c.found = image::compare(flat(0.5f), flat(1), image::View::filmic, std::span(&variance, 1), c.region);
-  c.shown_a = image::to_display(flat(0.5f), image::View::filmic);
-  c.shown_b = image::to_display(flat(1), image::View::filmic);
+  c.found = image::compare(flat(0.5f), flat(1), image::ToneMap::filmic, std::span(&variance, 1), c.region);
+  c.shown_a = image::to_display(flat(0.5f), image::ToneMap::filmic);
+  c.shown_b = image::to_display(flat(1), image::ToneMap::filmic);
   return c;
 }
 
@@ -51,14 +51,14 @@ TEST(ComparePage, JsonOfDisplayPictures) {
   EXPECT_EQ(found.at("size"), json({30, 20}));
   EXPECT_EQ(found.at("pixels"), 600);
   EXPECT_TRUE(found.at("region").is_null());
-  for (const char* key : {"z", "view", "exposures"}) EXPECT_FALSE(found.contains(key)) << key;
+  for (const char* key : {"z", "tone_map", "exposures"}) EXPECT_FALSE(found.contains(key)) << key;
 }
 
 TEST(ComparePage, JsonOfLinearPictures) {
   const json found = json::parse(compared_json(linear_pair()));
   EXPECT_EQ(found.at("pixels"), 1);
   EXPECT_EQ(found.at("region"), "region.png");
-  EXPECT_EQ(found.at("view"), "filmic");
+  EXPECT_EQ(found.at("tone_map"), "filmic");
   EXPECT_EQ(found.at("exposures").at("count"), 2);
   EXPECT_EQ(found.at("z").at("beyond_2"), 1) << "0.5 is five standard errors";
   EXPECT_EQ(found.at("z").at("values"), 3);
@@ -67,7 +67,7 @@ TEST(ComparePage, JsonOfLinearPictures) {
 TEST(ComparePage, TextForPeople) {
   const std::string text = compared_text(linear_pair());
   for (const char* part : {"A, the reference: a.exr", "1 of 600 compared (region.png)", "HDR-FLIP, mean",
-                           "dB", "relative MSE", "beyond 3 standard errors", "view filmic"})
+                           "dB", "relative MSE", "beyond 3 standard errors", "tone map filmic"})
     EXPECT_NE(text.find(part), std::string::npos) << part;
   EXPECT_NE(compared_text(display_pair(40, 40)).find("100.00 dB"), std::string::npos);
 }

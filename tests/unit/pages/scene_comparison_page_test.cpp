@@ -14,7 +14,7 @@ using nlohmann::json;
 SceneComparison made_up() {
   SceneComparison c;
   c.scene = "head <1>.gltf";
-  c.view = "filmic";
+  c.tone_map = "filmic";
   c.model = "bssrdf";
   c.samples = 64, c.noise_percent = 1.5, c.reference_seconds = 2;
   c.width = 4, c.height = 2, c.supersample = 4;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "passes/tone_map/tone_map.h"
+
+#include "frame/executor.h"
+#include "passes/bindings.h"
+#include "passes/tone_map/tone_map_io.h"
+
+namespace dermis::passes {
+
+static_assert(static_cast<std::uint32_t>(image::ToneMap::natural) == TONE_MAP_NATURAL);
+static_assert(static_cast<std::uint32_t>(image::ToneMap::neutral) == TONE_MAP_NEUTRAL);
+static_assert(static_cast<std::uint32_t>(image::ToneMap::agx) == TONE_MAP_AGX);
+static_assert(static_cast<std::uint32_t>(image::ToneMap::filmic) == TONE_MAP_FILMIC);
+static_assert(static_cast<std::uint32_t>(image::ToneMap::srgb) == TONE_MAP_SRGB);
+static_assert(static_cast<std::uint32_t>(image::ToneMap::linear) == TONE_MAP_LINEAR);
+
+ToneMap::Out ToneMap::declare(frame::Declare& d, const In& in) {
+  d.kind(frame::PassKind::compute);
+  in_ = in;
+  const gpu::TextureDesc& picture = d.desc(in.picture);
+  display_ = d.create("display", {.width = picture.width,
+                                  .height = picture.height,
+                                  .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                  .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+  d.sample(in.picture);
+  d.write(display_);
+  return {display_};
+}
+
+void ToneMap::prepare(gpu::PipelineLibrary& library) {
+  pipeline_ =
+      &library.compute("tone_map.comp", {{"tone_map", static_cast<std::uint32_t>(settings_.tone_map)}});
+  sampler_ = library.sampler({.filter = gpu::Filter::nearest});
+}
+
+void ToneMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
+  const gpu::Texture& display = resources.texture(display_);
+  Bindings()
+      .add("picture", resources.sampled(in_.picture, sampler_))
+      .add("display", gpu::StorageImageBinding{&display})
+      .bind(cmd, *pipeline_);
+  cmd.dispatch_over(*pipeline_, display.desc().width, display.desc().height);
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#ifndef DERMIS_PASSES_TONE_MAP_IO_H
+#define DERMIS_PASSES_TONE_MAP_IO_H
+// The values of specialisation constant `tone_map`: those of image::ToneMap.
+#define TONE_MAP_NATURAL 0u
+#define TONE_MAP_NEUTRAL 1u
+#define TONE_MAP_AGX 2u
+#define TONE_MAP_FILMIC 3u
+#define TONE_MAP_SRGB 4u
+#define TONE_MAP_LINEAR 5u
+#endif

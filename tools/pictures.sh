@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# pictures.sh [NAME...]   Makes the pictures of README.md and docs/ again (docs/pictures), all of them or those named, with the
+# commands that the pages print. Asks for imagemagick, which joins pictures; keeps what it renders in out/pictures.
+#   DERMIS        the program (default build/release/dermis)
+#   MAKEHUMAN     folder of the MakeHuman heads, for `tone-maps` (default ../shared/assets/makehuman)
+#   ENVIRONMENTS  folder of venice_sunset_1k.hdr and studio_small_09_1k.hdr (default ../shared/assets/environments)
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+dermis=${DERMIS:-build/release/dermis}
+makehuman=${MAKEHUMAN:-../shared/assets/makehuman}
+environments=${ENVIRONMENTS:-../shared/assets/environments}
+scan=assets/heads/lee-perry-smith
+out=out/pictures
+names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets tone-maps)
+
+fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
+
+say() { printf '+ %s\n' "$*"; }
+
+# render NAME ARGUMENTS...: out/pictures/NAME.png
+render() {
+  say "dermis render ${*:2} -o $out/$1.png"
+  "$dermis" render "${@:2}" -o "$out/$1.png" >"$out/$1.txt"
+}
+
+# compare NAME ARGUMENTS...: out/pictures/NAME.html, .json and .txt
+compare() {
+  say "dermis compare ${*:2} --html $out/$1.html"
+  "$dermis" compare "${@:2}" --html "$out/$1.html" --json "$out/$1.json" >"$out/$1.txt"
+}
+
+# from_page NAME ID: the picture with this id in out/pictures/NAME.html, as out/pictures/NAME-ID.png
+from_page() {
+  python3 - "$out/$1.html" "$2" "$out/$1-$2.png" <<'PYTHON'
+import base64, re, sys
+page, name, target = sys.argv[1:]
+text = open(page, encoding="utf-8").read()
+found = re.search(r'<img id="%s"[^>]*src="data:image/png;base64,([^"]+)"' % re.escape(name), text)
+if not found: sys.exit(f"error: {page} has no picture '{name}'")
+open(target, "wb").write(base64.b64decode(found.group(1)))
+PYTHON
+}
+
+# join NAME SIZE PICTURE...: side by side, each at this size, as docs/pictures/NAME.jpg
+join() {
+  convert "${@:3}" -filter Lanczos -resize "$2!" +append -quality 88 -strip "docs/pictures/$1.jpg"
+}
+
+portrait-and-lambert() {
+  render portrait $scan.gltf --size 960x1080
+  render without-scattering $scan.gltf --size 960x1080 --technique lambert
+  join $1 960x1080 $out/portrait.png $out/without-scattering.png
+}
+
+environments() {
+  local common=($scan.gltf --camera portrait --size 640x720 --lights 0)
+  render studio "${common[@]}" --environment studio
+  render venice "${common[@]}" --environment "$environments/venice_sunset_1k.hdr"
+  render small "${common[@]}" --environment "$environments/studio_small_09_1k.hdr"
+  join $1 427x480 $out/studio.png $out/venice.png $out/small.png
+}
+
+soft-shadows() {
+  local radius
+  for radius in 0 0.1 0.4; do
+    render soft-$radius $scan.gltf --camera portrait --size 640x720 --light 60,35 --light-radius $radius
+  done
+  join $1 427x480 $out/soft-0.png $out/soft-0.1.png $out/soft-0.4.png
+}
+
+backlit() {
+  local common=($scan-backlit.gltf --fov 13.5 --ambient 0.15 --size 600x600 --shadow-size 4096)
+  render off "${common[@]}" --translucency off
+  render on "${common[@]}"
+  render profile $scan-profile.gltf --size 600x600 --shadow-size 4096
+  join $1 600x600 $out/off.png $out/on.png $out/profile.png
+}
+
+# Of fewer samples than the tables of docs/truth.md have: enough for a picture.
+side() {
+  [[ -e $out/side.html ]] ||
+    compare side --scene $scan.gltf --camera portrait --light 90,10 --size 320x360 --shadow-size 8192 --optimise none --samples 256
+}
+
+truth-side() {
+  side
+  local id
+  for id in reference technique-0 technique-2 technique-0-error technique-2-error; do from_page side $id; done
+  join $1 256x288 $out/side-{reference,technique-0,technique-2,technique-0-error,technique-2-error}.png
+}
+
+regions() {
+  side
+  local id
+  for id in 1 2 3 4 5 6; do from_page side region-$id; done
+  join $1 213x240 $out/side-region-{1,2,3,4,5,6}.png
+}
+
+truth-studio() {
+  compare studio-truth --scene $scan.gltf --camera portrait --environment studio --lights 0 --size 320x360 --samples 384 \
+    --techniques texture-space
+  local id
+  for id in reference technique-0 technique-0-error; do from_page studio-truth $id; done
+  join $1 320x360 $out/studio-truth-{reference,technique-0,technique-0-error}.png
+}
+
+# No tone map: the curves and strips of a plot.
+skin-sets() {
+  "$dermis" profile --preset skin-layers -o $out/layers.json >/dev/null
+  "$dermis" profile --melanin 0.02 --compare skin --compare $out/layers.json --plot docs/pictures/$1.svg >/dev/null
+}
+
+# Above as the former default showed them, below as the default does.
+tone-maps() {
+  local tone_map
+  for tone_map in filmic natural; do
+    for who in african european; do
+      render $who-$tone_map "$makehuman/mh-$who-man-young.glb" --size 480x540 --light 40,30 --exposure auto --tone-map $tone_map
+    done
+  done
+  convert \( $out/african-filmic.png $out/european-filmic.png +append \) \( $out/african-natural.png $out/european-natural.png +append \) \
+    -append -quality 88 -strip docs/pictures/$1.jpg
+}
+
+[[ -x $dermis ]] || fail "$dermis is not there; ./run build makes it"
+wanted=("$@")
+if [[ $# -eq 0 ]]; then wanted=("${names[@]}"); fi
+for name in "${wanted[@]}"; do
+  [[ " ${names[*]} " == *" $name "* ]] || fail "no picture is called '$name'; there are: ${names[*]}"
+done
+tools/install_packages.sh -- imagemagick python3
+mkdir -p $out
+for name in "${wanted[@]}"; do
+  say "docs/pictures/$name"
+  "$name" "$name"
+done
