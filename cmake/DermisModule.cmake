@@ -3,11 +3,16 @@
 #   One static library dermis_NAME for the folder src/NAME. DEPENDS names other rooms of the house (public);
 #   LINKS names outside libraries (private). A folder of headers alone has no SOURCES. The pairs are written to build/house.txt, against which the
 #   include check of tests/house holds every #include.
-# dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs])
+# dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs] [COST seconds])
 #   One GoogleTest executable test_NAME, registered as ONE ctest entry (its cases share a process, so fixtures load once).
+#   COST: processor seconds, roughly; what takes longest starts first, so that nothing long is left alone at the end.
+#   Tests with the label gpu share one folder for kept files (build/.../cache), emptied when the tests begin (tests/CMakeLists.txt): what one
+#   has baked serves the others, and nothing of the user's own cache decides what is tested.
 # dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs] [ARGS ...])
 #   A bash script as one ctest entry, given the source folder and ARGS as its arguments; it ends with a status other than 0 on failure.
 # The target unit_tests builds what the label unit needs and nothing else: the sanitizer run needs no more.
+
+include(DermisPrecompiled)
 
 set_property(GLOBAL PROPERTY DERMIS_HOUSE "")
 add_custom_target(unit_tests)
@@ -35,12 +40,20 @@ function(dermis_compile_options target)
   endif()
 endfunction()
 
+# Code around the library: tests, the command line. Nothing in it is worth the time that -O3 takes; what it calls is compiled as ever.
+# -fPIE for programs and for libraries of their parts alike, so that all share one precompiled header.
+function(dermis_program_options target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  target_compile_options(${target} PRIVATE -fPIE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 function(dermis_module name)
   cmake_parse_arguments(M "" "" "SOURCES;DEPENDS;LINKS" ${ARGN})
   if(M_SOURCES)
     set(public PUBLIC)
     add_library(dermis_${name} STATIC ${M_SOURCES})
     dermis_compile_options(dermis_${name})
+    dermis_precompiled(dermis_${name} library)
     target_link_libraries(dermis_${name} PRIVATE ${M_LINKS})
   else()
     set(public INTERFACE)
@@ -57,10 +70,12 @@ function(dermis_module name)
 endfunction()
 
 function(dermis_test name)
-  cmake_parse_arguments(T "" "LABEL" "SOURCES;DEPENDS;LINKS" ${ARGN})
+  cmake_parse_arguments(T "" "LABEL;COST" "SOURCES;DEPENDS;LINKS" ${ARGN})
   add_executable(test_${name} ${T_SOURCES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   dermis_compile_options(test_${name})
+  dermis_program_options(test_${name})
+  dermis_precompiled(test_${name} test)
   foreach(dep IN LISTS T_DEPENDS)
     target_link_libraries(test_${name} PRIVATE dermis_${dep})
   endforeach()
@@ -71,6 +86,15 @@ function(dermis_test name)
     set(T_LABEL unit)
   endif()
   set_tests_properties(${name} PROPERTIES LABELS ${T_LABEL} TIMEOUT 1200)
+  if(T_LABEL STREQUAL "gpu")
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache" FIXTURES_REQUIRED empty_cache)
+    if(NOT T_COST)
+      set(T_COST 60)
+    endif()
+  endif()
+  if(T_COST)
+    set_tests_properties(${name} PROPERTIES COST ${T_COST})
+  endif()
   if(T_LABEL STREQUAL "unit")
     add_dependencies(unit_tests test_${name})
   endif()
