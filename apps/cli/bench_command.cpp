@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -181,12 +182,16 @@ void add_bench_command(CLI::App& app, int& exit_status) {
   command->add_option("--heads", a->heads, "numbers of heads in a row, 1.6 radii apart")
       ->delimiter(',')
       ->allow_extra_args(false)
+      ->type_name("N,N,..")
+      ->default_str(fmt::format("{}", fmt::join(a->heads, ",")))
       ->group("Cells");
   command
       ->add_option("--distances", a->distances,
                    "from the eye to the middle head, in radii of its bounding sphere")
       ->delimiter(',')
       ->allow_extra_args(false)
+      ->type_name("D,D,..")
+      ->default_str(fmt::format("{}", fmt::join(a->distances, ",")))
       ->group("Cells");
   command
       ->add_option("--rounds", a->rounds,

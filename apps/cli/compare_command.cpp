@@ -144,7 +144,7 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
   command.add_option("--techniques", s.techniques, "all, or some of the list of `render --technique`")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->type_name("NAMES")
+      ->type_name("NAME,NAME,..")
       ->default_str("all")
       ->group(group);
   command

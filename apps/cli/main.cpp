@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/profile_command.h"
 
 namespace {
@@ -35,6 +38,7 @@ int main(int argc, char** argv) {
   CLI::App app{"dermis: human skin in real time, and what it costs"};
   app.set_version_flag("--version", DERMIS_VERSION);
   app.require_subcommand(1);
+  app.formatter(std::make_shared<dermis::cli::HelpFormatter>());
   app.get_formatter()->column_width(38);
   app.option_defaults()->always_capture_default();
 
@@ -50,7 +54,10 @@ int main(int argc, char** argv) {
 
   // 2: the command line cannot be parsed. 1: everything else that goes wrong, in one line.
   try {
-    app.parse(argc, argv);
+    const std::vector<std::string> arguments = dermis::cli::join_lists({argv, argv + argc});
+    std::vector<const char*> pointers;
+    for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
+    app.parse(static_cast<int>(pointers.size()), pointers.data());
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::bad_alloc&) {

@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 
+#include "cli/command_line.h"
 #include "cli/output.h"
 #include "cli/profile_report.h"
 #include "cli/profile_source.h"
@@ -119,23 +119,6 @@ void run(const ProfileOptions& options) {
                                             : exported(source, fitted, options.export_to));
 }
 
-/// CLI11 reads -1 as 2^64 - 1, and takes what is too large for something else.
-void add_count(CLI::App& command, const std::string& name, std::uint64_t& value, const std::string& help) {
-  command
-      .add_option_function<std::string>(
-          name,
-          [&value, name](const std::string& text) {
-            const char* const end = text.data() + text.size();
-            const auto [at, error] = std::from_chars(text.data(), end, value);
-            if (error != std::errc() || at != end)
-              throw CLI::ValidationError(
-                  name, "expected a whole number, at least 0 and under 2^64, got '" + text + "'");
-          },
-          help)
-      ->type_name("UINT")
-      ->default_str(std::to_string(value));
-}
-
 /// An option given without content is a slip (an unset variable of a script), not an option that was left
 /// out.
 CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& value,
@@ -184,8 +167,10 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
       ->group(spectral);
   command.add_option("--model", source.model, "dipole, better, multipole, beam, monte-carlo or auto")
       ->capture_default_str();
-  add_count(command, "--photons", source.monte_carlo.photons, "Monte-Carlo: photons a channel, 1000 to 1e9");
-  add_count(command, "--seed", source.monte_carlo.seed, "Monte-Carlo: equal seeds give equal bits");
+  add_count(command, "--photons", source.monte_carlo.photons, "Monte-Carlo: photons a channel, 1000 to 1e9",
+            "1,000 to 1e9");
+  add_count(command, "--seed", source.monte_carlo.seed, "Monte-Carlo: equal seeds give equal bits",
+            "0 to 2^64 - 1");
   command.add_option("--cache", source.monte_carlo.cache,
                      "Monte-Carlo: folder that keeps results (default: none are kept)");
 }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -92,7 +93,8 @@ void add_reference_options(CLI::App& command, ReferenceSettings& settings) {
       .add_option("--noise", settings.noise_percent,
                   "end when the mean standard error over skin is this many per cent of the mean")
       ->group("Quality");
-  command.add_option("--seed", settings.seed, "of the random numbers; equal seeds give equal bits")
+  add_count(command, "--seed", settings.seed, "of the random numbers; equal seeds give equal bits",
+            "0 to 2^64 - 1")
       ->group("Quality");
   command.add_option("--threads", settings.threads, "0: all cores; makes no difference to the picture")
       ->group("Quality");

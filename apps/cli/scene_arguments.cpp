@@ -97,7 +97,7 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
           "none")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->type_name("NAMES")
+      ->type_name("NAME,NAME,..")
       ->default_str("all")
       ->group(group);
   command

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "cli/command_line.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <system_error>
+
+namespace dermis::cli {
+namespace {
+
+// One number, or several with commas between them.
+bool is_numbers(std::string_view text) {
+  while (true) {
+    const std::string_view first = text.substr(0, text.find(','));
+    double number = 0;
+    const auto [at, error] = std::from_chars(first.data(), first.data() + first.size(), number);
+    if (error != std::errc() || at != first.data() + first.size()) return false;
+
+    if (first.size() == text.size()) return true;
+    text.remove_prefix(first.size() + 1);
+  }
+}
+
+bool is_optimisation(std::string_view text) {
+  constexpr std::array<std::string_view, 5> names{"all", "none", "cull", "depth", "clip"};
+  return std::find(names.begin(), names.end(), text) != names.end();
+}
+
+// Whether `text` can be one more value of the list that `option` has begun.
+bool belongs_to(std::string_view option, std::string_view text) {
+  if (option == "--heads" || option == "--distances") return is_numbers(text);
+  return option == "--optimise" && is_optimisation(text);
+}
+
+}  // namespace
+
+std::vector<std::string> join_lists(const std::vector<std::string>& arguments) {
+  std::vector<std::string> joined;
+  std::string_view list;  // the option whose values are being read
+  bool has_value = false;
+
+  for (const std::string& argument : arguments) {
+    if (has_value && belongs_to(list, argument)) {
+      joined.back() += "," + argument;
+      continue;
+    }
+    joined.push_back(argument);
+
+    if (argument.starts_with("--")) {
+      list = std::string_view(argument).substr(0, argument.find('='));
+      has_value = list.size() < argument.size();
+    } else {
+      // The first word after the option is its value; a further one that is none ends the list.
+      if (has_value) list = {};
+      has_value = !has_value && !list.empty();
+    }
+  }
+  return joined;
+}
+
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
+  std::string text = CLI::Formatter::make_option_opts(option);
+  const auto remove = [&text](const std::string& part) {
+    if (const std::size_t at = text.find(part); at != std::string::npos) text.erase(at, part.size());
+  };
+
+  // The name of the type shows commas and pairs; what may be repeated says so in its description.
+  if (option->get_delimiter() != '\0' || !option->get_allow_extra_args()) remove(" ...");
+  if (option->get_type_name().find_first_of(", ") != std::string::npos)
+    remove(" x " + std::to_string(option->get_expected()));
+  return text;
+}
+
+CLI::Option* add_count(CLI::App& command, const std::string& name, std::uint64_t& value,
+                       const std::string& help, const std::string& range) {
+  const auto read = [&value, name, range](const std::string& text) {
+    const char* const end = text.data() + text.size();
+    const auto [at, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || at != end)
+      throw CLI::ValidationError(name, "expected a whole number, " + range + ", got '" + text + "'");
+  };
+  return command.add_option_function<std::string>(name, read, help)
+      ->type_name("UINT")
+      ->default_str(std::to_string(value));
+}
+
+}  // namespace dermis::cli
