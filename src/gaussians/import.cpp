@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/one_line.h"
 #include "gaussians/exchange.h"
 #include "optics/inversion.h"
 #include "optics/key_values.h"
@@ -167,9 +168,7 @@ Imported gltf(const std::string& text, const std::string& where) {
                     text, fmt::join(exchange_names(), ", "));
 }
 
-}  // namespace
-
-Imported parse_import(const std::string& text, const std::string& where) {
+Imported parse(const std::string& text, const std::string& where) {
   const std::size_t space = text.find(' ');
   const std::string system = text.substr(0, space),
                     rest = space == std::string::npos ? "" : text.substr(space + 1);
@@ -185,6 +184,12 @@ Imported parse_import(const std::string& text, const std::string& where) {
                       "unknown size, and strength "
                       "mixes in unblurred light; import the kernel's profile as --csv");
   no_system(text, where);
+}
+
+}  // namespace
+
+Imported parse_import(const std::string& text, const std::string& where) {
+  return with_one_line_errors([&] { return parse(text, where); });
 }
 
 }  // namespace dermis::gaussians

@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/one_line.h"
 #include "gaussians/known.h"
 
 namespace dermis::gaussians {
@@ -52,17 +53,12 @@ class Guard {
   std::set<std::string> keys_;
 };
 
-Json parse(std::string_view text, const std::string& where) {
+Json parse_text(std::string_view text, const std::string& where) {
   try {
     // A reference: the parser copies its callback.
     Guard guard(where);
     return Json::parse(text, std::ref(guard));
-  } catch (const Json::exception& error) {
-    std::string reason = error.what();
-    std::replace_if(
-        reason.begin(), reason.end(), [](unsigned char c) { return c < ' '; }, ' ');
-    throw input_error(where, "is not valid JSON: {}", reason);
-  }
+  } catch (const Json::exception& error) { throw input_error(where, "is not valid JSON: {}", error.what()); }
 }
 
 double number(const Json& value, const std::string& name, const std::string& where) {
@@ -149,10 +145,8 @@ void check_keys(const Json& root, const std::string& where) {
   }
 }
 
-}  // namespace
-
-SumOfGaussians parse_json(std::string_view text, const std::string& where, bool normalise) {
-  const Json root = parse(text, where);
+SumOfGaussians parse(std::string_view text, const std::string& where, bool normalise) {
+  const Json root = parse_text(text, where);
   check_keys(root, where);
   SumOfGaussians sum;
   if (const auto name = root.find("name"); name != root.end()) {
@@ -177,6 +171,12 @@ SumOfGaussians parse_json(std::string_view text, const std::string& where, bool 
       throw input_error(where, "total_reflectance[{}] must be 0 to 1, got {}", c, sum.total_reflectance[c]);
   }
   return sum;
+}
+
+}  // namespace
+
+SumOfGaussians parse_json(std::string_view text, const std::string& where, bool normalise) {
+  return with_one_line_errors([&] { return parse(text, where, normalise); });
 }
 
 SumOfGaussians load_json(const std::filesystem::path& path, bool normalise) {

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/one_line.h"
 
 namespace dermis::optics {
 namespace {
@@ -80,7 +81,9 @@ void check(const Layers& layers, const std::string& where) {
   }
 }
 
-RgbLayers parse_layers(std::string_view json, const std::string& where) {
+namespace {
+
+RgbLayers parse(std::string_view json, const std::string& where) {
   Json document;
   try {
     std::set<std::string> keys;
@@ -102,6 +105,12 @@ RgbLayers parse_layers(std::string_view json, const std::string& where) {
     layers.push_back(parse_layer(document[i], fmt::format("{}: layer {}", where, i)));
   for (int c = 0; c < 3; ++c) check(channel(layers, c), where);
   return layers;
+}
+
+}  // namespace
+
+RgbLayers parse_layers(std::string_view json, const std::string& where) {
+  return with_one_line_errors([&] { return parse(json, where); });
 }
 
 RgbLayers load_layers(const std::filesystem::path& path) {

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/one_line.h"
 
 namespace dermis::cli::bench {
 namespace {
@@ -73,9 +74,7 @@ RecordedCell read_cell(const Place& place) {
   return cell;
 }
 
-}  // namespace
-
-Recorded read_recorded(const std::string& path) {
+Recorded read(const std::string& path) {
   const std::vector<std::byte> bytes = read_file(path, largest_file);
   const auto* const begin = reinterpret_cast<const char*>(bytes.data());
   // Deep nesting would exhaust the stack of who writes it out again; a result has six levels.
@@ -98,6 +97,12 @@ Recorded read_recorded(const std::string& path) {
       throw input_error(path, "{}is there twice", cells.at(i).where());
   }
   return recorded;
+}
+
+}  // namespace
+
+Recorded read_recorded(const std::string& path) {
+  return with_one_line_errors([&] { return read(path); });
 }
 
 }  // namespace dermis::cli::bench

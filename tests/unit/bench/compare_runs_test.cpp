@@ -161,6 +161,10 @@ TEST_F(CompareRuns, WhatIsNoResultIsRefusedWithItsPlace) {
   json settings = made_up();
   settings.erase("settings");
   refuse(settings.dump(), "has no 'settings'");
+  // The way to a value goes through the names of the file, which may hold anything; the message is one line.
+  json odd = made_up();
+  odd["cells"][0]["variants"]["a\nb"] = 1;
+  refuse(odd.dump(), "cells[0].variants.a?b");
 }
 
 }  // namespace

@@ -161,6 +161,17 @@ TEST(ProfileJson, EveryTruncationIsAnError) {
     EXPECT_EQ(error_of(text.substr(0, length)).find("p.json: is not valid JSON"), 0u) << length;
 }
 
+// A key stands in the message as it is read, and JSON may write a line feed into it.
+TEST(ProfileJson, AnErrorIsOneLineWhateverTheKeysHold) {
+  for (const std::string key : {R"(a\nb)", R"(a\u007fb)"}) {
+    const std::string unknown = error_of("{\"" + key + "\": 1}");
+    const std::string twice = error_of("{\"" + key + "\": 1, \"" + key + "\": 2}");
+    EXPECT_NE(unknown.find("key 'a?b' is not known"), std::string::npos) << unknown;
+    EXPECT_NE(twice.find("key 'a?b' is given twice"), std::string::npos) << twice;
+  }
+  EXPECT_LE(error_of("{\"" + std::string(100'000, 'k') + "\": 1}").size(), 2000u);
+}
+
 TEST(ProfileJson, NameOrFile) {
   EXPECT_EQ(from_name_or_file("skin").terms.size(), 6u);
   const std::filesystem::path path =

@@ -196,6 +196,7 @@ TEST(Exchange, AmbiguousImportsAreRefusedWithTheirReadings) {
                        "mean_free_path_distance=1")
                 .find("must be 0 or 1"),
             std::string::npos);
+  EXPECT_NE(message_of("a\nb").find("'a?b' names no system"), std::string::npos);
   EXPECT_NE(message_of("separable width=1").find("do not say a profile"), std::string::npos);
   EXPECT_NE(message_of("unity reflectance=0.5 radius=1").find("known: reflectance, scattering_distance"),
             std::string::npos);

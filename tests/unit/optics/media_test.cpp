@@ -157,6 +157,8 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
   EXPECT_EQ(layers[1].eta, 1.38);
   EXPECT_TRUE(std::isinf(layers[1].thickness_mm));
   EXPECT_NE(parse("[]").find("1 to 32 layers, got 0"), std::string::npos);
+  // One line, whatever a key holds.
+  EXPECT_NE(parse(R"([{"a\nb":1}])").find("unknown key 'a?b'"), std::string::npos);
   EXPECT_NE(parse("{").find("not JSON"), std::string::npos);
   EXPECT_NE(parse("{}").find("expected a list"), std::string::npos);
   EXPECT_NE(parse(R"([{"sigma_a":1}])").find("layer 0: unknown key 'sigma_a'; known: sigma_a_per_mm"),
