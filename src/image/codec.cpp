@@ -129,8 +129,11 @@ ImageF decode_image_f(Bytes bytes, const std::string& where, const DecodeLimits&
   const Recognised found = recognise(bytes);
   if (found.format != Format::hdr && found.format != Format::exr)
     refuse(found, where, "Radiance HDR or OpenEXR");
-  ImageF picture = found.format == Format::hdr ? formats::decode_hdr(bytes, where, limits)
-                                               : formats::decode_exr(bytes, where, limits);
+  // A pixel of linear light takes three times the bytes of one of a display picture.
+  DecodeLimits linear = limits;
+  linear.max_pixels /= 2;
+  ImageF picture = found.format == Format::hdr ? formats::decode_hdr(bytes, where, linear)
+                                               : formats::decode_exr(bytes, where, linear);
   clear_non_finite(picture, where);
   return picture;
 }

@@ -15,7 +15,7 @@ namespace dermis::image {
 
 struct DecodeLimits {
   int max_side = 16384;               ///< pixels
-  std::size_t max_pixels = 1u << 28;  ///< width * height
+  std::size_t max_pixels = 1u << 28;  ///< width * height; of linear light, which takes 12 bytes each, half
 };
 
 /// PNG or JPEG, told apart by their first bytes, to RGBA8 (grey is spread, a missing alpha is 255; 16-bit PNG

@@ -14,6 +14,9 @@ namespace dermis::image::formats {
 namespace {
 
 constexpr std::uint64_t max_buffer_bytes = std::uint64_t{1} << 30;  // what the library may hold of one chunk
+// The pixels around the data of a cropped picture are black and take no byte of the file, but memory: so many
+// are granted to any file, and beyond that so many for each pixel that it has.
+constexpr std::uint64_t free_display_pixels = std::uint64_t{1} << 24, display_per_data_pixel = 16;
 constexpr std::size_t max_channels = 1024;
 constexpr std::size_t max_parts = 1024;
 constexpr std::uint32_t flag_tiled = 0x200, flag_deep = 0x800, flag_many_parts = 0x1000;
@@ -56,6 +59,11 @@ struct Box {
   std::int64_t width = 0;
   std::int64_t height = 0;
 };
+
+/// Of a box that check_size() has seen.
+std::uint64_t pixels_of(const Box& box) {
+  return static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
+}
 
 struct Part {
   std::optional<Box> data_window;
@@ -133,6 +141,10 @@ void check_part(const Part& part, bool tiled, Bytes file, const std::string& whe
   const Box& data = *part.data_window;
   check_size(data.width, data.height, limits, where);
   check_size(part.display_window->width, part.display_window->height, limits, where);
+  const std::uint64_t data_pixels = pixels_of(data), display_pixels = pixels_of(*part.display_window);
+  if (display_pixels > std::max(free_display_pixels, display_per_data_pixel * data_pixels))
+    throw input_error(where, "EXR has a display window of {} x {} pixels for data of {} x {}",
+                      part.display_window->width, part.display_window->height, data.width, data.height);
   if (*part.compression >= std::size(lines_per_chunk))
     throw input_error(where, "EXR has an unknown compression ({})", *part.compression);
 
@@ -155,9 +167,7 @@ void check_part(const Part& part, bool tiled, Bytes file, const std::string& whe
   const std::uint64_t chunks = std::max(static_cast<std::uint64_t>(across * down), part.chunk_count);
   check_plausible(file, chunks * 16, data.width, data.height, where);
   // At least one channel has all pixels, of two bytes at least.
-  const std::uint64_t raw_bytes =
-      static_cast<std::uint64_t>(data.width) * static_cast<std::uint64_t>(data.height) * 2;
-  check_plausible(file, raw_bytes / best_ratio[*part.compression], data.width, data.height, where);
+  check_plausible(file, data_pixels * 2 / best_ratio[*part.compression], data.width, data.height, where);
 }
 
 }  // namespace

@@ -58,12 +58,15 @@ Colours choose_channels(const Imf::ChannelList& channels, const std::string& whe
                     printable(names));
 }
 
-/// The pixels of the data window, three floats each.
+/// The pixels of the data window, three floats each. Memory is touched as rows arrive: of a picture that is
+/// much larger than its file, the first damaged rows end the reading.
 std::vector<float> read_data_window(Imf::InputFile& file, Colours colours) {
+  constexpr int rows_at_once = 256;  // the longest chunk of rows
   const Imath::Box2i window = file.header().dataWindow();
   const std::size_t width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
   const std::size_t height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
-  std::vector<float> values(width * height * 3);
+  std::vector<float> values;
+  values.reserve(width * height * 3);
   const std::size_t pixel = 3 * sizeof(float);
   Imf::FrameBuffer target;
   const auto add = [&](const char* name, std::size_t channel) {
@@ -77,7 +80,14 @@ std::vector<float> read_data_window(Imf::InputFile& file, Colours colours) {
     add("B", 2);
   }
   file.setFrameBuffer(target);
-  file.readPixels(window.min.y, window.max.y);
+
+  for (std::size_t row = 0; row < height; row += rows_at_once) {
+    const std::size_t end = std::min(row + rows_at_once, height);
+    values.resize(width * end * 3);
+    const int first = window.min.y + static_cast<int>(row);
+    file.readPixels(first, window.min.y + static_cast<int>(end) - 1);
+  }
+
   if (colours == Colours::grey) {
     for (std::size_t i = 0; i < values.size(); i += 3) values[i + 1] = values[i + 2] = values[i];
   }

@@ -125,15 +125,19 @@ Bytes jpeg_that_claims(unsigned width, unsigned height) {
   return {};
 }
 
+void claim_window(Bytes& exr, std::string_view name_and_type, std::int32_t width, std::int32_t height) {
+  const std::string_view text(reinterpret_cast<const char*>(exr.data()), exr.size());
+  const std::size_t at = text.find(name_and_type) + name_and_type.size() + 4;
+  put32(exr, at + 8, static_cast<std::uint32_t>(width - 1), false);
+  put32(exr, at + 12, static_cast<std::uint32_t>(height - 1), false);
+}
+
+constexpr std::string_view data_window("dataWindow\0box2i", 17), display_window("displayWindow\0box2i", 20);
+
 Bytes exr_that_claims(std::int32_t width, std::int32_t height, int compression = 3) {
   Bytes file = make_exr({.compression = compression}, std::vector<float>(3, 1.0f));
-  for (const std::string_view name :
-       {std::string_view("dataWindow\0box2i", 17), std::string_view("displayWindow\0box2i", 20)}) {
-    const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
-    const std::size_t at = text.find(name) + name.size() + 4;
-    put32(file, at + 8, static_cast<std::uint32_t>(width - 1), false);
-    put32(file, at + 12, static_cast<std::uint32_t>(height - 1), false);
-  }
+  claim_window(file, data_window, width, height);
+  claim_window(file, display_window, width, height);
   return file;
 }
 
@@ -163,9 +167,41 @@ TEST(Hostile, HugeSizesAreRefusedBeforeMemoryIsTaken) {
     EXPECT_EQ(error_of_f(exr_that_claims(16384, 16384, compression)).find("sky: "), 0u) << compression;
   }
   EXPECT_EQ(
-      error_of_f(bytes_of("#?RADIANCE\n\n-Y 16384 +X 16384\nabcd")).find("sky: is truncated or damaged: "),
+      error_of_f(bytes_of("#?RADIANCE\n\n-Y 8192 +X 16384\nabcd")).find("sky: is truncated or damaged: "),
       0u);
   EXPECT_LT(peak_kib() - before_kib, 200 * 1024);
+}
+
+// Black around the data of a cropped picture takes no byte of the file: 345 bytes became 3.2 GB.
+TEST(Hostile, AWideDisplayWindowAroundOnePixelIsRefused) {
+  const long before_kib = peak_kib();
+  Bytes file = make_exr({}, std::vector<float>(3, 1.0f));
+  claim_window(file, display_window, 16384, 8192);
+  EXPECT_EQ(error_of_f(file), "sky: EXR has a display window of 16384 x 8192 pixels for data of 1 x 1");
+  EXPECT_LT(peak_kib() - before_kib, 100 * 1024);
+
+  // A region of a picture that was rendered alone is no lie.
+  claim_window(file, display_window, 1024, 1024);
+  EXPECT_EQ(error_of_f(file), "no error");
+}
+
+// Within what its compression could hold at best, and yet a lie: its rows end the reading before memory for
+// all of them is touched.
+TEST(Hostile, APictureThatItsFileCouldJustHoldIsNotTakenAtItsWord) {
+  const long before_kib = peak_kib();
+  constexpr int dwab = 9;
+  Bytes file = exr_that_claims(16384, 8192, dwab);
+  // Everything behind the header: a table of chunks that lie somewhere, so that none is missing.
+  constexpr std::string_view last_attribute("screenWindowWidth\0float\0", 24);
+  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  file.resize(text.find(last_attribute) + last_attribute.size() + 9);
+  file.resize(std::size_t{64} << 10, std::byte{1});
+  EXPECT_EQ(error_of_f(file).find("sky: EXR is truncated"), 0u) << error_of_f(file);
+  EXPECT_LT(peak_kib() - before_kib, 200 * 1024);
+
+  // Linear light has half the pixels of other pictures, since each has 12 bytes.
+  EXPECT_EQ(error_of_f(bytes_of("#?RADIANCE\n\n-Y 16384 +X 16384\nabcd")),
+            "sky: is 16384 x 16384 pixels, the limit is 134217728 in all");
 }
 
 TEST(Hostile, LimitsOfTheCaller) {
