@@ -49,8 +49,11 @@ TexelSpan TexelTriangle::row(int y) const {
       end = begin;
     }
   }
+  // A row whose centres lie above a level edge has ended where it began, which may be past the map: the
+  // slanted edges were followed beyond their ends.
   begin = std::min<std::int64_t>(begin, side_);
-  return {y, static_cast<int>(begin), static_cast<int>(std::max(begin, end))};
+  end = std::clamp<std::int64_t>(end, begin, side_);
+  return {y, static_cast<int>(begin), static_cast<int>(end)};
 }
 
 std::array<glm::vec2, 3> triangle_uv(const SkinMesh& mesh, std::size_t t) {

@@ -2,6 +2,7 @@
 // The metric of the unwrap: unwrap.h, from triangle_metric on.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "core/assert.h"
@@ -61,11 +62,16 @@ void drop_outliers(std::vector<TriangleMetric>& metrics) {
   }
 }
 
-/// Raises the smaller eigenvalue to large / 300^2 by adding to the diagonal.
+/// Raises the smaller eigenvalue to large / 300^2 by adding to the diagonal, and scales what no float could
+/// hold the determinant of: maps that are less than 1e-7 mm or more than 1,000 km wide.
 glm::vec3 well_conditioned(const glm::dvec3& g) {
+  constexpr double least = 1e-14, most = 1e18;  // mm^2
   const Eigenvalues e = eigenvalues(g);
+  if (!(e.large > std::numeric_limits<double>::min() / least)) return {least, 0, least};
+
   const double lift = std::max(0.0, e.large / 9e4 - e.small);
-  return glm::vec3(g + glm::dvec3(lift, 0, lift));
+  const double scale = std::clamp(e.large, least, most) / e.large;
+  return glm::vec3((g + glm::dvec3(lift, 0, lift)) * scale);
 }
 
 /// Value below which the fraction `share` of the weight lies; values sorted.

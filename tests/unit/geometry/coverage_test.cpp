@@ -30,6 +30,18 @@ Scene two_squares(glm::vec2 shift) {
   return scene;
 }
 
+// The centres of the first row lie above the level edge of this sliver; followed up to there, its other edges
+// begin past the map. It wrote behind the row, and in the last row behind the map.
+TEST(Coverage, NothingOutsideTheMapIsCoveredAboveALevelEdge) {
+  constexpr int side = 32;
+  for (const float row : {10.0f, 31.0f}) {
+    const std::array<glm::vec2, 3> sliver = {glm::vec2(5, row + 0.7f) / float{side},
+                                             glm::vec2(28, row + 0.7f) / float{side},
+                                             glm::vec2(0, row + 0.72f) / float{side}};
+    for_each_texel(sliver, side, [](int x, int y) { ADD_FAILURE() << x << ", " << y; });
+  }
+}
+
 TEST(Coverage, EveryTexelOnceWhereTrianglesShareEdges) {
   // Jittered grids, edges and vertices on texel centres among them: neither gaps nor double texels.
   std::mt19937 random(3);

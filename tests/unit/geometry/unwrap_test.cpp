@@ -116,6 +116,21 @@ TEST(Metric, NothingValidStillPositiveDefinite) {
   EXPECT_EQ(unwrap_density(mesh, 1000).texels_per_mm.max, 0);
 }
 
+// Coordinates that span 1e-30 of the map, or a skin of 1e-25 m, squared: past what a float can be.
+TEST(Metric, FloatsHoldItWhateverTheSizes) {
+  Warnings quiet;
+  for (const Scene& scene : {plane(0.05, glm::dmat2(1e-30)), plane(1e-25), plane(1e9, glm::dmat2(1e-9))}) {
+    SkinMesh mesh = only_mesh(scene);
+    for (const double mm_per_unit : {1e-6, 1e3, 1e9}) {
+      compute_metric(mesh, mm_per_unit);
+      for (const glm::vec3& g : mesh.metric) {
+        EXPECT_TRUE(std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z));
+        EXPECT_GT(g.x * g.z - g.y * g.y, 0.0f);
+      }
+    }
+  }
+}
+
 TEST(Metric, NeverAveragedAcrossAMirror) {
   // Two quads side by side that show the same half of the map, the left one mirrored and twice as wide in the
   // world.
