@@ -38,6 +38,12 @@ function(dermis_compile_options target)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
+  if(DERMIS_FUZZ)
+    # Warnings are g++'s to give. A float that does not fit an integer is no part of clang's "undefined", and is what hostile numbers do.
+    target_compile_options(${target} PRIVATE -w -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -fno-sanitize-recover=all
+      -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=fuzzer-no-link,address,undefined)
+  endif()
 endfunction()
 
 # Code around the library: tests, the command line. Nothing in it is worth the time that -O3 takes; what it calls is compiled as ever.

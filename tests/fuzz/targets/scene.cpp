@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// glTF: the whole way from a file to a scene, and to the skin that is rendered from it.
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "scene/fine_normals.h"
+#include "scene/framing.h"
+#include "scene/gutters.h"
+#include "scene/load.h"
+#include "scene/unwrap.h"
+#include "support.h"
+
+namespace dermis::fuzz {
+namespace {
+
+using namespace scene;
+
+void check_finite(const glm::vec3& v) {
+  DERMIS_ASSERT(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
+}
+
+void check_map(const Scene& scene, const MapRef& map) {
+  if (!map.present()) return;
+  DERMIS_ASSERT_LT(static_cast<std::size_t>(map.image), scene.images.size());
+  DERMIS_ASSERT(map.uv_set == 0 || map.uv_set == 1);
+  DERMIS_ASSERT(map.channel >= 0 && map.channel < 4);
+}
+
+/// The contract of scene/scene.h, as far as whoever reads a scene relies on it without looking.
+void check_scene(const Scene& scene) {
+  DERMIS_ASSERT(!scene.primitives.empty());
+
+  for (const Primitive& primitive : scene.primitives) {
+    DERMIS_ASSERT_LT(static_cast<std::size_t>(primitive.material), scene.materials.size());
+    DERMIS_ASSERT_EQ(primitive.indices.size() % 3, 0u);
+    for (const std::uint32_t index : primitive.indices) DERMIS_ASSERT_LT(index, primitive.vertices.size());
+    for (const Vertex& v : primitive.vertices) {
+      check_finite(v.position_m);
+      check_finite(v.normal);
+      check_finite(glm::vec3(v.tangent));
+      check_finite(glm::vec3(v.uv0, 0));
+      check_finite(glm::vec3(v.uv1, 0));
+    }
+  }
+
+  for (const Material& material : scene.materials) {
+    for (const MapRef* map :
+         {&material.base_colour_map, &material.metallic_roughness_map, &material.normal_map,
+          &material.occlusion_map, &material.emissive_map, &material.specular_map,
+          &material.specular_colour_map, &material.skin_settings.specular, &material.skin_settings.roughness,
+          &material.skin_settings.displacement})
+      check_map(scene, *map);
+  }
+
+  for (const MapImage& image : scene.images) {
+    const std::size_t pixels =
+        static_cast<std::size_t>(image.pixels->width) * static_cast<std::size_t>(image.pixels->height);
+    DERMIS_ASSERT_EQ(image.pixels->rgba.size(), 4 * pixels);
+  }
+}
+
+void check_skin(const SkinMesh& mesh) {
+  DERMIS_ASSERT_EQ(mesh.unwrap.size(), mesh.vertices.size());
+  DERMIS_ASSERT_EQ(mesh.metric.size(), mesh.vertices.size());
+  DERMIS_ASSERT_EQ(mesh.triangle_chart.size(), mesh.indices.size() / 3);
+  for (const std::uint32_t index : mesh.indices) DERMIS_ASSERT_LT(index, mesh.vertices.size());
+  for (const glm::vec3& metric : mesh.metric) {
+    check_finite(metric);
+    DERMIS_ASSERT_LT(0.0f, metric.x * metric.z - metric.y * metric.y);
+  }
+}
+
+/// What a renderer does with a scene before it draws, with maps so small that it takes no time.
+void prepare(const Scene& scene) {
+  constexpr int side = 32, gutter_texels = 4;
+  const std::vector<SkinMesh> skin = skin_meshes(scene);
+
+  for (const SkinMesh& mesh : skin) {
+    check_skin(mesh);
+    unwrap_density(mesh, scene.mm_per_unit);
+    for (const GutterTexel& texel : build_gutters(mesh, side, gutter_texels))
+      DERMIS_ASSERT(texel.x < side && texel.y < side && texel.source_x >= 0 && texel.source_x <= side &&
+                    texel.source_y >= 0 && texel.source_y <= side);
+  }
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) fine_normals(scene, i, skin);
+  skin_sphere(scene);
+}
+
+bool load_and_prepare(Bytes file) {
+  return accepts([&] {
+    const Scene scene = load_gltf(put_file("scene", file));
+    check_scene(scene);
+    prepare(scene);
+  });
+}
+
+void append_u32(std::vector<std::byte>& to, std::size_t value) {
+  for (int shift = 0; shift < 32; shift += 8) to.push_back(static_cast<std::byte>(value >> shift));
+}
+
+/// A chunk of a .glb, padded to a multiple of four.
+void append_chunk(std::vector<std::byte>& to, const char* type, Bytes data, std::byte padding) {
+  const std::size_t padded = (data.size() + 3) / 4 * 4;
+  append_u32(to, padded);
+  for (int i = 0; i < 4; ++i) to.push_back(static_cast<std::byte>(type[i]));
+  to.insert(to.end(), data.begin(), data.end());
+  to.insert(to.end(), padded - data.size(), padding);
+}
+
+}  // namespace
+
+bool gltf(Bytes file) { return load_and_prepare(file); }
+
+bool glb(Bytes json_and_bin) {
+  const std::string_view text = as_text(json_and_bin);
+  const std::size_t json_bytes = std::min(text.find('\0'), text.size());
+
+  std::vector<std::byte> chunks;
+  append_chunk(chunks, "JSON", json_and_bin.first(json_bytes), std::byte{' '});
+  if (json_bytes < text.size())
+    append_chunk(chunks, "BIN\0", json_and_bin.subspan(json_bytes + 1), std::byte{0});
+
+  std::vector<std::byte> file;
+  for (const char c : {'g', 'l', 'T', 'F'}) file.push_back(static_cast<std::byte>(c));
+  append_u32(file, 2);
+  append_u32(file, 12 + chunks.size());
+  file.insert(file.end(), chunks.begin(), chunks.end());
+  return load_and_prepare(file);
+}
+
+}  // namespace dermis::fuzz
