@@ -55,7 +55,7 @@ portrait-and-lambert() {
 }
 
 environments() {
-  local common=($scan.gltf --camera portrait --size 640x720 --lights 0)
+  local common=($scan.gltf --camera portrait --size 640x720 --lights 0 --exposure auto)
   render studio "${common[@]}" --environment studio
   render venice "${common[@]}" --environment "$environments/venice_sunset_1k.hdr"
   render small "${common[@]}" --environment "$environments/studio_small_09_1k.hdr"

@@ -129,6 +129,7 @@ std::string frames_section(const Run& run) {
     headings.push_back(m.variant.heading);
     meanings.emplace_back(m.variant.heading, m.variant.meaning);
   }
+  meanings.emplace_back("PSNR, FLIP", difference_meaning(run));
   for (const char* heading : {"PSNR", "FLIP"}) headings.emplace_back(heading);
   for (const Cell& cell : run.cells) {
     Row row{fmt::format("{}, {:g}", cell.heads, cell.distance)};

@@ -124,6 +124,10 @@ std::string run_json(const Run& run) {
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
+std::string difference_meaning(const Run& run) {
+  return fmt::format("all against the baseline, of display values (tone map {})", run.settings.tone_map);
+}
+
 std::vector<int> heads_of(const std::vector<Cell>& cells) {
   std::set<int> found;
   for (const Cell& cell : cells) found.insert(cell.heads);

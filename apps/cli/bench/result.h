@@ -71,6 +71,9 @@ struct Run {
 /// For programs. Keys that others rely on: see docs/measuring.md.
 std::string run_json(const Run& run);
 
+/// What PSNR and FLIP of a cell compare, with the tone map of their display values.
+std::string difference_meaning(const Run& run);
+
 /// For people: a line for a cell as soon as it is there, and what stands above and below the lines.
 std::string table_head(const Run& run);
 std::string table_line(const Cell& cell);

@@ -77,6 +77,7 @@ std::string table_foot(const Run& run) {
   if (!run.cells.empty())
     for (const Measured& m : run.cells.front().measured)
       text += fmt::format("{:<9} {}\n", m.variant.heading, m.variant.meaning);
+  text += "PSNR and FLIP: " + difference_meaning(run) + "\n";
   return text + "\nspeed-up of all over the baseline (the paper's, on a GeForce 8800 GTX):\n" +
          paper_table(run);
 }

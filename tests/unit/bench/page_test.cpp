@@ -101,6 +101,7 @@ TEST(RunTable, OursNextToThePapers) {
 
 TEST(RunPage, HoldsEveryCell) {
   const std::string page = run_page(made_up_run_with_pictures());
+  EXPECT_EQ(count(page, "of display values (tone map natural)"), 1u);
   EXPECT_EQ(count(page, "<h3>"), 4u);
   EXPECT_EQ(count(page, "class=\"slider\""), 4u);
   EXPECT_EQ(count(page, "src=\"data:image/png;base64,"), 2 * 4 + 3u);
