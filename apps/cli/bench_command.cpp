@@ -136,7 +136,8 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   bench::Task task = task_of(a);
   check(a, task);
   task.stop = &catch_interrupts();
-  Renderer renderer({.device = a.device, .validate = false});
+  Renderer renderer(
+      {.device = a.device, .validate = false, .stop = task.stop, .progress = show_preparation()});
   const Scene scene = open_scene(a);
   bench::Run found{
       .version = DERMIS_VERSION, .commit = commit(), .command = command_line(), .scene = scene.name()};

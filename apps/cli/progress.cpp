@@ -27,6 +27,21 @@ std::atomic<bool>& catch_interrupts() {
   return interrupted;
 }
 
+CatchInterrupts::~CatchInterrupts() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+const std::atomic<bool>& interrupted_flag() { return interrupted; }
+
+std::function<void(const PreparationProgress&)> show_preparation() {
+  return [shown = -1](const PreparationProgress& progress) mutable {
+    const int percent = static_cast<int>(100 * progress.share);
+    if (percent != shown) show_line(fmt::format("{}: {} %", progress.what, percent));
+    shown = percent;
+  };
+}
+
 std::string duration(double seconds) {
   const auto s = static_cast<long>(std::min(seconds, 1e9));
   if (s >= 3600) return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);

@@ -4,12 +4,30 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <string>
+
+#include "dermis/renderer.h"
 
 namespace dermis::cli {
 
 /// From now on the first Ctrl-C (or SIGTERM) sets the returned flag, the second one ends the program at once.
 std::atomic<bool>& catch_interrupts();
+
+/// The same as long as this lives; then a signal ends the program at once again.
+class CatchInterrupts {
+ public:
+  CatchInterrupts() { catch_interrupts(); }
+  CatchInterrupts(const CatchInterrupts&) = delete;
+  CatchInterrupts& operator=(const CatchInterrupts&) = delete;
+  ~CatchInterrupts();
+};
+
+/// The flag that it sets.
+const std::atomic<bool>& interrupted_flag();
+
+/// For Renderer::Options: how far the work before the first frame is, as a line that is rewritten.
+std::function<void(const PreparationProgress&)> show_preparation();
 
 /// "2 h 05 min", "3 min 20 s", "7 s".
 std::string duration(double seconds);

@@ -33,6 +33,19 @@ std::string summary(const Statistics& s) {
   return text;
 }
 
+// Ctrl-C while the scene is prepared ends in order, so that no file of the cache is left half-written; later
+// there is nothing to tidy up.
+Picture rendered(Renderer& renderer, const Scene& scene, const RenderSettings& settings) {
+  PreparedFrame frame = [&] {
+    const CatchInterrupts here;
+    return renderer.prepare(scene, settings);
+  }();
+  if (interrupted_flag()) throw Cancelled("stopped before the first frame");
+
+  for (int i = 0; i < settings.frames; ++i) frame.draw();
+  return frame.picture();
+}
+
 void render(const RenderArguments& a, int& exit_status) {
   check_picture_name(a.output);
   if (!a.stats.empty() && a.stats != "-") {
@@ -40,14 +53,17 @@ void render(const RenderArguments& a, int& exit_status) {
     if (same_file(a.stats, a.output))
       throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
   }
-  Renderer renderer({.device = a.device, .validate = a.validate});
+  Renderer renderer({.device = a.device,
+                     .validate = a.validate,
+                     .stop = &interrupted_flag(),
+                     .progress = show_preparation()});
   show_line("loading");
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = open_scene(a);
   const double load_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   show_line("rendering");
-  Picture picture = renderer.render(scene, a.settings);
+  Picture picture = rendered(renderer, scene, a.settings);
   show_line("");
   picture.statistics.load_ms = load_ms;
   const std::vector<std::string> messages = renderer.validation_messages();

@@ -8,13 +8,16 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "dermis/cancelled.h"
 #include "dermis/error.h"
 #include "dermis/scene.h"
 
@@ -141,6 +144,12 @@ struct Picture {
   void save(const std::filesystem::path& path) const;
 };
 
+/// Work before a first frame that takes seconds, once: its result is kept for later runs.
+struct PreparationProgress {
+  std::string what;  ///< "what the skin sees of its surroundings"
+  double share = 0;  ///< that is done, 0 to 1
+};
+
 class PreparedFrame;
 
 class Renderer {
@@ -148,6 +157,11 @@ class Renderer {
   struct Options {
     std::string device = "best";  ///< best, an index or a part of a name
     bool validate = false;        ///< Vulkan validation layer; see validation_messages()
+    /// Set by another thread, a signal or `progress`: render(), prepare() and PreparedFrame::set() end with
+    /// Cancelled (dermis/cancelled.h) while they prepare; nothing half-done is kept.
+    const std::atomic<bool>* stop = nullptr;
+    /// Now and then while they prepare; by any thread, by one at a time.
+    std::function<void(const PreparationProgress&)> progress{};
   };
   Renderer() : Renderer(Options{}) {}
   /// DeviceError: no driver, no such device, or something that is needed is missing.

@@ -195,9 +195,17 @@ void PreparedFrame::State::upload() {
 
 void PreparedFrame::State::look_at_the_sky() {
   api::SharedScene& shared = *scene;
-  for (std::size_t i = shared.sky_seen.size(); i < shared.subject.skin.size(); ++i) {
+  const std::size_t meshes = shared.subject.skin.size();
+  for (std::size_t i = shared.sky_seen.size(); i < meshes; ++i) {
+    environment::BakeWatch watch{.stop = renderer->options.stop};
+    if (renderer->options.progress)
+      watch.progress = [&](double share) {
+        renderer->options.progress({.what = "what the skin sees of its surroundings",
+                                    .share = (static_cast<double>(i) + share) / static_cast<double>(meshes)});
+      };
     environment::Occlusion seen =
-        environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], cache::default_folder());
+        environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], cache::default_folder(),
+                                      {.side = environment::occlusion_side(meshes)}, watch);
     shared.gpu->skin[i].sky_seen =
         passes::unwrap_map(device(), shared.gpu->skin[i].name + " sky seen", seen.side, seen.values);
     seen.values = {};

@@ -7,8 +7,9 @@
 
 namespace dermis {
 
-Renderer::State::State(const Options& options)
-    : device({.select = options.device, .validate = options.validate}),
+Renderer::State::State(const Options& wanted)
+    : options(wanted),
+      device({.select = wanted.device, .validate = wanted.validate}),
       library(device, passes::find_shader, gpu::default_pipeline_cache()) {}
 
 std::shared_ptr<api::SharedScene> Renderer::State::shared(const Scene& scene,

@@ -29,13 +29,14 @@ struct SharedScene {
 }  // namespace api
 
 struct Renderer::State {
-  explicit State(const Options& options);
+  explicit State(const Options& wanted);
   /// The last scene if it is this one, else this one, examined.
   std::shared_ptr<api::SharedScene> shared(const Scene& scene, const RenderSettings& settings);
 
   /// The last surroundings if they are these, else these. None if the settings name none.
   std::shared_ptr<const api::Surroundings> surroundings(const RenderSettings& settings);
 
+  Options options;
   gpu::Device device;
   gpu::PipelineLibrary library;
   std::shared_ptr<api::SharedScene> last_scene;

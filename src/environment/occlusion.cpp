@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <optional>
 
 #include "core/assert.h"
 #include "core/parallel.h"
+#include "dermis/cancelled.h"
+#include "environment/sky_rays.h"
 #include "image/colour.h"
 #include "rays/ray_scene.h"
-#include "rays/surface_point.h"
 #include "scene/coverage.h"
 
 namespace dermis::environment {
@@ -52,13 +54,6 @@ Grid rasterise(const scene::SkinMesh& mesh, int side) {
   return grid;
 }
 
-double radical_inverse(unsigned i) {
-  double value = 0, digit = 0.5;
-  for (; i > 0; i >>= 1, digit /= 2)
-    if (i & 1) value += digit;
-  return value;
-}
-
 // Two numbers in 0..1 that differ from texel to texel, so that what noise is left has no pattern.
 glm::dvec2 shift_of(std::uint32_t x, std::uint32_t y) {
   std::uint32_t h = x * 0x9E3779B1u ^ (y * 0x85EBCA77u + 0x165667B1u);
@@ -92,53 +87,50 @@ std::array<float, n> divided(std::array<float, n> sum, float by) {
 constexpr std::uint32_t itself = ~0u;
 using Blockers = std::vector<std::uint32_t>;
 
-// Adds up what rays find. Directions beneath the flat triangle are not asked: a coarse mesh would darken
-// itself.
-struct Gathered {
-  glm::dvec3 open{0}, all{0};
-  Harmonics open_harmonics{}, all_harmonics{};
-  int seen = 0, asked = 0;
+// What a point sees, from what its rays have found.
+Seen seen_by(const SkySums& sums, const glm::dvec3& n) {
+  Seen out = all_of_it;
+  const Harmonics lobe = cosine_lobe(n);
+  for (std::size_t k = 0; k < lobe.size(); ++k) out[4 + k] = static_cast<float>(lobe[k]);
+  if (sums.seen() == sums.asked()) return out;
 
-  void add(const glm::dvec3& d, bool free) {
-    const Harmonics y = harmonics(d);
-    ++asked, all += d;
-    for (std::size_t k = 0; k < y.size(); ++k) all_harmonics[k] += y[k];
-    if (!free) return;
-    ++seen, open += d;
-    for (std::size_t k = 0; k < y.size(); ++k) open_harmonics[k] += y[k];
-  }
+  // The exact lobe of all directions less that of the rays is noise alone: as much of it is taken off as is
+  // seen, so that nothing is left of it where nothing is in the way, and nothing is brought in where nothing
+  // is seen.
+  const double share = static_cast<double>(sums.seen()) / sums.asked(),
+               each = std::numbers::pi / sums.asked();
+  Harmonics all, open;
+  sums.harmonics(all, open);
+  for (std::size_t k = 0; k < lobe.size(); ++k)
+    out[4 + k] = static_cast<float>(each * open[k] + share * (lobe[k] - each * all[k]));
+  out[3] = static_cast<float>(share);
+  if (sums.seen() == 0) return out;
 
-  Seen result(const glm::dvec3& n) const {
-    Seen out = all_of_it;
-    const Harmonics lobe = cosine_lobe(n);
-    const double share = asked == 0 ? 1 : static_cast<double>(seen) / asked,
-                 each = asked == 0 ? 0 : std::numbers::pi / asked;
-    // The exact lobe of all directions less that of the rays is noise alone: as much of it is taken off as is
-    // seen, so that nothing is left of it where nothing is in the way, and nothing is brought in where
-    // nothing is seen.
-    for (std::size_t k = 0; k < lobe.size(); ++k)
-      out[4 + k] = static_cast<float>(each * open_harmonics[k] + share * (lobe[k] - each * all_harmonics[k]));
-    if (asked == 0) return out;
-    out[3] = static_cast<float>(share);
-    if (seen == 0) return out;
-    // noise and the triangle's tilt cancel here, too
-    const glm::dvec3 turned = glm::normalize(open) - glm::normalize(all);
-    for (glm::length_t i = 0; i < 3; ++i) out[static_cast<std::size_t>(i)] = static_cast<float>(turned[i]);
-    return out;
-  }
-};
+  // Noise and the triangle's tilt cancel here, too.
+  const glm::dvec3 turned = glm::normalize(sums.open()) - glm::normalize(sums.all());
+  for (glm::length_t i = 0; i < 3; ++i) out[static_cast<std::size_t>(i)] = static_cast<float>(turned[i]);
+  return out;
+}
 
 std::uint32_t texel_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const rays::Hit& hit,
                        const glm::dvec3& direction, int side) {
   const scene::Primitive& primitive = scene.primitives[hit.primitive];
   if (primitive.node != mesh.node || !rays::is_skin(scene, primitive)) return itself;
-  const rays::SurfacePoint s = rays::surface_point(scene, hit);
-  if (glm::dot(s.face_normal, direction) > 0) return itself;
-  const glm::ivec2 at(
-      glm::floor((s.uv[0] * mesh.unwrap_scale + mesh.unwrap_offset) * static_cast<double>(side)));
+  const std::uint32_t* index = &primitive.indices[3 * std::size_t{hit.triangle}];
+  const scene::Vertex &a = primitive.vertices[index[0]], &b = primitive.vertices[index[1]],
+                      &c = primitive.vertices[index[2]];
+  const glm::dvec3 pa(a.position_m), pb(b.position_m), pc(c.position_m);
+  if (glm::dot(glm::cross(pb - pa, pc - pa), direction) > 0) return itself;
+  const glm::dvec2 uv =
+      (1 - hit.u - hit.v) * glm::dvec2(a.uv0) + hit.u * glm::dvec2(b.uv0) + hit.v * glm::dvec2(c.uv0);
+  const glm::ivec2 at(glm::floor((uv * mesh.unwrap_scale + mesh.unwrap_offset) * static_cast<double>(side)));
   if (at.x < 0 || at.y < 0 || at.x >= side || at.y >= side) return itself;
   return static_cast<std::uint32_t>(at.y * side + at.x);
 }
+
+struct Place {
+  glm::dvec3 position_m, normal, face;  // the latter two unit, on one side
+};
 
 struct Around {
   Seen seen = all_of_it;
@@ -146,29 +138,27 @@ struct Around {
   int asked = 0;
 };
 
-// Cosine-weighted directions around the normal.
-Around look_around(const rays::RayScene& rays, const scene::SkinMesh& mesh, const glm::dvec3& p,
-                   const glm::dvec3& n, const glm::dvec3& face, glm::dvec2 shift,
-                   const OcclusionSettings& settings) {
-  const int count = settings.rays;
-  const glm::dvec3 side =
-      glm::normalize(glm::cross(std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
-  const glm::dvec3 up = glm::cross(n, side);
-  const glm::dvec3 origin = p + face * (4 * rays::stand_off_m(p));
-  Gathered gathered;
+// Directions beneath the flat triangle are not asked: a coarse mesh would darken itself.
+Around look_around(const rays::RayScene& rays, const scene::SkinMesh& mesh, const Place& place,
+                   const RaySet& set, const RaySet::Shift& shift, int side_texels) {
+  const glm::vec3 n(place.normal), face(place.face);
+  const glm::vec3 side =
+      glm::normalize(glm::cross(std::abs(n.x) < 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0), n));
+  const glm::vec3 up = glm::cross(n, side);
+  const glm::dvec3 origin = place.position_m + place.face * (4 * rays::stand_off_m(place.position_m));
+
+  SkySums sums;
   Around out;
-  for (int i = 0; i < count; ++i) {
-    const double r2 = std::fmod((i + 0.5) / count + shift.x, 1.0),
-                 a = 2 * std::numbers::pi *
-                     std::fmod(radical_inverse(static_cast<unsigned>(i)) + shift.y, 1.0);
-    const double r = std::sqrt(r2);
-    const glm::dvec3 d = side * (r * std::cos(a)) + up * (r * std::sin(a)) + n * std::sqrt(1 - r2);
-    if (glm::dot(d, face) <= 1e-3) continue;
+  for (int i = 0; i < set.size(); ++i) {
+    const glm::vec3 local = set.direction(i, shift);
+    const glm::vec3 d = side * local.x + up * local.y + n * local.z;
+    if (glm::dot(d, face) <= 1e-3f) continue;
     const std::optional<rays::Hit> hit = rays.nearest_solid({.origin_m = origin, .direction = d});
-    gathered.add(d, !hit);
-    if (hit) out.blockers.push_back(texel_of(rays.scene(), mesh, *hit, d, settings.side));
+    sums.add(d, !hit);
+    if (hit) out.blockers.push_back(texel_of(rays.scene(), mesh, *hit, d, side_texels));
   }
-  out.seen = gathered.result(n), out.asked = gathered.asked;
+  out.seen = seen_by(sums, place.normal);
+  out.asked = sums.asked();
   return out;
 }
 
@@ -250,10 +240,6 @@ void dilate(const Grid& grid, std::vector<Values>& values, const Values& rest) {
     if (!filled[i]) values[i] = rest;
 }
 
-struct Place {
-  glm::dvec3 position_m, normal, face;  // the latter two unit, on one side
-};
-
 // None where a triangle has no area or no normal.
 std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const Texel& texel) {
   const scene::Vertex* corners[3];
@@ -271,37 +257,75 @@ std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const Texel& te
   return Place{a * w + b * u + c * v, n, face};
 }
 
+// How many rows of texels are done, for whoever watches.
+class Rows {
+ public:
+  Rows(int count, const BakeWatch& watch) : count_(count), watch_(watch) {}
+  /// Throws Cancelled if it shall stop.
+  void begin() const {
+    if (watch_.stop && watch_.stop->load(std::memory_order_relaxed))
+      throw Cancelled("stopped while it was found what the skin sees of its surroundings");
+  }
+  void done() {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (watch_.progress) watch_.progress(static_cast<double>(done_) / count_);
+  }
+
+ private:
+  int count_, done_ = 0;
+  const BakeWatch& watch_;
+  std::mutex mutex_;
+};
+
 }  // namespace
 
+int occlusion_side(std::size_t meshes) {
+  constexpr std::size_t most_texels = 4 * 512 * 512;
+  std::size_t side = 512;
+  while (side > 64 && meshes > most_texels / (side * side)) side /= 2;
+  return static_cast<int>(side);
+}
+
 Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
-                         const OcclusionSettings& settings) {
+                         const OcclusionSettings& settings, const BakeWatch& watch) {
   DERMIS_ASSERT_LE(16, settings.side);
   DERMIS_ASSERT_LE(settings.side, 4096);
   DERMIS_ASSERT_LE(1, settings.rays);
   const rays::RayScene rays(scene);
   const Grid grid = rasterise(mesh, settings.side);
+  const RaySet set(settings.rays);
+  Rows rows(settings.side, watch);
+
   std::vector<Around> around(grid.texels.size());
   std::vector<Seen> seen(grid.texels.size(), all_of_it);
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
+    rows.begin();
     for (int x = 0; x < grid.side; ++x) {
       const std::size_t i = grid.at(x, static_cast<int>(row));
       if (!grid.texels[i].covered()) continue;
       const std::optional<Place> place = place_of_texel(mesh, grid.texels[i]);
       if (!place) continue;
       const glm::dvec2 shift = shift_of(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(row));
-      around[i] = look_around(rays, mesh, place->position_m, place->normal, place->face, shift, settings);
+      around[i] = look_around(rays, mesh, *place, set, RaySet::shift_of(shift), settings.side);
       seen[i] = around[i].seen;
     }
+    rows.done();
   });
   seen = smoothed(mesh, grid, seen);
   dilate(grid, seen, all_of_it);
+
   std::vector<Hidden> hidden(grid.texels.size());
   parallel_for(hidden.size(), [&](std::size_t i) { hidden[i] = bounced(around[i], seen[i], seen); });
   hidden = smoothed(mesh, grid, hidden);
   Hidden nothing{};
   nothing[blockers_open] = 1;
   dilate(grid, hidden, nothing);
+
   Occlusion out{.side = settings.side, .values = {}, .transfer = {}, .bounced = {}};
+  out.values.reserve(seen.size() * 4);
+  out.transfer.reserve(seen.size() * harmonic_terms);
+  out.bounced.reserve(seen.size() * bounced_terms);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     out.values.insert(out.values.end(), seen[i].begin(), seen[i].begin() + 4);
     for (std::size_t k = 0; k < harmonic_terms; ++k)

@@ -6,8 +6,10 @@
 /// interreflected transfer, diffuse)
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -37,15 +39,26 @@ struct OcclusionSettings {
   int rays = 96;   ///< a texel, 1 .. 65536
 };
 
-/// Everything opaque in the scene is in the way, cut-outs (lashes, hair cards) are not. The result does not
-/// depend on the number of threads.
-Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
-                         const OcclusionSettings& settings = {});
+/// Texels of a side for one of so many skin meshes: 512 for up to four, then fewer, so that all together have
+/// no more texels than four of those, down to 64.
+int occlusion_side(std::size_t meshes);
 
-/// The same through a cache of files in `folder` (none if empty): named by a hash of all that it depends on,
-/// checked when read. A cache that cannot be read or written costs time, with a warning, and nothing else.
+/// Who watches a bake, which takes seconds; both may be empty.
+struct BakeWatch {
+  std::function<void(double share)> progress{};  ///< 0 to 1, rising; called by one thread at a time
+  const std::atomic<bool>* stop = nullptr;       ///< set by another thread, a signal or `progress`: ends it
+};
+
+/// Everything opaque in the scene is in the way, cut-outs (lashes, hair cards) are not. The result does not
+/// depend on the number of threads. Cancelled: stopped.
+Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
+                         const OcclusionSettings& settings = {}, const BakeWatch& watch = {});
+
+/// The same through files in `folder` (none if empty), see core/cache.h: named by a hash of all that it
+/// depends on. Nothing is written if it is stopped.
 Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
-                           const std::filesystem::path& folder, const OcclusionSettings& settings = {});
+                           const std::filesystem::path& folder, const OcclusionSettings& settings = {},
+                           const BakeWatch& watch = {});
 
 /// Irradiance on each texel, side * side * 4 values, RGB never negative.
 struct SkyLight {

@@ -112,14 +112,15 @@ void round_to_half(Occlusion& occlusion) {
 }  // namespace
 
 Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
-                           const std::filesystem::path& folder, const OcclusionSettings& settings) {
+                           const std::filesystem::path& folder, const OcclusionSettings& settings,
+                           const BakeWatch& watch) {
   const Hash hash = hash_of(scene, mesh, settings);
   const std::filesystem::path file =
       folder.empty() ? folder : folder / fmt::format("occlusion-{:016x}.bin", hash.state()[0]);
   if (const auto bytes = cache::read(file, most_bytes))
     if (Occlusion found = read(*bytes, hash, settings.side); found.side > 0) return found;
 
-  Occlusion made = bake_occlusion(scene, mesh, settings);
+  Occlusion made = bake_occlusion(scene, mesh, settings, watch);
   round_to_half(made);
   if (!file.empty()) cache::write(file, write(made, hash));
   return made;

@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
 
 #include "core/log.h"
+#include "dermis/cancelled.h"
 #include "environment/environment.h"
+#include "environment/sky_rays.h"
 #include "scene/primitives.h"
 
 namespace dermis::environment {
@@ -183,6 +186,52 @@ TEST(Occlusion, IsKeptOnDiskAndCheckedWhenRead) {
   const scene::Scene other = floor_with_wall(0.2);
   EXPECT_NE(cached_occlusion(other, scene::skin_meshes(other)[0], folder, settings).values, first.values);
   std::filesystem::remove_all(folder);
+}
+
+// Sixteen directions side by side have the harmonics of each alone.
+TEST(Occlusion, LanesAreTheHarmonics) {
+  DirectionLanes lanes;
+  std::array<glm::dvec3, ray_lanes> directions;
+  for (std::size_t j = 0; j < ray_lanes; ++j) {
+    directions[j] =
+        direction_of(0.03 + 0.061 * static_cast<double>(j), 0.02 + 0.064 * static_cast<double>(j));
+    lanes.x[j] = static_cast<float>(directions[j].x);
+    lanes.y[j] = static_cast<float>(directions[j].y);
+    lanes.z[j] = static_cast<float>(directions[j].z);
+  }
+  HarmonicLanes found;
+  harmonics_of(lanes, found);
+  for (std::size_t j = 0; j < ray_lanes; ++j) {
+    const Harmonics exact = harmonics(directions[j]);
+    for (std::size_t k = 0; k < harmonic_terms; ++k) EXPECT_NEAR(found[k][j], exact[k], 3e-6) << k;
+  }
+}
+
+TEST(Occlusion, ManyMeshesShareTheTexels) {
+  EXPECT_EQ(occlusion_side(1), 512);
+  EXPECT_EQ(occlusion_side(4), 512);
+  EXPECT_EQ(occlusion_side(5), 256);
+  EXPECT_EQ(occlusion_side(65), 64);
+  EXPECT_EQ(occlusion_side(100'000), 64);
+}
+
+TEST(Occlusion, ABakeIsWatchedAndStopped) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "dermis_stopped_bake";
+  std::filesystem::remove_all(folder);
+  const scene::Scene scene = floor_with_wall(0.3);
+  const scene::SkinMesh mesh = scene::skin_meshes(scene)[0];
+  const OcclusionSettings settings{.side = 32, .rays = 8};
+  std::vector<double> shares;
+  std::atomic<bool> stop{false};
+  BakeWatch watch{.progress = [&](double share) { shares.push_back(share); }, .stop = &stop};
+  const Occlusion watched = bake_occlusion(scene, mesh, settings, watch);
+  EXPECT_EQ(watched.transfer, bake_occlusion(scene, mesh, settings).transfer);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1);
+
+  watch.progress = [&](double share) { stop = share > 0.5; };
+  EXPECT_THROW(cached_occlusion(scene, mesh, folder, settings, watch), Cancelled);
+  EXPECT_FALSE(std::filesystem::exists(folder)) << "something was written";
 }
 
 }  // namespace

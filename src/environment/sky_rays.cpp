@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "environment/sky_rays.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace dermis::environment {
+namespace {
+
+constexpr int order = harmonic_order;
+constexpr std::size_t number(int l, int m) { return static_cast<std::size_t>(l * (l + 1) + m); }
+
+double radical_inverse(unsigned i) {
+  double value = 0, digit = 0.5;
+  for (; i > 0; i >>= 1, digit /= 2)
+    if (i & 1) value += digit;
+  return value;
+}
+
+/// The norms of harmonics.cpp: those of a direction along the axis of each degree, read off where everything
+/// else is known, would need care at zeros, so they are made here by the same formula.
+std::array<float, harmonic_terms> make_norms() {
+  std::array<float, harmonic_terms> made{};
+  for (int l = 0; l <= order; ++l)
+    for (int m = -l; m <= l; ++m) {
+      const int degree = std::abs(m);
+      double factorials = 1;
+      for (int i = l - degree + 1; i <= l + degree; ++i) factorials *= i;
+      made[number(l, m)] = static_cast<float>(
+          std::sqrt((degree > 0 ? 2 : 1) * (2 * l + 1) / (4 * std::numbers::pi) / factorials));
+    }
+  return made;
+}
+const std::array<float, harmonic_terms> norms = make_norms();
+
+}  // namespace
+
+// The recurrences of harmonics(), every step for all lanes.
+void harmonics_of(const DirectionLanes& d, HarmonicLanes& out) {
+  std::array<float, ray_lanes> cosine, sine{};
+  cosine.fill(1);
+  float diagonal = 1;  // 1 3 5 ... (2 m - 1)
+  for (int m = 0; m <= order; ++m) {
+    std::array<float, ray_lanes> before{}, here;
+    here.fill(diagonal);
+    for (int l = m; l <= order; ++l) {
+      const float norm = norms[number(l, m)];
+      std::array<float, ray_lanes>&positive = out[number(l, m)], &negative = out[number(l, -m)];
+      const float a = static_cast<float>(2 * l + 1) / static_cast<float>(l - m + 1),
+                  b = static_cast<float>(l + m) / static_cast<float>(l - m + 1);
+      for (std::size_t j = 0; j < ray_lanes; ++j) {
+        const float value = norm * here[j];
+        negative[j] = value * sine[j];
+        positive[j] = value * cosine[j];  // of m = 0 it is the same place
+        const float next = a * d.y[j] * here[j] - b * before[j];
+        before[j] = here[j];
+        here[j] = next;
+      }
+    }
+    diagonal *= static_cast<float>(2 * m + 1);
+    for (std::size_t j = 0; j < ray_lanes; ++j) {
+      const float turned = cosine[j] * d.z[j] - sine[j] * d.x[j];
+      sine[j] = cosine[j] * d.x[j] + sine[j] * d.z[j];
+      cosine[j] = turned;
+    }
+  }
+}
+
+RaySet::RaySet(int rays) {
+  for (int i = 0; i < rays; ++i) {
+    const double azimuth = 2 * std::numbers::pi * radical_inverse(static_cast<unsigned>(i));
+    share_.push_back(static_cast<float>((i + 0.5) / rays));
+    cosine_.push_back(static_cast<float>(std::cos(azimuth)));
+    sine_.push_back(static_cast<float>(std::sin(azimuth)));
+  }
+}
+
+RaySet::Shift RaySet::shift_of(glm::dvec2 shift) {
+  const double azimuth = 2 * std::numbers::pi * shift.y;
+  return {.polar = static_cast<float>(shift.x),
+          .cosine = static_cast<float>(std::cos(azimuth)),
+          .sine = static_cast<float>(std::sin(azimuth))};
+}
+
+void SkySums::add(const glm::vec3& direction, bool free) {
+  const std::size_t lane = free_.size() % ray_lanes;
+  if (lane == 0) directions_.emplace_back();
+  directions_.back().x[lane] = direction.x;
+  directions_.back().y[lane] = direction.y;
+  directions_.back().z[lane] = direction.z;
+  free_.push_back(free ? 1.0f : 0.0f);
+  all_ += glm::dvec3(direction);
+  if (!free) return;
+  ++seen_;
+  open_ += glm::dvec3(direction);
+}
+
+void SkySums::harmonics(Harmonics& all, Harmonics& open) const {
+  HarmonicLanes all_sums{}, open_sums{};
+  for (std::size_t block = 0; block < directions_.size(); ++block) {
+    HarmonicLanes values;
+    harmonics_of(directions_[block], values);
+    // Lanes of the last block that hold no direction count nothing.
+    std::array<float, ray_lanes> used{}, free{};
+    for (std::size_t j = 0; j < ray_lanes && block * ray_lanes + j < free_.size(); ++j) {
+      used[j] = 1;
+      free[j] = free_[block * ray_lanes + j];
+    }
+    for (std::size_t k = 0; k < harmonic_terms; ++k)
+      for (std::size_t j = 0; j < ray_lanes; ++j) {
+        all_sums[k][j] += used[j] * values[k][j];
+        open_sums[k][j] += free[j] * values[k][j];
+      }
+  }
+  for (std::size_t k = 0; k < harmonic_terms; ++k) {
+    all[k] = open[k] = 0;
+    for (std::size_t j = 0; j < ray_lanes; ++j) {
+      all[k] += static_cast<double>(all_sums[k][j]);
+      open[k] += static_cast<double>(open_sums[k][j]);
+    }
+  }
+}
+
+}  // namespace dermis::environment

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What rays around a point of the skin find of the sky, summed up in harmonics. All in floats, sixteen rays
+// side by side: this is most of the work of a bake.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "environment/harmonics.h"
+
+namespace dermis::environment {
+
+inline constexpr std::size_t ray_lanes = 16;
+
+/// Real spherical harmonics (see harmonics.h) of sixteen unit directions.
+struct DirectionLanes {
+  std::array<float, ray_lanes> x{}, y{}, z{};
+};
+using HarmonicLanes = std::array<std::array<float, ray_lanes>, harmonic_terms>;
+void harmonics_of(const DirectionLanes& directions, HarmonicLanes& out);
+
+/// Cosine-weighted directions around +z, the same for every point: a point turns them by an angle of its own
+/// and shifts their polar angles, so that what noise is left has no pattern.
+class RaySet {
+ public:
+  explicit RaySet(int rays);
+  int size() const { return static_cast<int>(cosine_.size()); }
+
+  /// Direction `i` in the frame (side, up, normal), `shift` in 0..1 x 0..1 given as cosine and sine of the
+  /// azimuth 2 pi shift.y.
+  struct Shift {
+    float polar = 0, cosine = 1, sine = 0;
+  };
+  static Shift shift_of(glm::dvec2 shift);
+  glm::vec3 direction(int i, const Shift& shift) const {
+    const auto at = static_cast<std::size_t>(i);
+    float r2 = share_[at] + shift.polar;
+    r2 -= r2 >= 1 ? 1.0f : 0.0f;
+    const float r = std::sqrt(r2);
+    return {r * (cosine_[at] * shift.cosine - sine_[at] * shift.sine),
+            r * (sine_[at] * shift.cosine + cosine_[at] * shift.sine), std::sqrt(std::max(1 - r2, 0.0f))};
+  }
+
+ private:
+  std::vector<float> share_, cosine_, sine_;
+};
+
+/// The directions that were asked and which of them are free, and their sums. Harmonics are summed at the
+/// end, and only if something is in the way: much of a head sees the whole sky.
+class SkySums {
+ public:
+  void add(const glm::vec3& direction, bool free);
+  int asked() const { return static_cast<int>(free_.size()); }
+  int seen() const { return seen_; }
+  const glm::dvec3& all() const { return all_; }    ///< sum of directions
+  const glm::dvec3& open() const { return open_; }  ///< of those that are free
+  /// Harmonics of all directions and of the free ones.
+  void harmonics(Harmonics& all, Harmonics& open) const;
+
+ private:
+  std::vector<DirectionLanes> directions_;
+  std::vector<float> free_;  ///< 1 or 0 for each
+  glm::dvec3 all_{0}, open_{0};
+  int seen_ = 0;
+};
+
+}  // namespace dermis::environment
