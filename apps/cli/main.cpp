@@ -10,10 +10,12 @@
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/profile_command.h"
+#include "cli/progress.h"
 
 namespace {
 
 int fail(std::string line) {
+  dermis::cli::show_line("");  // whatever was under way
   // Names of files may hold anything: a message stays one line.
   for (char& c : line)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';

@@ -17,6 +17,10 @@ struct SceneOptions {
   double unit_scale = 1;      ///< multiplies every length of the file; glTF says metres
   std::string skin_material;  ///< this material is skin; empty: extras.dermis, else the name contains "skin",
                               ///< else the only one
+  /// For all maps of the scene, 1e6 bytes, 1 to 1e6: as decoded and on the device with their levels, 9.3
+  /// bytes per texel, 14.7 of colour maps. Over it the largest maps are halved while they are read, with a
+  /// note.
+  double texture_budget_mb = 2000;
 };
 
 class Scene {

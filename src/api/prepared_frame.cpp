@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "api/exposure.h"
+#include "api/memory.h"
 #include "api/output.h"
 #include "api/renderer_state.h"
 #include "api/setup.h"
@@ -227,7 +228,7 @@ void PreparedFrame::State::count() {
 PreparedFrame Renderer::prepare(const Scene& scene, const RenderSettings& settings) {
   auto state =
       std::make_unique<PreparedFrame::State>(PreparedFrame::State{.renderer = state_, .source = scene});
-  state->set(settings);
+  api::naming_the_scene(scene, [&] { state->set(settings); });
   return PreparedFrame(std::move(state));
 }
 
@@ -236,12 +237,16 @@ PreparedFrame::PreparedFrame(PreparedFrame&&) noexcept = default;
 PreparedFrame& PreparedFrame::operator=(PreparedFrame&&) noexcept = default;
 PreparedFrame::~PreparedFrame() = default;
 
-void PreparedFrame::set(const RenderSettings& settings) { state_->set(settings); }
+void PreparedFrame::set(const RenderSettings& settings) {
+  api::naming_the_scene(state_->source, [&] { state_->set(settings); });
+}
 
 double PreparedFrame::draw() {
-  state_->count();
-  state_->times.push_back(state_->executor->run(state_->data));
-  return state_->times.back().total_ms;
+  return api::naming_the_scene(state_->source, [&] {
+    state_->count();
+    state_->times.push_back(state_->executor->run(state_->data));
+    return state_->times.back().total_ms;
+  });
 }
 
 std::vector<PassStatistics> PreparedFrame::last_passes() const {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "api/choose.h"
+#include "api/memory.h"
 #include "api/reference_view.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -162,9 +163,7 @@ class Watch {
   Clock::time_point start_ = Clock::now(), saved_ = start_;
 };
 
-}  // namespace
-
-ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
+ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
   check(r);
   if (!s.exposure_ev)
     throw input_error("",
@@ -196,6 +195,12 @@ ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, c
   const auto walks = tracer.walks();
   out.lost_percent = walks.all ? 100.0 * static_cast<double>(walks.lost) / static_cast<double>(walks.all) : 0;
   return out;
+}
+
+}  // namespace
+
+ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
+  return api::naming_the_scene(scene, [&] { return rendered(scene, s, r); });
 }
 
 void ReferencePicture::save_variance(const std::filesystem::path& path) const {

@@ -11,6 +11,7 @@ Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options
   scene::LoadOptions load;
   load.unit_scale = options.unit_scale;
   load.skin_material = options.skin_material;
+  load.texture_budget_mb = options.texture_budget_mb;
   return Scene(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)));
 }
 

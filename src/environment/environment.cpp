@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <numbers>
 
 #include "core/error.h"
@@ -11,8 +12,21 @@
 
 namespace dermis::environment {
 
+namespace {
+
+// 4096 x 2048: eight times as fine as anything that skin or its reflections ask for, in 100 MB.
+constexpr std::uint64_t most_pixels = 4096 * 2048;
+
+image::ImageF load_radiance(const std::filesystem::path& path) {
+  try {
+    return image::load_image_f(path, {}, most_pixels);
+  } catch (const std::bad_alloc&) { throw input_error(path.string(), "needs more memory than there is"); }
+}
+
+}  // namespace
+
 Environment load(const std::filesystem::path& path) {
-  Environment e{.name = path.filename().string(), .radiance = image::load_image_f(path)};
+  Environment e{.name = path.filename().string(), .radiance = load_radiance(path)};
   std::size_t negative = 0;
   for (float& value : e.radiance.values)
     if (value < 0) value = 0, ++negative;

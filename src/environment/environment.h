@@ -22,9 +22,10 @@ struct Environment {
   image::ImageF radiance;
 };
 
-/// Radiance .hdr or OpenEXR. InputError: missing, damaged, wider than 16384 pixels. Warnings: pixels that are
-/// infinite or no numbers (0), negative ones (0), a picture that is not twice as wide as high (stretched over
-/// the sphere all the same).
+/// Radiance .hdr or OpenEXR, at most 16384 pixels a side. More than 4096 x 2048 pixels are halved while they
+/// are read, by the average of areas, with a note. InputError: missing, damaged, too large. Warnings: pixels
+/// that are infinite or no numbers (0), negative ones (0), a picture that is not twice as wide as high
+/// (stretched over the sphere all the same).
 Environment load(const std::filesystem::path& path);
 
 /// The studio that is built in: a large soft light at the left front, a weaker one at the right, a strip from

@@ -7,6 +7,7 @@
 #include "gpu/formats.h"
 #include "gpu/raw.h"
 #include "gpu/resources.h"
+#include "gpu/texture_upload.h"
 
 namespace dermis::gpu {
 namespace {
@@ -103,6 +104,63 @@ void upload(Device& device, const Texture& to, std::span<const std::byte> bytes)
                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                        static_cast<std::uint32_t>(copies.size()), copies.data());
     barrier(device, commands, &to, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+            VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  });
+}
+
+namespace {
+
+constexpr std::uint64_t piece_bytes = std::uint64_t{16} << 20;
+
+std::uint64_t row_bytes(const TextureDesc& desc, std::uint32_t mip) {
+  return std::uint64_t{std::max(1u, desc.width >> mip)} * texel_bytes(desc.format);
+}
+
+}  // namespace
+
+TextureUpload::TextureUpload(Device& device, const Texture& to)
+    : device_(&device),
+      to_(&to),
+      staging_(device, "staging of " + to.name(),
+               {.bytes = std::min(bytes_of(to.desc()), std::max(piece_bytes, row_bytes(to.desc(), 0))),
+                .place = BufferPlace::upload}) {
+  DERMIS_ASSERT_EQ(to.desc().layers, 1u);
+  DERMIS_ASSERT_EQ(to.desc().samples, 1u);
+  device_->run([&](VkCommandBuffer commands) {
+    barrier(*device_, commands, to_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+  });
+}
+
+TextureUpload::~TextureUpload() = default;
+
+std::uint32_t TextureUpload::rows_at_a_time(std::uint32_t mip) const {
+  return static_cast<std::uint32_t>(staging_.desc().bytes / row_bytes(to_->desc(), mip));
+}
+
+void TextureUpload::rows(std::uint32_t mip, std::uint32_t first_row, std::span<const std::byte> bytes) {
+  const TextureDesc& desc = to_->desc();
+  const auto count = static_cast<std::uint32_t>(bytes.size() / row_bytes(desc, mip));
+  DERMIS_ASSERT_LT(mip, desc.mips);
+  DERMIS_ASSERT_LE(1u, count);
+  DERMIS_ASSERT_LE(count, rows_at_a_time(mip));
+  const std::uint32_t rows_in_all = std::max(1u, desc.height >> mip);
+  DERMIS_ASSERT_LE(first_row + count, rows_in_all);
+  std::memcpy(staging_.mapped().data(), bytes.data(), bytes.size());
+  device_->run([&](VkCommandBuffer commands) {
+    VkBufferImageCopy copy{};
+    copy.imageSubresource = {aspect_of(desc.format), mip, 0, 1};
+    copy.imageOffset = {0, static_cast<std::int32_t>(first_row), 0};
+    copy.imageExtent = {std::max(1u, desc.width >> mip), count, 1};
+    barrier(*device_, commands, nullptr, {}, {});
+    device_->vk().vkCmdCopyBufferToImage(commands, staging_.handle(), to_->handle(),
+                                         VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+    barrier(*device_, commands, nullptr, {}, {});
+  });
+}
+
+void TextureUpload::finish() {
+  device_->run([&](VkCommandBuffer commands) {
+    barrier(*device_, commands, to_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   });
 }

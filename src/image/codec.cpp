@@ -42,6 +42,53 @@ void check_plausible(Bytes bytes, std::uint64_t least_bytes, std::int64_t width,
   }
 }
 
+Collected::Collected(int width, int height, std::uint64_t most_pixels)
+    : source_width_(width), source_height_(height) {
+  DERMIS_ASSERT_LE(1u, most_pixels);
+  const auto pixels = [](int w, int h) { return static_cast<std::uint64_t>(w) * static_cast<unsigned>(h); };
+  int halvings = 0;
+  while (pixels(halved(width, halvings), halved(height, halvings)) > most_pixels) ++halvings;
+  picture_ = {
+      .width = halved(width, halvings), .height = halved(height, halvings), .channels = 3, .values = {}};
+  picture_.values.reserve(pixels(picture_.width, picture_.height) * 3);
+  if (halvings == 0) return;
+  average_.emplace(AreaAverage::Size{width, height}, AreaAverage::Size{picture_.width, picture_.height}, 3,
+                   [this](int y, std::span<const float> values) { keep(y, values); });
+}
+
+void Collected::row(int y, std::span<float> rgb) {
+  for (std::size_t i = 0; i < rgb.size(); i += 3) {
+    if (std::isfinite(rgb[i]) && std::isfinite(rgb[i + 1]) && std::isfinite(rgb[i + 2])) continue;
+    rgb[i] = rgb[i + 1] = rgb[i + 2] = 0;
+    ++cleared_;
+  }
+  if (!average_) return keep(y, rgb);
+  // If the lowest row comes first, sums are kept until the topmost has come.
+  if (y == source_height_ - 1 && source_height_ > 1) from_top_ = rows_ > 0;
+  ++rows_;
+  average_->add(y, rgb);
+  if (from_top_) average_->done_to(y);
+}
+
+// Memory is touched as rows arrive: of a picture that is much larger than its file, the first damaged rows
+// end the reading.
+void Collected::keep(int y, std::span<const float> rgb) {
+  const std::size_t end = (static_cast<std::size_t>(y) + 1) * rgb.size();
+  if (picture_.values.size() < end) picture_.values.resize(end);
+  std::ranges::copy(rgb, picture_.at(0, y));
+}
+
+ImageF Collected::take(const std::string& where) {
+  if (average_) {
+    average_->done_to(source_height_ - 1);
+    note("{}: {} x {} pixels, read as {} x {}", where, source_width_, source_height_, picture_.width,
+         picture_.height);
+  }
+  if (cleared_ != 0)
+    warn("{}: {} pixels are infinite or not numbers; they are read as black", where, cleared_);
+  return std::move(picture_);
+}
+
 }  // namespace formats
 
 namespace {
@@ -96,18 +143,7 @@ Recognised recognise(Bytes bytes) {
   throw input_error(where, "is a {} picture, expected {}", found.name, expected);
 }
 
-void clear_non_finite(ImageF& picture, const std::string& where) {
-  const std::size_t channels = static_cast<std::size_t>(picture.channels);
-  std::size_t cleared = 0;
-  for (std::size_t i = 0; i < picture.values.size(); i += channels) {
-    bool finite = true;
-    for (std::size_t c = 0; c < channels; ++c) finite = finite && std::isfinite(picture.values[i + c]);
-    if (finite) continue;
-    for (std::size_t c = 0; c < channels; ++c) picture.values[i + c] = 0;
-    ++cleared;
-  }
-  if (cleared != 0) warn("{}: {} pixels are infinite or not numbers; they are read as black", where, cleared);
-}
+constexpr std::uint64_t most_file_bytes = std::uint64_t{1} << 30;  // of a linear picture
 
 void check_shape(std::size_t values, int width, int height, int channels) {
   DERMIS_ASSERT_LE(1, width);
@@ -118,24 +154,38 @@ void check_shape(std::size_t values, int width, int height, int channels) {
 
 }  // namespace
 
-Image8 decode_image8(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
+PictureHeader read_header8(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
   const Recognised found = recognise(bytes);
-  if (found.format == Format::png) return formats::decode_png(bytes, where, limits);
-  if (found.format == Format::jpeg) return formats::decode_jpeg(bytes, where, limits);
+  if (found.format == Format::png) return formats::png_header(bytes, where, limits);
+  if (found.format == Format::jpeg) return formats::jpeg_header(bytes, where, limits);
   refuse(found, where, "PNG or JPEG");
 }
 
-ImageF decode_image_f(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
+std::uint64_t passing_bytes(const PictureHeader& header, const Shrink& shrink) {
+  const std::uint64_t pixels = static_cast<std::uint64_t>(header.width) * header.height;
+  if (!header.many_passes) return 0;
+  // A coefficient of two bytes for each value; four floats for each pixel that is kept.
+  if (header.jpeg) return pixels * 2 * static_cast<unsigned>(header.channels);
+  return shrink.halvings == 0 ? 0 : (pixels * 16) >> (2 * std::min(shrink.halvings, 31));
+}
+
+Image8 decode_image8(Bytes bytes, const std::string& where, const DecodeLimits& limits,
+                     const Shrink& shrink) {
   const Recognised found = recognise(bytes);
-  if (found.format != Format::hdr && found.format != Format::exr)
-    refuse(found, where, "Radiance HDR or OpenEXR");
+  if (found.format == Format::png) return formats::decode_png(bytes, where, limits, shrink);
+  if (found.format == Format::jpeg) return formats::decode_jpeg(bytes, where, limits, shrink);
+  refuse(found, where, "PNG or JPEG");
+}
+
+ImageF decode_image_f(Bytes bytes, const std::string& where, const DecodeLimits& limits,
+                      std::uint64_t most_pixels) {
+  const Recognised found = recognise(bytes);
   // A pixel of linear light takes three times the bytes of one of a display picture.
   DecodeLimits linear = limits;
   linear.max_pixels /= 2;
-  ImageF picture = found.format == Format::hdr ? formats::decode_hdr(bytes, where, linear)
-                                               : formats::decode_exr(bytes, where, linear);
-  clear_non_finite(picture, where);
-  return picture;
+  if (found.format == Format::hdr) return formats::decode_hdr(bytes, where, linear, most_pixels);
+  if (found.format == Format::exr) return formats::decode_exr(bytes, where, linear, most_pixels);
+  refuse(found, where, "Radiance HDR or OpenEXR");
 }
 
 PictureKind picture_kind(Bytes bytes, const std::string& where) {
@@ -149,8 +199,9 @@ Image8 load_image8(const std::filesystem::path& path, const DecodeLimits& limits
   return decode_image8(read_file(path), path.string(), limits);
 }
 
-ImageF load_image_f(const std::filesystem::path& path, const DecodeLimits& limits) {
-  return decode_image_f(read_file(path), path.string(), limits);
+ImageF load_image_f(const std::filesystem::path& path, const DecodeLimits& limits,
+                    std::uint64_t most_pixels) {
+  return decode_image_f(read_file(path, most_file_bytes), path.string(), limits, most_pixels);
 }
 
 std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha) {

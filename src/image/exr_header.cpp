@@ -13,7 +13,7 @@ namespace dermis::image::formats {
 
 namespace {
 
-constexpr std::uint64_t max_buffer_bytes = std::uint64_t{1} << 30;  // what the library may hold of one chunk
+constexpr std::uint64_t max_buffer_bytes = std::uint64_t{1} << 29;  // what the library may hold of one chunk
 // The pixels around the data of a cropped picture are black and take no byte of the file, but memory: so many
 // are granted to any file, and beyond that so many for each pixel that it has.
 constexpr std::uint64_t free_display_pixels = std::uint64_t{1} << 24, display_per_data_pixel = 16;

@@ -58,15 +58,13 @@ Colours choose_channels(const Imf::ChannelList& channels, const std::string& whe
                     printable(names));
 }
 
-/// The pixels of the data window, three floats each. Memory is touched as rows arrive: of a picture that is
-/// much larger than its file, the first damaged rows end the reading.
-std::vector<float> read_data_window(Imf::InputFile& file, Colours colours) {
-  constexpr int rows_at_once = 256;  // the longest chunk of rows
-  const Imath::Box2i window = file.header().dataWindow();
+/// Reads rows y0 to y1 of the data window: three floats per pixel into `values`.
+void read_rows(Imf::InputFile& file, Colours colours, int y0, int y1, std::vector<float>& values) {
+  Imath::Box2i window = file.header().dataWindow();
+  window.min.y = y0;
+  window.max.y = y1;
   const std::size_t width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-  const std::size_t height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
-  std::vector<float> values;
-  values.reserve(width * height * 3);
+  values.resize(width * static_cast<std::size_t>(y1 - y0 + 1) * 3);
   const std::size_t pixel = 3 * sizeof(float);
   Imf::FrameBuffer target;
   const auto add = [&](const char* name, std::size_t channel) {
@@ -80,56 +78,55 @@ std::vector<float> read_data_window(Imf::InputFile& file, Colours colours) {
     add("B", 2);
   }
   file.setFrameBuffer(target);
-
-  for (std::size_t row = 0; row < height; row += rows_at_once) {
-    const std::size_t end = std::min(row + rows_at_once, height);
-    values.resize(width * end * 3);
-    const int first = window.min.y + static_cast<int>(row);
-    file.readPixels(first, window.min.y + static_cast<int>(end) - 1);
-  }
-
+  file.readPixels(y0, y1);
   if (colours == Colours::grey) {
     for (std::size_t i = 0; i < values.size(); i += 3) values[i + 1] = values[i + 2] = values[i];
   }
-  return values;
 }
 
-ImageF crop_to_display(std::vector<float> values, const Imath::Box2i& data, const Imath::Box2i& display,
-                       const std::string& where) {
-  ImageF picture{.width = display.max.x - display.min.x + 1,
-                 .height = display.max.y - display.min.y + 1,
-                 .channels = 3,
-                 .values = {}};
-  if (data == display) {
-    picture.values = std::move(values);
-    return picture;
-  }
+/// The display window, in strips of rows; black where it has no data.
+ImageF read_display_window(Imf::InputFile& file, Colours colours, std::uint64_t most_pixels,
+                           const std::string& where) {
+  constexpr int strip_rows = 256;  // the most that any compression packs together
+  const Imath::Box2i data = file.header().dataWindow(), display = file.header().displayWindow();
   const int x0 = std::max(data.min.x, display.min.x), x1 = std::min(data.max.x, display.max.x);
   const int y0 = std::max(data.min.y, display.min.y), y1 = std::min(data.max.y, display.max.y);
   if (x0 > x1 || y0 > y1) throw input_error(where, "EXR has no pixel inside its display window");
-  picture.values.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) *
-                        3);
+
+  const int width = display.max.x - display.min.x + 1, height = display.max.y - display.min.y + 1;
+  Collected picture(width, height, most_pixels);
   const std::size_t data_width = static_cast<std::size_t>(data.max.x - data.min.x + 1);
-  for (int y = y0; y <= y1; ++y) {
-    const std::size_t from =
-        static_cast<std::size_t>(y - data.min.y) * data_width + static_cast<std::size_t>(x0 - data.min.x);
-    std::copy_n(values.data() + from * 3, static_cast<std::size_t>(x1 - x0 + 1) * 3,
-                picture.at(x0 - display.min.x, y - display.min.y));
+  std::vector<float> strip, row(static_cast<std::size_t>(width) * 3);
+  for (int y = display.min.y; y <= display.max.y; ++y) {
+    if (y < y0 || y > y1) {
+      std::ranges::fill(row, 0.0f);
+    } else {
+      // Strips begin where those of the file do.
+      const int in_strip = (y - data.min.y) % strip_rows;
+      const int first = std::max(y - in_strip, y0);
+      if (in_strip == 0 || y == y0)
+        read_rows(file, colours, first, std::min(y - in_strip + strip_rows - 1, y1), strip);
+      const std::size_t from =
+          static_cast<std::size_t>(y - first) * data_width + static_cast<std::size_t>(x0 - data.min.x);
+      std::copy_n(strip.data() + from * 3, static_cast<std::size_t>(x1 - x0 + 1) * 3,
+                  row.data() + static_cast<std::size_t>(x0 - display.min.x) * 3);
+    }
+    picture.row(y - display.min.y, row);
   }
-  return picture;
+  return picture.take(where);
 }
 
 }  // namespace
 
-ImageF decode_exr(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
+ImageF decode_exr(Bytes bytes, const std::string& where, const DecodeLimits& limits,
+                  std::uint64_t most_pixels) {
   check_exr_header(bytes, where, limits);
   try {
     MemoryStream stream(bytes);
     Imf::InputFile file(stream, 0);
     const Colours colours = choose_channels(file.header().channels(), where);
     if (!file.isComplete()) throw input_error(where, "EXR is truncated");
-    return crop_to_display(read_data_window(file, colours), file.header().dataWindow(),
-                           file.header().displayWindow(), where);
+    return read_display_window(file, colours, most_pixels, where);
   } catch (const InputError&) { throw; } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

@@ -4,12 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "image/codec.h"
+#include "image/shrink.h"
 
 namespace dermis::image::formats {
 
@@ -29,10 +31,36 @@ void check_size(std::int64_t width, std::int64_t height, const DecodeLimits& lim
 void check_plausible(Bytes bytes, std::uint64_t least_bytes, std::int64_t width, std::int64_t height,
                      const std::string& where);
 
-Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& limits);
-Image8 decode_jpeg(Bytes bytes, const std::string& where, const DecodeLimits& limits);
-ImageF decode_hdr(Bytes bytes, const std::string& where, const DecodeLimits& limits);
-ImageF decode_exr(Bytes bytes, const std::string& where, const DecodeLimits& limits);
+PictureHeader png_header(Bytes bytes, const std::string& where, const DecodeLimits& limits);
+PictureHeader jpeg_header(Bytes bytes, const std::string& where, const DecodeLimits& limits);
+Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& limits, const Shrink& shrink);
+Image8 decode_jpeg(Bytes bytes, const std::string& where, const DecodeLimits& limits, const Shrink& shrink);
+ImageF decode_hdr(Bytes bytes, const std::string& where, const DecodeLimits& limits,
+                  std::uint64_t most_pixels);
+ImageF decode_exr(Bytes bytes, const std::string& where, const DecodeLimits& limits,
+                  std::uint64_t most_pixels);
+
+/// Collects a linear picture of 3 channels that comes in rows, from the top or from the bottom, and halves it
+/// until it has no more than `most_pixels`. Pixels that are infinite or no numbers become black, and are
+/// counted.
+class Collected {
+ public:
+  Collected(int width, int height, std::uint64_t most_pixels);
+  Collected(const Collected&) = delete;
+  Collected& operator=(const Collected&) = delete;
+  void row(int y, std::span<float> rgb);
+  /// With a warning if pixels were no numbers, and a note if it was halved.
+  ImageF take(const std::string& where);
+
+ private:
+  void keep(int y, std::span<const float> rgb);
+  ImageF picture_;
+  int source_width_, source_height_;
+  std::optional<AreaAverage> average_;
+  bool from_top_ = true;
+  int rows_ = 0;  ///< that have come
+  std::size_t cleared_ = 0;
+};
 
 std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const std::string& where);
 std::vector<std::byte> encode_exr(const ImageF& picture, bool half_float, const std::string& where);

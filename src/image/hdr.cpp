@@ -168,29 +168,26 @@ void to_float(const std::uint8_t* rgbe, float* rgb) {
 
 }  // namespace
 
-ImageF decode_hdr(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
+ImageF decode_hdr(Bytes bytes, const std::string& where, const DecodeLimits& limits,
+                  std::uint64_t most_pixels) {
   Input input(bytes, where);
   const Layout layout = read_header(input, where);
   check_size(layout.width, layout.height, limits, where);
   // The shortest row is one pixel and one long run of the old coding.
   check_plausible(bytes, static_cast<std::uint64_t>(layout.height) * (layout.width == 1 ? 4 : 8),
                   layout.width, layout.height, where);
-  ImageF picture{.width = static_cast<int>(layout.width),
-                 .height = static_cast<int>(layout.height),
-                 .channels = 3,
-                 .values = {}};
+  const int height = static_cast<int>(layout.height);
   const size_t width = static_cast<size_t>(layout.width);
-  picture.values.resize(width * static_cast<size_t>(layout.height) * 3);
+  Collected picture(static_cast<int>(layout.width), height, most_pixels);
   std::vector<std::uint8_t> row(width * 4);
-  for (int i = 0; i < picture.height; ++i) {
+  std::vector<float> rgb(width * 3);
+  for (int i = 0; i < height; ++i) {
     read_row(input, row, width, where);
-    const int y = layout.bottom_up ? picture.height - 1 - i : i;
-    for (int x = 0; x < picture.width; ++x) {
-      to_float(&row[static_cast<size_t>(x) * 4],
-               picture.at(layout.right_to_left ? picture.width - 1 - x : x, y));
-    }
+    for (size_t x = 0; x < width; ++x)
+      to_float(&row[x * 4], &rgb[3 * (layout.right_to_left ? width - 1 - x : x)]);
+    picture.row(layout.bottom_up ? height - 1 - i : i, rgb);
   }
-  return picture;
+  return picture.take(where);
 }
 
 }  // namespace dermis::image::formats

@@ -18,6 +18,7 @@ namespace {
 // A progressive file may repeat scans without end, each of them a pass over the whole picture; no encoder
 // writes more than a dozen.
 constexpr int max_scans = 200;
+constexpr std::uint64_t max_coefficient_bytes = 1'000'000'000;
 
 /// The library reports errors by calling back; the callback jumps to `escape`, so no object with a destructor
 /// may live in the functions that set it.
@@ -79,14 +80,17 @@ bool read_header(Reader& reader, const unsigned char* bytes, std::size_t size) {
   return jpeg_read_header(&reader.info, TRUE) == JPEG_HEADER_OK;
 }
 
-bool read_pixels(Reader& reader, unsigned char* rgba, std::size_t row_bytes) {
+bool read_pixels(Reader& reader, unsigned char* rgba, Shrinking& picture) {
   if (setjmp(reader.escape) != 0) return false;
   reader.info.out_color_space = JCS_EXT_RGBA;  // alpha is filled with 255
   reader.info.dct_method = JDCT_ISLOW;
   jpeg_start_decompress(&reader.info);
   while (reader.info.output_scanline < reader.info.output_height) {
-    JSAMPROW row = rgba + reader.info.output_scanline * row_bytes;
+    JSAMPROW row = rgba;
+    const int y = static_cast<int>(reader.info.output_scanline);
     jpeg_read_scanlines(&reader.info, &row, 1);
+    picture.row8(y, rgba, static_cast<int>(reader.info.output_width));
+    picture.done_to(y);
   }
   jpeg_finish_decompress(&reader.info);
   return true;
@@ -97,10 +101,8 @@ bool read_pixels(Reader& reader, unsigned char* rgba, std::size_t row_bytes) {
   throw input_error(where, "JPEG is {}: {}", reader.truncated ? "truncated" : "damaged", reader.message);
 }
 
-}  // namespace
-
-Image8 decode_jpeg(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
-  Reader reader;
+/// The header into `reader`, checked.
+void open(Reader& reader, Bytes bytes, const std::string& where, const DecodeLimits& limits) {
   if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()))
     refuse(reader, where);
   const std::int64_t width = reader.info.image_width;
@@ -112,12 +114,45 @@ Image8 decode_jpeg(Bytes bytes, const std::string& where, const DecodeLimits& li
   if (reader.info.jpeg_color_space == JCS_CMYK || reader.info.jpeg_color_space == JCS_YCCK) {
     throw input_error(where, "JPEG has CMYK colours, expected RGB or grey");
   }
-  Image8 picture{.width = static_cast<int>(width), .height = static_cast<int>(height), .rgba = {}};
-  const std::size_t row_bytes = static_cast<std::size_t>(width) * 4;
-  picture.rgba.resize(row_bytes * static_cast<std::size_t>(height));
-  if (!read_pixels(reader, picture.rgba.data(), row_bytes)) refuse(reader, where);
+}
+
+/// What the library holds of a picture that comes in many passes: every coefficient, two bytes each.
+std::uint64_t coefficient_bytes(const Reader& reader) {
+  if (!jpeg_has_multiple_scans(const_cast<jpeg_decompress_struct*>(&reader.info))) return 0;
+  std::uint64_t blocks = 0;
+  for (int c = 0; c < reader.info.num_components; ++c)
+    blocks +=
+        std::uint64_t{reader.info.comp_info[c].width_in_blocks} * reader.info.comp_info[c].height_in_blocks;
+  return blocks * DCTSIZE2 * sizeof(JCOEF);
+}
+
+}  // namespace
+
+PictureHeader jpeg_header(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
+  Reader reader;
+  open(reader, bytes, where, limits);
+  return {.width = static_cast<int>(reader.info.image_width),
+          .height = static_cast<int>(reader.info.image_height),
+          .channels = reader.info.num_components,
+          .bits = 8,
+          .many_passes = coefficient_bytes(reader) > 0,
+          .jpeg = true};
+}
+
+Image8 decode_jpeg(Bytes bytes, const std::string& where, const DecodeLimits& limits, const Shrink& shrink) {
+  Reader reader;
+  open(reader, bytes, where, limits);
+  const int width = static_cast<int>(reader.info.image_width);
+  const int height = static_cast<int>(reader.info.image_height);
+  if (const std::uint64_t needed = coefficient_bytes(reader); needed > max_coefficient_bytes)
+    throw input_error(where, "JPEG is progressive, {} x {} pixels: reading it takes {} MB, the limit is {}",
+                      width, height, needed / 1'000'000, max_coefficient_bytes / 1'000'000);
+
+  Shrinking picture(width, height, shrink);
+  std::vector<unsigned char> row(static_cast<std::size_t>(width) * 4);
+  if (!read_pixels(reader, row.data(), picture)) refuse(reader, where);
   if (reader.warning[0] != 0) warn("{}: {}", where, reader.warning);
-  return picture;
+  return picture.take();
 }
 
 }  // namespace dermis::image::formats

@@ -45,38 +45,85 @@ std::uint64_t least_file_bytes(const spng_ihdr& header) {
   return header.height * ((bits + 7) / 8 + 1) / 1032;
 }
 
-std::uint8_t nearest8(std::uint16_t value) {
-  return static_cast<std::uint8_t>((value * 255u + 32767u) / 65535u);
-}
-
-}  // namespace
-
-Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
-  const Context context(spng_ctx_new(0));
+/// A reader whose header is checked.
+Context open(Bytes bytes, const std::string& where, const DecodeLimits& limits, spng_ihdr& header) {
+  Context context(spng_ctx_new(0));
   if (!context) throw std::bad_alloc();
   // A wrong checksum of an ancillary chunk does not touch the pixels.
   check(spng_set_crc_action(context.get(), SPNG_CRC_ERROR, SPNG_CRC_DISCARD), where);
   check(spng_set_chunk_limits(context.get(), chunk_limit_bytes, chunk_limit_bytes), where);
   check(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()), where);
-  spng_ihdr header{};
   check(spng_get_ihdr(context.get(), &header), where);
   check_size(header.width, header.height, limits, where);
   check_plausible(bytes, least_file_bytes(header), header.width, header.height, where);
+  return context;
+}
 
-  Image8 picture{
-      .width = static_cast<int>(header.width), .height = static_cast<int>(header.height), .rgba = {}};
-  const std::size_t samples = std::size_t{header.width} * header.height * 4;
-  picture.rgba.resize(samples);
+// Adam7: where the pixels of each pass lie in a row.
+constexpr int pass_first[] = {0, 4, 0, 2, 0, 1, 0}, pass_step[] = {8, 8, 4, 4, 2, 2, 1};
+
+/// Row by row, of an interlaced picture those of one pass after the other: the whole is never in memory.
+template <class Sample, class Take>
+void decode_rows(spng_ctx* context, const spng_ihdr& header, int format, const std::string& where,
+                 const Take& take) {
+  check(spng_decode_image(context, nullptr, 0, format, SPNG_DECODE_TRNS | SPNG_DECODE_PROGRESSIVE), where);
+  const int width = static_cast<int>(header.width);
+  std::vector<Sample> row(std::size_t{header.width} * 4), pass_row;
+  for (int result = SPNG_OK; result != SPNG_EOI;) {
+    spng_row_info info{};
+    // The end shows here where the last passes of a small picture are empty.
+    result = spng_get_row_info(context, &info);
+    if (result == SPNG_EOI) break;
+    check(result, where);
+    result = spng_decode_row(context, row.data(), row.size() * sizeof(Sample));
+    if (result != SPNG_EOI) check(result, where);
+
+    const int first = header.interlace_method ? pass_first[info.pass] : 0,
+              step = header.interlace_method ? pass_step[info.pass] : 1;
+    if (step == 1) {
+      take(static_cast<int>(info.row_num), row.data(), width, 0, 1);
+      continue;
+    }
+    pass_row.clear();
+    for (int x = first; x < width; x += step)
+      pass_row.insert(pass_row.end(), &row[std::size_t{4} * x], &row[std::size_t{4} * x] + 4);
+    take(static_cast<int>(info.row_num), pass_row.data(), static_cast<int>(pass_row.size() / 4), first, step);
+  }
+}
+
+}  // namespace
+
+PictureHeader png_header(Bytes bytes, const std::string& where, const DecodeLimits& limits) {
+  spng_ihdr header{};
+  open(bytes, where, limits, header);
+  return {.width = static_cast<int>(header.width),
+          .height = static_cast<int>(header.height),
+          .channels = header.color_type == SPNG_COLOR_TYPE_INDEXED ? 3 : samples_per_pixel(header.color_type),
+          .bits = header.bit_depth,
+          .many_passes = header.interlace_method != 0,
+          .jpeg = false};
+}
+
+Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& limits, const Shrink& shrink) {
+  spng_ihdr header{};
+  const Context context = open(bytes, where, limits, header);
+  Shrinking picture(static_cast<int>(header.width), static_cast<int>(header.height), shrink);
+  const bool in_order = header.interlace_method == 0;
   if (header.bit_depth == 16) {
     // libspng would cut the low byte off; we round.
-    std::vector<std::uint16_t> wide(samples);
-    check(spng_decode_image(context.get(), wide.data(), samples * 2, SPNG_FMT_RGBA16, SPNG_DECODE_TRNS),
-          where);
-    for (std::size_t i = 0; i < samples; ++i) picture.rgba[i] = nearest8(wide[i]);
+    decode_rows<std::uint16_t>(context.get(), header, SPNG_FMT_RGBA16, where,
+                               [&](int y, const std::uint16_t* rgba, int count, int first, int step) {
+                                 picture.row16(y, rgba, count, first, step);
+                                 if (in_order) picture.done_to(y);
+                               });
   } else {
-    check(spng_decode_image(context.get(), picture.rgba.data(), samples, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS),
-          where);
+    decode_rows<std::uint8_t>(context.get(), header, SPNG_FMT_RGBA8, where,
+                              [&](int y, const std::uint8_t* rgba, int count, int first, int step) {
+                                picture.row8(y, rgba, count, first, step);
+                                if (in_order) picture.done_to(y);
+                              });
   }
+  picture.done_to(static_cast<int>(header.height) - 1);
   // Reads on to the end chunk, so that a file cut after its last pixel is noticed too.
   check(spng_decode_chunks(context.get()), where);
   // The library does not ask for the checksum of the end chunk, which is always the same.
@@ -85,7 +132,7 @@ Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& lim
       std::string_view::npos) {
     throw input_error(where, "PNG is truncated");
   }
-  return picture;
+  return picture.take();
 }
 
 std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const std::string& where) {

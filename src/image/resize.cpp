@@ -4,32 +4,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "core/assert.h"
 #include "core/parallel.h"
-#include "image/colour.h"
+#include "image/shrink.h"
 
 namespace dermis::image {
 
 namespace {
 
-using Rgba = std::array<float, 4>;
-
-// A texel that alpha hides keeps this much of its weight: too little to bleed, enough that where nothing is
-// visible (or alpha means nothing, as in an opaque material) the level still has the average colour.
-constexpr float hidden_weight = 1.0f / 1024;
-
-float colour_weight(float alpha) { return hidden_weight + (1 - hidden_weight) * alpha; }
-
-/// A level before it is rounded: linear colours times colour_weight(alpha) (srgb), or plain values. The
-/// weight is linear in alpha, so the average of the weights is the weight of the average.
+/// A level before it is rounded, see Texel.
 struct Level {
   int width = 0;
   int height = 0;
-  std::vector<Rgba> pixels;
+  std::vector<Texel> pixels;
 
-  const Rgba& at(int x, int y) const {
+  const Texel& at(int x, int y) const {
     return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(x)];
   }
@@ -66,12 +56,12 @@ Level halve(int width, int height, const Fetch& fetch) {
     const Cover rows = cover(static_cast<int>(row), half.height, height);
     for (std::size_t x = 0; x < row_size; ++x) {
       const Cover& columns = all_columns[x];
-      Rgba sum{};
+      Texel sum{};
       for (int j = 0; j < rows.count; ++j) {
         for (int i = 0; i < columns.count; ++i) {
           const float weight =
               rows.weight[static_cast<std::size_t>(j)] * columns.weight[static_cast<std::size_t>(i)];
-          const Rgba& pixel = fetch(columns.first + i, rows.first + j);
+          const Texel& pixel = fetch(columns.first + i, rows.first + j);
           for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * pixel[c];
         }
       }
@@ -81,53 +71,38 @@ Level halve(int width, int height, const Fetch& fetch) {
   return half;
 }
 
-std::uint8_t round8(float value) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
-}
-
 Image8 round_level(const Level& level, bool srgb) {
   Image8 picture{.width = level.width, .height = level.height, .rgba = {}};
   picture.rgba.resize(level.pixels.size() * 4);
   parallel_for(static_cast<std::size_t>(level.height), [&](std::size_t row) {
     const int y = static_cast<int>(row);
-    for (int x = 0; x < level.width; ++x) {
-      const Rgba& pixel = level.at(x, y);
-      std::uint8_t* out = picture.at(x, y);
-      for (std::size_t c = 0; c < 3; ++c) {
-        out[c] = srgb ? linear_to_srgb8(pixel[c] / colour_weight(pixel[3])) : round8(pixel[c]);
-      }
-      out[3] = round8(pixel[3]);
-    }
+    for (int x = 0; x < level.width; ++x) round_texel(level.at(x, y).data(), srgb, picture.at(x, y));
   });
   return picture;
 }
 
 }  // namespace
 
-std::vector<Image8> mip_chain(Image8 base, bool srgb) {
+void for_each_mip(const Image8& base, bool srgb, const std::function<void(const Image8& mip)>& body) {
   DERMIS_ASSERT_LE(1, base.width);
   DERMIS_ASSERT_LE(1, base.height);
-  const auto fetch_base = [&](int x, int y) {
-    const std::uint8_t* p = base.at(x, y);
-    const float alpha = static_cast<float>(p[3]) / 255.0f;
-    Rgba pixel{};
-    for (std::size_t c = 0; c < 3; ++c)
-      pixel[c] = srgb ? srgb8_to_linear(p[c]) * colour_weight(alpha) : static_cast<float>(p[c]) / 255.0f;
-    pixel[3] = alpha;
-    return pixel;
-  };
-  std::vector<Image8> chain;
+  body(base);
+  const auto fetch_base = [&](int x, int y) { return weighted(base.at(x, y), srgb); };
   Level level;
   for (int width = base.width, height = base.height; width > 1 || height > 1;
        width = level.width, height = level.height) {
-    if (chain.empty()) {
+    if (level.pixels.empty()) {
       level = halve(width, height, fetch_base);
     } else {
-      level = halve(width, height, [&level](int x, int y) -> const Rgba& { return level.at(x, y); });
+      level = halve(width, height, [&level](int x, int y) -> const Texel& { return level.at(x, y); });
     }
-    chain.push_back(round_level(level, srgb));
+    body(round_level(level, srgb));
   }
-  chain.insert(chain.begin(), std::move(base));
+}
+
+std::vector<Image8> mip_chain(const Image8& base, bool srgb) {
+  std::vector<Image8> chain;
+  for_each_mip(base, srgb, [&](const Image8& mip) { chain.push_back(mip); });
   return chain;
 }
 

@@ -2,11 +2,14 @@
 #include "passes/gpu_scene.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
+#include <new>
 
 #include "core/error.h"
 #include "gpu/device.h"
+#include "gpu/texture_upload.h"
 #include "image/colour.h"
 #include "image/resize.h"
 #include "optics/attenuation.h"
@@ -105,17 +108,16 @@ gpu::Texture single_texel(gpu::Device& device, const char* name, std::array<std:
   return texture;
 }
 
-// RGBA16F of an sRGB level: colours linear, alpha as it is.
-void append_halves(std::vector<std::uint8_t>& bytes, const image::Image8& level) {
+// RGBA16F of values of an sRGB map: colours linear, alpha as it is.
+std::vector<std::uint16_t> halves_of(std::span<const std::uint8_t> rgba) {
   std::array<std::uint16_t, 256> plain{}, linear{};
   for (std::size_t i = 0; i < 256; ++i) {
     plain[i] = image::float_to_half(static_cast<float>(i) / 255.0f);
     linear[i] = image::float_to_half(image::srgb8_to_linear(static_cast<std::uint8_t>(i)));
   }
-  const std::size_t first = bytes.size();
-  bytes.resize(first + 2 * level.rgba.size());
-  for (std::size_t i = 0; i < level.rgba.size(); ++i)
-    std::memcpy(&bytes[first + 2 * i], &(i % 4 == 3 ? plain : linear)[level.rgba[i]], 2);
+  std::vector<std::uint16_t> halves(rgba.size());
+  for (std::size_t i = 0; i < rgba.size(); ++i) halves[i] = (i % 4 == 3 ? plain : linear)[rgba[i]];
+  return halves;
 }
 
 GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vector<io::VertexIo>& vertices,
@@ -283,31 +285,52 @@ const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene
   for (const Loaded& loaded : textures_)
     if (loaded.image == image && loaded.srgb == srgb) return *loaded.texture;
   const scene::MapImage& map = scene.images[static_cast<std::size_t>(image)];
-  return upload_map(library, map.name, *map.pixels, image, srgb);
+  try {
+    return upload_map(library, map.name, *map.pixels, image, srgb);
+  } catch (const DeviceError& error) {
+    throw device_error("{}: {}; --texture-budget takes less", scene.name, error.what());
+  } catch (const std::bad_alloc&) {
+    throw device_error(
+        "{}: too little memory for the map '{}' of {} x {} texels; --texture-budget takes less", scene.name,
+        map.name, map.pixels->width, map.pixels->height);
+  }
 }
 
 const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const std::string& name,
                                          const image::Image8& pixels, int image, bool srgb) {
-  const std::vector<image::Image8> mips = image::mip_chain(pixels, srgb);
   // The software driver decodes sRGB with an error of 0.2 to 0.4 %, which any comparison with the truth would
   // show.
   const bool halves = srgb && library.device().limits().software;
-  std::vector<std::uint8_t> bytes;
-  for (const image::Image8& mip : mips)
-    if (halves)
-      append_halves(bytes, mip);
-    else
-      bytes.insert(bytes.end(), mip.rgba.begin(), mip.rgba.end());
-  auto made =
-      std::make_unique<gpu::Texture>(library.device(), "map " + name,
-                                     gpu::TextureDesc{.width = static_cast<std::uint32_t>(pixels.width),
-                                                      .height = static_cast<std::uint32_t>(pixels.height),
-                                                      .mips = static_cast<std::uint32_t>(mips.size()),
-                                                      .format = halves ? VK_FORMAT_R16G16B16A16_SFLOAT
-                                                                : srgb ? VK_FORMAT_R8G8B8A8_SRGB
-                                                                       : VK_FORMAT_R8G8B8A8_UNORM,
-                                                      .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
-  gpu::upload(library.device(), *made, std::as_bytes(std::span(bytes)));
+  const auto width = static_cast<std::uint32_t>(pixels.width),
+             height = static_cast<std::uint32_t>(pixels.height);
+  auto made = std::make_unique<gpu::Texture>(
+      library.device(), "map " + name,
+      gpu::TextureDesc{.width = width,
+                       .height = height,
+                       .mips = static_cast<std::uint32_t>(std::bit_width(std::max(width, height))),
+                       .format = halves ? VK_FORMAT_R16G16B16A16_SFLOAT
+                                 : srgb ? VK_FORMAT_R8G8B8A8_SRGB
+                                        : VK_FORMAT_R8G8B8A8_UNORM,
+                       .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+
+  // Level by level, each in strips of rows: beside the map itself little is in memory.
+  gpu::TextureUpload upload(library.device(), *made);
+  std::uint32_t level = 0;
+  image::for_each_mip(pixels, srgb, [&](const image::Image8& mip) {
+    const std::size_t row_values = static_cast<std::size_t>(mip.width) * 4;
+    const auto rows = static_cast<std::uint32_t>(mip.height), strip = upload.rows_at_a_time(level);
+    for (std::uint32_t first = 0; first < rows; first += strip) {
+      const std::span values(&mip.rgba[first * row_values], std::min(strip, rows - first) * row_values);
+      if (halves) {
+        const std::vector<std::uint16_t> texels = halves_of(values);
+        upload.rows(level, first, std::as_bytes(std::span(texels)));
+      } else {
+        upload.rows(level, first, std::as_bytes(values));
+      }
+    }
+    ++level;
+  });
+  upload.finish();
   textures_.push_back({image, srgb, std::move(made)});
   return *textures_.back().texture;
 }

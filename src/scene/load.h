@@ -16,6 +16,10 @@ struct LoadOptions {
                               ///< contains "skin", else the only one
   std::size_t max_triangles = 20'000'000;
   int max_map_side = 16384;  ///< pixels
+  /// For all maps of the scene, 1e6 bytes, 1 to 1e6: as decoded and on the device with their levels, 9.3
+  /// bytes per texel, 14.7 of colour maps. Over it the largest maps are halved while they are read, with a
+  /// note.
+  double texture_budget_mb = 2000;
 };
 
 /// glTF 2.0, .gltf or .glb. Missing normals and tangents are made (scene/tangents.h). Warnings go to

@@ -147,15 +147,12 @@ std::vector<T> Bytes::elements(int index) {
 std::vector<float> Bytes::floats(int accessor) { return elements<float>(accessor); }
 std::vector<std::uint32_t> Bytes::integers(int accessor) { return elements<std::uint32_t>(accessor); }
 
-std::vector<std::byte> Bytes::image(int index) {
+EncodedImage Bytes::image(int index) {
   const ImageSource& image = document_.images[index];
-  if (image.view >= 0) {
-    const std::span<const std::byte> bytes = view(image.view);
-    return {bytes.begin(), bytes.end()};
-  }
+  if (image.view >= 0) return EncodedImage(view(image.view));
   const std::string where = fmt::format("{}: images[{}]", document_.file, index);
-  if (auto data = data_uri(*image.uri, where)) return std::move(*data);
-  return *file_bytes(uri_path(document_.folder, *image.uri, where));
+  if (auto data = data_uri(*image.uri, where)) return EncodedImage(std::move(*data));
+  return EncodedImage(read_file(uri_path(document_.folder, *image.uri, where)));
 }
 
 }  // namespace dermis::scene::gltf

@@ -12,6 +12,20 @@
 
 namespace dermis::scene::gltf {
 
+/// The encoded bytes of an image, which lie in a buffer of the file or are held here.
+class EncodedImage {
+ public:
+  explicit EncodedImage(std::span<const std::byte> in_buffer) : bytes_(in_buffer) {}
+  explicit EncodedImage(std::vector<std::byte> own) : own_(std::move(own)), bytes_(own_) {}
+  EncodedImage(EncodedImage&&) = default;
+  EncodedImage(const EncodedImage&) = delete;
+  std::span<const std::byte> bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::byte> own_;
+  std::span<const std::byte> bytes_;
+};
+
 class Bytes {
  public:
   /// Reads every buffer. InputError: a file is missing or shorter than its byteLength says, 4 GiB in all.
@@ -25,8 +39,10 @@ class Bytes {
   std::vector<float> floats(int accessor);
   /// The same for an accessor of unsigned integers with one component.
   std::vector<std::uint32_t> integers(int accessor);
-  /// The encoded bytes of an image, from its bufferView, data uri or file.
-  std::vector<std::byte> image(int index);
+  /// An image from its bufferView, data uri or file; what lies in no buffer is read anew at each call, so
+  /// that many large pictures are not in memory together. Valid as long as this. May be called by several
+  /// threads once it was called for the same image.
+  EncodedImage image(int index);
 
  private:
   using Shared = std::shared_ptr<const std::vector<std::byte>>;

@@ -2,21 +2,15 @@
 #include "scene/gltf/finish.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <cmath>
-#include <set>
 
 #include "core/log.h"
-#include "core/parallel.h"
-#include "image/codec.h"
 
 namespace dermis::scene::gltf {
 
 namespace {
 
-// 4 GiB decoded; each picture alone is limited by its decoder
-constexpr std::uint64_t max_pixels_in_all = std::uint64_t{1} << 30;
 constexpr float skin_ior = 1.4f;  // F0 of skin 0.028
 
 bool says_skin(const std::string& name) {
@@ -31,16 +25,6 @@ std::string quoted_names(const std::vector<MaterialSource>& materials) {
   for (const MaterialSource& m : materials) names.push_back(fmt::format("'{}'", printable(m.material.name)));
   if (names.size() > 20) names.resize(20);
   return fmt::format("{}", fmt::join(names, ", "));
-}
-
-/// Every map of a material, so that no list of them has to be kept twice.
-template <class Body>
-void for_each_map(Material& m, const Body& body) {
-  for (MapRef* map : {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map,
-                      &m.emissive_map, &m.specular_map, &m.specular_colour_map})
-    if (map->present()) body(*map);
-  for (MapRef* map : {&m.skin_settings.specular, &m.skin_settings.roughness, &m.skin_settings.displacement})
-    if (map->present()) body(*map);
 }
 
 /// The rotation of a node without its scale, looking along -Z.
@@ -121,34 +105,6 @@ void choose_skin(const Document& document, const std::string& skin_material,
     if (m.material.skin && !m.has_ior) m.material.ior = skin_ior;
     if (!m.material.skin) m.material.skin_settings = {};
   }
-}
-
-void decode_images(const Document& document, Bytes& bytes, int max_map_side, Scene& scene) {
-  std::set<int> used;
-  for (Material& m : scene.materials) for_each_map(m, [&](const MapRef& map) { used.insert(map.image); });
-  const std::vector<int> sources(used.begin(), used.end());
-  std::vector<std::vector<std::byte>> encoded;  // files are read one by one, pictures decoded side by side
-  for (const int source : sources) encoded.push_back(bytes.image(source));
-  scene.images.resize(sources.size());
-  std::atomic<std::uint64_t> pixels_in_all = 0;
-  parallel_for(sources.size(), [&](std::size_t i) {
-    const std::string& name = document.images[sources[i]].name;
-    image::DecodeLimits limits;
-    limits.max_side = max_map_side;
-    const std::string where = fmt::format("{}: image '{}'", document.file, name.substr(0, 120));
-    auto pixels = std::make_shared<const image::Image8>(image::decode_image8(encoded[i], where, limits));
-    encoded[i] = {};
-    pixels_in_all += static_cast<std::uint64_t>(pixels->width) * static_cast<std::uint64_t>(pixels->height);
-    if (pixels_in_all > max_pixels_in_all)
-      throw input_error(document.file, "its images have more than {} pixels together, the limit",
-                        max_pixels_in_all);
-    scene.images[i] = {name, std::move(pixels)};
-  });
-  for (Material& m : scene.materials)
-    for_each_map(m, [&](MapRef& map) {
-      map.image =
-          static_cast<int>(std::lower_bound(sources.begin(), sources.end(), map.image) - sources.begin());
-    });
 }
 
 void place_lights_and_cameras(const Document& document, double unit_scale, Scene& scene) {

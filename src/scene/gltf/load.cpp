@@ -74,7 +74,10 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
     complete_surface(document, scene.primitives[i], scene.materials[scene.primitives[i].material],
                      placed.file_tangents[i]);
   place_lights_and_cameras(document, options.unit_scale, scene);
-  decode_images(document, bytes, options.max_map_side, scene);
+  decode_images(document, bytes,
+                {.max_side = options.max_map_side,
+                 .budget_bytes = static_cast<std::uint64_t>(options.texture_budget_mb * 1e6)},
+                scene);
   warn_of_size(document, scene);
   return scene;
 }
@@ -84,6 +87,8 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
 Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
   if (!(options.unit_scale > 0 && options.unit_scale <= 1e6))
     throw input_error("--unit-scale", "must be over 0 and at most 1e6, got {}", options.unit_scale);
+  if (!(options.texture_budget_mb >= 1 && options.texture_budget_mb <= 1e6))
+    throw input_error("--texture-budget", "must be 1 to 1e6 MB, got {}", options.texture_budget_mb);
   constexpr std::size_t longest_message = 2000;
   const auto too_large = [&] { return input_error(path.string(), "needs more memory than there is"); };
   try {
