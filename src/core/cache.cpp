@@ -143,7 +143,7 @@ std::optional<std::vector<std::byte>> read(const fs::path& file, std::uint64_t m
   const std::size_t body = bytes.size() < seal_bytes ? 0 : bytes.size() - seal_bytes;
   const std::string seal = seal_of(std::span(bytes).first(body));
   if (bytes.size() < seal_bytes || std::memcmp(bytes.data() + body, seal.data(), seal_bytes) != 0) {
-    note("{}: damaged; it is made again", file.string());
+    note("{}: damaged, or of another version; it is made again", file.string());
     return std::nullopt;
   }
   bytes.resize(body);
