@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cli/brief_log.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/profile_command.h"
@@ -55,11 +56,13 @@ int main(int argc, char** argv) {
   dermis::cli::add_info_command(app, exit_status);
 
   // 2: the command line cannot be parsed. 1: everything else that goes wrong, in one line.
+  dermis::cli::BriefLog log;
   try {
     const std::vector<std::string> arguments = dermis::cli::join_lists({argv, argv + argc});
     std::vector<const char*> pointers;
     for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
     app.parse(static_cast<int>(pointers.size()), pointers.data());
+    log.finish();
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::bad_alloc&) {

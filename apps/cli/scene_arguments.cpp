@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "cli/brief_log.h"
 #include "cli/command.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -123,7 +124,8 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
   command
       .add_option(
           "--map-budget", s.map_budget_mb,
-          "memory for light maps, MB (default: four heads at full size, at most a quarter of the device's)")
+          "memory for light maps, MB; skin that does not fit together goes in batches (default: four maps of "
+          "full size, at most a quarter of the device's)")
       ->group(group);
   command
       .add_option(
@@ -295,6 +297,9 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
           "--texture-budget", arguments.options.texture_budget_mb,
           "memory for the maps of the file, MB: 9.3 bytes per texel, 14.7 of colour maps; over it the "
           "largest are halved while they are read")
+      ->group("Scene");
+  command.add_flag("--verbose", verbose(), "print every warning and note, not the first two lines alone")
+      ->default_str("")
       ->group("Scene");
   if (use != SceneUse::reference) {
     add_real_time_options(command, arguments.settings, use);

@@ -54,7 +54,7 @@ struct RenderSettings {
   /// distance, in sphere radii, up to which maps have their full size; none: a texel a pixel
   std::optional<double> d_ref;
   std::optional<double> clip_margin_mm;  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma
-  /// for light maps, 1e6 bytes; none: four heads at T_max, at most a quarter of the device's memory
+  /// for light maps, 1e6 bytes; none: four skin meshes at T_max, at most a quarter of the device's memory
   std::optional<double> map_budget_mb;
   std::optional<bool> skip_unseen_heads;  ///< heads wholly outside the picture; none: if anything above is on
 

@@ -12,6 +12,7 @@
 #include "core/cache.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/warnings.h"
 #include "frame/executor.h"
 #include "passes/blur/blur.h"
 #include "passes/frame_data.h"
@@ -169,6 +170,7 @@ void PreparedFrame::State::plan(const RenderSettings& wanted, const api::FrameSe
 // The scene unless it is there, what its skin sees of the surroundings, and the gutters of each size of map
 // that this view uses.
 void PreparedFrame::State::upload() {
+  const WarningGroup group;
   const auto start = std::chrono::steady_clock::now();
   api::SharedScene& shared = *scene;
   if (!shared.gpu)

@@ -2,6 +2,7 @@
 #include "api/setup.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "api/choose.h"
@@ -78,40 +79,54 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
   return part;
 }
 
-constexpr int default_heads_per_batch = 4;
+constexpr double default_squares = 4;
 
-// How many heads the pool of light maps holds at T_max. Only the published baseline uses one set of maps for
-// one head after the other.
-std::uint32_t heads_per_batch(const techniques::FrameSettings& plan, const RenderSettings& s,
-                              const DeviceTraits& device) {
+// How many squares of T_max, one a head and skin mesh, the pool of light maps holds.
+double squares_in_budget(const techniques::FrameSettings& plan, const RenderSettings& s,
+                         const DeviceTraits& device) {
   std::size_t terms = 0;
   for (const techniques::SkinPart& part : plan.skin) terms = std::max(terms, part.profile.terms.size());
-  if (!plan.optimise.any() || terms == 0) return 1;
-  const std::size_t joining = plan.translucency ? passes::transmission_groups(terms).size() - 1 : 0;
+  const std::size_t joining =
+      plan.translucency && terms > 0 ? passes::transmission_groups(terms).size() - 1 : 0;
   const double bytes_a_texel =
       8.0 * static_cast<double>(terms + 2 + joining) + (plan.mask == passes::Mask::depth ? 4 : 0);
-  const double head_mb =
-      bytes_a_texel * s.map_size * s.map_size * static_cast<double>(plan.skin.size()) / 1e6;
-  double budget_mb = default_heads_per_batch * head_mb;
+  const double square_mb = bytes_a_texel * s.map_size * s.map_size / 1e6;
+
+  double budget_mb = default_squares * square_mb;
   if (device.memory_bytes > 0)
-    budget_mb = std::min(budget_mb, std::max(head_mb, static_cast<double>(device.memory_bytes) / 4e6));
+    budget_mb = std::min(budget_mb, std::max(square_mb, static_cast<double>(device.memory_bytes) / 4e6));
   if (s.map_budget_mb) budget_mb = *s.map_budget_mb;
-  if (budget_mb < head_mb)
+  if (budget_mb < square_mb)
     throw input_error(
         "",
         "--map-budget {} MB does not hold the light maps of one head: at --map-size {} they take {:.0f} MB",
-        budget_mb, s.map_size, std::ceil(head_mb));
+        budget_mb, s.map_size, std::ceil(square_mb));
+
   // As many rows and columns of squares as a texture of this device can have.
-  const double squares = std::max<double>(1, device.max_image_side / static_cast<std::uint32_t>(s.map_size));
-  const double most = std::max(1.0, std::floor(squares * squares / static_cast<double>(plan.skin.size())));
+  const double rows = std::max<double>(1, device.max_image_side / static_cast<std::uint32_t>(s.map_size));
+  return std::clamp(std::floor(budget_mb / square_mb * (1 + 1e-12)), 1.0, rows * rows);
+}
+
+// As many heads as the pool holds at a time; of a head with more skin meshes than that, as many meshes. Only
+// the published baseline uses one set of maps for one head after the other.
+void set_up_batches(techniques::FrameSettings& plan, const RenderSettings& s, const DeviceTraits& device) {
+  plan.heads_per_batch = 1;
+  if (plan.skin.empty()) return;
+  const double squares = squares_in_budget(plan, s, device), meshes = static_cast<double>(plan.skin.size());
+  if (squares < meshes) {
+    plan.meshes_per_batch = std::bit_floor(static_cast<std::uint32_t>(squares));
+    return;
+  }
+  if (!plan.optimise.any()) return;
+
   // Their shadow maps come on top; large ones must not drive the heads of a batch out of memory.
   const double shadow_mb =
       (plan.translucency ? 8.0 : 4.0) * plan.shadow_layers * plan.shadow_size * plan.shadow_size / 1e6;
   const double shadowed = device.memory_bytes > 0
                               ? std::max(1.0, static_cast<double>(device.memory_bytes) / 4e6 / shadow_mb)
-                              : most;
-  return static_cast<std::uint32_t>(std::clamp(std::floor(budget_mb / head_mb * (1 + 1e-12)), 1.0,
-                                               std::min({most, 64.0, std::floor(shadowed)})));
+                              : squares;
+  plan.heads_per_batch = static_cast<std::uint32_t>(
+      std::clamp(std::floor(squares / meshes), 1.0, std::min(64.0, std::floor(shadowed))));
 }
 
 // From a measurement on each kind of device, docs/measuring.md; never from one at run time, or frames would
@@ -158,7 +173,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
     if (material.skin && p.has_uv) continue;
     (material.alpha_mode == scene::AlphaMode::blend ? plan.has_blended : plan.has_surfaces) = true;
   }
-  plan.heads_per_batch = heads_per_batch(plan, s, device);
+  set_up_batches(plan, s, device);
 }
 
 // Light from just outside the picture still arrives: as far as the widest Gaussian reaches.

@@ -2,12 +2,14 @@
 #include "api/subject.h"
 
 #include "core/error.h"
+#include "core/warnings.h"
 #include "scene/coverage.h"
 #include "scene/framing.h"
 
 namespace dermis::api {
 
 Subject examine(std::shared_ptr<const scene::Scene> scene) {
+  const WarningGroup group;
   Subject subject;
   subject.skin = scene::skin_meshes(*scene);
   for (const scene::SkinMesh& mesh : subject.skin) {
@@ -23,10 +25,7 @@ Subject examine(std::shared_ptr<const scene::Scene> scene) {
       const glm::vec3& p = mesh.vertices[index].position_m;
       subject.box = {glm::min(subject.box.low, p), glm::max(subject.box.high, p)};
     }
-  std::vector<glm::vec3> points;
-  for (const scene::Primitive& p : scene->primitives)
-    for (const scene::Vertex& v : p.vertices) points.push_back(v.position_m);
-  subject.casters = scene::bounding_sphere(points);
+  subject.casters = scene::bounding_sphere(*scene, [](const scene::Primitive&) { return true; });
   subject.scene = std::move(scene);
   return subject;
 }

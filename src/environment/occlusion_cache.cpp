@@ -47,6 +47,7 @@ Hash hash_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const Occlu
     hash.add(material.skin);
     for (const scene::Vertex& v : p.vertices) hash.add(v.position_m);
     hash.add(std::span<const std::uint32_t>(p.indices));
+    for (const scene::Placement& placement : p.placements) hash.add(placement.world_from_mesh);
   }
   return hash;
 }

@@ -194,8 +194,9 @@ void Cmd::set_viewport(VkRect2D area, bool y_down) {
 
 void Cmd::end_rendering() { device_->vk().vkCmdEndRendering(handle_); }
 
-void Cmd::draw(std::uint32_t vertices, std::uint32_t instances, std::uint32_t first_vertex) {
-  device_->vk().vkCmdDraw(handle_, vertices, instances, first_vertex, 0);
+void Cmd::draw(std::uint32_t vertices, std::uint32_t instances, std::uint32_t first_vertex,
+               std::uint32_t first_instance) {
+  device_->vk().vkCmdDraw(handle_, vertices, instances, first_vertex, first_instance);
 }
 
 void Cmd::draw_indexed(const Buffer& indices, std::uint32_t count, std::uint32_t first) {

@@ -79,7 +79,8 @@ class Cmd {
                             VkRect2D area, bool y_down = false);
   void set_viewport(VkRect2D area, bool y_down);  ///< viewport and scissor
   void end_rendering();
-  void draw(std::uint32_t vertices, std::uint32_t instances = 1, std::uint32_t first_vertex = 0);
+  void draw(std::uint32_t vertices, std::uint32_t instances = 1, std::uint32_t first_vertex = 0,
+            std::uint32_t first_instance = 0);
   void draw_indexed(const Buffer& indices, std::uint32_t count, std::uint32_t first = 0);  ///< 32-bit indices
   void draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint32_t draws);
 

@@ -14,6 +14,7 @@
 #include "image/resize.h"
 #include "optics/attenuation.h"
 #include "passes/gutter_list.h"
+#include "passes/vertices.h"
 #include "scene/fine_normals.h"
 #include "scene/turned.h"
 #include "shared/gutters_io.h"
@@ -89,17 +90,6 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   return c;
 }
 
-io::VertexIo vertex_io(const scene::Vertex& v) {
-  return {.position_m = v.position_m,
-          .normal = v.normal,
-          .tangent = v.tangent,
-          .uv0 = v.uv0,
-          .uv1 = v.uv1,
-          .colour = v.colour,
-          .unwrap = {},
-          .metric_mm2 = {}};
-}
-
 gpu::Texture single_texel(gpu::Device& device, const char* name, std::array<std::uint8_t, 4> rgba) {
   gpu::Texture texture(
       device, name,
@@ -118,20 +108,6 @@ std::vector<std::uint16_t> halves_of(std::span<const std::uint8_t> rgba) {
   std::vector<std::uint16_t> halves(rgba.size());
   for (std::size_t i = 0; i < rgba.size(); ++i) halves[i] = (i % 4 == 3 ? plain : linear)[rgba[i]];
   return halves;
-}
-
-GpuMesh upload_mesh(gpu::Device& device, const std::string& name, const std::vector<io::VertexIo>& vertices,
-                    const std::vector<std::uint32_t>& indices) {
-  GpuMesh mesh;
-  mesh.name = name;
-  glm::vec3 low(INFINITY), high(-INFINITY);
-  for (const io::VertexIo& v : vertices) low = min(low, v.position_m), high = max(high, v.position_m);
-  mesh.centre_m = (low + high) * 0.5f;
-  mesh.vertices =
-      gpu::make_buffer(device, name + " vertices", std::span<const io::VertexIo>(vertices), storage);
-  mesh.indices =
-      gpu::make_buffer(device, name + " indices", std::span<const std::uint32_t>(indices), storage);
-  return mesh;
 }
 
 // RG16F: bytes of the attenuation table as half floats.
@@ -155,7 +131,12 @@ GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_
     vertices.back().unwrap = skin.unwrap[i];
     vertices.back().metric_mm2 = skin.metric[i];
   }
-  GpuMesh mesh = upload_mesh(device, fmt::format("skin {}", number), vertices, skin.indices);
+  GpuMesh mesh;
+  mesh.name = fmt::format("skin {}", number);
+  mesh.vertices =
+      gpu::make_buffer(device, mesh.name + " vertices", std::span<const io::VertexIo>(vertices), storage);
+  mesh.indices =
+      gpu::make_buffer(device, mesh.name + " indices", std::span<const std::uint32_t>(skin.indices), storage);
   const std::vector<std::uint32_t> charts(skin.triangle_chart.begin(), skin.triangle_chart.end());
   mesh.charts =
       gpu::make_buffer(device, mesh.name + " charts", std::span<const std::uint32_t>(charts), storage);
@@ -247,18 +228,8 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
   }
   attenuation = upload_attenuation(device);
   for (std::size_t i = 0; i < skin_meshes.size(); ++i) skin.push_back(upload_skin(device, skin_meshes[i], i));
-  for (const scene::Primitive& p : scene.primitives) {
-    // Skin without texture coordinates cannot be unwrapped: it is drawn as any other material (the unwrap has
-    // warned).
-    if (scene.materials[static_cast<std::size_t>(p.material)].skin && p.has_uv) continue;
-    std::vector<io::VertexIo> vertices;
-    vertices.reserve(p.vertices.size());
-    for (const scene::Vertex& v : p.vertices) vertices.push_back(vertex_io(v));
-    surfaces.push_back(upload_mesh(device, p.name, vertices, p.indices));
-    surfaces.back().draws = {{.first_index = 0,
-                              .index_count = static_cast<std::uint32_t>(p.indices.size()),
-                              .material = p.material}};
-  }
+  surfaces = upload_surfaces(device, scene);
+  unmoved = passes::unmoved(device);
 }
 
 void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& skin_mesh,

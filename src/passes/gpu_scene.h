@@ -14,6 +14,7 @@
 #include "gpu/pipelines.h"
 #include "gpu/resources.h"
 #include "passes/bindings.h"
+#include "passes/gpu_surfaces.h"
 #include "scene/gutters.h"
 #include "scene/scene.h"
 #include "scene/unwrap.h"
@@ -38,23 +39,23 @@ struct GpuDraw {
   int material = 0;
 };
 
+/// One skin mesh.
 struct GpuMesh {
   std::string name;
   gpu::Buffer vertices;           ///< VertexIo[]
   gpu::Buffer indices;            ///< uint[]
-  gpu::Buffer charts;             ///< uint per triangle; skin only
-  gpu::Buffer turned_neighbours;  ///< uint[], scene::turned_neighbours; skin only
-  /// By the side of the light map, see GpuScene::make_gutters; skin only.
+  gpu::Buffer charts;             ///< uint per triangle
+  gpu::Buffer turned_neighbours;  ///< uint[], scene::turned_neighbours
+  /// By the side of the light map, see GpuScene::make_gutters.
   struct Gutters {
     gpu::Buffer list;  ///< GutterIo[]
     std::uint32_t count = 0;
     int width_texels = 0;
   };
   std::map<std::uint32_t, Gutters> gutters;
-  /// see unwrap_map(), Occlusion::values of environment/occlusion.h; skin only, and only under an environment
+  /// see unwrap_map(), Occlusion::values of environment/occlusion.h; only under an environment
   gpu::Texture sky_seen;
   std::vector<GpuDraw> draws;
-  glm::vec3 centre_m{0};
 
   void offer(Bindings& bindings) const;  ///< "Vertices", "Indices", "Charts", "TurnedNeighbours"
 };
@@ -80,8 +81,9 @@ class GpuScene {
   void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side,
                     int width_texels);
 
-  std::vector<GpuMesh> skin;      ///< one a SkinMesh
-  std::vector<GpuMesh> surfaces;  ///< everything else, one a primitive
+  std::vector<GpuMesh> skin;  ///< one a SkinMesh
+  GpuSurfaces surfaces;       ///< everything else
+  gpu::Buffer unmoved;        ///< PlacementIo: skin's vertices are in the world
   std::vector<GpuMaterial> materials;
   const gpu::Texture& white() const { return white_; }  ///< one white texel
   gpu::Texture attenuation;                             ///< RG16F, see skin/attenuation.h

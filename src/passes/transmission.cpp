@@ -55,8 +55,16 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
 ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library,
                                  const std::vector<gaussians::SumOfGaussians>& profiles, double mm_per_unit)
     : linear_(library.sampler({.filter = gpu::Filter::linear})) {
-  for (const gaussians::SumOfGaussians& profile : profiles) {
-    const io::TransmissionIo io = transmission_io(profile, mm_per_unit);
+  for (std::size_t i = 0; i < profiles.size(); ++i) {
+    const auto same =
+        std::find(profiles.begin(), profiles.begin() + static_cast<std::ptrdiff_t>(i), profiles[i]);
+    const auto first = static_cast<std::size_t>(same - profiles.begin());
+    if (first < i) {
+      number_.push_back(number_[first]);
+      continue;
+    }
+    number_.push_back(constants_.size());
+    const io::TransmissionIo io = transmission_io(profiles[i], mm_per_unit);
     constants_.push_back(gpu::make_buffer(library.device(), "transmission", std::span(&io, 1),
                                           VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
   }
@@ -65,7 +73,7 @@ ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library,
 void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering,
                             std::size_t profile) const {
   bindings.add("entering_maps", resources.sampled(entering, linear_))
-      .add("Transmission", constants_[profile]);
+      .add("Transmission", constants_[number_[profile]]);
 }
 
 }  // namespace dermis::passes

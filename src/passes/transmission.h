@@ -41,7 +41,8 @@ class ThroughBindings {
              std::size_t profile) const;
 
  private:
-  std::vector<gpu::Buffer> constants_;  // TransmissionIo, one a profile
+  std::vector<gpu::Buffer> constants_;  // TransmissionIo, one for equal profiles
+  std::vector<std::size_t> number_;     // of those, by profile
   VkSampler linear_ = VK_NULL_HANDLE;
 };
 

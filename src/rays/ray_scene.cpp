@@ -9,14 +9,21 @@
 
 #include "core/error.h"
 #include "rays/embree.h"
+#include "scene/placement.h"
 
 namespace dermis::rays {
 namespace {
+
+// What a number in Embree's scenes stands for: one copy of a primitive.
+struct Copy {
+  std::uint32_t primitive = 0, copy = 0;
+};
 
 // A context that gathers: Embree hands the filter a pointer to the context, which is the first member.
 struct Gather {
   embree::Context context;
   std::vector<Hit>* hits;
+  const std::vector<Copy>* copies;
 };
 
 // Notes each hit and refuses it, so that the search goes on to the end of the ray.
@@ -24,7 +31,8 @@ void gather_hit(const RTCFilterFunctionNArguments* arguments) {
   const auto* gather = reinterpret_cast<const Gather*>(arguments->context);
   const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
-  gather->hits->push_back({hit->geomID, hit->primID, hit->u, hit->v, ray->tfar});
+  const Copy& copy = (*gather->copies)[hit->geomID];  // skin: it has no placements
+  gather->hits->push_back({copy.primitive, hit->primID, hit->u, hit->v, ray->tfar, copy.copy});
   arguments->valid[0] = 0;
 }
 
@@ -40,7 +48,7 @@ RTCRay embree_ray(const Ray& ray) {
   return r;
 }
 
-std::optional<Hit> nearest_in(RTCScene scene, const Ray& ray) {
+std::optional<Hit> nearest_in(RTCScene scene, const std::vector<Copy>& copies, const Ray& ray) {
   embree::Context context;
   embree::init(context);
   RTCRayHit query{};
@@ -49,7 +57,10 @@ std::optional<Hit> nearest_in(RTCScene scene, const Ray& ray) {
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(scene, context, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return Hit{query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
+  // Of a copy, geomID counts within its mesh and instID tells which it is.
+  const bool placed = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+  const Copy& copy = copies[placed ? query.hit.instID[0] : query.hit.geomID];
+  return Hit{copy.primitive, query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar, copy.copy};
 }
 
 }  // namespace
@@ -61,17 +72,12 @@ bool is_skin(const scene::Scene& scene, const scene::Primitive& primitive) {
 struct RayScene::Scenes {
   RTCDevice device = nullptr;
   RTCScene all = nullptr, solid = nullptr, cut_out = nullptr, skin = nullptr, skin_gathered = nullptr;
+  std::vector<Copy> copies;  // by the number of a geometry in all of these
 
   Scenes() : device(rtcNewDevice(nullptr)) {
     if (!device)
       throw device_error("Embree could not start: error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
-    for (RTCScene* scene : {&all, &solid, &cut_out, &skin, &skin_gathered}) {
-      *scene = rtcNewScene(device);
-      // Robust: rays must not slip through between two triangles. Medium quality splits no triangles, so none
-      // is gathered twice.
-      rtcSetSceneFlags(*scene, RTC_SCENE_FLAG_ROBUST);
-      rtcSetSceneBuildQuality(*scene, RTC_BUILD_QUALITY_MEDIUM);
-    }
+    for (RTCScene* scene : {&all, &solid, &cut_out, &skin, &skin_gathered}) *scene = new_scene();
   }
   ~Scenes() {
     for (RTCScene scene : {all, solid, cut_out, skin, skin_gathered}) rtcReleaseScene(scene);
@@ -79,6 +85,41 @@ struct RayScene::Scenes {
   }
   Scenes(const Scenes&) = delete;
   Scenes& operator=(const Scenes&) = delete;
+
+  RTCScene new_scene() const {
+    RTCScene scene = rtcNewScene(device);
+    // Robust: rays must not slip through between two triangles. Medium quality splits no triangles, so none
+    // is gathered twice.
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+    return scene;
+  }
+
+  // As in the shadow maps: blended parts (lashes, brows) would cast the shadow of their whole card, so they
+  // cast none.
+  void attach(RTCGeometry g, scene::AlphaMode alpha, std::uint32_t number) const {
+    rtcAttachGeometryByID(all, g, number);
+    if (alpha == scene::AlphaMode::opaque) rtcAttachGeometryByID(solid, g, number);
+    if (alpha == scene::AlphaMode::mask) rtcAttachGeometryByID(cut_out, g, number);
+  }
+
+  // One tree over the mesh's triangles, and a matrix for each place where it stands.
+  void attach_placed(RTCGeometry mesh, const scene::Primitive& primitive, scene::AlphaMode alpha,
+                     std::uint32_t first_number) const {
+    RTCScene triangles = new_scene();
+    rtcAttachGeometry(triangles, mesh);
+    rtcCommitScene(triangles);
+    for (std::uint32_t i = 0; i < primitive.placements.size(); ++i) {
+      const glm::mat4x3 matrix(primitive.placements[i].world_from_mesh);
+      RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+      rtcSetGeometryInstancedScene(g, triangles);
+      rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &matrix);
+      rtcCommitGeometry(g);
+      attach(g, alpha, first_number + i);
+      rtcReleaseGeometry(g);
+    }
+    rtcReleaseScene(triangles);
+  }
 
   RTCGeometry geometry(const scene::Primitive& primitive) const {
     RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -104,23 +145,27 @@ RayScene::RayScene(const scene::Scene& scene) : scene_(&scene), scenes_(std::mak
     const scene::Primitive& primitive = scene.primitives[i];
     if (primitive.indices.empty()) continue;
     const scene::AlphaMode alpha = scene.materials[static_cast<std::size_t>(primitive.material)].alpha_mode;
+    const auto number = static_cast<std::uint32_t>(scenes_->copies.size());
+    for (std::uint32_t copy = 0; copy < scene::copies_of(primitive); ++copy)
+      scenes_->copies.push_back({i, copy});
+    has_cut_outs_ = has_cut_outs_ || alpha == scene::AlphaMode::mask;
+
     RTCGeometry g = scenes_->geometry(primitive);
     rtcCommitGeometry(g);
-    rtcAttachGeometryByID(scenes_->all, g, i);
-    // As in the shadow maps: blended parts (lashes, brows) would cast the shadow of their whole card, so they
-    // cast none.
-    if (alpha == scene::AlphaMode::opaque) rtcAttachGeometryByID(scenes_->solid, g, i);
-    if (alpha == scene::AlphaMode::mask) rtcAttachGeometryByID(scenes_->cut_out, g, i), has_cut_outs_ = true;
+    if (primitive.placements.empty())
+      scenes_->attach(g, alpha, number);
+    else
+      scenes_->attach_placed(g, primitive, alpha, number);
     if (is_skin(scene, primitive)) {
       for (const std::uint32_t index : primitive.indices) {
         const glm::dvec3 p(primitive.vertices[index].position_m);
         low_m_ = glm::min(low_m_, p), high_m_ = glm::max(high_m_, p);
       }
-      rtcAttachGeometryByID(scenes_->skin, g, i);
+      rtcAttachGeometryByID(scenes_->skin, g, number);
       RTCGeometry gathered = scenes_->geometry(primitive);
       rtcSetGeometryIntersectFilterFunction(gathered, gather_hit);
       rtcCommitGeometry(gathered);
-      rtcAttachGeometryByID(scenes_->skin_gathered, gathered, i);
+      rtcAttachGeometryByID(scenes_->skin_gathered, gathered, number);
       rtcReleaseGeometry(gathered);
     }
     rtcReleaseGeometry(g);
@@ -134,11 +179,17 @@ RayScene::RayScene(const scene::Scene& scene) : scene_(&scene), scenes_(std::mak
 
 RayScene::~RayScene() = default;
 
-std::optional<Hit> RayScene::nearest(const Ray& ray) const { return nearest_in(scenes_->all, ray); }
-std::optional<Hit> RayScene::nearest_skin(const Ray& ray) const { return nearest_in(scenes_->skin, ray); }
-std::optional<Hit> RayScene::nearest_solid(const Ray& ray) const { return nearest_in(scenes_->solid, ray); }
+std::optional<Hit> RayScene::nearest(const Ray& ray) const {
+  return nearest_in(scenes_->all, scenes_->copies, ray);
+}
+std::optional<Hit> RayScene::nearest_skin(const Ray& ray) const {
+  return nearest_in(scenes_->skin, scenes_->copies, ray);
+}
+std::optional<Hit> RayScene::nearest_solid(const Ray& ray) const {
+  return nearest_in(scenes_->solid, scenes_->copies, ray);
+}
 std::optional<Hit> RayScene::nearest_cut_out(const Ray& ray) const {
-  return nearest_in(scenes_->cut_out, ray);
+  return nearest_in(scenes_->cut_out, scenes_->copies, ray);
 }
 
 bool RayScene::solid_between(const Ray& ray) const {
@@ -154,6 +205,7 @@ void RayScene::all_skin(const Ray& ray, std::vector<Hit>& hits) const {
   Gather gather{};
   embree::init(gather.context);
   gather.hits = &hits;
+  gather.copies = &scenes_->copies;
   RTCRayHit query{};
   query.ray = embree_ray(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

@@ -26,6 +26,7 @@ struct Hit {
   std::uint32_t triangle = 0;
   double u = 0, v = 0;  ///< weights of the second and third corner
   double t_m = 0;
+  std::uint32_t copy = 0;  ///< which placement of the primitive, if it has some
 };
 
 /// How far a new ray stands off the surface that it starts from: what rounding to float can move a point of

@@ -81,6 +81,8 @@ void add_scene(Hash& h, const scene::Scene& scene) {
     h.add(p.material), h.add(p.has_uv);
     h.bytes(p.vertices.data(), p.vertices.size() * sizeof(scene::Vertex));
     h.bytes(p.indices.data(), p.indices.size() * sizeof(std::uint32_t));
+    for (const scene::Placement& placement : p.placements)
+      h.bytes(&placement.world_from_mesh, sizeof placement.world_from_mesh);
   }
   for (const scene::Material& m : scene.materials) add_material(h, m);
   for (const scene::MapImage& image : scene.images) {

@@ -2,7 +2,7 @@
 #include "scene/coverage.h"
 
 #include "core/assert.h"
-#include "core/log.h"
+#include "core/warnings.h"
 #include "scene/topology.h"
 
 namespace dermis::scene {
@@ -91,11 +91,12 @@ double uv_overlap_fraction(const SkinMesh& mesh, int resolution) {
 double warn_overlap(const SkinMesh& mesh) {
   const double fraction = uv_overlap_fraction(mesh);
   if (fraction > 0.005) {
-    warn(
-        "skin '{}': {:.1f} % of its texture coordinates overlap, so these places share one light map: light "
-        "of one will show on the other. "
-        "Unwrap the skin without overlaps (mirrored halves side by side) and bake its maps again",
-        mesh.name, 100 * fraction);
+    const char* advice =
+        "so these places share one light map: light of one will show on the other. Unwrap the skin without "
+        "overlaps (mirrored halves side by side) and bake its maps again";
+    warn_of(fmt::format("skin: texture coordinates overlap, {}", advice), mesh.name,
+            fmt::format("skin '{}': {:.1f} % of its texture coordinates overlap, {}", mesh.name,
+                        100 * fraction, advice));
   }
   return fraction;
 }

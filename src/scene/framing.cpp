@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "core/error.h"
+#include "scene/placement.h"
 
 namespace dermis::scene {
 namespace {
@@ -59,17 +60,37 @@ double cone_around(const glm::dvec3& from, const glm::dvec3& axis, const glm::dv
   return std::acos(std::clamp(glm::dot(to, axis) / distance, -1.0, 1.0)) + std::asin(radius / distance);
 }
 
+/// See bounding_sphere(); for_each(visit) calls visit(position) for the same points each time.
+template <class ForEach>
+BoundingSphere sphere_around(const ForEach& for_each) {
+  bool any = false;
+  glm::vec3 low(0), high(0);
+  for_each([&](const glm::vec3& p) {
+    low = any ? glm::min(low, p) : p;
+    high = any ? glm::max(high, p) : p;
+    any = true;
+  });
+  if (!any) return {};
+
+  const glm::vec3 centre(0.5 * (glm::dvec3(low) + glm::dvec3(high)));
+  double radius = 0;
+  for_each([&](const glm::vec3& p) {
+    radius = std::max(radius, glm::distance(glm::dvec3(p), glm::dvec3(centre)));
+  });
+  return {centre, static_cast<float>(radius * (1 + 1e-6))};
+}
+
 }  // namespace
 
 BoundingSphere bounding_sphere(std::span<const glm::vec3> points_m) {
-  if (points_m.empty()) return {};
-  glm::vec3 low = points_m[0], high = low;
-  for (const glm::vec3& p : points_m) low = glm::min(low, p), high = glm::max(high, p);
-  const glm::vec3 centre(0.5 * (glm::dvec3(low) + glm::dvec3(high)));
-  double radius = 0;
-  for (const glm::vec3& p : points_m)
-    radius = std::max(radius, glm::distance(glm::dvec3(p), glm::dvec3(centre)));
-  return {centre, static_cast<float>(radius * (1 + 1e-6))};
+  return sphere_around([&](const auto& visit) { std::for_each(points_m.begin(), points_m.end(), visit); });
+}
+
+BoundingSphere bounding_sphere(const Scene& scene, const std::function<bool(const Primitive&)>& counts) {
+  return sphere_around([&](const auto& visit) {
+    for (const Primitive& p : scene.primitives)
+      if (counts(p)) for_each_position(p, visit);
+  });
 }
 
 BoundingSphere skin_sphere(const Scene& scene) {
@@ -77,13 +98,13 @@ BoundingSphere skin_sphere(const Scene& scene) {
     return scene.materials.at(static_cast<std::size_t>(p.material)).skin;
   };
   const bool any_skin = std::any_of(scene.primitives.begin(), scene.primitives.end(), is_skin);
-  std::vector<glm::vec3> points;
-  for (const Primitive& primitive : scene.primitives) {
-    if (any_skin && !is_skin(primitive)) continue;
-    for (const std::uint32_t index : primitive.indices)
-      points.push_back(primitive.vertices[index].position_m);
-  }
-  return bounding_sphere(points);
+  return sphere_around([&](const auto& visit) {
+    for (const Primitive& p : scene.primitives) {
+      if (any_skin && !is_skin(p)) continue;
+      for (std::size_t copy = 0; copy < copies_of(p); ++copy)
+        for (const std::uint32_t index : p.indices) visit(world_position_m(p, copy, index));
+    }
+  });
 }
 
 glm::dvec3 head_direction(double azimuth_deg, double elevation_deg) {

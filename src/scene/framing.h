@@ -4,6 +4,7 @@
 // distance in bounding-sphere radii).
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
@@ -18,6 +19,9 @@ namespace dermis::scene {
 /// the paper's test are counted in its radii, so it must stay. The radius is grown by 1e-6 so that rounding
 /// leaves no point outside. No points: a sphere of radius 0 at the origin.
 BoundingSphere bounding_sphere(std::span<const glm::vec3> points_m);
+
+/// bounding_sphere of all vertices of the primitives that `counts`, however often they stand in the world.
+BoundingSphere bounding_sphere(const Scene& scene, const std::function<bool(const Primitive&)>& counts);
 
 /// bounding_sphere of the skin; of everything if nothing is skin. Only vertices that a triangle uses count.
 BoundingSphere skin_sphere(const Scene& scene);

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "core/assert.h"
-#include "core/log.h"
 #include "core/parallel.h"
+#include "core/warnings.h"
 #include "scene/coverage.h"
 #include "scene/gutter_map.h"
 #include "scene/walk.h"
@@ -62,9 +62,11 @@ struct Builder {
 std::vector<GutterTexel> build_gutters(const SkinMesh& mesh, int side, int width_texels) {
   DERMIS_ASSERT_LE(1, width_texels);
   if (uv_area_sum(mesh) > 64) {
-    warn(
-        "skin '{}': its texture coordinates cover the map {:.0f} times; light does not flow across its seams",
-        mesh.name, uv_area_sum(mesh));
+    warn_of("skin: texture coordinates cover the map over 64 times; light does not flow across seams",
+            mesh.name,
+            fmt::format("skin '{}': its texture coordinates cover the map {:.0f} times; light does not flow "
+                        "across its seams",
+                        mesh.name, uv_area_sum(mesh)));
     return {};
   }
   const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is rendered: heads and their other parts, maps, lights, cameras. Everything is in the world at rest:
-// nodes as they stand, skins and morph targets applied, mirrored nodes already wound counter-clockwise.
+// nodes as they stand, skins and morph targets applied, mirrored nodes already wound counter-clockwise. Only
+// meshes that several nodes share stay in their own coordinates, with a list of places.
 // Metres, right-handed, +Y up. No Vulkan here.
 #pragma once
 
@@ -89,14 +90,25 @@ struct Material {
   SkinSettings skin_settings;  ///< only if skin
 };
 
-/// Triangles of one material of one node. indices.size() is a multiple of 3, all < vertices.size().
+/// One of the places where a mesh stands that several nodes share.
+struct Placement {
+  glm::dmat4x3 world_from_mesh{1};  ///< columns: what becomes of x, y, z and the origin, metres
+  int node = -1;
+  bool mirrored = false;  ///< turned inside out: triangles wind the other way round
+};
+
+/// Triangles of one material of one node, or of several nodes that share them. indices.size() is a multiple
+/// of 3, all < vertices.size().
 struct Primitive {
-  std::string name;  ///< node or mesh name, for messages
+  std::string name;  ///< node or mesh name, for messages; of the first node if it is shared
   int material = 0;  ///< index into Scene::materials
   int node = -1;     ///< which node it came from: skin of one node shares one unwrap (one head)
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
   bool has_uv = false;  ///< TEXCOORD_0 was there
+  /// Empty: it stands once, and its vertices are in the world. Else they are in the mesh's own coordinates,
+  /// and this is where it stands; never of skin, whose metric is in mm. scene/placement.h reads both.
+  std::vector<Placement> placements;
 };
 
 /// A map as decoded. Shared: scenes are copied cheaply.

@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "core/assert.h"
-#include "core/log.h"
+#include "core/warnings.h"
 #include "scene/topology.h"
 
 namespace dermis::scene {
@@ -53,7 +53,10 @@ void fit_unwrap(SkinMesh& mesh) {
     // A rounding error outside costs nothing; a second tile costs sharpness, and tiles that were meant to
     // coincide now lie side by side.
     if (std::min(u.scale, v.scale) < 0.999)
-      warn("skin '{}': {}; the map holds fewer texels per mm", mesh.name, mesh.unwrap_note);
+      warn_of(
+          "skin: texture coordinates lie outside 0..1 and are scaled to fit; maps hold fewer texels per mm",
+          mesh.name,
+          fmt::format("skin '{}': {}; the map holds fewer texels per mm", mesh.name, mesh.unwrap_note));
   } else if (u.offset != 0 || v.offset != 0) {
     mesh.unwrap_note = fmt::format("texture coordinates moved by {:+g}, {:+g} tiles", u.offset, v.offset);
   }
@@ -95,7 +98,9 @@ std::vector<SkinMesh> skin_meshes(const Scene& scene) {
   std::vector<SkinMesh> meshes;
   std::map<int, std::size_t> mesh_of_node;
   for (const Primitive& primitive : scene.primitives) {
-    if (!scene.materials.at(static_cast<std::size_t>(primitive.material)).skin || primitive.indices.empty())
+    // Without texture coordinates there is nothing to unwrap: drawn as any other material.
+    if (!scene.materials.at(static_cast<std::size_t>(primitive.material)).skin || !primitive.has_uv ||
+        primitive.indices.empty())
       continue;
     const auto [entry, is_new] = mesh_of_node.try_emplace(primitive.node, meshes.size());
     if (is_new) {

@@ -39,7 +39,8 @@ struct SkinMesh {
 
 /// One mesh per node that carries skin, in order of first appearance, all skin primitives of the node joined.
 /// Raw coordinates outside 0..1 are moved by whole tiles if that is enough, else fitted into 0..1 axis by
-/// axis (with a warning: maps then have fewer texels per mm). Primitives without triangles are left out.
+/// axis (with a warning: maps then have fewer texels per mm). Primitives without triangles or without texture
+/// coordinates are left out.
 /// Metric: see triangle_metric.
 std::vector<SkinMesh> skin_meshes(const Scene& scene);
 

@@ -47,6 +47,8 @@ struct FrameSettings {
   std::uint32_t heads = 1;
   /// that are lit and blurred together: squares of the pool and sets of shadow maps
   std::uint32_t heads_per_batch = 1;
+  /// Skin meshes of a head that are lit and blurred together, 0 = all; fewer only with one head in a batch.
+  std::uint32_t meshes_per_batch = 0;
   Optimise optimise;
   /// light comes through the body: lit from behind, thin skin glows
   bool translucency = false;

@@ -10,7 +10,7 @@ namespace dermis::passes {
 Gutters::Out Gutters::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::compute);
   in_ = in;
-  if (settings_.what == What::stretch) d.only_in_full_frames();
+  if (!settings_.every_frame) d.only_in_full_frames();
   d.write(in.target);
   return {in.target};
 }

@@ -31,24 +31,46 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
       }
 }
 
-void Shadow::draw(gpu::Cmd& cmd, const frame::FrameData& frame, bool skin, bool cut_out,
-                  const io::ShadowIo& io) const {
-  for (const GpuMesh& mesh : skin ? frame.scene->skin : frame.scene->surfaces)
+// Whether a material casts a shadow in this round: blended parts (lashes, brows) would cast that of their
+// whole card.
+bool Shadow::casts(const GpuMaterial& material, bool cut_out) {
+  return material.alpha_mode == (cut_out ? scene::AlphaMode::mask : scene::AlphaMode::opaque);
+}
+
+void Shadow::bind(gpu::Cmd& cmd, const frame::FrameData& frame, Bindings bindings,
+                  const GpuMaterial& material, const gpu::Pipeline& pipeline, const io::ShadowIo& io) const {
+  material.offer(bindings);
+  bindings.add("Frame", frame.frame_io);
+  bindings.bind(cmd, pipeline);
+  cmd.push(pipeline, io);
+}
+
+void Shadow::draw_skin(gpu::Cmd& cmd, const frame::FrameData& frame, bool cut_out,
+                       const io::ShadowIo& io) const {
+  for (const GpuMesh& mesh : frame.scene->skin)
     for (const GpuDraw& draw : mesh.draws) {
       const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
-      // Blended parts (lashes, brows) would cast the shadow of their whole card.
-      if (material.alpha_mode == scene::AlphaMode::blend ||
-          (material.alpha_mode == scene::AlphaMode::mask) != cut_out)
-        continue;
-      const gpu::Pipeline& pipeline = *pipelines_[skin][cut_out][skin && material.mixed];
+      if (!casts(material, cut_out)) continue;
       Bindings bindings;
       mesh.offer(bindings);
-      material.offer(bindings);
-      bindings.add("Frame", frame.frame_io);
-      bindings.bind(cmd, pipeline);
-      cmd.push(pipeline, io);
+      bindings.add("Placements", frame.scene->unmoved);
+      bind(cmd, frame, bindings, material, *pipelines_[true][cut_out][material.mixed], io);
       cmd.draw(draw.index_count, 1, draw.first_index);
     }
+}
+
+void Shadow::draw_surfaces(gpu::Cmd& cmd, const frame::FrameData& frame, bool cut_out,
+                           const io::ShadowIo& io) const {
+  const GpuSurfaces& surfaces = frame.scene->surfaces;
+  for (const GpuSurfaces::Group& group : surfaces.groups) {
+    const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(group.material)];
+    if (!casts(material, cut_out)) continue;
+    Bindings bindings;
+    surfaces.offer(bindings, group.page);
+    bind(cmd, frame, bindings, material, *pipelines_[false][cut_out][false], io);
+    for (const GpuSurfaces::Draw& draw : group.draws)
+      cmd.draw(draw.index_count, draw.placements, draw.first_index, draw.first_placement);
+  }
 }
 
 void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
@@ -67,8 +89,8 @@ void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const fram
     if (layer < instance.shadow_from_world.size()) {
       const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
                             .offset_m = instance.offset_m};
-      for (const bool skin : {true, false})
-        for (const bool cut_out : {false, true}) draw(cmd, frame, skin, cut_out, io);
+      for (const bool cut_out : {false, true}) draw_skin(cmd, frame, cut_out, io);
+      for (const bool cut_out : {false, true}) draw_surfaces(cmd, frame, cut_out, io);
     }
     cmd.end_rendering();
   }

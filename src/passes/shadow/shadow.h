@@ -33,8 +33,12 @@ class Shadow {
  private:
   Settings settings_;
   In in_;
-  void draw(gpu::Cmd& cmd, const frame::FrameData& frame, bool skin, bool cut_out,
-            const io::ShadowIo& io) const;
+  static bool casts(const GpuMaterial& material, bool cut_out);
+  void bind(gpu::Cmd& cmd, const frame::FrameData& frame, Bindings bindings, const GpuMaterial& material,
+            const gpu::Pipeline& pipeline, const io::ShadowIo& io) const;
+  void draw_skin(gpu::Cmd& cmd, const frame::FrameData& frame, bool cut_out, const io::ShadowIo& io) const;
+  void draw_surfaces(gpu::Cmd& cmd, const frame::FrameData& frame, bool cut_out,
+                     const io::ShadowIo& io) const;
   const gpu::Pipeline* pipelines_[2][2][2] = {};  // [skin][cut out][mixed]
 };
 

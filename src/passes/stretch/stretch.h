@@ -13,12 +13,14 @@ class Stretch {
  public:
   struct Settings {
     std::uint32_t mesh = 0;
+    /// Skin meshes take turns with the map, so it is made again in each frame; else it lasts.
+    bool every_frame = false;
   };
   struct In {
     frame::TextureId
-        /// RGBA16F, T_max x T_max, persistent: (a, b, c) of the Cholesky factor per metre, chart number (0 =
-        /// no skin)
-            stretch;
+        /// RGBA16F, T_max x T_max, persistent unless every_frame: (a, b, c) of the Cholesky factor per metre,
+        /// chart number (0 = no skin)
+        stretch;
   };
   struct Out {
     frame::TextureId stretch;

@@ -45,33 +45,51 @@ void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const fra
   cmd.begin_rendering(std::span(&colour_target, 1), depth_target,
                       {colour.desc().width, colour.desc().height});
 
-  std::vector<const GpuMesh*> meshes;
-  for (const GpuMesh& mesh : frame.scene->surfaces) {
-    if (!instance.visible) break;
-    const GpuMaterial& material =
-        frame.scene->materials[static_cast<std::size_t>(mesh.draws.front().material)];
-    if ((material.alpha_mode == scene::AlphaMode::blend) == settings_.blended) meshes.push_back(&mesh);
-  }
-  if (settings_.blended) {
-    const auto distance = [&](const GpuMesh* mesh) {
-      return glm::distance(mesh->centre_m + instance.offset_m, frame.eye_m);
-    };
-    std::stable_sort(meshes.begin(), meshes.end(),
-                     [&](const GpuMesh* a, const GpuMesh* b) { return distance(a) > distance(b); });
-  }
-  for (const GpuMesh* mesh : meshes) {
-    const GpuDraw& draw = mesh->draws.front();
-    const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
-    const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
-    Bindings bindings;
-    mesh->offer(bindings);
-    material.offer(bindings);
-    samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
-    bindings.bind(cmd, pipeline);
-    cmd.push(pipeline, io::SurfaceIo{.offset_m = instance.offset_m});
-    cmd.draw(draw.index_count, 1, draw.first_index);
-  }
+  if (instance.visible && settings_.blended) draw_blended(cmd, resources, frame, instance);
+  if (instance.visible && !settings_.blended) draw_groups(cmd, resources, frame, instance);
   cmd.end_rendering();
+}
+
+void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
+                   const frame::Instance& instance, std::uint32_t page, int material_number) const {
+  const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(material_number)];
+  const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
+  Bindings bindings;
+  frame.scene->surfaces.offer(bindings, page);
+  material.offer(bindings);
+  samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
+  bindings.bind(cmd, pipeline);
+  cmd.push(pipeline, io::SurfaceIo{.offset_m = instance.offset_m});
+}
+
+void Surface::draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
+                          const frame::Instance& instance) const {
+  for (const GpuSurfaces::Group& group : frame.scene->surfaces.groups) {
+    bind(cmd, resources, frame, instance, group.page, group.material);
+    for (const GpuSurfaces::Draw& draw : group.draws)
+      cmd.draw(draw.index_count, draw.placements, draw.first_index, draw.first_placement);
+  }
+}
+
+void Surface::draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
+                           const frame::Instance& instance) const {
+  std::vector<const GpuSurfaces::Blended*> parts;
+  for (const GpuSurfaces::Blended& part : frame.scene->surfaces.blended) parts.push_back(&part);
+  const auto distance = [&](const GpuSurfaces::Blended* part) {
+    return glm::distance(part->centre_m + instance.offset_m, frame.eye_m);
+  };
+  std::stable_sort(parts.begin(), parts.end(),
+                   [&](const GpuSurfaces::Blended* a, const GpuSurfaces::Blended* b) {
+                     return distance(a) > distance(b);
+                   });
+
+  const GpuSurfaces::Blended* bound = nullptr;
+  for (const GpuSurfaces::Blended* part : parts) {
+    if (!bound || bound->page != part->page || bound->material != part->material)
+      bind(cmd, resources, frame, instance, part->page, part->material);
+    bound = part;
+    cmd.draw(part->draw.index_count, 1, part->draw.first_index, part->draw.first_placement);
+  }
 }
 
 }  // namespace dermis::passes

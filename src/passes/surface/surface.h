@@ -33,6 +33,13 @@ class Surface {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
 
  private:
+  void bind(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
+            const frame::Instance& instance, std::uint32_t page, int material_number) const;
+  void draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
+                   const frame::Instance& instance) const;
+  void draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
+                    const frame::Instance& instance) const;
+
   Settings settings_;
   In in_;
   const gpu::Pipeline* single_sided_ = nullptr;

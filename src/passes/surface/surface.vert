@@ -2,6 +2,7 @@
 #version 460
 #include "shared/scene_io.h"
 #include "shared/vertex_pull.glsl"
+#include "shared/placement.glsl"
 #include "passes/surface/surface_io.h"
 layout(push_constant, scalar) uniform Push { SurfaceIo io; };
 layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
@@ -11,7 +12,7 @@ layout(location = 2) out vec4 out_tangent;
 layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;
 void main() {
-  const VertexIo v = pulled_vertex();
+  const VertexIo v = placed_vertex();
   out_position_m = v.position_m + io.offset_m;
   out_normal = v.normal;
   out_tangent = v.tangent;

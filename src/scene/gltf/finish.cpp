@@ -5,7 +5,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "core/log.h"
+#include "core/warnings.h"
 
 namespace dermis::scene::gltf {
 
@@ -63,20 +63,26 @@ Light place_light(Light light, const Node& node, const glm::dmat4& world, double
 
 }  // namespace
 
-std::vector<MaterialSource> used_materials(const Document& document, std::vector<Primitive>& primitives) {
-  std::map<int, int> number;
-  for (const Primitive& p : primitives) number[p.material] = 0;
+std::vector<MaterialSource> used_materials(const Document& document, MaterialNumbers& numbers) {
+  std::vector<bool> done(document.meshes.size(), false);
+  for (const int n : shown_nodes(document)) {
+    const int mesh = document.nodes[n].mesh;
+    if (mesh < 0 || done[mesh]) continue;
+    done[mesh] = true;
+    for (const MeshPrimitive& p : document.meshes[mesh].primitives)
+      if (claimed_triangles(document, p) > 0) numbers.of[p.material] = 0;
+  }
+
   std::vector<MaterialSource> used;
-  for (auto& [source, target] : number) {
+  for (auto& [source, target] : numbers.of) {
     if (source < 0) continue;  // the default material goes last, so that the file's keep their order
     target = static_cast<int>(used.size());
     used.push_back(document.materials[source]);
   }
-  if (number.contains(-1)) {
-    number[-1] = static_cast<int>(used.size());
+  if (numbers.of.contains(-1)) {
+    numbers.of[-1] = static_cast<int>(used.size());
     used.emplace_back().material.name = "default";
   }
-  for (Primitive& p : primitives) p.material = number[p.material];
   return used;
 }
 
@@ -100,7 +106,11 @@ void choose_skin(const Document& document, const std::string& skin_material,
   if (!any) choose([](const MaterialSource& m) { return m.says_skin.value_or(false); });
   if (!any) choose([&](const MaterialSource& m) { return may_be(m) && says_skin(m.material.name); });
   if (!any && materials.size() == 1) choose(may_be);
-  if (!any) warn("{}: no material is skin; name one with --skin: {}", document.file, quoted_names(materials));
+  if (!any) {
+    const std::string line = fmt::format("{}: no material is skin; name one with --skin: {}", document.file,
+                                         quoted_names(materials));
+    warn_of(line, document.file, line);
+  }
   for (MaterialSource& m : materials) {
     if (m.material.skin && !m.has_ior) m.material.ior = skin_ior;
     if (!m.material.skin) m.material.skin_settings = {};

@@ -7,9 +7,10 @@
 
 namespace dermis::scene::gltf {
 
-/// The materials that primitives use, renumbered; primitives without one share glTF's default material.
-/// Map references still point into Document::images.
-std::vector<MaterialSource> used_materials(const Document& document, std::vector<Primitive>& primitives);
+/// The materials that shown primitives use, renumbered in the file's order; primitives without one share
+/// glTF's default material, the last. Map references still point into Document::images. `numbers.skin` stays
+/// empty.
+std::vector<MaterialSource> used_materials(const Document& document, MaterialNumbers& numbers);
 
 /// Decides which materials are skin: `skin_material` if not empty, else extras.dermis, else the name contains
 /// "skin", else the only one; and gives skin its default index of refraction. Warns if nothing is.

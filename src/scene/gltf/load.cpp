@@ -6,8 +6,9 @@
 #include <new>
 #include <stdexcept>
 
-#include "core/log.h"
+#include "core/warnings.h"
 #include "scene/gltf/finish.h"
+#include "scene/placement.h"
 #include "scene/tangents.h"
 
 namespace dermis::scene {
@@ -24,8 +25,10 @@ void warn_of_missing_uv(const Document& document, const Primitive& primitive, co
   if (primitive.has_uv ||
       (!material.skin && !material.base_colour_map.present() && !material.normal_map.present()))
     return;
-  warn("{}: '{}' has no texture coordinates{}", document.file, printable(primitive.name),
-       material.skin ? ", which skin is rendered in" : ", its maps show one texel");
+  const std::string name = printable(primitive.name);
+  const std::string why = material.skin ? ", which skin is rendered in" : ", so maps show one texel";
+  warn_of(fmt::format("{}: no texture coordinates{}", document.file, why), name,
+          fmt::format("{}: '{}' has no texture coordinates{}", document.file, name, why));
 }
 
 void complete_surface(const Document& document, Primitive& primitive, const Material& material,
@@ -44,18 +47,20 @@ void warn_of_size(const Document& document, const Scene& scene) {
   bool any = false;
   for (const Primitive& p : scene.primitives) {
     if (!scene.materials[p.material].skin) continue;
-    for (const Vertex& v : p.vertices) {
-      low = any ? std::min(low, v.position_m.y) : v.position_m.y;
-      high = any ? std::max(high, v.position_m.y) : v.position_m.y;
+    for_each_position(p, [&](const glm::vec3& position_m) {
+      low = any ? std::min(low, position_m.y) : position_m.y;
+      high = any ? std::max(high, position_m.y) : position_m.y;
       any = true;
-    }
+    });
   }
   const float height = high - low;
-  if (any && (height < least_height_m || height > most_height_m))
-    warn(
+  if (any && (height < least_height_m || height > most_height_m)) {
+    const std::string line = fmt::format(
         "{}: the skin is {:.4g} m high, a head has 0.1 to 0.6 m; light spreads by mm, so give the right size "
         "with --unit-scale",
         document.file, height);
+    warn_of(line, document.file, line);
+  }
 }
 
 Scene load(const std::filesystem::path& path, const LoadOptions& options) {
@@ -63,13 +68,20 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   const JsonText json(container.json, path.string());
   const Document document = read_document(json.root(), container, path);
   Bytes bytes(document, container);
-  Placed placed = place_meshes(document, bytes, options);
+  check_limits(document, options);
+
   Scene scene;
   scene.name = path.filename().string();
-  scene.primitives = std::move(placed.primitives);
-  std::vector<MaterialSource> materials = used_materials(document, scene.primitives);
+  MaterialNumbers numbers;
+  std::vector<MaterialSource> materials = used_materials(document, numbers);
   choose_skin(document, options.skin_material, materials);
-  for (MaterialSource& m : materials) scene.materials.push_back(std::move(m.material));
+  for (MaterialSource& m : materials) {
+    numbers.skin.push_back(m.material.skin);
+    scene.materials.push_back(std::move(m.material));
+  }
+
+  Placed placed = place_meshes(document, bytes, numbers, options);
+  scene.primitives = std::move(placed.primitives);
   for (std::size_t i = 0; i < scene.primitives.size(); ++i)
     complete_surface(document, scene.primitives[i], scene.materials[scene.primitives[i].material],
                      placed.file_tangents[i]);
@@ -91,6 +103,7 @@ Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
     throw input_error("--texture-budget", "must be 1 to 1e6 MB, got {}", options.texture_budget_mb);
   constexpr std::size_t longest_message = 2000;
   const auto too_large = [&] { return input_error(path.string(), "needs more memory than there is"); };
+  const WarningGroup group;
   try {
     return load(path, options);
   } catch (const InputError& error) {

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/log.h"
+#include "core/warnings.h"
 #include "scene/gltf/skinning.h"
+#include "scene/placement.h"
 
 namespace dermis::scene::gltf {
 
@@ -74,68 +75,106 @@ Vertex place_vertex(const LocalMesh& mesh, std::size_t i, const Frame& frame) {
   return v;
 }
 
-void check_vertex(const Document& document, const MeshPrimitive& primitive, const Vertex& v, std::size_t i) {
-  const glm::vec3 p = glm::abs(v.position_m);
+void check_position(const Document& document, const MeshPrimitive& primitive, const glm::vec3& position_m,
+                    std::size_t i) {
+  const glm::vec3 p = glm::abs(position_m);
   if (!(p.x <= largest_position_m && p.y <= largest_position_m && p.z <= largest_position_m))
     throw input_error(document.file, "{}: vertex {} lies at ({}, {}, {}) m, more than {} m from the origin",
-                      primitive.place, i, v.position_m.x, v.position_m.y, v.position_m.z, largest_position_m);
+                      primitive.place, i, position_m.x, position_m.y, position_m.z, largest_position_m);
+}
+
+void check_coordinates(const Document& document, const MeshPrimitive& primitive, const Vertex& v,
+                       std::size_t i) {
   for (const glm::vec2& uv : {v.uv0, v.uv1})
     if (std::abs(uv.x) > largest_uv || std::abs(uv.y) > largest_uv)
       throw input_error(document.file, "{}: texture coordinates ({}, {}) of vertex {} are out of range",
                         primitive.place, uv.x, uv.y, i);
 }
 
-Primitive place(const Document& document, const MeshPrimitive& source, const LocalMesh& mesh,
-                const Frames& frames, int node) {
+/// All of a primitive but its vertices.
+Primitive without_vertices(const Document& document, const LocalMesh& mesh, int material, int node) {
   Primitive out;
   const std::string& name = document.nodes[node].name;
   out.name = name.empty() ? document.meshes[document.nodes[node].mesh].name : name;
-  out.material = source.material;
+  out.material = material;
   out.node = node;
   out.has_uv = !mesh.uvs[0].empty();
+  out.indices = mesh.indices;
   out.vertices.resize(mesh.vertices);
+  return out;
+}
+
+Primitive place(const Document& document, const MeshPrimitive& source, const LocalMesh& mesh,
+                const Frames& frames, int material, int node) {
+  Primitive out = without_vertices(document, mesh, material, node);
   std::size_t mirrored = 0;
   for (std::size_t i = 0; i < mesh.vertices; ++i) {
     const Frame frame = frames.at(mesh, i);
     mirrored += frame.mirrored ? 1 : 0;
     out.vertices[i] = place_vertex(mesh, i, frame);
-    check_vertex(document, source, out.vertices[i], i);
+    check_position(document, source, out.vertices[i].position_m, i);
+    check_coordinates(document, source, out.vertices[i], i);
   }
-  out.indices = mesh.indices;
+
   if (mirrored * 2 > mesh.vertices)  // a mirrored mesh is turned inside out: wind it back
     for (std::size_t i = 0; i + 2 < out.indices.size(); i += 3)
       std::swap(out.indices[i + 1], out.indices[i + 2]);
   return out;
 }
 
-/// What the file claims is held against the limits before any of it is read.
-void check_limits(const Document& document, const std::vector<int>& nodes, const LoadOptions& options) {
-  const std::uint64_t max_triangles = options.max_triangles, max_vertices = max_triangles * 3;
-  std::uint64_t triangles = 0, vertices = 0, morphed = 0, skipped = 0;
-  for (const int n : nodes) {
-    const Node& node = document.nodes[n];
-    if (node.mesh < 0) continue;
-    const Mesh& mesh = document.meshes[node.mesh];
-    const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
-    const auto active = static_cast<std::uint64_t>(
-        std::count_if(weights.begin(), weights.end(), [](double w) { return w != 0; }));
-    for (const MeshPrimitive& primitive : mesh.primitives) {
-      const std::uint64_t here = claimed_triangles(document, primitive);
-      skipped += primitive.mode < 4 ? 1 : 0;
-      if (here == 0) continue;
-      triangles += here;
-      vertices += claimed_vertices(document, primitive);
-      morphed += claimed_vertices(document, primitive) * std::min(active, max_vertices);
-      if (triangles > max_triangles)
-        throw input_error(document.file, "has more than {} triangles, the limit", max_triangles);
-      if (vertices > max_vertices)
-        throw input_error(document.file, "has more than {} vertices, the limit", max_vertices);
-      if (morphed > max_vertices * morph_passes)
-        throw input_error(document.file, "has more morph targets at work than can be applied");
-    }
+/// A mesh that stays in its own coordinates.
+struct SharedMesh {
+  std::size_t primitive = 0;  ///< of Placed::primitives
+  glm::dvec3 middle{0};       ///< was taken off its positions
+  glm::dvec3 half{0};         ///< of its box around the middle
+};
+
+/// Adds a primitive without placements. Positions far from the mesh's own origin are moved there, because the
+/// device transforms with floats.
+SharedMesh share(const Document& document, const MeshPrimitive& source, const LocalMesh& mesh, int material,
+                 int node, Placed& placed) {
+  constexpr double far = 4;  // half sides of its box
+  Primitive& out = placed.primitives.emplace_back(without_vertices(document, mesh, material, node));
+  glm::dvec3 low(INFINITY), high(-INFINITY);
+  for (std::size_t i = 0; i < mesh.vertices; ++i) {
+    out.vertices[i] = place_vertex(mesh, i, Frame{});
+    check_coordinates(document, source, out.vertices[i], i);
+    const glm::dvec3 p(out.vertices[i].position_m);
+    low = glm::min(low, p);
+    high = glm::max(high, p);
   }
-  if (skipped > 0) warn("{}: {} primitives of points or lines are left out", document.file, skipped);
-  if (triangles == 0) throw input_error(document.file, "there are no triangles to draw");
+  placed.file_tangents.push_back(usable_tangents(mesh, out.vertices));
+
+  SharedMesh shared{placed.primitives.size() - 1, 0.5 * (low + high), 0.5 * (high - low)};
+  if (glm::length(shared.middle) <= far * glm::length(shared.half)) {
+    shared.half += glm::abs(shared.middle);
+    shared.middle = glm::dvec3(0);
+  }
+  if (shared.middle != glm::dvec3(0))
+    for (Vertex& v : out.vertices) v.position_m = glm::vec3(glm::dvec3(v.position_m) - shared.middle);
+  return shared;
+}
+
+void add_placement(const Document& document, const MeshPrimitive& source, const SharedMesh& shared,
+                   const Frame& frame, int node, Primitive& primitive) {
+  Placement& placement = primitive.placements.emplace_back();
+  placement.world_from_mesh = glm::dmat4x3(frame.matrix);
+  placement.world_from_mesh[3] = glm::dvec3(frame.matrix * glm::dvec4(shared.middle, 1));
+  placement.node = node;
+  placement.mirrored = frame.mirrored;
+
+  // Its box as the world sees it: only where that is too far out are vertices looked at one by one.
+  glm::dvec3 reach = glm::abs(placement.world_from_mesh[3]);
+  for (glm::length_t axis = 0; axis < 3; ++axis)
+    reach += glm::abs(placement.world_from_mesh[axis]) * shared.half[axis];
+  if (reach.x < largest_position_m && reach.y < largest_position_m && reach.z < largest_position_m) return;
+  for (std::uint32_t i = 0; i < primitive.vertices.size(); ++i)
+    check_position(document, source, world_position_m(primitive, primitive.placements.size() - 1, i), i);
+}
+
+/// Whether a node moves nothing but the whole mesh.
+bool is_rigid(const Node& node, const std::vector<double>& weights) {
+  return node.skin < 0 && std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; });
 }
 
 }  // namespace
@@ -168,31 +207,78 @@ std::vector<glm::dmat4> world_matrices(const Document& document, double unit_sca
   return world;
 }
 
-Placed place_meshes(const Document& document, Bytes& bytes, const LoadOptions& options) {
+void check_limits(const Document& document, const LoadOptions& options) {
+  const std::uint64_t max_triangles = options.max_triangles, max_vertices = max_triangles * 3;
+  std::uint64_t triangles = 0, vertices = 0, morphed = 0, skipped = 0;
+  for (const int n : shown_nodes(document)) {
+    const Node& node = document.nodes[n];
+    if (node.mesh < 0) continue;
+    const Mesh& mesh = document.meshes[node.mesh];
+    const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
+    const auto active = static_cast<std::uint64_t>(
+        std::count_if(weights.begin(), weights.end(), [](double w) { return w != 0; }));
+    for (const MeshPrimitive& primitive : mesh.primitives) {
+      const std::uint64_t here = claimed_triangles(document, primitive);
+      skipped += primitive.mode < 4 ? 1 : 0;
+      if (here == 0) continue;
+      triangles += here;
+      vertices += claimed_vertices(document, primitive);
+      morphed += claimed_vertices(document, primitive) * std::min(active, max_vertices);
+      if (triangles > max_triangles)
+        throw input_error(document.file, "has more than {} triangles, the limit", max_triangles);
+      if (vertices > max_vertices)
+        throw input_error(document.file, "has more than {} vertices, the limit", max_vertices);
+      if (morphed > max_vertices * morph_passes)
+        throw input_error(document.file, "has more morph targets at work than can be applied");
+    }
+  }
+  if (skipped > 0) {
+    const std::string line =
+        fmt::format("{}: {} primitives of points or lines are left out", document.file, skipped);
+    warn_of(line, document.file, line);
+  }
+  if (triangles == 0) throw input_error(document.file, "there are no triangles to draw");
+}
+
+Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumbers& materials,
+                    const LoadOptions& options) {
   const std::vector<int> nodes = shown_nodes(document);
-  check_limits(document, nodes, options);
   const std::vector<glm::dmat4> world = world_matrices(document, options.unit_scale);
   std::vector<int> users(document.meshes.size());
   for (const int n : nodes)
     if (document.nodes[n].mesh >= 0) ++users[document.nodes[n].mesh];
-  std::map<const MeshPrimitive*, LocalMesh> instanced;  // read once, placed often
+
+  std::map<const MeshPrimitive*, LocalMesh> read;  // once, placed often
+  std::map<const MeshPrimitive*, SharedMesh> shared;
   JointMatrices joints(document, bytes, world);
   Placed placed;
   for (const int n : nodes) {
     const Node& node = document.nodes[n];
     if (node.mesh < 0) continue;
     const Mesh& mesh = document.meshes[node.mesh];
+    const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
     const Frames frames(document, world[n], joints.of(n));
+    const bool several = users[node.mesh] > 1, rigid = is_rigid(node, weights);
     for (const MeshPrimitive& primitive : mesh.primitives) {
       if (claimed_triangles(document, primitive) == 0) continue;
-      const bool keep = users[node.mesh] > 1;
-      if (keep && !instanced.contains(&primitive))
-        instanced.emplace(&primitive, read_mesh(document, bytes, primitive));
-      LocalMesh local = keep ? instanced.at(&primitive) : read_mesh(document, bytes, primitive);
+      const int material = materials.of.at(primitive.material);
+      const bool skin = materials.skin[static_cast<std::size_t>(material)];
+      if (several && !read.contains(&primitive))
+        read.emplace(&primitive, read_mesh(document, bytes, primitive));
+      if (several && rigid && !skin) {
+        const LocalMesh& local = read.at(&primitive);
+        if (local.indices.empty()) continue;
+        if (!shared.contains(&primitive))
+          shared.emplace(&primitive, share(document, primitive, local, material, n, placed));
+        const SharedMesh& mine = shared.at(&primitive);
+        add_placement(document, primitive, mine, frames.of_node(), n, placed.primitives[mine.primitive]);
+        continue;
+      }
+      LocalMesh local = several ? read.at(&primitive) : read_mesh(document, bytes, primitive);
       if (local.indices.empty()) continue;
-      apply_morphs(bytes, primitive, node.weights.empty() ? mesh.weights : node.weights, local);
+      apply_morphs(bytes, primitive, weights, local);
       frames.check_joints(local, primitive);
-      placed.primitives.push_back(place(document, primitive, local, frames, n));
+      placed.primitives.push_back(place(document, primitive, local, frames, material, n));
       placed.file_tangents.push_back(usable_tangents(local, placed.primitives.back().vertices));
     }
   }

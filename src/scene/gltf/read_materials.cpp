@@ -2,7 +2,7 @@
 // images, samplers, textures and materials with the extensions we know.
 #include <cmath>
 
-#include "core/log.h"
+#include "core/warnings.h"
 #include "scene/gltf/document.h"
 
 namespace dermis::scene::gltf {
@@ -151,8 +151,10 @@ MapRef map_of_texture(const Document& document, int texture, const Value& where)
   map.wrap_v = t.wrap_v;
   map.nearest = t.nearest;
   if (t.image < 0)
-    warn("{}: {}: texture {} has no PNG or JPEG picture, the map is left out", document.file, where.place(),
-         texture);
+    warn_of(fmt::format("{}: textures without a PNG or JPEG picture, their maps are left out", document.file),
+            where.place(),
+            fmt::format("{}: {}: texture {} has no PNG or JPEG picture, the map is left out", document.file,
+                        where.place(), texture));
   return map;
 }
 
@@ -165,8 +167,10 @@ MapRef read_texture_info(const Document& document, const Value& info, const char
     set = transform->count_or("texCoord", set, 0, 1000);
   }
   if (set > 1) {
-    warn("{}: {}: uses TEXCOORD_{}; only sets 0 and 1 are read, the map is left out", document.file,
-         info.place(), set);
+    warn_of(fmt::format("{}: maps with texture coordinates beyond sets 0 and 1 are left out", document.file),
+            info.place(),
+            fmt::format("{}: {}: uses TEXCOORD_{}; only sets 0 and 1 are read, the map is left out",
+                        document.file, info.place(), set));
     return {};
   }
   map.uv_set = static_cast<int>(set);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/log.h"
+#include "core/warnings.h"
 #include "scene/gltf/document.h"
 
 namespace dermis::scene::gltf {
@@ -103,8 +103,9 @@ std::optional<Light> read_light(const Document& document, const Value& value) {
     light.type = LightType::spot;
     read_spot(value.at("spot"), light);
   } else {
-    warn("{}: {}: light type '{}' is not known, the light is left out", document.file, value.place(),
-         type.substr(0, 40));
+    warn_of(fmt::format("{}: lights of unknown type are left out", document.file), value.place(),
+            fmt::format("{}: {}: light type '{}' is not known, the light is left out", document.file,
+                        value.place(), type.substr(0, 40)));
     return std::nullopt;
   }
   read_extras(value, light);

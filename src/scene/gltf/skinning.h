@@ -37,6 +37,7 @@ class Frames {
 
   /// InputError: a joint number beyond the skin's joints.
   void check_joints(const LocalMesh& mesh, const MeshPrimitive& primitive) const;
+  const Frame& of_node() const { return rigid_; }  ///< without its skin
   /// Of vertex i of a mesh whose joints were checked.
   Frame at(const LocalMesh& mesh, std::size_t i) const;
 

@@ -21,6 +21,40 @@ std::string short_reason(const char* what) {
   return printable(end == std::string_view::npos ? reason : reason.substr(end + 2), 160);
 }
 
+/// Reads a text without keeping anything, to hold it against the limits before a DOM takes memory. (A parser
+/// with a callback could do both at once, but looks through all children of an array at the end of each.)
+class Limits : public nlohmann::json_sax<Json> {
+ public:
+  explicit Limits(const std::string& file) : file_(&file) {}
+
+  bool null() override { return count(); }
+  bool boolean(bool) override { return count(); }
+  bool number_integer(number_integer_t) override { return count(); }
+  bool number_unsigned(number_unsigned_t) override { return count(); }
+  bool number_float(number_float_t, const string_t&) override { return count(); }
+  bool string(string_t&) override { return count(); }
+  bool binary(binary_t&) override { return count(); }
+  bool key(string_t&) override { return count(); }
+  bool start_object(std::size_t) override { return count() && ++depth_ > 0; }
+  bool end_object() override { return --depth_ >= 0 && count(); }
+  bool start_array(std::size_t) override { return count() && ++depth_ > 0; }
+  bool end_array() override { return --depth_ >= 0 && count(); }
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
+
+ private:
+  bool count() {
+    if (depth_ > max_json_depth)
+      throw input_error(*file_, "the JSON is nested deeper than {} levels", max_json_depth);
+    if (++values_ > max_json_values)
+      throw input_error(*file_, "the JSON has more than {} values", max_json_values);
+    return true;
+  }
+
+  const std::string* file_;
+  int depth_ = 0;
+  std::size_t values_ = 0;
+};
+
 }  // namespace
 
 std::string printable(std::string_view text, std::size_t most) {
@@ -33,16 +67,10 @@ std::string printable(std::string_view text, std::size_t most) {
 JsonText::JsonText(std::string_view text, std::string file) : file_(std::move(file)) {
   if (text.starts_with("\xEF\xBB\xBF"))
     throw input_error(file_, "the JSON starts with a byte-order mark, which glTF forbids");
-  std::size_t values = 0;
-  const auto watch = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > max_json_depth)
-      throw input_error(file_, "the JSON is nested deeper than {} levels", max_json_depth);
-    if (++values > max_json_values)
-      throw input_error(file_, "the JSON has more than {} values", max_json_values);
-    return true;
-  };
+  Limits limits(file_);
+  Json::sax_parse(text.begin(), text.end(), &limits);  // what is no JSON is said below
   try {
-    json_ = std::make_unique<Json>(Json::parse(text.begin(), text.end(), watch));
+    json_ = std::make_unique<Json>(Json::parse(text.begin(), text.end()));
   } catch (const Json::exception& error) {
     throw input_error(file_, "is not valid JSON: {}", short_reason(error.what()));
   }

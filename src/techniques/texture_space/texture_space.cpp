@@ -2,7 +2,9 @@
 #include "techniques/texture_space/texture_space.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <map>
 
 #include "passes/blur/blur.h"
 #include "passes/border/border.h"
@@ -59,17 +61,17 @@ class TextureSpace {
   }
 
   void add_batch(std::uint32_t first_head, std::uint32_t heads) {
-    batch_ = first_head / settings_.heads_per_batch;
     for (std::uint32_t head = first_head; head < first_head + heads; ++head) screen_.add_shadow(head);
-    std::vector<MapSquare> all;
-    for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
-      for (std::uint32_t head = first_head; head < first_head + heads; ++head)
-        all.push_back(square_of(head, mesh));
-    if (!all.empty()) add_light(all);
-    for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
-      add_convolution(mesh, of_mesh(all, mesh));
+    // The first meshes come last, so that what `--show` reads is of the first one.
+    for (std::uint32_t batch = mesh_batches(); batch-- > 0; ++batch_) {
+      const std::uint32_t first = batch * meshes_per_batch();
+      const std::uint32_t end =
+          std::min(first + meshes_per_batch(), static_cast<std::uint32_t>(settings_.skin.size()));
+      add_skin(first_head, heads, first, end);
+    }
     for (std::uint32_t head = first_head; head < first_head + heads; ++head) {
-      for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh) add_final(square_of(head, mesh));
+      for (std::uint32_t mesh = 0; !splits_heads() && mesh < settings_.skin.size(); ++mesh)
+        add_final(square_of(head, mesh));
       screen_.add_surfaces(head);
     }
   }
@@ -88,21 +90,51 @@ class TextureSpace {
   }
 
  private:
-  // One square a head of a batch and skin mesh, in rows.
-  std::uint32_t squares() const {
-    return settings_.heads_per_batch * static_cast<std::uint32_t>(settings_.skin.size());
+  // Lights and blurs skin meshes first_mesh to end_mesh of some heads; draws them too if others take their
+  // squares afterwards.
+  void add_skin(std::uint32_t first_head, std::uint32_t heads, std::uint32_t first_mesh,
+                std::uint32_t end_mesh) {
+    std::vector<MapSquare> all;
+    for (std::uint32_t mesh = first_mesh; mesh < end_mesh; ++mesh)
+      for (std::uint32_t head = first_head; head < first_head + heads; ++head)
+        all.push_back(square_of(head, mesh));
+    if (splits_heads())
+      for (std::uint32_t mesh = first_mesh; mesh < end_mesh; ++mesh) add_stretch(mesh);
+    add_light(all);
+    for (std::uint32_t mesh = first_mesh; mesh < end_mesh; ++mesh) add_convolution(mesh, of_mesh(all, mesh));
+    if (splits_heads())
+      for (const MapSquare& square : all) add_final(square);
   }
-  std::uint32_t columns() const { return static_cast<std::uint32_t>(std::ceil(std::sqrt(squares()))); }
+
+  // One square a head of a batch and skin mesh of a batch, in rows.
+  std::uint32_t meshes_per_batch() const {
+    const auto meshes = static_cast<std::uint32_t>(settings_.skin.size());
+    return settings_.meshes_per_batch == 0 ? meshes : std::min(settings_.meshes_per_batch, meshes);
+  }
+  std::uint32_t mesh_batches() const {
+    const auto meshes = static_cast<std::uint32_t>(settings_.skin.size());
+    return meshes == 0 ? 0 : (meshes + meshes_per_batch() - 1) / meshes_per_batch();
+  }
+  bool splits_heads() const { return mesh_batches() > 1; }
+  std::uint32_t squares() const { return settings_.heads_per_batch * meshes_per_batch(); }
+  // Sides of pools for parts of a head are powers of two, whose coordinates do not round: the picture is the
+  // same for every budget.
+  std::uint32_t columns() const {
+    const auto least = static_cast<std::uint32_t>(std::ceil(std::sqrt(squares())));
+    return splits_heads() ? std::bit_ceil(least) : least;
+  }
 
   MapSquare square_of(std::uint32_t head, std::uint32_t mesh) const {
     const std::uint32_t index =
-        head % settings_.heads_per_batch * static_cast<std::uint32_t>(settings_.skin.size()) + mesh;
+        head % settings_.heads_per_batch * meshes_per_batch() + mesh % meshes_per_batch();
     return {.instance = head,
             .mesh = mesh,
             .origin = glm::uvec2(index % columns(), index / columns()) * settings_.map_size,
             .index = index,
             .largest_side = settings_.map_size};
   }
+  // Meshes that take turns with a square take turns with its stretch map.
+  frame::TextureId stretch_of(std::uint32_t mesh) const { return stretch_[mesh % meshes_per_batch()]; }
 
   // What cull and clip have left unlit is skipped; with neither, the whole used square is convolved by the
   // same kind of pass.
@@ -116,11 +148,11 @@ class TextureSpace {
     return level.halvings > 0 ? fmt::format("{} 1/{}", what, 1u << level.halvings) : std::string(what);
   }
   std::string name(std::string_view what) const {
-    return settings_.heads > settings_.heads_per_batch ? fmt::format("{} batch {}", what, batch_)
-                                                       : std::string(what);
+    const bool several = settings_.heads > settings_.heads_per_batch || splits_heads();
+    return several ? fmt::format("{} batch {}", what, batch_) : std::string(what);
   }
   std::string name(std::string_view what, std::uint32_t mesh) const {
-    return name(settings_.skin.size() > 1 ? fmt::format("{} part {}", what, mesh) : std::string(what));
+    return name(std::string(what) + part(mesh));
   }
 
   // A term's map serves all skin meshes: it is halved as often as the one that needs it largest allows.
@@ -158,13 +190,23 @@ class TextureSpace {
         joining_.push_back(plan_->texture(fmt::format("joining {}", g), pool(0)));
     const gpu::TextureDesc map{
         .width = settings_.map_size, .height = settings_.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
-    for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh) {
-      const std::string suffix = settings_.skin.size() > 1 ? fmt::format(" part {}", mesh) : "";
-      stretch_.push_back(plan_->texture("stretch" + suffix, map, frame::Lifetime::persistent));
-      plan_->add<passes::Stretch>("stretch" + suffix, {stretch_.back()}, {.mesh = mesh});
-      plan_->add<Gutters>("stretch gutters" + suffix, {stretch_.back()},
-                          {.squares = {{.instance = 0, .mesh = mesh}}, .what = Gutters::What::stretch});
-    }
+    const auto lifetime = splits_heads() ? frame::Lifetime::transient : frame::Lifetime::persistent;
+    for (std::uint32_t mesh = 0; mesh < meshes_per_batch(); ++mesh)
+      stretch_.push_back(plan_->texture("stretch" + part(mesh), map, lifetime));
+    for (std::uint32_t mesh = 0; !splits_heads() && mesh < settings_.skin.size(); ++mesh) add_stretch(mesh);
+  }
+
+  std::string part(std::uint32_t mesh) const {
+    return settings_.skin.size() > 1 ? fmt::format(" part {}", mesh) : "";
+  }
+
+  void add_stretch(std::uint32_t mesh) {
+    plan_->add<passes::Stretch>("stretch" + part(mesh), {stretch_of(mesh)},
+                                {.mesh = mesh, .every_frame = splits_heads()});
+    plan_->add<Gutters>("stretch gutters" + part(mesh), {stretch_of(mesh)},
+                        {.squares = {{.instance = 0, .mesh = mesh}},
+                         .what = Gutters::What::stretch,
+                         .every_frame = splits_heads()});
   }
 
   gpu::TextureDesc pool(std::uint32_t halvings, VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) const {
@@ -185,6 +227,7 @@ class TextureSpace {
     return level;
   }
 
+  // `all` are of a run of skin meshes, in their order.
   void add_light(const std::vector<MapSquare>& all) {
     const Level& level = levels_.front();
     passes::Irradiance::Settings irradiance{.squares = all,
@@ -202,7 +245,7 @@ class TextureSpace {
       plan_->add<passes::TransmissionMisses>(name("count transmission misses"),
                                              {screen_.shadow(), screen_.entering(), screen_.counters()},
                                              {.irradiance = irradiance, .slot = counter_transmission_misses});
-    for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
+    for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
       plan_->add<passes::Count>(
           name("count texels", mesh), {level.light, screen_.counters()},
           {.slot = mesh_counter(mesh, 0, counter_lit_texels), .squares = of_mesh(all, mesh)});
@@ -213,7 +256,7 @@ class TextureSpace {
   void add_halved(const Level& level, frame::TextureId light, const std::vector<MapSquare>& from,
                   const std::vector<MapSquare>& to) {
     plan_->add<passes::Halve>(name(at("halve", level), to.front().mesh),
-                              {light, stretch_[to.front().mesh], level.light}, {.from = from, .to = to});
+                              {light, stretch_of(to.front().mesh), level.light}, {.from = from, .to = to});
     add_masks(level, to);
   }
 
@@ -223,7 +266,7 @@ class TextureSpace {
     const auto label = [&](std::string_view what) { return name(at(what, level)); };
     plan_->add<Gutters>(label("irradiance gutters"), {level.light}, {.squares = all});
     if (sparse()) add_border(level, all);
-    for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
+    for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
       if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
         plan_->add<passes::Count>(name(at("count masked texels", level), mesh),
                                   {level.light, screen_.counters()},
@@ -252,15 +295,15 @@ class TextureSpace {
     plan_->add<passes::TileClasses>(label("border tile classes"), {level.light, level.border}, {all});
     plan_->add<passes::Tiles>(label("border tiles"), {level.border, screen_.counters()},
                               {.squares = all, .what = passes::Tiles::What::border});
-    for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
+    for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
       if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
         plan_->add<passes::Border>(name(at("border", level), mesh),
-                                   {level.light, stretch_[mesh], level.border}, {squares});
+                                   {level.light, stretch_of(mesh), level.border}, {squares});
     if (level.halvings > 0) return;
     for (std::size_t g = 0; g < joining_.size(); ++g)
-      for (std::uint32_t mesh = 0; mesh < settings_.skin.size(); ++mesh)
+      for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
         plan_->add<passes::Border>(name(fmt::format("joining {} border", g + 1), mesh),
-                                   {joining_[g], stretch_[mesh], level.border}, {of_mesh(all, mesh)});
+                                   {joining_[g], stretch_of(mesh), level.border}, {of_mesh(all, mesh)});
   }
 
   // Of the nearest head.
@@ -304,10 +347,12 @@ class TextureSpace {
       // A step between two terms is overwritten by the step that ends the next term: its map serves both.
       const frame::TextureId target = blurred_[term];
       plan_->add<passes::Blur>(name(step_name + " u", mesh),
-                               {light, stretch_[mesh], level->scratch, level->lit, level->depth_mask}, blur);
+                               {light, stretch_of(mesh), level->scratch, level->lit, level->depth_mask},
+                               blur);
       blur.axis = 1;
       plan_->add<passes::Blur>(name(step_name + " v", mesh),
-                               {level->scratch, stretch_[mesh], target, level->lit, level->depth_mask}, blur);
+                               {level->scratch, stretch_of(mesh), target, level->lit, level->depth_mask},
+                               blur);
       plan_->add<Gutters>(name(step_name + " gutters", mesh), {target}, {.squares = squares});
       light = target;
       first = false;
@@ -341,10 +386,9 @@ class TextureSpace {
     if (level.halvings > 0) {
       const std::string what = at(fmt::format("joining {}", group), level);
       through = plan_
-                    ->add<passes::Halve>(
-                        name(what, mesh),
-                        {through, stretch_[mesh], plan_->texture(name(what, mesh), pool(level.halvings))},
-                        {.from = all, .to = squares})
+                    ->add<passes::Halve>(name(what, mesh),
+                                         {through, stretch_of(mesh), halved_joining(group, level)},
+                                         {.from = all, .to = squares})
                     .light;
     }
     const frame::TextureId joined = plan_
@@ -353,6 +397,14 @@ class TextureSpace {
                                         .light;
     plan_->add<Gutters>(name(fmt::format("join {} gutters", group), mesh), {joined}, {.squares = squares});
     return joined;
+  }
+
+  // Of a group of terms, for all meshes and batches.
+  frame::TextureId halved_joining(std::size_t group, const Level& level) {
+    const auto [entry, is_new] = halved_joining_.try_emplace({group, level.halvings});
+    if (is_new)
+      entry->second = plan_->texture(at(fmt::format("joining {}", group), level), pool(level.halvings));
+    return entry->second;
   }
 
   void add_final(const MapSquare& square) {
@@ -393,13 +445,14 @@ class TextureSpace {
   frame::FramePlan* plan_;
   const FrameSettings& settings_;
   Screen screen_;
-  std::uint32_t batch_ = 0;
+  std::uint32_t batch_ = 0;                // of heads and skin meshes
   std::vector<std::uint32_t> halvings_;    // one a term, of the profile with most terms
   std::vector<Level> levels_;              // large to small; the first holds the irradiance
   std::vector<frame::TextureId> blurred_;  // one a term
-  std::vector<frame::TextureId> stretch_;  // one a skin mesh
+  std::vector<frame::TextureId> stretch_;  // one a skin mesh of a batch
   // with translucency: what joins at the second and third group of terms
   std::vector<frame::TextureId> joining_;
+  std::map<std::pair<std::size_t, std::uint32_t>, frame::TextureId> halved_joining_;  // by group and halvings
 };
 
 }  // namespace

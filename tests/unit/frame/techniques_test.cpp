@@ -52,6 +52,13 @@ std::vector<Case> cases() {
                                    sparse ? ", cull and clip" : ""),
                        &techniques::find_technique("texture-space"), std::move(s)});
       }
+  techniques::FrameSettings parts{.width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64};
+  parts.meshes_per_batch = 2;
+  parts.optimise = {.cull = true, .depth = true, .clip = true};
+  parts.translucency = parts.progressive = true;
+  parts.skin.assign(3, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .mean_texels_per_mm = 4});
+  all.push_back(
+      {"2 of 3 skin parts at a time", &techniques::find_technique("texture-space"), std::move(parts)});
   return all;
 }
 
@@ -92,6 +99,31 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
     }
   }
   EXPECT_GT(removed, 500u);
+}
+
+std::uint64_t texture_bytes(const FramePlan& plan) {
+  std::uint64_t sum = 0;
+  for (const TextureNode& texture : plan.textures()) sum += gpu::bytes_of(texture.desc);
+  return sum;
+}
+
+// Light maps of two parts at a time take the same memory however many parts follow one another.
+TEST(TechniqueFrames, PartsTakeTurnsWithTheirMaps) {
+  for (const bool progressive : {false, true}) {
+    const auto plan_of = [&](std::size_t parts) {
+      techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+      s.meshes_per_batch = 2;
+      s.optimise = {.cull = true, .depth = true, .clip = true};
+      s.translucency = true;
+      s.progressive = progressive;
+      s.skin.assign(parts,
+                    {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .mean_texels_per_mm = 4});
+      FramePlan plan;
+      techniques::find_technique("texture-space").build(plan, s);
+      return plan;
+    };
+    EXPECT_EQ(texture_bytes(plan_of(100)), texture_bytes(plan_of(4))) << progressive;
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "scene/placement.h"
 #include "support.h"
 
 namespace dermis::scene::test {
@@ -35,7 +36,7 @@ void try_to_load(const fs::path& root, Entry& entry) {
   try {
     const Scene scene = load_gltf(root / entry.file);
     std::size_t triangles = 0;
-    for (const Primitive& p : scene.primitives) triangles += p.indices.size() / 3;
+    for (const Primitive& p : scene.primitives) triangles += copies_of(p) * p.indices.size() / 3;
     entry.loads = true;
     entry.reason = std::to_string(triangles) + (triangles == 1 ? " triangle" : " triangles");
   } catch (const InputError& error) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "cli/brief_log.h"
+
+#include <cstdio>
+#include <utility>
+
+namespace dermis::cli {
+
+bool& verbose() {
+  static bool value = false;
+  return value;
+}
+
+BriefLog::BriefLog() {
+  set_log_sink([this](LogLevel level, const std::string& line) { take(level, line); });
+}
+
+BriefLog::~BriefLog() { set_log_sink({}); }
+
+void BriefLog::take(LogLevel level, const std::string& line) {
+  const std::string text = fmt::format("dermis: {}{}\n", level == LogLevel::warning ? "warning: " : "", line);
+  if (said_one_ && !verbose()) {
+    held_.push_back(text);
+    return;
+  }
+  said_one_ = true;
+  std::fputs(text.c_str(), stderr);
+}
+
+void BriefLog::finish() {
+  if (held_.size() == 1) std::fputs(held_.front().c_str(), stderr);
+  if (held_.size() > 1)
+    std::fprintf(stderr, "dermis: %zu more warnings or notes; --verbose shows them\n", held_.size());
+  held_.clear();
+}
+
+}  // namespace dermis::cli

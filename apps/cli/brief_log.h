@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What a command says on standard error beside its progress: two lines at most, all of them with --verbose.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/log.h"
+
+namespace dermis::cli {
+
+/// While it lives, the first warning or note is printed at once and the others wait.
+class BriefLog {
+ public:
+  BriefLog();
+  ~BriefLog();
+  BriefLog(const BriefLog&) = delete;
+  BriefLog& operator=(const BriefLog&) = delete;
+
+  /// The command has done its work: prints what waits if that is one line, else how many there are.
+  void finish();
+
+ private:
+  void take(LogLevel level, const std::string& line);
+  bool said_one_ = false;
+  std::vector<std::string> held_;
+};
+
+/// --verbose, which commands that open a scene have.
+bool& verbose();
+
+}  // namespace dermis::cli

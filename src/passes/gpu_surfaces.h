@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// All that is not skin, on the device: vertices, triangles and places of all parts in a few large buffers,
+// and one draw for each mesh of a material, however many nodes show it. What a frame costs then follows from
+// its triangles and materials, not from its nodes.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "gpu/resources.h"
+#include "passes/bindings.h"
+#include "scene/scene.h"
+
+namespace dermis::passes {
+
+struct GpuSurfaces {
+  /// Buffers end where a shader can no longer reach, so a large scene has several pages of them.
+  struct Page {
+    gpu::Buffer vertices;    ///< VertexIo[]
+    gpu::Buffer indices;     ///< uint[], into all vertices of the page
+    gpu::Buffer placements;  ///< PlacementIo[]; the first leaves vertices where they are
+  };
+  struct Draw {
+    std::uint32_t first_index = 0, index_count = 0;
+    std::uint32_t first_placement = 0, placements = 1;
+  };
+  /// Draws that need the same bindings.
+  struct Group {
+    std::uint32_t page = 0;
+    int material = 0;
+    std::vector<Draw> draws;
+  };
+  /// One copy of a blended part: these are drawn from far to near.
+  struct Blended {
+    glm::vec3 centre_m{0};  ///< of its bounding box
+    std::uint32_t page = 0;
+    int material = 0;
+    Draw draw;
+  };
+
+  std::vector<Page> pages;
+  std::vector<Group> groups;  ///< opaque and cut-out parts
+  std::vector<Blended> blended;
+
+  void offer(Bindings& bindings, std::uint32_t page) const;  ///< "Vertices", "Indices", "Placements"
+};
+
+/// Uploads what is not skin, and skin without texture coordinates, which cannot be unwrapped. DeviceError: no
+/// memory.
+GpuSurfaces upload_surfaces(gpu::Device& device, const scene::Scene& scene);
+
+/// One placement that leaves vertices where they are.
+gpu::Buffer unmoved(gpu::Device& device);
+
+}  // namespace dermis::passes

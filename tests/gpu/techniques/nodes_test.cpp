@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Many nodes: what a frame takes follows from its meshes, not from how many nodes show them; and skin of many
+// nodes shares a pool of light maps.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "gpu/techniques/support.h"
+#include "scene/placement.h"
+#include "scene/primitives.h"
+
+namespace dermis::tests {
+namespace {
+
+Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
+
+/// A row of shared octahedra-like balls before the camera, turned, stretched, every third one mirrored; none
+/// is skin. `blended`: half transparent.
+scene::Scene shared_balls(int count, bool blended = false) {
+  scene::Scene made = scene::sphere(0.5, 4);
+  made.materials[0].skin = false;
+  made.materials[0].roughness = 0.4f;
+  made.materials[0].base_colour = {0.8f, 0.4f, 0.2f, blended ? 0.5f : 1.0f};
+  if (blended) made.materials[0].alpha_mode = scene::AlphaMode::blend;
+  const int side = static_cast<int>(std::ceil(std::sqrt(count)));
+  for (int i = 0; i < count; ++i) {
+    const glm::dvec3 at((i % side - 0.5 * side) * 0.2 / side, (i / side - 0.5 * side) * 0.2 / side,
+                        0.01 * (i % 7));
+    const bool mirrored = i % 3 == 1;
+    glm::dmat4 m = glm::translate(glm::dmat4(1), at);
+    m = glm::rotate(m, 0.3 * i, glm::dvec3(0.6, 0.8, 0));
+    m = glm::scale(m, glm::dvec3(mirrored ? -1 : 1, 0.8, 0.9) * (0.18 / side));
+    made.primitives[0].placements.push_back({glm::dmat4x3(m), i, mirrored});
+  }
+  return made;
+}
+
+/// The same with a mesh for each node.
+scene::Scene with_own_meshes(const scene::Scene& shared) {
+  scene::Scene made = shared;
+  made.primitives = scene::written_out(shared);
+  return made;
+}
+
+double largest_difference(const Picture& a, const Picture& b) {
+  EXPECT_EQ(a.linear_rgba.size(), b.linear_rgba.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < a.linear_rgba.size(); ++i)
+    largest = std::max(largest, std::abs(double(a.linear_rgba[i]) - b.linear_rgba[i]));
+  return largest;
+}
+
+std::size_t different_pixels(const Picture& a, const Picture& b, double tolerance) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.linear_rgba.size(); i += 4) {
+    double d = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+      d = std::max(d, std::abs(double(a.linear_rgba[i + c]) - b.linear_rgba[i + c]));
+    if (d > tolerance) ++count;
+  }
+  return count;
+}
+
+RenderSettings tiny_settings() {
+  RenderSettings s = small_settings("texture-space");
+  s.width = s.height = 96;
+  s.map_size = 64;
+  s.bloom = 0;
+  return s;
+}
+
+// Places are applied in floats on the device and in doubles on the processor: outlines and edges of shadows
+// may move by a rounding.
+TEST(Nodes, SharedMeshesLookAsIfEachNodeHadItsOwn) {
+  for (const bool blended : {false, true}) {
+    const scene::Scene shared = shared_balls(20, blended);
+    const Picture a = renderer().render(wrap(shared), tiny_settings());
+    const Picture b = renderer().render(wrap(with_own_meshes(shared)), tiny_settings());
+    EXPECT_LE(different_pixels(a, b, 0.004), 20u) << blended << ": " << largest_difference(a, b);
+    EXPECT_GT(skin_range(a).pixels +
+                  different_pixels(a, renderer().render(wrap(shared_balls(1)), tiny_settings()), 0.1),
+              500u);
+  }
+}
+
+TEST(Nodes, WhatAFrameTakesDoesNotGrowWithNodes) {
+  const auto cost = [](int nodes) {
+    Renderer fresh;
+    return fresh.render(wrap(shared_balls(nodes)), tiny_settings()).statistics;
+  };
+  const Statistics one = cost(1), many = cost(2000);
+  EXPECT_EQ(many.passes.size(), one.passes.size());
+  EXPECT_EQ(many.image_bytes, one.image_bytes);
+  EXPECT_LE(many.buffer_bytes, one.buffer_bytes + 2000 * 128);
+}
+
+/// Small balls of skin in a square, each a node with an unwrap of its own.
+scene::Scene skin_balls(int count) {
+  scene::Scene made = scene::sphere(0.02, 4);
+  const scene::Primitive ball = made.primitives[0];
+  made.primitives.clear();
+  const int side = static_cast<int>(std::ceil(std::sqrt(count)));
+  for (int i = 0; i < count; ++i) {
+    scene::Primitive& p = made.primitives.emplace_back(ball);
+    p.node = i;
+    for (scene::Vertex& v : p.vertices)
+      v.position_m += glm::vec3(0.045 * (i % side), 0.045 * (i / side), 0.003 * (i % 5));
+  }
+  return made;
+}
+
+// Squares lie elsewhere in the pool, where coordinates round differently.
+void expect_alike(const Picture& a, const Picture& b) {
+  const std::size_t pixels = a.linear_rgba.size() / 4;
+  EXPECT_LE(different_pixels(a, b, 0.02), pixels / 100) << largest_difference(a, b);
+  EXPECT_NEAR(sum(a)[0] / sum(b)[0], 1, 1e-3);
+}
+
+TEST(Nodes, SkinOfManyNodesIsDrawnInBatchesUnderTheBudget) {
+  RenderSettings s = tiny_settings();
+  const Scene scene = wrap(skin_balls(65));
+  s.map_budget_mb = 24;  // one square of 64 takes 0.35 MB
+  const Picture all = renderer().render(scene, s);
+  s.map_budget_mb = 1;
+  const Picture few = renderer().render(scene, s);
+  expect_alike(few, all);
+  EXPECT_EQ(few.statistics.unshaded_reads, 0u);
+  EXPECT_EQ(few.statistics.irradiance_texels, all.statistics.irradiance_texels);
+  EXPECT_GT(few.statistics.passes.size(), all.statistics.passes.size());
+  EXPECT_LT(few.statistics.image_bytes, all.statistics.image_bytes);
+  EXPECT_GT(skin_range(few).pixels, 1000u);
+}
+
+TEST(Nodes, HeadsOfManySkinNodesKeepTheirPlaces) {
+  RenderSettings s = tiny_settings();
+  s.heads = 2;
+  const Scene scene = wrap(skin_balls(3));
+  s.map_budget_mb = 0.8;  // two squares: fewer than a head has
+  const Picture some = renderer().render(scene, s);
+  s.map_budget_mb = 24;
+  expect_alike(some, renderer().render(scene, s));
+}
+
+}  // namespace
+}  // namespace dermis::tests

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "core/warnings.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace dermis {
+namespace {
+
+class Lines {
+ public:
+  Lines() {
+    former_ = set_log_sink([this](LogLevel, const std::string& line) { lines.push_back(line); });
+  }
+  ~Lines() { set_log_sink(former_); }
+  std::vector<std::string> lines;
+
+ private:
+  LogSink former_;
+};
+
+void warn_of_hole(int i) {
+  const std::string name = "sock " + std::to_string(i);
+  warn_of("a hole", name, "'" + name + "' has a hole");
+}
+
+TEST(Warnings, OneThingIsSaidAsItIs) {
+  Lines said;
+  warn_of_hole(7);
+  {
+    const WarningGroup group;
+    warn_of_hole(8);
+  }
+  EXPECT_EQ(said.lines, (std::vector<std::string>{"'sock 7' has a hole", "'sock 8' has a hole"}));
+}
+
+TEST(Warnings, ManyOfAKindAreOneLineWithTheFirstThree) {
+  Lines said;
+  {
+    const WarningGroup outer;
+    for (int i = 0; i < 500; ++i) {
+      const WarningGroup inner;
+      warn_of_hole(i);
+    }
+    warn_of("a stain", "shirt", "'shirt' has a stain");
+    EXPECT_TRUE(said.lines.empty());
+  }
+  EXPECT_EQ(said.lines,
+            (std::vector<std::string>{"a hole: 500 of them: 'sock 0', 'sock 1', 'sock 2' and 497 more",
+                                      "'shirt' has a stain"}));
+}
+
+TEST(Warnings, AnErrorIsNotPrecededByThem) {
+  Lines said;
+  try {
+    const WarningGroup group;
+    warn_of_hole(1);
+    throw std::runtime_error("torn");
+  } catch (const std::runtime_error&) {}
+  EXPECT_TRUE(said.lines.empty());
+  warn_of_hole(2);
+  EXPECT_EQ(said.lines.size(), 1u);
+}
+
+}  // namespace
+}  // namespace dermis
