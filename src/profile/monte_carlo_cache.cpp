@@ -17,6 +17,7 @@ namespace dermis::profile {
 namespace {
 
 constexpr std::size_t kept_in_memory = 64, max_rings = 4096;
+constexpr double largest_mm = 1e100;  // areas of rings stay finite
 constexpr std::uint64_t most_bytes = 1 << 20;
 
 struct Entry {
@@ -64,6 +65,9 @@ bool get(std::istream& in, std::vector<double>& values, std::size_t expected) {
   return true;
 }
 
+/// Of the energy that entered. Roulette is right only in the mean, so few photons may bring a little over 1.
+bool is_part(double energy) { return energy >= 0 && energy <= 2; }
+
 std::optional<MonteCarloResult> read(const std::string& key, const std::string& text) {
   std::istringstream in(text);
   std::string line;
@@ -75,8 +79,10 @@ std::optional<MonteCarloResult> read(const std::string& key, const std::string& 
   const std::size_t rings = edges.size() - 1;
   if (!get(in, reflected, rings) || !get(in, r.reflected_error, rings) || !get(in, transmitted, rings))
     return std::nullopt;
+  // Rings from the middle outwards, and parts of the light that entered.
+  if (edges.front() != 0 || edges.back() > largest_mm) return std::nullopt;
   for (std::size_t i = 0; i < rings; ++i)
-    if (!(edges[i] < edges[i + 1])) return std::nullopt;
+    if (!(edges[i] < edges[i + 1]) || !is_part(reflected[i]) || !is_part(transmitted[i])) return std::nullopt;
   r.reflected_total = totals[0], r.reflected_total_error = totals[1];
   r.transmitted_total = totals[2], r.transmitted_total_error = totals[3], r.ballistic = totals[4],
   r.cut = totals[5];
