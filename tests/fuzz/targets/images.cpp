@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pictures. The formats themselves are other libraries' work; headers, limits, HDR and what comes of the
 // pixels are ours.
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <vector>
 
 #include "image/codec.h"
@@ -18,19 +18,42 @@ std::size_t pixels_of(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
+void check_pixels(const image::Image8& picture) {
+  DERMIS_ASSERT_EQ(picture.rgba.size(), 4 * pixels_of(picture.width, picture.height));
+}
+
+void check_pixels(const image::ImageF& picture) {
+  DERMIS_ASSERT_EQ(picture.channels, 3);
+  DERMIS_ASSERT_EQ(picture.values.size(), 3 * pixels_of(picture.width, picture.height));
+  for (const float value : picture.values) DERMIS_ASSERT(std::isfinite(value));
+}
+
+/// As it is, and made smaller while it is read.
 bool decode8(Bytes file) {
   return accepts([&] {
+    const image::PictureHeader header = image::read_header8(file, "picture");
     const image::Image8 picture = image::decode_image8(file, "picture");
-    DERMIS_ASSERT_EQ(picture.rgba.size(), 4 * pixels_of(picture.width, picture.height));
+    check_pixels(picture);
+    DERMIS_ASSERT_EQ(picture.width, header.width);
+    DERMIS_ASSERT_EQ(picture.height, header.height);
+
+    for (const image::Shrink shrink : {image::Shrink{1, true}, image::Shrink{3, false}}) {
+      const image::Image8 small = image::decode_image8(file, "picture", {}, shrink);
+      check_pixels(small);
+      DERMIS_ASSERT_EQ(small.width, std::max(1, picture.width >> shrink.halvings));
+      DERMIS_ASSERT_EQ(small.height, std::max(1, picture.height >> shrink.halvings));
+    }
   });
 }
 
 bool decode_f(Bytes file) {
+  constexpr std::uint64_t few_pixels = 16;
   return accepts([&] {
-    const image::ImageF picture = image::decode_image_f(file, "picture");
-    DERMIS_ASSERT_EQ(picture.channels, 3);
-    DERMIS_ASSERT_EQ(picture.values.size(), 3 * pixels_of(picture.width, picture.height));
-    for (const float value : picture.values) DERMIS_ASSERT(std::isfinite(value));
+    check_pixels(image::decode_image_f(file, "picture"));
+
+    const image::ImageF small = image::decode_image_f(file, "picture", {}, few_pixels);
+    check_pixels(small);
+    DERMIS_ASSERT_LE(pixels_of(small.width, small.height), few_pixels);
   });
 }
 
