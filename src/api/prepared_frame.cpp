@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "api/exposure.h"
 #include "api/memory.h"
@@ -112,6 +113,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
                       "--lights uses fewer",
                       next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers);
   const std::shared_ptr<const api::Surroundings> next_surroundings = renderer->surroundings(wanted);
+  if (!std::exchange(next_scene->warned_coarse, true)) api::warn_coarse(next_scene->subject, next);
   if (next_surroundings) api::fill_surroundings(next.frame, *next_surroundings, wanted);
   // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
   // on its maps.

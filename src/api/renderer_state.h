@@ -24,6 +24,7 @@ struct SharedScene {
   /// one a skin mesh, once an environment was asked for; values are on the device only
   std::vector<environment::Occlusion> sky_seen;
   double upload_ms = 0;
+  bool warned_coarse = false;  ///< once is enough, however many views follow
 };
 
 }  // namespace api

@@ -7,8 +7,10 @@
 
 #include "api/choose.h"
 #include "core/error.h"
+#include "core/log.h"
 #include "passes/blur/blur.h"
 #include "passes/shadow/fit.h"
+#include "passes/skin/skin.h"
 #include "passes/transmission.h"
 #include "scene/framing.h"
 
@@ -68,6 +70,16 @@ void place_shadows(std::vector<HeadSetup>& heads, const techniques::FrameSetting
   }
 }
 
+// Whether a twentieth of the skin has so few texels that terms are lit at the pixel there.
+void fill_coarse(techniques::SkinPart& part, const scene::UnwrapDensity& density, double map_size) {
+  if (!(density.texels_per_mm.mean > 0) || !(density.area_mm2 > 0)) return;
+  part.even_texels_per_mm = 1 / std::sqrt(density.area_mm2);
+  part.least_texels_per_mm = density.texels_per_mm.p05 * map_size;
+  const double widest_mm = std::sqrt(part.profile.max_variance_mm2());
+  part.coarse = passes::is_coarse(static_cast<float>(widest_mm), static_cast<float>(part.least_texels_per_mm),
+                                  static_cast<float>(part.even_texels_per_mm * map_size));
+}
+
 techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const RenderSettings& s) {
   techniques::SkinPart part;
   const auto material = static_cast<std::size_t>(subject.skin[number].triangle_material.front());
@@ -75,6 +87,8 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
   // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not
   // wrong in width.
   part.max_texels_per_mm = std::max(subject.densities[number].largest_texels_per_mm.p95 * s.map_size, 1e-6);
+  part.off_map = scene::has_chartless(subject.skin[number]);
+  fill_coarse(part, subject.densities[number], s.map_size);
   part.mean_texels_per_mm = subject.densities[number].texels_per_mm.mean * s.map_size;
   return part;
 }
@@ -170,7 +184,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
   if (!setup.technique->scatters) setup.gaussians = 0;
   for (const scene::Primitive& p : scene.primitives) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(p.material)];
-    if (material.skin && p.has_uv) continue;
+    if (material.skin) continue;
     (material.alpha_mode == scene::AlphaMode::blend ? plan.has_blended : plan.has_surfaces) = true;
   }
   set_up_batches(plan, s, device);
@@ -185,6 +199,22 @@ double clip_margin_m(const FrameSetup& setup, const Subject& subject, const Rend
 }
 
 }  // namespace
+
+void warn_coarse(const Subject& subject, const FrameSetup& setup) {
+  const techniques::SkinPart* worst = nullptr;
+  for (const techniques::SkinPart& part : setup.plan.skin)
+    if (part.coarse && (!worst || part.least_texels_per_mm < worst->least_texels_per_mm)) worst = &part;
+  if (!worst || !setup.technique->scatters) return;
+
+  const auto number = static_cast<std::size_t>(worst - setup.plan.skin.data());
+  const double lost_mm =
+      std::min(0.3 / worst->least_texels_per_mm, std::sqrt(worst->profile.max_variance_mm2()));
+  warn(
+      "{}: a part of skin '{}' has {:.2g} texels per mm of light map or fewer: Gaussians narrower than about "
+      "{:.2g} mm do not scatter there. A larger --map-size holds them, or texture coordinates that fill more "
+      "of the square",
+      subject.scene->name, subject.skin[number].name, worst->least_texels_per_mm, lost_mm);
+}
 
 FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceTraits& device) {
   check_settings(s);

@@ -45,4 +45,8 @@ struct FrameSetup {
 /// InputError: see check_settings(), view_of(); a map budget that holds not even one head.
 FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {});
 
+/// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel: which mesh
+/// has fewest, how many, what that means and what helps.
+void warn_coarse(const Subject& subject, const FrameSetup& setup);
+
 }  // namespace dermis::api

@@ -31,9 +31,11 @@ glm::mat4 projection(const scene::Camera& camera, double aspect) {
   return p;
 }
 
-// The mean density of the first skin mesh at T_max.
+// The mean density of the first skin mesh that has texture coordinates, at T_max; 0 if none has.
 double texels_per_mm(const Subject& subject, const RenderSettings& s) {
-  return subject.densities.empty() ? 0 : subject.densities.front().texels_per_mm.mean * s.map_size;
+  for (const scene::UnwrapDensity& density : subject.densities)
+    if (density.texels_per_mm.mean > 0) return density.texels_per_mm.mean * s.map_size;
+  return 0;
 }
 
 // [JG08] sec. 4: the distance at which the map at T_max has one texel a pixel.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <numeric>
 
 #include "core/error.h"
 #include "gpu/device.h"
@@ -123,7 +124,23 @@ gpu::Texture upload_attenuation(gpu::Device& device) {
   return texture;
 }
 
-GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_t number) {
+/// The mesh with its triangles that have a chart before those that have none: few draws then hold each kind.
+scene::SkinMesh charts_first(const scene::SkinMesh& skin) {
+  std::vector<std::size_t> order(skin.triangle_chart.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t t) { return skin.triangle_chart[t] != scene::no_chart; });
+
+  scene::SkinMesh sorted = skin;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    sorted.triangle_chart[i] = skin.triangle_chart[order[i]];
+    sorted.triangle_material[i] = skin.triangle_material[order[i]];
+    for (std::size_t k = 0; k < 3; ++k) sorted.indices[3 * i + k] = skin.indices[3 * order[i] + k];
+  }
+  return sorted;
+}
+
+GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_t number) {
   std::vector<io::VertexIo> vertices;
   vertices.reserve(skin.vertices.size());
   for (std::size_t i = 0; i < skin.vertices.size(); ++i) {
@@ -145,11 +162,16 @@ GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_
                                             std::span<const std::uint32_t>(turned), storage);
   for (std::uint32_t t = 0; t < skin.triangle_material.size(); ++t) {
     const int material = skin.triangle_material[t];
-    if (mesh.draws.empty() || mesh.draws.back().material != material)
-      mesh.draws.push_back({.first_index = 3 * t, .index_count = 0, .material = material});
+    const bool on_map = skin.triangle_chart[t] != scene::no_chart;
+    if (mesh.draws.empty() || mesh.draws.back().material != material || mesh.draws.back().on_map != on_map)
+      mesh.draws.push_back({.first_index = 3 * t, .index_count = 0, .material = material, .on_map = on_map});
     mesh.draws.back().index_count += 3;
   }
   return mesh;
+}
+
+GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_t number) {
+  return upload_sorted_skin(device, scene::has_chartless(skin) ? charts_first(skin) : skin, number);
 }
 
 }  // namespace

@@ -37,13 +37,14 @@ struct GpuMaterial {
 struct GpuDraw {
   std::uint32_t first_index = 0, index_count = 0;
   int material = 0;
+  bool on_map = true;  ///< of skin: the triangles have a chart of the unwrap
 };
 
 /// One skin mesh.
 struct GpuMesh {
   std::string name;
   gpu::Buffer vertices;           ///< VertexIo[]
-  gpu::Buffer indices;            ///< uint[]
+  gpu::Buffer indices;            ///< uint[]; triangles without a chart stand last
   gpu::Buffer charts;             ///< uint per triangle
   gpu::Buffer turned_neighbours;  ///< uint[], scene::turned_neighbours
   /// By the side of the light map, see GpuScene::make_gutters.

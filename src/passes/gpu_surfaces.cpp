@@ -155,7 +155,7 @@ GpuSurfaces upload_surfaces(gpu::Device& device, const scene::Scene& scene) {
   Builder builder(device, scene);
   std::vector<const scene::Primitive*> parts;
   for (const scene::Primitive& p : scene.primitives)
-    if (!(scene.materials[static_cast<std::size_t>(p.material)].skin && p.has_uv)) parts.push_back(&p);
+    if (!scene.materials[static_cast<std::size_t>(p.material)].skin) parts.push_back(&p);
 
   // By material, meshes that stand once first: they lie side by side and become one draw. Blended ones keep
   // their order, which decides between those equally far.

@@ -83,6 +83,7 @@ class Leftovers {
   // the chart's nearest light.
   void fill_slivers(const scene::SkinMesh& mesh) {
     for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) {
+      if (mesh.triangle_chart[t] == scene::no_chart) continue;
       const std::array<glm::vec2, 3> uv = scene::triangle_uv(mesh, t);
       for (std::size_t i = 0; i < 3; ++i) fill_along(uv[i], uv[(i + 1) % 3], mesh.triangle_chart[t]);
     }

@@ -66,7 +66,7 @@ std::optional<Hit> nearest_in(RTCScene scene, const std::vector<Copy>& copies, c
 }  // namespace
 
 bool is_skin(const scene::Scene& scene, const scene::Primitive& primitive) {
-  return scene.materials[static_cast<std::size_t>(primitive.material)].skin && primitive.has_uv;
+  return scene.materials[static_cast<std::size_t>(primitive.material)].skin;
 }
 
 struct RayScene::Scenes {

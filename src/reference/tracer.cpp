@@ -72,7 +72,7 @@ Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<rays::Hi
     const double side = glm::dot(s.face_normal, to_eye) >= 0 ? 1 : -1;
     const ShadingMaterial& material = shading_.material(s.material);
     if (side > 0 || material.source->double_sided) {
-      if (material.skin && scene.primitives[hit->primitive].has_uv) {
+      if (material.skin) {
         out.radiance += through * skin_radiance(s, side, to_eye, random, scratch);
         out.skin = through;
         break;

@@ -27,7 +27,7 @@ struct Builder {
     const double along = nearest_along(edge, p), side = map.side();
     const std::optional<SurfacePoint> end =
         walker.leave(edge.half, along, (p - edge.start - along * edge.vector) / side);
-    if (!end) return std::nullopt;
+    if (!end || mesh.triangle_chart[end->triangle] == no_chart) return std::nullopt;
     glm::dvec2 uv(0);
     for (int k = 0; k < 3; ++k)
       uv += end->barycentric[k] *

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh) {
   const std::vector<std::uint32_t> place = weld_positions(mesh.vertices);
   std::vector<std::vector<std::uint32_t>> at_place(mesh.vertices.size());
   for (std::size_t t = 0; t < triangles; ++t)
-    if (turned(mesh, t))
+    if (mesh.triangle_chart[t] != no_chart && turned(mesh, t))
       for (std::size_t k = 0; k < 3; ++k)
         at_place[place[mesh.indices[3 * t + k]]].push_back(static_cast<std::uint32_t>(t));
   std::vector<std::uint32_t> packed(triangles + 1), found;

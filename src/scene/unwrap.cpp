@@ -2,13 +2,11 @@
 #include "scene/unwrap.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <unordered_map>
 
 #include "core/assert.h"
-#include "core/warnings.h"
 #include "scene/topology.h"
+#include "scene/unwrap_fit.h"
 
 namespace dermis::scene {
 namespace {
@@ -22,59 +20,55 @@ void append_primitive(SkinMesh& mesh, const Primitive& primitive) {
                                 primitive.material);
 }
 
-struct AxisFit {
-  double scale = 1, offset = 0;
-  bool fitted = false;
-};
+/// Gives triangles that are not on the map vertices of their own, all at one point of it: without area there,
+/// they cover no texel, are no neighbours and have no metric.
+void take_off_the_map(SkinMesh& mesh, const std::vector<bool>& on_map) {
+  std::vector<bool> shared(mesh.vertices.size(), false);
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+    if (on_map[i / 3]) shared[mesh.indices[i]] = true;
 
-/// Brings [low, high] into [0, 1]: not at all, by whole tiles, or by an affine fit.
-AxisFit fit_axis(double low, double high) {
-  if (low >= 0 && high <= 1) return {};
-  const double tile = std::floor(low);
-  if (high - tile <= 1) return {1, -tile, false};
-  return {1 / (high - low), -low / (high - low), true};
+  std::vector<std::uint32_t> copy(mesh.vertices.size(), no_edge);
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    if (on_map[i / 3]) continue;
+    const std::uint32_t vertex = mesh.indices[i];
+    if (!shared[vertex]) {
+      mesh.unwrap[vertex] = glm::vec2(0);
+      continue;
+    }
+    if (copy[vertex] == no_edge) {
+      copy[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
+      mesh.vertices.push_back(Vertex(mesh.vertices[vertex]));
+      mesh.unwrap.emplace_back(0);
+    }
+    mesh.indices[i] = copy[vertex];
+  }
 }
 
-void fit_unwrap(SkinMesh& mesh) {
-  glm::dvec2 low(1e300), high(-1e300);
-  for (const std::uint32_t index : mesh.indices) {
-    const glm::dvec2 uv(mesh.vertices[index].uv0);
-    if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) continue;
-    low = glm::min(low, uv), high = glm::max(high, uv);
-  }
-  if (!(low.x <= high.x)) low = high = glm::dvec2(0);
-  const AxisFit u = fit_axis(low.x, high.x), v = fit_axis(low.y, high.y);
-  mesh.unwrap_scale = {u.scale, v.scale};
-  mesh.unwrap_offset = {u.offset, v.offset};
-  if (u.fitted || v.fitted) {
-    mesh.unwrap_note =
-        fmt::format("texture coordinates span u {:.4g} to {:.4g}, v {:.4g} to {:.4g}: scaled to fit 0..1",
-                    low.x, high.x, low.y, high.y);
-    // A rounding error outside costs nothing; a second tile costs sharpness, and tiles that were meant to
-    // coincide now lie side by side.
-    if (std::min(u.scale, v.scale) < 0.999)
-      warn_of(
-          "skin: texture coordinates lie outside 0..1 and are scaled to fit; maps hold fewer texels per mm",
-          mesh.name,
-          fmt::format("skin '{}': {}; the map holds fewer texels per mm", mesh.name, mesh.unwrap_note));
-  } else if (u.offset != 0 || v.offset != 0) {
-    mesh.unwrap_note = fmt::format("texture coordinates moved by {:+g}, {:+g} tiles", u.offset, v.offset);
-  }
-  mesh.unwrap.reserve(mesh.vertices.size());
-  for (const Vertex& vertex : mesh.vertices) {
-    const glm::dvec2 uv = glm::dvec2(vertex.uv0) * mesh.unwrap_scale + mesh.unwrap_offset;
-    const bool valid = std::isfinite(uv.x) && std::isfinite(uv.y);
-    mesh.unwrap.emplace_back(valid ? glm::clamp(uv, glm::dvec2(0), glm::dvec2(1)) : glm::dvec2(0));
+/// Numbers the charts that are on the map from 0 in order of first appearance; the rest share one number.
+void number_charts(std::vector<std::uint32_t>& chart, const std::vector<bool>& on_map) {
+  std::vector<std::uint32_t> number(chart.size(), no_edge);
+  std::uint32_t charts = 0;
+  for (std::size_t t = 0; t < chart.size(); ++t) {
+    if (!on_map[t]) {
+      chart[t] = no_edge - 1;
+      continue;
+    }
+    std::uint32_t& n = number[chart[t]];
+    if (n == no_edge) n = charts++;
+    chart[t] = n;
   }
 }
 
 /// Charts, and one chart per vertex: metric and chart id can then be vertex attributes.
-void assign_charts(SkinMesh& mesh) {
+void assign_charts(SkinMesh& mesh, const std::vector<bool>& on_map) {
   const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);
-  const std::vector<std::uint32_t> chart = find_charts(topology, mesh.unwrap, mesh.indices);
-  mesh.charts = chart.empty() ? 0 : static_cast<int>(*std::max_element(chart.begin(), chart.end())) + 1;
-  for (const std::uint32_t c : chart)
-    mesh.triangle_chart.push_back(static_cast<std::uint16_t>(1 + c % max_chart_id));
+  std::vector<std::uint32_t> chart = find_charts(topology, mesh.unwrap, mesh.indices);
+  number_charts(chart, on_map);
+  for (std::size_t t = 0; t < chart.size(); ++t) {
+    if (on_map[t]) mesh.charts = std::max(mesh.charts, static_cast<int>(chart[t]) + 1);
+    mesh.triangle_chart.push_back(on_map[t] ? static_cast<std::uint16_t>(1 + chart[t] % max_chart_id)
+                                            : no_chart);
+  }
 
   std::vector<std::uint32_t> owner(mesh.vertices.size(), no_edge);
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copies;  // (vertex, chart) -> copy
@@ -98,9 +92,7 @@ std::vector<SkinMesh> skin_meshes(const Scene& scene) {
   std::vector<SkinMesh> meshes;
   std::map<int, std::size_t> mesh_of_node;
   for (const Primitive& primitive : scene.primitives) {
-    // Without texture coordinates there is nothing to unwrap: drawn as any other material.
-    if (!scene.materials.at(static_cast<std::size_t>(primitive.material)).skin || !primitive.has_uv ||
-        primitive.indices.empty())
+    if (!scene.materials.at(static_cast<std::size_t>(primitive.material)).skin || primitive.indices.empty())
       continue;
     const auto [entry, is_new] = mesh_of_node.try_emplace(primitive.node, meshes.size());
     if (is_new) {
@@ -111,11 +103,17 @@ std::vector<SkinMesh> skin_meshes(const Scene& scene) {
     append_primitive(meshes[entry->second], primitive);
   }
   for (SkinMesh& mesh : meshes) {
-    fit_unwrap(mesh);
-    assign_charts(mesh);
+    const std::vector<bool> on_map = fit_unwrap(mesh);
+    take_off_the_map(mesh, on_map);
+    assign_charts(mesh, on_map);
     compute_metric(mesh, scene.mm_per_unit);
   }
   return meshes;
+}
+
+bool has_chartless(const SkinMesh& mesh) {
+  return std::find(mesh.triangle_chart.begin(), mesh.triangle_chart.end(), no_chart) !=
+         mesh.triangle_chart.end();
 }
 
 }  // namespace dermis::scene

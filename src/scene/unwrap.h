@@ -13,8 +13,10 @@
 
 namespace dermis::scene {
 
-/// whole numbers up to 2048 are exact in half floats, and 0 means no chart
+/// whole numbers up to 2048 are exact in half floats
 inline constexpr int max_chart_id = 2046;
+/// of triangles that the map does not hold
+inline constexpr std::uint16_t no_chart = 0;
 
 /// One head. Every vertex belongs to one chart (vertices between charts are split; copies stand behind the
 /// others).
@@ -25,24 +27,28 @@ struct SkinMesh {
   /// triangles in the order of the scene's primitives, so each material is a few runs
   std::vector<std::uint32_t> indices;
   std::vector<int> triangle_material;  ///< per triangle, index into Scene::materials
-  std::vector<glm::vec2> unwrap;       ///< per vertex, 0..1, v down: where the texture-space passes put it
+  /// per vertex, 0..1, v down: where the texture-space passes put it; (0, 0) for triangles without a chart
+  std::vector<glm::vec2> unwrap;
   /// per vertex: g_uu, g_uv, g_vv in mm^2 per unit of unwrap squared; finite, positive definite
   std::vector<glm::vec3> metric;
-  /// per triangle, 1 .. max_chart_id; with more charts the ids start again from 1
+  /// per triangle, 1 .. max_chart_id; with more charts the ids start again from 1. no_chart: the triangle has
+  /// no texture coordinates, none with area, or a stray's (unwrap_fit.h). It covers nothing of the map and is
+  /// lit at the pixel.
   std::vector<std::uint16_t> triangle_chart;
   int charts = 0;  ///< how many there are
-  /// unwrap = uv0 * scale + offset; 1 and 0 unless coordinates lay outside 0..1
+  /// unwrap = uv0 * scale + offset for triangles with a chart: see fit_unwrap()
   glm::dvec2 unwrap_scale{1}, unwrap_offset{0};
-  /// what was done to coordinates outside 0..1; empty if nothing
+  /// what was done to the raw coordinates; empty if nothing
   std::string unwrap_note;
 };
 
 /// One mesh per node that carries skin, in order of first appearance, all skin primitives of the node joined.
-/// Raw coordinates outside 0..1 are moved by whole tiles if that is enough, else fitted into 0..1 axis by
-/// axis (with a warning: maps then have fewer texels per mm). Primitives without triangles or without texture
-/// coordinates are left out.
-/// Metric: see triangle_metric.
+/// Raw coordinates are fitted into 0..1 where need be, and triangles that cannot lie there are left without a
+/// chart: fit_unwrap(). Primitives without triangles are left out. Metric: see triangle_metric.
 std::vector<SkinMesh> skin_meshes(const Scene& scene);
+
+/// Whether some triangle of the mesh has no chart.
+bool has_chartless(const SkinMesh& mesh);
 
 /// g = J^T J with J = dP/d(u,v) in mm: (g_uu, g_uv, g_vv). Zero if the triangle has no area in texture space
 /// or in the world.
@@ -61,7 +67,7 @@ glm::dvec3 inverse_metric_cholesky(const glm::dvec3& g);
 
 /// Over the skin's area: each value counts with the mm^2 it holds for.
 struct DensityStats {
-  double mean = 0, p50 = 0, p95 = 0, max = 0;
+  double mean = 0, p05 = 0, p50 = 0, p95 = 0, max = 0;
 };
 
 struct UnwrapDensity {

@@ -17,6 +17,7 @@ layout(binding = 12) uniform sampler2D map_specular;
 layout(binding = 27) uniform sampler2D sky_seen;  // over the unwrap: environment/occlusion.h
 layout(binding = 29) uniform sampler2D sky_direct;   // likewise: environment::SkyLight
 layout(binding = 30) uniform sampler2D sky_bounced;
+layout(constant_id = 13) const bool off_map = false;  // the unwrap does not hold the point: nothing is known of what it sees of the sky
 
 #include "shared/specular.glsl"
 #include "shared/lights.glsl"
@@ -77,7 +78,7 @@ const float least_open = 0.002;  // white skin in a hole without a way out has n
 
 // The share of the sky that a point sees.
 float skin_open(SurfacePoint s, vec2 unwrap) {
-  return environment ? clamp(textureLod(sky_seen, unwrap, 0.0).w, least_open, 1.0) * max(skin_occlusion(s), least_open) : skin_occlusion(s);
+  return environment && !off_map ? clamp(textureLod(sky_seen, unwrap, 0.0).w, least_open, 1.0) * max(skin_occlusion(s), least_open) : skin_occlusion(s);
 }
 
 // Irradiance that enters from the surroundings; what is reflected and what the mean takes off cancel. Under a picture of them, what hides the
@@ -85,7 +86,7 @@ float skin_open(SurfacePoint s, vec2 unwrap) {
 // is lit as the point itself is: a geometric series of the albedo. Based on: Stewart, Langer: Toward Accurate Recovery of Shape from Shading
 // Under Diffuse Lighting, PAMI 19(9), 1997.
 vec3 entering_surroundings(SurfacePoint s, vec3 n, vec2 unwrap) {
-  if (!environment) return surroundings_irradiance(n) * skin_occlusion(s);
+  if (!environment || off_map) return surroundings_irradiance(n) * skin_occlusion(s);
   // The maps know the normal of the mesh; a mapped one faces another part of the sky.
   const vec4 seen = textureLod(sky_seen, unwrap, 0.0), bounced = textureLod(sky_bounced, unwrap, 0.0);
   const vec3 mapped = surroundings_irradiance(normalize(n + seen.xyz)), unmapped = surroundings_irradiance(normalize(s.normal + seen.xyz));

@@ -24,6 +24,12 @@ struct SkinPart {
   gaussians::SumOfGaussians profile;
   double max_texels_per_mm = 1;   ///< where its unwrap is densest, at the map size of the frame
   double mean_texels_per_mm = 1;  ///< of its unwrap, at the same size
+  /// of a map of one texel, if the skin filled it evenly; and whether parts of it have so few that terms are
+  /// lit at the pixel there: passes::coarse_share
+  double even_texels_per_mm = 1;
+  double least_texels_per_mm = 1;  ///< a twentieth of the skin has fewer, at the map size of the frame
+  bool coarse = false;
+  bool off_map = false;  ///< some of its triangles have no chart of the unwrap
   bool operator==(const SkinPart&) const = default;
 };
 

@@ -29,7 +29,11 @@ layout(location = 4) in vec4 in_colour;
 layout(location = 5) centroid in vec2 in_unwrap;
 layout(location = 0) out vec4 out_radiance;
 
+#include "passes/skin/coarse_share.glsl"
 #include "passes/skin/light_point.glsl"
+
+// Of a term, what is read from its map.
+vec3 mapped_weight(int term) { return (1.0 - coarse_share(terms.sigma_mm[term])) * io.weights[term]; }
 
 vec3 light_of(sampler2D light, int term, vec2 at) {
   if (progressive) {
@@ -44,14 +48,14 @@ vec3 light_of(sampler2D light, int term, vec2 at) {
 vec3 scattered() {
   const vec2 at = light_point(in_unwrap) / vec2(textureSize(light_0, 0));
   vec3 sum = vec3(0.0);
-  if (term_count > 0) sum += io.weights[0] * light_of(light_0, 0, at);
-  if (term_count > 1) sum += io.weights[1] * light_of(light_1, 1, at);
-  if (term_count > 2) sum += io.weights[2] * light_of(light_2, 2, at);
-  if (term_count > 3) sum += io.weights[3] * light_of(light_3, 3, at);
-  if (term_count > 4) sum += io.weights[4] * light_of(light_4, 4, at);
-  if (term_count > 5) sum += io.weights[5] * light_of(light_5, 5, at);
-  if (term_count > 6) sum += io.weights[6] * light_of(light_6, 6, at);
-  if (term_count > 7) sum += io.weights[7] * light_of(light_7, 7, at);
+  if (term_count > 0) sum += mapped_weight(0) * light_of(light_0, 0, at);
+  if (term_count > 1) sum += mapped_weight(1) * light_of(light_1, 1, at);
+  if (term_count > 2) sum += mapped_weight(2) * light_of(light_2, 2, at);
+  if (term_count > 3) sum += mapped_weight(3) * light_of(light_3, 3, at);
+  if (term_count > 4) sum += mapped_weight(4) * light_of(light_4, 4, at);
+  if (term_count > 5) sum += mapped_weight(5) * light_of(light_5, 5, at);
+  if (term_count > 6) sum += mapped_weight(6) * light_of(light_6, 6, at);
+  if (term_count > 7) sum += mapped_weight(7) * light_of(light_7, 7, at);
   return sum;
 }
 
@@ -63,7 +67,7 @@ vec3 through_share(EnteringAndThrough r) {
     mean += joining(r, g);
     vec3 share = transmission.group_weight[g];
     for (int i = 0; i < term_count; ++i)
-      if (transmission.group[i] == uint(g)) share -= io.weights[i];
+      if (transmission.group[i] == uint(g)) share -= mapped_weight(i);
     sum += share * mean;
   }
   return sum;
@@ -93,7 +97,8 @@ vec3 mirrored_surroundings(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, Ski
   const vec2 unwrap = within_triangle(in_unwrap);
   const float n_v = dot(n, v), all = specular_albedo(attenuation, spec, n_v), open = skin_open(s, unwrap);
   if (!environment) return frame.ambient * (all * open);
-  const vec3 mirrored = reflect(-v, n), sky = normalize(n_geometric + textureLod(sky_seen, unwrap, 0.0).xyz);
+  const vec3 mirrored = reflect(-v, n), turned = off_map ? vec3(0.0) : textureLod(sky_seen, unwrap, 0.0).xyz,
+             sky = normalize(n_geometric + turned);
   const float above = clamp(1.0 + 1.3 * dot(mirrored, n_geometric), 0.0, 1.0);  // a mapped normal may mirror what lies beneath the surface
   vec2 albedo = vec2(0.0);
   vec3 lobe[2];
@@ -118,7 +123,7 @@ void main() {
   if (term_count > 0) diffuse = scattered() * albedo_power(albedo, 1.0 - material.mix_before);
   if (direct) {
     vec3 share = vec3(1.0);
-    for (int i = 0; i < term_count; ++i) share -= io.weights[i];
+    for (int i = 0; i < term_count; ++i) share -= mapped_weight(i);
 #ifdef THROUGH
     const EnteringAndThrough r = entering_and_through(s, n, n_geometric, spec);
     const vec3 entering = r.entering + entering_surroundings(s, n, within_triangle(in_unwrap));

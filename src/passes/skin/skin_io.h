@@ -11,6 +11,13 @@ struct SkinIo {
   uint slot;         // of the counters, see skin_reads.frag
   uint halvings;     // four bits a term: the side of its map is T >> n
 };
+// What the pass needs to know where the map is too coarse: see coarse_share() of skin.h.
+struct SkinTermsIo {
+  float sigma_mm[8];         // of the Gaussians, narrow to wide
+  float widest_mm;           // the last of them
+  float even_texels_per_mm;  // of a map of one texel, if the skin filled it evenly
+  float largest_side;        // T_max, texels
+};
 DERMIS_IO_END
 #ifdef __cplusplus
 static_assert(sizeof(dermis::io::SkinIo) == 128);

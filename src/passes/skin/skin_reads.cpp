@@ -18,6 +18,7 @@ SkinReads::Out SkinReads::declare(frame::Declare& d, const In& in) {
 void SkinReads::prepare(gpu::PipelineLibrary& library) {
   gpu::GraphicsDesc desc{.vertex = "skin.vert",
                          .fragment = "skin_reads.frag",
+                         .constants = {{"coarse", settings_.terms.coarse ? 1u : 0u}},
                          .depth_format = VK_FORMAT_D32_SFLOAT,
                          .samples = settings_.samples,
                          .cull = gpu::Cull::back,
@@ -25,6 +26,7 @@ void SkinReads::prepare(gpu::PipelineLibrary& library) {
   single_sided_ = &library.graphics(desc);
   desc.cull = gpu::Cull::none;
   double_sided_ = &library.graphics(desc);
+  terms_ = make_terms(library.device(), settings_.terms);
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
@@ -36,12 +38,14 @@ void SkinReads::record(gpu::Cmd& cmd, const frame::Resources& resources,
   const gpu::Texture& depth = resources.texture(in_.depth);
   cmd.begin_rendering({}, gpu::DepthTarget{.texture = &depth}, {depth.desc().width, depth.desc().height});
   for (const GpuDraw& draw : mesh.draws) {
+    if (!draw.on_map) continue;
     const bool both = frame.scene->materials[static_cast<std::size_t>(draw.material)].double_sided;
     const gpu::Pipeline& pipeline = both ? *double_sided_ : *single_sided_;
     Bindings bindings;
     mesh.offer(bindings);
     bindings.add("Frame", frame.frame_io)
         .add("light_0", resources.sampled(in_.light, sampler_))
+        .add("Terms", terms_)
         .add("Counters", resources.buffer(in_.counters));
     bindings.bind(cmd, pipeline);
     cmd.push(pipeline, io::SkinIo{.offset_m = instance.offset_m,

@@ -9,9 +9,11 @@ layout(push_constant, scalar) uniform Push { SkinIo io; };
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15, scalar) buffer Counters { uint counters[]; };
 layout(location = 5) centroid in vec2 in_unwrap;
+#include "passes/skin/coarse_share.glsl"
 #include "passes/skin/light_point.glsl"
 
 void main() {
+  if (coarse && coarse_share(terms.widest_mm) >= 1.0) return;  // nothing is read
   const vec2 at = light_point(in_unwrap) - 0.5;
   const ivec2 corner = ivec2(floor(at));
   const vec2 f = at - vec2(corner);

@@ -26,7 +26,7 @@ void warn_of_missing_uv(const Document& document, const Primitive& primitive, co
       (!material.skin && !material.base_colour_map.present() && !material.normal_map.present()))
     return;
   const std::string name = printable(primitive.name);
-  const std::string why = material.skin ? ", which skin is rendered in" : ", so maps show one texel";
+  const std::string why = material.skin ? ", so skin is lit without scattering" : ", so maps show one texel";
   warn_of(fmt::format("{}: no texture coordinates{}", document.file, why), name,
           fmt::format("{}: '{}' has no texture coordinates{}", document.file, name, why));
 }

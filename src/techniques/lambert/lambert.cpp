@@ -19,7 +19,8 @@ FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings
                               .weights = {},
                               .environment = settings.environment,
                               .soft_shadows = settings.soft_shadows,
-                              .sigmas_mm = {},
+                              .off_map = settings.skin[mesh].off_map,
+                              .terms = {},
                               .through = {}});
     screen.add_surfaces(head);
   }

@@ -409,9 +409,12 @@ class TextureSpace {
 
   void add_final(const MapSquare& square) {
     const SkinPart& part = settings_.skin[square.mesh];
-    const std::size_t terms = part.profile.terms.size();
-    const std::vector<frame::TextureId> lights(blurred_.begin(),
-                                               blurred_.begin() + static_cast<std::ptrdiff_t>(terms));
+    const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
+    const std::vector<frame::TextureId> lights(blurred_.begin(), blurred_.begin() + count);
+    const passes::TermsOnMap terms{.sigmas_mm = sigmas_mm(part.profile),
+                                   .even_texels_per_mm = static_cast<float>(part.even_texels_per_mm),
+                                   .largest_side = settings_.map_size,
+                                   .coarse = part.coarse};
     plan_->add<passes::Skin>(
         label("final", settings_, square.instance, square.mesh),
         {lights, screen_.shadow(), screen_.colour(), screen_.depth(), screen_.entering()},
@@ -419,20 +422,23 @@ class TextureSpace {
          .samples = settings_.samples,
          .clear = screen_.take_clear(),
          .weights = weights(part.profile),
-         .halvings = {halvings_.begin(), halvings_.begin() + static_cast<std::ptrdiff_t>(terms)},
+         .halvings = {halvings_.begin(), halvings_.begin() + count},
          .environment = settings_.environment,
          .soft_shadows = settings_.soft_shadows,
+         .off_map = part.off_map,
          .mixes = settings_.optimise.depth,
-         .sigmas_mm = sigmas_mm(part.profile),
+         .terms = terms,
          .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
-         .largest_side = settings_.map_size,
          .through = settings_.translucency ? std::optional(part.profile) : std::nullopt,
          .mm_per_unit = settings_.mm_per_unit});
     for (const Level& level : levels_)
       plan_->add<passes::SkinReads>(
           label(at("count unshaded reads", level), settings_, square.instance, square.mesh),
           {level.blurred.front(), screen_.depth(), screen_.counters()},
-          {.square = on_level(square, level), .samples = settings_.samples, .slot = counter_unshaded_reads});
+          {.square = on_level(square, level),
+           .samples = settings_.samples,
+           .slot = counter_unshaded_reads,
+           .terms = terms});
   }
 
   static std::vector<MapSquare> of_mesh(const std::vector<MapSquare>& all, std::uint32_t mesh) {

@@ -271,19 +271,19 @@ TEST(Gutters, MirroredHalvesOnTheSameTexels) {
   // chart itself.
   const auto flat = [](glm::dvec2 s) { return glm::dvec3(s.x, s.y, 0); };
   Primitive p;
-  append_patch(p, flat, {0, 0}, {40, 40}, glm::dmat2(0.01, 0, 0, 0.01), {0.3, 0.3}, 4);
-  append_patch(p, flat, {0, 0}, {-40, 40}, glm::dmat2(-0.01, 0, 0, 0.01), {0.3, 0.3}, 4);
+  append_patch(p, flat, {0, 0}, {40, 40}, glm::dmat2(0.0125, 0, 0, 0.0125), {0.25, 0.25}, 4);
+  append_patch(p, flat, {0, 0}, {-40, 40}, glm::dmat2(-0.0125, 0, 0, 0.0125), {0.25, 0.25}, 4);
   const SkinMesh mesh = mesh_from(p);
   EXPECT_EQ(mesh.charts, 2);
-  constexpr int side = 200;  // the seam at x = 60
+  constexpr int side = 200;  // the seam at x = 50
   int seam = 0;
   for (const GutterTexel& g : build_gutters(mesh, side, 10)) {
-    if (g.chart == 0 || g.y < 60 || g.y >= 140) continue;
+    if (g.chart == 0 || g.y < 50 || g.y >= 150) continue;
     ++seam;
-    EXPECT_NEAR(g.source_x, 120 - (g.x + 0.5), 0.02);
+    EXPECT_NEAR(g.source_x, 100 - (g.x + 0.5), 0.02);
     EXPECT_NEAR(g.source_y, g.y + 0.5, 0.02);
   }
-  EXPECT_EQ(seam, 10 * 80);
+  EXPECT_EQ(seam, 10 * 100);
 }
 
 TEST(Gutters, SurviveDegenerateTriangles) {

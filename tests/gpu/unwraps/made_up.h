@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Heads whose texture coordinates are odd in a way that real files are.
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "dermis/renderer.h"
+#include "dermis/scene.h"
+#include "scene/scene.h"
+
+namespace dermis::tests {
+
+/// One renderer for the whole process: pipelines are made once.
+Renderer& renderer();
+
+/// A picture that is cheap on a software driver: `side` pixels square, light maps of `map_size`.
+RenderSettings tiny_settings(int side, int map_size);
+
+/// The scene with uv' = factor * uv + offset on its skin. Maps are moved likewise, so they show the same.
+scene::Scene moved(scene::Scene scene, const glm::dmat2& factor, const glm::dvec2& offset = {});
+
+/// Gives each triangle of the skin vertices of its own and lets `change` set the coordinates of each.
+scene::Scene with_triangles(scene::Scene scene,
+                            const std::function<void(std::size_t triangle, scene::Vertex* corners)>& change);
+
+struct MadeUp {
+  std::string name;
+  scene::Scene scene;
+};
+
+/// A sphere of 0.1 m with coordinates that are scaled, moved, flipped, sheared, collapsed, partly without
+/// area or missing, torn apart, on top of each other, or far off.
+std::vector<MadeUp> made_up_unwraps();
+
+/// 8-bit display values of two pictures of one size, over the pixels that are skin in either: PSNR in dB, 100
+/// if they are equal.
+double display_psnr_db(const Picture& a, const Picture& b);
+
+}  // namespace dermis::tests
