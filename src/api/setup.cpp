@@ -76,6 +76,11 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
   // wrong in width.
   part.max_texels_per_mm = std::max(subject.densities[number].largest_texels_per_mm.p95 * s.map_size, 1e-6);
   part.mean_texels_per_mm = subject.densities[number].texels_per_mm.mean * s.map_size;
+  for (const int index : subject.skin[number].triangle_material) {
+    const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];
+    part.cut_out = part.cut_out || of_triangle.alpha_mode == scene::AlphaMode::mask;
+    part.emits = part.emits || of_triangle.emissive != glm::vec3(0);
+  }
   return part;
 }
 

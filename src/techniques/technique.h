@@ -24,6 +24,8 @@ struct SkinPart {
   gaussians::SumOfGaussians profile;
   double max_texels_per_mm = 1;   ///< where its unwrap is densest, at the map size of the frame
   double mean_texels_per_mm = 1;  ///< of its unwrap, at the same size
+  bool cut_out = false;           ///< some of its materials have an alpha test
+  bool emits = false;             ///< some of them emit light
   bool operator==(const SkinPart&) const = default;
 };
 

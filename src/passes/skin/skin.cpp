@@ -33,31 +33,38 @@ Skin::Out Skin::declare(frame::Declare& d, const In& in) {
   return {in.colour, in.depth};
 }
 
-void Skin::prepare(gpu::PipelineLibrary& library) {
+Skin::Pipelines Skin::pipelines(gpu::PipelineLibrary& library, bool direct, bool through) const {
   const bool progressive = !settings_.halvings.empty() && settings_.halvings.back() > 0;
-  const auto pipelines = [&](bool direct, bool through) {
-    gpu::GraphicsDesc desc{.vertex = "skin.vert",
-                           .fragment = through ? "skin_through.frag" : "skin.frag",
-                           .constants = {{"term_count", static_cast<std::uint32_t>(settings_.weights.size())},
-                                         {"direct", direct ? 1u : 0u},
-                                         {"environment", settings_.environment ? 1u : 0u},
-                                         {"soft_shadows", settings_.soft_shadows ? 1u : 0u},
-                                         {"progressive", progressive ? 1u : 0u}},
-                           .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
-                           .depth_format = VK_FORMAT_D32_SFLOAT,
-                           .samples = settings_.samples,
-                           .cull = gpu::Cull::back,
-                           .depth_test = true,
-                           .depth_write = true};
-    if (through)
-      desc.constants.emplace_back("through_terms", static_cast<std::uint32_t>(settings_.weights.size()));
-    Pipelines made{.single_sided = &library.graphics(desc)};
-    desc.cull = gpu::Cull::none;
-    made.double_sided = &library.graphics(desc);
-    return made;
-  };
-  mapped_ = pipelines(settings_.weights.empty(), false);
-  if (settings_.mixes) mixed_ = pipelines(true, through());
+  const auto terms = static_cast<std::uint32_t>(settings_.weights.size());
+  Pipelines out;
+  for (const bool double_sided : {false, true})
+    for (const bool cut_out : {false, true})
+      for (const bool emits : {false, true}) {
+        if ((cut_out && !settings_.cut_out) || (emits && !settings_.emits)) continue;
+        gpu::GraphicsDesc desc{.vertex = "skin.vert",
+                               .fragment = through ? "skin_through.frag" : "skin.frag",
+                               .constants = {{"term_count", terms},
+                                             {"direct", direct ? 1u : 0u},
+                                             {"environment", settings_.environment ? 1u : 0u},
+                                             {"soft_shadows", settings_.soft_shadows ? 1u : 0u},
+                                             {"progressive", progressive ? 1u : 0u},
+                                             {"cut_out", cut_out ? 1u : 0u},
+                                             {"emits", emits ? 1u : 0u}},
+                               .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
+                               .depth_format = VK_FORMAT_D32_SFLOAT,
+                               .samples = settings_.samples,
+                               .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
+                               .depth_test = true,
+                               .depth_write = true};
+        if (through) desc.constants.emplace_back("through_terms", terms);
+        out.made[double_sided][cut_out][emits] = &library.graphics(desc);
+      }
+  return out;
+}
+
+void Skin::prepare(gpu::PipelineLibrary& library) {
+  mapped_ = pipelines(library, settings_.weights.empty(), false);
+  if (settings_.mixes) mixed_ = pipelines(library, true, through());
   if (through()) through_ = ThroughBindings(library, {*settings_.through}, settings_.mm_per_unit);
   samplers_ = LightingSamplers(library);
   light_sampler_ = library.sampler({.filter = gpu::Filter::linear});
@@ -97,7 +104,7 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
   for (const GpuDraw& draw : mesh.draws) {
     if (!instance.visible) break;
     const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
-    const gpu::Pipeline& pipeline = material.double_sided ? *pipelines.double_sided : *pipelines.single_sided;
+    const gpu::Pipeline& pipeline = pipelines.of(material);
     Bindings bindings;
     mesh.offer(bindings);
     material.offer(bindings);

@@ -30,6 +30,8 @@ class Skin {
     std::vector<std::uint32_t> halvings;        ///< of the term's map, a term each; the first is 0
     bool environment = false;                   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;                  ///< lights with a radius cast penumbrae
+    bool cut_out = false;                       ///< some of the mesh's skin is cut out by its alpha
+    bool emits = false;                         ///< some of the mesh's skin emits light
     /// where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
     bool mixes = false;
     std::vector<float> sigmas_mm;    ///< a term each
@@ -55,10 +57,12 @@ class Skin {
  private:
   Settings settings_;
   In in_;
+  // Ordinary skin is drawn by shaders that know neither alpha test nor emission.
   struct Pipelines {
-    const gpu::Pipeline* single_sided = nullptr;
-    const gpu::Pipeline* double_sided = nullptr;
+    const gpu::Pipeline* made[2][2][2] = {};  // [double sided][cut out][emits]
+    const gpu::Pipeline& of(const GpuMaterial& m) const { return *made[m.double_sided][m.cut_out][m.emits]; }
   };
+  Pipelines pipelines(gpu::PipelineLibrary& library, bool direct, bool through) const;
   Pipelines mapped_, mixed_;  // all terms from the maps; some of their light at the pixel
   bool through() const { return settings_.through && settings_.mixes; }
   LightingSamplers samplers_;
@@ -73,6 +77,7 @@ class SkinReads {
   struct Settings {
     MapSquare square;
     std::uint32_t samples = 1;
+    bool cut_out = false;    ///< as of Skin
     std::uint32_t slot = 0;  ///< of the counters
   };
   struct In {
@@ -88,8 +93,7 @@ class SkinReads {
  private:
   Settings settings_;
   In in_;
-  const gpu::Pipeline* single_sided_ = nullptr;
-  const gpu::Pipeline* double_sided_ = nullptr;
+  const gpu::Pipeline* pipelines_[2][2] = {};  // [double sided][cut out]
   VkSampler sampler_ = VK_NULL_HANDLE;
 };
 

@@ -19,6 +19,8 @@ FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings
                               .weights = {},
                               .environment = settings.environment,
                               .soft_shadows = settings.soft_shadows,
+                              .cut_out = settings.skin[mesh].cut_out,
+                              .emits = settings.skin[mesh].emits,
                               .sigmas_mm = {},
                               .through = {}});
     screen.add_surfaces(head);
