@@ -125,8 +125,7 @@ void set_up_batches(techniques::FrameSettings& plan, const RenderSettings& s, co
   if (!plan.optimise.any()) return;
 
   // Their shadow maps come on top; large ones must not drive the heads of a batch out of memory.
-  const double shadow_mb =
-      (plan.translucency ? 8.0 : 4.0) * plan.shadow_layers * plan.shadow_size * plan.shadow_size / 1e6;
+  const double shadow_mb = plan.shadow_layers * static_cast<double>(techniques::shadow_bytes(plan)) / 1e6;
   const double shadowed = device.memory_bytes > 0
                               ? std::max(1.0, static_cast<double>(device.memory_bytes) / 4e6 / shadow_mb)
                               : squares;

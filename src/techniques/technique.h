@@ -68,6 +68,20 @@ struct FrameSettings {
   bool operator==(const FrameSettings&) const = default;
 };
 
+/// Side of the maps of what enters the skin (passes::Shadow), texels. Their light goes to light maps, so they
+/// need not be finer than those. Within a factor of 1.5 a pass of their own would save neither time nor
+/// memory: they are drawn with the shadow maps then, and as large.
+inline std::uint32_t entering_size(const FrameSettings& s) {
+  return 3 * std::uint64_t{s.map_size} <= 2 * std::uint64_t{s.shadow_size} ? s.map_size : s.shadow_size;
+}
+/// Of one layer of the shadow maps, with what belongs to it.
+inline std::uint64_t shadow_bytes(const FrameSettings& s) {
+  const std::uint64_t depth = 4 * std::uint64_t{s.shadow_size} * s.shadow_size;
+  const std::uint64_t side = entering_size(s), entering = 4 * side * side;
+  if (!s.translucency) return depth;
+  return depth + (side < s.shadow_size ? 2 * entering : entering);  // apart, it has depth of its own
+}
+
 /// Slots of FrameOutputs::counters: three of the frame, then for each skin mesh three for each size of its
 /// maps.
 enum Counter : std::uint32_t {

@@ -2,7 +2,7 @@
 // Which texels of the light map hold skin that the alpha test leaves. Follows skin_point.glsl.
 #include "shared/cut_out.glsl"
 #include "shared/gutters_io.h"
-layout(binding = 31) uniform sampler2D map_alpha_max;  // passes/alpha_max.h
+layout(binding = 32) uniform sampler2D map_alpha_max;  // passes/alpha_max.h
 
 vec2 reach_of(vec2 at) { return abs(dFdx(at)) + abs(dFdy(at)) + 0.5 / vec2(textureSize(map_alpha_max, 0)); }
 
