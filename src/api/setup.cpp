@@ -90,6 +90,11 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
   part.off_map = scene::has_chartless(subject.skin[number]);
   fill_coarse(part, subject.densities[number], s.map_size);
   part.mean_texels_per_mm = subject.densities[number].texels_per_mm.mean * s.map_size;
+  for (const int index : subject.skin[number].triangle_material) {
+    const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];
+    part.cut_out = part.cut_out || of_triangle.alpha_mode == scene::AlphaMode::mask;
+    part.emits = part.emits || of_triangle.emissive != glm::vec3(0);
+  }
   return part;
 }
 
@@ -134,8 +139,7 @@ void set_up_batches(techniques::FrameSettings& plan, const RenderSettings& s, co
   if (!plan.optimise.any()) return;
 
   // Their shadow maps come on top; large ones must not drive the heads of a batch out of memory.
-  const double shadow_mb =
-      (plan.translucency ? 8.0 : 4.0) * plan.shadow_layers * plan.shadow_size * plan.shadow_size / 1e6;
+  const double shadow_mb = plan.shadow_layers * static_cast<double>(techniques::shadow_bytes(plan)) / 1e6;
   const double shadowed = device.memory_bytes > 0
                               ? std::max(1.0, static_cast<double>(device.memory_bytes) / 4e6 / shadow_mb)
                               : squares;

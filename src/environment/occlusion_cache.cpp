@@ -34,6 +34,20 @@ class Hash {
 constexpr std::uint32_t version = 5;  // of what bake_occlusion does and of the file
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31;
 
+// What the alpha test leaves of a primitive.
+void add_alpha(Hash& hash, const scene::Scene& scene, const scene::Primitive& primitive,
+               const scene::Material& material) {
+  hash.add(material.alpha_cutoff), hash.add(material.base_colour.a);
+  for (const scene::Vertex& v : primitive.vertices) hash.add(v.uv0), hash.add(v.uv1), hash.add(v.colour.a);
+  const scene::MapRef& map = material.base_colour_map;
+  if (!map.present()) return;
+  hash.add(map.uv_set), hash.add(map.transform), hash.add(map.wrap_u), hash.add(map.wrap_v);
+  hash.add(map.nearest);
+  const image::Image8& pixels = *scene.images[static_cast<std::size_t>(map.image)].pixels;
+  hash.add(pixels.width), hash.add(pixels.height);
+  for (std::size_t i = 3; i < pixels.rgba.size(); i += 4) hash.add(pixels.rgba[i]);
+}
+
 Hash hash_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const OcclusionSettings& settings) {
   Hash hash;
   hash.add(version), hash.add(settings.side), hash.add(settings.rays);
@@ -46,6 +60,7 @@ Hash hash_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const Occlu
     hash.add(static_cast<int>(material.alpha_mode));
     hash.add(material.skin);
     for (const scene::Vertex& v : p.vertices) hash.add(v.position_m);
+    if (material.alpha_mode == scene::AlphaMode::mask) add_alpha(hash, scene, p, material);
     hash.add(std::span<const std::uint32_t>(p.indices));
     for (const scene::Placement& placement : p.placements) hash.add(placement.world_from_mesh);
   }

@@ -14,6 +14,7 @@
 #include "image/colour.h"
 #include "image/resize.h"
 #include "optics/attenuation.h"
+#include "passes/alpha_max.h"
 #include "passes/gutter_list.h"
 #include "passes/vertices.h"
 #include "scene/fine_normals.h"
@@ -184,7 +185,8 @@ void GpuMaterial::offer(Bindings& bindings) const {
       .add("map_occlusion", maps[MAP_OCCLUSION])
       .add("map_specular", maps[MAP_SPECULAR])
       .add("map_emissive", maps[MAP_EMISSIVE])
-      .add("map_specular_colour", maps[MAP_SPECULAR_COLOUR]);
+      .add("map_specular_colour", maps[MAP_SPECULAR_COLOUR])
+      .add("map_alpha_max", alpha_max);
 }
 
 void GpuMesh::offer(Bindings& bindings) const {
@@ -219,6 +221,14 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
     material.skin = m.skin;
     material.double_sided = m.double_sided;
     material.alpha_mode = m.alpha_mode;
+    material.cut_out = m.skin && m.alpha_mode == scene::AlphaMode::mask;
+    material.emits = m.skin && m.emissive != glm::vec3(0);
+    material.alpha_max = {material.cut_out && m.base_colour_map.present()
+                              ? &alpha_max(device, scene, m.base_colour_map.image)
+                              : &white_,
+                          library.sampler({.filter = gpu::Filter::nearest,
+                                           .u = address(m.base_colour_map.wrap_u),
+                                           .v = address(m.base_colour_map.wrap_v)})};
     auto maps = maps_of(m);
     const gpu::Texture* fine = nullptr;
     if (const auto normals = scene::fine_normals(scene, materials.size(), skin_meshes)) {
@@ -287,6 +297,20 @@ const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene
         "{}: too little memory for the map '{}' of {} x {} texels; --texture-budget takes less", scene.name,
         map.name, map.pixels->width, map.pixels->height);
   }
+}
+
+const gpu::Texture& GpuScene::alpha_max(gpu::Device& device, const scene::Scene& scene, int image) {
+  if (const auto found = alpha_max_.find(image); found != alpha_max_.end()) return found->second;
+  const scene::MapImage& map = scene.images[static_cast<std::size_t>(image)];
+  const AlphaLevels levels = alpha_max_levels(*map.pixels);
+  gpu::Texture made(device, "alpha of " + map.name,
+                    {.width = static_cast<std::uint32_t>(map.pixels->width),
+                     .height = static_cast<std::uint32_t>(map.pixels->height),
+                     .mips = levels.count,
+                     .format = VK_FORMAT_R8_UNORM,
+                     .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  gpu::upload(device, made, std::as_bytes(std::span(levels.bytes)));
+  return alpha_max_.emplace(image, std::move(made)).first->second;
 }
 
 const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const std::string& name,

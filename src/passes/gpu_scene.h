@@ -28,7 +28,10 @@ struct GpuMaterial {
   std::array<gpu::SampledBinding, MAP_COUNT> maps{};  ///< a white or flat texel where the material has none
   bool skin = false;
   bool double_sided = false;
-  bool mixed = true;  ///< of skin: part of the albedo acts before the light scatters
+  bool mixed = true;              ///< of skin: part of the albedo acts before the light scatters
+  bool cut_out = false;           ///< skin with an alpha test
+  bool emits = false;             ///< skin that emits light
+  gpu::SampledBinding alpha_max;  ///< of skin with an alpha test, see passes/alpha_max.h; else a white texel
   scene::AlphaMode alpha_mode = scene::AlphaMode::opaque;
 
   void offer(Bindings& bindings) const;  ///< "Material", "map_base_colour", ...
@@ -91,6 +94,7 @@ class GpuScene {
 
  private:
   const gpu::Texture& texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb);
+  const gpu::Texture& alpha_max(gpu::Device& device, const scene::Scene& scene, int image);
   const gpu::Texture& upload_map(gpu::PipelineLibrary& library, const std::string& name,
                                  const image::Image8& pixels, int image, bool srgb);
   struct Loaded {
@@ -99,6 +103,7 @@ class GpuScene {
     std::unique_ptr<gpu::Texture> texture;
   };
   std::vector<Loaded> textures_;
+  std::map<int, gpu::Texture> alpha_max_;  // by image
   gpu::Texture white_, flat_normal_;
 };
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/error.h"
+#include "rays/alpha_test.h"
 #include "rays/embree.h"
 #include "scene/placement.h"
 
@@ -185,11 +186,23 @@ std::optional<Hit> RayScene::nearest(const Ray& ray) const {
 std::optional<Hit> RayScene::nearest_skin(const Ray& ray) const {
   return nearest_in(scenes_->skin, scenes_->copies, ray);
 }
-std::optional<Hit> RayScene::nearest_solid(const Ray& ray) const {
-  return nearest_in(scenes_->solid, scenes_->copies, ray);
+
+// What the alpha test leaves: past each triangle that is cut away where the ray meets it.
+std::optional<Hit> RayScene::nearest_cut_out(Ray ray) const {
+  while (const std::optional<Hit> hit = nearest_in(scenes_->cut_out, scenes_->copies, ray)) {
+    if (!is_cut_away(*scene_, surface_point(*scene_, *hit))) return hit;
+    ray.t_min_m = std::nextafter(static_cast<float>(hit->t_m), 1e30f);
+  }
+  return std::nullopt;
 }
-std::optional<Hit> RayScene::nearest_cut_out(const Ray& ray) const {
-  return nearest_in(scenes_->cut_out, scenes_->copies, ray);
+
+std::optional<Hit> RayScene::nearest_solid(const Ray& ray) const {
+  const std::optional<Hit> opaque = nearest_in(scenes_->solid, scenes_->copies, ray);
+  if (!has_cut_outs_) return opaque;
+  Ray before = ray;
+  if (opaque) before.t_max_m = opaque->t_m;
+  const std::optional<Hit> left = nearest_cut_out(before);
+  return left ? left : opaque;
 }
 
 bool RayScene::solid_between(const Ray& ray) const {
@@ -197,7 +210,7 @@ bool RayScene::solid_between(const Ray& ray) const {
   embree::init(context);
   RTCRay r = embree_ray(ray);
   embree::occluded(scenes_->solid, context, r);
-  return r.tfar < 0;
+  return r.tfar < 0 || (has_cut_outs_ && nearest_cut_out(ray));
 }
 
 void RayScene::all_skin(const Ray& ray, std::vector<Hit>& hits) const {

@@ -45,12 +45,12 @@ class RayScene {
 
   const scene::Scene& scene() const { return *scene_; }
 
-  std::optional<Hit> nearest(const Ray& ray) const;          ///< of all triangles
-  std::optional<Hit> nearest_skin(const Ray& ray) const;     ///< of skin
-  std::optional<Hit> nearest_cut_out(const Ray& ray) const;  ///< of materials with alpha mode mask
-  std::optional<Hit> nearest_solid(const Ray& ray) const;    ///< of opaque materials
-  bool solid_between(const Ray& ray) const;                  ///< does an opaque triangle lie on the ray?
-  bool has_cut_outs() const { return has_cut_outs_; }
+  std::optional<Hit> nearest(const Ray& ray) const;       ///< of all triangles
+  std::optional<Hit> nearest_skin(const Ray& ray) const;  ///< of skin
+  /// Of what casts shadows: opaque materials, and what the alpha test leaves of cut-out ones. Blended parts
+  /// (lashes, brows) would cast the shadow of their whole card, so they cast none.
+  std::optional<Hit> nearest_solid(const Ray& ray) const;
+  bool solid_between(const Ray& ray) const;  ///< does any of that lie on the ray?
   /// Is the point in the bounding box of the skin?
   bool in_skin_box(const glm::dvec3& p) const {
     return glm::all(glm::greaterThanEqual(p, low_m_)) && glm::all(glm::lessThanEqual(p, high_m_));
@@ -60,6 +60,7 @@ class RayScene {
 
  private:
   struct Scenes;
+  std::optional<Hit> nearest_cut_out(Ray ray) const;
   const scene::Scene* scene_;
   std::unique_ptr<Scenes> scenes_;
   bool has_cut_outs_ = false;

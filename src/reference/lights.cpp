@@ -60,19 +60,7 @@ rays::Ray shadow_ray(const rays::SurfacePoint& s, const Arriving& light) {
 bool Shading::shadowed(const rays::SurfacePoint& s, const Arriving& light) const {
   const rays::Ray ray = shadow_ray(s, light);
   if (ray.t_max_m <= ray.t_min_m) return false;
-  return rays_->solid_between(ray) || (rays_->has_cut_outs() && cut_out_between(ray));
-}
-
-bool Shading::cut_out_between(rays::Ray ray) const {
-  while (const std::optional<rays::Hit> hit = rays_->nearest_cut_out(ray)) {
-    const rays::SurfacePoint s = rays::surface_point(rays_->scene(), *hit);
-    const ShadingMaterial& m = materials_[s.material];
-    double alpha = m.source->base_colour.a * s.colour.a;
-    if (m.base_colour.present()) alpha *= m.base_colour.read(s.uv).a;
-    if (alpha >= m.source->alpha_cutoff) return true;
-    ray.t_min_m = std::nextafter(static_cast<float>(hit->t_m), 1e30f);
-  }
-  return false;
+  return rays_->solid_between(ray);
 }
 
 }  // namespace dermis::reference

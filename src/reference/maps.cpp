@@ -5,9 +5,13 @@
 #include <cmath>
 
 #include "image/colour.h"
+#include "scene/wrap.h"
 
 namespace dermis::reference {
 namespace {
+
+using scene::split;
+using scene::wrapped;
 
 const std::array<double, 256>& linear_of_srgb() {
   static const std::array<double, 256> table = [] {
@@ -16,22 +20,6 @@ const std::array<double, 256>& linear_of_srgb() {
     return t;
   }();
   return table;
-}
-
-int wrapped(int i, int size, scene::Wrap wrap) {
-  if (wrap == scene::Wrap::clamp) return std::clamp(i, 0, size - 1);
-  const int period = wrap == scene::Wrap::mirror ? 2 * size : size;
-  i %= period;
-  if (i < 0) i += period;
-  return i < size ? i : period - 1 - i;
-}
-
-/// The whole part and the rest; coordinates beyond what an int holds (hostile files) are brought back first,
-/// which a repeat cannot notice.
-int split(double x, double& rest) {
-  const double whole = std::floor(x);
-  rest = x - whole;
-  return std::abs(whole) < 1e9 ? static_cast<int>(whole) : 0;
 }
 
 }  // namespace

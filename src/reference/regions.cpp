@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/parallel.h"
+#include "rays/alpha_test.h"
 #include "reference/camera_ray.h"
 #include "reference/head_frame.h"
 #include "reference/shading.h"
@@ -130,7 +131,8 @@ class Finder {
       seen.point = rays::surface_point(rays_.scene(), *hit);
       const bool front = material.double_sided || glm::dot(seen.point.face_normal, ray.direction) < 0;
       // Lashes and brows that lie over the skin do not hide it from a mask.
-      if (front && material.alpha_mode == scene::AlphaMode::opaque) {
+      if (front && material.alpha_mode != scene::AlphaMode::blend &&
+          !rays::is_cut_away(rays_.scene(), seen.point)) {
         seen.skin = rays::is_skin(rays_.scene(), primitive);
         if (!seen.skin) break;
         seen.chart = charts[hit->primitive][hit->triangle];

@@ -47,8 +47,10 @@ class Shading {
 
   /// Irradiance that enters the skin, over all lights and the surroundings, less what the surface reflects.
   glm::dvec3 entering_irradiance(const rays::SurfacePoint& s, Random& random) const;
-  /// What spreads from a point of skin: E albedo^mix / pi.
+  /// What spreads from a point of skin: E albedo^mix / pi. None where the alpha test cuts it away.
   glm::dvec3 light_in_skin(const rays::SurfacePoint& s, Random& random) const;
+  /// What the surface sends out of itself, radiance.
+  glm::dvec3 emitted(const rays::SurfacePoint& s) const;
   /// What becomes of light that has spread, on its way to the eye: albedo^(1 - mix) times what the surface
   /// lets out towards `to_eye`.
   glm::dvec3 leaving_factor(const rays::SurfacePoint& s, const glm::dvec3& to_eye) const;
@@ -85,7 +87,6 @@ class Shading {
                            int bounces) const;
   glm::dvec3 sent_on(const rays::SurfacePoint& s, Random& random, int bounces) const;
   double occlusion(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
-  bool cut_out_between(rays::Ray ray) const;
 
   const rays::RayScene* rays_;
   View view_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "rays/alpha_test.h"
 #include "reference/shading.h"
 
 namespace dermis::reference {
@@ -91,6 +92,7 @@ glm::dvec3 Shading::entering_irradiance(const rays::SurfacePoint& s, Random& ran
 }
 
 glm::dvec3 Shading::light_in_skin(const rays::SurfacePoint& s, Random& random) const {
+  if (rays::is_cut_away(rays_->scene(), s)) return glm::dvec3(0);
   const ShadingMaterial& m = materials_[s.material];
   const glm::dvec3 before = m.mix_before > 0 ? power(albedo(m, s), m.mix_before) : glm::dvec3(1);
   return entering_irradiance(s, random) * before / pi;

@@ -133,9 +133,14 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
         view_.specular ? mirrored_uniform(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
     out.radiance += view_.ambient * occlusion(m, s) * (look.albedo * (1 - largest(mirrored)) + mirrored);
   }
-  glm::dvec3 emitted(source.emissive);
-  if (m.emissive.present()) emitted *= glm::dvec3(m.emissive.read(s.uv));
-  out.radiance += emitted;
+  out.radiance += emitted(s);
+  return out;
+}
+
+glm::dvec3 Shading::emitted(const rays::SurfacePoint& s) const {
+  const ShadingMaterial& m = materials_[s.material];
+  glm::dvec3 out(m.source->emissive);
+  if (m.emissive.present()) out *= glm::dvec3(m.emissive.read(s.uv));
   return out;
 }
 

@@ -41,10 +41,8 @@ glm::dvec3 Shading::arriving_from(const rays::SurfacePoint& s, const glm::dvec3&
                                   int bounces) const {
   // where a mapped normal looks into its own slope
   if (glm::dot(s.normal, direction) <= 0) return sent_on(s, random, bounces + 1);
-  rays::Ray ray = shadow_ray(s, {.to_light = direction});
+  const rays::Ray ray = shadow_ray(s, {.to_light = direction});
   const std::optional<rays::Hit> hit = rays_->nearest_solid(ray);
-  if (hit) ray.t_max_m = hit->t_m;
-  if (rays_->has_cut_outs() && cut_out_between(ray)) return glm::dvec3(0);
   if (!hit) return view_.surroundings->radiance(direction);
   rays::SurfacePoint other = rays::surface_point(rays_->scene(), *hit);
   if (glm::dot(other.face_normal, direction) > 0) {

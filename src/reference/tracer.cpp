@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "profile/monte_carlo.h"
+#include "rays/alpha_test.h"
 #include "reference/camera_ray.h"
 
 namespace dermis::reference {
@@ -55,7 +56,8 @@ glm::dvec3 Tracer::skin_radiance(rays::SurfacePoint& s, double side, const glm::
   else
     scattered = from_the_medium(s, to_eye, random);
   s.normal *= side;
-  return scattered * shading_.leaving_factor(s, to_eye) + shading_.skin_reflection(s, to_eye, random);
+  return scattered * shading_.leaving_factor(s, to_eye) + shading_.skin_reflection(s, to_eye, random) +
+         shading_.emitted(s);
 }
 
 Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<rays::Hit>& scratch) const {
@@ -71,7 +73,7 @@ Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<rays::Hi
     rays::SurfacePoint s = rays::surface_point(scene, *hit);
     const double side = glm::dot(s.face_normal, to_eye) >= 0 ? 1 : -1;
     const ShadingMaterial& material = shading_.material(s.material);
-    if (side > 0 || material.source->double_sided) {
+    if ((side > 0 || material.source->double_sided) && !rays::is_cut_away(scene, s)) {
       if (material.skin) {
         out.radiance += through * skin_radiance(s, side, to_eye, random, scratch);
         out.skin = through;

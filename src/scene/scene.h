@@ -69,7 +69,7 @@ struct SkinSettings {
 
 struct Material {
   std::string name;
-  bool skin = false;
+  bool skin = false;         ///< not with AlphaMode::blend: the loader makes such skin a surface
   glm::vec4 base_colour{1};  ///< linear
   MapRef base_colour_map;    ///< sRGB
   float metallic = 1, roughness = 1;

@@ -31,7 +31,7 @@ struct MapIo {
 #define MAP_ROUGHNESS 2  // skin: roughness; others: metallic-roughness (G, B)
 #define MAP_OCCLUSION 3
 #define MAP_SPECULAR 4
-#define MAP_EMISSIVE 5  // not on skin
+#define MAP_EMISSIVE 5
 #define MAP_SPECULAR_COLOUR 6
 #define MAP_COUNT 7
 

@@ -84,7 +84,8 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   r.way_near_m = ways_beside(ray, uv * size, vec2(transmission.two_sigma_m[term_before] / texel_m, 0.0), int(layer));
   r.way_wide_m = ways_beside(ray, uv * size, vec2(0.70710678 * transmission.two_sigma_m[last_term] / texel_m), int(layer));
   const vec4 stored = textureLod(entering_maps, vec3(uv, float(layer)), 0.0);
-  const vec3 root = stored.rgb / max(stored.a, 1e-3);
+  // Where something is too thin to show in a map of what enters that is smaller than the depths, all light enters.
+  const vec3 root = stored.a > 1e-3 ? stored.rgb / stored.a : vec3(z[0].y > 0.0 ? 1.0 : 0.0);
   r.entering = root * root;
   r.shaded = stored.a > 0.0 || z[0].y == 0.0;
   return r;

@@ -37,8 +37,13 @@ Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&p
                           .format = VK_FORMAT_D32_SFLOAT,
                           .array = true};
   shadow_ = plan.texture("shadow maps", shadow);
-  shadow.format = VK_FORMAT_R8G8B8A8_UNORM;
-  if (settings.translucency) entering_ = plan.texture("entering maps", shadow);
+  if (settings.translucency) {
+    gpu::TextureDesc entering = shadow;
+    entering.width = entering.height = entering_size(settings);
+    if (entering.width < shadow.width) entering_depth_ = plan.texture("entering depths", entering);
+    entering.format = VK_FORMAT_R8G8B8A8_UNORM;
+    entering_ = plan.texture("entering maps", entering);
+  }
   counters_ = plan.buffer("counters", {.bytes = counter_count(settings.skin.size()) * sizeof(std::uint32_t)});
   plan.add<passes::ClearCounters>("clear counters", {counters_});
 }
@@ -46,8 +51,14 @@ Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&p
 bool Screen::take_clear() { return !std::exchange(cleared_, true); }
 
 void Screen::add_shadow(std::uint32_t head) {
-  plan_->add<passes::Shadow>(label("shadow", settings_, head), {shadow_, entering_},
-                             {.instance = head, .layers = std::max(settings_.shadow_layers, 1u)});
+  const std::uint32_t layers = std::max(settings_.shadow_layers, 1u);
+  const bool apart = entering_depth_.valid();
+  plan_->add<passes::Shadow>(label("shadow", settings_, head),
+                             {shadow_, apart ? frame::TextureId{} : entering_},
+                             {.instance = head, .layers = layers});
+  if (apart)
+    plan_->add<passes::Shadow>(label("entering", settings_, head), {entering_depth_, entering_},
+                               {.instance = head, .layers = layers, .grown = true});
 }
 
 void Screen::add_surfaces(std::uint32_t head) {

@@ -25,6 +25,7 @@ class Screen {
   frame::FramePlan* plan_;
   FrameSettings settings_;
   frame::TextureId colour_, depth_, shadow_, entering_;
+  frame::TextureId entering_depth_;  // valid if what enters is drawn apart from the shadow maps
   frame::BufferId counters_;
   bool cleared_ = false;
 };

@@ -30,6 +30,8 @@ struct SkinPart {
   double least_texels_per_mm = 1;  ///< a twentieth of the skin has fewer, at the map size of the frame
   bool coarse = false;
   bool off_map = false;  ///< some of its triangles have no chart of the unwrap
+  bool cut_out = false;           ///< some of its materials have an alpha test
+  bool emits = false;             ///< some of them emit light
   bool operator==(const SkinPart&) const = default;
 };
 
@@ -71,6 +73,20 @@ struct FrameSettings {
   image::ToneMap tone_map = image::ToneMap::natural;
   bool operator==(const FrameSettings&) const = default;
 };
+
+/// Side of the maps of what enters the skin (passes::Shadow), texels. Their light goes to light maps, so they
+/// need not be finer than those. Within a factor of 1.5 a pass of their own would save neither time nor
+/// memory: they are drawn with the shadow maps then, and as large.
+inline std::uint32_t entering_size(const FrameSettings& s) {
+  return 3 * std::uint64_t{s.map_size} <= 2 * std::uint64_t{s.shadow_size} ? s.map_size : s.shadow_size;
+}
+/// Of one layer of the shadow maps, with what belongs to it.
+inline std::uint64_t shadow_bytes(const FrameSettings& s) {
+  const std::uint64_t depth = 4 * std::uint64_t{s.shadow_size} * s.shadow_size;
+  const std::uint64_t side = entering_size(s), entering = 4 * side * side;
+  if (!s.translucency) return depth;
+  return depth + (side < s.shadow_size ? 2 * entering : entering);  // apart, it has depth of its own
+}
 
 /// Slots of FrameOutputs::counters: three of the frame, then for each skin mesh three for each size of its
 /// maps.

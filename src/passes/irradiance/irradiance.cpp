@@ -26,20 +26,26 @@ void Irradiance::prepare(gpu::PipelineLibrary& library) {
                                        {"environment", settings_.environment ? 1u : 0u},
                                        {"soft_shadows", settings_.soft_shadows ? 1u : 0u}},
                          .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}};
+  const bool through = !settings_.through.empty();
+  if (through) {
+    desc.fragment = fmt::format("irradiance_through_{}.frag", in_.joining.size() + 1);
+    desc.colour_formats.assign(in_.joining.size() + 1, VK_FORMAT_R16G16B16A16_SFLOAT);
+    through_ = ThroughBindings(library, settings_.through, settings_.mm_per_unit);
+  }
   samplers_ = LightingSamplers(library);
-  if (settings_.through.empty()) {
-    pipelines_ = {&library.graphics(desc)};
-    return;
+
+  for (const bool cut_out : {false, true}) {
+    pipelines_[cut_out].clear();
+    if (cut_out && !settings_.cut_out) continue;
+    gpu::GraphicsDesc variant = desc;
+    variant.constants.emplace_back("cut_out", cut_out ? 1u : 0u);
+    if (!through) pipelines_[cut_out].push_back(&library.graphics(variant));
+    for (const gaussians::SumOfGaussians& profile : settings_.through) {
+      gpu::GraphicsDesc of_mesh = variant;
+      of_mesh.constants.emplace_back("through_terms", static_cast<std::uint32_t>(profile.terms.size()));
+      pipelines_[cut_out].push_back(&library.graphics(of_mesh));
+    }
   }
-  desc.fragment = fmt::format("irradiance_through_{}.frag", in_.joining.size() + 1);
-  desc.colour_formats.assign(in_.joining.size() + 1, VK_FORMAT_R16G16B16A16_SFLOAT);
-  desc.constants.emplace_back("through_terms", 0u);
-  pipelines_.clear();
-  for (const gaussians::SumOfGaussians& profile : settings_.through) {
-    desc.constants.back().second = static_cast<std::uint32_t>(profile.terms.size());
-    pipelines_.push_back(&library.graphics(desc));
-  }
-  through_ = ThroughBindings(library, settings_.through, settings_.mm_per_unit);
 }
 
 void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources,
@@ -55,10 +61,10 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources,
     const GpuMesh& mesh = frame.scene->skin[square.mesh];
     const frame::Instance& instance = instance_of(frame, square);
     if (!instance.visible) continue;
-    const gpu::Pipeline& pipeline = *pipelines_[through ? square.mesh : 0];
     cmd.begin_rendering_area(targets, {}, used_area(frame, square), true);
     for (const GpuDraw& draw : mesh.draws) {
       const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
+      const gpu::Pipeline& pipeline = *pipelines_[material.cut_out][through ? square.mesh : 0];
       Bindings bindings;
       mesh.offer(bindings);
       material.offer(bindings);

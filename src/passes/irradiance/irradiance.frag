@@ -4,6 +4,7 @@
 #include "shared/scene_io.h"
 #include "shared/half.glsl"
 #include "shared/skin_point.glsl"
+#include "passes/irradiance/cut_chart.glsl"
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_tangent;
@@ -17,6 +18,10 @@ void main() {
   const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   const vec3 e = entering_irradiance(s, n, n_geometric, skin_specular(s)) + entering_surroundings(s, n, in_unwrap);
-  const vec3 before = albedo_power(skin_albedo(s), material.mix_before);
-  out_light = vec4(storable(e * before * (frame.radiance_scale / pi)), float(in_chart));
+  const float chart = cut_out ? chart_left(float(in_chart), in_uv, in_colour) : float(in_chart);
+  vec3 albedo = skin_albedo(s);
+  if (cut_out && chart == BORDER_ALPHA) albedo = albedo_beside(in_uv, in_colour);
+  const vec3 before = albedo_power(albedo, material.mix_before);
+  if (cut_out && chart == 0.0) discard;
+  out_light = vec4(storable(e * before * (frame.radiance_scale / pi)), chart);
 }

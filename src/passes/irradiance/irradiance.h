@@ -5,6 +5,8 @@
 /// sec. 3 (cull), 4 (the used square), 5 (clip).
 #pragma once
 
+#include <array>
+
 #include "gaussians/sum.h"
 #include "passes/light_pool.h"
 #include "passes/lighting.h"
@@ -20,6 +22,7 @@ class Irradiance {
     bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
     bool clip = false;          ///< leave out what lies outside FrameData::clip_planes
+    bool cut_out = false;       ///< leave out what the alpha test of some material cuts away
     /// Of each skin mesh, of 1 to 8 terms: light also comes through the body, by passes/transmission.h. None:
     /// it does not.
     std::vector<gaussians::SumOfGaussians> through;
@@ -44,7 +47,8 @@ class Irradiance {
  private:
   Settings settings_;
   In in_;
-  std::vector<const gpu::Pipeline*> pipelines_;  // one, or with `through` one a skin mesh
+  // [cut out], each: one, or with `through` one a skin mesh
+  std::array<std::vector<const gpu::Pipeline*>, 2> pipelines_;
   ThroughBindings through_;
   LightingSamplers samplers_;
 };

@@ -17,14 +17,16 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
     for (const bool cut_out : {false, true})
       for (const bool mixed : {false, true}) {
         gpu::GraphicsDesc desc{.vertex = "shadow.vert",
+                               .constants = {{"grown", settings_.grown ? 1u : 0u}},
                                .depth_format = VK_FORMAT_D32_SFLOAT,
                                .depth_test = true,
                                .depth_write = true};
         if (cut_out) desc.fragment = "shadow.frag";
         if (in_.entering.valid()) {
           desc.fragment = "shadow_entering.frag";
-          desc.constants = {
-              {"skin", skin ? 1u : 0u}, {"cut_out", cut_out ? 1u : 0u}, {"mixed", mixed ? 1u : 0u}};
+          desc.constants.emplace_back("skin", skin ? 1u : 0u);
+          desc.constants.emplace_back("cut_out", cut_out ? 1u : 0u);
+          desc.constants.emplace_back("mixed", mixed ? 1u : 0u);
           desc.colour_formats = {VK_FORMAT_R8G8B8A8_UNORM};
         }
         pipelines_[skin][cut_out][mixed] = &library.graphics(desc);
@@ -88,7 +90,8 @@ void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const fram
                         {shadow.desc().width, shadow.desc().height}, true);
     if (layer < instance.shadow_from_world.size()) {
       const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
-                            .offset_m = instance.offset_m};
+                            .offset_m = instance.offset_m,
+                            .grow = 2.0f / static_cast<float>(shadow.desc().width)};
       for (const bool cut_out : {false, true}) draw_skin(cmd, frame, cut_out, io);
       for (const bool cut_out : {false, true}) draw_surfaces(cmd, frame, cut_out, io);
     }

@@ -15,11 +15,14 @@ class Shadow {
   struct Settings {
     std::uint32_t instance = 0;
     std::uint32_t layers = 1;  ///< of one head
+    /// What enters is drawn on its own, smaller than the depth that is looked up beside it: what is there is
+    /// grown by a texel along its normals, so that every point of it finds what enters.
+    bool grown = false;
   };
   struct In {
-    frame::TextureId shadow;  ///< D32; this head's layers begin at Instance::first_shadow_layer
-    /// RGBA8, the same layers: square root of the part that enters (albedo^mix of skin, 0 of other things),
-    /// alpha 1 where something is.
+    frame::TextureId shadow;  ///< D32, square; this head's layers begin at Instance::first_shadow_layer
+    /// RGBA8, the same size and layers: square root of the part that enters (albedo^mix of skin, 0 of other
+    /// things), alpha 1 where something is.
     frame::TextureId entering = {};  ///< not valid: not stored
   };
   struct Out {

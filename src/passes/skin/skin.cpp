@@ -59,27 +59,33 @@ Skin::Pipelines Skin::make_pipelines(gpu::PipelineLibrary& library, Lit lit, boo
   const bool progressive = !settings_.halvings.empty() && settings_.halvings.back() > 0;
   const auto terms = static_cast<std::uint32_t>(settings_.weights.size());
   const bool through = this->through() && lit != Lit::on_map;
-  gpu::GraphicsDesc desc{.vertex = "skin.vert",
-                         .fragment = through ? "skin_through.frag" : "skin.frag",
-                         .constants = {{"term_count", lit == Lit::at_pixel ? 0u : terms},
-                                       {"direct", lit != Lit::on_map ? 1u : 0u},
-                                       {"environment", settings_.environment ? 1u : 0u},
-                                       {"soft_shadows", settings_.soft_shadows ? 1u : 0u},
-                                       {"progressive", progressive ? 1u : 0u},
-                                       {"off_map", off_map ? 1u : 0u},
-                                       {"coarse", settings_.terms.coarse ? 1u : 0u}},
-                         .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
-                         .depth_format = VK_FORMAT_D32_SFLOAT,
-                         .samples = settings_.samples,
-                         .cull = gpu::Cull::back,
-                         .depth_test = true,
-                         .depth_write = true};
-  if (through) desc.constants.emplace_back("through_terms", terms);
 
-  Pipelines made{.single_sided = &library.graphics(desc)};
-  desc.cull = gpu::Cull::none;
-  made.double_sided = &library.graphics(desc);
-  return made;
+  Pipelines out;
+  for (const bool double_sided : {false, true})
+    for (const bool cut_out : {false, true})
+      for (const bool emits : {false, true}) {
+        if ((cut_out && !settings_.cut_out) || (emits && !settings_.emits)) continue;
+        gpu::GraphicsDesc desc{.vertex = "skin.vert",
+                               .fragment = through ? "skin_through.frag" : "skin.frag",
+                               .constants = {{"term_count", lit == Lit::at_pixel ? 0u : terms},
+                                             {"direct", lit != Lit::on_map ? 1u : 0u},
+                                             {"environment", settings_.environment ? 1u : 0u},
+                                             {"soft_shadows", settings_.soft_shadows ? 1u : 0u},
+                                             {"progressive", progressive ? 1u : 0u},
+                                             {"off_map", off_map ? 1u : 0u},
+                                             {"coarse", settings_.terms.coarse ? 1u : 0u},
+                                             {"cut_out", cut_out ? 1u : 0u},
+                                             {"emits", emits ? 1u : 0u}},
+                               .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
+                               .depth_format = VK_FORMAT_D32_SFLOAT,
+                               .samples = settings_.samples,
+                               .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
+                               .depth_test = true,
+                               .depth_write = true};
+        if (through) desc.constants.emplace_back("through_terms", terms);
+        out.made[double_sided][cut_out][emits] = &library.graphics(desc);
+      }
+  return out;
 }
 
 const Skin::Pipelines& Skin::pipelines_of(const GpuDraw& draw, bool mixed) const {
@@ -133,8 +139,7 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
   for (const GpuDraw& draw : mesh.draws) {
     if (!instance.visible) break;
     const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
-    const Pipelines& pipelines = pipelines_of(draw, mixed);
-    const gpu::Pipeline& pipeline = material.double_sided ? *pipelines.double_sided : *pipelines.single_sided;
+    const gpu::Pipeline& pipeline = pipelines_of(draw, mixed).of(material);
     Bindings bindings;
     mesh.offer(bindings);
     material.offer(bindings);

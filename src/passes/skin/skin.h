@@ -52,6 +52,8 @@ class Skin {
     bool soft_shadows = false;                  ///< lights with a radius cast penumbrae
     /// some triangles have no chart of the unwrap: all their light is lit at the pixel, nothing scatters
     bool off_map = false;
+    bool cut_out = false;                       ///< some of the mesh's skin is cut out by its alpha
+    bool emits = false;                         ///< some of the mesh's skin emits light
     /// where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
     bool mixes = false;
     TermsOnMap terms;
@@ -76,9 +78,10 @@ class Skin {
  private:
   Settings settings_;
   In in_;
+  // Ordinary skin is drawn by shaders that know neither alpha test nor emission.
   struct Pipelines {
-    const gpu::Pipeline* single_sided = nullptr;
-    const gpu::Pipeline* double_sided = nullptr;
+    const gpu::Pipeline* made[2][2][2] = {};  // [double sided][cut out][emits]
+    const gpu::Pipeline& of(const GpuMaterial& m) const { return *made[m.double_sided][m.cut_out][m.emits]; }
   };
   enum class Lit : std::uint8_t { on_map, mixed, at_pixel };
   Pipelines make_pipelines(gpu::PipelineLibrary& library, Lit lit, bool off_map) const;
@@ -101,6 +104,7 @@ class SkinReads {
   struct Settings {
     MapSquare square;
     std::uint32_t samples = 1;
+    bool cut_out = false;    ///< as of Skin
     std::uint32_t slot = 0;  ///< of the counters
     TermsOnMap terms;        ///< as of Skin
   };
@@ -117,8 +121,7 @@ class SkinReads {
  private:
   Settings settings_;
   In in_;
-  const gpu::Pipeline* single_sided_ = nullptr;
-  const gpu::Pipeline* double_sided_ = nullptr;
+  const gpu::Pipeline* pipelines_[2][2] = {};  // [double sided][cut out]
   VkSampler sampler_ = VK_NULL_HANDLE;
   gpu::Buffer terms_;  // SkinTermsIo
 };

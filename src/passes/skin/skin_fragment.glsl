@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
 // What the eye sees of the skin: the scattered light of its texels (or, with no terms, the light that enters at the pixel), the part of
-// the albedo that is applied after, and the two lobes of the specular. Alpha 1 marks skin. THROUGH: light also comes through the body.
+// the albedo that is applied after, the two lobes of the specular, and what the skin emits. Alpha 1 marks skin. THROUGH: light also comes
+// through the body.
 #include "passes/skin/skin_io.h"
 #include "shared/half.glsl"
 #include "shared/scene_io.h"
 #include "shared/skin_point.glsl"
+#include "shared/cut_out.glsl"
+#include "shared/gutters_io.h"
 #ifdef THROUGH
 #include "shared/skin_through.glsl"
 #endif
 layout(constant_id = 0) const int term_count = 6;
 layout(constant_id = 1) const bool direct = false;  // what the weights leave of 1 is lit here instead
 layout(constant_id = 2) const bool progressive = false;  // maps of wide terms are smaller
+layout(constant_id = 12) const bool emits = false;
 layout(push_constant, scalar) uniform Push { SkinIo io; };
+layout(binding = 13) uniform sampler2D map_emissive;
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15) uniform sampler2D light_1;
 layout(binding = 16) uniform sampler2D light_2;
@@ -35,13 +40,33 @@ layout(location = 0) out vec4 out_radiance;
 // Of a term, what is read from its map.
 vec3 mapped_weight(int term) { return (1.0 - coarse_share(terms.sigma_mm[term])) * io.weights[term]; }
 
+// Bilinear among the texels that hold skin. Beside a cut the light map goes on for a texel that convolutions leave out: it serves where
+// there is nothing else.
+vec3 light_left(sampler2D light, vec2 at) {
+  const ivec2 size = textureSize(light, 0);
+  const vec2 p = at * vec2(size) - 0.5, corner = floor(p), f = p - corner;
+  vec4 sum = vec4(0.0);
+  for (int k = 0; k < 4; ++k) {
+    const ivec2 d = ivec2(k & 1, k >> 1);
+    const vec4 texel = texelFetch(light, clamp(ivec2(corner) + d, ivec2(0), size - 1), 0);
+    const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
+    sum += weight * (texel.a == 0.0 ? 0.0 : texel.a == BORDER_ALPHA ? 1.0 / 256.0 : 1.0) * vec4(texel.rgb, 1.0);
+  }
+  return sum.rgb / max(sum.w, 1e-6);
+}
+
 vec3 light_of(sampler2D light, int term, vec2 at) {
   if (progressive) {
     const uint side = io.map_side >> ((io.halvings >> (4 * term)) & 15u);
     const vec2 size = vec2(textureSize(light, 0));
     at = light_point(in_unwrap, float(side), vec2(io.map_origin) * (size / vec2(textureSize(light_0, 0)))) / size;
   }
-  return textureLod(light, at, 0.0).rgb;
+  return cut_out ? light_left(light, at) : textureLod(light, at, 0.0).rgb;
+}
+
+vec3 emitted(SurfacePoint s) {
+  const MapIo map = material.maps[MAP_EMISSIVE];
+  return map.present != 0u ? material.emissive * texture(map_emissive, map_uv(map, s)).rgb : material.emissive;
 }
 
 // sum_i w_i (light blurred by term i), already times 2^EV / pi.
@@ -138,6 +163,8 @@ void main() {
   if (n_v < 0.05) n = normalize(n + v * (0.05 - n_v));
   const vec3 surroundings = mirrored_surroundings(s, n, n_geometric, v, spec, diffuse / frame.radiance_scale);
   diffuse *= 1.0 - specular_albedo(attenuation, spec, dot(n, v));
-  const vec3 radiance = diffuse + (specular_radiance(s, n, n_geometric, v, spec) + surroundings) * frame.radiance_scale;
+  vec3 radiance = diffuse + (specular_radiance(s, n, n_geometric, v, spec) + surroundings) * frame.radiance_scale;
+  if (emits) radiance += emitted(s) * frame.radiance_scale;
+  if (cut_out && is_cut(in_uv, in_colour)) discard;
   out_radiance = vec4(storable(radiance), 1.0);
 }

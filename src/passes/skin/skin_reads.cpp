@@ -16,16 +16,17 @@ SkinReads::Out SkinReads::declare(frame::Declare& d, const In& in) {
 }
 
 void SkinReads::prepare(gpu::PipelineLibrary& library) {
-  gpu::GraphicsDesc desc{.vertex = "skin.vert",
-                         .fragment = "skin_reads.frag",
-                         .constants = {{"coarse", settings_.terms.coarse ? 1u : 0u}},
-                         .depth_format = VK_FORMAT_D32_SFLOAT,
-                         .samples = settings_.samples,
-                         .cull = gpu::Cull::back,
-                         .depth_test = true};
-  single_sided_ = &library.graphics(desc);
-  desc.cull = gpu::Cull::none;
-  double_sided_ = &library.graphics(desc);
+  for (const bool double_sided : {false, true})
+    for (const bool cut_out : {false, true})
+      if (!cut_out || settings_.cut_out)
+        pipelines_[double_sided][cut_out] = &library.graphics(
+            {.vertex = "skin.vert",
+             .fragment = "skin_reads.frag",
+             .constants = {{"cut_out", cut_out ? 1u : 0u}, {"coarse", settings_.terms.coarse ? 1u : 0u}},
+             .depth_format = VK_FORMAT_D32_SFLOAT,
+             .samples = settings_.samples,
+             .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
+             .depth_test = true});
   terms_ = make_terms(library.device(), settings_.terms);
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
@@ -39,10 +40,12 @@ void SkinReads::record(gpu::Cmd& cmd, const frame::Resources& resources,
   cmd.begin_rendering({}, gpu::DepthTarget{.texture = &depth}, {depth.desc().width, depth.desc().height});
   for (const GpuDraw& draw : mesh.draws) {
     if (!draw.on_map) continue;
-    const bool both = frame.scene->materials[static_cast<std::size_t>(draw.material)].double_sided;
-    const gpu::Pipeline& pipeline = both ? *double_sided_ : *single_sided_;
+
+    const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
+    const gpu::Pipeline& pipeline = *pipelines_[material.double_sided][material.cut_out];
     Bindings bindings;
     mesh.offer(bindings);
+    material.offer(bindings);
     bindings.add("Frame", frame.frame_io)
         .add("light_0", resources.sampled(in_.light, sampler_))
         .add("Terms", terms_)

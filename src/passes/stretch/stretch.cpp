@@ -14,9 +14,12 @@ Stretch::Out Stretch::declare(frame::Declare& d, const In& in) {
 }
 
 void Stretch::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.graphics({.vertex = "stretch.vert",
-                                 .fragment = "stretch.frag",
-                                 .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
+  for (const bool cut_out : {false, true})
+    if (!cut_out || settings_.cut_out)
+      pipelines_[cut_out] = &library.graphics({.vertex = "stretch.vert",
+                                               .fragment = "stretch.frag",
+                                               .constants = {{"cut_out", cut_out ? 1u : 0u}},
+                                               .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
 }
 
 void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
@@ -24,10 +27,14 @@ void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const fra
   const GpuMesh& mesh = frame.scene->skin[settings_.mesh];
   const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
   cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
-  Bindings bindings;
-  mesh.offer(bindings);
-  bindings.bind(cmd, *pipeline_);
-  for (const GpuDraw& draw : mesh.draws) cmd.draw(draw.index_count, 1, draw.first_index);
+  for (const GpuDraw& draw : mesh.draws) {
+    const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
+    Bindings bindings;
+    mesh.offer(bindings);
+    material.offer(bindings);
+    bindings.bind(cmd, *pipelines_[material.cut_out]);
+    cmd.draw(draw.index_count, 1, draw.first_index);
+  }
   cmd.end_rendering();
 }
 

@@ -15,6 +15,7 @@ class Stretch {
     std::uint32_t mesh = 0;
     /// Skin meshes take turns with the map, so it is made again in each frame; else it lasts.
     bool every_frame = false;
+    bool cut_out = false;  ///< some of its skin is: what is cut away belongs to no chart
   };
   struct In {
     frame::TextureId
@@ -33,7 +34,7 @@ class Stretch {
  private:
   Settings settings_;
   In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
+  const gpu::Pipeline* pipelines_[2] = {};  // [cut out]
 };
 
 }  // namespace dermis::passes

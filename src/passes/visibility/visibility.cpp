@@ -16,11 +16,14 @@ Visibility::Out Visibility::declare(frame::Declare& d, const In& in) {
 }
 
 void Visibility::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.graphics(
-      {.vertex = "visibility.vert",
-       .fragment = "visibility.frag",
-       .constants = {{"cull", settings_.cull ? 1u : 0u}, {"clip", settings_.clip ? 1u : 0u}},
-       .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
+  for (const bool cut_out : {false, true})
+    if (!cut_out || settings_.cut_out)
+      pipelines_[cut_out] = &library.graphics({.vertex = "visibility.vert",
+                                               .fragment = "visibility.frag",
+                                               .constants = {{"cull", settings_.cull ? 1u : 0u},
+                                                             {"clip", settings_.clip ? 1u : 0u},
+                                                             {"cut_out", cut_out ? 1u : 0u}},
+                                               .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
 }
 
 void Visibility::record(gpu::Cmd& cmd, const frame::Resources& resources,
@@ -30,12 +33,14 @@ void Visibility::record(gpu::Cmd& cmd, const frame::Resources& resources,
   const gpu::ColourTarget colour{.texture = &resources.texture(in_.picture),
                                  .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
   cmd.begin_rendering(std::span(&colour, 1), {}, {instance.map_side, instance.map_side}, true);
-  Bindings bindings;
-  mesh.offer(bindings);
-  bindings.bind(cmd, *pipeline_);
   for (const GpuDraw& draw : mesh.draws) {
-    cmd.push(*pipeline_,
-             seen_io(frame, instance, frame.scene->materials[static_cast<std::size_t>(draw.material)]));
+    const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
+    const gpu::Pipeline& pipeline = *pipelines_[material.cut_out];
+    Bindings bindings;
+    mesh.offer(bindings);
+    material.offer(bindings);
+    bindings.bind(cmd, pipeline);
+    cmd.push(pipeline, seen_io(frame, instance, material));
     cmd.draw(draw.index_count, 1, draw.first_index);
   }
   cmd.end_rendering();

@@ -12,6 +12,7 @@ class Visibility {
   struct Settings {
     MapSquare square;  ///< its origin does not count
     bool cull = true, clip = true;
+    bool cut_out = false;  ///< some of its skin is: what is cut away is not shown
   };
   struct In {
     /// RGBA16F, T_max x T_max, persistent: the used square from its corner, alpha 0 where no skin is
@@ -26,7 +27,7 @@ class Visibility {
  private:
   Settings settings_;
   In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
+  const gpu::Pipeline* pipelines_[2] = {};  // [cut out]
 };
 
 }  // namespace dermis::passes

@@ -86,6 +86,25 @@ std::vector<MaterialSource> used_materials(const Document& document, MaterialNum
   return used;
 }
 
+namespace {
+
+/// Light that spreads has no place in what is blended over something else: such skin is drawn as lashes are.
+void make_blended_skin_surface(const Document& document, std::vector<MaterialSource>& materials) {
+  std::vector<MaterialSource> blended;
+  for (MaterialSource& m : materials) {
+    if (!m.material.skin || m.material.alpha_mode != AlphaMode::blend) continue;
+    m.material.skin = false;
+    blended.push_back(m);
+  }
+  if (!blended.empty())
+    warn(
+        "{}: skin with alphaMode BLEND is drawn as a blended surface, and no light spreads in it: {}; OPAQUE "
+        "or MASK draws it as skin",
+        document.file, quoted_names(blended));
+}
+
+}  // namespace
+
 void choose_skin(const Document& document, const std::string& skin_material,
                  std::vector<MaterialSource>& materials) {
   bool any = false;
@@ -111,6 +130,7 @@ void choose_skin(const Document& document, const std::string& skin_material,
                                          quoted_names(materials));
     warn_of(line, document.file, line);
   }
+  make_blended_skin_surface(document, materials);
   for (MaterialSource& m : materials) {
     if (m.material.skin && !m.has_ior) m.material.ior = skin_ior;
     if (!m.material.skin) m.material.skin_settings = {};

@@ -14,6 +14,7 @@ std::vector<MaterialSource> used_materials(const Document& document, MaterialNum
 
 /// Decides which materials are skin: `skin_material` if not empty, else extras.dermis, else the name contains
 /// "skin", else the only one; and gives skin its default index of refraction. Warns if nothing is.
+/// What is blended is drawn as a surface even if it is skin by these rules, with a warning that names it.
 /// InputError: no material is called skin_material.
 void choose_skin(const Document& document, const std::string& skin_material,
                  std::vector<MaterialSource>& materials);

@@ -20,6 +20,8 @@ FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings
                               .environment = settings.environment,
                               .soft_shadows = settings.soft_shadows,
                               .off_map = settings.skin[mesh].off_map,
+                              .cut_out = settings.skin[mesh].cut_out,
+                              .emits = settings.skin[mesh].emits,
                               .terms = {},
                               .through = {}});
     screen.add_surfaces(head);

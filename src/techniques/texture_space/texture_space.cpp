@@ -144,6 +144,11 @@ class TextureSpace {
     return settings_.mask == Mask::tiles ? Mask::whole : Mask::drawn;
   }
 
+  bool cut_out() const {
+    return std::any_of(settings_.skin.begin(), settings_.skin.end(),
+                       [](const SkinPart& part) { return part.cut_out; });
+  }
+
   static std::string at(std::string_view what, const Level& level) {
     return level.halvings > 0 ? fmt::format("{} 1/{}", what, 1u << level.halvings) : std::string(what);
   }
@@ -201,8 +206,9 @@ class TextureSpace {
   }
 
   void add_stretch(std::uint32_t mesh) {
-    plan_->add<passes::Stretch>("stretch" + part(mesh), {stretch_of(mesh)},
-                                {.mesh = mesh, .every_frame = splits_heads()});
+    plan_->add<passes::Stretch>(
+        "stretch" + part(mesh), {stretch_of(mesh)},
+        {.mesh = mesh, .every_frame = splits_heads(), .cut_out = settings_.skin[mesh].cut_out});
     plan_->add<Gutters>("stretch gutters" + part(mesh), {stretch_of(mesh)},
                         {.squares = {{.instance = 0, .mesh = mesh}},
                          .what = Gutters::What::stretch,
@@ -235,6 +241,7 @@ class TextureSpace {
                                             .environment = settings_.environment,
                                             .soft_shadows = settings_.soft_shadows,
                                             .clip = settings_.optimise.clip,
+                                            .cut_out = cut_out(),
                                             .through = {},
                                             .mm_per_unit = settings_.mm_per_unit};
     if (settings_.translucency)
@@ -315,7 +322,8 @@ class TextureSpace {
     plan_->add<passes::Visibility>("visibility", {picture},
                                    {.square = square_of(settings_.heads - 1, 0),
                                     .cull = settings_.optimise.cull,
-                                    .clip = settings_.optimise.clip});
+                                    .clip = settings_.optimise.clip,
+                                    .cut_out = settings_.skin.front().cut_out});
     return picture;
   }
 
@@ -426,6 +434,8 @@ class TextureSpace {
          .environment = settings_.environment,
          .soft_shadows = settings_.soft_shadows,
          .off_map = part.off_map,
+         .cut_out = part.cut_out,
+         .emits = part.emits,
          .mixes = settings_.optimise.depth,
          .terms = terms,
          .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
@@ -437,6 +447,7 @@ class TextureSpace {
           {level.blurred.front(), screen_.depth(), screen_.counters()},
           {.square = on_level(square, level),
            .samples = settings_.samples,
+           .cut_out = part.cut_out,
            .slot = counter_unshaded_reads,
            .terms = terms});
   }

@@ -28,6 +28,7 @@ TEST(Passes, OfManyHeadsBecomeOne) {
 TEST(Passes, HaveTheirGroups) {
   const auto group = [](const char* pass) { return pass_groups().at(group_of(pass)); };
   EXPECT_EQ(group("shadow"), "shadow maps");
+  EXPECT_EQ(group("entering"), "shadow maps");
   EXPECT_EQ(group("irradiance gutters"), "irradiance");
   EXPECT_EQ(group("border tile classes"), "masks and borders");
   EXPECT_EQ(group("blur 5 gutters"), "convolutions");

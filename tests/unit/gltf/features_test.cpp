@@ -2,6 +2,7 @@
 // One feature at a time, on files built in memory.
 #include <cmath>
 
+#include "core/log.h"
 #include "support.h"
 
 namespace dermis::scene::test {
@@ -263,6 +264,38 @@ TEST(GltfMaterial, FactorsMapsAndExtensions) {
   EXPECT_EQ(m.alpha_cutoff, 0.3f);
   ASSERT_EQ(scene.images.size(), 1u);
   EXPECT_EQ(scene.images[0].pixels->rgba, (std::vector<std::uint8_t>{255, 0, 0, 127}));
+}
+
+// One line that names what is drawn as a surface although it would be skin; what is not used is not named.
+TEST(GltfMaterial, BlendedSkinIsASurface) {
+  Builder b;
+  for (int i = 0; i < 3; ++i) {
+    b.triangle();
+    b.json["meshes"][i]["primitives"][0]["material"] = i;
+  }
+  b.json["materials"] = {{{"name", "skin A"}, {"alphaMode", "BLEND"}},
+                         {{"name", "skin B"}, {"alphaMode", "MASK"}},
+                         {{"name", "skin C"}, {"alphaMode", "BLEND"}},
+                         {{"name", "skin D"}, {"alphaMode", "BLEND"}}};
+  std::vector<std::string> lines;
+  const LogSink before = set_log_sink([&](LogLevel, const std::string& line) {
+    if (line.find("BLEND") != std::string::npos) lines.push_back(line);
+  });
+  const Scene scene = b.load();
+  LoadOptions by_name;
+  by_name.skin_material = "skin C";
+  const Scene named = b.load(by_name);
+  set_log_sink(before);
+
+  EXPECT_FALSE(scene.materials[0].skin);
+  EXPECT_TRUE(scene.materials[1].skin);
+  EXPECT_FALSE(scene.materials[2].skin);
+  EXPECT_EQ(scene.materials[0].alpha_mode, AlphaMode::blend);
+  EXPECT_EQ(scene.materials[0].ior, 1.5f) << "that of any surface";
+  EXPECT_FALSE(named.materials[2].skin) << "--skin names what may be skin, not how it is drawn";
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_NE(lines[0].find("'skin A', 'skin C'"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[1].find("'skin C'"), std::string::npos) << lines[1];
 }
 
 TEST(GltfMaterial, SkinRule) {
