@@ -113,7 +113,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
     throw input_error(source.name(),
                       "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
                       "--lights uses fewer ({} of them are in the environment)",
-                      next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers);
+                      next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers, next.suns);
   if (next_surroundings) api::fill_surroundings(next.frame, *next_surroundings, wanted);
   // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
   // on its maps.
