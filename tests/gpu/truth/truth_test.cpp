@@ -15,6 +15,7 @@
 #include "image/colour.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
+#include "image/tone_map.h"
 #include "scene/primitives.h"
 
 namespace dermis {
@@ -62,6 +63,17 @@ class Truth {
     s.width *= fine, s.height *= fine;
     s.samples = 1;
     return three_channels(renderer.render(scene_, s).linear_rgba, settings_.width, settings_.height, fine);
+  }
+
+  /// FLIP of what a display shows, mean over skin.
+  double shown_flip(const std::string& technique) const {
+    const auto shown = [](const image::ImageF& linear) {
+      return image::to_display(linear, image::ToneMap::natural);
+    };
+    const image::ImageF map = image::flip_map(shown(reference_), shown(rendered(technique, true)));
+    const double flip = image::summarise_flip(map, regions_.front().mask).mean;
+    std::printf("%s, shown: FLIP %.4f\n", technique.c_str(), flip);
+    return flip;
   }
 
   /// Over each region that is not empty, by name.
@@ -176,7 +188,7 @@ TEST(Truth, ASunIsNoWorseThanAStudio) {
   s.lights = 0;
   s.environment = "studio";
   const Scene head = Scene::built_in();
-  const Error studio = Truth(head, s, 64).errors("texture-space", true)["skin"];
+  const double studio = Truth(head, s, 64).shown_flip("texture-space");
 
   const struct {
     int pixels;
@@ -186,9 +198,9 @@ TEST(Truth, ASunIsNoWorseThanAStudio) {
   for (const auto& cell : cells) {
     SCOPED_TRACE(testing::Message() << cell.pixels << " pixels at " << cell.azimuth_deg << " degrees");
     s.environment = sky_with_sun(cell.pixels, cell.azimuth_deg, cell.elevation_deg, cell.window);
-    const Error sun = Truth(head, s, 64).errors("texture-space", true)["skin"];
-    EXPECT_LT(sun.flip, studio.flip);
-    EXPECT_LT(sun.rel_mse, studio.rel_mse);
+    // A pixel of the sun brings an irradiance of some 14, the sky of 1: white shows as white.
+    s.exposure_ev = -std::log2((14 * cell.pixels + 1) / 3.14);
+    EXPECT_LT(Truth(head, s, 64).shown_flip("texture-space"), studio);
   }
 }
 
