@@ -95,7 +95,8 @@ class Table:
                             "--variance", variance, "-o", truth], check=True, capture_output=True)
         result = subprocess.run([a.dermis, "compare", "--scene", a.scene, *where, "--reference", truth, "--variance", variance,
                                  "--techniques", "texture-space", "--map-size", str(a.map_size), "--shadow-size",
-                                 str(a.shadow_size), "--supersample", str(a.supersample), "--json", "-"],
+                                 str(a.shadow_size), "--supersample", str(a.supersample), "--json", "-",
+                                 *["--tone-map", a.tone_map] * bool(a.tone_map)],
                                 check=True, capture_output=True).stdout
         found = json.loads(result)
         (self.out / f"{cell}.{a.label}.json").write_bytes(result)
@@ -140,6 +141,7 @@ def main():
     parser.add_argument("--samples", type=int, default=1000, help="of the reference, at most")
     parser.add_argument("--map-size", type=int, default=512)
     parser.add_argument("--shadow-size", type=int, default=2048)
+    parser.add_argument("--tone-map", default="", help="of FLIP and PSNR; the program's default if empty")
     parser.add_argument("--supersample", type=int, default=4)
     parser.add_argument("--radiance", type=float, default=110000, help="of the sun")
     parser.add_argument("--pixels", type=numbers, default=[1, 4, 16], help="of the sun, a list")
