@@ -19,8 +19,9 @@ struct RenderArguments : SceneArguments {
 };
 
 std::string summary(const Statistics& s) {
-  std::string text = fmt::format("{} ({}, Vulkan {})\n{}, {}x{}, {} light{}\n", s.device, s.driver, s.api,
+  std::string text = fmt::format("{} ({}, Vulkan {})\n{}, {}x{}, {} light{}", s.device, s.driver, s.api,
                                  s.technique, s.width, s.height, s.lights, s.lights == 1 ? "" : "s");
+  text += s.environment_lights > 0 ? fmt::format(", {} of the environment\n", s.environment_lights) : "\n";
   for (const PassStatistics& pass : s.passes)
     text += fmt::format("  {:<32} {:9.2f} ms\n", pass.name, pass.ms);
   text += fmt::format("  {:<32} {:9.2f} ms  (median of {})\n", "frame", s.frame_ms_median, s.frames);

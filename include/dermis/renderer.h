@@ -108,6 +108,7 @@ struct Statistics {
   std::string mask;                   ///< alpha, depth, tiles; empty if nothing is masked
   std::string maps;                   ///< full, progressive; empty for techniques without light maps
   int width = 0, height = 0, map_size = 0, heads = 1, lights = 0, gaussians = 0;
+  int environment_lights = 0;  ///< of `lights`: suns and other compact sources of the environment, at most 8
   std::optional<double> distance;
   bool translucency = false;  ///< light came through the body
   std::string tone_map;

@@ -161,6 +161,7 @@ void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& s
   st.map_size = settings.map_size;
   st.heads = settings.heads;
   st.lights = setup.lights;
+  st.environment_lights = setup.suns;
   st.gaussians = setup.gaussians;
   st.distance = settings.distance;
   st.d_ref = setup.view.d_ref;

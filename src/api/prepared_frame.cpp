@@ -105,14 +105,16 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   const api::DeviceTraits traits{.software = limits.software,
                                  .memory_bytes = device().summary().memory_bytes,
                                  .max_image_side = limits.max_image_side};
-  api::FrameSetup next = api::set_up(next_scene->subject, wanted, traits);
+  const std::shared_ptr<const api::Surroundings> next_surroundings = renderer->surroundings(wanted);
+  std::vector<scene::Light> suns;
+  if (next_surroundings) suns = api::lights_of(next_surroundings->sources, wanted);
+  api::FrameSetup next = api::set_up(next_scene->subject, wanted, traits, suns);
   const std::uint64_t layers = std::uint64_t{next.plan.shadow_layers} * next.plan.heads_per_batch;
   if (layers > limits.max_array_layers)
     throw input_error(source.name(),
                       "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
-                      "--lights uses fewer",
-                      next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers);
-  const std::shared_ptr<const api::Surroundings> next_surroundings = renderer->surroundings(wanted);
+                      "--lights uses fewer ({} of them are in the environment)",
+                      next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers, next.suns);
   if (!std::exchange(next_scene->warned_coarse, true)) api::warn_coarse(next_scene->subject, next);
   if (next_surroundings) api::fill_surroundings(next.frame, *next_surroundings, wanted);
   // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work

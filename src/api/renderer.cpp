@@ -59,7 +59,11 @@ std::vector<std::string> tone_map_names() {
 
 std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot) {
   api::check_settings(settings);
-  const api::FrameSetup setup = api::set_up(api::examine(scene.shared()), settings);
+  std::vector<scene::Light> suns;
+  if (!settings.environment.empty())
+    suns = api::lights_of(
+        environment::split_sources(environment::from_name_or_file(settings.environment)).sources, settings);
+  const api::FrameSetup setup = api::set_up(api::examine(scene.shared()), settings, {}, suns);
   frame::FramePlan plan;
   setup.technique->build(plan, setup.plan);
   return dot ? frame::print_dot(plan) : frame::print_text(plan);

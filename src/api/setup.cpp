@@ -220,15 +220,18 @@ void warn_coarse(const Subject& subject, const FrameSetup& setup) {
       subject.scene->name, subject.skin[number].name, worst->least_texels_per_mm, lost_mm);
 }
 
-FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceTraits& device) {
+FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceTraits& device,
+                  const std::vector<scene::Light>& suns) {
   check_settings(s);
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
   setup.view = view_of(subject, s);
 
   const std::vector<glm::vec3> offsets = scene::head_row_offsets(s.heads, subject.sphere.radius_m);
-  const std::vector<scene::Light> lights = choose_lights(*subject.scene, s, subject.sphere, offsets);
+  std::vector<scene::Light> lights = choose_lights(*subject.scene, s, subject.sphere, offsets);
+  lights.insert(lights.end(), suns.begin(), suns.end());
   setup.lights = static_cast<int>(lights.size());
+  setup.suns = static_cast<int>(suns.size());
   setup.heads = set_up_heads(subject, s, setup.view, lights);
   set_up_plan(setup, subject, s, lights, device);
   place_shadows(setup.heads, setup.plan);

@@ -38,12 +38,14 @@ struct FrameSetup {
   std::vector<HeadSetup> heads;  ///< far to near
   io::FrameIo frame{};
   View view;
-  std::array<glm::vec4, 5> clip_planes{};  ///< with the margin
-  int lights = 0, gaussians = 0;
+  std::array<glm::vec4, 5> clip_planes{};   ///< with the margin
+  int lights = 0, suns = 0, gaussians = 0;  ///< suns: those of the lights that surroundings bring
 };
 
-/// InputError: see check_settings(), view_of(); a map budget that holds not even one head.
-FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {});
+/// `suns`: lights of the surroundings, besides those that the settings choose. InputError: see
+/// check_settings(), view_of(); a map budget that holds not even one head.
+FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {},
+                  const std::vector<scene::Light>& suns = {});
 
 /// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel: which mesh
 /// has fewest, how many, what that means and what helps.

@@ -20,6 +20,7 @@ std::string Statistics::json() const {
   j["heads"] = heads;
   j["distance"] = distance ? nlohmann::ordered_json(*distance) : nlohmann::ordered_json(nullptr);
   j["lights"] = lights;
+  j["environment_lights"] = environment_lights;
   j["gaussians"] = gaussians;
   j["translucency"] = translucency;
   j["tone_map"] = tone_map;

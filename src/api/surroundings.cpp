@@ -16,14 +16,34 @@ std::filesystem::file_time_type time_of(const std::string& name) {
   return error ? std::filesystem::file_time_type{} : time;
 }
 
+constexpr int bounced_order = 3;  // of environment::Occlusion::bounced
+
+environment::SkyHarmonics with_sources(environment::SkyHarmonics sky,
+                                       const std::vector<environment::Source>& sources) {
+  for (const environment::Source& source : sources) {
+    const environment::Harmonics basis = environment::harmonics(source.direction);
+    for (std::size_t k = 0; k < basis.size(); ++k) sky[k] += source.irradiance * basis[k];
+  }
+  return sky;
+}
+
 }  // namespace
 
 Surroundings surroundings_of(gpu::Device& device, const std::string& name) {
-  Surroundings made{.name = name, .written = time_of(name), .irradiance = {}, .sky = {}, .map = {}};
-  const environment::Environment source = environment::from_name_or_file(name);
-  made.irradiance = environment::irradiance_of(source);
-  const std::vector<image::ImageF> levels = environment::prefilter(source);
-  made.sky = environment::sky_of(levels.front());
+  Surroundings made{.name = name,
+                    .written = time_of(name),
+                    .sources = {},
+                    .irradiance = {},
+                    .sky = {},
+                    .bouncing_sky = {},
+                    .map = {}};
+  environment::Split split = environment::split_sources(environment::from_name_or_file(name));
+  made.sources = std::move(split.sources);
+  made.irradiance = environment::irradiance_of(split.remainder);
+  const std::vector<image::ImageF> levels = environment::prefilter(split.remainder);
+  const environment::SkyHarmonics sky = environment::sky_of(levels.front());
+  made.sky = environment::without_ringing(sky);
+  made.bouncing_sky = environment::without_ringing(with_sources(sky, made.sources), bounced_order);
   std::vector<std::uint16_t> halves;
   for (const image::ImageF& level : levels)
     for (std::size_t i = 0; i < level.values.size(); i += 3) {
@@ -49,15 +69,34 @@ bool is_current(const Surroundings& surroundings, const std::string& name) {
 SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings,
                       double rotation_deg, const std::vector<environment::Occlusion>& seen) {
   SkyOnSkin made{.of = std::move(surroundings), .rotation_deg = rotation_deg, .maps = {}};
-  const environment::SkyHarmonics sky =
-      environment::turned(made.of->sky, rotation_deg * std::numbers::pi / 180);
+  const double angle_rad = rotation_deg * std::numbers::pi / 180;
+  const environment::SkyHarmonics sky = environment::turned(made.of->sky, angle_rad),
+                                  bouncing_sky = environment::turned(made.of->bouncing_sky, angle_rad);
   for (const environment::Occlusion& mesh : seen) {
-    const environment::SkyLight light = environment::sky_light(mesh, sky);
+    const environment::SkyLight light = environment::sky_light(mesh, sky, bouncing_sky);
     made.maps.push_back(
         {.direct = passes::unwrap_map(device, "light of the sky", mesh.side, light.direct),
          .bounced = passes::unwrap_map(device, "light of the sky, bounced", mesh.side, light.bounced)});
   }
   return made;
+}
+
+std::vector<scene::Light> lights_of(const std::vector<environment::Source>& sources,
+                                    const RenderSettings& settings) {
+  const double angle = settings.environment_rotation_deg * std::numbers::pi / 180;
+  const double c = std::cos(angle), s = std::sin(angle);
+  std::vector<scene::Light> lights;
+  for (const environment::Source& source : sources) {
+    const glm::dvec3& d = source.direction;
+    scene::Light light;
+    light.name = fmt::format("sun {}", lights.size() + 1);
+    light.type = scene::LightType::directional;
+    light.colour = glm::vec3(source.irradiance * settings.environment_intensity);
+    light.direction = -glm::vec3(d.x * c + d.z * s, d.y, -d.x * s + d.z * c);
+    light.radius = static_cast<float>(source.tangent);
+    lights.push_back(light);
+  }
+  return lights;
 }
 
 void fill_surroundings(io::FrameIo& frame, const Surroundings& surroundings, const RenderSettings& settings) {

@@ -10,6 +10,7 @@
 #include "dermis/renderer.h"
 #include "environment/environment.h"
 #include "environment/occlusion.h"
+#include "environment/sources.h"
 #include "gpu/resources.h"
 #include "passes/frame_data.h"
 #include "shared/scene_io.h"
@@ -17,11 +18,13 @@
 namespace dermis::api {
 
 struct Surroundings {
-  std::string name;                         ///< RenderSettings::environment
-  std::filesystem::file_time_type written;  ///< of the file when it was read
-  environment::Irradiance irradiance;
-  environment::SkyHarmonics sky;
-  gpu::Texture map;  ///< RGBA16F, prefiltered
+  std::string name;                          ///< RenderSettings::environment
+  std::filesystem::file_time_type written;   ///< of the file when it was read
+  std::vector<environment::Source> sources;  ///< suns: they light as lamps do, and the rest has none of them
+  environment::Irradiance irradiance;        ///< of the rest
+  environment::SkyHarmonics sky;             ///< of the rest
+  environment::SkyHarmonics bouncing_sky;    ///< with the sources: what hides the sky is lit by them too
+  gpu::Texture map;                          ///< of the rest; RGBA16F, prefiltered
 };
 
 /// InputError: see environment::from_name_or_file.
@@ -40,6 +43,10 @@ struct SkyOnSkin {
 /// `seen`: one a skin mesh. Some 15 ms a mesh: product of harmonics on the processor.
 SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings,
                       double rotation_deg, const std::vector<environment::Occlusion>& seen);
+
+/// Directional lights as wide as the sources, turned and multiplied as the settings say.
+std::vector<scene::Light> lights_of(const std::vector<environment::Source>& sources,
+                                    const RenderSettings& settings);
 
 void fill_surroundings(io::FrameIo& frame, const Surroundings& surroundings, const RenderSettings& settings);
 

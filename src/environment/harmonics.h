@@ -31,6 +31,15 @@ Harmonics cosine_lobe(const glm::dvec3& normal);
 using SkyHarmonics = std::array<glm::dvec3, harmonic_terms>;
 SkyHarmonics sky_of(const image::ImageF& picture);
 
+/// Irradiance on an unoccluded surface of the unit normal, of the terms up to an order: may be below 0, where
+/// the sum rings.
+glm::dvec3 irradiance_of(const SkyHarmonics& sky, const glm::dvec3& normal, int order = harmonic_order);
+
+/// The same surroundings, blurred no more than it takes for that irradiance to be nowhere below 0: the term
+/// of order l by 1 / (1 + lambda l^2 (l+1)^2), lambda >= 0 the least that does. The mean stays. What does not
+/// ring is returned as it is. Based on: [S08] Sloan: Stupid Spherical Harmonics Tricks. GDC 2008, "Windowing"
+SkyHarmonics without_ringing(const SkyHarmonics& sky, int order = harmonic_order);
+
 /// The same surroundings turned about +Y, from the head's front (+Z) towards its left (+X).
 SkyHarmonics turned(const SkyHarmonics& sky, double angle_rad);
 

@@ -335,23 +335,21 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
   return out;
 }
 
-SkyLight sky_light(const Occlusion& occlusion, const SkyHarmonics& sky) {
+SkyLight sky_light(const Occlusion& occlusion, const SkyHarmonics& sky, const SkyHarmonics& bounced_sky) {
   const auto side = static_cast<std::size_t>(occlusion.side);
   DERMIS_ASSERT_EQ(occlusion.transfer.size(), side * side * harmonic_terms);
   DERMIS_ASSERT_EQ(occlusion.bounced.size(), side * side * bounced_terms);
-  std::array<glm::vec3, harmonic_terms> radiance;
-  for (std::size_t k = 0; k < harmonic_terms; ++k) radiance[k] = glm::vec3(sky[k]);
-  const auto product = [&](const std::uint16_t* transfer, std::size_t terms) {
+  const auto product = [](const std::uint16_t* transfer, const SkyHarmonics& radiance, std::size_t terms) {
     glm::vec3 e(0);
-    for (std::size_t k = 0; k < terms; ++k) e += image::half_to_float(transfer[k]) * radiance[k];
+    for (std::size_t k = 0; k < terms; ++k) e += image::half_to_float(transfer[k]) * glm::vec3(radiance[k]);
     return glm::max(e, glm::vec3(0));
   };
   SkyLight out{.direct = std::vector<float>(4 * side * side), .bounced = std::vector<float>(4 * side * side)};
   parallel_for(side, [&](std::size_t row) {
     for (std::size_t i = row * side; i < (row + 1) * side; ++i) {
       const std::uint16_t* hidden = &occlusion.bounced[i * bounced_terms];
-      const glm::vec3 direct = product(&occlusion.transfer[i * harmonic_terms], harmonic_terms),
-                      bounced = product(hidden, blockers_open);
+      const glm::vec3 direct = product(&occlusion.transfer[i * harmonic_terms], sky, harmonic_terms),
+                      bounced = product(hidden, bounced_sky, blockers_open);
       for (glm::length_t c = 0; c < 3; ++c) {
         out.direct[4 * i + static_cast<std::size_t>(c)] = direct[c];
         out.bounced[4 * i + static_cast<std::size_t>(c)] = bounced[c];

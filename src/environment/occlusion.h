@@ -60,13 +60,14 @@ Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mes
                            const std::filesystem::path& folder, const OcclusionSettings& settings = {},
                            const BakeWatch& watch = {});
 
-/// Irradiance on each texel, side * side * 4 values, RGB never negative.
+/// Irradiance on each texel. `sky` is seen directly, `bounced_sky` lights what hides it. Side * side * 4
+/// values, RGB never negative.
 struct SkyLight {
   std::vector<float> direct;   ///< from what it sees of the sky; and 1
   std::vector<float> bounced;  ///< from what hides the sky, as if that were white and saw as much of the sky
                                ///< as it does at each further bounce; and that share of the sky, m: albedo a
                                ///< makes of it B a m / (1 - a (1 - m))
 };
-SkyLight sky_light(const Occlusion& occlusion, const SkyHarmonics& sky);
+SkyLight sky_light(const Occlusion& occlusion, const SkyHarmonics& sky, const SkyHarmonics& bounced_sky);
 
 }  // namespace dermis::environment

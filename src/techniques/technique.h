@@ -30,8 +30,8 @@ struct SkinPart {
   double least_texels_per_mm = 1;  ///< a twentieth of the skin has fewer, at the map size of the frame
   bool coarse = false;
   bool off_map = false;  ///< some of its triangles have no chart of the unwrap
-  bool cut_out = false;           ///< some of its materials have an alpha test
-  bool emits = false;             ///< some of them emit light
+  bool cut_out = false;  ///< some of its materials have an alpha test
+  bool emits = false;    ///< some of them emit light
   bool operator==(const SkinPart&) const = default;
 };
 

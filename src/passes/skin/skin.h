@@ -52,8 +52,8 @@ class Skin {
     bool soft_shadows = false;                  ///< lights with a radius cast penumbrae
     /// some triangles have no chart of the unwrap: all their light is lit at the pixel, nothing scatters
     bool off_map = false;
-    bool cut_out = false;                       ///< some of the mesh's skin is cut out by its alpha
-    bool emits = false;                         ///< some of the mesh's skin emits light
+    bool cut_out = false;  ///< some of the mesh's skin is cut out by its alpha
+    bool emits = false;    ///< some of the mesh's skin emits light
     /// where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
     bool mixes = false;
     TermsOnMap terms;

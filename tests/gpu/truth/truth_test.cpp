@@ -11,9 +11,11 @@
 #include <string>
 
 #include "dermis/reference.h"
+#include "image/codec.h"
 #include "image/colour.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
+#include "image/tone_map.h"
 #include "scene/primitives.h"
 
 namespace dermis {
@@ -61,6 +63,17 @@ class Truth {
     s.width *= fine, s.height *= fine;
     s.samples = 1;
     return three_channels(renderer.render(scene_, s).linear_rgba, settings_.width, settings_.height, fine);
+  }
+
+  /// FLIP of what a display shows, mean over skin.
+  double shown_flip(const std::string& technique) const {
+    const auto shown = [](const image::ImageF& linear) {
+      return image::to_display(linear, image::ToneMap::natural);
+    };
+    const image::ImageF map = image::flip_map(shown(reference_), shown(rendered(technique, true)));
+    const double flip = image::summarise_flip(map, regions_.front().mask).mean;
+    std::printf("%s, shown: FLIP %.4f\n", technique.c_str(), flip);
+    return flip;
   }
 
   /// Over each region that is not empty, by name.
@@ -137,6 +150,58 @@ TEST(Truth, TheBuiltInHeadInAStudio) {
   auto scattered = truth.errors("texture-space", true);
   EXPECT_LT(scattered["skin"].flip, 0.07);
   EXPECT_LT(scattered["skin"].rel_mse, 2.8e-3);
+}
+
+/// A blue gradient over a ground, with a sun of so many pixels where `azimuth_deg` says, from the front
+/// towards the head's left, and a window behind the head if wanted.
+std::string sky_with_sun(int pixels, double azimuth_deg, double elevation_deg, bool window) {
+  constexpr int width = 512, height = 256;
+  image::ImageF sky{.width = width, .height = height, .channels = 3, .values = {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float up = static_cast<float>(std::cos(3.14159265 * (y + 0.5) / height));
+      const bool in_window = window && x > 300 && x < 330 && y > 90 && y < 120;
+      for (const float zenith : {0.15f, 0.35f, 0.75f})
+        sky.values.push_back(in_window ? 20 : up < 0 ? 0.13f : 0.9f - (0.9f - zenith) * up);
+    }
+
+  // A square of pixels, as near as it goes.
+  const int side = static_cast<int>(std::lround(std::sqrt(pixels)));
+  const int left = static_cast<int>(width * (0.5 + (180 - azimuth_deg) / 360)),
+            top = static_cast<int>(height * (90 - elevation_deg) / 180);
+  for (int i = 0; i < pixels; ++i) {
+    float* rgb = sky.at((left + i % side) % width, top + i / side);
+    rgb[0] = 110000, rgb[1] = 102000, rgb[2] = 90000;
+  }
+  const fs::path path = fs::path(testing::TempDir()) / "dermis_sky_with_sun.exr";
+  image::save_exr(path, sky);
+  return path.string();
+}
+
+// A sun in the sky costs no more error than soft boxes do. Beside and behind the head harmonics alone would
+// ring: black and blue blotches.
+TEST(Truth, ASunIsNoWorseThanAStudio) {
+  RenderSettings s = small(40, 40);
+  s.map_size = 512;
+  s.shadow_size = 2048;
+  s.placed_lights.clear();
+  s.lights = 0;
+  s.environment = "studio";
+  const Scene head = Scene::built_in();
+  const double studio = Truth(head, s, 64).shown_flip("texture-space");
+
+  const struct {
+    int pixels;
+    double azimuth_deg, elevation_deg;
+    bool window;
+  } cells[] = {{1, 90, 35, false}, {4, 180, 10, false}, {16, 45, 65, false}, {4, -120, 35, true}};
+  for (const auto& cell : cells) {
+    SCOPED_TRACE(testing::Message() << cell.pixels << " pixels at " << cell.azimuth_deg << " degrees");
+    s.environment = sky_with_sun(cell.pixels, cell.azimuth_deg, cell.elevation_deg, cell.window);
+    // A pixel of the sun brings an irradiance of some 14, the sky of 1: white shows as white.
+    s.exposure_ev = -std::log2((14 * cell.pixels + 1) / 3.14);
+    EXPECT_LT(Truth(head, s, 64).shown_flip("texture-space"), studio);
+  }
 }
 
 /// A plane of skin under a light from straight above, half of it in the shadow of a sheet; a camera between

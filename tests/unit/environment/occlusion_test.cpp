@@ -64,7 +64,7 @@ TEST(Occlusion, NothingInTheWayIsOpen) {
     }
     SkyHarmonics white{};
     white[0] = glm::dvec3(std::sqrt(4 * std::numbers::pi));
-    const std::vector<float> light = sky_light(o, white).direct;
+    const std::vector<float> light = sky_light(o, white, white).direct;
     for (std::size_t i = 0; i < light.size(); i += 4) EXPECT_NEAR(light[i], std::numbers::pi, 2e-3);
   }
 }
@@ -82,7 +82,7 @@ TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
       const glm::dvec3 rgb = radiance(direction_of((x + 0.5) / (2 * rows), (y + 0.5) / rows));
       for (int c = 0; c < 3; ++c) picture.values.push_back(static_cast<float>(rgb[c]));
     }
-  const std::vector<float> light = sky_light(o, sky_of(picture)).direct;
+  const std::vector<float> light = sky_light(o, sky_of(picture), {}).direct;
   for (int x = 2; x < 62; x += 5) {
     const double distance = (x + 0.5) / 64;
     glm::dvec3 exact(0), mean(0);
@@ -128,7 +128,7 @@ TEST(Occlusion, WhatHidesTheSkySendsItOn) {
   const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
   SkyHarmonics white{};
   white[0] = glm::dvec3(std::sqrt(4 * std::numbers::pi));
-  const SkyLight light = sky_light(o, white);
+  const SkyLight light = sky_light(o, white, white);
   for (std::size_t i = 0; i < light.direct.size(); i += 4)
     EXPECT_NEAR(light.direct[i] + light.bounced[i], std::numbers::pi, 0.01);
   // 0.25 m from the wall: of the height z of the wall a strip dz has the form factor below, and sees the
