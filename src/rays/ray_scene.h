@@ -67,8 +67,7 @@ class RayScene {
   glm::dvec3 low_m_{1e300}, high_m_{-1e300};
 };
 
-/// Skin that the real-time techniques can unwrap: they draw skin without texture coordinates as any other
-/// material, and so does the reference.
+/// Returns whether the primitive is skin, with or without texture coordinates.
 bool is_skin(const scene::Scene& scene, const scene::Primitive& primitive);
 
 }  // namespace dermis::rays
