@@ -115,7 +115,7 @@ Seen seen_by(const SkySums& sums, const glm::dvec3& n) {
 std::uint32_t texel_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const rays::Hit& hit,
                        const glm::dvec3& direction, int side) {
   const scene::Primitive& primitive = scene.primitives[hit.primitive];
-  if (primitive.node != mesh.node || !rays::is_skin(scene, primitive)) return itself;
+  if (scene::skin_mesh_number(primitive) != mesh.node || !rays::is_skin(scene, primitive)) return itself;
   const std::uint32_t* index = &primitive.indices[3 * std::size_t{hit.triangle}];
   const scene::Vertex &a = primitive.vertices[index[0]], &b = primitive.vertices[index[1]],
                       &c = primitive.vertices[index[2]];

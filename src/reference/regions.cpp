@@ -49,7 +49,7 @@ std::vector<std::vector<std::uint32_t>> charts_of(const scene::Scene& scene) {
   for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
     const scene::Primitive& p = scene.primitives[i];
     if (!rays::is_skin(scene, p) || p.indices.empty()) continue;
-    auto& [mesh, triangle] = next.at(p.node);
+    auto& [mesh, triangle] = next.at(scene::skin_mesh_number(p));
     for (std::size_t t = 0; t < p.indices.size() / 3; ++t, ++triangle)
       charts[i].push_back(static_cast<std::uint32_t>(mesh << 16) + meshes[mesh].triangle_chart[triangle]);
   }

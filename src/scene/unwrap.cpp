@@ -94,11 +94,11 @@ std::vector<SkinMesh> skin_meshes(const Scene& scene) {
   for (const Primitive& primitive : scene.primitives) {
     if (!scene.materials.at(static_cast<std::size_t>(primitive.material)).skin || primitive.indices.empty())
       continue;
-    const auto [entry, is_new] = mesh_of_node.try_emplace(primitive.node, meshes.size());
+    const auto [entry, is_new] = mesh_of_node.try_emplace(skin_mesh_number(primitive), meshes.size());
     if (is_new) {
       meshes.emplace_back();
       meshes.back().name = primitive.name;
-      meshes.back().node = primitive.node;
+      meshes.back().node = skin_mesh_number(primitive);
     }
     append_primitive(meshes[entry->second], primitive);
   }

@@ -22,7 +22,7 @@ inline constexpr std::uint16_t no_chart = 0;
 /// others).
 struct SkinMesh {
   std::string name;              ///< of the first primitive, for messages
-  int node = -1;                 ///< Primitive::node
+  int node = -1;                 ///< see skin_mesh_number()
   std::vector<Vertex> vertices;  ///< uv0 and uv1 raw
   /// triangles in the order of the scene's primitives, so each material is a few runs
   std::vector<std::uint32_t> indices;
@@ -41,6 +41,13 @@ struct SkinMesh {
   /// what was done to the raw coordinates; empty if nothing
   std::string unwrap_note;
 };
+
+/// Which skin mesh a primitive of skin belongs to: SkinMesh::node. Skin without texture coordinates has no
+/// place on a map, so all of a material is one mesh, with a negative number, however many nodes it comes
+/// from.
+inline int skin_mesh_number(const Primitive& primitive) {
+  return primitive.has_uv ? primitive.node : -2 - primitive.material;
+}
 
 /// One mesh per node that carries skin, in order of first appearance, all skin primitives of the node joined.
 /// Raw coordinates are fitted into 0..1 where need be, and triangles that cannot lie there are left without a

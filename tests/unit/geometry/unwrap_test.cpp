@@ -231,5 +231,18 @@ TEST(Unwrap, Scan) {
   EXPECT_LT(density.texels_per_mm.p50 * 2048, 10);
 }
 
+TEST(SkinMesh, SkinWithoutCoordinatesIsOneMeshAMaterial) {
+  Scene scene = sphere(0.1, 2);
+  const Primitive ball = scene.primitives[0];
+  for (int node = 1; node <= 500; ++node) {
+    scene.primitives.push_back(ball);
+    scene.primitives.back().node = node;
+    scene.primitives.back().has_uv = false;
+  }
+  const std::vector<SkinMesh> meshes = skin_meshes(scene);
+  ASSERT_EQ(meshes.size(), 2u);
+  EXPECT_EQ(meshes[1].indices.size(), 500 * ball.indices.size());
+}
+
 }  // namespace
 }  // namespace dermis::scene
