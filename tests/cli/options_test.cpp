@@ -172,7 +172,7 @@ TEST_F(Options, HelpNamesUnitsAndDefaults) {
   }
   const std::string help = run({"render", "--help"}).out;
   for (const char* text : {"pixels", "texels", "degrees", "metres", "radii", "=1280x720", "=2048",
-                           "=texture-space", "=filmic", "2^EV", "default: "})
+                           "=texture-space", "=natural", "2^EV", "default: "})
     EXPECT_NE(help.find(text), std::string::npos) << text;
   EXPECT_EQ(run({"--help"}).status, 0);
   EXPECT_EQ(run({"--version"}).status, 0);
