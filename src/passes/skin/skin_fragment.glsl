@@ -50,7 +50,9 @@ vec3 light_left(sampler2D light, vec2 at) {
     const ivec2 d = ivec2(k & 1, k >> 1);
     const vec4 texel = texelFetch(light, clamp(ivec2(corner) + d, ivec2(0), size - 1), 0);
     const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
-    sum += weight * (texel.a == 0.0 ? 0.0 : texel.a == BORDER_ALPHA ? 1.0 / 256.0 : 1.0) * vec4(texel.rgb, 1.0);
+    // Without weight the texel may lie outside the used square, where anything may stand: 0 times that could be no number.
+    if (weight <= 0.0 || texel.a == 0.0) continue;
+    sum += weight * (texel.a == BORDER_ALPHA ? 1.0 / 256.0 : 1.0) * vec4(texel.rgb, 1.0);
   }
   return sum.rgb / max(sum.w, 1e-6);
 }
