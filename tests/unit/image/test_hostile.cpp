@@ -196,8 +196,10 @@ TEST(Hostile, APictureThatItsFileCouldJustHoldIsNotTakenAtItsWord) {
   const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
   file.resize(text.find(last_attribute) + last_attribute.size() + 9);
   file.resize(std::size_t{64} << 10, std::byte{1});
-  EXPECT_EQ(error_of_f(file).find("sky: EXR is truncated"), 0u) << error_of_f(file);
-  EXPECT_LT(peak_kib() - before_kib, 200 * 1024);
+  const std::string error = error_of_f(file);
+  EXPECT_EQ(error.find("sky: EXR is truncated"), 0u) << error;
+  // It claims 1.5 GiB. A sanitizer keeps up to 256 MiB of what was freed, so less than that proves nothing.
+  EXPECT_LT(peak_kib() - before_kib, 512 * 1024);
 
   // Linear light has half the pixels of other pictures, since each has 12 bytes.
   EXPECT_EQ(error_of_f(bytes_of("#?RADIANCE\n\n-Y 16384 +X 16384\nabcd")),
