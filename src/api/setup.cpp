@@ -156,6 +156,17 @@ passes::Mask mask_of(const RenderSettings& s, const DeviceTraits& device) {
                               : passes::Mask::tiles;
 }
 
+// Whether light enters whole wherever it falls on something: skin whose whole albedo acts after scattering.
+// What is blended casts no shadow.
+bool all_enters(const scene::Scene& scene, const RenderSettings& s) {
+  return std::all_of(scene.primitives.begin(), scene.primitives.end(), [&](const scene::Primitive& p) {
+    const scene::Material& material = scene.materials[static_cast<std::size_t>(p.material)];
+    if (material.alpha_mode == scene::AlphaMode::blend) return true;
+    const auto of_material = static_cast<double>(material.skin_settings.mix.value_or(0.5f));
+    return material.skin && s.mix.value_or(of_material) == 0;
+  });
+}
+
 void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings& s,
                  const std::vector<scene::Light>& lights, const DeviceTraits& device) {
   const scene::Scene& scene = *subject.scene;
@@ -179,6 +190,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
     plan.mask = mask_of(s, device);
     plan.progressive = s.maps == "progressive";
     plan.translucency = s.translucency && !subject.skin.empty() && setup.lights > 0;
+    plan.all_enters = all_enters(scene, s);
     plan.mm_per_unit = scene.mm_per_unit;
   }
   for (std::size_t i = 0; i < subject.skin.size(); ++i) {

@@ -11,8 +11,7 @@ class LightingSamplers {
  public:
   LightingSamplers() = default;
   explicit LightingSamplers(gpu::PipelineLibrary& library)
-      : shadow_(library.sampler({.filter = gpu::Filter::linear, .compare_greater = true})),
-        depths_(library.sampler({.filter = gpu::Filter::nearest})),
+      : depths_(library.sampler({.filter = gpu::Filter::nearest})),
         table_(library.sampler({.filter = gpu::Filter::linear})),
         sky_(library.sampler({.filter = gpu::Filter::linear, .u = gpu::Address::repeat})) {}
 
@@ -21,7 +20,6 @@ class LightingSamplers {
     bindings.add("Frame", frame.frame_io)
         .add("Lights", instance.lights)
         .add("ShadowMatrices", instance.shadow_matrices)
-        .add("shadow_maps", gpu::SampledBinding{&shadow, shadow_})
         .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
         .add("attenuation", gpu::SampledBinding{&frame.scene->attenuation, table_})
         .add("environment_map",
@@ -38,8 +36,7 @@ class LightingSamplers {
   }
 
  private:
-  VkSampler shadow_ = VK_NULL_HANDLE, depths_ = VK_NULL_HANDLE, table_ = VK_NULL_HANDLE,
-            sky_ = VK_NULL_HANDLE;
+  VkSampler depths_ = VK_NULL_HANDLE, table_ = VK_NULL_HANDLE, sky_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

@@ -54,7 +54,8 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
 
 ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library,
                                  const std::vector<gaussians::SumOfGaussians>& profiles, double mm_per_unit)
-    : linear_(library.sampler({.filter = gpu::Filter::linear})) {
+    : linear_(library.sampler({.filter = gpu::Filter::linear})),
+      nearest_(library.sampler({.filter = gpu::Filter::nearest})) {
   for (std::size_t i = 0; i < profiles.size(); ++i) {
     const auto same =
         std::find(profiles.begin(), profiles.begin() + static_cast<std::ptrdiff_t>(i), profiles[i]);
@@ -71,9 +72,11 @@ ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library,
 }
 
 void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering,
-                            std::size_t profile) const {
-  bindings.add("entering_maps", resources.sampled(entering, linear_))
-      .add("Transmission", constants_[number_[profile]]);
+                            frame::TextureId shadow, std::size_t profile) const {
+  // A binding that is never read must be bound all the same.
+  const gpu::SampledBinding maps =
+      entering.valid() ? resources.sampled(entering, linear_) : resources.sampled(shadow, nearest_);
+  bindings.add("entering_maps", maps).add("Transmission", constants_[number_[profile]]);
 }
 
 }  // namespace dermis::passes

@@ -37,13 +37,14 @@ class ThroughBindings {
   ThroughBindings() = default;
   ThroughBindings(gpu::PipelineLibrary& library, const std::vector<gaussians::SumOfGaussians>& profiles,
                   double mm_per_unit);
+  /// entering: not valid where nothing is stored of it, `entering_stored` is false then; shadow: its lights'.
   void offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering,
-             std::size_t profile) const;
+             frame::TextureId shadow, std::size_t profile) const;
 
  private:
   std::vector<gpu::Buffer> constants_;  // TransmissionIo, one for equal profiles
   std::vector<std::size_t> number_;     // of those, by profile
-  VkSampler linear_ = VK_NULL_HANDLE;
+  VkSampler linear_ = VK_NULL_HANDLE, nearest_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

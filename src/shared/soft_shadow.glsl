@@ -4,7 +4,7 @@
 // are gathered as bits, so that what lies behind each other is not counted twice.
 // Based on: [GBP06] Guennebaud, Barthe, Paulin: Real-time Soft Shadow Mapping by Backprojection, EGSR 2006 (samples of the map are small
 // plates in space); [TLG23] Therrien, Levesque, Gilet: Screen Space Indirect Lighting with Visibility Bitmask, The Visual Computer 2023.
-// Needs: `shadow_maps`, sampler2DArray `shadow_depths` (the same layers, to be read as they are).
+// Needs: sampler2DArray `shadow_depths`.
 layout(constant_id = 10) const bool soft_shadows = false;
 
 const int soft_directions = 8, soft_steps = 10;

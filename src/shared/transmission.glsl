@@ -7,6 +7,8 @@
 
 const int last_term = through_terms - 1, term_before = through_terms > 1 ? through_terms - 2 : 0;  // both gather around the ray of light
 
+layout(constant_id = 15) const bool entering_stored = true;  // else all light enters, wherever something is
+
 struct LightRead {
   float lit;       // 0..1, where the surface faces the light: as shadow_at()
   vec3 entering;   // albedo^mix of the skin at the lit point; 0 where the first thing that light meets is no skin
@@ -18,23 +20,6 @@ struct LightRead {
   bool inside;     // the place lies in the map
   bool shaded;     // what enters was stored wherever something is
 };
-
-// Texels base-1 .. base+2 along both axes, four gathers: [x + 2 y] = the block of two by two that begins at base - 1 + 2 (x, y), in the
-// order of textureGather: (0,1) (1,1) (1,0) (0,0).
-void gather_depths(vec2 base, vec2 size, float layer, out vec4 z[4]) {
-  for (int k = 0; k < 4; ++k) z[k] = textureGather(shadow_depths, vec3((base + 2.0 * vec2(k & 1, k >> 1)) / size, layer));
-}
-
-// The tent over 3 x 3 bilinear comparisons of shadow_at(), as weights of 4 x 4 comparisons.
-float share_not_beyond(vec4 z[4], vec2 f, float depth) {
-  const vec4 x = vec4(1.0 - f.x, 2.0 - f.x, 1.0 + f.x, f.x) * 0.25, y = vec4(1.0 - f.y, 2.0 - f.y, 1.0 + f.y, f.y) * 0.25;
-  float sum = 0.0;
-  for (int k = 0; k < 4; ++k) {
-    const vec2 u = (k & 1) == 0 ? x.xy : x.zw, v = (k >> 1) == 0 ? y.xy : y.zw;
-    sum += dot(vec4(u.x * v.y, u.y * v.y, u.y * v.x, u.x * v.x), step(z[k], vec4(depth)));
-  }
-  return sum;
-}
 
 // A plane stays a plane under projection, so differences of depth between the texels around give the surface there, in the world, without
 // the map's inverse.
@@ -51,13 +36,13 @@ void find_lit_point(inout LightRead r, vec4 z[4], vec2 f, vec2 size, MapRay ray,
 }
 
 // Of four rays beside, `side` and its quarter turns away, texels. Where nothing is no light enters.
-vec4 ways_beside(MapRay ray, vec2 at, vec2 side, int layer) {
-  const ivec2 largest = textureSize(shadow_depths, 0).xy - 1;
+vec4 ways_beside(MapRay ray, vec2 at, vec2 side, float layer) {
+  const vec2 size = vec2(textureSize(shadow_depths, 0).xy);
   vec4 way_m;
   for (int k = 0; k < 4; ++k) {
     const vec2 turned = (k & 1) == 0 ? side : vec2(-side.y, side.x);
-    const ivec2 texel = clamp(ivec2(floor(at + (k < 2 ? turned : -turned))), ivec2(0), largest);
-    const float depth = texelFetch(shadow_depths, ivec3(texel, layer), 0).x;
+    const vec2 texel = floor(at + (k < 2 ? turned : -turned)) + 0.5;
+    const float depth = textureLod(shadow_depths, vec3(texel / size, layer), 0.0).x;
     way_m[k] = depth > 0.0 ? way_of(ray, depth) : 1e3;
   }
   return way_m;
@@ -81,12 +66,18 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   r.lit = share_not_beyond(z, f, ray.clip.z / ray.clip.w);
   if (soft_shadows && light.radius > 0.0) r.lit = soft_shadow(light, a, from_world, p, n_geometric, float(layer), r.lit);
   find_lit_point(r, z, f, size, ray, from_world, a.to_light, n_geometric);
-  r.way_near_m = ways_beside(ray, uv * size, vec2(transmission.two_sigma_m[term_before] / texel_m, 0.0), int(layer));
-  r.way_wide_m = ways_beside(ray, uv * size, vec2(0.70710678 * transmission.two_sigma_m[last_term] / texel_m), int(layer));
-  const vec4 stored = textureLod(entering_maps, vec3(uv, float(layer)), 0.0);
+  // Rays of the two terms lie on a cross and on its diagonals.
+  const float near = transmission.two_sigma_m[term_before] / texel_m;
+  const float wide = sqrt(0.5) * transmission.two_sigma_m[last_term] / texel_m;
+  r.way_near_m = ways_beside(ray, uv * size, vec2(near, 0.0), float(layer));
+  r.way_wide_m = ways_beside(ray, uv * size, vec2(wide), float(layer));
+
+  r.entering = vec3(max(max(z[0].y, z[1].x), max(z[2].z, z[3].w)) > 0.0 ? 1.0 : 0.0);
+  r.shaded = true;
+  if (!entering_stored) return r;
   // Where something is too thin to show in a map of what enters that is smaller than the depths, all light enters.
-  const vec3 root = stored.a > 1e-3 ? stored.rgb / stored.a : vec3(z[0].y > 0.0 ? 1.0 : 0.0);
-  r.entering = root * root;
+  const vec4 stored = textureLod(entering_maps, vec3(uv, float(layer)), 0.0);
+  if (stored.a > 1e-3) r.entering = (stored.rgb / stored.a) * (stored.rgb / stored.a);
   r.shaded = stored.a > 0.0 || z[0].y == 0.0;
   return r;
 }

@@ -37,7 +37,7 @@ Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&p
                           .format = VK_FORMAT_D32_SFLOAT,
                           .array = true};
   shadow_ = plan.texture("shadow maps", shadow);
-  if (settings.translucency) {
+  if (settings.translucency && !settings.all_enters) {
     gpu::TextureDesc entering = shadow;
     entering.width = entering.height = entering_size(settings);
     if (entering.width < shadow.width) entering_depth_ = plan.texture("entering depths", entering);

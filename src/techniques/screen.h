@@ -13,7 +13,8 @@ class Screen {
   frame::TextureId colour() const { return colour_; }
   frame::TextureId depth() const { return depth_; }
   frame::TextureId shadow() const { return shadow_; }
-  frame::TextureId entering() const { return entering_; }  ///< valid with translucency: see passes::Shadow
+  /// Valid with translucency unless all_enters: see passes::Shadow.
+  frame::TextureId entering() const { return entering_; }
   frame::BufferId counters() const { return counters_; }
   bool take_clear();  ///< true once: for the pass that draws first
 

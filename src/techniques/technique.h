@@ -60,6 +60,9 @@ struct FrameSettings {
   Optimise optimise;
   /// light comes through the body: lit from behind, thin skin glows
   bool translucency = false;
+  /// What casts shadows is skin that takes nothing from light before it scatters (mix 0): no map has to say
+  /// what enters.
+  bool all_enters = false;
   double mm_per_unit = 1000;  ///< of the scene
   /// alpha, depth or tiles: how convolutions skip what cull and clip have left unlit
   passes::Mask mask = passes::Mask::tiles;
@@ -84,7 +87,7 @@ inline std::uint32_t entering_size(const FrameSettings& s) {
 inline std::uint64_t shadow_bytes(const FrameSettings& s) {
   const std::uint64_t depth = 4 * std::uint64_t{s.shadow_size} * s.shadow_size;
   const std::uint64_t side = entering_size(s), entering = 4 * side * side;
-  if (!s.translucency) return depth;
+  if (!s.translucency || s.all_enters) return depth;
   return depth + (side < s.shadow_size ? 2 * entering : entering);  // apart, it has depth of its own
 }
 

@@ -13,7 +13,7 @@ Irradiance::Out Irradiance::declare(frame::Declare& d, const In& in) {
   d.sample(in.shadow);
   if (!settings_.through.empty()) {
     DERMIS_ASSERT_LT(in.joining.size(), std::size_t{TRANSMISSION_GROUPS});
-    d.sample(in.entering);
+    if (in.entering.valid()) d.sample(in.entering);
     for (const frame::TextureId joining : in.joining) d.colour(joining);
   }
   return {in.light};
@@ -43,6 +43,7 @@ void Irradiance::prepare(gpu::PipelineLibrary& library) {
     for (const gaussians::SumOfGaussians& profile : settings_.through) {
       gpu::GraphicsDesc of_mesh = variant;
       of_mesh.constants.emplace_back("through_terms", static_cast<std::uint32_t>(profile.terms.size()));
+      of_mesh.constants.emplace_back("entering_stored", in_.entering.valid() ? 1u : 0u);
       pipelines_[cut_out].push_back(&library.graphics(of_mesh));
     }
   }
@@ -70,7 +71,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources,
       material.offer(bindings);
       samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
       samplers_.offer_sky(bindings, frame, square.mesh);
-      if (through) through_.offer(bindings, resources, in_.entering, square.mesh);
+      if (through) through_.offer(bindings, resources, in_.entering, in_.shadow, square.mesh);
       bindings.bind(cmd, pipeline);
       cmd.push(pipeline, seen_io(frame, instance, material));
       cmd.draw(draw.index_count, 1, draw.first_index);

@@ -31,7 +31,7 @@ class Irradiance {
   struct In {
     frame::TextureId light;          ///< RGBA16F pool; the used squares are cleared here
     frame::TextureId shadow;         ///< of these instances
-    frame::TextureId entering = {};  ///< with `through`: see Shadow
+    frame::TextureId entering = {};  ///< with `through`: see Shadow; not valid: all light enters
     /// With `through`: RGBA16F pools for what joins at the second and the third group of terms, as many as
     /// the mesh with most groups needs.
     std::vector<frame::TextureId> joining = {};

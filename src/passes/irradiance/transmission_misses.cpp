@@ -10,17 +10,19 @@ TransmissionMisses::Out TransmissionMisses::declare(frame::Declare& d, const In&
   d.only_in_full_frames();
   in_ = in;
   d.sample(in.shadow);
-  d.sample(in.entering);
+  if (in.entering.valid()) d.sample(in.entering);
   d.write(in.counters);
   return {};
 }
 
 void TransmissionMisses::prepare(gpu::PipelineLibrary& library) {
   const Irradiance::Settings& irradiance = settings_.irradiance;
-  gpu::GraphicsDesc desc{
-      .vertex = irradiance.clip ? "irradiance_clipped.vert" : "irradiance.vert",
-      .fragment = "transmission_misses.frag",
-      .constants = {{"cull", irradiance.cull ? 1u : 0u}, {"slot", settings_.slot}, {"through_terms", 0u}}};
+  gpu::GraphicsDesc desc{.vertex = irradiance.clip ? "irradiance_clipped.vert" : "irradiance.vert",
+                         .fragment = "transmission_misses.frag",
+                         .constants = {{"cull", irradiance.cull ? 1u : 0u},
+                                       {"slot", settings_.slot},
+                                       {"entering_stored", in_.entering.valid() ? 1u : 0u},
+                                       {"through_terms", 0u}}};
   pipelines_.clear();
   for (const gaussians::SumOfGaussians& profile : irradiance.through) {
     desc.constants.back().second = static_cast<std::uint32_t>(profile.terms.size());
@@ -45,7 +47,7 @@ void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources
       material.offer(bindings);
       samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
       samplers_.offer_sky(bindings, frame, square.mesh);
-      through_.offer(bindings, resources, in_.entering, square.mesh);
+      through_.offer(bindings, resources, in_.entering, in_.shadow, square.mesh);
       bindings.add("Counters", resources.buffer(in_.counters));
       bindings.bind(cmd, pipeline);
       cmd.push(pipeline, seen_io(frame, instance, material));

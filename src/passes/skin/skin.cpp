@@ -49,7 +49,7 @@ Skin::Out Skin::declare(frame::Declare& d, const In& in) {
   in_ = in;
   for (const frame::TextureId light : in.lights) d.sample(light);
   d.sample(in.shadow);
-  if (through()) d.sample(in.entering);
+  if (through() && in.entering.valid()) d.sample(in.entering);
   d.colour(in.colour);
   d.depth(in.depth);
   return {in.colour, in.depth};
@@ -82,7 +82,10 @@ Skin::Pipelines Skin::make_pipelines(gpu::PipelineLibrary& library, Lit lit, boo
                                .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
                                .depth_test = true,
                                .depth_write = true};
-        if (through) desc.constants.emplace_back("through_terms", terms);
+        if (through) {
+          desc.constants.emplace_back("through_terms", terms);
+          desc.constants.emplace_back("entering_stored", in_.entering.valid() ? 1u : 0u);
+        }
         out.made[double_sided][cut_out][emits] = &library.graphics(desc);
       }
   return out;
@@ -145,7 +148,7 @@ void Skin::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
     material.offer(bindings);
     samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
     samplers_.offer_sky(bindings, frame, settings_.square.mesh);
-    if (through()) through_.offer(bindings, resources, in_.entering, 0);
+    if (through()) through_.offer(bindings, resources, in_.entering, in_.shadow, 0);
     // A binding without a term is never read, but must be bound: any sampled texture serves.
     for (std::size_t i = 0; i < names.size(); ++i)
       bindings.add(names[i], i < in_.lights.size()

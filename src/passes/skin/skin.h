@@ -65,7 +65,7 @@ class Skin {
   struct In {
     std::vector<frame::TextureId> lights;  ///< RGBA16F pools, a term each
     frame::TextureId shadow, colour, depth;
-    frame::TextureId entering = {};  ///< with `through` and `mixes`: see Shadow
+    frame::TextureId entering = {};  ///< with `through` and `mixes`: as in Irradiance
   };
   struct Out {
     frame::TextureId colour, depth;

@@ -3,8 +3,11 @@
 // point that was not there.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "dermis/reference.h"
 #include "gpu/translucency/slab.h"
@@ -125,6 +128,28 @@ TEST_F(Ear, TheOptimisationsAreNotMissed) {
     EXPECT_LE(flip, 0.02) << azimuth;
     EXPECT_LT(optimised.statistics.irradiance_texels, whole.statistics.irradiance_texels);
   }
+}
+
+bool draws(const Picture& picture, const std::string& pass) {
+  const std::vector<PassStatistics>& passes = picture.statistics.passes;
+  return std::any_of(passes.begin(), passes.end(),
+                     [&](const PassStatistics& p) { return p.name.find(pass) != std::string::npos; });
+}
+
+// Skin that takes nothing from light before it scatters lets all of it in: a map of what enters would say so
+// texel by texel. A share that is hardly above none draws that map, and the same picture.
+TEST_F(Ear, WhereAllLightEntersNoMapSaysSo) {
+  RenderSettings s = ear_settings();
+  s.map_size = 512;
+  s.mix = 0;
+  const Picture without_map = renderer().render(*scan, s);
+  s.mix = 1e-7;
+  const Picture with_map = renderer().render(*scan, s);
+
+  EXPECT_FALSE(draws(without_map, "entering"));
+  EXPECT_TRUE(draws(with_map, "entering"));
+  EXPECT_EQ(without_map.statistics.transmission_misses, 0u);
+  EXPECT_GE(image::psnr_db(shown(with_map), shown(without_map)), 60);
 }
 
 }  // namespace
