@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reading a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour ... (scene_io.h).
+#include "shared/switches.glsl"
 
 struct SurfacePoint {
   vec3 position_m;
@@ -15,7 +16,7 @@ vec2 map_uv(MapIo map, SurfacePoint s) {
 }
 
 vec3 mapped_normal(MapIo map, sampler2D normal_map, SurfacePoint s) {
-  if (map.present == 0u) return s.normal;
+  if (!is_present(map)) return s.normal;
   vec3 t = texture(normal_map, map_uv(map, s)).xyz * 2.0 - 1.0;
   t.xy *= map.scale;
   // MikkTSpace: the bitangent is derived at the pixel and the tangent frame is used as interpolated.

@@ -24,27 +24,27 @@ layout(constant_id = 13) const bool off_map = false;  // the unwrap does not hol
 #include "shared/surroundings.glsl"
 
 vec3 skin_albedo(SurfacePoint s) {
-  if (frame.white_albedo != 0u) return vec3(1.0);
+  if (is_on(frame.white_albedo)) return vec3(1.0);
   vec3 albedo = material.base_colour.rgb * s.colour.rgb;
   const MapIo map = material.maps[MAP_BASE_COLOUR];
-  if (map.present != 0u) albedo *= texture(map_base_colour, map_uv(map, s)).rgb;
+  if (is_present(map)) albedo *= texture(map_base_colour, map_uv(map, s)).rgb;
   return max(albedo, vec3(0.0));
 }
 
 // x^mix: [DLE07] sec. 3.4 splits the albedo before and after the scattering; mix 0.5 is an absorbing sheet crossed twice.
 vec3 albedo_power(vec3 albedo, float exponent) {
-  if (exponent <= 0.0) return vec3(1.0);
+  if (exponent <= float(nothing())) return vec3(1.0);
   return pow(max(albedo, vec3(1e-6)), vec3(exponent));
 }
 
 SkinSpecular skin_specular(SurfacePoint s) {
   SkinSpecular spec;
-  spec.rho_s = frame.specular_on != 0u ? material.rho_s : 0.0;
+  spec.rho_s = is_on(frame.specular_on) ? material.rho_s : 0.0;
   const MapIo specular_map = material.maps[MAP_SPECULAR];
-  if (specular_map.present != 0u) spec.rho_s *= specular_map.scale * texture(map_specular, map_uv(specular_map, s))[specular_map.channel];
+  if (is_present(specular_map)) spec.rho_s *= specular_map.scale * texture(map_specular, map_uv(specular_map, s))[specular_map.channel];
   float roughness = material.roughness;
   const MapIo roughness_map = material.maps[MAP_ROUGHNESS];
-  if (roughness_map.present != 0u) roughness = roughness_map.scale * texture(map_roughness, map_uv(roughness_map, s))[roughness_map.channel];
+  if (is_present(roughness_map)) roughness = roughness_map.scale * texture(map_roughness, map_uv(roughness_map, s))[roughness_map.channel];
   const float m = clamp(roughness * roughness, 0.02, 1.0);
   spec.f0 = f0_of_ior(material.ior);
   spec.m = clamp(m * vec2(material.lobe_factor_0, material.lobe_factor_1), vec2(0.02), vec2(1.0));
@@ -54,7 +54,7 @@ SkinSpecular skin_specular(SurfacePoint s) {
 
 float skin_occlusion(SurfacePoint s) {
   const MapIo map = material.maps[MAP_OCCLUSION];
-  return map.present != 0u ? 1.0 + map.scale * (texture(map_occlusion, map_uv(map, s)).r - 1.0) : 1.0;
+  return is_present(map) ? 1.0 + map.scale * (texture(map_occlusion, map_uv(map, s)).r - 1.0) : 1.0;
 }
 
 // Irradiance that enters the skin, sum over the lights. What the surface reflects does not enter; dividing by the mean over all directions
@@ -62,7 +62,7 @@ float skin_occlusion(SurfacePoint s) {
 vec3 entering_irradiance(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
   const float kept_mean = 1.0 - specular_albedo_mean(attenuation, spec);
   vec3 e = vec3(0.0);
-  for (uint i = 0u; i < frame.light_count; ++i) {
+  for (uint i = nothing(); i < frame.light_count; ++i) {
     const LightIo light = lights[i];
     const Arriving a = arriving_light(light, s.position_m);
     const float tangent = light_tangent(light, a), cosine = light_cosine(dot(n, a.to_light), tangent);

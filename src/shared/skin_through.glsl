@@ -19,7 +19,7 @@ EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric
   EnteringAndThrough r;
   r.entering = vec3(0.0);
   for (int i = 0; i < through_terms; ++i) r.through[i] = vec3(0.0);
-  for (uint k = 0u; k < frame.light_count; ++k) {
+  for (uint k = nothing(); k < frame.light_count; ++k) {
     const LightIo light = lights[k];
     const Arriving a = arriving_light(light, s.position_m);
     const float cosine_here = dot(n_geometric, a.to_light);

@@ -28,7 +28,7 @@ float chart_left(float chart, vec4 uv, vec4 colour) {
 // The colour of the skin that is left beside a texel that is cut away, where the map may hold anything: its levels of detail weigh colours
 // by alpha.
 vec3 albedo_beside(vec4 uv, vec4 colour) {
-  if (frame.white_albedo != 0u) return vec3(1.0);
+  if (is_on(frame.white_albedo)) return vec3(1.0);
   const vec2 at = alpha_uv(uv), pixels = reach_of(at) * vec2(textureSize(map_alpha_max, 0));
   return material.base_colour.rgb * colour.rgb * textureLod(map_base_colour, at, log2(max(pixels.x, pixels.y)) + 2.0).rgb;
 }

@@ -14,7 +14,7 @@ layout(location = 1) in vec3 in_normal;
 void main() {
   const vec3 n = normalize(in_normal);
   uint misses = 0u;
-  for (uint k = 0u; k < frame.light_count; ++k) {
+  for (uint k = nothing(); k < frame.light_count; ++k) {
     const LightIo light = lights[k];
     const Arriving a = arriving_light(light, in_position_m);
     const float cosine_here = dot(n, a.to_light);

@@ -3,6 +3,7 @@
 // What is not skin lets nothing in, what is cut out is not there. Alpha 1 marks what was shaded.
 #version 460
 #include "shared/scene_io.h"
+#include "shared/switches.glsl"
 layout(constant_id = 0) const bool skin = true;
 layout(constant_id = 1) const bool cut_out = false;
 layout(constant_id = 2) const bool mixed = true;  // mix is not 0
@@ -19,8 +20,8 @@ void main() {
   const MapIo map = material.maps[MAP_BASE_COLOUR];
   const vec2 uv = map.uv_set == 0u ? in_uv0 : in_uv1;
   vec4 colour = material.base_colour * in_colour;
-  if (map.present != 0u) colour *= texture(map_base_colour, map.u_axis * uv.x + map.v_axis * uv.y + map.offset);
+  if (is_present(map)) colour *= texture(map_base_colour, map.u_axis * uv.x + map.v_axis * uv.y + map.offset);
   if (cut_out && colour.a < material.alpha_cutoff) discard;
-  if (skin && mixed && frame.white_albedo == 0u)
+  if (skin && mixed && !is_on(frame.white_albedo))
     out_entering.rgb = pow(clamp(colour.rgb, vec3(1e-6), vec3(1.0)), vec3(0.5 * material.mix_before));
 }

@@ -68,7 +68,7 @@ vec3 light_of(sampler2D light, int term, vec2 at) {
 
 vec3 emitted(SurfacePoint s) {
   const MapIo map = material.maps[MAP_EMISSIVE];
-  return map.present != 0u ? material.emissive * texture(map_emissive, map_uv(map, s)).rgb : material.emissive;
+  return is_present(map) ? material.emissive * texture(map_emissive, map_uv(map, s)).rgb : material.emissive;
 }
 
 // sum_i w_i (light blurred by term i), already times 2^EV / pi.
@@ -104,7 +104,7 @@ vec3 through_share(EnteringAndThrough r) {
 vec3 specular_radiance(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec) {
   if (spec.rho_s <= 0.0) return vec3(0.0);
   vec3 sum = vec3(0.0);
-  for (uint i = 0u; i < frame.light_count; ++i) {
+  for (uint i = nothing(); i < frame.light_count; ++i) {
     const LightIo light = lights[i];
     const Arriving a = arriving_light(light, s.position_m);
     const float cosine = dot(n, a.to_light);
@@ -139,7 +139,7 @@ vec3 mirrored_surroundings(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, Ski
 }
 
 void main() {
-  const vec3 v = frame.orthographic != 0u ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
+  const vec3 v = is_on(frame.orthographic) ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
   const vec3 n_interpolated = normalize(in_normal);
   const vec3 n_geometric = gl_FrontFacing ? n_interpolated : -n_interpolated;
   const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);

@@ -36,17 +36,17 @@ struct Look {
 Look look_at(SurfacePoint s, vec3 base) {
   float metallic = material.metallic, roughness = material.roughness;
   const MapIo mr = material.maps[MAP_ROUGHNESS];
-  if (mr.present != 0u) {
+  if (is_present(mr)) {
     const vec4 t = texture(map_roughness, map_uv(mr, s));
     roughness *= t.g;
     metallic *= t.b;
   }
   float specular = material.specular;
   const MapIo sm = material.maps[MAP_SPECULAR];
-  if (sm.present != 0u) specular *= texture(map_specular, map_uv(sm, s)).a;
+  if (is_present(sm)) specular *= texture(map_specular, map_uv(sm, s)).a;
   vec3 tint = material.specular_colour;
   const MapIo sc = material.maps[MAP_SPECULAR_COLOUR];
-  if (sc.present != 0u) tint *= texture(map_specular_colour, map_uv(sc, s)).rgb;
+  if (is_present(sc)) tint *= texture(map_specular_colour, map_uv(sc, s)).rgb;
   const float r = (material.ior - 1.0) / (material.ior + 1.0);
   const vec3 dielectric = min(r * r * tint, vec3(1.0)) * specular;
   Look look;
@@ -68,7 +68,7 @@ vec3 brdf_times_cosine(Look look, vec3 n, vec3 v, vec3 l, float cosine) {
   const vec3 fresnel = look.f0 + (look.f90 - look.f0) * pow(1.0 - v_h, 5.0);
   const float kept = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
   vec3 sum = look.albedo * (kept / pi);
-  if (frame.specular_on != 0u) sum += fresnel * (distribution * visibility);
+  if (is_on(frame.specular_on)) sum += fresnel * (distribution * visibility);
   return sum * cosine;
 }
 
@@ -80,24 +80,24 @@ vec3 reflected_surroundings(Look look, float n_v) {
 }
 
 void main() {
-  const vec3 v = frame.orthographic != 0u ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
+  const vec3 v = is_on(frame.orthographic) ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
   const vec3 n_geometric = gl_FrontFacing ? normalize(in_normal) : -normalize(in_normal);
   const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
   vec4 base = material.base_colour * in_colour;
   const MapIo bc = material.maps[MAP_BASE_COLOUR];
-  if (bc.present != 0u) base *= texture(map_base_colour, map_uv(bc, s));
-  if (frame.white_albedo != 0u) base.rgb = vec3(1.0);
-  if ((material.flags & MATERIAL_ALPHA_MASK) != 0u && base.a < material.alpha_cutoff) discard;
-  const float alpha = (material.flags & MATERIAL_ALPHA_BLEND) != 0u ? clamp(base.a, 0.0, 1.0) : 1.0;
-  if ((material.flags & MATERIAL_UNLIT) != 0u) {
+  if (is_present(bc)) base *= texture(map_base_colour, map_uv(bc, s));
+  if (is_on(frame.white_albedo)) base.rgb = vec3(1.0);
+  if (is_on(material.flags & MATERIAL_ALPHA_MASK) && base.a < material.alpha_cutoff) discard;
+  const float alpha = is_on(material.flags & MATERIAL_ALPHA_BLEND) ? clamp(base.a, 0.0, 1.0) : 1.0;
+  if (is_on(material.flags & MATERIAL_UNLIT)) {
     out_radiance = vec4(storable(base.rgb * alpha * frame.radiance_scale), 0.0);
-    out_radiance.a = (material.flags & MATERIAL_ALPHA_BLEND) != 0u ? alpha : 0.0;
+    out_radiance.a = is_on(material.flags & MATERIAL_ALPHA_BLEND) ? alpha : 0.0;
     return;
   }
   const Look look = look_at(s, base.rgb);
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   vec3 radiance = vec3(0.0);
-  for (uint i = 0u; i < frame.light_count; ++i) {
+  for (uint i = nothing(); i < frame.light_count; ++i) {
     const LightIo light = lights[i];
     const Arriving a = arriving_light(light, s.position_m);
     const float tangent = light_tangent(light, a), cosine = light_cosine(dot(n, a.to_light), tangent);
@@ -107,15 +107,15 @@ void main() {
     radiance += a.irradiance * brdf_times_cosine(seen, n, v, a.to_light, cosine) * shadow_at(light, a, s.position_m, n_geometric);
   }
   const MapIo oc = material.maps[MAP_OCCLUSION];
-  const float occlusion = oc.present != 0u ? 1.0 + oc.scale * (texture(map_occlusion, map_uv(oc, s)).r - 1.0) : 1.0;
-  const vec3 mirrored = frame.specular_on != 0u ? reflected_surroundings(look, max(dot(n, v), 0.0)) : vec3(0.0);
+  const float occlusion = is_present(oc) ? 1.0 + oc.scale * (texture(map_occlusion, map_uv(oc, s)).r - 1.0) : 1.0;
+  const vec3 mirrored = is_on(frame.specular_on) ? reflected_surroundings(look, max(dot(n, v), 0.0)) : vec3(0.0);
   const vec3 diffuse = surroundings_irradiance(n) / pi * look.albedo * (1.0 - max(mirrored.x, max(mirrored.y, mirrored.z)));
   radiance += occlusion * (diffuse + surroundings_radiance(reflect(-v, n), look.alpha) * mirrored);
   vec3 emitted = material.emissive;
   const MapIo em = material.maps[MAP_EMISSIVE];
-  if (em.present != 0u) emitted *= texture(map_emissive, map_uv(em, s)).rgb;
+  if (is_present(em)) emitted *= texture(map_emissive, map_uv(em, s)).rgb;
   radiance += emitted;
   // Colour is premultiplied. Alpha of the target marks skin: opaque parts write 0, blended ones cover it in proportion.
   out_radiance = vec4(storable(radiance * alpha * frame.radiance_scale), 0.0);
-  if ((material.flags & MATERIAL_ALPHA_BLEND) != 0u) out_radiance.a = alpha;
+  if (is_on(material.flags & MATERIAL_ALPHA_BLEND)) out_radiance.a = alpha;
 }

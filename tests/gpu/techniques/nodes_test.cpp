@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Many nodes: what a frame takes follows from its meshes, not from how many nodes show them; and skin of many
 // nodes shares a pool of light maps.
+#include <malloc.h>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "gpu/techniques/support.h"
@@ -131,6 +133,26 @@ TEST(Nodes, SkinOfManyNodesIsDrawnInBatchesUnderTheBudget) {
     return fresh.render(wrap(skin_balls(nodes)), other).statistics.image_bytes;
   };
   EXPECT_LT(images(10, 0.8), images(10, 8));
+}
+
+std::size_t heap_bytes() {
+  const struct mallinfo2 heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
+// A software driver that compiles shaders for what uniform blocks hold keeps them for ever: see
+// shared/switches.glsl. Materials without maps leave it the most to compile for.
+TEST(Nodes, FramesAndNodesLeaveNothingBehind) {
+  RenderSettings s = tiny_settings();
+  s.width = s.height = 48;
+  s.map_size = 32;
+  PreparedFrame frame = renderer().prepare(wrap(skin_balls(8)), s);
+  frame.draw();
+  frame.draw();
+
+  const std::size_t before = heap_bytes();
+  for (int i = 0; i < 3; ++i) frame.draw();
+  EXPECT_LT(heap_bytes(), before + 1'000'000) << "of 3 frames of 8 meshes";
 }
 
 TEST(Nodes, HeadsOfManySkinNodesKeepTheirPlaces) {
