@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/warnings.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 #include <vector>
@@ -12,8 +13,8 @@ constexpr std::size_t shown_names = 3;
 
 struct Kind {
   std::string kind, first_line;
-  std::vector<std::string> names;  // the first of them
-  std::size_t count = 0;
+  std::vector<std::string> names;     // the first of them, each once
+  std::size_t count = 0, others = 0;  // all, and those of other names
 };
 
 thread_local int groups = 0;
@@ -23,7 +24,7 @@ std::string line_of(const Kind& k) {
   if (k.count == 1) return k.first_line;
   std::string names;
   for (const std::string& name : k.names) names += (names.empty() ? "'" : ", '") + name + "'";
-  if (k.count > k.names.size()) names += fmt::format(" and {} more", k.count - k.names.size());
+  if (k.others > 0) names += fmt::format(" and {} more", k.others);
   return fmt::format("{}: {} of them: {}", k.kind, k.count, names);
 }
 
@@ -43,7 +44,11 @@ void warn_of(const std::string& kind, const std::string& name, const std::string
   for (Kind& k : gathered) {
     if (k.kind != kind) continue;
     ++k.count;
-    if (k.names.size() < shown_names) k.names.push_back(name);
+    if (std::find(k.names.begin(), k.names.end(), name) != k.names.end()) return;
+    if (k.names.size() < shown_names)
+      k.names.push_back(name);
+    else
+      ++k.others;
     return;
   }
   gathered.push_back({kind, line, {name}, 1});

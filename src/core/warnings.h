@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Warnings that many things of one file may share: one line then says what, how many, and the first three
-// names.
+// names, each once.
 #pragma once
 
 #include <string>

@@ -80,6 +80,7 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
     scene.materials.push_back(std::move(m.material));
   }
 
+  check_skin_nodes(document, numbers);
   Placed placed = place_meshes(document, bytes, numbers, options);
   scene.primitives = std::move(placed.primitives);
   for (std::size_t i = 0; i < scene.primitives.size(); ++i)

@@ -17,6 +17,7 @@ constexpr double largest_position_m = 1e6;
 constexpr float largest_uv = 1e5f;  // more repeats of a map than any picture shows
 // limit on work: vertices times active morph targets, per vertex limit
 constexpr std::uint64_t morph_passes = 2;
+constexpr std::size_t most_skin_nodes = 1024;  // half a minute for a frame on a software driver
 
 /// The local mesh with the node's morph targets applied (glTF 2.0, 3.7.2.2).
 void apply_morphs(Bytes& bytes, const MeshPrimitive& primitive, const std::vector<double>& weights,
@@ -238,6 +239,24 @@ void check_limits(const Document& document, const LoadOptions& options) {
     warn_of(line, document.file, line);
   }
   if (triangles == 0) throw input_error(document.file, "there are no triangles to draw");
+}
+
+void check_skin_nodes(const Document& document, const MaterialNumbers& materials) {
+  std::size_t count = 0;
+  for (const int n : shown_nodes(document)) {
+    if (document.nodes[n].mesh < 0) continue;
+    const std::vector<MeshPrimitive>& primitives = document.meshes[document.nodes[n].mesh].primitives;
+    count += std::any_of(primitives.begin(), primitives.end(), [&](const MeshPrimitive& p) {
+      return claimed_triangles(document, p) > 0 && p.attributes.contains("TEXCOORD_0") &&
+             materials.skin[static_cast<std::size_t>(materials.of.at(p.material))];
+    });
+  }
+
+  if (count > most_skin_nodes)
+    throw input_error(document.file,
+                      "has {} nodes of skin, each with a light map of its own; at most {} can be drawn: join "
+                      "their meshes, or name another material with --skin",
+                      count, most_skin_nodes);
 }
 
 Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumbers& materials,

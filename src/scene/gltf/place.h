@@ -37,4 +37,7 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
 /// triangles.
 void check_limits(const Document& document, const LoadOptions& options);
 
+/// InputError: more nodes of skin with texture coordinates than can be lit, each by itself.
+void check_skin_nodes(const Document& document, const MaterialNumbers& materials);
+
 }  // namespace dermis::scene::gltf

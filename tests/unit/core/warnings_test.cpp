@@ -52,6 +52,21 @@ TEST(Warnings, ManyOfAKindAreOneLineWithTheFirstThree) {
                                       "'shirt' has a stain"}));
 }
 
+TEST(Warnings, EachNameIsSaidOnce) {
+  Lines said;
+  {
+    const WarningGroup group;
+    for (int i = 0; i < 5; ++i) warn_of_hole(i / 3);
+  }
+  {
+    const WarningGroup group;
+    for (int i = 0; i < 10; ++i) warn_of_hole(i / 2);
+  }
+  EXPECT_EQ(said.lines,
+            (std::vector<std::string>{"a hole: 5 of them: 'sock 0', 'sock 1'",
+                                      "a hole: 10 of them: 'sock 0', 'sock 1', 'sock 2' and 4 more"}));
+}
+
 TEST(Warnings, AnErrorIsNotPrecededByThem) {
   Lines said;
   try {

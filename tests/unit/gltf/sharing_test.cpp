@@ -120,6 +120,12 @@ TEST(GltfSharing, SkinHasAMeshForEachNode) {
   for (const Primitive& p : scene.primitives) EXPECT_TRUE(p.placements.empty());
 }
 
+TEST(GltfSharing, MoreNodesOfSkinThanCanBeLitAreRefused) {
+  const Warnings quiet;
+  EXPECT_ERROR(prisms(1025, false, 0, {{"skin", true}}).error(), "1025 nodes of skin");
+  EXPECT_EQ(prisms(1024, false, 0, {{"skin", true}}).load().primitives.size(), 1024u);
+}
+
 TEST(GltfSharing, NodesThatMorphHaveMeshesOfTheirOwn) {
   const Warnings quiet;
   Builder b = prisms(4, false);
