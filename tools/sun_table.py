@@ -4,13 +4,15 @@
 
 usage: tools/sun_table.py OUT [options]
 
-Makes skies of 1024 x 512 pixels in OUT: blue above, a ground below, and a sun of so many pixels of a stated radiance.
+Makes skies of 1024 x 512 pixels in OUT: blue above, a ground below, and a sun of so many pixels of a stated radiance,
+or a bright rectangle, which is a strip light or a window.
 The reference of each cell is rendered once and kept in OUT, so that a second program is measured with the same.
 """
 import argparse
 import json
 import math
 import pathlib
+import statistics
 import subprocess
 
 WIDTH, HEIGHT = 1024, 512
@@ -44,6 +46,14 @@ def sun_pixels(elevation_deg, count):
     return near[:count]
 
 
+def window_pixels(elevation_deg, size_deg):
+    """Those of a rectangle of so many degrees of azimuth and of elevation in front of the head."""
+    across, down = (max(1, round(side / 360 * WIDTH)) for side in size_deg)
+    y = round((90 - elevation_deg) / 180 * HEIGHT - 0.5)
+    return [(x % WIDTH, y + j) for j in range(-(down // 2), down - down // 2) if 0 <= y + j < HEIGHT
+            for x in range(-(across // 2), across - across // 2)]
+
+
 def rgbe(colour):
     largest = max(colour)
     if largest < 1e-32:
@@ -53,9 +63,9 @@ def rgbe(colour):
     return bytes([int(c * scale) for c in colour] + [exponent + 128])
 
 
-def write_sky(path, elevation_deg, count, radiance):
-    """Returns the irradiance of the sun on what faces it, green."""
-    pixels = set(sun_pixels(elevation_deg, count))
+def write_sky(path, source_pixels, radiance):
+    """Returns the irradiance of the source on what faces it, green, its size left aside."""
+    pixels = set(source_pixels)
     sun = rgbe([radiance * c for c in SUN_COLOUR])
     rows = []
     for y in range(HEIGHT):
@@ -71,6 +81,10 @@ def write_sky(path, elevation_deg, count, radiance):
 
 def numbers(text):
     return [float(n) for n in text.split(",") if n]
+
+
+def sizes(text):
+    return [tuple(float(side) for side in size.split("x")) for size in text.split(",") if size]
 
 
 class Table:
@@ -108,25 +122,40 @@ class Table:
               f"| {e['rel_mse_unbiased']:.2e} | {e['noise']['flip']:.4f} |", flush=True)
         return e
 
+    def rows(self, name, pixels, radiance):
+        """One sky at each rotation. Returns the line of its summary."""
+        path = self.out / f"{name}.hdr"
+        irradiance = write_sky(path, pixels, radiance)
+        # A face that is neither burnt out nor dark: pi facing the light shows white as white.
+        exposure = round(-math.log2((irradiance + math.pi * MEAN_OF_SKY) / math.pi), 1)
+        rotations = self.arguments.rotations
+        errors = [self.row(f"{name}-{rotation:g}", path, rotation, exposure) for rotation in rotations]
+
+        columns = [name]
+        for key, digits, worst in (("flip", ".4f", max), ("psnr_db", ".1f", min), ("rel_mse_unbiased", ".2e", max)):
+            values = [e[key] for e in errors]
+            columns += [f"{statistics.median(values):{digits}}", f"{worst(values):{digits}}",
+                        f"{rotations[values.index(worst(values))]:g}"]
+        return "| " + " | ".join(columns) + " |"
+
     def run(self):
         a = self.arguments
         print("| sky | EV | lights | FLIP | HDR-FLIP | PSNR dB | relMSE less noise | FLIP of the noise |\n" + "|---" * 8 + "|")
         for environment in a.environments:
             self.row(pathlib.Path(environment).stem, environment, 0, 0)
-        errors = []
-        for pixels in a.pixels:
-            for elevation in a.elevations:
-                path = self.out / f"sun-{int(pixels)}-{elevation:g}.hdr"
-                irradiance = write_sky(path, elevation, int(pixels), a.radiance)
-                # A face that is neither burnt out nor dark: pi facing the light shows white as white.
-                exposure = -math.log2((irradiance + math.pi * MEAN_OF_SKY) / math.pi)
-                for rotation in a.rotations:
-                    errors.append(self.row(f"{path.stem}-{rotation:g}", path, rotation, round(exposure, 1)))
-        if errors:
-            count = len(errors)
-            print(f"\n{count} skies with a sun: FLIP {sum(e['flip'] for e in errors) / count:.4f} on average, at most "
-                  f"{max(e['flip'] for e in errors):.4f}; PSNR {sum(e['psnr_db'] for e in errors) / count:.1f} dB on average, "
-                  f"at least {min(e['psnr_db'] for e in errors):.1f}")
+        summaries = []
+        for elevation in a.elevations:
+            for count in a.pixels:
+                summaries.append(self.rows(f"sun-{int(count)}-{elevation:g}", sun_pixels(elevation, int(count)), a.radiance))
+            for size in a.windows:
+                pixels = window_pixels(elevation, size)
+                radiance = a.window_irradiance / (sum(solid_angle(y) for _, y in pixels) * SUN_COLOUR[1])
+                summaries.append(self.rows(f"window-{size[0]:g}x{size[1]:g}-{elevation:g}", pixels, radiance))
+
+        if summaries:
+            print("\n| source | FLIP, median | largest | at rotation | PSNR dB, median | least | at rotation "
+                  "| relMSE less noise, median | largest | at rotation |\n" + "|---" * 10 + "|")
+            print("\n".join(summaries))
 
 
 def main():
@@ -145,6 +174,8 @@ def main():
     parser.add_argument("--supersample", type=int, default=4)
     parser.add_argument("--radiance", type=float, default=110000, help="of the sun")
     parser.add_argument("--pixels", type=numbers, default=[1, 4, 16], help="of the sun, a list")
+    parser.add_argument("--windows", type=sizes, default=[], help="bright rectangles, a list of degrees of azimuth x elevation")
+    parser.add_argument("--window-irradiance", type=float, default=6, help="on what faces one, its size left aside")
     parser.add_argument("--elevations", type=numbers, default=[10, 35, 65], help="degrees, a list")
     parser.add_argument("--rotations", type=numbers, default=[45 * k for k in range(8)], help="degrees, a list; 0: in front")
     parser.add_argument("--environments", nargs="*", default=["studio"], help="further skies, files or 'studio'")
