@@ -3,9 +3,12 @@
 #   One static library dermis_NAME for the folder src/NAME. DEPENDS names other rooms of the house (public);
 #   LINKS names outside libraries (private). A folder of headers alone has no SOURCES. The pairs are written to build/house.txt, against which the
 #   include check of tests/house holds every #include.
-# dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs] [COST seconds])
+# dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs] [COST seconds]
+#             [PARTS name filter seconds ...])
 #   One GoogleTest executable test_NAME, registered as ONE ctest entry (its cases share a process, so fixtures load once).
 #   COST: processor seconds, roughly; what takes longest starts first, so that nothing long is left alone at the end.
+#   PARTS: cases of a long test that are an entry of their own, NAME_part, so that no processor waits for another at the end; the filter is
+#   GoogleTest's. What is in no part stays in the entry NAME.
 #   Tests with the label gpu share one folder for kept files (build/.../cache), emptied when the tests begin (tests/CMakeLists.txt): what one
 #   has baked serves the others, and nothing of the user's own cache decides what is tested.
 # dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs] [ARGS ...])
@@ -75,8 +78,17 @@ function(dermis_module name)
   set_property(GLOBAL APPEND_STRING PROPERTY DERMIS_HOUSE "${name}: ${deps}\n")
 endfunction()
 
+# Registers test_EXECUTABLE once more, or for the first time, with the cases of a filter.
+function(dermis_test_entry entry executable label cost filter)
+  add_test(NAME ${entry} COMMAND test_${executable} ${filter} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(${entry} PROPERTIES LABELS ${label} TIMEOUT 1200 COST ${cost})
+  if(label STREQUAL "gpu")
+    set_tests_properties(${entry} PROPERTIES ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache" FIXTURES_REQUIRED empty_cache)
+  endif()
+endfunction()
+
 function(dermis_test name)
-  cmake_parse_arguments(T "" "LABEL;COST" "SOURCES;DEPENDS;LINKS" ${ARGN})
+  cmake_parse_arguments(T "" "LABEL;COST" "SOURCES;DEPENDS;LINKS;PARTS" ${ARGN})
   add_executable(test_${name} ${T_SOURCES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   dermis_compile_options(test_${name})
@@ -87,20 +99,24 @@ function(dermis_test name)
   endforeach()
   target_link_libraries(test_${name} PRIVATE ${T_LINKS} GTest::gtest GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE DERMIS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   if(NOT T_LABEL)
     set(T_LABEL unit)
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS ${T_LABEL} TIMEOUT 1200)
-  if(T_LABEL STREQUAL "gpu")
-    set_tests_properties(${name} PROPERTIES ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache" FIXTURES_REQUIRED empty_cache)
-    if(NOT T_COST)
-      set(T_COST 60)
-    endif()
+  if(NOT T_COST)
+    set(T_COST 5)
   endif()
-  if(T_COST)
-    set_tests_properties(${name} PROPERTIES COST ${T_COST})
+
+  set(elsewhere "")
+  while(T_PARTS)
+    list(POP_FRONT T_PARTS part filter cost)
+    dermis_test_entry(${name}_${part} ${name} ${T_LABEL} ${cost} "--gtest_filter=${filter}")
+    list(APPEND elsewhere ${filter})
+  endwhile()
+  list(JOIN elsewhere ":" elsewhere)
+  if(elsewhere)
+    set(elsewhere "--gtest_filter=-${elsewhere}")
   endif()
+  dermis_test_entry(${name} ${name} ${T_LABEL} ${T_COST} "${elsewhere}")
   if(T_LABEL STREQUAL "unit")
     add_dependencies(unit_tests test_${name})
   endif()

@@ -31,6 +31,8 @@ Field make_field(int width, int height) {
 }
 
 int wrapped(int i, int n, Wrap wrap) {
+  // Nearly all are inside already, and a remainder costs as much as all that is done with the texel.
+  if (i >= 0 && i < n) return i;
   if (wrap == Wrap::clamp) return std::clamp(i, 0, n - 1);
   const int period = wrap == Wrap::mirror ? 2 * n : n;
   const int r = ((i % period) + period) % period;
@@ -74,17 +76,24 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
                           down = gaussian_taps(heights.height, target.height, sigma.y);
   Field rows = make_field(target.width, heights.height), result = make_field(target.width, target.height);
   const double mm_per_step = s.displacement_mm / 255;
+  // A row with what its taps reach beyond it: wrapped once a texel instead of once a tap.
+  const int first = across.front().first,
+            end = across.back().first + static_cast<int>(across.back().weights.size());
   parallel_for(static_cast<std::size_t>(heights.height), [&](std::size_t y) {
+    std::vector<float> line;
+    line.reserve(static_cast<std::size_t>(end - first));
+    for (int i = first; i < end; ++i)
+      line.push_back(heights.at(wrapped(i, heights.width, s.wrap_u), static_cast<int>(y))[s.channel]);
+
     for (int x = 0; x < target.width; ++x) {
       const Taps& t = across[static_cast<std::size_t>(x)];
+      const float* from = &line[static_cast<std::size_t>(t.first - first)];
       float sum = 0;
-      for (std::size_t k = 0; k < t.weights.size(); ++k)
-        sum += t.weights[k] *
-               static_cast<float>(heights.at(wrapped(t.first + static_cast<int>(k), heights.width, s.wrap_u),
-                                             static_cast<int>(y))[s.channel]);
+      for (std::size_t k = 0; k < t.weights.size(); ++k) sum += t.weights[k] * from[k];
       rows.at(x, static_cast<int>(y)) = static_cast<float>(sum * mm_per_step);
     }
   });
+
   parallel_for(static_cast<std::size_t>(target.height), [&](std::size_t y) {
     const Taps& t = down[y];
     for (std::size_t k = 0; k < t.weights.size(); ++k) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/builtin/maps.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/parallel.h"
@@ -8,7 +9,8 @@
 namespace dermis::scene::builtin {
 namespace {
 
-// The net refined on the sculpture with all its creases: what the normal map adds to the mesh.
+// The net refined on the sculpture with all its creases: what the normal map adds to the mesh. Small maps
+// have about a texel for each of its points; a point is the dearest thing of the whole head.
 struct FineNet {
   int per_cell = 4;
   int stride = 0;
@@ -16,8 +18,9 @@ struct FineNet {
   std::vector<Region> region;
 };
 
-FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net) {
+FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net, int map_size) {
   FineNet fine;
+  fine.per_cell = std::clamp(map_size / net.columns, 1, 4);
   const int n = fine.per_cell, columns = net.columns * n, rows = net.rows * n;
   fine.stride = columns + 1;
   fine.at_mm.resize(static_cast<std::size_t>(fine.stride * (rows + 1)));
@@ -63,7 +66,7 @@ class Baker {
       : skin_(bust),
         net_(net),
         mesh_(mesh),
-        fine_(refine_on(bust, skin_, net)),
+        fine_(refine_on(bust, skin_, net, size)),
         size_(size),
         height_mm_(static_cast<std::size_t>(size) * size) {}
 

@@ -68,11 +68,8 @@ RenderSettings settings_of(const std::string& technique, bool optimised) {
 }
 
 class CutOut : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Techniques, CutOut, testing::ValuesIn(technique_names()), [](const auto& technique) {
-  std::string name = technique.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Techniques, CutOut, testing::ValuesIn(technique_names()),
+                         [](const auto& technique) { return test_name_of(technique.param); });
 
 // Nothing dark at the rim, nothing red from what is cut away, and no read of light that is not there.
 TEST_P(CutOut, WhiteFurnace) {
@@ -143,7 +140,7 @@ TEST_P(CutOut, EmissionIsOnTopOfTheLight) {
 }
 
 TEST_P(CutOut, ValidationIsSilent) {
-  const std::unique_ptr<Renderer> validated = validated_renderer();
+  Renderer* const validated = validated_renderer();
   if (!validated) GTEST_SKIP() << "the validation layers are not installed";
   scene::Scene made = half_plane(61);
   made.materials.front().emissive = glm::vec3(1);

@@ -25,32 +25,28 @@ RenderSettings lit_by_studio(const std::string& technique) {
 }
 
 class EveryTechniqueInSurroundings : public testing::TestWithParam<std::string> {};
-std::string test_name(const testing::TestParamInfo<std::string>& technique) {
-  std::string name = technique.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
 INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechniqueInSurroundings, testing::ValuesIn(technique_names()),
-                         test_name);
+                         [](const auto& technique) { return test_name_of(technique.param); });
+
+class EveryHeadInSurroundings : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Heads, EveryHeadInSurroundings, testing::Values("sphere", "built-in head", "scan"),
+                         [](const auto& head) { return test_name_of(head.param); });
 
 // Folds see less of the sky, and white skin instead of it.
-TEST_P(EveryTechniqueInSurroundings, WhiteFurnace) {
-  for (const Subject& subject : subjects()) {
-    if (!subject.missing.empty() ||
-        (subject.name != "scan" && subject.name != "sphere" && subject.name != "built-in head"))
-      continue;
-    const Scene scene = subject.open();
+TEST_P(EveryHeadInSurroundings, IsWhiteInAWhiteFurnace) {
+  const Subject& head = subject(GetParam());
+  if (!head.missing.empty()) GTEST_SKIP() << head.missing;
+  for (const std::string& technique : technique_names())
     for (const bool specular : {false, true}) {
-      SCOPED_TRACE(subject.name + (specular ? " with specular" : ""));
-      RenderSettings s = furnace_settings(GetParam(), specular);
+      SCOPED_TRACE(technique + (specular ? " with specular" : ""));
+      RenderSettings s = furnace_settings(technique, specular);
       s.ambient = 0;
       s.environment = white_surroundings();
-      const SkinRange skin = skin_range(renderer().render(scene, s));
+      const SkinRange skin = skin_range(renderer().render(head.open(), s));
       EXPECT_GT(skin.pixels, 1000u);
       EXPECT_GE(skin.low, 0.99);
       EXPECT_LE(skin.high, 1.01);
     }
-  }
 }
 
 // On a sphere, the eye turning with the surroundings sees the same picture.
@@ -123,7 +119,7 @@ TEST(Surroundings, WhatIsOptimisedDoesNotShow) {
 }
 
 TEST(Surroundings, ValidationIsSilent) {
-  const std::unique_ptr<Renderer> validated = validated_renderer();
+  Renderer* const validated = validated_renderer();
   if (!validated) GTEST_SKIP() << "the validation layers are not installed";
   validated->render(sphere(0.1), lit_by_studio("texture-space"));
   for (const std::string& message : validated->validation_messages()) ADD_FAILURE() << message;

@@ -19,10 +19,7 @@ RenderSettings chosen() {
   return s;
 }
 
-const Scene& head() {
-  static const Scene scene = Scene::built_in();
-  return scene;
-}
+Scene head() { return subject("built-in head").open(); }
 
 Picture picture_of(const RenderSettings& s) { return renderer().render(head(), s); }
 

@@ -19,13 +19,6 @@ RenderSettings settings_with(bool cull, bool depth, bool clip) {
   return s;
 }
 
-const Subject& subject_named(const std::string& name) {
-  for (const Subject& subject : subjects())
-    if (subject.name == name) return subject;
-  ADD_FAILURE() << "no subject " << name;
-  return subjects().front();
-}
-
 // Texels of the map that `wanted(triangle, barycentric weights of the texel's centre)` accepts; each once.
 template <class Wanted>
 std::size_t count_texels(const scene::SkinMesh& mesh, const Wanted& wanted) {
@@ -62,9 +55,8 @@ bool culled(const scene::SkinMesh& mesh, std::size_t t, const glm::dvec3& eye) {
 class OnTheScan : public testing::Test {
  protected:
   void SetUp() override {
-    const Subject& subject = subject_named("scan");
-    if (!subject.missing.empty()) GTEST_SKIP() << subject.missing;
-    static const Scene opened = subject.open();
+    if (!subject("scan").missing.empty()) GTEST_SKIP() << subject("scan").missing;
+    static const Scene opened = subject("scan").open();
     scan = &opened;
     static const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(opened.data());
     ASSERT_EQ(meshes.size(), 1u);

@@ -2,9 +2,14 @@
 #include "gpu/techniques/support.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <utility>
 
+#include "scene/builtin_head.h"
 #include "scene/primitives.h"
 
 namespace dermis::tests {
@@ -17,13 +22,29 @@ fs::path shared_assets() {
   return fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
 }
 
+/// Opens when first asked for, and returns the same scene from then on: a renderer keeps what it has uploaded
+/// of the last one.
+std::function<Scene()> once(std::function<Scene()> open) {
+  return [open = std::move(open), kept = std::make_shared<std::optional<Scene>>()] {
+    if (!*kept) *kept = open();
+    return **kept;
+  };
+}
+
 Subject from_file(const std::string& name, const fs::path& path, const std::vector<fs::path>& needs,
                   const std::string& advice) {
-  Subject subject{.name = name, .open = [path] { return Scene::load(path); }, .missing = {}};
+  Subject subject{.name = name, .open = once([path] { return Scene::load(path); }), .missing = {}};
   for (const fs::path& file : needs)
     if (!fs::exists(file)) subject.missing = file.filename().string() + " is not there; " + advice;
   return subject;
 }
+
+/// Ends with the last test: later the layer has ended itself.
+struct Validated : testing::Environment {
+  std::unique_ptr<Renderer> renderer;
+  void TearDown() override { renderer.reset(); }
+};
+Validated* const validated = static_cast<Validated*>(testing::AddGlobalTestEnvironment(new Validated));
 
 Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
 
@@ -34,9 +55,11 @@ Renderer& renderer() {
   return shared;
 }
 
-std::unique_ptr<Renderer> validated_renderer() {
+Renderer* validated_renderer() {
   try {
-    return std::make_unique<Renderer>(Renderer::Options{.device = "best", .validate = true});
+    if (!validated->renderer)
+      validated->renderer = std::make_unique<Renderer>(Renderer::Options{.device = "best", .validate = true});
+    return validated->renderer.get();
   } catch (const DeviceError& error) {
     if (std::string(error.what()).find("layer") == std::string::npos) throw;
     return nullptr;
@@ -83,9 +106,9 @@ const std::vector<Subject>& subjects() {
                    ict = shared / "ict-facekit" / "ict-mean-animated.glb";
     const std::string cache = "set DERMIS_ASSET_CACHE to the folder that holds it";
     return std::vector<Subject>{
-        {"sphere", [] { return sphere(0.1); }, {}},
-        {"sheared plane", sheared_plane, {}},
-        {"built-in head", [] { return Scene::built_in(); }, {}},
+        {"sphere", once([] { return sphere(0.1); }), {}},
+        {"sheared plane", once(sheared_plane), {}},
+        {"built-in head", once([] { return wrap(scene::builtin_head({.map_size = 512})); }), {}},
         from_file("scan", heads / "lee-perry-smith.gltf",
                   {heads / "LeePerrySmith.glb", heads / "Map-COL.jpg"}, "./run fetch-assets brings it"),
         from_file("MakeHuman", makehuman, {makehuman}, cache),
@@ -93,6 +116,24 @@ const std::vector<Subject>& subjects() {
     };
   }();
   return all;
+}
+
+const Subject& subject(const std::string& name) {
+  for (const Subject& s : subjects())
+    if (s.name == name) return s;
+  throw std::invalid_argument("no subject " + name);
+}
+
+std::vector<std::string> subject_names() {
+  std::vector<std::string> names;
+  for (const Subject& s : subjects()) names.push_back(s.name);
+  return names;
+}
+
+std::string test_name_of(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
 }
 
 SkinRange skin_range(const Picture& picture) {

@@ -18,8 +18,9 @@ namespace dermis::tests {
 /// One renderer for the whole process: pipelines are made once.
 Renderer& renderer();
 
-/// One with the validation layers; none where they are not installed. Any other trouble is thrown.
-std::unique_ptr<Renderer> validated_renderer();
+/// One with the validation layers for the whole process, so its messages may be of a test before; null where
+/// they are not installed. Any other trouble is thrown.
+Renderer* validated_renderer();
 
 /// A picture small enough for a software driver.
 RenderSettings small_settings(const std::string& technique);
@@ -34,14 +35,18 @@ Scene sheared_plane();
 /// The sphere under one directional light that shines where the framing camera looks.
 Scene sphere_lit_from_the_camera(double radius_m);
 
-/// A head by name: loading may fail because the files are not there, then it is empty and `missing` says what
-/// to do.
+/// A head by name; open() reads it once. Its files may not be there: then `missing` says what to do.
 struct Subject {
   std::string name;
   std::function<Scene()> open;
   std::string missing;
 };
 const std::vector<Subject>& subjects();
+const Subject& subject(const std::string& name);  ///< one of them
+std::vector<std::string> subject_names();
+
+/// Of a technique or a head: what GoogleTest takes for a name.
+std::string test_name_of(std::string name);
 
 /// Pixels that are wholly skin.
 struct SkinRange {
