@@ -158,6 +158,9 @@ class Renderer {
   struct Options {
     std::string device = "best";  ///< best, an index or a part of a name
     bool validate = false;        ///< Vulkan validation layer; see validation_messages()
+    /// For tests: before each frame its textures hold what is no number, as a driver might leave them. No
+    /// picture may show it.
+    bool poison = false;
     /// Set by another thread, a signal or `progress`: render(), prepare() and PreparedFrame::set() end with
     /// Cancelled (dermis/cancelled.h) while they prepare; nothing half-done is kept.
     const std::atomic<bool>* stop = nullptr;

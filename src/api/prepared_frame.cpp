@@ -94,6 +94,7 @@ struct PreparedFrame::State {
   void make_data();
   std::optional<double> measure_exposure();
   void look_at_the_sky();
+  void run_full();
   void count();
 };
 
@@ -151,7 +152,7 @@ std::optional<double> PreparedFrame::State::measure_exposure() {
   const std::optional<double> ev = api::choose_exposure([&](double tried_ev) {
     setup.frame.radiance_scale = static_cast<float>(std::exp2(tried_ev));
     make_data();
-    executor->run_full(data);
+    run_full();
     return api::mean_skin_luminance(api::read_before_bloom(*executor, outputs));
   });
 
@@ -223,11 +224,16 @@ void PreparedFrame::State::look_at_the_sky() {
     sky = api::sky_on_skin(device(), surroundings, rotation_deg, shared.sky_seen);
 }
 
+void PreparedFrame::State::run_full() {
+  if (renderer->options.poison) executor->poison();
+  executor->run_full(data);
+}
+
 // The first frame of a view warms up (the first use of a pipeline compiles on software devices), makes what
 // lasts, and counts.
 void PreparedFrame::State::count() {
   if (!counters.empty()) return;
-  executor->run_full(data);
+  run_full();
   counters = gpu::read_back(device(), executor->resources().buffer(outputs.counters));
 }
 
@@ -250,6 +256,7 @@ void PreparedFrame::set(const RenderSettings& settings) {
 double PreparedFrame::draw() {
   return api::naming_the_scene(state_->source, [&] {
     state_->count();
+    if (state_->renderer->options.poison) state_->executor->poison();
     state_->times.push_back(state_->executor->run(state_->data));
     return state_->times.back().total_ms;
   });

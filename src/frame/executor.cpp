@@ -68,6 +68,14 @@ void Executor::record(VkCommandBuffer commands, const FrameData& frame, gpu::Tim
   }
 }
 
+void Executor::poison() {
+  for (std::size_t i = 0; i < resources_.textures_.size(); ++i) {
+    const bool lasts =
+        plan_.textures()[i].lifetime == Lifetime::persistent && layouts_[i] != VK_IMAGE_LAYOUT_UNDEFINED;
+    if (!lasts && resources_.textures_[i].desc().samples == 1) gpu::poison(device(), resources_.textures_[i]);
+  }
+}
+
 FrameTime Executor::run(const FrameData& frame) {
   using namespace std::chrono;
   FrameTime time;

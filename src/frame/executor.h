@@ -56,6 +56,10 @@ class Executor {
   void run_full(const FrameData& frame) {
     device().run([&](VkCommandBuffer commands) { record(commands, frame, nullptr, true); });
   }
+  /// For tests, before a frame: fills what is of no frame yet, and what the frame before has left in
+  /// transient textures, with values that no picture may show (gpu::poison). Where the driver keeps contents
+  /// that a frame declares undefined, what reads them shows it.
+  void poison();
   /// In which the last recorded frame leaves a texture.
   VkImageLayout layout_of(TextureId id) const { return layouts_[id.index]; }
   bool separate_submissions() const { return separate_; }

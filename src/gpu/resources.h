@@ -97,6 +97,10 @@ std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLay
                                  std::uint32_t layer = 0);
 std::vector<std::byte> read_back(Device& device, const Buffer& from);
 
+/// For tests: fills a texture of one sample with what a driver might leave there and no reader may use: not a
+/// number where the format has it (halfway in a depth); waits until done. Its layout is undefined afterwards.
+void poison(Device& device, const Texture& texture);
+
 /// A device buffer filled with the bytes of `data`.
 template <class T>
 Buffer make_buffer(Device& device, std::string name, std::span<const T> data, VkBufferUsageFlags usage) {

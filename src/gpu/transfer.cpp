@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "core/assert.h"
 #include "gpu/device.h"
@@ -162,6 +163,26 @@ void TextureUpload::finish() {
   device_->run([&](VkCommandBuffer commands) {
     barrier(*device_, commands, to_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  });
+}
+
+void poison(Device& device, const Texture& texture) {
+  DERMIS_ASSERT_EQ(texture.desc().samples, 1u);
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+  const VkImageAspectFlags aspect = aspect_of(texture.desc().format);
+  const VkImageSubresourceRange all{aspect, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+
+  device.run([&](VkCommandBuffer commands) {
+    barrier(device, commands, &texture, VK_IMAGE_LAYOUT_UNDEFINED, layout);
+    if (aspect == VK_IMAGE_ASPECT_DEPTH_BIT) {
+      const VkClearDepthStencilValue half{0.5f, 0};
+      device.vk().vkCmdClearDepthStencilImage(commands, texture.handle(), layout, &half, 1, &all);
+    } else {
+      const VkClearColorValue none{.float32 = {nan, nan, nan, nan}};
+      device.vk().vkCmdClearColorImage(commands, texture.handle(), layout, &none, 1, &all);
+    }
+    barrier(device, commands, nullptr, {}, {});
   });
 }
 

@@ -17,5 +17,10 @@ vec2 within_triangle(vec2 p) {
   return a + (kept.y * ab + kept.z * ac) / (kept.x + kept.y + kept.z);
 }
 
-vec2 light_point(vec2 unwrap, float side, vec2 origin) { return clamp(within_triangle(unwrap) * side, 0.5, side - 0.5) + origin; }
+// Half a texel inside, and the step that samplers round to: beyond the square may stand what is no number, which a weight of 0 does not take
+// away. With the step, the texel that is not meant lies inside, and weighs 1/256 at most.
+vec2 light_point(vec2 unwrap, float side, vec2 origin) {
+  const float margin = 0.5 + 1.0 / 256.0;
+  return clamp(within_triangle(unwrap) * side, margin, side - margin) + origin;
+}
 vec2 light_point(vec2 unwrap) { return light_point(unwrap, float(io.map_side), vec2(io.map_origin)); }

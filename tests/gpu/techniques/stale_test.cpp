@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Textures of a frame begin with whatever the driver left in them. Here that is no number, which no sum, no
+// weight of 0 and no clamp takes away: the picture must be the one without, to the bit.
+#include <algorithm>
+#include <cmath>
+
+#include "gpu/techniques/support.h"
+#include "scene/primitives.h"
+
+namespace dermis::tests {
+namespace {
+
+Renderer& poisoned_renderer() {
+  static Renderer shared(Renderer::Options{.poison = true});
+  return shared;
+}
+
+Scene wrap(scene::Scene made) { return Scene(std::make_shared<const scene::Scene>(std::move(made))); }
+
+/// A plane whose texture coordinates end where the square of the light map does, and a ball with seams above
+/// it, skin of its own, in a square of its own.
+scene::Scene plane_and_ball() {
+  scene::Scene made = scene::plane(0.2, glm::dmat2(1), {}, 4);
+  const scene::Scene ball = scene::sphere(0.05, 8);
+  made.materials.push_back(ball.materials.front());
+  made.primitives.push_back(ball.primitives.front());
+  made.primitives.back().material = 1, made.primitives.back().node = 1;
+  for (scene::Vertex& v : made.primitives.back().vertices) v.position_m.z += 0.07f;
+  return made;
+}
+
+/// The same with holes in the plane, some of them at its rim.
+scene::Scene with_holes() {
+  scene::Scene made = plane_and_ball();
+  image::Image8 pixels{.width = 8, .height = 8, .rgba = {}};
+  for (int i = 0; i < 64; ++i) {
+    const std::uint8_t there = (i % 8 + i / 8) % 3 == 0 ? 0 : 255;
+    pixels.rgba.insert(pixels.rgba.end(), {255, 255, 255, there});
+  }
+  scene::Material& skin = made.materials.front();
+  skin.alpha_mode = scene::AlphaMode::mask;
+  skin.base_colour_map.image = static_cast<int>(made.images.size());
+  made.images.push_back({.name = "mask", .pixels = std::make_shared<const image::Image8>(std::move(pixels))});
+  return made;
+}
+
+void expect_equal_bits(const Picture& clean, const Picture& stale) {
+  EXPECT_TRUE(std::all_of(stale.linear_rgba.begin(), stale.linear_rgba.end(),
+                          [](float value) { return std::isfinite(value); }));
+  EXPECT_EQ(clean.linear_rgba, stale.linear_rgba);
+  EXPECT_EQ(clean.display_rgba, stale.display_rgba);
+  EXPECT_EQ(clean.statistics.unshaded_reads, 0u);
+  EXPECT_EQ(stale.statistics.unshaded_reads, 0u);
+}
+
+/// Near: the rim of the plane fills pixels. Far: maps use a part of their squares. In a row: heads beside the
+/// picture light none of theirs.
+void expect_nothing_stale(const Scene& scene, RenderSettings s) {
+  PreparedFrame clean = renderer().prepare(scene, s), stale = poisoned_renderer().prepare(scene, s);
+  for (const auto& [distance, heads] : {std::pair(2.0, 1), {6.0, 1}, {3.0, 3}}) {
+    SCOPED_TRACE(std::to_string(heads) + " heads from " + std::to_string(distance));
+    s.distance = distance;
+    s.heads = heads;
+    clean.set(s), stale.set(s);
+    expect_equal_bits(clean.picture(), stale.picture());
+  }
+}
+
+RenderSettings stale_settings(const std::string& technique) {
+  RenderSettings s = small_settings(technique);
+  s.width = s.height = 40;
+  s.map_size = s.shadow_size = 64;
+  return s;
+}
+
+class Stale : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Techniques, Stale, testing::ValuesIn(technique_names()),
+                         [](const auto& technique) { return test_name_of(technique.param); });
+
+TEST_P(Stale, TexelsShowInNoPicture) {
+  const Scene whole = wrap(plane_and_ball()), holes = wrap(with_holes());
+  RenderSettings s = stale_settings(GetParam());
+  for (const Scene* scene : {&whole, &holes}) {
+    SCOPED_TRACE(scene == &whole ? "whole" : "with holes");
+    expect_nothing_stale(*scene, s);
+  }
+}
+
+// Every set of optimisations, and every way to leave texels out.
+TEST(StaleTexels, ShowWhateverIsLeftOut) {
+  const Scene whole = wrap(plane_and_ball()), holes = wrap(with_holes());
+  for (int set = 0; set < 8; ++set)
+    for (const char* mask : {"alpha", "depth", "tiles"}) {
+      RenderSettings s = stale_settings("texture-space");
+      s.cull = (set & 1) != 0, s.depth = (set & 2) != 0, s.clip = (set & 4) != 0;
+      s.mask = mask;
+      SCOPED_TRACE(std::string(mask) + (s.cull ? " cull" : "") + (s.depth ? " depth" : "") +
+                   (s.clip ? " clip" : ""));
+      expect_nothing_stale(set % 2 == 0 ? whole : holes, s);
+    }
+}
+
+// Maps that halve, maps of many sizes, light without a body, one Gaussian.
+TEST(StaleTexels, ShowInNoOtherKindOfMap) {
+  const Scene whole = wrap(plane_and_ball());
+  RenderSettings s = stale_settings("texture-space");
+  s.maps = "progressive";
+  s.map_size = 256;
+  {
+    SCOPED_TRACE("progressive");
+    expect_nothing_stale(whole, s);
+  }
+  s = stale_settings("texture-space");
+  s.translucency = false;
+  SCOPED_TRACE("opaque");
+  expect_nothing_stale(whole, s);
+}
+
+}  // namespace
+}  // namespace dermis::tests
