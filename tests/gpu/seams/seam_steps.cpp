@@ -175,4 +175,34 @@ Excess seam_excess(const Crossings& crossings, const Picture& picture, const Pic
   return excess;
 }
 
+Picture read_off(const Scene& scene, const RenderSettings& settings, const Picture& picture, double texels) {
+  constexpr int reach_px = 6;
+  const Pixels pixels(scene, settings);
+  const glm::ivec2 size(pixels.width(), pixels.height());
+  const glm::dvec2 off(-texels / settings.map_size, 0);
+
+  const auto nearest = [&](const glm::ivec2& p) {
+    const glm::dvec2 wanted = pixels.at(p).uv + off;
+    glm::ivec2 best = p;
+    for (int y = std::max(p.y - reach_px, 0); y <= std::min(p.y + reach_px, size.y - 1); ++y)
+      for (int x = std::max(p.x - reach_px, 0); x <= std::min(p.x + reach_px, size.x - 1); ++x) {
+        const Sample& other = pixels.at({x, y});
+        if (other.skin && glm::distance(other.uv, wanted) < glm::distance(pixels.at(best).uv, wanted))
+          best = {x, y};
+      }
+    return best;
+  };
+
+  Picture moved = picture;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const Sample& here = pixels.at({x, y});
+      if (!here.skin || here.uv.x < 0.5) continue;
+      const glm::ivec2 from = nearest({x, y});
+      std::copy_n(&picture.display_rgba[4 * static_cast<std::size_t>(from.y * size.x + from.x)], 4,
+                  &moved.display_rgba[4 * static_cast<std::size_t>(y * size.x + x)]);
+    }
+  return moved;
+}
+
 }  // namespace dermis::tests

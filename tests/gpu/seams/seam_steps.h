@@ -39,4 +39,9 @@ struct Excess {
 Excess seam_excess(const Crossings& crossings, const Picture& picture, const Picture& unmapped,
                    std::size_t least = 12);
 
+/// What a head of one chart, cut where u is 0 and 1, would show if skin of u over 1/2 read its light `texels`
+/// nearer to the middle of the chart than it lies: pixels of that half show what the nearest pixel of those
+/// texture coordinates shows, at most six pixels off.
+Picture read_off(const Scene& scene, const RenderSettings& settings, const Picture& picture, double texels);
+
 }  // namespace dermis::tests
