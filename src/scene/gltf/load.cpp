@@ -8,6 +8,7 @@
 
 #include "core/warnings.h"
 #include "scene/gltf/finish.h"
+#include "scene/gltf/missing_uv.h"
 #include "scene/placement.h"
 #include "scene/tangents.h"
 
@@ -19,22 +20,8 @@ using namespace gltf;
 
 constexpr float least_height_m = 0.10f, most_height_m = 0.60f;
 
-/// Texture coordinates that some map of the material wants and the primitive lacks: drawn as if they were all
-/// (0, 0).
-void warn_of_missing_uv(const Document& document, const Primitive& primitive, const Material& material) {
-  if (primitive.has_uv ||
-      (!material.skin && !material.base_colour_map.present() && !material.normal_map.present()))
-    return;
-  const std::string name = printable(primitive.name);
-  const std::string why = material.skin ? ", so skin is lit without scattering" : ", so maps show one texel";
-  warn_of(fmt::format("{}: no texture coordinates{}", document.file, why), name,
-          fmt::format("{}: '{}' has no texture coordinates{}", document.file, name, why));
-}
-
-void complete_surface(const Document& document, Primitive& primitive, const Material& material,
-                      bool file_tangents) {
+void complete_surface(Primitive& primitive, const Material& material, bool file_tangents) {
   make_missing_normals(primitive);
-  warn_of_missing_uv(document, primitive, material);
   // Fine normals of a displacement map use the tangents too; with both, the normal map rules.
   const MapRef& normal = material.normal_map;
   const MapRef& map = normal.present() ? normal : material.skin_settings.displacement;
@@ -83,8 +70,9 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   check_skin_nodes(document, numbers);
   Placed placed = place_meshes(document, bytes, numbers, options);
   scene.primitives = std::move(placed.primitives);
+  leave_out_maps_without_uv(document, placed, scene);
   for (std::size_t i = 0; i < scene.primitives.size(); ++i)
-    complete_surface(document, scene.primitives[i], scene.materials[scene.primitives[i].material],
+    complete_surface(scene.primitives[i], scene.materials[scene.primitives[i].material],
                      placed.file_tangents[i]);
   place_lights_and_cameras(document, options.unit_scale, scene);
   decode_images(document, bytes,

@@ -145,6 +145,7 @@ SharedMesh share(const Document& document, const MeshPrimitive& source, const Lo
     high = glm::max(high, p);
   }
   placed.file_tangents.push_back(usable_tangents(mesh, out.vertices));
+  placed.has_uv.push_back({!mesh.uvs[0].empty(), !mesh.uvs[1].empty()});
 
   SharedMesh shared{placed.primitives.size() - 1, 0.5 * (low + high), 0.5 * (high - low)};
   if (glm::length(shared.middle) <= far * glm::length(shared.half)) {
@@ -299,6 +300,7 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
       frames.check_joints(local, primitive);
       placed.primitives.push_back(place(document, primitive, local, frames, material, n));
       placed.file_tangents.push_back(usable_tangents(local, placed.primitives.back().vertices));
+      placed.has_uv.push_back({!local.uvs[0].empty(), !local.uvs[1].empty()});
     }
   }
   if (placed.primitives.empty()) throw input_error(document.file, "there are no triangles to draw");

@@ -3,6 +3,7 @@
 // primitives. Nodes that share a rigid mesh share its primitives.
 #pragma once
 
+#include <array>
 #include <map>
 
 #include "scene/gltf/mesh.h"
@@ -25,10 +26,12 @@ struct MaterialNumbers {
 /// The drawable primitives of the shown scene; Primitive::material is a new number. A rigid mesh that several
 /// nodes share becomes one primitive with placements, unless it is skin: light spreads by mm, so each node
 /// has its own. Normals that are missing stay zero; `file_tangents` says of each primitive whether its
-/// tangents are the file's and usable. InputError: data, "no triangles to draw".
+/// tangents are the file's and usable, `has_uv` which sets of texture coordinates it has. InputError: data,
+/// "no triangles to draw".
 struct Placed {
   std::vector<Primitive> primitives;
   std::vector<bool> file_tangents;
+  std::vector<std::array<bool, 2>> has_uv;
 };
 Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumbers& materials,
                     const LoadOptions& options);

@@ -32,7 +32,9 @@ Builder with_material(const Json& material) {
   b.triangle();
   add_texture(b);
   b.json["materials"] = Json::array({material});
-  b.json["meshes"][0]["primitives"][0]["material"] = 0;
+  Json& primitive = b.json["meshes"][0]["primitives"][0];
+  primitive["material"] = 0;
+  primitive["attributes"]["TEXCOORD_1"] = Json(primitive["attributes"]["TEXCOORD_0"]);
   return b;
 }
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf/missing_uv.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/warnings.h"
+
+namespace dermis::scene::gltf {
+
+namespace {
+
+constexpr std::array maps_of_material{&Material::base_colour_map,    &Material::metallic_roughness_map,
+                                      &Material::normal_map,         &Material::occlusion_map,
+                                      &Material::emissive_map,       &Material::specular_map,
+                                      &Material::specular_colour_map};
+constexpr std::array maps_of_skin{&SkinSettings::specular, &SkinSettings::roughness,
+                                  &SkinSettings::displacement};
+
+template <class Visit>
+void for_each_map(Material& material, const Visit& visit) {
+  for (const auto map : maps_of_material) visit(material.*map);
+  for (const auto map : maps_of_skin) visit(material.skin_settings.*map);
+}
+
+bool lacks(const std::array<bool, 2>& has_uv, const MapRef& map) {
+  return map.present() && !has_uv[static_cast<std::size_t>(map.uv_set)];
+}
+
+/// Removes the maps that cannot be read; returns whether there were any.
+bool leave_out(Material& material, const std::array<bool, 2>& has_uv) {
+  bool any = false;
+  for_each_map(material, [&](MapRef& map) {
+    if (!lacks(has_uv, map)) return;
+    map = {};
+    any = true;
+  });
+  return any;
+}
+
+void warn_of_missing_uv(const Document& document, const Primitive& primitive, bool skin, bool lost_maps) {
+  const bool unlit_map = skin && !primitive.has_uv;
+  if (!unlit_map && !lost_maps) return;
+
+  const char* why = !unlit_map ? "some maps are left out, for want of their texture coordinates"
+                    : !lost_maps
+                        ? "no texture coordinates, so skin is lit without scattering"
+                        : "no texture coordinates, so skin is lit without scattering, its maps left out";
+  const std::string name = printable(primitive.name);
+  warn_of(fmt::format("{}: {}", document.file, why), name,
+          fmt::format("{}: '{}': {}", document.file, name, why));
+}
+
+}  // namespace
+
+void leave_out_maps_without_uv(const Document& document, const Placed& placed, Scene& scene) {
+  const std::vector<Material> whole = scene.materials;
+  std::vector<std::uint8_t> used(whole.size(), 0);  // as they are in the scene now
+  std::map<std::pair<int, std::array<bool, 2>>, int> without;
+
+  // Those that keep all their maps come first, so that a material which nobody can use whole is changed and
+  // its pictures are not read.
+  for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+    const auto number = static_cast<std::size_t>(scene.primitives[i].material);
+    Material material = whole[number];
+    if (!leave_out(material, placed.has_uv[i])) used[number] = 1;
+  }
+
+  for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+    Primitive& primitive = scene.primitives[i];
+    const auto number = static_cast<std::size_t>(primitive.material);
+    Material material = whole[number];
+    const bool lost = leave_out(material, placed.has_uv[i]);
+    warn_of_missing_uv(document, primitive, material.skin, lost);
+    if (!lost) continue;
+
+    const auto [entry, is_new] =
+        without.try_emplace({primitive.material, placed.has_uv[i]}, primitive.material);
+    if (is_new && std::exchange(used[number], 1) != 0) {
+      entry->second = static_cast<int>(scene.materials.size());
+      scene.materials.push_back(material);
+    } else if (is_new) {
+      scene.materials[number] = material;
+    }
+    primitive.material = entry->second;
+  }
+}
+
+}  // namespace dermis::scene::gltf
