@@ -31,6 +31,8 @@ bool is_optimisation(std::string_view text) {
 // Whether `text` can be one more value of the list that `option` has begun.
 bool belongs_to(std::string_view option, std::string_view text) {
   if (option == "--heads" || option == "--distances") return is_numbers(text);
+  // Where techniques are compared no other words may stand, and a name that is not known is to be told so.
+  if (option == "--techniques") return !text.empty() && !text.starts_with('-');
   return option == "--optimise" && is_optimisation(text);
 }
 

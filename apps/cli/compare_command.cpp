@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/compare_page.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "cli/scene_comparison.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -114,6 +115,8 @@ void compare_techniques(const CompareArguments& arguments) {
   if (settings.techniques == std::vector<std::string>{"all"}) settings.techniques.clear();
   const Scene scene =
       arguments.scene == "built-in" ? Scene::built_in() : Scene::load(arguments.scene, arguments.options);
+  settings.stop = &catch_interrupts();
+  settings.progress = show_preparation();
   const SceneComparison found = compare_scene(scene, settings);
   const std::string page = arguments.html.empty() ? "" : scene_comparison_page(found);
   if (!arguments.html.empty()) write_file(arguments.html, page);

@@ -15,6 +15,7 @@
 #include "api/choose.h"
 #include "cli/progress.h"
 #include "core/error.h"
+#include "dermis/cancelled.h"
 #include "gaussians/one.h"
 #include "image/codec.h"
 #include "image/compare_flip.h"
@@ -114,7 +115,10 @@ class Run {
       : scene_(scene),
         settings_(settings),
         tone_map_(image::find_tone_map(settings.render.tone_map)),
-        renderer_({.device = settings.device}) {
+        renderer_({.device = settings.device,
+                   .validate = false,
+                   .stop = settings.stop,
+                   .progress = settings.progress}) {
     all_.scene = scene.name();
     all_.tone_map = settings.render.tone_map;
     all_.width = settings.render.width, all_.height = settings.render.height;
@@ -142,6 +146,10 @@ class Run {
   }
 
  private:
+  void check_stopped() const {
+    if (settings_.stop && *settings_.stop) throw Cancelled("stopped before all techniques were compared");
+  }
+
   // One for all pictures, the reference too.
   void choose_exposure() {
     if (!settings_.render.exposure_ev) {
@@ -154,12 +162,14 @@ class Run {
 
   void render_truth() {
     ReferenceSettings r = settings_.reference;
+    r.stop = settings_.stop;
     if (::isatty(STDERR_FILENO))
       r.progress = [](const ReferenceProgress& p) {
         show_line(fmt::format("reference: {} samples, noise {:.2f} %", p.samples, p.noise_percent));
       };
     const auto start = Clock::now();
     const ReferencePicture picture = render_reference(scene_, settings_.render, r);
+    check_stopped();
     all_.reference_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     all_.model = r.model;
     all_.samples = picture.samples;
@@ -216,6 +226,7 @@ class Run {
   // Cost at the size that was asked for, error at as many samples a pixel as wanted, of light maps of the
   // same size.
   Statistics add(const std::string& name, const Scene& scene, RenderSettings s) {
+    check_stopped();
     show_line(name);
     ComparedTechnique row;
     row.name = name;

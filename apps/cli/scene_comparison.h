@@ -3,11 +3,14 @@
 // side.
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "dermis/reference.h"
+#include "dermis/renderer.h"
 #include "image/image.h"
 
 namespace dermis::cli {
@@ -23,6 +26,9 @@ struct SceneComparisonSettings {
   std::string reference_file;  ///< linear EXR; empty: rendered
   std::string variance_file;   ///< of reference_file; empty: none
   std::string device = "best";
+  const std::atomic<bool>* stop = nullptr;  ///< set: the comparison ends with Cancelled; none: never
+  /// of what is done before the first frame; none: not told
+  std::function<void(const PreparationProgress&)> progress;
 };
 
 /// Over the pixels of a region.

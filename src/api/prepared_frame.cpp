@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "core/warnings.h"
+#include "dermis/cancelled.h"
 #include "frame/executor.h"
 #include "passes/blur/blur.h"
 #include "passes/frame_data.h"
@@ -85,6 +86,7 @@ struct PreparedFrame::State {
   std::vector<frame::FrameTime> times;  ///< since the last change
   std::vector<std::byte> counters;      ///< of this view; empty: not counted yet
   double pipeline_ms = 0;
+  bool ready = false;                 ///< false: set() has thrown half way
   std::optional<double> exposure_ev;  ///< given or chosen; none: it was to be chosen, and no skin is lit
 
   gpu::Device& device() { return renderer->device; }
@@ -118,6 +120,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
                       next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers, next.suns);
   if (!std::exchange(next_scene->warned_coarse, true)) api::warn_coarse(next_scene->subject, next);
   if (next_surroundings) api::fill_surroundings(next.frame, *next_surroundings, wanted);
+  ready = false;
   // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
   // on its maps.
   if (!executor || next.plan != setup.plan || next.technique != setup.technique) plan(wanted, next);
@@ -134,6 +137,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   make_data();
   times.clear();
   counters.clear();
+  ready = true;
 }
 
 void PreparedFrame::State::make_data() {
@@ -232,6 +236,8 @@ void PreparedFrame::State::run_full() {
 // The first frame of a view warms up (the first use of a pipeline compiles on software devices), makes what
 // lasts, and counts.
 void PreparedFrame::State::count() {
+  if (!ready)
+    throw Cancelled(source.name() + ": the frame was stopped while it was prepared; set() prepares it again");
   if (!counters.empty()) return;
   run_full();
   counters = gpu::read_back(device(), executor->resources().buffer(outputs.counters));

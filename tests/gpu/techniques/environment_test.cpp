@@ -5,8 +5,10 @@
 #include <cmath>
 #include <fstream>
 
+#include "dermis/cancelled.h"
 #include "gpu/techniques/support.h"
 #include "image/codec.h"
+#include "scene/primitives.h"
 
 namespace dermis::tests {
 namespace {
@@ -132,6 +134,27 @@ TEST(Surroundings, UnknownOnesAreRefusedAndNothingChanges) {
   s.environment = "moon";
   EXPECT_THROW(frame.set(s), InputError);
   EXPECT_EQ(frame.picture().linear_rgba, before);
+}
+
+// What is baked is never kept here, so each run of the test bakes anew.
+TEST(Environment, AFrameStoppedWhileItIsPreparedIsNotDrawn) {
+  std::atomic<bool> stop{false};
+  Renderer own({.device = "best", .validate = false, .stop = &stop, .progress = {}});
+  const Scene scene(std::make_shared<const scene::Scene>(scene::sphere(0.0713, 6)));
+  RenderSettings s = small_settings("texture-space");
+  s.width = s.height = 32;
+  s.map_size = 32;
+  PreparedFrame frame = own.prepare(scene, s);
+
+  stop = true;
+  RenderSettings lit = s;
+  lit.environment = "studio";
+  EXPECT_THROW(frame.set(lit), Cancelled);
+  EXPECT_THROW(frame.draw(), Cancelled);
+
+  stop = false;
+  frame.set(s);
+  EXPECT_GT(frame.draw(), 0);
 }
 
 }  // namespace

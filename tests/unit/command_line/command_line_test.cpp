@@ -16,6 +16,8 @@ TEST(Lists, TakeTheirValuesOneByOneOrWithCommas) {
             (Words{"--distances=6,15", "--heads", "1,2,4", "--json", "-"}));
   EXPECT_EQ(join_lists({"--optimise", "cull", "depth", "-o", "a.png"}),
             (Words{"--optimise", "cull,depth", "-o", "a.png"}));
+  EXPECT_EQ(join_lists({"--techniques", "lambert", "texture-space", "--size", "8x8"}),
+            (Words{"--techniques", "lambert,texture-space", "--size", "8x8"}));
   EXPECT_EQ(join_lists({"--heads", "1", "-4"}), (Words{"--heads", "1,-4"})) << "refused later, as a number";
 }
 
