@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Heads that are odd but whole: each gives a picture, with a warning where one helps.
+#include <algorithm>
+
 #include "cli/program.h"
 #include "cli/tiny_gltf.h"
 
@@ -130,6 +132,24 @@ TEST_F(MustRender, SharedHeads) {
     ++found;
     fs::remove(picture());
     expect_rendered(render({path.string()}));
+  }
+  if (found == 0) GTEST_SKIP() << "set DERMIS_ASSET_CACHE to the folder of the shared assets";
+}
+
+// The files of the shared assets that warn most. What is left to say stands behind --verbose.
+TEST_F(MustRender, AFileThatLoadsSaysTwoLinesAtMost) {
+  int found = 0;
+  for (const char* name :
+       {"gltf-valid/head-variants/head-no-uv.glb", "gltf-valid/tinygltf/Extensions-issue97/test.gltf",
+        "gltf-valid/tinygltf/box01.glb", "gltf-valid/tinygltf/Cube/Cube.gltf"}) {
+    const fs::path path = shared_asset(name);
+    if (path.empty()) continue;
+    SCOPED_TRACE(name);
+    ++found;
+    fs::remove(picture());
+    const Result result = render({path.string()});
+    expect_rendered(result);
+    EXPECT_LE(std::count(result.err.begin(), result.err.end(), '\n'), 2) << result.err;
   }
   if (found == 0) GTEST_SKIP() << "set DERMIS_ASSET_CACHE to the folder of the shared assets";
 }
