@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 # dermis_commit(TARGET)
-#   Adds to TARGET a source that defines dermis::cli::commit(). It is looked at in every build and written only when the commit has changed.
+#   Adds to TARGET a source that defines dermis::cli::commit(). It is looked at in every build and written
+#   only when the commit has changed.
 # Run as a script (cmake -P) with SOURCE and OUTPUT it writes that file.
 if(CMAKE_SCRIPT_MODE_FILE)
   find_program(GIT git)
   set(commit "")
   if(GIT)
-    execute_process(COMMAND ${GIT} -C ${SOURCE} describe --always --dirty --exclude=* OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE
+    execute_process(COMMAND ${GIT} -C ${SOURCE} describe --always --dirty --exclude=* OUTPUT_VARIABLE commit
+      OUTPUT_STRIP_TRAILING_WHITESPACE
       ERROR_QUIET)
   endif()
   if(NOT commit MATCHES "^[0-9a-zA-Z-]+$")
@@ -24,7 +26,8 @@ endif()
 function(dermis_commit target)
   set(output ${CMAKE_CURRENT_BINARY_DIR}/commit.cpp)
   add_custom_target(${target}_commit BYPRODUCTS ${output}
-    COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUTPUT=${output} -P ${PROJECT_SOURCE_DIR}/cmake/DermisCommit.cmake
+    COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUTPUT=${output}
+      -P ${PROJECT_SOURCE_DIR}/cmake/DermisCommit.cmake
     COMMENT "Commit" VERBATIM)
   target_sources(${target} PRIVATE ${output})
   add_dependencies(${target} ${target}_commit)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # dermis_install()
-#   What find_package(dermis) needs: the public headers, the static libraries behind dermis_api (found by following their links, so that a
-#   new room joins by itself), and the package files. All in the component "development". The target to link is dermis::dermis.
-#   A room that brings in a new outside library adds it to dermisConfig.cmake.in.
+#   What find_package(dermis) needs: the public headers, the static libraries behind dermis_api (found by
+#   following their links, so that a new room joins by itself), and the package files. All in the component
+#   "development". The target to link is dermis::dermis. A room that brings in a new outside library adds it
+#   to dermisConfig.cmake.in.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -36,13 +37,18 @@ function(dermis_install)
   dermis_rooms_behind(dermis_api rooms)
   set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/dermis)
   install(TARGETS ${rooms} EXPORT dermis ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-  install(EXPORT dermis NAMESPACE dermis:: FILE dermisTargets.cmake DESTINATION ${folder} COMPONENT development)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/dermis DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+  install(EXPORT dermis NAMESPACE dermis:: FILE dermisTargets.cmake DESTINATION ${folder}
+    COMPONENT development)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/dermis DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    COMPONENT development
     FILES_MATCHING PATTERN "*.h")
-  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/dermisConfig.cmake.in ${PROJECT_BINARY_DIR}/package/dermisConfig.cmake
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/dermisConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/package/dermisConfig.cmake
     INSTALL_DESTINATION ${folder})
   # Before 1.0 a minor version may change what callers wrote.
-  write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/dermisConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-  install(FILES ${PROJECT_BINARY_DIR}/package/dermisConfig.cmake ${PROJECT_BINARY_DIR}/package/dermisConfigVersion.cmake
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/dermisConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/package/dermisConfig.cmake
+    ${PROJECT_BINARY_DIR}/package/dermisConfigVersion.cmake
     DESTINATION ${folder} COMPONENT development)
 endfunction()

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 # dermis_shaders(TARGET files...)
-#   Compiles each .comp, .vert or .frag with glslc at build time and embeds the SPIR-V in the target, which must be of the calling
-#   folder (CMake ties build rules to it). Adds one source that defines
-#     std::span<const std::uint32_t> dermis::NAME::find_shader(std::string_view name);   // NAME = target without "dermis_"
-#   where name is the file's name ("blur.comp"): unique within the target, whatever folder it lies in. Empty span: no such shader.
-#   Headers that a shader includes are tracked. #include is relative to src/ or to the including file.
-# Not optimised by glslc: -O strips the names that specialisation constants are found by; drivers optimise anyway.
+#   Compiles each .comp, .vert or .frag with glslc at build time and embeds the SPIR-V in the target, which
+#   must be of the calling folder (CMake ties build rules to it). Adds one source that defines
+#     std::span<const std::uint32_t> dermis::NAME::find_shader(std::string_view name);
+#   where NAME is the target without "dermis_" and name is the file's name ("blur.comp"): unique within the
+#   target, whatever folder it lies in. Empty span: no such shader. Headers that a shader includes are
+#   tracked. #include is relative to src/ or to the including file.
+# Not optimised by glslc: -O strips the names that specialisation constants are found by; drivers optimise
+# anyway.
 
 function(dermis_shaders target)
   find_program(GLSLC glslc)
@@ -30,7 +32,8 @@ function(dermis_shaders target)
     list(APPEND codes ${code})
     add_custom_command(
       OUTPUT ${code}
-      COMMAND ${GLSLC} --target-env=vulkan1.3 -Werror -I ${PROJECT_SOURCE_DIR}/src -MD -MF ${code}.d -MT ${code} -mfmt=num -o ${code} ${source}
+      COMMAND ${GLSLC} --target-env=vulkan1.3 -Werror -I ${PROJECT_SOURCE_DIR}/src
+        -MD -MF ${code}.d -MT ${code} -mfmt=num -o ${code} ${source}
       DEPENDS ${source}
       DEPFILE ${code}.d
       COMMENT "Shader ${name}"

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Puts the files of a list beside the manifests that use them. Each file is taken from $DERMIS_ASSET_CACHE/SET/NAME if it is there (else from
-# ../shared/assets/SET/NAME), else downloaded; it appears under its name only when its length and its sha256 are those of the list.
-# Files that are there and right are kept. The first problem ends the run: one line, exit status 1.
+# Puts the files of a list beside the manifests that use them. Each file is taken from
+# $DERMIS_ASSET_CACHE/SET/NAME if it is there (else from ../shared/assets/SET/NAME), else downloaded; it
+# appears under its name only when its length and its sha256 are those of the list. Files that are there and
+# right are kept. The first problem ends the run: one line, exit status 1.
 set -euo pipefail
 export LC_ALL=C
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -62,11 +63,13 @@ cached() {
 download() {
   command -v curl >/dev/null || fail "$name: curl is not installed, so $url cannot be downloaded"
   local status=0
-  curl --fail --location --silent --proto '=https,http,file' --proto-redir '=https,http' --connect-timeout 20 --speed-limit 1 --speed-time 60 \
+  curl --fail --location --silent --proto '=https,http,file' \
+    --proto-redir '=https,http' --connect-timeout 20 --speed-limit 1 --speed-time 60 \
     --max-filesize "$bytes" --retry 2 --output "$part" -- "$url" || status=$?
   case $status in
     0) ;;
-    5 | 6 | 7 | 28 | 35 | 52 | 55 | 56) fail "$name: no network: $url cannot be reached (curl status $status)" ;;
+    5 | 6 | 7 | 28 | 35 | 52 | 55 | 56)
+      fail "$name: no network: $url cannot be reached (curl status $status)" ;;
     18) fail "$name: short file: the transfer of $url broke off" ;;
     22 | 37 | 78) fail "$name: missing file: there is nothing at $url" ;;
     63) fail "$name: wrong length: $url holds more than the $bytes bytes of the list" ;;
@@ -91,7 +94,8 @@ fetch() {
   size=$(size_of "$part")
   [[ $size -ge $bytes ]] || fail "$name: short file: $from holds $size of $bytes bytes"
   [[ $size -eq $bytes ]] || fail "$name: wrong length: $from holds $size bytes, the list says $bytes"
-  [[ $(hash_of "$part") == "$sha256" ]] || fail "$name: wrong hash: the sha256 of $from is not that of the list"
+  [[ $(hash_of "$part") == "$sha256" ]] ||
+    fail "$name: wrong hash: the sha256 of $from is not that of the list"
   chmod 644 "$part"
   mv -f -- "$part" "$target"
   part=
@@ -107,10 +111,13 @@ while IFS=$'\t' read -r name url sha256 licence bytes rest || [[ -n ${name:-} ]]
     continue
   fi
   [[ $name =~ ^[A-Za-z0-9_][A-Za-z0-9._-]*$ ]] || fail "$list: line $row: '$name' is not a plain file name"
-  [[ $url =~ ^(https|http|file):// ]] || fail "$list: line $row: expected an https, http or file URL, got '$url'"
-  [[ $sha256 =~ ^[0-9a-f]{64}$ ]] || fail "$list: line $row: expected a sha256 of 64 hexadecimal digits, got '$sha256'"
+  [[ $url =~ ^(https|http|file):// ]] ||
+    fail "$list: line $row: expected an https, http or file URL, got '$url'"
+  [[ $sha256 =~ ^[0-9a-f]{64}$ ]] ||
+    fail "$list: line $row: expected a sha256 of 64 hexadecimal digits, got '$sha256'"
   [[ -n $licence ]] || fail "$list: line $row: the licence is missing"
-  [[ $bytes =~ ^[1-9][0-9]{0,9}$ && -z $rest ]] || fail "$list: line $row: expected a length in bytes at the end, got '$bytes $rest'"
+  [[ $bytes =~ ^[1-9][0-9]{0,9}$ && -z $rest ]] ||
+    fail "$list: line $row: expected a length in bytes at the end, got '$bytes $rest'"
   fetch
 done <"$list"
 [[ $row -gt 1 ]] || fail "$list: names no files"

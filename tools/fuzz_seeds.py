@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 """fuzz_seeds.py TARGETS.tsv SEEDS ASSETS OUT: gathers what fuzzing starts from.
 
-OUT/TARGET gets the files of SEEDS/TARGET and, of the folder ASSETS (none is no error), what the target reads and what is not longer than it
-takes. glTF files that name other files get those inside, since a fuzzed file finds nothing beside it.
+OUT/TARGET gets the files of SEEDS/TARGET and, of the folder ASSETS (none is no error), what the target reads
+and what is not longer than it takes. glTF files that name other files get those inside, since a fuzzed file
+finds nothing beside it.
 """
 import base64
 import hashlib
@@ -13,7 +14,8 @@ import sys
 from pathlib import Path
 
 # 1 x 1 white pixel, in place of pictures that would fill an input by themselves
-WHITE = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/AAX+Av4N70a4AAAAAElFTkSuQmCC"
+WHITE = ("data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/AAX+Av4N70a4"
+         "AAAAAElFTkSuQmCC")
 LARGEST_PICTURE = 2048  # bytes
 
 # by target: endings of the files of ASSETS that it takes as they are

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# install_packages.sh LIST | -- NAME...   Installs those packages that are missing, and does nothing at all when none is: no package
-# index is read, no password asked. Exit status 1, with one line that says what to do, when they cannot be installed.
+# install_packages.sh LIST | -- NAME...   Installs those packages that are missing, and does nothing at all
+# when none is: no package index is read, no password asked. Exit status 1, with one line that says what to
+# do, when they cannot be installed.
 set -euo pipefail
 export LC_ALL=C
 
@@ -19,8 +20,10 @@ if ! command -v dpkg-query >/dev/null; then
   exit 0
 fi
 
-# dpkg-query fails when one name is unknown to it, and still prints the others: absent from its output = missing.
-installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null | sed -n 's/ installed$//p' || true)
+# dpkg-query fails when one name is unknown to it, and still prints the others: absent from its output =
+# missing.
+installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null |
+  sed -n 's/ installed$//p' || true)
 missing=()
 for name in "${wanted[@]}"; do
   grep -qxF -- "$name" <<<"$installed" || missing+=("$name")
@@ -29,14 +32,16 @@ if [[ ${#missing[@]} -eq 0 ]]; then exit 0; fi
 
 as_root=()
 if [[ $(id -u) -ne 0 ]]; then
-  command -v sudo >/dev/null || fail "these packages are missing and there is no sudo; as root run: apt-get install ${missing[*]}"
+  command -v sudo >/dev/null ||
+    fail "these packages are missing and there is no sudo; as root run: apt-get install ${missing[*]}"
   as_root=(sudo)
 fi
 echo "installing ${#missing[@]} missing packages: ${missing[*]}"
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 apt() {
-  if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 "$@" >"$log" 2>&1; then
+  if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 "$@" \
+    >"$log" 2>&1; then
     tail -n 15 "$log" >&2
     return 1
   fi
@@ -44,4 +49,5 @@ apt() {
 # An index that cannot be refreshed may still be good enough to install from: the install decides.
 apt update || echo "note: apt-get update failed; trying with the package index there is" >&2
 apt install -y --no-install-recommends "${missing[@]}" ||
-  fail "apt-get could not install: ${missing[*]} (see the lines above: network, sources, or a release older than Debian 12 / Ubuntu 24.04)"
+  fail "apt-get could not install: ${missing[*]} (see the lines above: network, sources, or a release older" \
+    "than Debian 12 / Ubuntu 24.04)"

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Prints the tables of docs/truth.md from the results of bench/truth/truth.sh.
 
-usage: tools/truth_table.py OUT [--cost]      (without --cost the times, which need a quiet machine, are left out)
+usage: tools/truth_table.py OUT [--cost]
+       (without --cost the times, which need a quiet machine, are left out)
 """
 import json
 import pathlib
@@ -23,25 +24,35 @@ def table(head, rows):
     print()
 
 
+def unbiased_if_known(error):
+    unbiased = error["rel_mse_unbiased"]
+    return error["rel_mse"] if unbiased is None else unbiased
+
+
 def main():
     folder, cost = pathlib.Path(sys.argv[1]), "--cost" in sys.argv
     for path in sorted(folder.glob("*.result.json")):
         result = json.loads(path.read_text())
         reference = result["reference"]
-        print(f"**{path.name.removesuffix('.result.json')}**: {result['scene']}, {result['size'][0]} x {result['size'][1]}, "
-              f"{reference.get('model', reference.get('file'))}, {reference.get('samples', '-')} samples a pixel, "
+        width, height = result["size"]
+        print(f"**{path.name.removesuffix('.result.json')}**: {result['scene']}, {width} x {height}, "
+              f"{reference.get('model', reference.get('file'))}, "
+              f"{reference.get('samples', '-')} samples per pixel, "
               f"noise {reference.get('noise_percent', 0):.2f} %\n")
         rows = []
-        for technique in result["techniques"] + [{"name": "noise of the reference", "error": result["noise"]}]:
+        noise = {"name": "noise of the reference", "error": result["noise"]}
+        for technique in result["techniques"] + [noise]:
             if not technique["error"]:
                 continue
             skin = technique["error"]["skin"]
             row = [technique["name"]]
             if cost:
                 row.append(f"{technique['frame_ms']['median']:.1f}" if "frame_ms" in technique else "-")
-            rows.append(row + [f"{skin['flip']:.4f}", f"{skin['hdr_flip']:.4f}", f"{skin['psnr_db']:.2f}", number(skin["rel_mse"]),
-                               number(skin["rel_mse_unbiased"])])
-        table(["technique"] + (["frame ms"] if cost else []) + ["FLIP", "HDR-FLIP", "PSNR dB", "relMSE", "less noise"], rows)
+            row += [f"{skin['flip']:.4f}", f"{skin['hdr_flip']:.4f}", f"{skin['psnr_db']:.2f}"]
+            rows.append(row + [number(skin["rel_mse"]), number(skin["rel_mse_unbiased"])])
+        columns = ["technique"] + (["frame ms"] if cost else [])
+        table(columns + ["FLIP", "HDR-FLIP", "PSNR dB", "relMSE", "less noise"], rows)
+
         plain = [t for t in result["techniques"] if "--optimise" not in t["name"]]
         rows = []
         for region in result["regions"]:
@@ -49,9 +60,10 @@ def main():
                 rows.append([region["name"], "empty"] + ["-"] * (2 * len(plain)))
                 continue
             errors = [t["error"][region["name"]] for t in plain]
-            rows.append([region["name"], str(region["pixels"])] + [f"{e['hdr_flip']:.4f}" for e in errors]
-                        + [number(e["rel_mse_unbiased"] if e["rel_mse_unbiased"] is not None else e["rel_mse"]) for e in errors])
-        table(["region", "pixels"] + [f"HDR-FLIP {t['name']}" for t in plain] + [f"relMSE {t['name']}" for t in plain], rows)
+            row = [region["name"], str(region["pixels"])] + [f"{e['hdr_flip']:.4f}" for e in errors]
+            rows.append(row + [number(unbiased_if_known(e)) for e in errors])
+        columns = ["region", "pixels"] + [f"HDR-FLIP {t['name']}" for t in plain]
+        table(columns + [f"relMSE {t['name']}" for t in plain], rows)
 
 
 if __name__ == "__main__":

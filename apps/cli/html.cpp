@@ -18,7 +18,8 @@ constexpr std::string_view head = R"(<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
+<meta http-equiv="Content-Security-Policy"
+  content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <link rel="icon" href="data:,">
 )";
@@ -37,7 +38,8 @@ table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 td { padding: .15rem 1.2rem .15rem 0; border-bottom: 1px solid #444; overflow-wrap: anywhere; }
 .wide { overflow-x: auto; }
 td:first-child { white-space: nowrap; vertical-align: top; }
-.grid th, .grid td { text-align: right; padding: .2rem .9rem; border-bottom: 1px solid #444; white-space: nowrap; }
+.grid th, .grid td { text-align: right; white-space: nowrap; }
+.grid th, .grid td { padding: .2rem .9rem; border-bottom: 1px solid #444; }
 .grid th { color: #aaa; font-weight: 500; }
 .grid th:first-child, .grid td:first-child { text-align: left; padding-left: 0; }
 .chart { max-width: 100%; height: auto; }
@@ -45,11 +47,14 @@ td:first-child { white-space: nowrap; vertical-align: top; }
 .chart .title { fill: #ddd; font-weight: 600; font-size: 12px; }
 .chart .grid { stroke: #484848; stroke-width: 1; }
 .legend { display: flex; flex-wrap: wrap; gap: .3rem 1.3rem; margin: .5rem 0; }
-.slider { position: relative; display: inline-block; max-width: 100%; --at: 50%; cursor: ew-resize; touch-action: pan-y; overflow: hidden; }
+.slider { position: relative; display: inline-block; max-width: 100%; overflow: hidden; }
+.slider { --at: 50%; cursor: ew-resize; touch-action: pan-y; }
 .slider .over { position: absolute; inset: 0; clip-path: inset(0 0 0 var(--at)); }
-.slider .line { position: absolute; top: 0; bottom: 0; left: var(--at); width: 2px; margin-left: -1px; background: #fff; mix-blend-mode: difference; }
+.slider .line { position: absolute; top: 0; bottom: 0; left: var(--at); width: 2px; margin-left: -1px; }
+.slider .line { background: #fff; mix-blend-mode: difference; }
 .slider .label { position: absolute; top: .4rem; padding: 0 .45rem; background: #000a; color: #fff; }
-.slider input { position: absolute; inset: 0; width: 100%; height: 100%; margin: 0; opacity: 0; pointer-events: none; }
+.slider input { position: absolute; inset: 0; width: 100%; height: 100%; margin: 0; }
+.slider input { opacity: 0; pointer-events: none; }
 .slider:focus-within { outline: 2px solid #8ab4f8; }
 .scale { height: .8rem; margin-top: .4rem; min-width: 12rem; }
 .ticks { display: flex; justify-content: space-between; color: #aaa; font-size: .8rem; }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs the library into an empty folder, builds docs/example against it as a stranger would, and lets it make a picture.
+# Installs the library into an empty folder, builds docs/example against it as a stranger would, and lets it
+# make a picture.
 set -euo pipefail
 source_folder=$1 build_folder=$2 cmake=$3 generator=$4 cxx=$5 c=$6
 place=$(mktemp -d)
@@ -13,13 +14,15 @@ quiet "$cmake" --install "$build_folder" --component development --prefix "$plac
 headers=$(cd "$place/installed/include" && find . -type f | sort | tr '\n' ' ')
 expected=$(cd "$source_folder/include" && find . -name '*.h' | sort | tr '\n' ' ')
 [ "$headers" = "$expected" ] || fail "installed headers are '$headers', not '$expected'"
-if grep -rlF -e "$source_folder" -e "$build_folder" "$place/installed/include" "$place"/installed/lib*/cmake; then
+if grep -rlF -e "$source_folder" -e "$build_folder" \
+  "$place/installed/include" "$place"/installed/lib*/cmake; then
   fail "these installed files name the folder they were built in"
 fi
 
 # A copy: nothing of the source tree must be in reach of the example.
 cp -r "$source_folder/docs/example" "$place/example"
-quiet "$cmake" -S "$place/example" -B "$place/build" -G "$generator" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$cxx" \
+quiet "$cmake" -S "$place/example" -B "$place/build" -G "$generator" \
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$cxx" \
   -DCMAKE_C_COMPILER="$c" -DCMAKE_PREFIX_PATH="$place/installed"
 quiet "$cmake" --build "$place/build"
 "$place/build/portrait" "$place/portrait.png" | head -3
@@ -29,9 +32,12 @@ signature=$(head -c 8 "$place/portrait.png" | od -An -tx1 | tr -d ' \n')
 size=$(od -An -tu1 -j16 -N8 "$place/portrait.png" | awk '{print $3 * 256 + $4 "x" $7 * 256 + $8}')
 [ "$size" = 160x180 ] || fail "portrait.png has $size pixels, not 160x180"
 # A picture of one colour packs into some hundred bytes.
-[ "$(stat -c %s "$place/portrait.png")" -gt 8000 ] || fail "portrait.png shows nothing: $(stat -c %s "$place/portrait.png") bytes"
+[ "$(stat -c %s "$place/portrait.png")" -gt 8000 ] ||
+  fail "portrait.png shows nothing: $(stat -c %s "$place/portrait.png") bytes"
 
 # Errors arrive as exceptions across the installed library.
-if "$place/build/portrait" "$place/other.png" "$place/missing.glb" 2> "$place/log"; then fail "a missing head is no error"; fi
+if "$place/build/portrait" "$place/other.png" "$place/missing.glb" 2> "$place/log"; then
+  fail "a missing head is no error"
+fi
 grep -q "missing.glb" "$place/log" || fail "the error does not name the file: $(cat "$place/log")"
 [ ! -e "$place/other.png" ] || fail "something was written in spite of the error"

@@ -1,11 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Blocks of README.md between "<!-- file: PATH -->" and "<!-- end -->" are those files, letter by letter: code that is only shown rots.
+# Blocks of README.md between "<!-- file: PATH -->" and "<!-- end -->" are those files, letter by letter: code
+# that is only shown rots.
 set -euo pipefail
 source_folder=$1
 shown=0
 while read -r path; do
-  block=$(awk -v start="<!-- file: $path -->" '$0 == start {on = 1; next} on && $0 == "<!-- end -->" {exit} on && !/^```/' "$source_folder/README.md")
+  block=$(awk -v start="<!-- file: $path -->" '
+    $0 == start {on = 1; next}
+    on && $0 == "<!-- end -->" {exit}
+    on && !/^```/' "$source_folder/README.md")
   if [ "$block" != "$(cat "$source_folder/$path")" ]; then
     echo "README.md shows $path as it is not; the difference (README.md first):"
     diff <(printf '%s\n' "$block") "$source_folder/$path" || true

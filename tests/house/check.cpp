@@ -120,6 +120,9 @@ bool has_spdx(const SourceFile& file) {
 }  // namespace
 
 bool is_shader(std::string_view path) { return ends_with_any(path, shader_endings); }
+bool is_script(std::string_view path) {
+  return path == "run" || path.ends_with("CMakeLists.txt") || ends_with_any(path, script_endings);
+}
 bool is_code(std::string_view path) { return is_shader(path) || ends_with_any(path, code_endings); }
 
 std::vector<SourceFile> read_tree(const fs::path& root) {

@@ -69,5 +69,7 @@ Violations check_machine_paths(const std::vector<SourceFile>& tree);
 /// True for what the compilers read: C++, headers, shaders.
 bool is_code(std::string_view path);
 bool is_shader(std::string_view path);
+/// Shell, Python and CMake.
+bool is_script(std::string_view path);
 
 }  // namespace house

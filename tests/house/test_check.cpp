@@ -201,4 +201,25 @@ TEST(HouseCheck, MeasuresFilesAndFunctions) {
   EXPECT_EQ(functions[1].where, "src/core/a.cpp:9 void g(int a,");
 }
 
+TEST(HouseCheck, SeesFunctionsWithoutParagraphs) {
+  MadeUpTree tree;
+  tree.add("src/core/a.cpp", "int f() {\n  a();\n\n  b();\n}\nint g() {\n  a();\n  b();\n}\n");
+  const auto functions = house::function_lengths(tree.read());
+  EXPECT_EQ(house::share_without_blank_line(functions, 4), 0.5);
+  EXPECT_EQ(house::share_without_blank_line(functions, 5), 0);
+  EXPECT_EQ(house::share_without_blank_line(functions, 50), 0);
+  EXPECT_EQ(house::median(functions), 4);
+}
+
+TEST(HouseCheck, SeesLinesThatAreTooWide) {
+  MadeUpTree tree;
+  const std::string narrow(8, 'x'), wide(9, 'x');
+  tree.add("src/core/a.cpp", narrow + "\n" + wide + "\n");
+  tree.add("src/core/a.comp", "// \u00e4\u00e4\u00e4\u00e4\u00e4\n");  // 8 columns, 13 bytes
+  tree.add("run", wide + "\n");
+  tree.add("README.md", wide + "\n");
+  EXPECT_EQ(house::check_columns(tree.read(), 8),
+            (house::Violations{"run:1: 9 columns", "src/core/a.cpp:2: 9 columns"}));
+}
+
 }  // namespace

@@ -17,6 +17,8 @@ namespace {
 constexpr int longest_file = 500;     // lines
 constexpr int longest_shader = 200;   // lines; a shader is one step
 constexpr int longest_function = 80;  // lines
+constexpr int most_columns = 110;     // as .clang-format has it
+constexpr int has_steps = 20;         // lines from which a function should show its steps as paragraphs
 
 const std::vector<house::SourceFile>& tree() {
   static const auto files = house::read_tree(DERMIS_SOURCE_DIR);
@@ -70,11 +72,17 @@ TEST(House, EveryFileNamesItsLicence) { expect_none(house::check_licence(tree())
 
 TEST(House, NoPathOfAMachine) { expect_none(house::check_machine_paths(tree())); }
 
+TEST(House, LinesAreNarrow) { expect_none(house::check_columns(tree(), most_columns)); }
+
 TEST(House, FilesAndFunctionsAreShort) {
   const auto files = house::file_lengths(tree());
   const auto functions = house::function_lengths(tree());
   std::fputs(house::table("longest files (lines)", files, 10).c_str(), stdout);
   std::fputs(house::table("longest functions (lines)", functions, 10).c_str(), stdout);
+  std::printf(
+      "median: file %d lines, function %d; of functions of %d lines or more %.0f %% have no blank line\n",
+      house::median(files), house::median(functions), has_steps,
+      100 * house::share_without_blank_line(functions, has_steps));
   ASSERT_FALSE(files.empty());
   ASSERT_FALSE(functions.empty());
   for (const house::Length& file : files) {

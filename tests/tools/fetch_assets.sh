@@ -12,9 +12,12 @@ other=$(printf 'x' | sha256sum | cut -d ' ' -f 1)
 
 # row URL SHA256 BYTES [NAME]: the list with this one file
 row() {
-  printf 'name\turl\tsha256\tlicence\tbytes\n%s\t%s\t%s\tCC0-1.0\t%s\n' "${4-map.jpg}" "$1" "$2" "$3" >"$scratch/list.tsv"
+  printf 'name\turl\tsha256\tlicence\tbytes\n%s\t%s\t%s\tCC0-1.0\t%s\n' \
+    "${4-map.jpg}" "$1" "$2" "$3" >"$scratch/list.tsv"
 }
-fetch() { call "$root/tools/fetch_assets.sh" --list "$scratch/list.tsv" --into "$scratch/into" --set test-set "$@"; }
+fetch() {
+  call "$root/tools/fetch_assets.sh" --list "$scratch/list.tsv" --into "$scratch/into" --set test-set "$@"
+}
 folder_is_empty() { [[ -z $(ls -A "$scratch/into") ]]; }
 is_there() { cmp -s "$scratch/into/map.jpg" "$scratch/server/map.jpg"; }
 

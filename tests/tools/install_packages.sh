@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/install_packages.sh with stand-ins for dpkg-query, apt-get, id and sudo: what is asked of the system, and what is said when it fails.
+# tools/install_packages.sh with stand-ins for dpkg-query, apt-get, id and sudo: what is asked of the system,
+# and what is said when it fails.
 source "$(dirname "$0")/expect.sh"
 
 mkdir "$scratch/bin"
@@ -19,7 +20,8 @@ removed-dev      # was there once: its settings still are
 
 LIST
 stand_in dpkg-query 'printf "present-dev installed\nremoved-dev config-files\n"; exit 1'
-stand_in apt-get 'echo "apt-get ${*##-*}" | tr -s " " >>"$calls"; [[ $* != *"${apt_fails:-nothing}"* ]] || { echo "E: Unable to locate package"; exit 100; }'
+stand_in apt-get 'echo "apt-get ${*##-*}" | tr -s " " >>"$calls"
+[[ $* != *"${apt_fails:-nothing}"* ]] || { echo "E: Unable to locate package"; exit 100; }'
 stand_in id 'echo "${user:-0}"'
 stand_in sudo 'echo sudo >>"$calls"; exec "$@"'
 

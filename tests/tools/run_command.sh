@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The front door: its help is complete, a wrong command is refused, and its package list is what install_packages.sh can read.
+# The front door: its help is complete, a wrong command is refused, and its package list is what
+# install_packages.sh can read.
 source "$(dirname "$0")/expect.sh"
 
 call "$root/run" help
@@ -10,10 +11,12 @@ for command in demo test build fetch-assets fuzz help; do
 done
 call "$root/run" bake
 check "unknown command: exit status 2" status_is 2
-check "unknown command: the known ones" says "unknown command 'bake'; known: demo, test, build, fetch-assets, fuzz, help"
+check "unknown command: the known ones" says \
+  "unknown command 'bake'; known: demo, test, build, fetch-assets, fuzz, help"
 call "$root/run" fetch-assets --into "$scratch/nowhere"
 check "fetch-assets hands its options on" says "$scratch/nowhere: not a folder"
-call bash -c "sed -e 's/#.*//' '$root/tools/packages.txt' | grep -vE '^[a-z0-9][a-z0-9+.-]*[[:space:]]*\$|^\$'"
+call bash -c "sed -e 's/#.*//' '$root/tools/packages.txt' |
+  grep -vE '^[a-z0-9][a-z0-9+.-]*[[:space:]]*\$|^\$'"
 check "every package name is one" says_nothing
 call bash -c "sed -e 's/[[:space:]]*#.*//' -e '/^\$/d' '$root/tools/packages.txt' | sort | uniq -d"
 check "no package is named twice" says_nothing

@@ -20,7 +20,8 @@ class Progressive : public testing::Test {
     scan = &opened;
     const std::string path = testing::TempDir() + "dermis_wide_profile.json";
     std::ofstream(path) << R"({"name": "wide", "variances_mm2": [0.5, 4, 16, 64, 250, 900],
-      "weights": [[0.2, 0.3, 0.4], [0.2, 0.2, 0.2], [0.2, 0.2, 0.1], [0.1, 0.1, 0.1], [0.1, 0.1, 0.1], [0.2, 0.1, 0.1]]})";
+      "weights": [[0.2, 0.3, 0.4], [0.2, 0.2, 0.2], [0.2, 0.2, 0.1],
+        [0.1, 0.1, 0.1], [0.1, 0.1, 0.1], [0.2, 0.1, 0.1]]})";
     full = small_settings("texture-space");
     full.width = 192, full.height = 240;
     full.map_size = 512;

@@ -244,10 +244,16 @@ TEST(GltfMaterial, FactorsMapsAndExtensions) {
   const Scene scene =
       with_material(
           Json::parse(R"({"name": "eye", "alphaMode": "MASK", "alphaCutoff": 0.3, "doubleSided": true,
-    "pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5, "roughnessFactor": 0.25, "baseColorTexture": {"index": 0}},
-    "normalTexture": {"index": 0, "scale": -2, "texCoord": 1}, "occlusionTexture": {"index": 0, "strength": 0.5}, "emissiveFactor": [1, 0.5, 0],
-    "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}, "KHR_materials_ior": {"ior": 1.33}, "KHR_materials_unlit": {},
-      "KHR_materials_specular": {"specularFactor": 0.5, "specularColorFactor": [2, 1, 0], "specularTexture": {"index": 0}}}})"))
+    "pbrMetallicRoughness": {
+      "baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5, "roughnessFactor": 0.25,
+      "baseColorTexture": {"index": 0}},
+    "normalTexture": {"index": 0, "scale": -2, "texCoord": 1},
+    "occlusionTexture": {"index": 0, "strength": 0.5}, "emissiveFactor": [1, 0.5, 0],
+    "extensions": {
+      "KHR_materials_emissive_strength": {"emissiveStrength": 4},
+      "KHR_materials_ior": {"ior": 1.33}, "KHR_materials_unlit": {},
+      "KHR_materials_specular": {
+        "specularFactor": 0.5, "specularColorFactor": [2, 1, 0], "specularTexture": {"index": 0}}}})"))
           .load();
   const Material& m = scene.materials[0];
   EXPECT_EQ(m.base_colour, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
@@ -334,7 +340,8 @@ TEST(GltfMaterial, SkinRule) {
 TEST(GltfMaterial, DermisExtrasAreReadInFull) {
   const SkinSettings s = with_material(Json::parse(R"({"extras": {"dermis": {"skin": true, "mix": 0.25,
     "profile": {"name": "mine", "variances_mm2": [0.5, 2], "weights": [[0.5, 0.25, 1], [0.5, 0.75, 0]]},
-    "specular": {"texture": 0, "channel": 1, "scale": 2}, "roughness": {"texture": {"index": 0, "texCoord": 1}},
+    "specular": {"texture": 0, "channel": 1, "scale": 2},
+    "roughness": {"texture": {"index": 0, "texCoord": 1}},
     "displacement": {"texture": 0, "mm": 3, "middle": 0.537}, "lobes": [[1, 0.6], [2, 0.4]]}}})"))
                              .load()
                              .materials[0]

@@ -82,7 +82,8 @@ Json scan_manifest() {
   Json json = Json::parse(R"({
     "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
     "nodes": [{"mesh": 0, "scale": [0.053, 0.053, 0.053], "name": "head"}],
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 1, "NORMAL": 2, "TEXCOORD_0": 3}, "indices": 0, "material": 0}]}],
+    "meshes": [{"primitives": [{
+      "attributes": {"POSITION": 1, "NORMAL": 2, "TEXCOORD_0": 3}, "indices": 0, "material": 0}]}],
     "buffers": [{"uri": "LeePerrySmith.glb", "byteLength": 404976}],
     "images": [{"uri": "Map-COL.jpg"}, {"uri": "Map-SPEC.jpg"}], "textures": [{"source": 0}, {"source": 1}],
     "extensionsUsed": ["KHR_texture_transform"]})");

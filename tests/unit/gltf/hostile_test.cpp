@@ -46,7 +46,8 @@ void bend_values(const Json& original, const std::string& bin, int rounds) {
   std::mt19937 random(7);
   const Json flat = original.flatten();
   const Json wild = Json::parse(
-      R"([0, -1, 1, 2, 3, 255, 65535, 4294967295, 4294967296, 281474976710656, 1e300, 0.5, null, true, "x", [], {}, [1], {"a": 1}])");
+      R"([0, -1, 1, 2, 3, 255, 65535, 4294967295, 4294967296, 281474976710656, 1e300,
+          0.5, null, true, "x", [], {}, [1], {"a": 1}])");
   for (int round = 0; round < rounds; ++round) {
     Json mutant = original;
     for (unsigned changes = 1 + random() % 2; changes > 0; --changes) {

@@ -17,7 +17,8 @@ TEST(GltfViews, LightsOfEachKind) {
   Builder b;
   b.triangle();
   b.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse(R"([
-    {"type": "directional", "intensity": 3, "color": [1, 0.5, 0]}, {"type": "point", "intensity": 2, "range": 10, "name": "lamp"},
+    {"type": "directional", "intensity": 3, "color": [1, 0.5, 0]},
+    {"type": "point", "intensity": 2, "range": 10, "name": "lamp"},
     {"type": "spot", "intensity": 1, "spot": {"innerConeAngle": 0.1, "outerConeAngle": 0.2}}])");
   for (int i = 0; i < 3; ++i) {
     b.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", i}}}}},

@@ -94,7 +94,8 @@ TEST_F(ProfileCommand, LayersKeepTheIndexOfTheirSurface) {
 
 TEST_F(ProfileCommand, EverySourceYieldsAProfile) {
   std::ofstream(path("l.json"))
-      << R"([{"sigma_a_per_mm":[0.02,0.1,0.2],"sigma_s_reduced_per_mm":5,"thickness_mm":0.5},{"sigma_a_per_mm":0.05,"sigma_s_reduced_per_mm":2}])";
+      << R"([{"sigma_a_per_mm":[0.02,0.1,0.2],"sigma_s_reduced_per_mm":5,"thickness_mm":0.5},
+             {"sigma_a_per_mm":0.05,"sigma_s_reduced_per_mm":2}])";
   std::ofstream(path("r.csv")) << "r_mm,R,G,B\n0,0.1,0.1,0.1\n0.5,0.05,0.04,0.03\n2,0,0,0\n";
   const std::vector<std::vector<std::string>> sources{
       {"--coefficients", "sigma_a=0.03,0.17,0.48 sigma_s=0.74,0.88,1.01 g=0 eta=1.3", "--model", "better"},

@@ -168,11 +168,11 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
   EXPECT_NE(parse(std::string(100'000, '[').c_str()).find("not JSON"), std::string::npos);
   EXPECT_NE(parse(R"([{"sigma_a_per_mm":1}])").find("'sigma_s_reduced_per_mm' is missing"),
             std::string::npos);
-  EXPECT_NE(
-      parse(
-          R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1},{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1}])")
-          .find("only the last"),
-      std::string::npos);
+  EXPECT_NE(parse(
+                R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1},
+              {"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1}])")
+                .find("only the last"),
+            std::string::npos);
   EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":"x"}])").find("expected a number"),
             std::string::npos);
   EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"thickness_mm":-1}])")
