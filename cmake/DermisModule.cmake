@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: MIT
 # dermis_module(NAME SOURCES ... DEPENDS modules ... LINKS libraries ...)
 #   One static library dermis_NAME for the folder src/NAME. DEPENDS names other rooms of the house (public);
-#   LINKS names outside libraries (private). A folder of headers alone has no SOURCES. The pairs are written to build/house.txt, against which the
-#   include check of tests/house holds every #include.
-# dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs] [COST seconds]
-#             [PARTS name filter seconds ...])
-#   One GoogleTest executable test_NAME, registered as ONE ctest entry (its cases share a process, so fixtures load once).
-#   COST: processor seconds, roughly; what takes longest starts first, so that nothing long is left alone at the end.
-#   PARTS: cases of a long test that are an entry of their own, NAME_part, so that no processor waits for another at the end; the filter is
-#   GoogleTest's. What is in no part stays in the entry NAME.
-#   Tests with the label gpu share one folder for kept files (build/.../cache), emptied when the tests begin (tests/CMakeLists.txt): what one
-#   has baked serves the others, and nothing of the user's own cache decides what is tested.
+#   LINKS names outside libraries (private). A folder of headers alone has no SOURCES. The pairs are written
+#   to build/house.txt, against which the include check of tests/house holds every #include.
+# dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs]
+#             [COST seconds] [PARTS name filter seconds ...])
+#   One GoogleTest executable test_NAME, registered as ONE ctest entry (its cases share a process, so fixtures
+#   load once).
+#   COST: processor seconds, roughly; what takes longest starts first, so that nothing long is left alone at
+#   the end.
+#   PARTS: cases of a long test that are an entry of their own, NAME_part, so that no processor waits for
+#   another at the end; the filter is GoogleTest's. What is in no part stays in the entry NAME.
+#   Tests with the label gpu share one folder for kept files (build/.../cache), emptied when the tests begin
+#   (tests/CMakeLists.txt): what one has baked serves the others, and nothing of the user's own cache decides
+#   what is tested.
 # dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs] [ARGS ...])
-#   A bash script as one ctest entry, given the source folder and ARGS as its arguments; it ends with a status other than 0 on failure.
+#   A bash script as one ctest entry, given the source folder and ARGS as its arguments; it ends with a status
+#   other than 0 on failure.
 # The target unit_tests builds what the label unit needs and nothing else: the sanitizer run needs no more.
 
 include(DermisPrecompiled)
@@ -31,26 +35,31 @@ function(dermis_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     -Wno-missing-field-initializers)   # designated initialisers leave the rest at their defaults, on purpose
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # g++ 12 invents overlaps in "text" + std::string once it has inlined it: https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105651
+    # g++ 12 invents overlaps in "text" + std::string once it has inlined it:
+    # https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105651
     target_compile_options(${target} PRIVATE -Wno-restrict)
   endif()
   if(DERMIS_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(DERMIS_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
+      -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
   if(DERMIS_FUZZ)
-    # Warnings are g++'s to give. A float that does not fit an integer is no part of clang's "undefined", and is what hostile numbers do.
-    target_compile_options(${target} PRIVATE -w -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -fno-sanitize-recover=all
+    # Warnings are g++'s to give. A float that does not fit an integer is no part of clang's "undefined", and
+    # is what hostile numbers do.
+    target_compile_options(${target}
+      PRIVATE -w -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -fno-sanitize-recover=all
       -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=fuzzer-no-link,address,undefined)
   endif()
 endfunction()
 
-# Code around the library: tests, the command line. Nothing in it is worth the time that -O3 takes; what it calls is compiled as ever.
-# -fPIE for programs and for libraries of their parts alike, so that all share one precompiled header.
+# Code around the library: tests, the command line. Nothing in it is worth the time that -O3 takes; what it
+# calls is compiled as ever. -fPIE for programs and for libraries of their parts alike, so that all share one
+# precompiled header.
 function(dermis_program_options target)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
   target_compile_options(${target} PRIVATE -fPIE $<$<CONFIG:Release>:-O1>)
@@ -83,7 +92,8 @@ function(dermis_test_entry entry executable label cost filter)
   add_test(NAME ${entry} COMMAND test_${executable} ${filter} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(${entry} PROPERTIES LABELS ${label} TIMEOUT 1200 COST ${cost})
   if(label STREQUAL "gpu")
-    set_tests_properties(${entry} PROPERTIES ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache" FIXTURES_REQUIRED empty_cache)
+    set_tests_properties(${entry} PROPERTIES ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache"
+      FIXTURES_REQUIRED empty_cache)
   endif()
 endfunction()
 

@@ -4,8 +4,8 @@
 
 usage: tools/large_maps.py OUT [SCENE.gltf] [--side PIXELS]
 
-OUT/NAME.gltf is the scene with one map replaced by a picture of that name. Files the scene needs are linked to.
-The pictures have little in them, so that a few MB of file become as many pixels as a header can claim.
+OUT/NAME.gltf is the scene with one map replaced by a picture of that name. Files the scene needs are linked
+to. The pictures have little in them, so that a few MB of file become as many pixels as a header can claim.
 """
 import argparse
 import json
@@ -27,7 +27,8 @@ def png(path, side, bits, channels=1, interlaced=False):
 
     pixel_bytes = bits * channels // 8
     if interlaced:
-        for x, y, dx, dy in ((0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2), (0, 1, 1, 2)):
+        for x, y, dx, dy in ((0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4),
+                             (1, 0, 2, 2), (0, 1, 1, 2)):
             line = b"\0" + b"\x89" * ((side - x + dx - 1) // dx * pixel_bytes)
             for _ in range(y, side, dy):
                 add(line)
@@ -35,7 +36,8 @@ def png(path, side, bits, channels=1, interlaced=False):
         wave = [round(137 + 40 * math.sin(i / 64 * 2 * math.pi)) for i in range(64)]
         lines = []
         for shift in range(64):
-            period = b"".join(bytes([wave[(x + shift) % 64]]) * (bits // 8) + b"\xff" * (bits // 8 * (channels - 1)) for x in range(64))
+            rest = b"\xff" * (bits // 8 * (channels - 1))
+            period = b"".join(bytes([wave[(x + shift) % 64]]) * (bits // 8) + rest for x in range(64))
             lines.append(b"\0" + (period * (side // 64 + 1))[:side * pixel_bytes])
         for y in range(side):
             add(lines[y % 64])
@@ -43,7 +45,8 @@ def png(path, side, bits, channels=1, interlaced=False):
 
     colour_type = {1: 0, 2: 4, 3: 2, 4: 6}[channels]
     header = struct.pack(">IIBBBBB", side, side, bits, colour_type, 0, 0, 1 if interlaced else 0)
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", b"".join(packed)) + chunk(b"IEND", b""))
+    chunks = chunk(b"IHDR", header) + chunk(b"IDAT", b"".join(packed)) + chunk(b"IEND", b"")
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunks)
 
 
 def progressive_jpeg(path, side, sampling, value=(20, -10, 14)):
@@ -54,14 +57,16 @@ def progressive_jpeg(path, side, sampling, value=(20, -10, 14)):
         return struct.pack(">BBH", 0xFF, marker, len(data) + 2) + data
 
     def scan(components, first, last, bits):
-        body = bytes([len(components)]) + b"".join(bytes([c + 1, 0]) for c in components) + bytes([first, last, 0])
+        named = b"".join(bytes([c + 1, 0]) for c in components)
+        body = bytes([len(components)]) + named + bytes([first, last, 0])
         bits += "1" * (-len(bits) % 8)
         data = int(bits, 2).to_bytes(len(bits) // 8, "big") if bits else b""
         return segment(0xDA, body) + data.replace(b"\xff", b"\xff\0")
 
     # Code n of 4 bits is symbol n: a category of DC, a run of 2^n to 2^(n+1) - 1 ends of blocks of AC.
     codes = bytes([0, 0, 0, 15] + [0] * 12)
-    tables = segment(0xC4, b"\x00" + codes + bytes(range(15))) + segment(0xC4, b"\x10" + codes + bytes(n << 4 for n in range(15)))
+    tables = segment(0xC4, b"\x00" + codes + bytes(range(15)))
+    tables += segment(0xC4, b"\x10" + codes + bytes(n << 4 for n in range(15)))
 
     def dc(difference):
         if difference == 0:
@@ -102,12 +107,14 @@ MAPS = {
     "colour-grey-alpha16": (COLOUR, lambda path, side: png(path, side, 16, channels=2)),
     "colour-grey-progressive": (COLOUR, lambda path, side: progressive_jpeg(path, side, (1,), (20,))),
     "colour-progressive": (COLOUR, lambda path, side: progressive_jpeg(path, side, (2, 1, 1))),
-    "colour-progressive-full": (COLOUR, lambda path, side: progressive_jpeg(path, min(side, 12904), (1, 1, 1))),
+    "colour-progressive-full":
+        (COLOUR, lambda path, side: progressive_jpeg(path, min(side, 12904), (1, 1, 1))),
 }
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("scene", type=pathlib.Path, nargs="?", default="assets/heads/lee-perry-smith.gltf")
     parser.add_argument("--side", type=int, default=16384)

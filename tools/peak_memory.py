@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws glTF files, small, and prints what each process took at most, MB: docs/measuring.md, "Memory of a file".
+"""Draws glTF files, small, and prints what each process took at most, MB.
+docs/measuring.md, "Memory of a file".
 
 usage: tools/peak_memory.py FILE|FOLDER... [--dermis PROGRAM] [-- OPTIONS of dermis render]
 
@@ -39,7 +40,8 @@ def main():
 
     files = []
     for given in map(pathlib.Path, arguments):
-        files += sorted(p for p in given.rglob("*") if p.suffix in (".gltf", ".glb")) if given.is_dir() else [given]
+        inside = sorted(p for p in given.rglob("*") if p.suffix in (".gltf", ".glb"))
+        files += inside if given.is_dir() else [given]
 
     drawn, refused, failed = [], 0, []
     with tempfile.TemporaryDirectory() as folder:

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# picture_hashes.sh [NAME...]   Draws the pictures of tests/golden/pictures.txt, all or those named, and prints
-# the sha256 of each: of its light (EXR) and of what is displayed (PNG). A change that only moves code leaves
-# every line as it is on the same device:
+# picture_hashes.sh [NAME...]   Draws the pictures of tests/golden/pictures.txt, all or those named, and
+# prints the sha256 of each: of its light (EXR) and of what is displayed (PNG). A change that only moves code
+# leaves every line as it is on the same device:
 #
 #   tools/picture_hashes.sh >before.txt; (the change, a build); tools/picture_hashes.sh | diff before.txt -
 #
 #   DERMIS              the program (default build/release/dermis)
-#   DERMIS_ASSET_CACHE  folder of the heads and surroundings (default ../shared/assets); what needs a file that
-#                       is not there is left out, with a note
+#   DERMIS_ASSET_CACHE  folder of the heads and surroundings (default ../shared/assets); what needs a file
+#                       that is not there is left out, with a note
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

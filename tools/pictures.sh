@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# pictures.sh [NAME...]   Makes the pictures of README.md and docs/ again (docs/pictures), all of them or those named, with the
-# commands that the pages print. Asks for imagemagick, which joins pictures; keeps what it renders in out/pictures.
+# pictures.sh [NAME...]   Makes the pictures of README.md and docs/ again (docs/pictures), all of them or
+# those named, with the commands that the pages print. Asks for imagemagick, which joins pictures; keeps what
+# it renders in out/pictures.
 #   DERMIS        the program (default build/release/dermis)
 #   MAKEHUMAN     folder of the MakeHuman heads, for `tone-maps` (default ../shared/assets/makehuman)
-#   ENVIRONMENTS  folder of venice_sunset_1k.hdr and studio_small_09_1k.hdr (default ../shared/assets/environments)
+#   ENVIRONMENTS  folder of venice_sunset_1k.hdr and studio_small_09_1k.hdr (default
+#                 ../shared/assets/environments)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,7 +15,8 @@ makehuman=${MAKEHUMAN:-../shared/assets/makehuman}
 environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
-names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets tone-maps)
+names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets
+  tone-maps)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -81,7 +84,8 @@ backlit() {
 # Of fewer samples than the tables of docs/truth.md have: enough for a picture.
 side() {
   [[ -e $out/side.html ]] ||
-    compare side --scene $scan.gltf --camera portrait --light 90,10 --size 320x360 --shadow-size 8192 --optimise none --samples 256
+    compare side --scene $scan.gltf --camera portrait --light 90,10 \
+    --size 320x360 --shadow-size 8192 --optimise none --samples 256
 }
 
 truth-side() {
@@ -99,7 +103,8 @@ regions() {
 }
 
 truth-studio() {
-  compare studio-truth --scene $scan.gltf --camera portrait --environment studio --lights 0 --size 320x360 --samples 384 \
+  compare studio-truth --scene $scan.gltf --camera portrait --environment studio \
+    --lights 0 --size 320x360 --samples 384 \
     --techniques texture-space
   local id
   for id in reference technique-0 technique-0-error; do from_page studio-truth $id; done
@@ -109,7 +114,8 @@ truth-studio() {
 # No tone map: the curves and strips of a plot.
 skin-sets() {
   "$dermis" profile --preset skin-layers -o $out/layers.json >/dev/null
-  "$dermis" profile --melanin 0.02 --compare skin --compare $out/layers.json --plot docs/pictures/$1.svg >/dev/null
+  "$dermis" profile --melanin 0.02 --compare skin --compare $out/layers.json \
+    --plot docs/pictures/$1.svg >/dev/null
 }
 
 # Above as the former default showed them, below as the default does.
@@ -117,10 +123,12 @@ tone-maps() {
   local tone_map
   for tone_map in filmic natural; do
     for who in african european; do
-      render $who-$tone_map "$makehuman/mh-$who-man-young.glb" --size 480x540 --light 40,30 --exposure auto --tone-map $tone_map
+      render $who-$tone_map "$makehuman/mh-$who-man-young.glb" --size 480x540 \
+        --light 40,30 --exposure auto --tone-map $tone_map
     done
   done
-  convert \( $out/african-filmic.png $out/european-filmic.png +append \) \( $out/african-natural.png $out/european-natural.png +append \) \
+  convert \( $out/african-filmic.png $out/european-filmic.png +append \) \
+    \( $out/african-natural.png $out/european-natural.png +append \) \
     -append -quality 88 -strip docs/pictures/$1.jpg
 }
 

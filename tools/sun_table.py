@@ -4,9 +4,11 @@
 
 usage: tools/sun_table.py OUT [options]
 
-Makes skies of 1024 x 512 pixels in OUT: blue above, a ground below, and a sun of so many pixels of a stated radiance,
+Makes skies of 1024 x 512 pixels in OUT: blue above, a ground below, and a sun of so many pixels of a
+stated radiance,
 or a bright rectangle, which is a strip light or a window.
-The reference of each cell is rendered once and kept in OUT, so that a second program is measured with the same.
+The reference of each cell is rendered once and kept in OUT, so that a second program is measured with
+the same.
 """
 import argparse
 import json
@@ -21,7 +23,7 @@ MEAN_OF_SKY = 0.35  # of what sky() is without a sun
 
 
 def direction(x, y):
-    """Of the middle of a pixel, as src/environment has it: the middle of the picture lies behind the head, at -Z."""
+    """Of the middle of a pixel, as src/environment has it: the picture's middle is behind the head, -Z."""
     azimuth, polar = (x + 0.5 - WIDTH / 2) * 2 * math.pi / WIDTH, (y + 0.5) * math.pi / HEIGHT
     return (math.sin(polar) * math.sin(azimuth), math.cos(polar), -math.sin(polar) * math.cos(azimuth))
 
@@ -96,7 +98,8 @@ class Table:
     def scene(self, environment, rotation, exposure):
         a = self.arguments
         return ["--camera", a.camera] * bool(a.camera) + [
-            "--environment", environment, "--environment-rotation", str(rotation), "--lights", "0", "--size", a.size,
+            "--environment", environment, "--environment-rotation", str(rotation), "--lights", "0",
+             "--size", a.size,
             "--exposure", f"{exposure:.1f}"]
 
     def measure(self, cell, environment, rotation, exposure):
@@ -105,20 +108,24 @@ class Table:
         truth, variance = (self.out / f"{cell}{end}.exr" for end in ("", ".variance"))
         where = self.scene(environment, rotation, exposure)
         if not truth.exists():
-            subprocess.run([a.dermis, "reference", a.scene, *where, "--noise", str(a.noise), "--samples", str(a.samples),
+            subprocess.run([a.dermis, "reference", a.scene, *where, "--noise", str(a.noise),
+                            "--samples", str(a.samples),
                             "--variance", variance, "-o", truth], check=True, capture_output=True)
-        result = subprocess.run([a.dermis, "compare", "--scene", a.scene, *where, "--reference", truth, "--variance", variance,
-                                 "--techniques", "texture-space", "--map-size", str(a.map_size), "--shadow-size",
+        result = subprocess.run([a.dermis, "compare", "--scene", a.scene, *where, "--reference", truth,
+                                 "--variance", variance, "--techniques", "texture-space",
+                                 "--map-size", str(a.map_size), "--shadow-size",
                                  str(a.shadow_size), "--supersample", str(a.supersample), "--json", "-",
                                  *["--tone-map", a.tone_map] * bool(a.tone_map)],
                                 check=True, capture_output=True).stdout
         found = json.loads(result)
         (self.out / f"{cell}.{a.label}.json").write_bytes(result)
-        return {"lights": found["lights"], "noise": found["noise"]["skin"], **found["techniques"][0]["error"]["skin"]}
+        error = found["techniques"][0]["error"]["skin"]
+        return {"lights": found["lights"], "noise": found["noise"]["skin"], **error}
 
     def row(self, cell, environment, rotation, exposure):
         e = self.measure(cell, environment, rotation, exposure)
-        print(f"| {cell} | {exposure:.1f} | {e['lights']} | {e['flip']:.4f} | {e['hdr_flip']:.4f} | {e['psnr_db']:.1f} "
+        print(f"| {cell} | {exposure:.1f} | {e['lights']} | {e['flip']:.4f} | {e['hdr_flip']:.4f} "
+              f"| {e['psnr_db']:.1f} "
               f"| {e['rel_mse_unbiased']:.2e} | {e['noise']['flip']:.4f} |", flush=True)
         return e
 
@@ -132,7 +139,8 @@ class Table:
         errors = [self.row(f"{name}-{rotation:g}", path, rotation, exposure) for rotation in rotations]
 
         columns = [name]
-        for key, digits, worst in (("flip", ".4f", max), ("psnr_db", ".1f", min), ("rel_mse_unbiased", ".2e", max)):
+        for key, digits, worst in (("flip", ".4f", max), ("psnr_db", ".1f", min),
+                                   ("rel_mse_unbiased", ".2e", max)):
             values = [e[key] for e in errors]
             columns += [f"{statistics.median(values):{digits}}", f"{worst(values):{digits}}",
                         f"{rotations[values.index(worst(values))]:g}"]
@@ -140,13 +148,15 @@ class Table:
 
     def run(self):
         a = self.arguments
-        print("| sky | EV | lights | FLIP | HDR-FLIP | PSNR dB | relMSE less noise | FLIP of the noise |\n" + "|---" * 8 + "|")
+        print("| sky | EV | lights | FLIP | HDR-FLIP | PSNR dB | relMSE less noise | FLIP of the noise |")
+        print("|---" * 8 + "|")
         for environment in a.environments:
             self.row(pathlib.Path(environment).stem, environment, 0, 0)
         summaries = []
         for elevation in a.elevations:
             for count in a.pixels:
-                summaries.append(self.rows(f"sun-{int(count)}-{elevation:g}", sun_pixels(elevation, int(count)), a.radiance))
+                pixels = sun_pixels(elevation, int(count))
+                summaries.append(self.rows(f"sun-{int(count)}-{elevation:g}", pixels, a.radiance))
             for size in a.windows:
                 pixels = window_pixels(elevation, size)
                 radiance = a.window_irradiance / (sum(solid_angle(y) for _, y in pixels) * SUN_COLOUR[1])
@@ -159,7 +169,8 @@ class Table:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out", help="folder of skies, references and results")
     parser.add_argument("--dermis", default="build/release/dermis", help="the program")
     parser.add_argument("--label", default="now", help="names the results of this program")
@@ -174,11 +185,15 @@ def main():
     parser.add_argument("--supersample", type=int, default=4)
     parser.add_argument("--radiance", type=float, default=110000, help="of the sun")
     parser.add_argument("--pixels", type=numbers, default=[1, 4, 16], help="of the sun, a list")
-    parser.add_argument("--windows", type=sizes, default=[], help="bright rectangles, a list of degrees of azimuth x elevation")
-    parser.add_argument("--window-irradiance", type=float, default=6, help="on what faces one, its size left aside")
+    parser.add_argument("--windows", type=sizes, default=[],
+                        help="bright rectangles, a list of degrees of azimuth x elevation")
+    parser.add_argument("--window-irradiance", type=float, default=6,
+                        help="on what faces one, its size left aside")
     parser.add_argument("--elevations", type=numbers, default=[10, 35, 65], help="degrees, a list")
-    parser.add_argument("--rotations", type=numbers, default=[45 * k for k in range(8)], help="degrees, a list; 0: in front")
-    parser.add_argument("--environments", nargs="*", default=["studio"], help="further skies, files or 'studio'")
+    parser.add_argument("--rotations", type=numbers, default=[45 * k for k in range(8)],
+                        help="degrees, a list; 0: in front")
+    parser.add_argument("--environments", nargs="*", default=["studio"],
+                        help="further skies, files or 'studio'")
     Table(parser.parse_args()).run()
 
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Reading a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour ... (scene_io.h).
+// Reading a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour
+// ... (scene_io.h).
 #include "shared/switches.glsl"
 
 struct SurfacePoint {
   vec3 position_m;
-  vec3 normal;           // interpolated, unit
+  vec3 normal;  // interpolated, unit
   vec4 tangent;
   vec2 uv0, uv1;
   vec4 colour;

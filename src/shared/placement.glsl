@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices of meshes that may stand in several places: the instance's number is that of its place. Needs vertex_pull.glsl.
+// Vertices of meshes that may stand in several places: the instance's number is that of its place. Needs
+// vertex_pull.glsl.
 #include "shared/placement_io.h"
 layout(binding = 31, scalar) readonly buffer Placements { PlacementIo placements[]; };
 
@@ -18,7 +19,8 @@ VertexIo placed_vertex() {
   const PlacementIo p = placements[gl_InstanceIndex];
   v.position_m = placed_position(p, v.position_m);
   if (p.handedness == 0.0) return v;
-  v.normal = unit_or(p.normal_x * v.normal.x + p.normal_y * v.normal.y + p.normal_z * v.normal.z, vec3(0.0, 0.0, 1.0));
+  v.normal = unit_or(p.normal_x * v.normal.x + p.normal_y * v.normal.y + p.normal_z * v.normal.z,
+                     vec3(0.0, 0.0, 1.0));
   const vec3 t = p.x_axis * v.tangent.x + p.y_axis * v.tangent.y + p.z_axis * v.tangent.z;
   const vec3 any = abs(v.normal.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
   v.tangent.xyz = unit_or(t - v.normal * dot(v.normal, t), normalize(any - v.normal * dot(v.normal, any)));

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Which triangles of a head no pixel can show. Based on: [JG08] sec. 3, where a texel is culled if its interpolated normal is more than
-// 105 degrees from the (constant) view axis. Interpolated normals of a coarse mesh cull texels that are seen, so here a triangle goes as a
-// whole: all its vertices are beyond 105 degrees from the true direction to the eye, and it faces away. Needs vertex_pull.glsl.
-layout(binding = 28, scalar) readonly buffer TurnedNeighbours { uint turned_neighbours[]; };  // scene/turned.h
+// Which triangles of a head no pixel can show. Based on: [JG08] sec. 3, where a texel is culled if its
+// interpolated normal is more than 105 degrees from the (constant) view axis. Interpolated normals of a
+// coarse mesh cull texels that are seen, so here a triangle goes as a whole: all its vertices are beyond 105
+// degrees from the true direction to the eye, and it faces away. Needs vertex_pull.glsl.
+layout(binding = 28, scalar) readonly buffer TurnedNeighbours {
+  uint turned_neighbours[];
+};  // scene/turned.h
 const float cos_105_degrees = -0.2588190451;
 const uint always_kept = 0xFFFFFFFFu;  // as there
 
 bool faces_away(uint first, vec3 offset_m, vec4 eye) {
   const vec3 p = vertices[indices[first]].position_m;
-  const vec3 ab = vertices[indices[first + 1]].position_m - p, ac = vertices[indices[first + 2]].position_m - p;
+  const vec3 ab = vertices[indices[first + 1]].position_m - p,
+             ac = vertices[indices[first + 2]].position_m - p;
   return dot(cross(ab, ac), eye.w != 0.0 ? eye.xyz - (p + offset_m) : eye.xyz) < 0.0;
 }
 
-// So thin on a map of this side that no texel's centre may lie in it: an inscribed circle whose radius is under 0.75 texels.
+// So thin on a map of this side that no texel's centre may lie in it: an inscribed circle whose radius is
+// under 0.75 texels.
 bool falls_between_texels(uint first, float map_side) {
-  const vec2 a = vertices[indices[first]].unwrap, b = vertices[indices[first + 1]].unwrap, c = vertices[indices[first + 2]].unwrap;
+  const vec2 a = vertices[indices[first]].unwrap, b = vertices[indices[first + 1]].unwrap,
+             c = vertices[indices[first + 2]].unwrap;
   const vec2 ab = b - a, ac = c - a;
   return abs(ab.x * ac.y - ab.y * ac.x) * map_side < 0.75 * (length(ab) + length(ac) + length(c - b));
 }

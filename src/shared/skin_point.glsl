@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a point of skin is made of, and the light that enters there: shared by the map in texture space and by direct shading per pixel,
-// so that both show the same skin.
-// Uniform, not storage, buffers: some software devices read zeros from storage in helper invocations, which breaks texture derivatives.
+// What a point of skin is made of, and the light that enters there: shared by the map in texture space and by
+// direct shading per pixel, so that both show the same skin. Uniform, not storage, buffers: some software
+// devices read zeros from storage in helper invocations, which breaks texture derivatives.
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
 layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
@@ -13,10 +13,11 @@ layout(binding = 9) uniform sampler2D map_normal;
 layout(binding = 10) uniform sampler2D map_roughness;
 layout(binding = 11) uniform sampler2D map_occlusion;
 layout(binding = 12) uniform sampler2D map_specular;
-layout(binding = 27) uniform sampler2D sky_seen;  // over the unwrap: environment/occlusion.h
-layout(binding = 29) uniform sampler2D sky_direct;   // likewise: environment::SkyLight
+layout(binding = 27) uniform sampler2D sky_seen;    // over the unwrap: environment/occlusion.h
+layout(binding = 29) uniform sampler2D sky_direct;  // likewise: environment::SkyLight
 layout(binding = 30) uniform sampler2D sky_bounced;
-layout(constant_id = 13) const bool off_map = false;  // the unwrap does not hold the point: nothing is known of what it sees of the sky
+layout(constant_id = 13) const
+    bool off_map = false;  // the unwrap does not hold the point: nothing is known of what it sees of the sky
 
 #include "shared/specular.glsl"
 #include "shared/lights.glsl"
@@ -31,7 +32,8 @@ vec3 skin_albedo(SurfacePoint s) {
   return max(albedo, vec3(0.0));
 }
 
-// x^mix: [DLE07] sec. 3.4 splits the albedo before and after the scattering; mix 0.5 is an absorbing sheet crossed twice.
+// x^mix: [DLE07] sec. 3.4 splits the albedo before and after the scattering; mix 0.5 is an absorbing sheet
+// crossed twice.
 vec3 albedo_power(vec3 albedo, float exponent) {
   if (exponent <= float(nothing())) return vec3(1.0);
   return pow(max(albedo, vec3(1e-6)), vec3(exponent));
@@ -41,10 +43,12 @@ SkinSpecular skin_specular(SurfacePoint s) {
   SkinSpecular spec;
   spec.rho_s = is_on(frame.specular_on) ? material.rho_s : 0.0;
   const MapIo specular_map = material.maps[MAP_SPECULAR];
-  if (is_present(specular_map)) spec.rho_s *= specular_map.scale * texture(map_specular, map_uv(specular_map, s))[specular_map.channel];
+  if (is_present(specular_map))
+    spec.rho_s *= specular_map.scale * texture(map_specular, map_uv(specular_map, s))[specular_map.channel];
   float roughness = material.roughness;
   const MapIo roughness_map = material.maps[MAP_ROUGHNESS];
-  if (is_present(roughness_map)) roughness = roughness_map.scale * texture(map_roughness, map_uv(roughness_map, s))[roughness_map.channel];
+  if (is_present(roughness_map))
+    roughness = roughness_map.scale * texture(map_roughness, map_uv(roughness_map, s))[roughness_map.channel];
   const float m = clamp(roughness * roughness, 0.02, 1.0);
   spec.f0 = f0_of_ior(material.ior);
   spec.m = clamp(m * vec2(material.lobe_factor_0, material.lobe_factor_1), vec2(0.02), vec2(1.0));
@@ -57,8 +61,9 @@ float skin_occlusion(SurfacePoint s) {
   return is_present(map) ? 1.0 + map.scale * (texture(map_occlusion, map_uv(map, s)).r - 1.0) : 1.0;
 }
 
-// Irradiance that enters the skin, sum over the lights. What the surface reflects does not enter; dividing by the mean over all directions
-// here, where the light enters, keeps a white furnace white with maps that vary: (1-rho(L)) (1-rho(V)) / (1-rho_mean).
+// Irradiance that enters the skin, sum over the lights. What the surface reflects does not enter; dividing by
+// the mean over all directions here, where the light enters, keeps a white furnace white with maps that vary:
+// (1-rho(L)) (1-rho(V)) / (1-rho_mean).
 vec3 entering_irradiance(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
   const float kept_mean = 1.0 - specular_albedo_mean(attenuation, spec);
   vec3 e = vec3(0.0);
@@ -77,19 +82,25 @@ const float least_open = 0.002;  // white skin in a hole without a way out has n
 
 // The share of the sky that a point sees.
 float skin_open(SurfacePoint s, vec2 unwrap) {
-  return environment && !off_map ? clamp(textureLod(sky_seen, unwrap, 0.0).w, least_open, 1.0) * max(skin_occlusion(s), least_open) : skin_occlusion(s);
+  return environment && !off_map ? clamp(textureLod(sky_seen, unwrap, 0.0).w, least_open, 1.0) *
+                                       max(skin_occlusion(s), least_open)
+                                 : skin_occlusion(s);
 }
 
-// Irradiance that enters from the surroundings; what is reflected and what the mean takes off cancel. Under a picture of them, what hides the
-// sky sends on what it has of it, over any number of bounces, as white skin in white surroundings stays white. What a painted map hides
-// is lit as the point itself is: a geometric series of the albedo. Based on: Stewart, Langer: Toward Accurate Recovery of Shape from Shading
-// Under Diffuse Lighting, PAMI 19(9), 1997.
+// Irradiance that enters from the surroundings; what is reflected and what the mean takes off cancel. Under a
+// picture of them, what hides the sky sends on what it has of it, over any number of bounces, as white skin
+// in white surroundings stays white. What a painted map hides is lit as the point itself is: a geometric
+// series of the albedo. Based on: Stewart, Langer: Toward Accurate Recovery of Shape from Shading Under
+// Diffuse Lighting, PAMI 19(9), 1997.
 vec3 entering_surroundings(SurfacePoint s, vec3 n, vec2 unwrap) {
   if (!environment || off_map) return surroundings_irradiance(n) * skin_occlusion(s);
   // The maps know the normal of the mesh; a mapped one faces another part of the sky.
   const vec4 seen = textureLod(sky_seen, unwrap, 0.0), bounced = textureLod(sky_bounced, unwrap, 0.0);
-  const vec3 mapped = surroundings_irradiance(normalize(n + seen.xyz)), unmapped = surroundings_irradiance(normalize(s.normal + seen.xyz));
-  vec3 e = max(textureLod(sky_direct, unwrap, 0.0).rgb * frame.environment_intensity + (mapped - unmapped) * seen.w, vec3(0.0));
+  const vec3 mapped = surroundings_irradiance(normalize(n + seen.xyz)),
+             unmapped = surroundings_irradiance(normalize(s.normal + seen.xyz));
+  vec3 e = max(
+      textureLod(sky_direct, unwrap, 0.0).rgb * frame.environment_intensity + (mapped - unmapped) * seen.w,
+      vec3(0.0));
   e += mapped * max(least_open - seen.w, 0.0);
   const vec3 albedo = min(skin_albedo(s), vec3(1.0));
   e += bounced.rgb * frame.environment_intensity * albedo * bounced.w / (1.0 - albedo * (1.0 - bounced.w));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The light that enters at a point of the skin, and that which comes to it through the body, in one loop over the lights. Follows
-// skin_point.glsl.
+// The light that enters at a point of the skin, and that which comes to it through the body, in one loop over
+// the lights. Follows skin_point.glsl.
 #include "shared/transmission_io.h"
 layout(binding = 23) uniform sampler2DArray entering_maps;
 layout(binding = 24, scalar) uniform Transmission { TransmissionIo transmission; };
@@ -9,11 +9,13 @@ layout(constant_id = 8) const int through_terms = 6;
 
 struct EnteringAndThrough {
   vec3 entering;                     // irradiance, as entering_irradiance()
-  vec3 through[TRANSMISSION_TERMS];  // for each Gaussian: irradiance of the far side, times its albedo^mix and the Gaussian's slab factor
+  vec3 through[TRANSMISSION_TERMS];  // for each Gaussian: irradiance of the far side, times its albedo^mix
+                                     // and the Gaussian's slab factor
 };
 
-// Where the surface faces a light it is lit by it, or lies in a shadow that the light may have reached by air: none of it comes through the
-// body. Where it faces away none of that light enters. So no light is counted twice.
+// Where the surface faces a light it is lit by it, or lies in a shadow that the light may have reached by
+// air: none of it comes through the body. Where it faces away none of that light enters. So no light is
+// counted twice.
 EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
   const float kept_mean = 1.0 - specular_albedo_mean(attenuation, spec);
   EnteringAndThrough r;
@@ -26,15 +28,18 @@ EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric
     const LightRead read = read_light(light, a, s.position_m, n_geometric, cosine_here);
     const float tangent = light_tangent(light, a);
     const bool faces = cosine_here > 0.0;
-    const float cosine_lit = light_cosine(dot(n, a.to_light), tangent), cosine = faces ? cosine_lit : read.cosine;
+    const float cosine_lit = light_cosine(dot(n, a.to_light), tangent),
+                cosine = faces ? cosine_lit : read.cosine;
     const vec3 kept = a.irradiance * ((1.0 - specular_albedo(attenuation, spec, cosine)) / kept_mean);
     if (faces)
       r.entering += kept * (cosine_lit * read.lit);
     else if (soft_shadows && cosine_here > -tangent)
-      r.entering += a.irradiance * (cosine_lit * read.lit * (1.0 - specular_albedo(attenuation, spec, cosine_lit)) / kept_mean);
+      r.entering += a.irradiance * (cosine_lit * read.lit *
+                                    (1.0 - specular_albedo(attenuation, spec, cosine_lit)) / kept_mean);
     // A light that has not quite set comes half over the horizon and half through the body.
     const float set = tangent > 0.0 ? min(-cosine_here / tangent, 1.0) : 1.0;
-    add_slab_factors(read, cosine_here, kept * read.entering * (faces ? 0.0 : set * nearer_factor(light, a, read)), r.through);
+    add_slab_factors(read, cosine_here,
+                     kept * read.entering * (faces ? 0.0 : set * nearer_factor(light, a, read)), r.through);
   }
   return r;
 }
@@ -42,6 +47,7 @@ EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric
 // What of it joins the light map before the terms of a group: passes/transmission.h.
 vec3 joining(EnteringAndThrough r, int group) {
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < through_terms; ++i) sum += transmission.share[group * TRANSMISSION_TERMS + i] * r.through[i];
+  for (int i = 0; i < through_terms; ++i)
+    sum += transmission.share[group * TRANSMISSION_TERMS + i] * r.through[i];
   return sum;
 }

@@ -1,27 +1,34 @@
 // SPDX-License-Identifier: MIT
-// Penumbrae of lights that are discs, which face the point that they light. The map is back-projected onto the light: what lies at a
-// distance towards it, beside the ray to its middle, hides one point of the disc. In each of a few directions the points that are hidden
-// are gathered as bits, so that what lies behind each other is not counted twice.
-// Based on: [GBP06] Guennebaud, Barthe, Paulin: Real-time Soft Shadow Mapping by Backprojection, EGSR 2006 (samples of the map are small
-// plates in space); [TLG23] Therrien, Levesque, Gilet: Screen Space Indirect Lighting with Visibility Bitmask, The Visual Computer 2023.
-// Needs: sampler2DArray `shadow_depths`.
+// Penumbrae of lights that are discs, which face the point that they light. The map is back-projected onto
+// the light: what lies at a distance towards it, beside the ray to its middle, hides one point of the disc.
+// In each of a few directions the points that are hidden are gathered as bits, so that what lies behind each
+// other is not counted twice. Based on: [GBP06] Guennebaud, Barthe, Paulin: Real-time Soft Shadow Mapping by
+// Backprojection, EGSR 2006 (samples of the map are small plates in space); [TLG23] Therrien, Levesque,
+// Gilet: Screen Space Indirect Lighting with Visibility Bitmask, The Visual Computer 2023. Needs:
+// sampler2DArray `shadow_depths`.
 layout(constant_id = 10) const bool soft_shadows = false;
 
 const int soft_directions = 8, soft_steps = 10;
-const float solid_m = 0.006;  // what the map shows goes on beneath for at least so much: noses, lips, rims of ears
+const float solid_m =
+    0.006;  // what the map shows goes on beneath for at least so much: noses, lips, rims of ears
 
-// How metres along the light show in a map: depth of a point at `clip`, moved by m towards the light, is (clip.z + m zw.x) / (clip.w + m zw.y).
+// How metres along the light show in a map: depth of a point at `clip`, moved by m towards the light, is
+// (clip.z + m zw.x) / (clip.w + m zw.y).
 struct MapRay {
   vec4 clip;
   vec2 zw;
 };
-float way_of(MapRay ray, float depth) { return (depth * ray.clip.w - ray.clip.z) / (ray.zw.x - depth * ray.zw.y); }
+float way_of(MapRay ray, float depth) {
+  return (depth * ray.clip.w - ray.clip.z) / (ray.zw.x - depth * ray.zw.y);
+}
 
-// Of the plane through the point with this normal: depth a unit of texture coordinates. A plane stays a plane under projection, so two
-// directions in it are enough. Where light grazes it the plane is turned towards the light, else its depth would run away.
+// Of the plane through the point with this normal: depth a unit of texture coordinates. A plane stays a plane
+// under projection, so two directions in it are enough. Where light grazes it the plane is turned towards the
+// light, else its depth would run away.
 vec2 depth_slope(mat4 from_world, vec4 clip, vec3 n, vec3 to_light) {
   n = normalize(n + max(0.1 - dot(n, to_light), 0.0) * to_light);
-  const vec3 t = normalize(cross(n, abs(n.x) < 0.8 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0))), b = cross(n, t);
+  const vec3 t = normalize(cross(n, abs(n.x) < 0.8 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0))),
+             b = cross(n, t);
   const vec4 along_t = from_world * vec4(t, 0.0), along_b = from_world * vec4(b, 0.0);
   const vec3 ndc = clip.xyz / clip.w, dt = along_t.xyz - ndc * along_t.w, db = along_b.xyz - ndc * along_b.w;
   return 2.0 * vec2(dt.z * db.y - db.z * dt.y, db.z * dt.x - dt.z * db.x) / (dt.x * db.y - db.x * dt.y);
@@ -40,8 +47,8 @@ float light_tangent(LightIo light, Arriving a) {
   return light.type == LIGHT_DIRECTIONAL ? light.radius : light.radius / a.distance_m;
 }
 
-// Mean over the light of its cosine where that is positive: c + t s y over the unit disc, s the sine. The light sets over an angle, not at
-// once.
+// Mean over the light of its cosine where that is positive: c + t s y over the unit disc, s the sine. The
+// light sets over an angle, not at once.
 float light_cosine(float c, float tangent) {
   if (!soft_shadows) return max(c, 0.0);
   tangent *= sqrt(max(1.0 - c * c, 0.0));
@@ -53,15 +60,19 @@ float light_cosine(float c, float tangent) {
 
 // Bits of a direction: 32 rings of the disc, all of one area. Those between two distances from its middle.
 uint rings(float from, float to) {
-  const uint first = uint(clamp(from * from, 0.0, 1.0) * 32.0 + 0.5), last = uint(clamp(to * to, 0.0, 1.0) * 32.0 + 0.5);
+  const uint first = uint(clamp(from * from, 0.0, 1.0) * 32.0 + 0.5),
+             last = uint(clamp(to * to, 0.0, 1.0) * 32.0 + 0.5);
   return last <= first ? 0u : (0xFFFFFFFFu >> (32u - (last - first))) << first;
 }
 
-// The share of what light_cosine() has that arrives at p, which lies in that layer; `hard`: that of a light that is a point.
-// Directions are turned by an angle that belongs to the texel of the shadow map: what they get wrong stays where it is when the eye moves.
-float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geometric, float layer, float hard) {
+// The share of what light_cosine() has that arrives at p, which lies in that layer; `hard`: that of a light
+// that is a point. Directions are turned by an angle that belongs to the texel of the shadow map: what they
+// get wrong stays where it is when the eye moves.
+float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geometric, float layer,
+                  float hard) {
   const float texel_m = shadow_texel_m(light, a);
-  const float cosine = dot(n_geometric, a.to_light), tangent = light_tangent(light, a), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
+  const float cosine = dot(n_geometric, a.to_light), tangent = light_tangent(light, a),
+              sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
   // Clear of the surface, which is not quite the plane of its normal.
   const vec4 clip = from_world * vec4(off_the_surface(p, n_geometric, a, texel_m, 1.5), 1.0);
   if (clip.w <= 0.0) return hard;
@@ -71,23 +82,28 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geo
   const float depth = clip.z / clip.w, steepness = length(slope);
   const float horizon = tangent * sine / max(steepness, 1e-15);
   const vec2 here = uv * size;
-  const vec2 noise = fract(52.9829189 * fract(floor(here) * mat2(0.06711056, 0.00583715, 0.00583715, 0.07711056)));
-  // Of the nearest thing that a map can hold, but no more than half of it: maps of lights inside the scene begin close to those.
+  const vec2 noise =
+      fract(52.9829189 * fract(floor(here) * mat2(0.06711056, 0.00583715, 0.00583715, 0.07711056)));
+  // Of the nearest thing that a map can hold, but no more than half of it: maps of lights inside the scene
+  // begin close to those.
   const float reach = clamp(penumbra_texels(light, a, way_of(ray, 1.0)), 0.0, 0.5 * size.x);
   float whole = 0.0, lit = 0.0, widest = 0.0;
   for (int i = 0; i < soft_directions; ++i) {
-    const float angle = 6.2831853 * (noise.x + float(i)) / float(soft_directions), jitter = fract(noise.y + 0.61803399 * float(i));
+    const float angle = 6.2831853 * (noise.x + float(i)) / float(soft_directions),
+                jitter = fract(noise.y + 0.61803399 * float(i));
     const vec2 direction = vec2(cos(angle), sin(angle));
     const float rise = dot(slope, direction);
     uint hidden = 0u;
     float r = 0.0;
     for (int k = 0; k < soft_steps; ++k) {
       // Steps are wider further out: what is near hides with what lies near the ray.
-      const float t = (float(k) + jitter) / float(soft_steps), t_next = t + 1.0 / float(soft_steps), next = reach * t_next * t_next * t_next;
+      const float t = (float(k) + jitter) / float(soft_steps), t_next = t + 1.0 / float(soft_steps),
+                  next = reach * t_next * t_next * t_next;
       const vec2 at = floor(here + direction * (0.5 * (r + next))) + 0.5;
       const float way_m = way_of(ray, textureLod(shadow_depths, vec3(at / size, layer), 0.0).x);
       const float plane_m = max(way_of(ray, max(depth + dot(slope, at - here), 0.0)), 0.0);
-      const bool known = all(greaterThan(at, vec2(0.0))) && all(lessThan(at, size));  // six maps around a light end at their edges
+      const bool known = all(greaterThan(at, vec2(0.0))) &&
+                         all(lessThan(at, size));  // six maps around a light end at their edges
       if (known && way_m > plane_m + texel_m * (0.3 + 0.02 * next)) {
         // A plate from r to next.
         const float penumbra = max(penumbra_texels(light, a, way_m), 1.5);
@@ -104,7 +120,8 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geo
       lit += weight * float(8 - bitCount(hidden >> (8 * g) & 255u));
     }
   }
-  // Contacts closer than the map resolves are seen by its filter; not near the horizon, where that sees the surface itself.
+  // Contacts closer than the map resolves are seen by its filter; not near the horizon, where that sees the
+  // surface itself.
   if (widest <= 1.5) return mix(1.0, hard, smoothstep(0.5 * tangent, tangent, cosine));
   return lit / max(whole, 1e-6);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How a tile stands in a list, and which entry a workgroup of an indirect dispatch takes.
 #include "shared/tiles_io.h"
-uvec2 tiles_across(uint side) { return (uvec2(side) + uvec2(TILE_WIDTH, TILE_HEIGHT) - 1u) / uvec2(TILE_WIDTH, TILE_HEIGHT); }
+uvec2 tiles_across(uint side) {
+  return (uvec2(side) + uvec2(TILE_WIDTH, TILE_HEIGHT) - 1u) / uvec2(TILE_WIDTH, TILE_HEIGHT);
+}
 uint tile_entry(uvec2 tile) { return tile.x | tile.y << 16; }
 ivec2 tile_corner(uint entry) { return ivec2(entry & 0xFFFFu, entry >> 16) * ivec2(TILE_WIDTH, TILE_HEIGHT); }
 uint tile_number(uvec2 workgroup) { return workgroup.y * TILE_ROW + workgroup.x; }

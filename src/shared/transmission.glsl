@@ -1,33 +1,38 @@
 // SPDX-License-Identifier: MIT
-// One look into a light's map for both of its uses: how much of the light arrives where the surface faces it, and where and how the light
-// has entered that comes through the body to a surface that faces away. Translucent shadow maps; docs/techniques.md says why it is so.
-// Based on: [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, EGSR 2003 (what enters is a part of the shadow map, and is gathered
-// in the light's view); [DLE07] GPU Gems 3, ch. 14.5 (thickness with the normals' correction). Needs: lights.glsl,
+// One look into a light's map for both of its uses: how much of the light arrives where the surface faces it,
+// and where and how the light has entered that comes through the body to a surface that faces away.
+// Translucent shadow maps; docs/techniques.md says why it is so. Based on: [SD03] Dachsbacher, Stamminger:
+// Translucent Shadow Maps, EGSR 2003 (what enters is a part of the shadow map, and is gathered in the light's
+// view); [DLE07] GPU Gems 3, ch. 14.5 (thickness with the normals' correction). Needs: lights.glsl,
 // entering_maps (sampler2DArray of the same layers), `transmission`, through_terms.
 
-const int last_term = through_terms - 1, term_before = through_terms > 1 ? through_terms - 2 : 0;  // both gather around the ray of light
+const int last_term = through_terms - 1,
+          term_before = through_terms > 1 ? through_terms - 2 : 0;  // both gather around the ray of light
 
 layout(constant_id = 15) const bool entering_stored = true;  // else all light enters, wherever something is
 
 struct LightRead {
-  float lit;       // 0..1, where the surface faces the light: as shadow_at()
-  vec3 entering;   // albedo^mix of the skin at the lit point; 0 where the first thing that light meets is no skin
-  float cosine;    // of the light there
-  float facing;    // 0..1: how far the lit point faces away from here
-  float way_m;     // from there to here, along the light
+  float lit;      // 0..1, where the surface faces the light: as shadow_at()
+  vec3 entering;  // albedo^mix of the skin at the lit point; 0 where the first thing that light meets is no
+                  // skin
+  float cosine;   // of the light there
+  float facing;   // 0..1: how far the lit point faces away from here
+  float way_m;    // from there to here, along the light
   // The same ways along rays beside, two sigma of the last term but one and of the last away; no light: far.
   vec4 way_near_m, way_wide_m;
-  bool inside;     // the place lies in the map
-  bool shaded;     // what enters was stored wherever something is
+  bool inside;  // the place lies in the map
+  bool shaded;  // what enters was stored wherever something is
 };
 
-// A plane stays a plane under projection, so differences of depth between the texels around give the surface there, in the world, without
-// the map's inverse.
-void find_lit_point(inout LightRead r, vec4 z[4], vec2 f, vec2 size, MapRay ray, mat4 from_world, vec3 to_light, vec3 n_geometric) {
+// A plane stays a plane under projection, so differences of depth between the texels around give the surface
+// there, in the world, without the map's inverse.
+void find_lit_point(inout LightRead r, vec4 z[4], vec2 f, vec2 size, MapRay ray, mat4 from_world,
+                    vec3 to_light, vec3 n_geometric) {
   const float z00 = z[0].y, z10 = z[1].x, z01 = z[2].z, z11 = z[3].w;
   const float depth = mix(mix(z00, z10, f.x), mix(z01, z11, f.x), f.y);
   const vec2 slope = vec2(mix(z10 - z00, z11 - z01, f.y), mix(z01 - z00, z11 - z10, f.x)) * size * 0.5;
-  const vec3 plane = (vec4(slope, -1.0, depth - dot(slope, ray.clip.xy / ray.clip.w)) * from_world).xyz;  // its normal, either way
+  const vec3 plane = (vec4(slope, -1.0, depth - dot(slope, ray.clip.xy / ray.clip.w)) * from_world)
+                         .xyz;  // its normal, either way
   const float along = dot(plane, to_light);
   const float scale = (along < 0.0 ? -1.0 : 1.0) * inversesqrt(max(dot(plane, plane), 1e-30));
   r.way_m = max(way_of(ray, depth), 0.0);
@@ -60,11 +65,13 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   const vec2 uv = ray.clip.xy / ray.clip.w * 0.5 + 0.5;
   r.inside = ray.clip.w > 0.0 && all(greaterThanEqual(uv, vec2(0.0))) && all(lessThanEqual(uv, vec2(1.0)));
   if (!r.inside) return r;
-  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), base = floor(uv * size - 0.5), f = uv * size - 0.5 - base;
+  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), base = floor(uv * size - 0.5),
+             f = uv * size - 0.5 - base;
   vec4 z[4];
   gather_depths(base, size, float(layer), z);
   r.lit = share_not_beyond(z, f, ray.clip.z / ray.clip.w);
-  if (soft_shadows && light.radius > 0.0) r.lit = soft_shadow(light, a, from_world, p, n_geometric, float(layer), r.lit);
+  if (soft_shadows && light.radius > 0.0)
+    r.lit = soft_shadow(light, a, from_world, p, n_geometric, float(layer), r.lit);
   find_lit_point(r, z, f, size, ray, from_world, a.to_light, n_geometric);
   // Rays of the two terms lie on a cross and on its diagonals.
   const float near = transmission.two_sigma_m[term_before] / texel_m;
@@ -75,7 +82,8 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   r.entering = vec3(max(max(z[0].y, z[1].x), max(z[2].z, z[3].w)) > 0.0 ? 1.0 : 0.0);
   r.shaded = true;
   if (!entering_stored) return r;
-  // Where something is too thin to show in a map of what enters that is smaller than the depths, all light enters.
+  // Where something is too thin to show in a map of what enters that is smaller than the depths, all light
+  // enters.
   const vec4 stored = textureLod(entering_maps, vec3(uv, float(layer)), 0.0);
   if (stored.a > 1e-3) r.entering = (stored.rgb / stored.a) * (stored.rgb / stored.a);
   r.shaded = stored.a > 0.0 || z[0].y == 0.0;
@@ -91,13 +99,15 @@ float nearer_factor(LightIo light, Arriving a, LightRead r) {
 
 // For each Gaussian, of light that crosses the map's plane: how much of it arrives. cosine_here < 0.
 //
-// Light from everywhere on the lit side to a point is, for a Gaussian of variance v, the mean of exp(-z^2 / 2v) over rays of the light that
-// pass within a Gaussian of the same variance, z the way along each: exact on any lit surface. The wide terms, which see round a corner,
-// take that mean over five rays (a rule exact to the third degree). Narrow ones take the lit side for a plane, and so do wide ones where
-// both sides are parallel: then the mean is known.
+// Light from everywhere on the lit side to a point is, for a Gaussian of variance v, the mean of exp(-z^2 /
+// 2v) over rays of the light that pass within a Gaussian of the same variance, z the way along each: exact on
+// any lit surface. The wide terms, which see round a corner, take that mean over five rays (a rule exact to
+// the third degree). Narrow ones take the lit side for a plane, and so do wide ones where both sides are
+// parallel: then the mean is known.
 //
-// Near an edge the blur over the surface brings light round that these means hold as well. It hardly does where the lit point faces away
-// from here; where it does not, the share that is new grows with the angle to the light. The figures were fitted to the reference.
+// Near an edge the blur over the surface brings light round that these means hold as well. It hardly does
+// where the lit point faces away from here; where it does not, the share that is new grows with the angle to
+// the light. The figures were fitted to the reference.
 void add_slab_factors(LightRead r, float cosine_here, vec3 light, inout vec3 through[TRANSMISSION_TERMS]) {
   // [DLE07]: thickness counts between sides that face away from each other, elsewhere the way of the light.
   const float d_m = r.way_m * mix(1.0, -cosine_here, r.facing);
@@ -108,10 +118,12 @@ void add_slab_factors(LightRead r, float cosine_here, vec3 light, inout vec3 thr
   const float here2 = r.way_m * r.way_m;
   if (through_terms > 1) {
     const float falloff = transmission.falloff_per_m2[term_before];
-    const float mean = 0.5 * exp(-here2 * falloff) + dot(vec4(0.125), exp(-r.way_near_m * r.way_near_m * falloff));
+    const float mean =
+        0.5 * exp(-here2 * falloff) + dot(vec4(0.125), exp(-r.way_near_m * r.way_near_m * falloff));
     through[term_before] += light * (is_new * mix(mean, r.cosine * exp(-d2 * falloff), plane));
   }
   const float falloff = transmission.falloff_per_m2[last_term];
-  const float mean = 0.5 * exp(-here2 * falloff) + dot(vec4(0.125), exp(-r.way_wide_m * r.way_wide_m * falloff));
+  const float mean =
+      0.5 * exp(-here2 * falloff) + dot(vec4(0.125), exp(-r.way_wide_m * r.way_wide_m * falloff));
   through[last_term] += light * (is_new * mix(mean, r.cosine * exp(-d2 * falloff), plane));
 }

@@ -23,7 +23,8 @@ vec4 blurred(ivec2 p, ivec2 axis, ivec2 last) {
   float total = 1.0;
   for (int k = 1; k <= reach; ++k) {
     const float w = exp(-0.5 * float(k * k) / (io.sigma * io.sigma));
-    sum += w * (texelFetch(picture, clamp(p + k * axis, ivec2(0), last), 0) + texelFetch(picture, clamp(p - k * axis, ivec2(0), last), 0));
+    sum += w * (texelFetch(picture, clamp(p + k * axis, ivec2(0), last), 0) +
+                texelFetch(picture, clamp(p - k * axis, ivec2(0), last), 0));
     total += 2.0 * w;
   }
   return sum / total;
@@ -40,7 +41,8 @@ void main() {
   } else if (io.mode == 3u) {
     const vec2 uv = (vec2(p) + 0.5) / vec2(size);
     const vec4 sharp = texelFetch(picture, p, 0);
-    const vec3 spread = io.weight_narrow * textureLod(narrow, uv, 0.0).rgb + io.weight_wide * textureLod(wide, uv, 0.0).rgb;
+    const vec3 spread =
+        io.weight_narrow * textureLod(narrow, uv, 0.0).rgb + io.weight_wide * textureLod(wide, uv, 0.0).rgb;
     result = vec4(mix(sharp.rgb, spread, io.amount), sharp.a);
   } else {
     result = blurred(p, io.mode == 1u ? ivec2(1, 0) : ivec2(0, 1), last);

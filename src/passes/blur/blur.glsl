@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One axis of one Gaussian. The Gaussian of variance v on the skin has covariance v g^-1 = v L L^T in texture coordinates, L = [a 0; b c]:
-// the first pass runs along (a, b) in whole steps of u, interpolating in v; the second along v. The variance that the interpolation adds
-// is taken off the second pass. Right for any stretch and shear in two passes.
+// One axis of one Gaussian. The Gaussian of variance v on the skin has covariance v g^-1 = v L L^T in texture
+// coordinates, L = [a 0; b c]: the first pass runs along (a, b) in whole steps of u, interpolating in v; the
+// second along v. The variance that the interpolation adds is taken off the second pass. Right for any
+// stretch and shear in two passes.
 #include "shared/types.h"
 #include "shared/half.glsl"
 #include "passes/blur/blur_io.h"
@@ -15,14 +16,16 @@ const int row_floats = radius + 2;
 const int rows = 129;
 const float max_sigma = 2.0;
 
-// Weights of taps 0..6 and the variance, between two rows of the table; the rows are so dense that the variance stays exact to 1e-4.
+// Weights of taps 0..6 and the variance, between two rows of the table; the rows are so dense that the
+// variance stays exact to 1e-4.
 float kernel_row[row_floats];
 void load_kernel(float sigma, bool averaged) {
   const float at = clamp(sigma / max_sigma, 0.0, 1.0) * float(rows - 1);
   const int row = min(int(at), rows - 2);
   const float f = at - float(row);
   const int base = ((averaged ? rows : 0) + row) * row_floats;
-  for (int i = 0; i < row_floats; ++i) kernel_row[i] = mix(kernels[base + i], kernels[base + row_floats + i], f);
+  for (int i = 0; i < row_floats; ++i)
+    kernel_row[i] = mix(kernels[base + i], kernels[base + row_floats + i], f);
 }
 
 // p: texel of the square. Beyond its used part nothing is read: what another T left there is stale.
@@ -38,17 +41,18 @@ float gather(inout vec3 sum, vec4 texel, float chart, float weight) {
   return used;
 }
 
-// The blurred light of a texel that holds some (centre.a != 0). The metric does not depend on T, so its map always has the largest size.
+// The blurred light of a texel that holds some (centre.a != 0). The metric does not depend on T, so its map
+// always has the largest size.
 vec4 blurred(ivec2 p, vec4 centre) {
   const float chart = abs(centre.a);  // negative beside lit texels, see the border pass
   const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
-  const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;       // per mm
+  const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;  // per mm
   const float texels = float(io.side);
   const float sigma_mm = sqrt(io.variance_mm2);
   const float wanted_u = sigma_mm * factor.x * texels;
   const float sigma_u = sqrt(max(wanted_u * wanted_u - io.averaged_texels2, 0.0));
   const int step_u = max(1, int(ceil(sigma_u / max_sigma)));
-  const float slope = factor.x > 0.0 ? factor.y / factor.x * float(step_u) : 0.0;   // texels of v a step
+  const float slope = factor.x > 0.0 ? factor.y / factor.x * float(step_u) : 0.0;  // texels of v a step
   load_kernel(sigma_u / float(step_u), io.texel_averaged != 0u && step_u == 1);
 
   vec3 sum = vec3(0.0);
@@ -67,7 +71,7 @@ vec4 blurred(ivec2 p, vec4 centre) {
       total += gather(sum, light_at(p - d - ivec2(0, 1)), chart, kernel_row[k] * f);
     }
   } else {
-    float interpolation = 0.0;   // variance in texels^2 that the first pass has added along v
+    float interpolation = 0.0;  // variance in texels^2 that the first pass has added along v
     for (int k = 1; k <= radius; ++k) {
       const float f = fract(slope * float(k));
       interpolation += 2.0 * kernel_row[k] * f * (1.0 - f);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light flows across texture seams: each texel beside a seam shows what the other chart holds at that point of the skin. Sources are
-// texels that the mesh covers, so the order of the invocations does not matter.
+// Light flows across texture seams: each texel beside a seam shows what the other chart holds at that point
+// of the skin. Sources are texels that the mesh covers, so the order of the invocations does not matter.
 #version 460
 #include "shared/gutters_io.h"
 #include "shared/half.glsl"
@@ -30,10 +30,12 @@ void main() {
   for (int k = 0; k < 4; ++k) {
     const ivec2 d = ivec2(k & 1, k >> 1);
     const vec4 texel = imageLoad(target, origin + clamp(corner + d, ivec2(0), limit));
-    const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y) * (texel.a != 0.0 && (g.chart == 0u || texel.a != BORDER_ALPHA) ? 1.0 : 0.0);
+    const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y) *
+                         (texel.a != 0.0 && (g.chart == 0u || texel.a != BORDER_ALPHA) ? 1.0 : 0.0);
     sum += weight * texel.rgb;
     total += weight;
   }
   // Where the other chart is not lit, what the border pass put here stays.
-  if (total > 0.0) imageStore(target, p, vec4(round_to_half(sum / total), g.chart != 0u ? float(g.chart) : BORDER_ALPHA));
+  if (total > 0.0)
+    imageStore(target, p, vec4(round_to_half(sum / total), g.chart != 0u ? float(g.chart) : BORDER_ALPHA));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One texel of the head's light: E albedo^mix / pi 2^EV, what the convolution spreads. Alpha is the number of the chart, 0 where nothing was shaded.
+// One texel of the head's light: E albedo^mix / pi 2^EV, what the convolution spreads. Alpha is the number of
+// the chart, 0 where nothing was shaded.
 #version 460
 #include "shared/scene_io.h"
 #include "shared/half.glsl"
@@ -17,7 +18,8 @@ void main() {
   const vec3 n_geometric = normalize(in_normal);
   const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
-  const vec3 e = entering_irradiance(s, n, n_geometric, skin_specular(s)) + entering_surroundings(s, n, in_unwrap);
+  const vec3 e =
+      entering_irradiance(s, n, n_geometric, skin_specular(s)) + entering_surroundings(s, n, in_unwrap);
   const float chart = cut_out ? chart_left(float(in_chart), in_uv, in_colour) : float(in_chart);
   vec3 albedo = skin_albedo(s);
   if (cut_out && chart == BORDER_ALPHA) albedo = albedo_beside(in_uv, in_colour);

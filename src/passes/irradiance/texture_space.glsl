@@ -33,5 +33,6 @@ void main() {
 #ifdef CLIP
   for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = dot(io.planes[i].xyz, out_position_m) + io.planes[i].w;
 #endif
-  if (cull && io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.offset_m, io.eye, io.map_side)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  if (cull && io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.offset_m, io.eye, io.map_side))
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -10,6 +10,7 @@ layout(location = 2) in vec4 in_colour;
 void main() {
   const MapIo map = material.maps[MAP_BASE_COLOUR];
   const vec2 uv = map.uv_set == 0u ? in_uv0 : in_uv1;
-  const float alpha = material.base_colour.a * in_colour.a * texture(map_base_colour, map.u_axis * uv.x + map.v_axis * uv.y + map.offset).a;
+  const float alpha = material.base_colour.a * in_colour.a *
+                      texture(map_base_colour, map.u_axis * uv.x + map.v_axis * uv.y + map.offset).a;
   if (alpha < material.alpha_cutoff) discard;
 }

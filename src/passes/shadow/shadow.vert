@@ -4,7 +4,8 @@
 #include "shared/vertex_pull.glsl"
 #include "shared/placement.glsl"
 #include "passes/shadow/shadow_io.h"
-// What is grown by a texel covers every texel that it touches: maps smaller than the depth beside them then miss no thin rim.
+// What is grown by a texel covers every texel that it touches: maps smaller than the depth beside them then
+// miss no thin rim.
 layout(constant_id = 3) const bool grown = false;
 layout(push_constant, scalar) uniform Push { ShadowIo io; };
 layout(location = 0) out vec2 out_uv0;
@@ -15,7 +16,8 @@ void main() {
   out_uv0 = v.uv0;
   out_uv1 = v.uv1;
   out_colour = v.colour;
-  gl_Position = io.shadow_from_world * vec4(placed_position(placements[gl_InstanceIndex], v.position_m) + io.offset_m, 1.0);
+  gl_Position = io.shadow_from_world *
+                vec4(placed_position(placements[gl_InstanceIndex], v.position_m) + io.offset_m, 1.0);
   if (grown) {
     const mat4 m = io.shadow_from_world;
     const float texel_m = io.grow * abs(gl_Position.w) / length(vec3(m[0][0], m[1][0], m[2][0]));

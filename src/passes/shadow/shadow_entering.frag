@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What of the light that falls on this texel's surface enters the skin: albedo^mix, its square root, as eight bits hold dark skin better.
-// What is not skin lets nothing in, what is cut out is not there. Alpha 1 marks what was shaded.
+// What of the light that falls on this texel's surface enters the skin: albedo^mix, its square root, as eight
+// bits hold dark skin better. What is not skin lets nothing in, what is cut out is not there. Alpha 1 marks
+// what was shaded.
 #version 460
 #include "shared/scene_io.h"
 #include "shared/switches.glsl"

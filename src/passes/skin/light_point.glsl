@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a point of the skin lies in a pool of light maps, texels: in the square of that side and origin. Seen edge on, even a sample on the
-// triangle may be interpolated far outside of it: unwrap is kept in the triangle, and the bilinear footprint within the square.
+// Where a point of the skin lies in a pool of light maps, texels: in the square of that side and origin. Seen
+// edge on, even a sample on the triangle may be interpolated far outside of it: unwrap is kept in the
+// triangle, and the bilinear footprint within the square.
 layout(location = 6) flat in vec4 in_unwrap_ab;  // the triangle's corners
 layout(location = 7) flat in vec2 in_unwrap_c;
 
@@ -17,8 +18,9 @@ vec2 within_triangle(vec2 p) {
   return a + (kept.y * ab + kept.z * ac) / (kept.x + kept.y + kept.z);
 }
 
-// Half a texel inside, and the step that samplers round to: beyond the square may stand what is no number, which a weight of 0 does not take
-// away. With the step, the texel that is not meant lies inside, and weighs 1/256 at most.
+// Half a texel inside, and the step that samplers round to: beyond the square may stand what is no number,
+// which a weight of 0 does not take away. With the step, the texel that is not meant lies inside, and weighs
+// 1/256 at most.
 vec2 light_point(vec2 unwrap, float side, vec2 origin) {
   const float margin = 0.5 + 1.0 / 256.0;
   return clamp(within_triangle(unwrap) * side, margin, side - margin) + origin;

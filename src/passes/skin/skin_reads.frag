@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// For each fragment that the final pass shades: do the texels that its bilinear read weighs hold light? Where one does not, the read is
-// counted. Bilinear units resolve 1/256 of a texel at most: a smaller weight is none. Reads of skin that is cut out leave out what is not
-// there: of those, the ones that find nothing are counted.
+// For each fragment that the final pass shades: do the texels that its bilinear read weighs hold light? Where
+// one does not, the read is counted. Bilinear units resolve 1/256 of a texel at most: a smaller weight is
+// none. Reads of skin that is cut out leave out what is not there: of those, the ones that find nothing are
+// counted.
 #version 460
 #include "shared/scene_io.h"
 #include "passes/skin/skin_io.h"

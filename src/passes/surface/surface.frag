@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and height-correlated Smith.
-// The surroundings are reflected by the split-sum fit of Karis, "Physically Based Shading on Mobile", 2014.
+// Eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and
+// height-correlated Smith. The surroundings are reflected by the split-sum fit of Karis, "Physically Based
+// Shading on Mobile", 2014.
 #version 460
 #include "shared/scene_io.h"
 #include "shared/half.glsl"
@@ -60,11 +61,13 @@ Look look_at(SurfacePoint s, vec3 base) {
 
 vec3 brdf_times_cosine(Look look, vec3 n, vec3 v, vec3 l, float cosine) {
   const vec3 h = normalize(v + l);
-  const float n_l = max(dot(n, l), 0.0), n_v = max(dot(n, v), 1e-3), n_h = max(dot(n, h), 0.0), v_h = max(dot(v, h), 0.0);
+  const float n_l = max(dot(n, l), 0.0), n_v = max(dot(n, v), 1e-3), n_h = max(dot(n, h), 0.0),
+              v_h = max(dot(v, h), 0.0);
   const float a2 = look.alpha * look.alpha;
   const float d = n_h * n_h * (a2 - 1.0) + 1.0;
   const float distribution = a2 / (pi * d * d);
-  const float visibility = 0.5 / max(n_l * sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * sqrt(n_l * n_l * (1.0 - a2) + a2), 1e-5);
+  const float visibility =
+      0.5 / max(n_l * sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * sqrt(n_l * n_l * (1.0 - a2) + a2), 1e-5);
   const vec3 fresnel = look.f0 + (look.f90 - look.f0) * pow(1.0 - v_h, 5.0);
   const float kept = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
   vec3 sum = look.albedo * (kept / pi);
@@ -103,19 +106,25 @@ void main() {
     const float tangent = light_tangent(light, a), cosine = light_cosine(dot(n, a.to_light), tangent);
     if (cosine <= 0.0) continue;
     Look seen = look;
-    if (soft_shadows) seen.alpha = sqrt(min(look.alpha * look.alpha + tangent * tangent / 8.0, 1.0));  // as skin's lobes
-    radiance += a.irradiance * brdf_times_cosine(seen, n, v, a.to_light, cosine) * shadow_at(light, a, s.position_m, n_geometric);
+    if (soft_shadows)
+      seen.alpha = sqrt(min(look.alpha * look.alpha + tangent * tangent / 8.0, 1.0));  // as skin's lobes
+    radiance += a.irradiance * brdf_times_cosine(seen, n, v, a.to_light, cosine) *
+                shadow_at(light, a, s.position_m, n_geometric);
   }
   const MapIo oc = material.maps[MAP_OCCLUSION];
-  const float occlusion = is_present(oc) ? 1.0 + oc.scale * (texture(map_occlusion, map_uv(oc, s)).r - 1.0) : 1.0;
-  const vec3 mirrored = is_on(frame.specular_on) ? reflected_surroundings(look, max(dot(n, v), 0.0)) : vec3(0.0);
-  const vec3 diffuse = surroundings_irradiance(n) / pi * look.albedo * (1.0 - max(mirrored.x, max(mirrored.y, mirrored.z)));
+  const float occlusion =
+      is_present(oc) ? 1.0 + oc.scale * (texture(map_occlusion, map_uv(oc, s)).r - 1.0) : 1.0;
+  const vec3 mirrored =
+      is_on(frame.specular_on) ? reflected_surroundings(look, max(dot(n, v), 0.0)) : vec3(0.0);
+  const vec3 diffuse =
+      surroundings_irradiance(n) / pi * look.albedo * (1.0 - max(mirrored.x, max(mirrored.y, mirrored.z)));
   radiance += occlusion * (diffuse + surroundings_radiance(reflect(-v, n), look.alpha) * mirrored);
   vec3 emitted = material.emissive;
   const MapIo em = material.maps[MAP_EMISSIVE];
   if (is_present(em)) emitted *= texture(map_emissive, map_uv(em, s)).rgb;
   radiance += emitted;
-  // Colour is premultiplied. Alpha of the target marks skin: opaque parts write 0, blended ones cover it in proportion.
+  // Colour is premultiplied. Alpha of the target marks skin: opaque parts write 0, blended ones cover it in
+  // proportion.
   out_radiance = vec4(storable(radiance * alpha * frame.radiance_scale), 0.0);
   if (is_on(material.flags & MATERIAL_ALPHA_BLEND)) out_radiance.a = alpha;
 }

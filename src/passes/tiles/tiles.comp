@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lists of tiles by what they hold. In which order they stand depends on the run; what is computed from them does not.
+// Lists of tiles by what they hold. In which order they stand depends on the run; what is computed from them
+// does not.
 #version 460
 #include "shared/tile_list.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -23,7 +24,8 @@ void main() {
   if (io.border != 0u)
     for (int y = -1; y <= 1; ++y)
       for (int x = -1; x <= 1; ++x) around |= holds(tile + ivec2(x, y), across);
-  const bool listed = io.border != 0u ? (own & TILE_UNLIT) != 0u && (around & TILE_LIT) != 0u : (own & TILE_LIT) != 0u;
+  const bool listed =
+      io.border != 0u ? (own & TILE_UNLIT) != 0u && (around & TILE_LIT) != 0u : (own & TILE_LIT) != 0u;
   const uint entry = tile_entry(uvec2(tile));
   if (listed) {
     const uint i = atomicAdd(tile_counts[io.square].listed, 1u);

@@ -20,7 +20,9 @@ float greatest(vec3 c) { return max(max(c.r, c.g), c.b); }
 vec3 cube_root(vec3 c) { return mix(vec3(0.0), pow(c, vec3(1.0 / 3.0)), greaterThan(c, vec3(0.0))); }
 
 // [PBRN] p_n, g.
-float compressed_peak(float p, float begin) { return 1.0 - (1.0 - begin) * (1.0 - begin) / (p + 1.0 - 2.0 * begin); }
+float compressed_peak(float p, float begin) {
+  return 1.0 - (1.0 - begin) * (1.0 - begin) / (p + 1.0 - 2.0 * begin);
+}
 float kept_chroma(float p, float p_n) { return 1.0 / (0.15 * (p - p_n) + 1.0); }
 
 vec3 neutral(vec3 c) {
@@ -49,18 +51,14 @@ vec3 natural(vec3 c) {
 }
 
 // ITU-R BT.2087. Columns.
-const mat3 rec2020_of_rec709 = mat3(0.62740390, 0.06909729, 0.01639144,
-                                    0.32928304, 0.91954040, 0.08801331,
+const mat3 rec2020_of_rec709 = mat3(0.62740390, 0.06909729, 0.01639144, 0.32928304, 0.91954040, 0.08801331,
                                     0.04331307, 0.01136232, 0.89559525);
-const mat3 rec709_of_rec2020 = mat3(1.66049100, -0.12455047, -0.01815076,
-                                    -0.58764114, 1.13289990, -0.10057890,
-                                    -0.07284986, -0.00834942, 1.11872966);
+const mat3 rec709_of_rec2020 = mat3(1.66049100, -0.12455047, -0.01815076, -0.58764114, 1.13289990,
+                                    -0.10057890, -0.07284986, -0.00834942, 1.11872966);
 // [AgX]
-const mat3 agx_inset = mat3(0.85662715, 0.13731897, 0.11189821,
-                            0.09512124, 0.76124199, 0.07679942,
+const mat3 agx_inset = mat3(0.85662715, 0.13731897, 0.11189821, 0.09512124, 0.76124199, 0.07679942,
                             0.04825161, 0.10143904, 0.81130237);
-const mat3 agx_outset = mat3(1.12710058, -0.14132976, -0.14132976,
-                             -0.11060664, 1.15782370, -0.11060664,
+const mat3 agx_outset = mat3(1.12710058, -0.14132976, -0.14132976, -0.11060664, 1.15782370, -0.11060664,
                              -0.01649394, -0.01649394, 1.25193641);
 
 vec3 agx_curve(vec3 light) {
@@ -89,7 +87,8 @@ vec3 tone_mapped(vec3 c) {
 
 // IEC 61966-2-1
 vec3 srgb(vec3 x) {
-  return mix(12.92 * x, 1.055 * pow(max(x, vec3(1e-8)), vec3(1.0 / 2.4)) - 0.055, greaterThan(x, vec3(0.0031308)));
+  return mix(12.92 * x, 1.055 * pow(max(x, vec3(1e-8)), vec3(1.0 / 2.4)) - 0.055,
+             greaterThan(x, vec3(0.0031308)));
 }
 
 void main() {

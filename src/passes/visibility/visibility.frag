@@ -16,7 +16,8 @@ layout(location = 0) out vec4 out_colour;
 void main() {
   if (cut_out && is_cut(in_uv, in_colour)) discard;
   bool outside = false;
-  for (int i = 0; i < 5; ++i) outside = outside || dot(io.planes[i].xyz, in_position_m) + io.planes[i].w < 0.0;
+  for (int i = 0; i < 5; ++i)
+    outside = outside || dot(io.planes[i].xyz, in_position_m) + io.planes[i].w < 0.0;
   const bool culled = cull && in_culled != 0u, clipped = clip && outside;
   out_colour = vec4(clipped ? 0.8 : 0.1, culled || clipped ? 0.1 : 0.7, culled ? 0.9 : 0.1, 1.0);
 }

@@ -24,6 +24,7 @@ float legendre(uint band, float x) {
 }
 
 void main() {
-  const float value = io.band == 0u ? lit(gl_FragCoord.xy) : 1.0 + 0.5 * legendre(io.band, dot(io.axis, normalize(in_position_m)));
+  const float value = io.band == 0u ? lit(gl_FragCoord.xy)
+                                    : 1.0 + 0.5 * legendre(io.band, dot(io.axis, normalize(in_position_m)));
   out_light = vec4(round_to_half(vec3(value)), float(in_chart));
 }

@@ -8,7 +8,8 @@ layout(constant_id = 4) const uint group_x = 8;
 layout(constant_id = 1) const bool doubled = false;
 layout(constant_id = 7) const float offset = 0.5;
 layout(constant_id = 9) const int unused = 3;
-layout(scalar, binding = 0) writeonly buffer To { float values[]; } to;
+layout(scalar, binding = 0) writeonly buffer To { float values[]; }
+to;
 void main() {
   const uint width = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
   const uint i = gl_GlobalInvocationID.y * width + gl_GlobalInvocationID.x;

@@ -5,5 +5,6 @@
 layout(constant_id = 1) const float gain = 1.0;
 layout(location = 0) in vec4 colour;
 layout(location = 0) out vec4 result;
-layout(scalar, binding = 2) uniform Tint { vec4 factor; } tint;
+layout(scalar, binding = 2) uniform Tint { vec4 factor; }
+tint;
 void main() { result = colour * gain * tint.factor; }

@@ -7,8 +7,10 @@ struct Vertex {
   vec3 colour;
 };
 layout(constant_id = 0) const bool mirrored = false;
-layout(scalar, binding = 0) readonly buffer Vertices { Vertex all[]; } vertices;
-layout(scalar, push_constant) uniform Push { float opacity; } push;
+layout(scalar, binding = 0) readonly buffer Vertices { Vertex all[]; }
+vertices;
+layout(scalar, push_constant) uniform Push { float opacity; }
+push;
 layout(location = 0) out vec4 colour;
 void main() {
   const Vertex vertex = vertices.all[gl_VertexIndex];
