@@ -208,7 +208,7 @@ void PreparedFrame::State::upload() {
 void PreparedFrame::State::look_at_the_sky() {
   api::SharedScene& shared = *scene;
   const std::size_t meshes = shared.subject.skin.size();
-  for (std::size_t i = shared.sky_seen.size(); i < meshes; ++i) {
+  for (std::size_t i = shared.bent_normal.size(); i < meshes; ++i) {
     environment::BakeWatch watch{.stop = renderer->options.stop};
     if (renderer->options.progress)
       watch.progress = [&](double share) {
@@ -218,14 +218,15 @@ void PreparedFrame::State::look_at_the_sky() {
     environment::Occlusion seen =
         environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], cache::default_folder(),
                                       {.side = environment::occlusion_side(meshes)}, watch);
-    shared.gpu->skin[i].sky_seen =
+    shared.gpu->skin[i].bent_normal =
         passes::unwrap_map(device(), shared.gpu->skin[i].name + " sky seen", seen.side, seen.values);
     seen.values = {};
-    shared.sky_seen.push_back(std::move(seen));
+    shared.bent_normal.push_back(std::move(seen));
   }
   const double rotation_deg = settings.environment_rotation_deg;
-  if (sky.of != surroundings || sky.rotation_deg != rotation_deg || sky.maps.size() != shared.sky_seen.size())
-    sky = api::sky_on_skin(device(), surroundings, rotation_deg, shared.sky_seen);
+  if (sky.of != surroundings || sky.rotation_deg != rotation_deg ||
+      sky.maps.size() != shared.bent_normal.size())
+    sky = api::sky_on_skin(device(), surroundings, rotation_deg, shared.bent_normal);
 }
 
 void PreparedFrame::State::run_full() {

@@ -22,7 +22,7 @@ struct SharedScene {
   std::optional<float> mix;             ///< it is uploaded with
   std::optional<passes::GpuScene> gpu;  ///< its materials point into it: never moved
   /// one a skin mesh, once an environment was asked for; values are on the device only
-  std::vector<environment::Occlusion> sky_seen;
+  std::vector<environment::Occlusion> bent_normal;
   double upload_ms = 0;
   bool warned_coarse = false;  ///< once is enough, however many views follow
 };

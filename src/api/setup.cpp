@@ -9,8 +9,8 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "passes/blur/blur.h"
+#include "passes/final_pass/final_pass.h"
 #include "passes/shadow/fit.h"
-#include "passes/skin/skin.h"
 #include "passes/transmission.h"
 #include "scene/framing.h"
 

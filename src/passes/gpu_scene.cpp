@@ -13,7 +13,7 @@
 #include "gpu/texture_upload.h"
 #include "image/colour.h"
 #include "image/resize.h"
-#include "optics/attenuation.h"
+#include "optics/directional_albedo.h"
 #include "passes/alpha_max.h"
 #include "passes/gutter_list.h"
 #include "passes/vertices.h"
@@ -112,13 +112,13 @@ std::vector<std::uint16_t> halves_of(std::span<const std::uint8_t> rgba) {
   return halves;
 }
 
-// RG16F: bytes of the attenuation table as half floats.
-gpu::Texture upload_attenuation(gpu::Device& device) {
+// RG16F: bytes of the directional_albedo table as half floats.
+gpu::Texture upload_directional_albedo(gpu::Device& device) {
   std::vector<std::uint16_t> halves;
-  for (const float value : optics::attenuation_table()) halves.push_back(image::float_to_half(value));
-  gpu::Texture texture(device, "attenuation",
-                       {.width = optics::attenuation_columns + 2,
-                        .height = optics::attenuation_rows,
+  for (const float value : optics::directional_albedo_table()) halves.push_back(image::float_to_half(value));
+  gpu::Texture texture(device, "directional_albedo",
+                       {.width = optics::directional_albedo_columns + 2,
+                        .height = optics::directional_albedo_rows,
                         .format = VK_FORMAT_R16G16_SFLOAT,
                         .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   gpu::upload(device, texture, std::as_bytes(std::span(halves)));
@@ -258,7 +258,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
     }
     materials.push_back(std::move(material));
   }
-  attenuation = upload_attenuation(device);
+  directional_albedo = upload_directional_albedo(device);
   for (std::size_t i = 0; i < skin_meshes.size(); ++i) skin.push_back(upload_skin(device, skin_meshes[i], i));
   surfaces = upload_surfaces(device, scene);
   unmoved = passes::unmoved(device);

@@ -58,7 +58,7 @@ struct GpuMesh {
   };
   std::map<std::uint32_t, Gutters> gutters;
   /// see unwrap_map(), Occlusion::values of environment/occlusion.h; only under an environment
-  gpu::Texture sky_seen;
+  gpu::Texture bent_normal;
   std::vector<GpuDraw> draws;
 
   void offer(Bindings& bindings) const;  ///< "Vertices", "Indices", "Charts", "TurnedNeighbours"
@@ -90,7 +90,7 @@ class GpuScene {
   gpu::Buffer unmoved;        ///< PlacementIo: skin's vertices are in the world
   std::vector<GpuMaterial> materials;
   const gpu::Texture& white() const { return white_; }  ///< one white texel
-  gpu::Texture attenuation;                             ///< RG16F, see skin/attenuation.h
+  gpu::Texture directional_albedo;                      ///< RG16F, see optics/directional_albedo.h
 
  private:
   const gpu::Texture& texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every lit pass binds: camera, lights, shadow maps, attenuation table.
+// What every lit pass binds: camera, lights, shadow maps, directional_albedo table.
 #pragma once
 
 #include "passes/bindings.h"
@@ -21,7 +21,7 @@ class LightingSamplers {
         .add("Lights", instance.lights)
         .add("ShadowMatrices", instance.shadow_matrices)
         .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
-        .add("attenuation", gpu::SampledBinding{&frame.scene->attenuation, table_})
+        .add("directional_albedo", gpu::SampledBinding{&frame.scene->directional_albedo, table_})
         .add("environment_map",
              gpu::SampledBinding{frame.environment ? frame.environment : &frame.scene->white(), sky_});
   }
@@ -30,7 +30,7 @@ class LightingSamplers {
     const GpuMesh& mesh = frame.scene->skin[number];
     const gpu::Texture& white = frame.scene->white();
     const frame::SkyMaps* sky = number < frame.sky.size() ? &frame.sky[number] : nullptr;
-    bindings.add("sky_seen", gpu::SampledBinding{mesh.sky_seen ? &mesh.sky_seen : &white, table_})
+    bindings.add("bent_normal", gpu::SampledBinding{mesh.bent_normal ? &mesh.bent_normal : &white, table_})
         .add("sky_direct", gpu::SampledBinding{sky ? &sky->direct : &white, table_})
         .add("sky_bounced", gpu::SampledBinding{sky ? &sky->bounced : &white, table_});
   }

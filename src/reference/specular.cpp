@@ -5,15 +5,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "optics/attenuation.h"
+#include "optics/directional_albedo.h"
 #include "reference/axes.h"
 
 namespace dermis::reference {
 namespace {
 
-using optics::attenuation_columns;
-using optics::attenuation_min_m;
-using optics::attenuation_rows;
+using optics::directional_albedo_columns;
+using optics::directional_albedo_min_m;
+using optics::directional_albedo_rows;
 
 /// Beckmann without 1/pi: exp(-tan^2 / m^2) / (m^2 cos^4).
 double beckmann(double n_h, double m) {
@@ -63,7 +63,7 @@ double lobe_density(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3
   return normals * n_h / (4 * v_h);
 }
 
-ReflectanceTable::ReflectanceTable() : table_(optics::attenuation_table()) {}
+ReflectanceTable::ReflectanceTable() : table_(optics::directional_albedo_table()) {}
 
 double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
   const auto c0 = static_cast<std::size_t>(column);
@@ -71,13 +71,14 @@ double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
   double sum = 0;
   for (std::size_t lobe = 0; lobe < 2; ++lobe) {
     if (s.weight[lobe] == 0) continue;
-    const double row = std::clamp((s.m[lobe] - attenuation_min_m) / (1 - attenuation_min_m), 0.0, 1.0) *
-                       (attenuation_rows - 1);
+    const double row =
+        std::clamp((s.m[lobe] - directional_albedo_min_m) / (1 - directional_albedo_min_m), 0.0, 1.0) *
+        (directional_albedo_rows - 1);
     const auto r0 = static_cast<std::size_t>(row);
     const double ry = row - static_cast<double>(r0);
-    const std::size_t r1 = std::min<std::size_t>(r0 + 1, attenuation_rows - 1);
+    const std::size_t r1 = std::min<std::size_t>(r0 + 1, directional_albedo_rows - 1);
     const auto rho = [&](std::size_t r, std::size_t c) {
-      const std::size_t i = 2 * (r * (attenuation_columns + 2) + c);
+      const std::size_t i = 2 * (r * (directional_albedo_columns + 2) + c);
       return s.f0 * table_[i] + table_[i + 1];
     };
     const auto along = [&](std::size_t r) {
@@ -89,11 +90,11 @@ double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
 }
 
 double ReflectanceTable::at(const SkinSpecular& s, double cosine) const {
-  return s.rho_s == 0 ? 0 : lookup(s, std::clamp(cosine, 0.0, 1.0) * (attenuation_columns - 1));
+  return s.rho_s == 0 ? 0 : lookup(s, std::clamp(cosine, 0.0, 1.0) * (directional_albedo_columns - 1));
 }
 
 double ReflectanceTable::mean(const SkinSpecular& s) const {
-  return s.rho_s == 0 ? 0 : lookup(s, attenuation_columns);
+  return s.rho_s == 0 ? 0 : lookup(s, directional_albedo_columns);
 }
 
 }  // namespace dermis::reference

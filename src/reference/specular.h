@@ -28,7 +28,7 @@ glm::dvec3 lobe_drawn(const SkinSpecular& s, const glm::dvec3& n, const glm::dve
 /// Of lobe_drawn(), per steradian.
 double lobe_density(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l);
 
-/// The part of light that the lobes reflect, tabulated by direction (optics/attenuation.h).
+/// The part of light that the lobes reflect, tabulated by direction (optics/directional_albedo.h).
 class ReflectanceTable {
  public:
   ReflectanceTable();

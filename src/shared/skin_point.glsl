@@ -7,14 +7,14 @@ layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
 layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
 layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
 layout(binding = 22) uniform sampler2DArray shadow_depths;
-layout(binding = 7) uniform sampler2D attenuation;
+layout(binding = 7) uniform sampler2D directional_albedo;
 layout(binding = 8) uniform sampler2D map_base_colour;
 layout(binding = 9) uniform sampler2D map_normal;
 layout(binding = 10) uniform sampler2D map_roughness;
 layout(binding = 11) uniform sampler2D map_occlusion;
 layout(binding = 12) uniform sampler2D map_specular;
-layout(binding = 27) uniform sampler2D sky_seen;    // over the unwrap: environment/occlusion.h
-layout(binding = 29) uniform sampler2D sky_direct;  // likewise: environment::SkyLight
+layout(binding = 27) uniform sampler2D bent_normal;  // over the unwrap: environment/occlusion.h
+layout(binding = 29) uniform sampler2D sky_direct;   // likewise: environment::SkyLight
 layout(binding = 30) uniform sampler2D sky_bounced;
 layout(constant_id = 13) const
     bool off_map = false;  // the unwrap does not hold the point: nothing is known of what it sees of the sky
@@ -65,14 +65,14 @@ float skin_occlusion(SurfacePoint s) {
 // the mean over all directions here, where the light enters, keeps a white furnace white with maps that vary:
 // (1-rho(L)) (1-rho(V)) / (1-rho_mean).
 vec3 entering_irradiance(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
-  const float kept_mean = 1.0 - specular_albedo_mean(attenuation, spec);
+  const float kept_mean = 1.0 - specular_albedo_mean(directional_albedo, spec);
   vec3 e = vec3(0.0);
   for (uint i = nothing(); i < frame.light_count; ++i) {
     const LightIo light = lights[i];
     const Arriving a = arriving_light(light, s.position_m);
     const float tangent = light_tangent(light, a), cosine = light_cosine(dot(n, a.to_light), tangent);
     if (cosine <= 0.0 || dot(n_geometric, a.to_light) <= -tangent) continue;
-    const float kept = 1.0 - specular_albedo(attenuation, spec, cosine);
+    const float kept = 1.0 - specular_albedo(directional_albedo, spec, cosine);
     e += a.irradiance * (cosine * kept * shadow_at(light, a, s.position_m, n_geometric));
   }
   return e / kept_mean;
@@ -82,7 +82,7 @@ const float least_open = 0.002;  // white skin in a hole without a way out has n
 
 // The share of the sky that a point sees.
 float skin_open(SurfacePoint s, vec2 unwrap) {
-  return environment && !off_map ? clamp(textureLod(sky_seen, unwrap, 0.0).w, least_open, 1.0) *
+  return environment && !off_map ? clamp(textureLod(bent_normal, unwrap, 0.0).w, least_open, 1.0) *
                                        max(skin_occlusion(s), least_open)
                                  : skin_occlusion(s);
 }
@@ -95,7 +95,7 @@ float skin_open(SurfacePoint s, vec2 unwrap) {
 vec3 entering_surroundings(SurfacePoint s, vec3 n, vec2 unwrap) {
   if (!environment || off_map) return surroundings_irradiance(n) * skin_occlusion(s);
   // The maps know the normal of the mesh; a mapped one faces another part of the sky.
-  const vec4 seen = textureLod(sky_seen, unwrap, 0.0), bounced = textureLod(sky_bounced, unwrap, 0.0);
+  const vec4 seen = textureLod(bent_normal, unwrap, 0.0), bounced = textureLod(sky_bounced, unwrap, 0.0);
   const vec3 mapped = surroundings_irradiance(normalize(n + seen.xyz)),
              unmapped = surroundings_irradiance(normalize(s.normal + seen.xyz));
   vec3 e = max(

@@ -17,7 +17,7 @@ struct EnteringAndThrough {
 // air: none of it comes through the body. Where it faces away none of that light enters. So no light is
 // counted twice.
 EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
-  const float kept_mean = 1.0 - specular_albedo_mean(attenuation, spec);
+  const float kept_mean = 1.0 - specular_albedo_mean(directional_albedo, spec);
   EnteringAndThrough r;
   r.entering = vec3(0.0);
   for (int i = 0; i < through_terms; ++i) r.through[i] = vec3(0.0);
@@ -30,12 +30,13 @@ EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric
     const bool faces = cosine_here > 0.0;
     const float cosine_lit = light_cosine(dot(n, a.to_light), tangent),
                 cosine = faces ? cosine_lit : read.cosine;
-    const vec3 kept = a.irradiance * ((1.0 - specular_albedo(attenuation, spec, cosine)) / kept_mean);
+    const vec3 kept = a.irradiance * ((1.0 - specular_albedo(directional_albedo, spec, cosine)) / kept_mean);
     if (faces)
       r.entering += kept * (cosine_lit * read.lit);
     else if (soft_shadows && cosine_here > -tangent)
-      r.entering += a.irradiance * (cosine_lit * read.lit *
-                                    (1.0 - specular_albedo(attenuation, spec, cosine_lit)) / kept_mean);
+      r.entering +=
+          a.irradiance *
+          (cosine_lit * read.lit * (1.0 - specular_albedo(directional_albedo, spec, cosine_lit)) / kept_mean);
     // A light that has not quite set comes half over the horizon and half through the body.
     const float set = tangent > 0.0 ? min(-cosine_here / tangent, 1.0) : 1.0;
     add_slab_factors(read, cosine_here,

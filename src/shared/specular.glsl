@@ -2,8 +2,8 @@
 // Specular of skin. Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin, EGSR 2007
 // (GPU Gems 3, ch. 14.3); [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF
 // Model, EG 2001. The lobe carries a factor pi against a normalised Beckmann lobe, so rho_s = 0.18 is an
-// energy scale of 0.565; as a BRDF it multiplies irradiance directly, and attenuation by rho_s * rho is then
-// exactly what it reflects.
+// energy scale of 0.565; as a BRDF it multiplies irradiance directly, and the directional albedo, rho_s * rho
+// is then exactly what it reflects.
 
 const float pi = 3.14159265358979;
 
@@ -29,29 +29,33 @@ float f0_of_ior(float ior) {
 }
 
 // rho(cos, m) = int f cos dw = f0 * table.x + table.y. Rows are m (0.05 to 1), columns cos (0 to 1), the last
-// column the cosine-weighted mean over cos. See optics/attenuation.h.
-const int attenuation_columns = 64;
-const int attenuation_rows = 32;
-const float attenuation_min_m = 0.05;
+// column the cosine-weighted mean over cos. See optics/directional_albedo.h.
+const int directional_albedo_columns = 64;
+const int directional_albedo_rows = 32;
+const float directional_albedo_min_m = 0.05;
 
-float attenuation_lookup(sampler2D table, float cosine, float m, float f0) {
-  const float column = clamp(cosine, 0.0, 1.0) * float(attenuation_columns - 1) + 0.5;
-  const float row =
-      clamp((m - attenuation_min_m) / (1.0 - attenuation_min_m), 0.0, 1.0) * float(attenuation_rows - 1) +
-      0.5;
+float directional_albedo_lookup(sampler2D table, float cosine, float m, float f0) {
+  const float column = clamp(cosine, 0.0, 1.0) * float(directional_albedo_columns - 1) + 0.5;
+  const float row = clamp((m - directional_albedo_min_m) / (1.0 - directional_albedo_min_m), 0.0, 1.0) *
+                        float(directional_albedo_rows - 1) +
+                    0.5;
   const vec2 t =
-      textureLod(table, vec2(column / float(attenuation_columns + 2), row / float(attenuation_rows)), 0.0).xy;
+      textureLod(table,
+                 vec2(column / float(directional_albedo_columns + 2), row / float(directional_albedo_rows)),
+                 0.0)
+          .xy;
   return f0 * t.x + t.y;
 }
-float attenuation_mean(sampler2D table, float m, float f0) {
-  const float row =
-      clamp((m - attenuation_min_m) / (1.0 - attenuation_min_m), 0.0, 1.0) * float(attenuation_rows - 1) +
-      0.5;
-  const vec2 t = textureLod(table,
-                            vec2((float(attenuation_columns) + 1.5) / float(attenuation_columns + 2),
-                                 row / float(attenuation_rows)),
-                            0.0)
-                     .xy;
+float directional_albedo_mean(sampler2D table, float m, float f0) {
+  const float row = clamp((m - directional_albedo_min_m) / (1.0 - directional_albedo_min_m), 0.0, 1.0) *
+                        float(directional_albedo_rows - 1) +
+                    0.5;
+  const vec2 t =
+      textureLod(table,
+                 vec2((float(directional_albedo_columns) + 1.5) / float(directional_albedo_columns + 2),
+                      row / float(directional_albedo_rows)),
+                 0.0)
+          .xy;
   return f0 * t.x + t.y;
 }
 
@@ -69,12 +73,12 @@ float specular_brdf(SkinSpecular s, vec3 n, vec3 v, vec3 l) {
 // What of the light from (or to) this direction the surface reflects; the clamp keeps painted maps from
 // taking all of it.
 float specular_albedo(sampler2D table, SkinSpecular s, float cosine) {
-  return min(s.rho_s * (s.weight.x * attenuation_lookup(table, cosine, s.m.x, s.f0) +
-                        s.weight.y * attenuation_lookup(table, cosine, s.m.y, s.f0)),
+  return min(s.rho_s * (s.weight.x * directional_albedo_lookup(table, cosine, s.m.x, s.f0) +
+                        s.weight.y * directional_albedo_lookup(table, cosine, s.m.y, s.f0)),
              0.9);
 }
 float specular_albedo_mean(sampler2D table, SkinSpecular s) {
-  return min(s.rho_s * (s.weight.x * attenuation_mean(table, s.m.x, s.f0) +
-                        s.weight.y * attenuation_mean(table, s.m.y, s.f0)),
+  return min(s.rho_s * (s.weight.x * directional_albedo_mean(table, s.m.x, s.f0) +
+                        s.weight.y * directional_albedo_mean(table, s.m.y, s.f0)),
              0.9);
 }

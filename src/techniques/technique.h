@@ -14,7 +14,7 @@
 #include "frame/plan.h"
 #include "gaussians/sum.h"
 #include "image/tone_map.h"
-#include "passes/halve/halve.h"
+#include "passes/downsample/downsample.h"
 #include "passes/light_pool.h"
 
 namespace dermis::techniques {
@@ -66,7 +66,7 @@ struct FrameSettings {
   double mm_per_unit = 1000;  ///< of the scene
   /// alpha, depth or tiles: how convolutions skip what cull and clip have left unlit
   passes::Mask mask = passes::Mask::tiles;
-  bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Halve
+  bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
   bool visibility = false;     ///< also makes the map that `--show visibility` shows
   std::vector<SkinPart> skin;  ///< one a skin mesh of the scene
   bool has_surfaces = false, has_blended = false;
@@ -126,7 +126,7 @@ struct FrameOutputs {
   struct LevelWork {
     std::uint32_t terms = 0;         ///< Gaussians that end there
     std::uint32_t convolutions = 0;  ///< passes, both axes counted
-    bool halved = false;             ///< the level is made by Halve
+    bool halved = false;             ///< the level is made by Downsample
   };
   std::vector<std::array<LevelWork, passes::max_halvings + 1>> work;
 };

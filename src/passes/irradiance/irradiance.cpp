@@ -2,7 +2,7 @@
 #include "passes/irradiance/irradiance.h"
 
 #include "frame/executor.h"
-#include "passes/seen.h"
+#include "passes/cull.h"
 
 namespace dermis::passes {
 
@@ -73,7 +73,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources,
       samplers_.offer_sky(bindings, frame, square.mesh);
       if (through) through_.offer(bindings, resources, in_.entering, in_.shadow, square.mesh);
       bindings.bind(cmd, pipeline);
-      cmd.push(pipeline, seen_io(frame, instance, material));
+      cmd.push(pipeline, cull_io(frame, instance, material));
       cmd.draw(draw.index_count, 1, draw.first_index);
     }
     cmd.end_rendering();

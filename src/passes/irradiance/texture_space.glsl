@@ -2,10 +2,10 @@
 // The vertex stage of passes that draw a head in its texture coordinates. CLIP: with clip distances.
 #include "shared/scene_io.h"
 #include "shared/vertex_pull.glsl"
-#include "shared/seen.glsl"
-#include "shared/seen_io.h"
+#include "shared/cull.glsl"
+#include "shared/cull_io.h"
 layout(constant_id = 0) const bool cull = false;
-layout(push_constant, scalar) uniform Push { SeenIo io; };
+layout(push_constant, scalar) uniform Push { CullIo io; };
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;

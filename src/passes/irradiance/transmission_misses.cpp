@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/executor.h"
+#include "passes/cull.h"
 #include "passes/irradiance/irradiance.h"
-#include "passes/seen.h"
 
 namespace dermis::passes {
 
@@ -50,7 +50,7 @@ void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources
       through_.offer(bindings, resources, in_.entering, in_.shadow, square.mesh);
       bindings.add("Counters", resources.buffer(in_.counters));
       bindings.bind(cmd, pipeline);
-      cmd.push(pipeline, seen_io(frame, instance, material));
+      cmd.push(pipeline, cull_io(frame, instance, material));
       cmd.draw(draw.index_count, 1, draw.first_index);
     }
     cmd.end_rendering();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/lambert/lambert.h"
 
-#include "passes/skin/skin.h"
+#include "passes/final_pass/final_pass.h"
 #include "techniques/screen.h"
 
 namespace dermis::techniques {
@@ -11,19 +11,19 @@ FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings
   for (std::uint32_t head = 0; head < settings.heads; ++head) {
     screen.add_shadow(head);
     for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh)
-      plan.add<passes::Skin>(label("final", settings, head, mesh),
-                             {{}, screen.shadow(), screen.colour(), screen.depth()},
-                             {.square = {.instance = head, .mesh = mesh},
-                              .samples = settings.samples,
-                              .clear = screen.take_clear(),
-                              .weights = {},
-                              .environment = settings.environment,
-                              .soft_shadows = settings.soft_shadows,
-                              .off_map = settings.skin[mesh].off_map,
-                              .cut_out = settings.skin[mesh].cut_out,
-                              .emits = settings.skin[mesh].emits,
-                              .terms = {},
-                              .through = {}});
+      plan.add<passes::FinalPass>(label("final", settings, head, mesh),
+                                  {{}, screen.shadow(), screen.colour(), screen.depth()},
+                                  {.square = {.instance = head, .mesh = mesh},
+                                   .samples = settings.samples,
+                                   .clear = screen.take_clear(),
+                                   .weights = {},
+                                   .environment = settings.environment,
+                                   .soft_shadows = settings.soft_shadows,
+                                   .off_map = settings.skin[mesh].off_map,
+                                   .cut_out = settings.skin[mesh].cut_out,
+                                   .emits = settings.skin[mesh].emits,
+                                   .terms = {},
+                                   .through = {}});
     screen.add_surfaces(head);
   }
   return screen.finish();

@@ -6,19 +6,19 @@
 #include <cmath>
 #include <map>
 
+#include "passes/add_transmitted/add_transmitted.h"
 #include "passes/blur/blur.h"
-#include "passes/border/border.h"
 #include "passes/count/count.h"
 #include "passes/depth_mask/depth_mask.h"
+#include "passes/dilate/dilate.h"
+#include "passes/downsample/downsample.h"
+#include "passes/final_pass/final_pass.h"
 #include "passes/gutters/gutters.h"
-#include "passes/halve/halve.h"
 #include "passes/irradiance/irradiance.h"
-#include "passes/join/join.h"
-#include "passes/skin/skin.h"
+#include "passes/show_visibility/show_visibility.h"
 #include "passes/stretch/stretch.h"
 #include "passes/tiles/tiles.h"
 #include "passes/transmission.h"
-#include "passes/visibility/visibility.h"
 #include "techniques/screen.h"
 
 namespace dermis::techniques {
@@ -262,8 +262,9 @@ class TextureSpace {
   // Goes on in smaller maps with the light of one skin mesh.
   void add_halved(const Level& level, frame::TextureId light, const std::vector<MapSquare>& from,
                   const std::vector<MapSquare>& to) {
-    plan_->add<passes::Halve>(name(at("halve", level), to.front().mesh),
-                              {light, stretch_of(to.front().mesh), level.light}, {.from = from, .to = to});
+    plan_->add<passes::Downsample>(name(at("downsample", level), to.front().mesh),
+                                   {light, stretch_of(to.front().mesh), level.light},
+                                   {.from = from, .to = to});
     add_masks(level, to);
   }
 
@@ -272,7 +273,7 @@ class TextureSpace {
   void add_masks(const Level& level, const std::vector<MapSquare>& all) {
     const auto label = [&](std::string_view what) { return name(at(what, level)); };
     plan_->add<Gutters>(label("irradiance gutters"), {level.light}, {.squares = all});
-    if (sparse()) add_border(level, all);
+    if (sparse()) add_dilation(level, all);
     for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
       if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
         plan_->add<passes::Count>(name(at("count masked texels", level), mesh),
@@ -296,7 +297,7 @@ class TextureSpace {
     }
   }
 
-  void add_border(const Level& level, const std::vector<MapSquare>& all) {
+  void add_dilation(const Level& level, const std::vector<MapSquare>& all) {
     const auto label = [&](std::string_view what) { return name(at(what, level)); };
     plan_->add<passes::ClearTiles>(label("clear border tiles"), {level.border});
     plan_->add<passes::TileClasses>(label("border tile classes"), {level.light, level.border}, {all});
@@ -304,12 +305,12 @@ class TextureSpace {
                               {.squares = all, .what = passes::Tiles::What::border});
     for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
       if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
-        plan_->add<passes::Border>(name(at("border", level), mesh),
+        plan_->add<passes::Dilate>(name(at("dilate", level), mesh),
                                    {level.light, stretch_of(mesh), level.border}, {squares});
     if (level.halvings > 0) return;
     for (std::size_t g = 0; g < joining_.size(); ++g)
       for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
-        plan_->add<passes::Border>(name(fmt::format("joining {} border", g + 1), mesh),
+        plan_->add<passes::Dilate>(name(fmt::format("dilate joining {}", g + 1), mesh),
                                    {joining_[g], stretch_of(mesh), level.border}, {of_mesh(all, mesh)});
   }
 
@@ -319,11 +320,11 @@ class TextureSpace {
         "visibility",
         {.width = settings_.map_size, .height = settings_.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT},
         frame::Lifetime::persistent);
-    plan_->add<passes::Visibility>("visibility", {picture},
-                                   {.square = square_of(settings_.heads - 1, 0),
-                                    .cull = settings_.optimise.cull,
-                                    .clip = settings_.optimise.clip,
-                                    .cut_out = settings_.skin.front().cut_out});
+    plan_->add<passes::ShowVisibility>("visibility", {picture},
+                                       {.square = square_of(settings_.heads - 1, 0),
+                                        .cull = settings_.optimise.cull,
+                                        .clip = settings_.optimise.clip,
+                                        .cut_out = settings_.skin.front().cut_out});
     return picture;
   }
 
@@ -340,7 +341,7 @@ class TextureSpace {
     for (const passes::BlurStep& step :
          passes::blur_steps(settings_.skin[mesh].profile, settings_.skin[mesh].max_texels_per_mm)) {
       for (std::size_t g = 1; joins && g < groups.size(); ++g)
-        if (groups[g] == term) light = add_join(g, light, *level, all);
+        if (groups[g] == term) light = add_transmitted(g, light, *level, all);
       passes::Blur::Settings blur{
           .squares = squares, .variance_mm2 = step.variance_mm2, .texel_averaged = first, .mask = mask()};
       if (halvings_[term] != level->halvings) {
@@ -386,24 +387,26 @@ class TextureSpace {
 
   // Light that the terms from here on bring through the body joins what the terms before have spread:
   // passes/transmission.h.
-  frame::TextureId add_join(std::size_t group, frame::TextureId light, const Level& level,
-                            const std::vector<MapSquare>& all) {
+  frame::TextureId add_transmitted(std::size_t group, frame::TextureId light, const Level& level,
+                                   const std::vector<MapSquare>& all) {
     const std::uint32_t mesh = all.front().mesh;
     const std::vector<MapSquare> squares = on_level(all, level);
     frame::TextureId through = joining_[group - 1];
     if (level.halvings > 0) {
-      const std::string what = at(fmt::format("joining {}", group), level);
+      const std::string what = at(fmt::format("downsample joining {}", group), level);
       through = plan_
-                    ->add<passes::Halve>(name(what, mesh),
-                                         {through, stretch_of(mesh), halved_joining(group, level)},
-                                         {.from = all, .to = squares})
+                    ->add<passes::Downsample>(name(what, mesh),
+                                              {through, stretch_of(mesh), halved_joining(group, level)},
+                                              {.from = all, .to = squares})
                     .light;
     }
-    const frame::TextureId joined = plan_
-                                        ->add<passes::Join>(name(fmt::format("join {}", group), mesh),
-                                                            {light, through}, {.squares = squares})
-                                        .light;
-    plan_->add<Gutters>(name(fmt::format("join {} gutters", group), mesh), {joined}, {.squares = squares});
+    const frame::TextureId joined =
+        plan_
+            ->add<passes::AddTransmitted>(name(fmt::format("add transmitted {}", group), mesh),
+                                          {light, through}, {.squares = squares})
+            .light;
+    plan_->add<Gutters>(name(fmt::format("add transmitted {} gutters", group), mesh), {joined},
+                        {.squares = squares});
     return joined;
   }
 
@@ -423,7 +426,7 @@ class TextureSpace {
                                    .even_texels_per_mm = static_cast<float>(part.even_texels_per_mm),
                                    .largest_side = settings_.map_size,
                                    .coarse = part.coarse};
-    plan_->add<passes::Skin>(
+    plan_->add<passes::FinalPass>(
         label("final", settings_, square.instance, square.mesh),
         {lights, screen_.shadow(), screen_.colour(), screen_.depth(), screen_.entering()},
         {.square = square,
@@ -442,7 +445,7 @@ class TextureSpace {
          .through = settings_.translucency ? std::optional(part.profile) : std::nullopt,
          .mm_per_unit = settings_.mm_per_unit});
     for (const Level& level : levels_)
-      plan_->add<passes::SkinReads>(
+      plan_->add<passes::UnshadedReads>(
           label(at("count unshaded reads", level), settings_, square.instance, square.mesh),
           {level.blurred.front(), screen_.depth(), screen_.counters()},
           {.square = on_level(square, level),

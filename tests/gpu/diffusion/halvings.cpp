@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "gaussians/known.h"
-#include "passes/halve/halve.h"
+#include "passes/downsample/downsample.h"
 
 namespace dermis::passes {
 namespace {

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "optics/directional_albedo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/parallel.h"
+
+namespace dermis::optics {
+namespace {
+
+constexpr int samples_theta = 48, samples_phi = 32;
+
+}  // namespace
+
+DirectionalAlbedo directional_albedo(double cosine, double m) {
+  const double c = std::clamp(cosine, 1e-3, 1.0);
+  const double s = std::sqrt(1 - c * c);
+  DirectionalAlbedo sum;
+  for (int i = 0; i < samples_theta; ++i) {
+    // Beckmann: P(theta_h) by inversion, tan^2 = -m^2 ln(1 - u). The estimator f cos(l) / pdf is then pi F
+    // cos(l) / (v.h cos(h)), because the lobe carries a factor pi ([KSK01] with D not divided by pi).
+    const double u = (i + 0.5) / samples_theta;
+    const double tan2 = -m * m * std::log(1 - u);
+    const double cos_h = 1 / std::sqrt(1 + tan2), sin_h = std::sqrt(std::max(0.0, 1 - cos_h * cos_h));
+    for (int j = 0; j < samples_phi; ++j) {
+      const double phi = std::numbers::pi * (j + 0.5) / samples_phi;  // the other half is symmetric
+      const double v_h = s * sin_h * std::cos(phi) + c * cos_h;
+      if (v_h <= 0) continue;
+      const double cos_l = 2 * v_h * cos_h - c;
+      if (cos_l <= 0) continue;
+      const double x = std::pow(1 - v_h, 5);
+      const double weight = std::numbers::pi * cos_l / (v_h * cos_h);
+      sum.of_f0 += weight * (1 - x);
+      sum.rest += weight * x;
+    }
+  }
+  constexpr double count = samples_theta * samples_phi;
+  return {sum.of_f0 / count, sum.rest / count};
+}
+
+DirectionalAlbedo mean_directional_albedo(double m) {
+  constexpr int steps = 64;
+  DirectionalAlbedo mean;
+  for (int i = 0; i < steps; ++i) {
+    const double mu = (i + 0.5) / steps;
+    const DirectionalAlbedo a = directional_albedo(mu, m);
+    mean.of_f0 += 2 * mu * a.of_f0 / steps;
+    mean.rest += 2 * mu * a.rest / steps;
+  }
+  return mean;
+}
+
+std::vector<float> directional_albedo_table() {
+  constexpr int width = directional_albedo_columns + 2;
+  std::vector<float> table(static_cast<std::size_t>(width) * directional_albedo_rows * 2);
+  parallel_for(directional_albedo_rows, [&](std::size_t row) {
+    const double m = directional_albedo_min_m + (1 - directional_albedo_min_m) * static_cast<double>(row) /
+                                                    (directional_albedo_rows - 1);
+    for (int column = 0; column < width; ++column) {
+      const DirectionalAlbedo a =
+          column < directional_albedo_columns
+              ? directional_albedo(static_cast<double>(column) / (directional_albedo_columns - 1), m)
+              : mean_directional_albedo(m);
+      table[(row * width + static_cast<std::size_t>(column)) * 2] = static_cast<float>(a.of_f0);
+      table[(row * width + static_cast<std::size_t>(column)) * 2 + 1] = static_cast<float>(a.rest);
+    }
+  });
+  return table;
+}
+
+}  // namespace dermis::optics

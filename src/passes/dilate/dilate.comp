@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Written texels carry an alpha that is not read, so the order of the invocations does not matter.
+#version 460
+#include "shared/types.h"
+#include "shared/gutters_io.h"
+#include "shared/half.glsl"
+#include "shared/tile_list.glsl"
+#include "passes/dilate/dilate_io.h"
+layout(local_size_x = TILE_WIDTH, local_size_y = TILE_HEIGHT) in;
+layout(push_constant, scalar) uniform Push { DilateIo io; };
+layout(binding = 0, rgba16f) uniform image2D light;
+layout(binding = 1) uniform sampler2D stretch;
+layout(binding = 2, scalar) readonly buffer Tiles { uint tiles[]; };
+layout(binding = 3, scalar) readonly buffer TileCounts { TileCountsIo tile_counts[]; };
+
+// On heads whose triangles are smaller than a texel, a seen one may lie up to three texels from the nearest
+// lit centre.
+const int reach = 3;
+
+void main() {
+  const uint i = tile_number(gl_WorkGroupID.xy);
+  if (i >= tile_counts[io.square].listed) return;
+  const ivec2 p = tile_corner(tiles[io.first_tile + i]) + ivec2(gl_LocalInvocationID.xy),
+              origin = ivec2(io.origin);
+  if (any(greaterThanEqual(uvec2(p), uvec2(io.side)))) return;
+  if (imageLoad(light, origin + p).a != 0.0) return;
+  const float chart =
+      texelFetch(stretch, ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side))), 0).a;
+  vec4 same = vec4(0.0), any_chart = vec4(0.0);
+  for (int y = -reach; y <= reach; ++y)
+    for (int x = -reach; x <= reach; ++x) {
+      const ivec2 q = p + ivec2(x, y);
+      if (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, ivec2(io.side)))) continue;
+      const vec4 texel = imageLoad(light, origin + q);
+      // Nearest first: each step outwards counts for a hundredth.
+      const float weight =
+          texel.a > 0.0 && texel.a != BORDER_ALPHA ? exp2(-6.64 * float(max(abs(x), abs(y)))) : 0.0;
+      any_chart += weight * vec4(texel.rgb, 1.0);
+      if (texel.a == chart) same += weight * vec4(texel.rgb, 1.0);
+    }
+  // A chart that is not lit here may lie so close to one that is that reads of that touch it: light for
+  // bilinear reads alone.
+  const vec4 sum = same.w > 0.0 ? same : any_chart;
+  if (sum.w > 0.0)
+    imageStore(light, origin + p, vec4(round_to_half(sum.rgb / sum.w), same.w > 0.0 ? -chart : BORDER_ALPHA));
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The chart of a texel is the one at its middle, as in maps that are drawn at this size; texels of other
+// charts are left out of the mean.
+#version 460
+#include "shared/types.h"
+#include "shared/gutters_io.h"
+#include "shared/half.glsl"
+#include "passes/downsample/downsample_io.h"
+layout(local_size_x = 16, local_size_y = 8) in;
+layout(push_constant, scalar) uniform Push { DownsampleIo io; };
+layout(binding = 0) uniform sampler2D light_in;
+layout(binding = 1) uniform sampler2D stretch;
+layout(binding = 2, rgba16f) uniform writeonly image2D light_out;
+
+void main() {
+  const ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(p, ivec2(io.side)))) return;
+  const float chart =
+      texelFetch(stretch, ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side))), 0).a;
+  vec3 sum = vec3(0.0), strange = vec3(0.0);
+  float total = 0.0, strangers = 0.0;
+  bool lit = false;
+  const int n = int(io.ratio);
+  const ivec2 corner = ivec2(io.from) + p * n;
+  for (int i = 0; i < n * n; ++i) {
+    const vec4 texel = texelFetch(light_in, corner + ivec2(i % n, i / n), 0);
+    if (texel.a == 0.0) continue;
+    strange += texel.rgb;
+    strangers += 1.0;
+    if (abs(texel.a) != chart) continue;
+    sum += texel.rgb;
+    total += 1.0;
+    lit = lit || texel.a > 0.0;
+  }
+  vec4 mean = vec4(0.0);
+  if (total > 0.0)
+    mean = vec4(round_to_half(sum / total), lit ? chart : -chart);
+  else if (strangers >
+           0.0)  // beside an open border, or of a chart thinner than this texel: for bilinear reads alone
+    mean = vec4(round_to_half(strange / strangers), BORDER_ALPHA);
+  imageStore(light_out, p + ivec2(io.origin), mean);
+}

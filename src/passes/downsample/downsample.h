@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+/// Light that is blurred already goes on in a smaller map: a texel is the mean of those that it covers.
+/// Based on: the "progressively smaller" maps that [JG08] sec. 2 mentions; when it may be done: see
+/// map_halvings().
+#pragma once
+
+#include <vector>
+
+#include "gaussians/sum.h"
+#include "passes/light_pool.h"
+
+namespace dermis::passes {
+
+class Downsample {
+ public:
+  struct Settings {
+    std::vector<MapSquare> from, to;  ///< the same squares in the larger and in the smaller pool
+  };
+  struct In {
+    frame::TextureId light, stretch;
+    frame::TextureId target;  ///< RGBA16F pool
+  };
+  struct Out {
+    frame::TextureId light;
+  };
+  explicit Downsample(const Settings& settings) : settings_(settings) {}
+  Out declare(frame::Declare& d, const In& in);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+
+ private:
+  Settings settings_;
+  In in_;
+  const gpu::Pipeline* pipeline_ = nullptr;
+  VkSampler sampler_ = VK_NULL_HANDLE;
+};
+
+inline constexpr std::uint32_t max_halvings = 3;
+
+/// How often the map of each term is halved at T_max, 0 to max_halvings and never falling: as often as leaves
+/// the light it starts from, which the term before has blurred, a sigma of a texel at least (what a Gaussian
+/// of one texel lets through at the limit of sampling is 0.7 %). The first is 0. `map_size` is T_max, and
+/// mean_texels_per_mm the density there; only halvings that divide it are used.
+std::vector<std::uint32_t> map_halvings(const gaussians::SumOfGaussians& profile, double mean_texels_per_mm,
+                                        std::uint32_t map_size);
+
+}  // namespace dermis::passes

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// What the eye sees of the skin: the scattered light of its texels (or, with no terms, the light that enters
+// at the pixel), the part of the albedo that is applied after, the two lobes of the specular, and what the
+// skin emits. Alpha 1 marks skin. THROUGH: light also comes through the body.
+#include "passes/final_pass/final_pass_io.h"
+#include "shared/half.glsl"
+#include "shared/scene_io.h"
+#include "shared/skin_point.glsl"
+#include "shared/cut_out.glsl"
+#include "shared/gutters_io.h"
+#ifdef THROUGH
+#include "shared/skin_through.glsl"
+#endif
+layout(constant_id = 0) const int term_count = 6;
+layout(constant_id = 1) const bool direct = false;       // what the weights leave of 1 is lit here instead
+layout(constant_id = 2) const bool progressive = false;  // maps of wide terms are smaller
+layout(constant_id = 12) const bool emits = false;
+layout(push_constant, scalar) uniform Push { FinalPassIo io; };
+layout(binding = 13) uniform sampler2D map_emissive;
+layout(binding = 14) uniform sampler2D light_0;
+layout(binding = 15) uniform sampler2D light_1;
+layout(binding = 16) uniform sampler2D light_2;
+layout(binding = 17) uniform sampler2D light_3;
+layout(binding = 18) uniform sampler2D light_4;
+layout(binding = 19) uniform sampler2D light_5;
+layout(binding = 20) uniform sampler2D light_6;
+layout(binding = 21) uniform sampler2D light_7;
+layout(location = 0) in vec3 in_position_m;
+layout(location = 1) in vec3 in_normal;
+layout(location = 2) in vec4 in_tangent;
+layout(location = 3) in vec4 in_uv;
+layout(location = 4) in vec4 in_colour;
+// Centroid: beside a silhouette or a seam the pixel's centre may lie off the triangle, and the map there may
+// hold nothing.
+layout(location = 5) centroid in vec2 in_unwrap;
+layout(location = 0) out vec4 out_radiance;
+
+#include "passes/final_pass/coarse_share.glsl"
+#include "passes/final_pass/light_point.glsl"
+
+// Of a term, what is read from its map.
+vec3 mapped_weight(int term) { return (1.0 - coarse_share(terms.sigma_mm[term])) * io.weights[term]; }
+
+// Bilinear among the texels that hold skin. Beside a cut the light map goes on for a texel that convolutions
+// leave out: it serves where there is nothing else.
+vec3 light_left(sampler2D light, vec2 at) {
+  const ivec2 size = textureSize(light, 0);
+  const vec2 p = at * vec2(size) - 0.5, corner = floor(p), f = p - corner;
+  vec4 sum = vec4(0.0);
+  for (int k = 0; k < 4; ++k) {
+    const ivec2 d = ivec2(k & 1, k >> 1);
+    const vec4 texel = texelFetch(light, clamp(ivec2(corner) + d, ivec2(0), size - 1), 0);
+    const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
+    // Without weight the texel may lie outside the used square, where anything may stand: 0 times that could
+    // be no number.
+    if (weight <= 0.0 || texel.a == 0.0) continue;
+    sum += weight * (texel.a == BORDER_ALPHA ? 1.0 / 256.0 : 1.0) * vec4(texel.rgb, 1.0);
+  }
+  return sum.rgb / max(sum.w, 1e-6);
+}
+
+vec3 light_of(sampler2D light, int term, vec2 at) {
+  if (progressive) {
+    const uint side = io.map_side >> ((io.halvings >> (4 * term)) & 15u);
+    const vec2 size = vec2(textureSize(light, 0));
+    at = light_point(in_unwrap, float(side), vec2(io.map_origin) * (size / vec2(textureSize(light_0, 0)))) /
+         size;
+  }
+  return cut_out ? light_left(light, at) : textureLod(light, at, 0.0).rgb;
+}
+
+vec3 emitted(SurfacePoint s) {
+  const MapIo map = material.maps[MAP_EMISSIVE];
+  return is_present(map) ? material.emissive * texture(map_emissive, map_uv(map, s)).rgb : material.emissive;
+}
+
+// sum_i w_i (light blurred by term i), already times 2^EV / pi.
+vec3 scattered() {
+  const vec2 at = light_point(in_unwrap) / vec2(textureSize(light_0, 0));
+  vec3 sum = vec3(0.0);
+  if (term_count > 0) sum += mapped_weight(0) * light_of(light_0, 0, at);
+  if (term_count > 1) sum += mapped_weight(1) * light_of(light_1, 1, at);
+  if (term_count > 2) sum += mapped_weight(2) * light_of(light_2, 2, at);
+  if (term_count > 3) sum += mapped_weight(3) * light_of(light_3, 3, at);
+  if (term_count > 4) sum += mapped_weight(4) * light_of(light_4, 4, at);
+  if (term_count > 5) sum += mapped_weight(5) * light_of(light_5, 5, at);
+  if (term_count > 6) sum += mapped_weight(6) * light_of(light_6, 6, at);
+  if (term_count > 7) sum += mapped_weight(7) * light_of(light_7, 7, at);
+  return sum;
+}
+
+#ifdef THROUGH
+// What the maps would show of transmitted light, for the part of the terms that is lit here: a group's terms
+// share the mean of theirs.
+vec3 through_share(EnteringAndThrough r) {
+  vec3 sum = vec3(0.0), mean = vec3(0.0);
+  for (int g = 0; g < TRANSMISSION_GROUPS; ++g) {
+    mean += joining(r, g);
+    vec3 share = transmission.group_weight[g];
+    for (int i = 0; i < term_count; ++i)
+      if (transmission.group[i] == uint(g)) share -= mapped_weight(i);
+    sum += share * mean;
+  }
+  return sum;
+}
+#endif
+
+vec3 specular_radiance(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec) {
+  if (spec.rho_s <= 0.0) return vec3(0.0);
+  vec3 sum = vec3(0.0);
+  for (uint i = nothing(); i < frame.light_count; ++i) {
+    const LightIo light = lights[i];
+    const Arriving a = arriving_light(light, s.position_m);
+    const float cosine = dot(n, a.to_light);
+    if (cosine <= 0.0 || dot(n_geometric, a.to_light) <= 0.0) continue;
+    SkinSpecular seen = spec;
+    // A disc blurs the lobes: slopes of the half vector vary by a sixteenth of tangent^2, those of the
+    // surface by m^2 / 2.
+    if (soft_shadows)
+      seen.m =
+          min(sqrt(seen.m * seen.m + light_tangent(light, a) * light_tangent(light, a) / 8.0), vec2(1.0));
+    sum += a.irradiance *
+           (cosine * specular_brdf(seen, n, v, a.to_light) * shadow_at(light, a, s.position_m, n_geometric));
+  }
+  return sum;
+}
+
+// The surroundings in both lobes, by their directional albedo. Where skin hides them, it is mirrored in their
+// place: `skin`, the radiance that leaves it here. Seen edge on, a lobe is narrower than its slope and bent
+// towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the mean of
+// [KSK01]'s lobe, m = 0.1 to 0.4.
+vec3 mirrored_surroundings(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec, vec3 skin) {
+  const vec2 unwrap = within_triangle(in_unwrap);
+  const float n_v = dot(n, v), all = specular_albedo(directional_albedo, spec, n_v),
+              open = skin_open(s, unwrap);
+  if (!environment) return frame.ambient * (all * open);
+  const vec3 mirrored = reflect(-v, n),
+             turned = off_map ? vec3(0.0) : textureLod(bent_normal, unwrap, 0.0).xyz,
+             sky = normalize(n_geometric + turned);
+  const float above = clamp(1.0 + 1.3 * dot(mirrored, n_geometric), 0.0,
+                            1.0);  // a mapped normal may mirror what lies beneath the surface
+  vec2 albedo = vec2(0.0);
+  vec3 lobe[2];
+  for (int k = 0; k < 2; ++k) {
+    albedo[k] = spec.weight[k] * directional_albedo_lookup(directional_albedo, n_v, spec.m[k], spec.f0);
+    const float slope = spec.m[k] * sqrt(max(n_v, 0.0));
+    const vec3 towards = normalize(mirrored + n * (0.9 * spec.m[k] * pow(1.0 - n_v, 4.0)));
+    lobe[k] = mix(skin, surroundings_radiance(towards, slope),
+                  sky_in_lobe(sky, open, towards, slope) * above * above);
+  }
+  return (lobe[0] * albedo.x + lobe[1] * albedo.y) * (all / max(albedo.x + albedo.y, 1e-6));
+}
+
+void main() {
+  const vec3 v = is_on(frame.orthographic) ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
+  const vec3 n_interpolated = normalize(in_normal);
+  const vec3 n_geometric = gl_FrontFacing ? n_interpolated : -n_interpolated;
+  const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
+  vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
+  const SkinSpecular spec = skin_specular(s);
+  const vec3 albedo = skin_albedo(s);
+  vec3 diffuse = vec3(0.0);
+  if (term_count > 0) diffuse = scattered() * albedo_power(albedo, 1.0 - material.mix_before);
+  if (direct) {
+    vec3 share = vec3(1.0);
+    for (int i = 0; i < term_count; ++i) share -= mapped_weight(i);
+#ifdef THROUGH
+    const EnteringAndThrough r = entering_and_through(s, n, n_geometric, spec);
+    const vec3 entering = r.entering + entering_surroundings(s, n, within_triangle(in_unwrap));
+    diffuse +=
+        (share * entering * albedo + through_share(r) * albedo_power(albedo, 1.0 - material.mix_before)) *
+        (frame.radiance_scale / pi);
+#else
+    const vec3 entering = entering_irradiance(s, n, n_geometric, spec) +
+                          entering_surroundings(s, n, within_triangle(in_unwrap));
+    diffuse += share * entering * albedo * (frame.radiance_scale / pi);
+#endif
+  }
+  // A mapped normal may face away from the eye at a silhouette; seen surfaces have a positive cosine.
+  const float n_v = dot(n, v);
+  if (n_v < 0.05) n = normalize(n + v * (0.05 - n_v));
+  const vec3 surroundings = mirrored_surroundings(s, n, n_geometric, v, spec, diffuse / frame.radiance_scale);
+  diffuse *= 1.0 - specular_albedo(directional_albedo, spec, dot(n, v));
+  vec3 radiance =
+      diffuse + (specular_radiance(s, n, n_geometric, v, spec) + surroundings) * frame.radiance_scale;
+  if (emits) radiance += emitted(s) * frame.radiance_scale;
+  if (cut_out && is_cut(in_uv, in_colour)) discard;
+  out_radiance = vec4(storable(radiance), 1.0);
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// For each fragment that the final pass shades: do the texels that its bilinear read weighs hold light? Where
+// one does not, the read is counted. Bilinear units resolve 1/256 of a texel at most: a smaller weight is
+// none. Reads of skin that is cut out leave out what is not there: of those, the ones that find nothing are
+// counted.
+#version 460
+#include "shared/scene_io.h"
+#include "passes/final_pass/final_pass_io.h"
+layout(early_fragment_tests) in;
+layout(push_constant, scalar) uniform Push { FinalPassIo io; };
+layout(binding = 2, scalar) uniform Material { MaterialIo material; };
+layout(binding = 8) uniform sampler2D map_base_colour;
+#include "shared/cut_out.glsl"
+layout(binding = 14) uniform sampler2D light_0;
+layout(binding = 15, scalar) buffer Counters { uint counters[]; };
+layout(location = 3) in vec4 in_uv;
+layout(location = 4) in vec4 in_colour;
+layout(location = 5) centroid in vec2 in_unwrap;
+#include "passes/final_pass/coarse_share.glsl"
+#include "passes/final_pass/light_point.glsl"
+
+void main() {
+  if (cut_out && is_cut(in_uv, in_colour)) return;
+  if (coarse && coarse_share(terms.widest_mm) >= 1.0) return;  // nothing is read
+  const vec2 at = light_point(in_unwrap) - 0.5;
+  const ivec2 corner = ivec2(floor(at));
+  const vec2 f = at - vec2(corner);
+  bool unshaded = false, shaded = false;
+  for (int k = 0; k < 4; ++k) {
+    const ivec2 d = ivec2(k & 1, k >> 1);
+    const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
+    const ivec2 p = min(corner + d, ivec2(io.map_origin + io.map_side - 1u));
+    const bool lit = texelFetch(light_0, p, 0) != vec4(0.0);
+    unshaded = unshaded || (weight > 1.0 / 256.0 && !lit);
+    shaded = shaded || (weight > 1.0 / 256.0 && lit);
+  }
+  if (cut_out ? !shaded : unshaded) atomicAdd(counters[io.slot], 1u);
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+/// A picture of what the optimisations leave out of one head's light map.
+/// Based on: [JG08] figure 3.
+#pragma once
+
+#include "passes/light_pool.h"
+
+namespace dermis::passes {
+
+class ShowVisibility {
+ public:
+  struct Settings {
+    MapSquare square;  ///< its origin does not count
+    bool cull = true, clip = true;
+    bool cut_out = false;  ///< some of its skin is: what is cut away is not shown
+  };
+  struct In {
+    /// RGBA16F, T_max x T_max, persistent: the used square from its corner, alpha 0 where no skin is
+    frame::TextureId picture;
+  };
+  struct Out {};
+  explicit ShowVisibility(const Settings& settings) : settings_(settings) {}
+  Out declare(frame::Declare& d, const In& in);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+
+ private:
+  Settings settings_;
+  In in_;
+  const gpu::Pipeline* pipelines_[2] = {};  // [cut out]
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#include "shared/scene_io.h"
+#include "shared/vertex_pull.glsl"
+#include "shared/cull.glsl"
+#include "shared/cull_io.h"
+layout(push_constant, scalar) uniform Push { CullIo io; };
+layout(location = 0) out vec3 out_position_m;
+layout(location = 1) flat out uint out_culled;
+layout(location = 2) out vec4 out_uv;
+layout(location = 3) out vec4 out_colour;
+void main() {
+  const VertexIo v = pulled_vertex();
+  out_position_m = v.position_m + io.offset_m;
+  out_uv = vec4(v.uv0, v.uv1);
+  out_colour = v.colour;
+  out_culled =
+      io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.offset_m, io.eye, io.map_side) ? 1u : 0u;
+  gl_Position = vec4(v.unwrap * 2.0 - 1.0, 0.5, 1.0);
+}
