@@ -128,6 +128,7 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   if (!a.compare.empty()) return compare(a, exit_status);
   if (a.fail_if_slower) throw input_error("--fail-if-slower", "is for --compare");
   if (a.quick) scale_down(a, command);
+
   // The two lights of the rig are a default, which --light replaces.
   if (!a.settings.placed_lights.empty() && command.get_option("--lights")->count() == 0)
     a.settings.lights.reset();
@@ -135,6 +136,7 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   sort_list("--distances", a.distances);
   bench::Task task = task_of(a);
   check(a, task);
+
   task.stop = &catch_interrupts();
   Renderer renderer(
       {.device = a.device, .validate = false, .stop = task.stop, .progress = show_preparation()});
@@ -144,18 +146,21 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   found.cores = static_cast<int>(std::thread::hardware_concurrency());
   found.rounds = a.rounds;
   found.settings = a.settings;
+
   bool first = true;
   bench::measure(renderer, scene, task, found, [&](const bench::Cell& cell) {
     if (a.json == "-") return;
     if (std::exchange(first, false)) write_text("-", bench::table_head(found));
     write_text("-", bench::table_line(cell));
   });
+
   if (found.cells.empty())
     throw input_error("", "stopped before the first cell was measured: nothing to write");
   const std::string page = a.html.empty() ? "" : bench::run_page(found);
   if (!a.html.empty()) write_file(a.html, page);
   if (!a.json.empty()) write_text(a.json, bench::run_json(found));
   if (a.json != "-") write_text("-", bench::table_foot(found));
+
   if (found.complete) return;
   fmt::print(stderr, "dermis: stopped after {} of {} cells; what is written holds those\n",
              found.cells.size(), bench::places_of(task).size());
@@ -168,18 +173,22 @@ void add_bench_command(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand("bench",
                                          "the paper's test: heads in a row near and far, with and without "
                                          "the optimisations, next to the published speed-ups");
+
   auto a = std::make_shared<BenchArguments>();
-  a->settings.width = 1920, a->settings.height = 1200;
+  a->settings.width = 1920;
+  a->settings.height = 1200;
   a->settings.lights = 2;
   a->settings.profile = "skin";
   a->settings.translucency = false;  // [JG08] sec. 7: their test has none
   add_scene_arguments(*command, *a, SceneUse::bench);
+
   // Of the paper's test, whatever the scene brings along.
   command->get_option("--lights")
       ->description("lights of the rig: key, fill, rim, further ones")
       ->default_str("2");
   command->get_option("--profile")->description("diffusion profile: a published name or a JSON file");
   command->get_option("--fov")->description("vertical field of view, degrees")->default_str("20");
+
   command->add_option("--heads", a->heads, "numbers of heads in a row, 1.6 radii apart")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -194,6 +203,7 @@ void add_bench_command(CLI::App& app, int& exit_status) {
       ->type_name("D,D,..")
       ->default_str(fmt::format("{}", fmt::join(a->distances, ",")))
       ->group("Cells");
+
   command
       ->add_option("--rounds", a->rounds,
                    "times that each variant is drawn, in turns, after it has warmed up")
@@ -202,6 +212,7 @@ void add_bench_command(CLI::App& app, int& exit_status) {
       ->add_option("--picture-samples", a->picture_samples,
                    "super-samples along each axis for the difference of the pictures; 0: no difference")
       ->group("Cells");
+
   command->add_flag("--quick", a->quick,
                     "for a first look, where not given: 360x225 pixels, maps of 384, 1 and 4 heads, 3 "
                     "distances, 3 rounds, 2 super-samples");
@@ -213,6 +224,7 @@ void add_bench_command(CLI::App& app, int& exit_status) {
   command->add_option("--frames-memory", a->frames_mb,
                       "device memory for frames that wait for their turn, MB; those beyond are made anew "
                       "each time (default: half of it)");
+
   command
       ->add_option("--compare", a->compare,
                    "two results written with --json, old and new: what has become slower or faster beyond "
@@ -224,6 +236,7 @@ void add_bench_command(CLI::App& app, int& exit_status) {
   command
       ->add_flag("--fail-if-slower", a->fail_if_slower, "with --compare: exit status 1 if anything is slower")
       ->group("Comparison");
+
   command->callback([a, command, &exit_status] { run(*a, *command, exit_status); });
 }
 

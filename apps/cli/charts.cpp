@@ -53,12 +53,14 @@ std::string dash(const Line& line) { return line.dashed ? " stroke-dasharray=\"5
 
 std::string drawn(const LineChart& chart, const Line& line) {
   std::string svg, points;
+  // Close the line that has been drawn so far: a missing value leaves a gap.
   const auto end = [&] {
     if (!points.empty())
       svg += fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{} points=\"{}\"/>",
                          chart_colour(line.colour), dash(line), points);
     points.clear();
   };
+
   std::string dots;
   for (std::size_t i = 0; i < std::min(line.values.size(), chart.x.size()); ++i) {
     const std::optional<double> value = line.values[i];
@@ -66,12 +68,14 @@ std::string drawn(const LineChart& chart, const Line& line) {
       end();
       continue;
     }
+
     const double x = x_of(chart, i), y = y_of(chart, *value);
     points += fmt::format("{:.1f},{:.1f} ", x, y);
     dots += fmt::format(
         "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"><title>{}, {}: {}</title></circle>", x, y,
         chart_colour(line.colour), escape(line.name), escape(chart.x[i]), number(*value));
   }
+
   end();
   return svg + dots;
 }
@@ -101,9 +105,11 @@ std::string line_chart(const LineChart& chart) {
 
 std::string bar_chart(const BarChart& chart) {
   constexpr double row = 24, name_end = 96, bars = 104, full = 560, all = 760;
+
   double most = 0;
   for (const Bar& bar : chart.bars)
     most = std::max(most, std::accumulate(bar.parts.begin(), bar.parts.end(), 0.0));
+
   std::string svg = fmt::format("<svg class=\"chart\" viewBox=\"0 0 {} {}\" width=\"{}\" role=\"img\">", all,
                                 row * static_cast<double>(chart.bars.size()) + 4, all);
   double y = 2;
@@ -122,6 +128,7 @@ std::string bar_chart(const BarChart& chart) {
             escape(chart.unit));
       x += wide;
     }
+
     svg += text(x + 6, y + 15, "start",
                 fmt::format("{} {}", sum >= 100 ? fmt::format("{:.0f}", sum) : number(sum), chart.unit));
     y += row;

@@ -62,6 +62,7 @@ void compare_linear(const CompareArguments& arguments, std::span<const std::byte
                       b = image::decode_image_f(b_bytes, arguments.b, limits);
   check_size(a, arguments.a, b, arguments.b);
   compared.region = region_for(arguments, a.width, a.height);
+
   std::vector<image::ImageF> variances;
   for (const std::string& name : arguments.variances) {
     variances.push_back(image::load_image_f(name, limits));
@@ -70,6 +71,7 @@ void compare_linear(const CompareArguments& arguments, std::span<const std::byte
     const auto negative = std::find_if(values.begin(), values.end(), [](float value) { return value < 0; });
     if (negative != values.end()) throw input_error(name, "holds {}; variances are 0 or more", *negative);
   }
+
   const image::ToneMap tone_map = image::find_tone_map(arguments.settings.tone_map);
   compared.tone_map = arguments.settings.tone_map;
   compared.found = image::compare(a, b, tone_map, variances, compared.region);
@@ -101,9 +103,11 @@ void compare_two(const CompareArguments& arguments) {
     }
     (kind == image::PictureKind::linear ? compare_linear : compare_display)(arguments, a, b, compared);
   }
+
   // All there is to say before anything is written.
   const std::string json = compared_json(compared),
                     page = arguments.html.empty() ? "" : compared_page(compared);
+
   if (!arguments.html.empty()) write_file(arguments.html, page);
   if (!arguments.json.empty()) write_text(arguments.json, json);
   if (arguments.json != "-") write_text("-", compared_text(compared));
@@ -140,8 +144,10 @@ void run(const CompareArguments& arguments) {
 void add_scene_options(CLI::App& command, CompareArguments& a) {
   a.settings.width = a.settings.height = 512;
   a.settings.bloom = 0;  // the reference has none
+
   const std::vector<CLI::Option*> before = command.get_options();
   add_scene_arguments(command, a, SceneUse::comparison);
+
   SceneComparisonSettings& s = a.scene_settings;
   const char* group = "Technique";
   command.add_option("--techniques", s.techniques, "all, or some of the list of `render --technique`")
@@ -162,6 +168,7 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
   command.add_option("--frames", a.settings.frames, "timed frames after one warm-up")->group(group);
   command.add_option("--device", s.device, "best, an index or a part of a name of `dermis info`")
       ->group(group);
+
   add_reference_options(command, s.reference);
   CLI::Option* file =
       command
@@ -173,6 +180,8 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
                   "EXR: the variance of --reference, to say what its noise adds")
       ->needs(file)
       ->group("Model");
+
+  // Tie what was added here to --scene, except what suits two pictures, too.
   CLI::Option* scene = command.get_option("--scene");
   for (CLI::Option* option : command.get_options())
     if (option != scene && option->get_name() != "--tone-map" && option->get_name() != "--view" &&
@@ -186,8 +195,10 @@ void add_compare_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("compare",
                                          "how far two pictures, or the techniques and ground truth of a "
                                          "scene, are apart: FLIP, PSNR, relative error");
+
   auto arguments = std::make_shared<CompareArguments>();
   command->option_defaults()->always_capture_default();
+
   command->add_option("A", arguments->a, "the reference: PNG or JPEG, or EXR or HDR");
   command->add_option("B", arguments->b, "what is compared with it: of the same size, and linear if A is");
   command->add_option("--json", arguments->json, "write the figures as JSON, - for standard output");
@@ -201,6 +212,7 @@ void add_compare_command(CLI::App& app, int&) {
                    "difference is noise; up to 2 times")
       ->allow_extra_args(false)
       ->default_str("");
+
   add_scene_options(*command, *arguments);
   for (const char* name : {"--region", "--z"}) command->get_option(name)->excludes("--scene");
   command->callback([arguments] { run(*arguments); });

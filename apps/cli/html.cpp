@@ -113,6 +113,7 @@ std::string escape(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = character(text, at);
     const char c = text[at];
+
     if (length == 0) {
       out += "\xef\xbf\xbd";
     } else if (length > 1) {
@@ -130,6 +131,7 @@ std::string escape(std::string_view text) {
     } else {
       out += static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? ' ' : c;
     }
+
     at += length == 0 ? 1 : length;
   }
   return out;

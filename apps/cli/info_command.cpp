@@ -52,17 +52,20 @@ std::string cache_as_text(const std::string& folder, const std::vector<cache::Us
   std::string text = fmt::format("{}\n", folder.empty() ? "nothing is kept: neither XDG_CACHE_HOME nor HOME "
                                                           "is set"
                                                         : folder);
+
   std::uint64_t files = 0, bytes = 0;
   const auto line = [](std::string_view kind, std::uint64_t count, std::uint64_t size) {
     return fmt::format("   {:<12} {:>6} file{} {:>10.1f} MB\n", kind, count, count == 1 ? " " : "s",
                        static_cast<double>(size) / 1e6);
   };
+
   for (const cache::Usage& kind : usage) {
     text += line(kind.kind, kind.files, kind.bytes);
     files += kind.files;
     bytes += kind.bytes;
   }
   text += line(cleared ? "removed" : "together", files, bytes);
+
   if (!cleared)
     text += fmt::format("   limit {} MB; the environment variable DERMIS_CACHE_LIMIT sets another\n",
                         cache::limit_bytes() / 1'000'000);

@@ -36,12 +36,14 @@ void check_files(const ProfileOptions& options) {
     const char* option;
     std::string path;
   };
+
   std::vector<File> files{{"-o", options.output}, {"--plot", options.plot}, {"--swatches", options.swatches}};
   const std::size_t outputs = files.size();
   files.insert(files.end(), {{"--layers", options.source.layers}, {"--csv", options.source.csv}});
   const auto known = gaussians::known_names();
   for (const std::string& name : options.compare)
     if (std::find(known.begin(), known.end(), name) == known.end()) files.push_back({"--compare", name});
+
   for (std::size_t i = 0; i < outputs; ++i) {
     if (files[i].path.empty() || files[i].path == "-") continue;
     check_writable(files[i].path);
@@ -51,6 +53,7 @@ void check_files(const ProfileOptions& options) {
                           "{} and {} name the same file; what is written needs a name of its own",
                           files[i].option, files[j].option);
   }
+
   const std::filesystem::path& cache = options.source.monte_carlo.cache;
   std::error_code ignored;
   if (!cache.empty() && std::filesystem::exists(cache, ignored) &&
@@ -132,6 +135,7 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
   const auto add = [&](const char* name, std::string& value, const char* help) {
     add_text(command, name, value, help)->group("Source (exactly one)");
   };
+
   add("--preset", source.preset,
       "a measured material: skin1, skin2, marble, ..., or skin-layers (an unknown name lists all)");
   add("--coefficients", source.coefficients, "\"sigma_a=R,G,B sigma_s=R,G,B g=0 eta=1.4\", per mm");
@@ -148,6 +152,7 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
   add("--import", source.import,
       "another system's values: \"unity reflectance=R,G,B scattering_distance=R,G,B\", unreal, cycles, "
       "openpbr, gltf");
+
   const std::string spectral = "Spectral skin (with --melanin or --colour)";
   command.add_option("--blend", source.blend, "eumelanin's share, 0 to 1 (default 0.7; 0.1 with --colour)")
       ->group(spectral);
@@ -165,6 +170,7 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
       .add_option("--epidermis-mm", source.epidermis_mm,
                   "thickness in mm, 0.01 to 2 (default 0.25; 0.12 with --colour)")
       ->group(spectral);
+
   command.add_option("--model", source.model, "dipole, better, multipole, beam, monte-carlo or auto")
       ->capture_default_str();
   add_count(command, "--photons", source.monte_carlo.photons, "Monte-Carlo: photons a channel, 1000 to 1e9",
@@ -182,11 +188,13 @@ void add_profile_command(CLI::App& app, int&) {
       "profile", "compute how light spreads in skin, and the sum of Gaussians that `render --profile` takes");
   auto options = std::make_shared<ProfileOptions>();
   add_source_options(*command, options->source);
+
   command->add_option("--gaussians", options->gaussians, "terms of the sum, 1 to 8")->capture_default_str();
   command
       ->add_option("--variances", options->variances,
                    "shared (one set for three channels, what render takes) or per-channel")
       ->capture_default_str();
+
   add_text(*command, "-o,--output", options->output, "the profile as JSON; - for standard output");
   add_text(*command, "--plot", options->plot,
            "SVG: r R(r) and the fit per channel, the residual, and light that bleeds from a white edge");
@@ -200,6 +208,7 @@ void add_profile_command(CLI::App& app, int&) {
            "gltf, openpbr or cycles");
   add_text(*command, "--swatches", options->swatches,
            "PNG: colours of spectral skin, melanin to the right, hemoglobin downwards");
+
   command->callback([options] { run(*options); });
 }
 

@@ -106,6 +106,8 @@ std::string per_channel_json(const Source& source, const Fitted& fitted) {
   nlohmann::ordered_json root;
   root["name"] = source.name;
   root["model"] = source.model;
+
+  // Pad every channel to the longest, with terms of weight 0.
   std::size_t terms = 0;
   for (const auto& channel : fitted.channels) terms = std::max(terms, channel.terms.size());
   for (std::size_t i = 0; i < terms; ++i) {
@@ -115,9 +117,11 @@ std::string per_channel_json(const Source& source, const Fitted& fitted) {
       variance[c] = channel[std::min(i, channel.size() - 1)].variance_mm2;
       weight[c] = i < channel.size() ? channel[i].weight : 0;
     }
+
     root["variances_mm2"].push_back(variance);
     root["weights"].push_back(weight);
   }
+
   root["error_percent"] = fitted.error_percent;
   root["total_reflectance"] = fitted.total;
   root["mean_free_path_mm"] = finite_or_0(fitted.mean_free_path_mm);
@@ -135,6 +139,7 @@ Fitted fit(const Source& source, int terms, bool shared) {
     out.mean_free_path_mm[c] = source.medium[c].mean_free_path().mm;
     out.diffuse_mean_free_path_mm[c] = diffuse_length_mm(source, c, out.model_total[c]);
   }
+
   if (shared) {
     out.shared = gaussians::fit_shared(source.profiles, terms, source.name);
     out.error_percent = out.shared.error_percent;
@@ -144,6 +149,7 @@ Fitted fit(const Source& source, int terms, bool shared) {
       out.error_percent[c] = out.channels[c].error_percent;
     }
   }
+
   check_weights(source, out, terms);
   return out;
 }

@@ -160,7 +160,10 @@ Source open_source(const SourceOptions& options) {
     const std::string& value;
     Source (*open)(const SourceOptions&);
   };
+
   check_refinements(options);
+
+  // Give melanin a text, too: an empty one says that the option was not given.
   const std::string melanin = options.melanin ? "given" : "";
   const Choice choices[] = {
       {"--preset", options.preset, from_preset},
@@ -183,6 +186,7 @@ Source open_source(const SourceOptions& options) {
       {"--csv", options.csv, from_csv},
       {"--import", options.import, from_import},
   };
+
   const Choice* chosen = nullptr;
   std::string all;
   for (const Choice& choice : choices) {
@@ -191,6 +195,7 @@ Source open_source(const SourceOptions& options) {
     if (chosen != nullptr) throw CLI::ExcludesError(chosen->option, choice.option);
     chosen = &choice;
   }
+
   if (chosen == nullptr) throw CLI::RequiredError("one source of " + all);
   return chosen->open(options);
 }

@@ -48,6 +48,7 @@ void run(ReferenceArguments& a, int& exit_status) {
   a.reference.checkpoint = a.output + ".resume";
   const Scene scene = open_scene(a);
   a.reference.stop = &catch_interrupts();
+
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
   const ReferencePicture out = render_reference(scene, a.settings, a.reference);
@@ -56,6 +57,7 @@ void run(ReferenceArguments& a, int& exit_status) {
   if (terminal) fmt::print(stderr, "\r\033[K");
   if (out.samples == 0)
     throw input_error(a.output, "stopped before every pixel had a sample: nothing to write");
+
   out.picture.save(a.output);
   if (!a.variance.empty()) out.save_variance(a.variance);
   fmt::print("{}, {}x{}, {} samples a pixel, noise {:.3f} %\n{:.1f} s, {:.1f} s of processor time\n",
@@ -63,6 +65,7 @@ void run(ReferenceArguments& a, int& exit_status) {
              seconds, cpu_seconds);
   if (out.lost_percent > 0)
     fmt::print("{:.3f} % of the walks left through holes or folds of the mesh\n", out.lost_percent);
+
   if (!out.complete) {
     fmt::print(stderr,
                "dermis: stopped after {} samples; the picture holds them, and --resume goes on from there\n",
@@ -70,6 +73,7 @@ void run(ReferenceArguments& a, int& exit_status) {
     exit_status = 1;
     return;
   }
+
   std::error_code ignored;  // most runs never had one
   std::filesystem::remove(a.reference.checkpoint, ignored);
 }
@@ -79,12 +83,14 @@ void run(ReferenceArguments& a, int& exit_status) {
 void add_reference_options(CLI::App& command, ReferenceSettings& settings) {
   std::string models;
   for (const std::string& name : reference_models()) models += (models.empty() ? "" : ", ") + name;
+
   command.add_option("--model", settings.model, models)->group("Model");
   command
       .add_option("--medium", settings.medium,
                   "volume: a measured material, or 'sigma_a=.. sigma_s=.. g=.. eta=..' per mm (default: what "
                   "the profile was made of)")
       ->group("Model");
+
   command
       .add_option("--samples", settings.samples,
                   "samples of a pixel (default: 64, or as many as --noise takes); with --noise, at most")

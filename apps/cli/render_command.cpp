@@ -54,10 +54,12 @@ void render(const RenderArguments& a, int& exit_status) {
     if (same_file(a.stats, a.output))
       throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
   }
+
   Renderer renderer({.device = a.device,
                      .validate = a.validate,
                      .stop = &interrupted_flag(),
                      .progress = show_preparation()});
+
   show_line("loading");
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = open_scene(a);
@@ -67,6 +69,7 @@ void render(const RenderArguments& a, int& exit_status) {
   Picture picture = rendered(renderer, scene, a.settings);
   show_line("");
   picture.statistics.load_ms = load_ms;
+
   const std::vector<std::string> messages = renderer.validation_messages();
   for (const std::string& message : messages) fmt::print(stderr, "dermis: validation: {}\n", message);
   if (!messages.empty()) {
@@ -74,6 +77,7 @@ void render(const RenderArguments& a, int& exit_status) {
     exit_status = 1;
     return;
   }
+
   picture.save(a.output);
   if (!a.stats.empty()) write_text(a.stats, picture.statistics.json());
   if (a.stats != "-") fmt::print("{}", summary(picture.statistics));

@@ -85,6 +85,7 @@ bool parse_optimise(const std::vector<std::string>& names, RenderSettings& s) {
 
 void add_optimise_options(CLI::App& command, RenderSettings& s) {
   const char* group = "What is not seen is not computed";
+
   command
       .add_option_function<std::vector<std::string>>(
           "--optimise",
@@ -101,6 +102,7 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
       ->type_name("NAME,NAME,..")
       ->default_str("all")
       ->group(group);
+
   command
       .add_option("--maps", s.maps,
                   "full: one map of full size a Gaussian; progressive: half the size, a quarter, an eighth "
@@ -111,6 +113,7 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
           "--mask", s.mask,
           "how convolutions skip unlit texels: alpha, depth, tiles (default: fastest on this kind of device)")
       ->group(group);
+
   command
       .add_option("--d-ref", s.d_ref,
                   "distance, in radii, up to which light maps have their full size (default: where a texel "
@@ -121,6 +124,7 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
                   "skin this far outside the picture is still lit, mm (default: the profile's reach, 3 sigma "
                   "of its widest Gaussian)")
       ->group(group);
+
   command
       .add_option(
           "--map-budget", s.map_budget_mb,
@@ -193,6 +197,7 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
       ->type_name("WxH")
       ->default_str(fmt::format("{}x{}", s.width, s.height))
       ->group("Camera");
+
   command
       .add_option("--camera", s.camera,
                   "a camera of the scene (default: its first, else the head is framed from the front)")
@@ -217,6 +222,7 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
       .add_option("--distance", s.distance,
                   "the eye stands this far from the middle head, in radii of its bounding sphere")
       ->group("Camera");
+
   command
       .add_option_function<std::string>(
           "--exposure", [&s](const std::string& text) { s.exposure_ev = parse_exposure(text); },
@@ -230,6 +236,7 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
                   fmt::format("how display values (PNG, PSNR, FLIP) come from light: {}",
                               fmt::join(tone_map_names(), ", ")))
       ->group("Camera");
+
   command
       .add_option_function<std::string>(
           "--view", [](const std::string&) { throw CLI::ValidationError("--view", "is now --tone-map"); },
@@ -257,6 +264,7 @@ void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
       ->type_name("AZ,EL[,I]")
       ->default_str("")
       ->group("Light");
+
   command
       .add_option("--light-radius", s.light_radius_m,
                   "lights are discs of this radius, m, and cast soft shadows; directional ones as if 4 radii "
@@ -265,6 +273,7 @@ void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
       ->group("Light");
   command.add_option("--ambient", s.ambient, "uniform radiance from everywhere (1 shows white Lambert as 1)")
       ->group("Light");
+
   add_switch(command, "--specular", s.specular, "reflection at the surface: on, off");
   if (use == SceneUse::real_time || use == SceneUse::bench)
     add_switch(command, "--translucency", s.translucency, "light also comes through the body: on, off");
@@ -275,6 +284,7 @@ void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
 
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use) {
   command.option_defaults()->always_capture_default();
+
   if (use == SceneUse::comparison)
     command
         .add_option(
@@ -283,6 +293,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
         ->group("Scene");
   else
     command.add_option("SCENE", arguments.scene, ".gltf or .glb file; without one, the built-in head");
+
   command
       .add_option("--skin", arguments.options.skin_material,
                   "the material that is skin (default: extras.dermis, else the name contains 'skin', else "
@@ -301,6 +312,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
   command.add_flag("--verbose", verbose(), "print every warning and note, not the first two lines alone")
       ->default_str("")
       ->group("Scene");
+
   if (use != SceneUse::reference) {
     add_real_time_options(command, arguments.settings, use);
     add_optimise_options(command, arguments.settings);
@@ -309,6 +321,8 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
   add_view_options(command, arguments.settings);
   add_light_options(command, arguments.settings, use);
   add_environment_options(command, arguments.settings);
+
+  // Remove what the bench varies or fixes by itself.
   if (use == SceneUse::bench)
     for (const char* own :
          {"--optimise", "--skip-unseen-heads", "--distance", "--camera", "--orbit", "--exposure"})

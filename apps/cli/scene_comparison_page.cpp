@@ -138,6 +138,7 @@ std::string scene_comparison_json(const SceneComparison& c) {
                     {"tone_map", c.tone_map},
                     {"exposure_ev", c.exposure_ev},
                     {"supersample", c.supersample}};
+
   if (c.reference_file.empty())
     json["reference"] = {{"model", c.model},
                          {"samples", c.samples},
@@ -145,6 +146,7 @@ std::string scene_comparison_json(const SceneComparison& c) {
                          {"seconds", c.reference_seconds}};
   else
     json["reference"] = {{"file", c.reference_file}};
+
   if (!c.techniques.empty()) {
     const Statistics& s = c.techniques.front().statistics;
     json["device"] = s.device;
@@ -152,9 +154,11 @@ std::string scene_comparison_json(const SceneComparison& c) {
     json["api"] = s.api;
     json["lights"] = s.lights;
   }
+
   json["regions"] = ordered_json::array();
   for (const PictureRegion& r : c.regions)
     json["regions"].push_back({{"name", r.name}, {"pixels", r.pixels}});
+
   json["techniques"] = ordered_json::array();
   for (const ComparedTechnique& t : c.techniques) {
     const Statistics& s = t.statistics;
@@ -170,6 +174,7 @@ std::string scene_comparison_json(const SceneComparison& c) {
                                     {"frames", s.frames}}},
                                   {"error", errors_json(c, t.errors)}});
   }
+
   json["noise"] = c.noise ? errors_json(c, *c.noise) : ordered_json(nullptr);
   // Names of files need not be UTF-8.
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
@@ -179,14 +184,18 @@ std::string scene_comparison_page(const SceneComparison& c) {
   using namespace html;
   std::string body = fmt::format("<p>{}<br>{}<br>{}</p>\n", escape(picture_line(c)),
                                  escape(reference_line(c)), escape(device_line(c)));
+
   for (std::size_t i = 0; i < c.regions.size(); ++i) {
     body += "<h2>" + escape(title_of(c.regions[i])) + "</h2>\n";
     if (c.regions[i].pixels > 0) body += grid(headings(i), rows(c, i));
   }
+
+  // Give all maps of errors one scale, up to the largest error on skin.
   double full_scale = 0;
   for (const ComparedTechnique& t : c.techniques)
     full_scale = std::max(full_scale, image::summarise_flip(t.flip_map, c.regions[0].mask).max);
   if (full_scale <= 0) full_scale = 1;
+
   body += "<h2>Against the reference</h2>\n<div class=\"figures\">\n" +
           figure("the reference", picture("reference", c.shown_reference, "the reference")) + "</div>\n";
   for (std::size_t i = 0; i < c.techniques.size(); ++i) {
@@ -200,6 +209,7 @@ std::string scene_comparison_page(const SceneComparison& c) {
                    picture(id + "-error", colours, "map of errors") + magma_scale(full_scale));
     body += figure("left: the reference", slider("reference", id, "reference", t.name)) + "</div>\n";
   }
+
   body += "<h2>Regions</h2>\n<div class=\"figures\">\n";
   for (std::size_t i = 1; i < c.regions.size(); ++i)
     if (c.regions[i].pixels > 0)

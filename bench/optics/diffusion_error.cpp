@@ -57,8 +57,10 @@ int main() {
   std::puts(
       "| medium | model | total % | 0.2 mm | 0.5 mm | 1 mm | 2 mm | 5 mm | 10 mm "
       "|\n|---|---|---|---|---|---|---|---|---|");
+
   const profile::MonteCarloOptions options{.photons = 2'000'000, .seed = 1, .cache = {}};
   constexpr const char* channel[] = {"red", "green", "blue"};
+
   for (const char* name : {"skin1", "skin2"}) {
     const auto media = optics::find_material(name)->medium();
     for (int c = 0; c < 3; ++c) {
@@ -70,12 +72,14 @@ int main() {
       row(what, "photon beam", profile::PhotonBeam(media[c]), truth);
     }
   }
+
   const struct {
     const char* name;
     optics::Skin skin;
   } skins[] = {{"Caucasian", {.melanin = .005, .blend = .7, .haemoglobin = .005}},
                {"Asian", {.melanin = .15, .blend = 0, .haemoglobin = .01}},
                {"African", {.melanin = .5, .blend = .7, .haemoglobin = .05}}};
+
   for (const auto& one : skins)
     for (const double nm : {450.0, 550.0, 650.0}) {
       const auto layers = optics::skin_layers(one.skin, nm);

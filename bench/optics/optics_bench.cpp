@@ -48,6 +48,7 @@ void monte_carlo_to_one_percent(benchmark::State& state) {
   static std::uint64_t seed = 1;  // new for every run: one that is kept would cost nothing
   std::uint64_t photons = 50'000;
   double noise = 100;
+
   while (noise > 1) {  // how many it takes, outside the clock
     noise = profile::monte_carlo(profile::scene_of(medium), {.photons = photons, .seed = seed++, .cache = {}})
                 ->noise_percent();
@@ -55,11 +56,13 @@ void monte_carlo_to_one_percent(benchmark::State& state) {
       photons =
           static_cast<std::uint64_t>(static_cast<double>(photons) * std::min(8.0, 1.05 * noise * noise) + 1);
   }
+
   for (auto _ : state) {
     const auto result =
         profile::monte_carlo(profile::scene_of(medium), {.photons = photons, .seed = seed++, .cache = {}});
     noise = result->noise_percent();
   }
+
   state.counters["photons"] = static_cast<double>(photons);
   state.counters["noise_percent"] = noise;
 }

@@ -17,19 +17,23 @@ int main(int argc, char** argv) {
     const auto seconds = [](Clock::time_point from) {
       return std::chrono::duration<double>(Clock::now() - from).count();
     };
+
     const auto load_start = Clock::now();
     const dermis::Scene scene = argc > 1 ? dermis::Scene::load(argv[1]) : dermis::Scene::built_in();
     const double load_s = seconds(load_start);
+
     dermis::RenderSettings settings;
     settings.width = settings.height = argc > 4 ? std::atoi(argv[4]) : 512;
     dermis::ReferenceSettings reference;
     reference.noise_percent = argc > 2 ? std::atof(argv[2]) : 2;
     reference.model = argc > 3 ? argv[3] : "bssrdf";
     if (reference.model == "volume") reference.medium = "skin2";
+
     const auto start = Clock::now();
     const std::clock_t cpu_start = std::clock();
     const dermis::ReferencePicture out = dermis::render_reference(scene, settings, reference);
     const double cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+
     std::printf("%s, %s, %dx%d: noise %.3f %% after %d samples a pixel\n", scene.name().c_str(),
                 reference.model.c_str(), settings.width, settings.height, out.noise_percent, out.samples);
     std::printf("loading %.1f s, rendering %.1f s, %.1f s of processor time, %u cores\n", load_s,

@@ -61,11 +61,14 @@ int main(int argc, char** argv) {
     const dermis::Scene scene = argc > 1 ? dermis::Scene::load(argv[1]) : dermis::Scene::built_in();
     const int rounds = argc > 2 ? std::max(std::atoi(argv[2]), 1) : 9;
     dermis::RenderSettings settings;
-    settings.width = 640, settings.height = 360;
+    settings.width = 640;
+    settings.height = 360;
+
     dermis::Renderer renderer;
     std::printf("%s, %d x %d, least of %d rounds; ms a light\n", scene.name().c_str(), settings.width,
                 settings.height, rounds);
     std::printf("maps  shadows     with  without  ratio\n");
+
     for (const int map_size : map_sizes)
       for (const int shadow_size : shadow_sizes) {
         if (argc > 4 && (std::atoi(argv[3]) != map_size || std::atoi(argv[4]) != shadow_size)) continue;

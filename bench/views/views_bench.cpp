@@ -45,13 +45,17 @@ image::ImageF super_sampled(PreparedFrame& frame, RenderSettings s, double d_ref
 Json sweep(Renderer& renderer, const std::string& path) {
   const Scene scene = Scene::load(path);
   RenderSettings s;
-  s.width = 192, s.height = 120;
-  s.map_size = 512, s.shadow_size = 512;
+  s.width = 192;
+  s.height = 120;
+  s.map_size = 512;
+  s.shadow_size = 512;
   s.lights = 2;
+
   PreparedFrame optimised = renderer.prepare(scene, s), baseline = renderer.prepare(scene, without(s));
   Json views = Json::array();
   double least_psnr = 1e9, largest_flip = 0;
   std::uint64_t unshaded = 0;
+
   for (int k = 0; k < 64; ++k) {
     s.orbit_deg = {22.5 * (k % 16), -30.0 + 30 * (k / 16)};
     optimised.set(s);
@@ -59,16 +63,21 @@ Json sweep(Renderer& renderer, const std::string& path) {
     const auto d =
         image::compare_exposed(super_sampled(baseline, without(s), st.d_ref),
                                super_sampled(optimised, s, st.d_ref), image::find_tone_map(s.tone_map));
+
     Json view = {{"orbit_deg", s.orbit_deg}, {"unshaded_reads", st.unshaded_reads}};
     unshaded += st.unshaded_reads;
     if (d) {
-      view["psnr_db"] = d->psnr_db, view["flip_mean"] = d->flip_mean, view["mean_display"] = d->mean_display,
+      view["psnr_db"] = d->psnr_db;
+      view["flip_mean"] = d->flip_mean;
+      view["mean_display"] = d->mean_display;
       view["pixels"] = d->pixels;
-      least_psnr = std::min(least_psnr, d->psnr_db), largest_flip = std::max(largest_flip, d->flip_mean);
+      least_psnr = std::min(least_psnr, d->psnr_db);
+      largest_flip = std::max(largest_flip, d->flip_mean);
     }
     views.push_back(view);
     std::fprintf(stderr, "%s view %d: %s\n", path.c_str(), k, view.dump().c_str());
   }
+
   return {{"scene", std::filesystem::path(path).filename()},
           {"size", {s.width, s.height}},
           {"map_size", s.map_size},
@@ -81,21 +90,29 @@ Json sweep(Renderer& renderer, const std::string& path) {
 Json dolly(Renderer& renderer, const std::string& path) {
   const Scene scene = Scene::load(path);
   RenderSettings s;
-  s.width = 480, s.height = 300;
-  s.map_size = 512, s.shadow_size = 512;
-  s.lights = 2, s.bloom = 0;
+  s.width = 480;
+  s.height = 300;
+  s.map_size = 512;
+  s.shadow_size = 512;
+  s.lights = 2;
+  s.bloom = 0;
+
   PreparedFrame frames[2] = {renderer.prepare(scene, without(s)), renderer.prepare(scene, s)};
   std::vector<std::uint8_t> last[2];
   std::vector<float> last_alpha;
   Json changes[2] = {Json::array(), Json::array()}, distances = Json::array();
   double worst = 0;
+
   for (int i = 0; i < 200; ++i) {
     s.distance = 2.5 * std::pow(40, i / 199.0);
-    frames[0].set(without(s)), frames[1].set(s);
+    frames[0].set(without(s));
+    frames[1].set(s);
     const Picture pictures[2] = {frames[0].picture(), frames[1].picture()};
     std::vector<float> alpha;
     for (std::size_t p = 3; p < pictures[0].linear_rgba.size(); p += 4)
       alpha.push_back(pictures[0].linear_rgba[p]);
+
+    // Average how far display values of skin, 0 to 255, move from frame to frame.
     if (i > 0) {
       double change[2] = {}, values = 0;
       for (std::size_t p = 0; p < alpha.size(); ++p) {
@@ -111,9 +128,11 @@ Json dolly(Renderer& renderer, const std::string& path) {
       worst = std::max(worst, change[1] / change[0]);
       std::fprintf(stderr, "dolly %d: %.3f %.3f\n", i, change[0] / values, change[1] / values);
     }
+
     for (std::size_t which = 0; which < 2; ++which) last[which] = pictures[which].display_rgba;
     last_alpha = std::move(alpha);
   }
+
   return {{"scene", std::filesystem::path(path).filename()},
           {"size", {s.width, s.height}},
           {"map_size", s.map_size},
@@ -126,22 +145,32 @@ Json dolly(Renderer& renderer, const std::string& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) return std::fprintf(stderr, "usage: views_bench OUT.json [--dolly] SCENE...\n"), 2;
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: views_bench OUT.json [--dolly] SCENE...\n");
+    return 2;
+  }
+
   try {
     Renderer renderer;
     Json result;
     std::vector<std::string> scenes(argv + 2, argv + argc);
     const bool moves = scenes.front() == "--dolly";
     if (moves) scenes.erase(scenes.begin());
+
     result["command"] = "views_bench";
     for (const std::string& scene : scenes)
       result["command"] =
           result["command"].get<std::string>() + " " + std::filesystem::path(scene).filename().string();
+
+    // Render a tiny picture: its statistics name the device.
     RenderSettings tiny;
-    tiny.width = tiny.height = 8, tiny.map_size = tiny.shadow_size = 32;
+    tiny.width = tiny.height = 8;
+    tiny.map_size = tiny.shadow_size = 32;
     const Statistics st = renderer.render(Scene::built_in(), tiny).statistics;
     result["tone_map"] = tiny.tone_map;
-    result["device"] = st.device, result["driver"] = st.driver;
+    result["device"] = st.device;
+    result["driver"] = st.driver;
+
     result["sweeps"] = Json::array();
     if (moves && !scenes.empty()) result["dolly"] = dolly(renderer, scenes.front());
     for (const std::string& scene : scenes) result["sweeps"].push_back(sweep(renderer, scene));

@@ -34,10 +34,12 @@ scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s,
   const double aspect = static_cast<double>(s.width) / s.height;
   const double fov = s.fov_deg.value_or(20);
   if (s.distance) return scene::distance_camera(sphere, *s.distance, fov);
+
   const auto with_fov = [&](scene::Camera camera) {
     if (s.fov_deg) camera.fov_y_rad = static_cast<float>(fov * std::numbers::pi / 180);
     return camera;
   };
+
   if (!s.camera.empty()) {
     std::string names;
     for (const scene::Camera& camera : scene.cameras) {
@@ -47,6 +49,7 @@ scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s,
     throw input_error("", "--camera '{}' is not in {}; {}", s.camera, scene.name,
                       names.empty() ? "it has no cameras" : "there are: " + names);
   }
+
   const bool orbits = s.orbit_deg != std::array<double, 2>{0, 0};
   if (!scene.cameras.empty() && !orbits && s.heads == 1) return with_fov(scene.cameras.front());
   return scene::framing_camera(sphere, aspect, s.orbit_deg[0], s.orbit_deg[1], fov);

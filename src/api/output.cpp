@@ -156,8 +156,10 @@ void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& s
   std::vector<std::uint32_t> counts(counters.size() / sizeof(std::uint32_t));
   DERMIS_ASSERT_EQ(counts.size(), techniques::counter_count(subject.skin.size()));
   std::memcpy(counts.data(), counters.data(), counters.size());
+
   st.technique = setup.technique->name;
-  st.width = settings.width, st.height = settings.height;
+  st.width = settings.width;
+  st.height = settings.height;
   st.map_size = settings.map_size;
   st.heads = settings.heads;
   st.lights = setup.lights;
@@ -166,9 +168,11 @@ void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& s
   st.distance = settings.distance;
   st.d_ref = setup.view.d_ref;
   st.tone_map = settings.tone_map;
+
   st.skin_pixels = counts[techniques::counter_skin_pixels];
   for (const scene::Material& m : subject.scene->materials)
     if (m.skin) st.skin_materials.push_back(m.name);
+
   if (!setup.technique->scatters) return;
   fill_optimise(st, setup.plan);
   st.maps = setup.plan.progressive ? "progressive" : "full";
@@ -178,6 +182,7 @@ void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& s
   st.translucency = setup.plan.translucency;
   st.transmission_misses = counts[techniques::counter_transmission_misses];
   st.launched = launched(setup, out, counts);
+
   st.used_size.resize(setup.heads.size());
   for (const HeadSetup& head : setup.heads)
     st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;
@@ -193,14 +198,17 @@ void read_picture(Picture& picture, frame::Executor& executor, const techniques:
   const auto read = [&](frame::TextureId id, std::uint32_t layer) {
     return gpu::read_back(executor.device(), executor.resources().texture(id), executor.layout_of(id), layer);
   };
+
   if (settings.show == "picture") {
-    picture.width = settings.width, picture.height = settings.height;
+    picture.width = settings.width;
+    picture.height = settings.height;
     picture.linear_rgba = floats_of_halves(read(out.picture, 0));
     const std::vector<std::byte> display = read(out.display, 0);
     picture.display_rgba.resize(display.size());
     std::memcpy(picture.display_rgba.data(), display.data(), display.size());
     return;
   }
+
   const bool density = settings.show == "texel-density";
   const auto found = out.shows.find(shown_map(settings));
   DERMIS_ASSERT_EQ(found != out.shows.end(), true);
@@ -208,13 +216,17 @@ void read_picture(Picture& picture, frame::Executor& executor, const techniques:
   const bool depth = desc.format == VK_FORMAT_D32_SFLOAT;
   const std::uint32_t layer =
       depth ? static_cast<std::uint32_t>(std::stoul(settings.show.substr(settings.show.find(':') + 1))) : 0;
+
   const std::vector<std::byte> bytes = read(found->second, layer);
-  picture.width = static_cast<int>(desc.width), picture.height = static_cast<int>(desc.height);
+  picture.width = static_cast<int>(desc.width);
+  picture.height = static_cast<int>(desc.height);
   picture.linear_rgba = depth ? grey_of_depth(bytes) : floats_of_halves(bytes);
+
   const bool is_light = settings.show == "irradiance" || settings.show.rfind("blur:", 0) == 0;
   if (is_light) crop(picture, out.shown_origin, setup.heads.back().map_side);
   if (settings.show == "visibility") crop(picture, {0, 0}, setup.heads.back().map_side);
   if (density) density_of_stretch(picture.linear_rgba, settings.map_size);
+
   for (std::size_t i = 0; i < picture.linear_rgba.size(); ++i) {
     const float value = std::clamp(picture.linear_rgba[i], 0.0f, 1.0f);
     picture.display_rgba.push_back(i % 4 == 3

@@ -39,12 +39,15 @@ frame::FrameData frame_data(gpu::Device& device, const api::FrameSetup& setup,
   data.clip_planes = setup.clip_planes;
   data.frame_io =
       gpu::make_buffer(device, "frame", std::span(&setup.frame, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+
   for (const api::HeadSetup& head : setup.heads) {
     frame::Instance instance;
     instance.offset_m = head.offset_m;
     instance.map_side = static_cast<std::uint32_t>(head.map_side);
     instance.visible = head.visible;
     instance.lights = gpu::make_buffer(device, "lights", std::span<const io::LightIo>(head.lights), storage);
+
+    // Leave room in front, so that layers of the map that heads share number the matrices, too.
     std::vector<glm::mat4> matrices(head.first_shadow_layer, glm::mat4(0));
     matrices.insert(matrices.end(), head.shadow_from_world.begin(), head.shadow_from_world.end());
     instance.shadow_matrices =
@@ -104,6 +107,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   const gpu::DeviceLimits& limits = device().limits();
   api::check_settings(wanted);
   api::check_device_limits(wanted, limits);
+
   const std::shared_ptr<api::SharedScene> next_scene = renderer->shared(source, wanted);
   const api::DeviceTraits traits{.software = limits.software,
                                  .memory_bytes = device().summary().memory_bytes,
@@ -112,6 +116,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   std::vector<scene::Light> suns;
   if (next_surroundings) suns = api::lights_of(next_surroundings->sources, wanted);
   api::FrameSetup next = api::set_up(next_scene->subject, wanted, traits, suns);
+
   const std::uint64_t layers = std::uint64_t{next.plan.shadow_layers} * next.plan.heads_per_batch;
   if (layers > limits.max_array_layers)
     throw input_error(source.name(),
@@ -120,16 +125,20 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
                       next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers, next.suns);
   if (!std::exchange(next_scene->warned_coarse, true)) api::warn_coarse(next_scene->subject, next);
   if (next_surroundings) api::fill_surroundings(next.frame, *next_surroundings, wanted);
+
+  // Count as unready until all below is done: any of it may throw.
   ready = false;
   // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
   // on its maps.
   if (!executor || next.plan != setup.plan || next.technique != setup.technique) plan(wanted, next);
   api::check_show(outputs, wanted);
+
   scene = next_scene;
   surroundings = next_surroundings;
   setup = std::move(next);
   settings = wanted;
   upload();
+
   exposure_ev = wanted.exposure_ev;
   if (!exposure_ev) exposure_ev = measure_exposure();
   if (!exposure_ev) warn("{}: no lit skin in the picture, so --exposure auto is 0 EV", source.name());
@@ -185,6 +194,7 @@ void PreparedFrame::State::upload() {
   if (!shared.gpu)
     shared.gpu.emplace(renderer->library, *shared.subject.scene, shared.subject.skin,
                        passes::GpuSceneSettings{shared.mix});
+
   if (surroundings) look_at_the_sky();
   if (setup.technique->scatters)
     for (std::size_t i = 0; i < shared.subject.skin.size(); ++i) {
@@ -194,6 +204,7 @@ void PreparedFrame::State::upload() {
         shared.gpu->make_gutters(device(), i, shared.subject.skin[i], static_cast<std::uint32_t>(side),
                                  width);
       };
+
       make(settings.map_size);  // of the stretch map
       for (const api::HeadSetup& head : setup.heads)
         for (std::uint32_t halvings = 0; halvings <= passes::max_halvings; ++halvings)
@@ -201,6 +212,7 @@ void PreparedFrame::State::upload() {
             make(static_cast<int>(passes::halved_side(static_cast<std::uint32_t>(head.map_side),
                                                       setup.plan.map_size, halvings)));
     }
+
   shared.upload_ms +=
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -208,6 +220,7 @@ void PreparedFrame::State::upload() {
 void PreparedFrame::State::look_at_the_sky() {
   api::SharedScene& shared = *scene;
   const std::size_t meshes = shared.subject.skin.size();
+
   for (std::size_t i = shared.bent_normal.size(); i < meshes; ++i) {
     environment::BakeWatch watch{.stop = renderer->options.stop};
     if (renderer->options.progress)
@@ -215,14 +228,17 @@ void PreparedFrame::State::look_at_the_sky() {
         renderer->options.progress({.what = "what the skin sees of its surroundings",
                                     .share = (static_cast<double>(i) + share) / static_cast<double>(meshes)});
       };
+
     environment::Occlusion seen =
         environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], cache::default_folder(),
                                       {.side = environment::occlusion_side(meshes)}, watch);
     shared.gpu->skin[i].bent_normal =
         passes::unwrap_map(device(), shared.gpu->skin[i].name + " sky seen", seen.side, seen.values);
+    // Free what the device has now; each new sky needs only the rest.
     seen.values = {};
     shared.bent_normal.push_back(std::move(seen));
   }
+
   const double rotation_deg = settings.environment_rotation_deg;
   if (sky.of != surroundings || sky.rotation_deg != rotation_deg ||
       sky.maps.size() != shared.bent_normal.size())
@@ -282,18 +298,25 @@ Picture PreparedFrame::picture() {
   s.count();
   Picture picture;
   Statistics& statistics = picture.statistics;
+
   statistics.timing = s.executor->separate_submissions() ? "submit" : "timestamp";
   if (!s.times.empty()) fill_times(statistics, s.times);
   api::fill_counts(statistics, s.scene->subject, s.settings, s.setup, s.outputs, s.counters);
   statistics.upload_ms = s.scene->upload_ms;
   statistics.pipeline_ms = s.pipeline_ms;
+
   const gpu::DeviceSummary& summary = s.device().summary();
-  statistics.device = summary.name, statistics.driver = summary.driver, statistics.api = summary.api;
-  statistics.image_bytes = s.device().image_bytes(), statistics.buffer_bytes = s.device().buffer_bytes(),
+  statistics.device = summary.name;
+  statistics.driver = summary.driver;
+  statistics.api = summary.api;
+  statistics.image_bytes = s.device().image_bytes();
+  statistics.buffer_bytes = s.device().buffer_bytes();
   statistics.peak_bytes = s.device().peak_bytes();
+
   statistics.exposure_ev = s.exposure_ev.value_or(0);
   if (!s.settings.exposure_ev && s.exposure_ev)
     statistics.skin_mean = api::mean_skin_luminance(api::read_before_bloom(*s.executor, s.outputs));
+
   api::read_picture(picture, *s.executor, s.outputs, s.settings, s.setup);
   return picture;
 }

@@ -100,6 +100,7 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
   if (!s.environment.empty())
     setup.view.surroundings = std::make_shared<const reference::Surroundings>(
         environment::from_name_or_file(s.environment), s.environment_intensity, s.environment_rotation_deg);
+
   setup.profiles.resize(scene.materials.size());
   for (const scene::SkinMesh& mesh : skin) {
     // One profile a mesh, that of its first triangle, as the renderer has it.
@@ -109,9 +110,11 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
       gaussians::SumOfGaussians& of = setup.profiles[static_cast<std::size_t>(material)];
       if (of.terms.empty()) of = profile;
     }
+
     if (setup.model == reference::Model::volume && &mesh == &skin.front())
       setup.medium = choose_medium(r.medium, profile, first.ior);
   }
+
   if (setup.model == reference::Model::volume) {
     if (skin.empty())
       throw input_error(scene.name,
@@ -169,6 +172,7 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
     throw input_error("",
                       "--exposure auto is of the renderer; give the reference the number that `dermis render "
                       "--exposure auto` prints");
+
   const image::ToneMap tone_map = image::find_tone_map(s.tone_map);
   const reference::Job setup = set_up(scene.data(), s, r);
   reference::Film film(s.width, s.height);
@@ -176,6 +180,7 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
       r.checkpoint.empty() ? 0 : reference::fingerprint(scene.data(), setup, r.seed);
   if (r.resume && !r.checkpoint.empty() && !load_checkpoint(r.checkpoint, film, fingerprint))
     note("{}: no such file, so this run begins at the beginning", r.checkpoint.string());
+
   const reference::Tracer tracer(scene.data(), setup);
   Watch watch(r, static_cast<int>(film.samples()), fingerprint);
   ReferencePicture out;
@@ -186,8 +191,10 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
                                     .threads = r.threads,
                                     .stop = r.stop},
                                    [&](const reference::Film& f) { watch.after_pass(f); });
+
   if (!out.complete && film.samples() > 0 && !r.checkpoint.empty())
     save_checkpoint(r.checkpoint, film, fingerprint);
+
   out.picture = picture_of(film, tone_map);
   out.variance_rgba = film.variance().values;
   out.samples = static_cast<int>(film.samples());

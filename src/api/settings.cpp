@@ -22,15 +22,18 @@ void check_settings(const RenderSettings& s) {
     throw input_error("", "--mask '{}' is not known; there are: alpha, depth, tiles", *s.mask);
   if (s.maps != "full" && s.maps != "progressive")
     throw input_error("", "--maps '{}' is not known; there are: full, progressive", s.maps);
+
   if (s.d_ref) require("d-ref", *s.d_ref, 1e-6, 1e6, " radii");
   if (s.clip_margin_mm) require("clip-margin", *s.clip_margin_mm, 0.0, 1e6, " mm");
   if (s.map_budget_mb) require("map-budget", *s.map_budget_mb, 0.0, 1e9, " MB");
   require("map-size", s.map_size, 32, 65536, " texels");
   require("shadow-size", s.shadow_size, 32, 65536, " texels");
   if (s.samples != 1 && s.samples != 4) throw input_error("", "--samples must be 1 or 4, got {}", s.samples);
+
   if (s.fov_deg) require("fov", *s.fov_deg, 0.1, 170.0, " degrees");
   if (s.distance) require("distance", *s.distance, 1e-3, 1e6, " radii");
   require("heads", s.heads, 1, 1024, "");
+
   if (s.lights) require("lights", *s.lights, 0, 64, "");
   if (s.lights && !s.placed_lights.empty())
     throw input_error("", "--lights and --light both replace the lights of the scene; give one");
@@ -45,6 +48,7 @@ void check_settings(const RenderSettings& s) {
   require("ambient", s.ambient, 0.0, 1e6, "");
   require("environment-intensity", s.environment_intensity, 0.0, 1e6, "");
   require("environment-rotation", s.environment_rotation_deg, -3600.0, 3600.0, " degrees");
+
   if (s.mix) require("mix", *s.mix, 0.0, 1.0, "");
   require("bloom", s.bloom, 0.0, 1.0, "");
   if (s.exposure_ev) require("exposure", *s.exposure_ev, -64.0, 64.0, " EV");

@@ -40,6 +40,7 @@ std::vector<HeadSetup> set_up_heads(const Subject& subject, const RenderSettings
                                     const std::vector<scene::Light>& lights) {
   std::vector<HeadSetup> heads;
   const bool skip = s.skip_unseen_heads.value_or(s.cull || s.depth || s.clip);
+
   for (const glm::vec3& offset : scene::head_row_offsets(s.heads, subject.sphere.radius_m)) {
     HeadSetup head{
         .number = static_cast<int>(heads.size()), .offset_m = offset, .lights = {}, .shadow_from_world = {}};
@@ -54,6 +55,7 @@ std::vector<HeadSetup> set_up_heads(const Subject& subject, const RenderSettings
     head.visible = !skip || in_view(subject, view, offset);
     heads.push_back(std::move(head));
   }
+
   const auto distance = [&](const HeadSetup& head) {
     return glm::distance(subject.sphere.centre_m + head.offset_m, view.eye_m);
   };
@@ -171,6 +173,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
                  const std::vector<scene::Light>& lights, const DeviceTraits& device) {
   const scene::Scene& scene = *subject.scene;
   techniques::FrameSettings& plan = setup.plan;
+
   plan.width = static_cast<std::uint32_t>(s.width);
   plan.height = static_cast<std::uint32_t>(s.height);
   plan.samples = static_cast<std::uint32_t>(s.samples);
@@ -185,6 +188,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
   plan.environment = !s.environment.empty();
   plan.soft_shadows =
       std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
+
   if (setup.technique->scatters) {
     plan.optimise = {.cull = s.cull, .depth = s.depth, .clip = s.clip};
     plan.mask = mask_of(s, device);
@@ -193,16 +197,20 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
     plan.all_enters = all_enters(scene, s);
     plan.mm_per_unit = scene.mm_per_unit;
   }
+
   for (std::size_t i = 0; i < subject.skin.size(); ++i) {
     plan.skin.push_back(skin_part(subject, i, s));
     setup.gaussians = std::max(setup.gaussians, static_cast<int>(plan.skin.back().profile.terms.size()));
   }
   if (!setup.technique->scatters) setup.gaussians = 0;
+
+  // Note whether there is anything beside skin, blended or not.
   for (const scene::Primitive& p : scene.primitives) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(p.material)];
     if (material.skin) continue;
     (material.alpha_mode == scene::AlphaMode::blend ? plan.has_blended : plan.has_surfaces) = true;
   }
+
   set_up_batches(plan, s, device);
 }
 

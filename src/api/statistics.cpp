@@ -15,6 +15,7 @@ std::string Statistics::json() const {
   j["optimise"] = optimise;
   j["maps"] = maps.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(maps);
   j["mask"] = mask.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(mask);
+
   j["size"] = {width, height};
   j["map_size"] = map_size;
   j["heads"] = heads;
@@ -26,6 +27,7 @@ std::string Statistics::json() const {
   j["tone_map"] = tone_map;
   j["exposure_ev"] = exposure_ev;
   j["skin_mean"] = skin_mean ? nlohmann::ordered_json(*skin_mean) : nlohmann::ordered_json(nullptr);
+
   j["frame_ms"] = {
       {"median", frame_ms_median}, {"min", frame_ms_min}, {"max", frame_ms_max}, {"frames", frames}};
   j["passes"] = nlohmann::ordered_json::array();
@@ -35,6 +37,7 @@ std::string Statistics::json() const {
   j["upload_ms"] = upload_ms;
   j["pipeline_ms"] = pipeline_ms;
   j["timing"] = timing;
+
   j["skin_materials"] = skin_materials;
   j["skin_pixels"] = skin_pixels;
   j["d_ref"] = d_ref;
@@ -44,6 +47,7 @@ std::string Statistics::json() const {
                  {"unshaded_reads", unshaded_reads},
                  {"transmission_misses", transmission_misses},
                  {"used_size", used_size}};
+
   j["memory_bytes"] = {{"images", image_bytes}, {"buffers", buffer_bytes}, {"peak", peak_bytes}};
   return j.dump(2) + "\n";
 }

@@ -37,13 +37,16 @@ Surroundings surroundings_of(gpu::Device& device, const std::string& name) {
                     .sky = {},
                     .bouncing_sky = {},
                     .map = {}};
+
   environment::Split split = environment::split_sources(environment::from_name_or_file(name));
   made.sources = std::move(split.sources);
   made.irradiance = environment::irradiance_of(split.remainder);
+
   const std::vector<image::ImageF> levels = environment::prefilter(split.remainder);
   const environment::SkyHarmonics sky = environment::sky_of(levels.front());
   made.sky = environment::without_ringing(sky);
   made.bouncing_sky = environment::without_ringing(with_sources(sky, made.sources), bounced_order);
+
   std::vector<std::uint16_t> halves;
   for (const image::ImageF& level : levels)
     for (std::size_t i = 0; i < level.values.size(); i += 3) {
@@ -52,6 +55,7 @@ Surroundings surroundings_of(gpu::Device& device, const std::string& name) {
         halves.push_back(image::float_to_half(std::min(level.values[i + c], image::max_half)));
       halves.push_back(image::float_to_half(1));
     }
+
   made.map = gpu::Texture(device, "environment",
                           {.width = environment::prefilter_width,
                            .height = environment::prefilter_width / 2,

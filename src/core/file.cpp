@@ -86,17 +86,20 @@ void check_writable(const fs::path& path) {
 void write_file(const fs::path& path, std::span<const std::byte> bytes) {
   check_writable(path);
   if (is_stream(path)) return write_bytes(path, bytes, path);
+
   // The process id and a number keep two runs, or two threads, that write the same name apart.
   static std::atomic<unsigned> number{0};
   std::error_code ignored;
   fs::path part = path;
   part += fmt::format(".{}.{}.part", ::getpid(), number++);
+
   try {
     write_bytes(part, bytes, path);
   } catch (...) {
     fs::remove(part, ignored);
     throw;
   }
+
   std::error_code error;
   fs::rename(part, path, error);
   if (error) {

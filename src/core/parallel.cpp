@@ -17,6 +17,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
     for (std::size_t i = 0; i < count; ++i) body(i);
     return;
   }
+
   std::atomic<std::size_t> next{0};
   std::exception_ptr first_error;
   std::mutex error_mutex;
@@ -29,6 +30,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
       next = count;
     }
   };
+
   std::vector<std::jthread> pool;
   pool.reserve(threads);
   try {
@@ -36,6 +38,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   } catch (const std::system_error&) {
     // The system allows no more threads: those that there are do all the work.
   }
+
   work();
   pool.clear();
   if (first_error) std::rethrow_exception(first_error);

@@ -30,6 +30,7 @@ Irradiance irradiance_of(const Environment& environment) {
   const image::ImageF& picture = environment.radiance;
   // Pixels of a small picture are wide: the polynomials vary within them.
   const int nx = std::max(1, 128 / picture.width), ny = std::max(1, 64 / picture.height);
+
   Irradiance sum{};
   double solid_angle = 0;
   for (int y = 0; y < picture.height * ny; ++y) {
@@ -42,6 +43,8 @@ Irradiance irradiance_of(const Environment& environment) {
       solid_angle += share;
     }
   }
+
+  // Scale the sums to the whole sphere, 4 pi sr, and each term to irradiance.
   for (std::size_t k = 0; k < sum.size(); ++k)
     sum[k] *= squared_factors[k] * cosine_factors[k] * 4 * pi / solid_angle;
   return sum;

@@ -194,6 +194,7 @@ std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid,
     for (int x = 0; x < grid.side; ++x) {
       const Texel& own = grid.texels[grid.at(x, y)];
       if (!own.covered()) continue;
+
       Values sum{};
       float total = 0;
       for (int dy = -1; dy <= 1; ++dy)
@@ -206,6 +207,7 @@ std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid,
           add(sum, weight, values[grid.at(x + dx, y + dy)]);
           total += weight;
         }
+
       out[grid.at(x, y)] = divided(sum, total);
     }
   });
@@ -217,11 +219,13 @@ template <class Values>
 void dilate(const Grid& grid, std::vector<Values>& values, const Values& rest) {
   std::vector<bool> filled(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) filled[i] = grid.texels[i].covered();
+
   for (int ring = 0; ring < dilation; ++ring) {
     std::vector<std::pair<std::size_t, Values>> added;
     for (int y = 0; y < grid.side; ++y)
       for (int x = 0; x < grid.side; ++x) {
         if (filled[grid.at(x, y)]) continue;
+
         Values sum{};
         float total = 0;
         for (int dy = -1; dy <= 1; ++dy)
@@ -234,8 +238,14 @@ void dilate(const Grid& grid, std::vector<Values>& values, const Values& rest) {
           }
         if (total > 0) added.emplace_back(grid.at(x, y), divided(sum, total));
       }
-    for (const auto& [i, value] : added) values[i] = value, filled[i] = true;
+
+    // Fill a ring only when all of it is known, so that the order of texels makes no difference.
+    for (const auto& [i, value] : added) {
+      values[i] = value;
+      filled[i] = true;
+    }
   }
+
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!filled[i]) values[i] = rest;
 }
@@ -339,17 +349,20 @@ SkyLight sky_light(const Occlusion& occlusion, const SkyHarmonics& sky, const Sk
   const auto side = static_cast<std::size_t>(occlusion.side);
   DERMIS_ASSERT_EQ(occlusion.transfer.size(), side * side * harmonic_terms);
   DERMIS_ASSERT_EQ(occlusion.bounced.size(), side * side * bounced_terms);
+
   const auto product = [](const std::uint16_t* transfer, const SkyHarmonics& radiance, std::size_t terms) {
     glm::vec3 e(0);
     for (std::size_t k = 0; k < terms; ++k) e += image::half_to_float(transfer[k]) * glm::vec3(radiance[k]);
     return glm::max(e, glm::vec3(0));
   };
+
   SkyLight out{.direct = std::vector<float>(4 * side * side), .bounced = std::vector<float>(4 * side * side)};
   parallel_for(side, [&](std::size_t row) {
     for (std::size_t i = row * side; i < (row + 1) * side; ++i) {
       const std::uint16_t* hidden = &occlusion.bounced[i * bounced_terms];
       const glm::vec3 direct = product(&occlusion.transfer[i * harmonic_terms], sky, harmonic_terms),
                       bounced = product(hidden, bounced_sky, blockers_open);
+
       for (glm::length_t c = 0; c < 3; ++c) {
         out.direct[4 * i + static_cast<std::size_t>(c)] = direct[c];
         out.bounced[4 * i + static_cast<std::size_t>(c)] = bounced[c];

@@ -94,6 +94,7 @@ std::vector<std::byte> write(const Occlusion& occlusion, const Hash& hash) {
 Occlusion read(std::span<const std::byte> bytes, const Hash& hash, int side) {
   const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
                     count = 4 * texels, transfer = harmonic_terms * texels, bounced = bounced_terms * texels;
+
   Header header, expected;
   if (bytes.size() != sizeof header + 2 * (count + transfer + bounced)) return {};
   std::memcpy(&header, bytes.data(), sizeof header);
@@ -101,6 +102,7 @@ Occlusion read(std::span<const std::byte> bytes, const Hash& hash, int side) {
       header.side != static_cast<std::uint32_t>(side) || header.hash[0] != hash.state()[0] ||
       header.hash[1] != hash.state()[1])
     return {};
+
   Occlusion out{.side = side,
                 .values = {},
                 .transfer = std::vector<std::uint16_t>(transfer),
@@ -112,6 +114,7 @@ Occlusion read(std::span<const std::byte> bytes, const Hash& hash, int side) {
     if (!(value >= -2 && value <= 2)) return {};
     out.values.push_back(value);
   }
+
   std::memcpy(out.transfer.data(), bytes.data() + sizeof header + 2 * count, 2 * transfer);
   std::memcpy(out.bounced.data(), bytes.data() + sizeof header + 2 * (count + transfer), 2 * bounced);
   for (const auto* values : {&out.transfer, &out.bounced})

@@ -91,13 +91,16 @@ glm::dvec3 average(const std::vector<image::ImageF>& chain, const std::vector<Lo
 }  // namespace
 
 std::vector<image::ImageF> prefilter(const Environment& environment) {
+  // Halve the picture again and again: a sample reads pixels as large as its share of the lobe.
   std::vector<image::ImageF> chain{resampled(environment.radiance, prefilter_width, prefilter_width / 2)};
   while (chain.back().height > 4)
     chain.push_back(resampled(chain.back(), chain.back().width / 2, chain.back().height / 2));
+
   std::vector<image::ImageF> levels{chain.front()};
   for (int k = 1; k < prefilter_levels; ++k) {
     const std::vector<LobeSample> samples = lobe(std::exp2(k - (prefilter_levels - 1)));
     image::ImageF level = empty(prefilter_width >> k, prefilter_width / 2 >> k);
+
     parallel_for(static_cast<std::size_t>(level.height), [&](std::size_t y) {
       for (int x = 0; x < level.width; ++x) {
         const glm::dvec3 mean =

@@ -40,6 +40,7 @@ void harmonics_of(const DirectionLanes& d, HarmonicLanes& out) {
   std::array<float, ray_lanes> cosine, sine{};
   cosine.fill(1);
   float diagonal = 1;  // 1 3 5 ... (2 m - 1)
+
   for (int m = 0; m <= order; ++m) {
     std::array<float, ray_lanes> before{}, here;
     here.fill(diagonal);
@@ -48,6 +49,7 @@ void harmonics_of(const DirectionLanes& d, HarmonicLanes& out) {
       std::array<float, ray_lanes>&positive = out[number(l, m)], &negative = out[number(l, -m)];
       const float a = static_cast<float>(2 * l + 1) / static_cast<float>(l - m + 1),
                   b = static_cast<float>(l + m) / static_cast<float>(l - m + 1);
+
       for (std::size_t j = 0; j < ray_lanes; ++j) {
         const float value = norm * here[j];
         negative[j] = value * sine[j];
@@ -57,6 +59,8 @@ void harmonics_of(const DirectionLanes& d, HarmonicLanes& out) {
         here[j] = next;
       }
     }
+
+    // Go on to the next m: sin^m(polar) times cosine and sine of m times the azimuth.
     diagonal *= static_cast<float>(2 * m + 1);
     for (std::size_t j = 0; j < ray_lanes; ++j) {
       const float turned = cosine[j] * d.z[j] - sine[j] * d.x[j];
@@ -100,18 +104,21 @@ void SkySums::harmonics(Harmonics& all, Harmonics& open) const {
   for (std::size_t block = 0; block < directions_.size(); ++block) {
     HarmonicLanes values;
     harmonics_of(directions_[block], values);
+
     // Lanes of the last block that hold no direction count nothing.
     std::array<float, ray_lanes> used{}, free{};
     for (std::size_t j = 0; j < ray_lanes && block * ray_lanes + j < free_.size(); ++j) {
       used[j] = 1;
       free[j] = free_[block * ray_lanes + j];
     }
+
     for (std::size_t k = 0; k < harmonic_terms; ++k)
       for (std::size_t j = 0; j < ray_lanes; ++j) {
         all_sums[k][j] += used[j] * values[k][j];
         open_sums[k][j] += free[j] * values[k][j];
       }
   }
+
   for (std::size_t k = 0; k < harmonic_terms; ++k) {
     all[k] = open[k] = 0;
     for (std::size_t j = 0; j < ray_lanes; ++j) {

@@ -29,11 +29,13 @@ Environment studio() {
                            {-60, 10, 16, 28, {1.5, 1.6, 1.75}},
                            {165, 30, 10, 34, {4.5, 4.5, 4.5}}};
   Environment e{.name = "studio", .radiance = {.width = 512, .height = 256, .channels = 3, .values = {}}};
+
   for (int y = 0; y < e.radiance.height; ++y)
     for (int x = 0; x < e.radiance.width; ++x) {
       const glm::dvec3 d = direction_of((x + 0.5) / e.radiance.width, (y + 0.5) / e.radiance.height);
       const double elevation_deg = std::asin(d.y) * 180 / std::numbers::pi,
                    azimuth_deg = std::atan2(d.x, d.z) * 180 / std::numbers::pi;
+
       // A grey room, lighter above; the floor has a trace of wood.
       glm::dvec3 radiance = d.y > 0 ? glm::dvec3(0.05 + 0.07 * d.y) : glm::dvec3(0.05, 0.045, 0.04);
       for (const SoftBox& box : boxes) {
@@ -42,6 +44,7 @@ Environment studio() {
         radiance += box.radiance * inside(around_deg, box.half_width_deg) *
                     inside(std::abs(elevation_deg - box.elevation_deg), box.half_height_deg);
       }
+
       for (int c = 0; c < 3; ++c) e.radiance.values.push_back(static_cast<float>(radiance[c]));
     }
   return e;

@@ -64,10 +64,12 @@ std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool fu
   const std::size_t texture_count = plan.textures().size();
   std::vector<State> states(texture_count + plan.buffers().size());
   std::vector<std::vector<Barrier>> result;
+
   // Two walks: the first finds how a frame leaves each resource, the second starts from there.
   for (int walk = 0; walk < 2; ++walk) {
     result.assign(plan.passes().size(), {});
     std::vector<bool> seen(states.size());
+
     for (std::size_t p = 0; p < plan.passes().size(); ++p) {
       const PassNode& pass = plan.passes()[p];
       if (pass.only_in_full_frames && !full) continue;
@@ -77,6 +79,7 @@ std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool fu
         const AccessRow scope = scope_of(use, pass.kind);
         const bool first = !seen[slot];
         seen[slot] = true;
+
         // A texture needs one even where it is in its layout already: in the first frame it is in none.
         const bool opens = first && use.is_texture;
         if (opens || needs_barrier(state, scope)) {
@@ -85,6 +88,7 @@ std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool fu
           if (opens || state.layout != scope.layout)
             state = {.write_stages = scope.stages, .layout = scope.layout};
         }
+
         note_use(state, scope);
       }
     }

@@ -79,6 +79,7 @@ void Executor::poison() {
 FrameTime Executor::run(const FrameData& frame) {
   using namespace std::chrono;
   FrameTime time;
+
   if (separate_) {
     for (std::size_t p = 0; p < plan_.passes().size(); ++p) {
       if (plan_.passes()[p].only_in_full_frames) continue;
@@ -95,6 +96,7 @@ FrameTime Executor::run(const FrameData& frame) {
     device().run([&](VkCommandBuffer commands) { record(commands, frame, &timer); });
     time.passes = timer.read();
   }
+
   for (const gpu::Timing& pass : time.passes) time.total_ms += pass.ms;
   return time;
 }

@@ -26,6 +26,7 @@ const AccessRow& row_of(Access access) {
       {"arguments from", VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, 0,
        VK_IMAGE_LAYOUT_UNDEFINED, 0, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT},
   };
+
   static_assert(std::size(rows) == static_cast<std::size_t>(Access::indirect_arguments) + 1);
   return rows[static_cast<std::size_t>(access)];
 }

@@ -36,11 +36,13 @@ std::string print_text(const FramePlan& plan) {
                           use.is_texture ? plan.textures()[use.index].name : plan.buffers()[use.index].name);
     text += '\n';
   }
+
   text += "textures\n";
   for (const TextureNode& t : plan.textures())
     text += fmt::format("  {:<28} {:<20} {:<10} {:>9.2f} MB {}\n", t.name, size_of(t.desc),
                         gpu::format_name(t.desc.format), static_cast<double>(gpu::bytes_of(t.desc)) / 1e6,
                         t.lifetime == Lifetime::persistent ? "persistent" : "transient");
+
   if (!plan.buffers().empty()) text += "buffers\n";
   for (const BufferNode& b : plan.buffers())
     text += fmt::format("  {:<28} {:>9} bytes {}\n", b.name, b.desc.bytes,
@@ -60,11 +62,13 @@ std::string print_dot(const FramePlan& plan) {
                                  : fmt::format("  {} -> p{};\n", resource, p);
     }
   }
+
   for (std::size_t t = 0; t < plan.textures().size(); ++t) {
     const TextureNode& node = plan.textures()[t];
     text += fmt::format("  t{} [shape=ellipse, label=\"{}\\n{} {}\"];\n", t, escaped(node.name),
                         size_of(node.desc), gpu::format_name(node.desc.format));
   }
+
   for (std::size_t b = 0; b < plan.buffers().size(); ++b)
     text += fmt::format("  b{} [shape=ellipse, style=dashed, label=\"{}\\n{} bytes\"];\n", b,
                         escaped(plan.buffers()[b].name), plan.buffers()[b].desc.bytes);

@@ -77,17 +77,20 @@ std::vector<Term> merge(std::span<const Term> terms) {
   const auto variance_at = [](int node) {
     return std::pow(10.0, static_cast<double>(node) / merged_per_decade);
   };
+
   for (const Term& term : terms) {
     if (term.variance_mm2 <= 0) {
       straight += term.weight;
       continue;
     }
+
     const int node = static_cast<int>(std::floor(std::log10(term.variance_mm2) * merged_per_decade));
     const double low = variance_at(node), high = variance_at(node + 1);
     const double part = (term.variance_mm2 - low) / (high - low);
     grid[node] += term.weight * (1 - part);
     grid[node + 1] += term.weight * part;
   }
+
   Sum merged;
   if (straight != 0) merged.push_back({0, straight});
   for (const auto& [node, weight] : grid)
@@ -99,6 +102,7 @@ LayerSums fit_layer(const optics::Layer& layer, double eta_above, double eta_bel
   using profile::Spectra;
   const profile::Multipole slab(layer, eta_above, eta_below);
   const auto fit = [&](Spectrum::Part part) { return fit_part(slab, part, terms); };
+
   LayerSums sums;
   sums.reflect_above = fit([](const Spectra& s) { return s.reflect_above; });
   if (std::isfinite(layer.thickness_mm)) {
@@ -106,11 +110,13 @@ LayerSums fit_layer(const optics::Layer& layer, double eta_above, double eta_bel
     sums.reflect_below = fit([](const Spectra& s) { return s.reflect_below; });
     sums.transmit_below = fit([](const Spectra& s) { return s.transmit_below; });
   }
+
   if (!slab.thin()) {  // no difference between a beam and diffuse light
     sums.beam_reflect = sums.reflect_above;
     sums.beam_transmit = sums.transmit_above;
     return sums;
   }
+
   sums.beam_reflect = fit([](const Spectra& s) { return s.beam.reflect; });
   sums.beam_transmit = fit([](const Spectra& s) { return s.beam.transmit; });
   sums.beam_straight = fit([](const Spectra& s) { return s.beam.straight; });
@@ -123,6 +129,8 @@ Stacked stack(const LayerSums& upper, const LayerSums& lower, double energy) {
   const Sum bounce = convolve(upper.reflect_below, lower.reflect_above);
   const double kept = total(bounce);
   DERMIS_ASSERT(kept < 1);
+
+  // Adds bounces until the rest of the geometric series of their totals is at most `energy`.
   Sum series{{0, 1}}, power{{0, 1}};
   double rest = kept / (1 - kept);
   while (rest > energy) {
@@ -131,15 +139,18 @@ Stacked stack(const LayerSums& upper, const LayerSums& lower, double energy) {
     rest *= kept;
   }
   series = merge(series);
+
   const auto sum = [](Sum a, const Sum& b, double sign = 1) {
     for (const Term& term : b) a.push_back({term.variance_mm2, sign * term.weight});
     return merge(a);
   };
   const auto bounced = [&](const Sum& a, const Sum& b) { return merge(convolve(convolve(a, b), series)); };
+
   // Names as in profile::add.
   const Sum turned = sum(upper.beam_transmit, upper.beam_straight, -1);
   const Sum up = merge(convolve(
       sum(convolve(upper.beam_straight, lower.beam_reflect), convolve(lower.reflect_above, turned)), series));
+
   Stacked out;
   out.layer.reflect_above =
       sum(upper.reflect_above,

@@ -60,6 +60,7 @@ Json unreal(const Exported& input) {
   for (int c = 0; c < 3; ++c)
     mfp_cm[c] = 0.1 * 0.6 * d[c] / profile::Burley::shape_mm(total[c], optics::MeanFreePath(1));
   const double distance_cm = std::max(largest(mfp_cm), 0.1);  // the editor's smallest
+
   return {{"parameters",
            {{"SurfaceAlbedo", total},
             {"MeanFreePathColor", scaled(mfp_cm, 1 / distance_cm)},
@@ -122,9 +123,11 @@ Json openpbr(const Exported& input) {
 Json gltf(const Exported& input) {
   const Rgb mfp = mean_free_paths_mm(input);
   const double distance_mm = std::min({mfp[0], mfp[1], mfp[2]});  // keeps the colours well inside 0..1
+
   Rgb colour{};
   // sigma_t = -ln(colour) / distance
   for (int c = 0; c < 3; ++c) colour[c] = std::exp(-distance_mm / mfp[c]);
+
   return {
       {"parameters",
        {{"extensions",
@@ -151,16 +154,20 @@ double between(double a, double b, double v) {
 Json separable(const Exported& input) {
   constexpr int samples = 25;  // the author's quality 2: offsets from -3 to 3, spaced by squares
   constexpr double range = 3;
+
   double widest = 0;
   for (const auto& terms : input.terms)
     for (const auto& [variance, weight] : terms)
       if (weight > 1e-3) widest = std::max(widest, variance);
   const double mm_per_offset = std::sqrt(widest);  // the kernel reaches three sigmas of the widest term
+
   std::vector<double> offsets;
   for (int i = 0; i < samples; ++i) {
     const double o = -range + 2 * range * i / (samples - 1);
     offsets.push_back((o < 0 ? -1 : 1) * o * o / range);
   }
+
+  // Weighs each tap by the light between the midpoints to its neighbours.
   std::vector<std::array<double, 4>> kernel;
   Rgb sum{};
   for (int i = 0; i < samples; ++i) {
@@ -174,10 +181,12 @@ Json separable(const Exported& input) {
     }
     kernel.push_back(tap);
   }
+
   for (auto& tap : kernel)
     for (int c = 0; c < 3; ++c) tap[c] /= sum[c];
   // the centre comes first
   std::rotate(kernel.begin(), kernel.begin() + samples / 2, kernel.begin() + samples / 2 + 1);
+
   return {{"parameters",
            {{"SSSS_N_SAMPLES", samples}, {"kernel", kernel}, {"sssWidth", 1.5 * mm_per_offset / 1000}}},
           {"units",

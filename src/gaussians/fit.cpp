@@ -36,15 +36,19 @@ void keep_apart(VectorXd& log_variance) {
 Projected descend(std::span<const Target> channels, VectorXd& log_variance, const Range& range) {
   Projected here = project(channels, log_variance, range.any_sign);
   double damping = 1e-3;
+
   for (int step = 0, stalled = 0; step < 150 && stalled < 3 && damping < 1e9; ++step) {
     Eigen::MatrixXd normal = here.normal;
     const double floor = 1e-12 * std::max(normal.trace(), 1e-300);
     for (Index j = 0; j < normal.rows(); ++j) normal(j, j) += damping * normal(j, j) + floor;
     VectorXd change = normal.ldlt().solve(-here.gradient);
     if (!change.allFinite()) break;
+
+    // Limits the step to a factor of e in each variance.
     change *= std::min(1.0, 1.0 / std::max(change.cwiseAbs().maxCoeff(), 1e-300));
     VectorXd there_at = (log_variance + change).cwiseMax(range.floor).cwiseMin(range.high + 9);
     if (range.any_sign) keep_apart(there_at);
+
     Projected there = project(channels, there_at, range.any_sign);
     if (there.residual2 < here.residual2) {
       const bool stalls = here.residual2 - there.residual2 < 1e-9 * here.residual2;
@@ -58,6 +62,7 @@ Projected descend(std::span<const Target> channels, VectorXd& log_variance, cons
       damping *= 4;
     }
   }
+
   return here;
 }
 
@@ -104,17 +109,20 @@ Solution search(std::span<const Target> channels, const Range& range, int terms)
     descend(channels, smaller, range);
     for (VectorXd& start : with_one_more(smaller)) starts.push_back(std::move(start));
   }
+
   for (VectorXd& start : starts) {
     Projected end = descend(channels, start, range);
     if (best.log_variance.size() == 0 || end.residual2 < best.projected.residual2)
       best = {start, std::move(end)};
   }
+
   for (Index c = 0; c < best.projected.weights.cols(); ++c) {
     const bool finite = best.log_variance.allFinite() && best.projected.weights.col(c).allFinite() &&
                         std::isfinite(best.projected.residual2);
     const bool some = range.any_sign || best.projected.weights.col(c).sum() > 0;
     if (!finite || !some) throw input_error(channels[c].where(), "no sum of Gaussians fits this profile");
   }
+
   return best;
 }
 
@@ -165,6 +173,7 @@ ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Weights
 SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms,
                           const std::string& name) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
+
   std::vector<Target> targets;
   Range range{.low = 1e300, .high = -1e300, .floor = 1e300};
   constexpr const char* colour[] = {"red", "green", "blue"};
@@ -175,6 +184,7 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
              .high = std::max(range.high, one.high),
              .floor = std::min(range.floor, one.floor)};
   }
+
   const Solution solution = search(targets, range, terms);
   SumOfGaussians sum;
   sum.name = name;
@@ -182,16 +192,20 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
     sum.total_reflectance[c] = profiles[c]->total();
     sum.error_percent[c] = 100 * std::sqrt(solution.projected.channel_residual2[c]);
   }
+
   for (const Index j : narrow_to_wide(solution.log_variance)) {
     Gaussian term{.variance_mm2 = std::exp(solution.log_variance[j]), .weight = {}};
     for (int c = 0; c < 3; ++c)
       term.weight[c] = solution.projected.weights(j, c) / solution.projected.weights.col(c).sum();
+
+    // Joins terms whose variances hardly differ, and drops those without weight.
     if (!sum.terms.empty() && term.variance_mm2 < sum.terms.back().variance_mm2 * (1 + same_variance)) {
       for (int c = 0; c < 3; ++c) sum.terms.back().weight[c] += term.weight[c];
     } else if (term.weight != Rgb{}) {
       sum.terms.push_back(term);
     }
   }
+
   return sum;
 }
 

@@ -51,10 +51,12 @@ ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& 
                      .variances_mm2 = {},
                      .weights = {},
                      .error_percent = sum.error_percent};
+
   for (const gaussians::Gaussian& term : sum.terms) {
     out.variances_mm2.push_back(term.variance_mm2);
     out.weights.push_back(term.weight);
   }
+
   for (int c = 0; c < 3; ++c) {
     const optics::Medium one =
         medium != nullptr ? (*medium)[c] : profile::equivalent_medium(*made.profiles[c], eta);
@@ -64,6 +66,7 @@ ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& 
     out.mean_free_path_mm[c] = one.mean_free_path().mm;
     out.diffuse_mean_free_path_mm[c] = diffuse_mm < 1e9 ? diffuse_mm : 0;
   }
+
   return out;
 }
 

@@ -95,24 +95,28 @@ Imported unreal(const std::string& text, const std::string& where) {
   const Values v = optics::parse_key_values(
       text, {"surface_albedo", "mean_free_path_color", "mean_free_path_distance", "enable_mean_free_path"},
       where);
+
   const Rgb& total = need(v, "surface_albedo", where);
   check_reflectance(total, where);
   // from cm
   const Rgb length_mm =
       product(need(v, "mean_free_path_color", where), need(v, "mean_free_path_distance", where), 10);
   check_lengths(length_mm, "mean_free_path_color * mean_free_path_distance", where);
+
   Rgb as_mean{}, as_diffuse{};
   for (int c = 0; c < 3; ++c) {
     // the engine's own factor
     as_mean[c] = Burley::shape_mm(total[c], optics::MeanFreePath(length_mm[c] / 0.6));
     as_diffuse[c] = Burley::shape_mm(total[c], optics::DiffuseMeanFreePath(length_mm[c]));
   }
+
   if (!v.contains("enable_mean_free_path"))
     throw input_error(where,
                       "mean_free_path_distance has two readings: with bEnableMeanFreePath a mean free path "
                       "(Burley's d {}), without it, as "
                       "before 5.1, a diffuse one (d {}); add enable_mean_free_path=1 or 0",
                       shown(as_mean), shown(as_diffuse));
+
   const double mean = one_value(v, "enable_mean_free_path", where);
   if (mean != 0 && mean != 1) throw input_error(where, "enable_mean_free_path must be 0 or 1, got {}", mean);
   return burley_of("unreal", total, mean == 1 ? as_mean : as_diffuse, where);

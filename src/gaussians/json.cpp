@@ -99,6 +99,7 @@ std::vector<Gaussian> read_terms(const Json& root, const std::string& where) {
     throw input_error(where, "variances_mm2 has {} terms and weights has {}, expected as many",
                       variances.size(), weights.size());
   }
+
   std::vector<Gaussian> terms(variances.size());
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const std::string name = fmt::format("variances_mm2[{}]", i);
@@ -112,6 +113,7 @@ std::vector<Gaussian> read_terms(const Json& root, const std::string& where) {
       throw input_error(where, "{} must be > 0 mm^2, got {}", name, terms[i].variance_mm2);
     terms[i].weight = rgb(weights[i], fmt::format("weights[{}]", i), where);
   }
+
   std::sort(terms.begin(), terms.end(),
             [](const Gaussian& a, const Gaussian& b) { return a.variance_mm2 < b.variance_mm2; });
   for (std::size_t i = 1; i < terms.size(); ++i) {
@@ -119,6 +121,7 @@ std::vector<Gaussian> read_terms(const Json& root, const std::string& where) {
       throw input_error(where, "variances_mm2 has {} twice, expected different ones", terms[i].variance_mm2);
     }
   }
+
   return terms;
 }
 
@@ -148,6 +151,7 @@ void check_keys(const Json& root, const std::string& where) {
 SumOfGaussians parse(std::string_view text, const std::string& where, bool normalise) {
   const Json root = parse_text(text, where);
   check_keys(root, where);
+
   SumOfGaussians sum;
   if (const auto name = root.find("name"); name != root.end()) {
     if (!name->is_string()) throw input_error(where, "name must be a text, got {}", name->type_name());
@@ -157,8 +161,10 @@ SumOfGaussians parse(std::string_view text, const std::string& where, bool norma
     if (!model->is_string()) throw input_error(where, "model must be a text, got {}", model->type_name());
     sum.model = model->get<std::string>();
   }
+
   sum.terms = read_terms(root, where);
   check_weights(sum.terms, normalise, where);
+
   const auto optional_rgb = [&](const char* key, Rgb& target) {
     if (const auto found = root.find(key); found != root.end()) target = rgb(*found, key, where);
   };
@@ -166,6 +172,7 @@ SumOfGaussians parse(std::string_view text, const std::string& where, bool norma
   optional_rgb("total_reflectance", sum.total_reflectance);
   optional_rgb("mean_free_path_mm", sum.mean_free_path_mm);
   optional_rgb("diffuse_mean_free_path_mm", sum.diffuse_mean_free_path_mm);
+
   for (std::size_t c = 0; c < 3; ++c) {
     if (sum.total_reflectance[c] > 1)
       throw input_error(where, "total_reflectance[{}] must be 0 to 1, got {}", c, sum.total_reflectance[c]);

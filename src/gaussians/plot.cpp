@@ -44,6 +44,7 @@ std::string escaped(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text, i);
     const char c = text[i];
+
     if (length == 0)
       out += "\xEF\xBF\xBD";  // U+FFFD
     else if (length > 1)
@@ -56,8 +57,10 @@ std::string escaped(const std::string& text) {
       out += "&amp;";
     else if (static_cast<unsigned char>(c) >= ' ')
       out += c;
+
     i += std::max<std::size_t>(length, 1);
   }
+
   return out;
 }
 
@@ -147,6 +150,8 @@ Scale scale_of(const Plot& plot) {
     scale.r_high = std::max(scale.r_high, std::min(profile.quantile(0.998), 1e5));
   }
   if (!(scale.r_high > 2 * scale.r_low)) scale.r_high = 2 * scale.r_low;
+
+  // Finds the highest curve and the largest residual, at 241 radii.
   for (int c = 0; c < 3; ++c)
     for (int i = 0; i <= 240; ++i) {
       const double r = scale.r_low * std::pow(scale.r_high / scale.r_low, i / 240.0);
@@ -156,6 +161,7 @@ Scale scale_of(const Plot& plot) {
         scale.peak = std::max(scale.peak, scaled(other.channels[c], r));
       scale.residual = std::max(scale.residual, std::abs(exact - fitted));
     }
+
   return scale;
 }
 
@@ -216,6 +222,7 @@ std::string svg_plot(const Plot& plot) {
   const double limit = std::max(scale.residual, 1e-12) * 1.05;
   const Panel below{400, 120, scale.r_low, scale.r_high, -limit, limit};
   const double strips_top = 580, height = strips_top + 44 * static_cast<double>(1 + plot.others.size()) + 40;
+
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
       "font-family=\"sans-serif\" "
@@ -224,6 +231,7 @@ std::string svg_plot(const Plot& plot) {
       width, height);
   svg += text_at(left, 30, plot.title);
   svg += main.frame("r R(r) / total   [1/mm]", false) + below.frame("residual of the fit   [1/mm]", true);
+
   for (int c = 0; c < 3; ++c) {
     const auto exact = [&](double r) { return scaled(*plot.profiles[c], r); };
     const auto fitted = [&](double r) { return scaled(plot.fit.channels[c], r); };
@@ -235,6 +243,7 @@ std::string svg_plot(const Plot& plot) {
     svg += text_at(width - right - 10, main.top + 18 + 17 * c, channel_name[c], "end", colour[c]);
   }
   svg += legend(plot, main);
+
   double reach_mm = wide_reach_mm(plot.fit);
   for (const PlottedSum& other : plot.others) reach_mm = std::max(reach_mm, wide_reach_mm(other));
   svg += text_at(
@@ -244,6 +253,7 @@ std::string svg_plot(const Plot& plot) {
   svg += strip(plot.fit, strips_top, reach_mm);
   for (std::size_t i = 0; i < plot.others.size(); ++i)
     svg += strip(plot.others[i], strips_top + 44 * static_cast<double>(i + 1), reach_mm);
+
   return svg + "</svg>\n";
 }
 

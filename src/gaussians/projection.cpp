@@ -65,6 +65,7 @@ double add_cell(Rows& rows, const RadialProfile& profile, double low, double hig
                                          piece_rule = optics::gauss_legendre(3, 0, 1);
   std::array<double, cell_nodes> node{}, moment{};
   for (int n = 0; n < cell_nodes; ++n) node[n] = low + (high - low) * cell_rule[n].x;
+
   double square = 0;  // Int r R^2 dr
   const auto add_piece = [&](double from, double to) {
     for (const optics::Node& at : piece_rule) {
@@ -73,6 +74,8 @@ double add_cell(Rows& rows, const RadialProfile& profile, double low, double hig
       for (int n = 0; n < cell_nodes; ++n) moment[n] += weight * value * lagrange(node, n, r);
     }
   };
+
+  // Splits the cell at the profile's break points.
   const std::span<const double> breaks = profile.break_points_mm();
   double from = low;
   for (auto next = std::upper_bound(breaks.begin(), breaks.end(), low); next != breaks.end() && *next < high;
@@ -81,11 +84,14 @@ double add_cell(Rows& rows, const RadialProfile& profile, double low, double hig
     from = *next;
   }
   add_piece(from, high);
+
+  // Leaves in `square` what the cubic does not hold of it.
   for (int n = 0; n < cell_nodes; ++n) {
     const double weight = (high - low) * cell_rule[n].weight * node[n];
     rows.add(node[n], std::sqrt(weight), moment[n] / weight);
     square -= moment[n] * moment[n] / weight;
   }
+
   return std::max(square, 0.0);
 }
 
@@ -153,6 +159,7 @@ VectorXd solve_non_negative(const MatrixXd& a, const VectorXd& b) {
   const Index n = a.cols();
   std::vector<bool> used(static_cast<std::size_t>(n), true);
   VectorXd w = VectorXd::Zero(n);
+
   const auto solve_used = [&] {
     std::vector<Index> columns;
     for (Index j = 0; j < n; ++j)
@@ -164,8 +171,11 @@ VectorXd solve_non_negative(const MatrixXd& a, const VectorXd& b) {
     for (std::size_t i = 0; i < columns.size(); ++i) s[columns[i]] = solution[static_cast<Index>(i)];
     return s;
   };
+
   w = solve_used();
   if (w.minCoeff() >= 0) return w;  // nearly always
+
+  // Active set: takes up the column that gains most, then drops those that would turn negative.
   used.assign(used.size(), false);
   w.setZero();
   for (Index outer = 0; outer < 3 * n; ++outer) {
@@ -175,6 +185,7 @@ VectorXd solve_non_negative(const MatrixXd& a, const VectorXd& b) {
       if (!used[j] && gain[j] > 1e-14 && (best < 0 || gain[j] > gain[best])) best = j;
     if (best < 0) break;
     used[best] = true;
+
     for (Index inner = 0; inner <= n; ++inner) {
       const VectorXd s = solve_used();
       double part = 1;
@@ -186,9 +197,13 @@ VectorXd solve_non_negative(const MatrixXd& a, const VectorXd& b) {
       }
       w += part * (s - w);
       for (Index j = 0; j < n; ++j)
-        if (used[j] && w[j] <= 1e-15) used[j] = false, w[j] = 0;
+        if (used[j] && w[j] <= 1e-15) {
+          used[j] = false;
+          w[j] = 0;
+        }
     }
   }
+
   return w.cwiseMax(0);
 }
 
@@ -202,15 +217,19 @@ Projected project(std::span<const Target> channels, const VectorXd& log_variance
     const Target& target = channels[c];
     MatrixXd basis(target.rows(), n), slope(target.rows(), n);
     for (Index j = 0; j < n; ++j) target.column(std::exp(log_variance[j]), basis.col(j), slope.col(j));
+
+    // Solves with R alone, n x n: its least squares are those of the basis.
     const Eigen::HouseholderQR<MatrixXd> qr(basis);
     const MatrixXd r = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
     const VectorXd rotated = qr.householderQ().transpose() * target.value();
     const VectorXd w = any_sign ? VectorXd(r.colPivHouseholderQr().solve(rotated.head(n)))
                                 : solve_non_negative(r, rotated.head(n));
+
     const VectorXd residual = target.value() - basis * w;
     out.weights.col(static_cast<Index>(c)) = w;
     out.channel_residual2.push_back(residual.squaredNorm());
     out.residual2 += residual.squaredNorm();
+
     // [K75]: dr/dp_j = -(1 - Q Q^T) dPhi_j w_j, Q spanning the columns in use
     std::vector<Index> used;
     for (Index j = 0; j < n; ++j)
@@ -225,6 +244,7 @@ Projected project(std::span<const Target> channels, const VectorXd& log_variance
     out.normal += jacobian.transpose() * jacobian;
     out.gradient += jacobian.transpose() * residual;
   }
+
   return out;
 }
 

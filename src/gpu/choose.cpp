@@ -200,22 +200,26 @@ std::vector<std::string> missing_of(const DeviceFacts& facts) {
   if (!api)
     missing.push_back(
         fmt::format("needs Vulkan 1.3, has {}: update the driver", version_text(facts.api_version)));
+
   compare(facts.features, needs10, missing);
   if (api) {  // an older driver leaves these structures empty, and saying so for each would hide the reason
     compare(facts.features12, needs12, missing);
     compare(facts.features13, needs13, missing);
   }
+
   for (const char* name : extension_names)
     if (std::ranges::find(facts.extensions, name) == facts.extensions.end())
       missing.push_back(fmt::format("needs the Vulkan extension {}, which this driver does not have", name));
   if (!facts.graphics_and_compute_queue)
     missing.emplace_back("needs a queue that does both graphics and compute");
+
   for (std::size_t i = 0; api && i < std::size(needed_formats); ++i)
     if (i >= facts.formats.size() ||
         (facts.formats[i] & needed_formats[i].features) != needed_formats[i].features)
       missing.push_back(fmt::format("needs {}", needed_formats[i].purpose));
   if (!(facts.colour_samples & facts.depth_samples & VK_SAMPLE_COUNT_4_BIT))
     missing.emplace_back("needs colour and depth images with 4 samples");
+
   return missing;
 }
 
@@ -223,17 +227,20 @@ Candidate examine(const InstanceTable& table, VkPhysicalDevice device, std::opti
   Candidate candidate;
   candidate.handle = device;
   DeviceFacts facts;
+
   VkPhysicalDeviceProperties plain{};
   table.get_properties(device, &plain);
   facts.api_version = plain.apiVersion;
   facts.colour_samples = plain.limits.framebufferColorSampleCounts;
   facts.depth_samples = plain.limits.framebufferDepthSampleCounts;
   candidate.type = plain.deviceType;
+
   DeviceSummary& summary = candidate.summary;
   summary.name = plain.deviceName;
   summary.type = type_text(plain.deviceType);
   summary.api = version_text(plain.apiVersion);
   summary.memory_bytes = device_memory_bytes(table, device);
+
   find_queue(table, family, candidate, facts);
   find_extensions(table, device, facts);
   if (plain.apiVersion >= VK_API_VERSION_1_2) {
@@ -247,6 +254,7 @@ Candidate examine(const InstanceTable& table, VkPhysicalDevice device, std::opti
     find_features(table, device, facts, candidate.anisotropy);
     find_formats(table, device, facts);
   }
+
   summary.missing = missing_of(facts);
   return candidate;
 }

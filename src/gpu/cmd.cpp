@@ -45,12 +45,14 @@ VkDescriptorType type_of(BindingKind kind) {
 void add(Writes& out, const Pipeline& pipeline, const BindingSlot& slot, std::uint32_t element,
          const Binding& binding) {
   if (!fits(binding, slot.kind)) wrong_kind(pipeline, slot);
+
   VkWriteDescriptorSet write{};
   write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
   write.dstBinding = slot.binding;
   write.dstArrayElement = element;
   write.descriptorCount = 1;
   write.descriptorType = type_of(slot.kind);
+
   if (const auto* sampled = std::get_if<SampledBinding>(&binding)) {
     DERMIS_ASSERT(sampled->texture && sampled->texture->view() && sampled->sampler);
     write.pImageInfo = &out.images.emplace_back(
@@ -65,6 +67,7 @@ void add(Writes& out, const Pipeline& pipeline, const BindingSlot& slot, std::ui
     write.pBufferInfo = &out.buffers.emplace_back(
         VkDescriptorBufferInfo{buffer.buffer->handle(), buffer.offset, buffer.bytes});
   }
+
   out.writes.push_back(write);
 }
 

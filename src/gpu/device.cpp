@@ -128,6 +128,7 @@ void Device::State::find_limits(const Candidate& candidate, bool anisotropy) {
   all.pNext = &maintenance4;
   instance_table.get_properties2(physical, &all);
   properties = all.properties;
+
   const VkPhysicalDeviceLimits& has = properties.limits;
   limits.max_image_side = has.maxImageDimension2D;
   limits.max_array_layers = has.maxImageArrayLayers;
@@ -138,6 +139,7 @@ void Device::State::find_limits(const Candidate& candidate, bool anisotropy) {
   limits.max_anisotropy = anisotropy ? has.maxSamplerAnisotropy : 1;
   limits.max_push_bytes = has.maxPushConstantsSize;
   limits.max_clip_distances = has.maxClipDistances;
+
   limits.timestamp_period_ns = has.timestampPeriod;
   limits.timestamps = candidate.timestamp_bits > 0;
   limits.timestamp_mask = limits.timestamps ? ~std::uint64_t{0} >> (64 - candidate.timestamp_bits) : 0;
@@ -267,6 +269,7 @@ std::optional<VkImageFormatProperties> Device::image_format_properties(VkFormat 
 VkCommandBuffer Device::begin() {
   State& s = *state_;
   s.recycle_commands();
+
   VkCommandBuffer commands = VK_NULL_HANDLE;
   if (s.spare.empty()) {
     VkCommandBufferAllocateInfo info{};
@@ -279,10 +282,12 @@ VkCommandBuffer Device::begin() {
     commands = s.spare.back();
     s.spare.pop_back();
   }
+
   VkCommandBufferBeginInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
   info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   check(s.vk.vkBeginCommandBuffer(commands, &info), "vkBeginCommandBuffer");
+
   ++s.recording;
   return commands;
 }
@@ -300,14 +305,17 @@ std::uint64_t Device::submit(VkCommandBuffer commands) {
   State& s = *state_;
   DERMIS_ASSERT_LT(0u, s.recording);
   check(s.vk.vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+
   VkCommandBufferSubmitInfo command_info{};
   command_info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
   command_info.commandBuffer = commands;
   VkSemaphoreSubmitInfo signal{};
+
   signal.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
   signal.semaphore = s.timeline;
   signal.value = s.submitted + 1;
   signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+
   VkSubmitInfo2 info{};
   info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
   info.commandBufferInfoCount = 1;
@@ -315,6 +323,7 @@ std::uint64_t Device::submit(VkCommandBuffer commands) {
   info.signalSemaphoreInfoCount = 1;
   info.pSignalSemaphoreInfos = &signal;
   check(s.vk.vkQueueSubmit2(s.queue, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit2");
+
   --s.recording;
   s.in_flight.emplace_back(++s.submitted, commands);
   return s.submitted;

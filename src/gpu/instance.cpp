@@ -112,18 +112,23 @@ Instance::Instance(bool validate, const std::string& library) {
         "mesa-vulkan-drivers)",
         library);
   }
+
   if (validate && (!has_layer(get, validation_layer) ||
                    !has_extension(get, validation_layer, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME)))
     throw device_error(
         "validation needs the layer {}, which is not installed (Debian, Ubuntu: apt install "
         "vulkan-validationlayers)",
         validation_layer);
+
   create(get, validate);
   table_ = load_instance_table(get, handle_);
   if (!validate) return;
+
   const VkDebugUtilsMessengerCreateInfoEXT info = messenger_info();
   const VkResult result = table_.create_messenger(handle_, &info, nullptr, &messenger_);
   if (result == VK_SUCCESS) return;
+
+  // No destructor runs after a constructor that throws.
   table_.destroy_instance(handle_, nullptr);
   check(result, "vkCreateDebugUtilsMessengerEXT");
 }

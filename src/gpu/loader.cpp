@@ -31,6 +31,7 @@ InstanceTable load_instance_table(PFN_vkGetInstanceProcAddr get, VkInstance inst
   const auto load = [&]<class F>(F& function, const char* name) {
     function = reinterpret_cast<F>(get(instance, name));
   };
+
   load(t.destroy_instance, "vkDestroyInstance");
   load(t.enumerate_physical_devices, "vkEnumeratePhysicalDevices");
   load(t.enumerate_device_extensions, "vkEnumerateDeviceExtensionProperties");
@@ -41,13 +42,16 @@ InstanceTable load_instance_table(PFN_vkGetInstanceProcAddr get, VkInstance inst
   load(t.get_queue_families, "vkGetPhysicalDeviceQueueFamilyProperties");
   load(t.get_format_properties2, "vkGetPhysicalDeviceFormatProperties2");
   load(t.get_image_format_properties, "vkGetPhysicalDeviceImageFormatProperties");
+
   load(t.create_device, "vkCreateDevice");
   load(t.get_device_proc_addr, "vkGetDeviceProcAddr");
+
   load(t.create_messenger, "vkCreateDebugUtilsMessengerEXT");
   load(t.destroy_messenger, "vkDestroyDebugUtilsMessengerEXT");
   load(t.set_object_name, "vkSetDebugUtilsObjectNameEXT");
   load(t.begin_label, "vkCmdBeginDebugUtilsLabelEXT");
   load(t.end_label, "vkCmdEndDebugUtilsLabelEXT");
+
   return t;
 }
 

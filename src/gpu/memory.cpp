@@ -57,6 +57,7 @@ std::uint64_t MemoryPool::reserved_bytes() const {
 std::vector<std::uint32_t> MemoryPool::types_for(std::uint32_t allowed, BufferPlace place) const {
   constexpr VkMemoryPropertyFlags coherent =
       VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+
   // Staging stays out of device memory, of which only a part may be visible; reading uncached memory is slow.
   struct Wish {
     VkMemoryPropertyFlags with, without;
@@ -73,6 +74,8 @@ std::vector<std::uint32_t> MemoryPool::types_for(std::uint32_t allowed, BufferPl
       wishes = {{coherent | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, 0}, {coherent, 0}};
       break;
   }
+
+  // Takes the first wish that some type grants, with its types in the driver's order.
   for (const Wish& wish : wishes) {
     std::vector<std::uint32_t> types;
     for (std::uint32_t i = 0; i < properties_.memoryTypeCount; ++i) {
@@ -97,6 +100,7 @@ MemoryPool::Block* MemoryPool::new_block(const Request& request, std::uint32_t t
   const std::uint32_t heap = properties_.memoryTypes[type].heapIndex;
   if (bytes > max_allocation_bytes_ || heap_used_[heap] + bytes > properties_.memoryHeaps[heap].size)
     return nullptr;
+
   VkMemoryDedicatedAllocateInfo alone{};
   alone.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO;
   alone.image = request.image;
@@ -106,10 +110,12 @@ MemoryPool::Block* MemoryPool::new_block(const Request& request, std::uint32_t t
   info.pNext = dedicated ? &alone : nullptr;
   info.allocationSize = bytes;
   info.memoryTypeIndex = type;
+
   VkDeviceMemory memory = VK_NULL_HANDLE;
   const VkResult result = vk_->vkAllocateMemory(device_, &info, nullptr, &memory);
   if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) return nullptr;
   check(result, "vkAllocateMemory");
+
   auto block = std::make_unique<Block>();
   block->memory = memory;
   block->type = type;
@@ -117,6 +123,7 @@ MemoryPool::Block* MemoryPool::new_block(const Request& request, std::uint32_t t
   block->image = request.image != VK_NULL_HANDLE;
   block->dedicated = dedicated;
   block->free[0] = bytes;
+
   heap_used_[heap] += bytes;
   return blocks_.emplace_back(std::move(block)).get();
 }
@@ -217,6 +224,8 @@ MemoryPool::Allocation* MemoryPool::allocate_image(const std::string& name, VkIm
 void MemoryPool::free(Allocation* allocation) {
   DERMIS_ASSERT(allocation != nullptr);
   Block& block = *allocation->block;
+
+  // Joins the range with the free ones beside it.
   auto [at, inserted] = block.free.emplace(allocation->offset, allocation->bytes);
   DERMIS_ASSERT(inserted);
   if (const auto next = std::next(at); next != block.free.end() && at->first + at->second == next->first) {
@@ -230,10 +239,12 @@ void MemoryPool::free(Allocation* allocation) {
       block.free.erase(at);
     }
   }
+
   (allocation->image ? image_bytes_ : buffer_bytes_) -= allocation->bytes;
   --live_;
   delete allocation;
   if (!block.is_empty()) return;
+
   // One empty block of a kind is kept: staging buffers come and go.
   const bool another = std::ranges::any_of(blocks_, [&](const auto& other) {
     return other.get() != &block && !other->dedicated && other->type == block.type &&

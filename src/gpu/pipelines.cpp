@@ -172,11 +172,13 @@ FixedFunctions::FixedFunctions(const GraphicsDesc& desc) {
   rendering.colorAttachmentCount = static_cast<std::uint32_t>(desc.colour_formats.size());
   rendering.pColorAttachmentFormats = desc.colour_formats.data();
   rendering.depthAttachmentFormat = desc.depth_format;
+
   vertex_input.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
   assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
   assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
   viewport.viewportCount = viewport.scissorCount = 1;
+
   raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
   raster.depthClampEnable = desc.depth_clamp;
   raster.cullMode = cull_of(desc.cull);
@@ -185,6 +187,7 @@ FixedFunctions::FixedFunctions(const GraphicsDesc& desc) {
   raster.depthBiasConstantFactor = desc.depth_bias;
   raster.depthBiasSlopeFactor = desc.depth_bias_slope;
   raster.lineWidth = 1;
+
   samples.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
   samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.samples);
   samples.alphaToCoverageEnable = desc.alpha_to_coverage;
@@ -193,6 +196,7 @@ FixedFunctions::FixedFunctions(const GraphicsDesc& desc) {
   depth.depthTestEnable = desc.depth_test || desc.depth_write;
   depth.depthWriteEnable = desc.depth_write;
   depth.depthCompareOp = desc.depth_test ? desc.depth_compare : VK_COMPARE_OP_ALWAYS;
+
   attachments.assign(desc.colour_formats.size(), blend_of(desc.blend));
   blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
   blend.attachmentCount = static_cast<std::uint32_t>(attachments.size());
@@ -257,6 +261,7 @@ void PipelineLibrary::State::create_layout(Entry& entry, VkShaderStageFlags stag
   if (interface.push_bytes > device->limits().max_push_bytes)
     throw device_error("'{}' needs {} bytes of push constants, {} has {}", entry.pipeline.name,
                        interface.push_bytes, device->summary().name, device->limits().max_push_bytes);
+
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   for (const BindingSlot& slot : interface.bindings)
     bindings.push_back({slot.binding, type_of(slot.kind), slot.count, stages, nullptr});
@@ -267,6 +272,7 @@ void PipelineLibrary::State::create_layout(Entry& entry, VkShaderStageFlags stag
   set_info.pBindings = bindings.data();
   check(device->vk().vkCreateDescriptorSetLayout(device->handle(), &set_info, nullptr, &entry.set_layout),
         "vkCreateDescriptorSetLayout");
+
   const VkPushConstantRange push{entry.pipeline.push_stages, 0, interface.push_bytes};
   VkPipelineLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
@@ -324,6 +330,7 @@ const Pipeline& PipelineLibrary::compute(const std::string& shader, const Consta
   State& s = *state_;
   const std::string key = shader + text_of(constants);
   if (const auto found = s.entries.find(key); found != s.entries.end()) return found->second->pipeline;
+
   const auto start = Clock::now();
   const Stage stage(*s.device, VK_SHADER_STAGE_COMPUTE_BIT, shader, s.code(shader), constants);
   auto entry = std::make_unique<State::Entry>();
@@ -332,10 +339,12 @@ const Pipeline& PipelineLibrary::compute(const std::string& shader, const Consta
   pipeline.interface = stage.interface();
   pipeline.push_stages = pipeline.interface.push_bytes > 0 ? VK_SHADER_STAGE_COMPUTE_BIT : 0;
   check_declared(key, pipeline.interface, constants);
+
   const auto& size = pipeline.interface.workgroup;
   if (std::uint64_t{size[0]} * size[1] * size[2] > s.device->limits().max_workgroup_threads)
     throw device_error("'{}' needs workgroups of {}x{}x{}, {} allows {} threads", key, size[0], size[1],
                        size[2], s.device->summary().name, s.device->limits().max_workgroup_threads);
+
   try {
     s.create_layout(*entry, VK_SHADER_STAGE_COMPUTE_BIT);
     VkComputePipelineCreateInfo info{};
@@ -349,6 +358,7 @@ const Pipeline& PipelineLibrary::compute(const std::string& shader, const Consta
     s.destroy(*entry);
     throw;
   }
+
   return s.keep(key, std::move(entry), start);
 }
 
@@ -356,17 +366,20 @@ const Pipeline& PipelineLibrary::graphics(const GraphicsDesc& desc) {
   State& s = *state_;
   const std::string key = key_of(desc);
   if (const auto found = s.entries.find(key); found != s.entries.end()) return found->second->pipeline;
+
   const auto start = Clock::now();
   auto entry = std::make_unique<State::Entry>();
   Pipeline& pipeline = entry->pipeline;
   pipeline.bind_point = VK_PIPELINE_BIND_POINT_GRAPHICS;
   pipeline.name = desc.vertex + (desc.fragment.empty() ? "" : " " + desc.fragment) + text_of(desc.constants);
+
   std::vector<std::unique_ptr<Stage>> stages;
   stages.push_back(std::make_unique<Stage>(*s.device, VK_SHADER_STAGE_VERTEX_BIT, desc.vertex,
                                            s.code(desc.vertex), desc.constants));
   if (!desc.fragment.empty())
     stages.push_back(std::make_unique<Stage>(*s.device, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment,
                                              s.code(desc.fragment), desc.constants));
+
   std::vector<VkPipelineShaderStageCreateInfo> infos;
   VkShaderStageFlags all = 0;
   for (const auto& stage : stages) {
@@ -377,6 +390,7 @@ const Pipeline& PipelineLibrary::graphics(const GraphicsDesc& desc) {
       pipeline.push_stages |= static_cast<VkShaderStageFlags>(stage->info().stage);
   }
   check_declared(pipeline.name, pipeline.interface, desc.constants);
+
   const FixedFunctions fixed(desc);
   try {
     s.create_layout(*entry, all);
@@ -392,6 +406,7 @@ const Pipeline& PipelineLibrary::graphics(const GraphicsDesc& desc) {
     s.destroy(*entry);
     throw;
   }
+
   return s.keep(key, std::move(entry), start);
 }
 
@@ -399,6 +414,7 @@ VkSampler PipelineLibrary::sampler(const SamplerDesc& desc) {
   State& s = *state_;
   for (const auto& [known, sampler] : s.samplers)
     if (known == desc) return sampler;
+
   VkSamplerCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
   info.magFilter = info.minFilter = desc.filter == Filter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
@@ -412,6 +428,7 @@ VkSampler PipelineLibrary::sampler(const SamplerDesc& desc) {
   info.maxAnisotropy = std::min(desc.max_anisotropy, s.device->limits().max_anisotropy);
   info.anisotropyEnable = info.maxAnisotropy > 1;
   info.maxLod = VK_LOD_CLAMP_NONE;
+
   VkSampler sampler = VK_NULL_HANDLE;
   check(s.device->vk().vkCreateSampler(s.device->handle(), &info, nullptr, &sampler), "vkCreateSampler");
   s.samplers.emplace_back(desc, sampler);

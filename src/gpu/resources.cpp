@@ -46,6 +46,7 @@ void check_texture_limits(const Device& device, const std::string& name, const T
                           VkImageUsageFlags usage) {
   DERMIS_ASSERT(desc.width > 0 && desc.height > 0 && desc.layers > 0 && desc.mips > 0 &&
                 (desc.samples == 1 || desc.samples == 4));
+
   const DeviceLimits& limits = device.limits();
   if (desc.width > limits.max_image_side || desc.height > limits.max_image_side)
     throw device_error("'{}' would be {}x{} texels; {} allows {} a side", name, desc.width, desc.height,
@@ -53,6 +54,8 @@ void check_texture_limits(const Device& device, const std::string& name, const T
   if (desc.layers > limits.max_array_layers)
     throw device_error("'{}' would have {} layers; {} allows {}", name, desc.layers, device.summary().name,
                        limits.max_array_layers);
+
+  // Asks what the format allows for these uses: it may be less than the limits of the device.
   const std::optional<VkImageFormatProperties> can = device.image_format_properties(desc.format, usage);
   if (!can)
     throw device_error("'{}' needs {} images for the uses {:#x}, which {} does not have", name,
@@ -60,6 +63,7 @@ void check_texture_limits(const Device& device, const std::string& name, const T
   if (!(can->sampleCounts & desc.samples))
     throw device_error("'{}' needs {} samples of {}, which {} does not have", name, desc.samples,
                        format_name(desc.format), device.summary().name);
+
   DERMIS_ASSERT_LE(desc.mips, can->maxMipLevels);
   if (bytes_of(desc) > can->maxResourceSize)
     throw device_error("no device memory for '{}': needed {:.1f} MiB; {} allows {:.1f} MiB in one image",
@@ -95,6 +99,7 @@ RawBuffer create_raw_buffer(Device& device, const std::string& name, const Buffe
       desc.bytes > device.limits().max_storage_buffer_bytes)
     throw device_error("'{}' would be {} bytes; {} allows shaders {} in one buffer", name, desc.bytes,
                        device.summary().name, device.limits().max_storage_buffer_bytes);
+
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
   info.size = desc.bytes;
@@ -102,6 +107,7 @@ RawBuffer create_raw_buffer(Device& device, const std::string& name, const Buffe
   RawBuffer raw;
   check(device.vk().vkCreateBuffer(device.handle(), &info, nullptr, &raw.handle),
         fmt::format("vkCreateBuffer for '{}' ({:.1f} MiB)", name, mib(desc.bytes)));
+
   try {
     raw.allocation = device.memory().allocate_buffer(name, raw.handle, desc.place);
     check(device.vk().vkBindBufferMemory(device.handle(), raw.handle, raw.allocation->memory,
@@ -111,6 +117,7 @@ RawBuffer create_raw_buffer(Device& device, const std::string& name, const Buffe
     destroy_raw_buffer(device, raw);
     throw;
   }
+
   device.set_name(VK_OBJECT_TYPE_BUFFER, as_number(raw.handle), name);
   return raw;
 }
@@ -160,11 +167,13 @@ Texture::Texture(Device& device, std::string name, const TextureDesc& desc)
   check_texture_limits(device, name_, desc, info.usage);
   check(device.vk().vkCreateImage(device.handle(), &info, nullptr, &handle_),
         fmt::format("vkCreateImage for '{}' ({:.1f} MiB)", name_, mib(bytes_of(desc))));
+
   try {
     auto* allocation = device.memory().allocate_image(name_, handle_);
     allocation_ = allocation;
     check(device.vk().vkBindImageMemory(device.handle(), handle_, allocation->memory, allocation->offset),
           "vkBindImageMemory");
+
     const VkImageAspectFlags aspect = aspect_of(desc.format);
     const bool viewable =
         (desc.usage & (target_usage | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT)) != 0;
@@ -178,6 +187,7 @@ Texture::Texture(Device& device, std::string name, const TextureDesc& desc)
     release();
     throw;
   }
+
   device.set_name(VK_OBJECT_TYPE_IMAGE, as_number(handle_), name_);
   if (view_) device.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, as_number(view_), name_);
 }

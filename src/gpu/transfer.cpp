@@ -39,6 +39,7 @@ void barrier(const Device& device, VkCommandBuffer commands, const Texture* text
   all.srcStageMask = all.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT;
   all.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_WRITE_BIT;
   all.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_READ_BIT;
+
   VkImageMemoryBarrier2 image{};
   image.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
   image.srcStageMask = image.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
@@ -47,6 +48,7 @@ void barrier(const Device& device, VkCommandBuffer commands, const Texture* text
   image.oldLayout = from;
   image.newLayout = to;
   image.srcQueueFamilyIndex = image.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+
   VkDependencyInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
   info.memoryBarrierCount = 1;
@@ -58,6 +60,7 @@ void barrier(const Device& device, VkCommandBuffer commands, const Texture* text
     info.imageMemoryBarrierCount = 1;
     info.pImageMemoryBarriers = &image;
   }
+
   device.vk().vkCmdPipelineBarrier2(commands, &info);
 }
 
@@ -141,17 +144,20 @@ std::uint32_t TextureUpload::rows_at_a_time(std::uint32_t mip) const {
 void TextureUpload::rows(std::uint32_t mip, std::uint32_t first_row, std::span<const std::byte> bytes) {
   const TextureDesc& desc = to_->desc();
   const auto count = static_cast<std::uint32_t>(bytes.size() / row_bytes(desc, mip));
+
   DERMIS_ASSERT_LT(mip, desc.mips);
   DERMIS_ASSERT_LE(1u, count);
   DERMIS_ASSERT_LE(count, rows_at_a_time(mip));
   const std::uint32_t rows_in_all = std::max(1u, desc.height >> mip);
   DERMIS_ASSERT_LE(first_row + count, rows_in_all);
+
   std::memcpy(staging_.mapped().data(), bytes.data(), bytes.size());
   device_->run([&](VkCommandBuffer commands) {
     VkBufferImageCopy copy{};
     copy.imageSubresource = {aspect_of(desc.format), mip, 0, 1};
     copy.imageOffset = {0, static_cast<std::int32_t>(first_row), 0};
     copy.imageExtent = {std::max(1u, desc.width >> mip), count, 1};
+
     barrier(*device_, commands, nullptr, {}, {});
     device_->vk().vkCmdCopyBufferToImage(commands, staging_.handle(), to_->handle(),
                                          VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);

@@ -53,13 +53,16 @@ ZTest z_test(const ImageF& reference, const ImageF& test, std::span<const ImageF
   };
   if (!same_size(test) || !std::all_of(variances.begin(), variances.end(), same_size))
     throw input_error("", "pictures and variances of different sizes cannot be compared");
+
   const auto value = [](const ImageF& picture, std::size_t pixel, std::size_t channel) {
     return static_cast<double>(picture.values[pixel * static_cast<std::size_t>(picture.channels) + channel]);
   };
+
   const std::size_t pixels =
       static_cast<std::size_t>(reference.width) * static_cast<std::size_t>(reference.height);
   if (!region.empty() && region.size() != pixels)
     throw input_error("", "the mask has {} pixels, the pictures have {}", region.size(), pixels);
+
   std::uint64_t beyond_2 = 0, beyond_3 = 0, values = 0;
   for (std::size_t i = 0; i < pixels; ++i) {
     if (!region.empty() && region[i] == 0) continue;
@@ -78,6 +81,7 @@ ZTest z_test(const ImageF& reference, const ImageF& test, std::span<const ImageF
       beyond_3 += difference * difference > 9 * variance;
     }
   }
+
   if (values == 0) throw input_error("", "no pixel to compare: the mask selects none");
   const double count = static_cast<double>(values);
   return {.beyond_2 = static_cast<double>(beyond_2) / count,

@@ -32,6 +32,7 @@ std::optional<ExposedDifference> compare_exposed(ImageF reference, ImageF test, 
   if (reference.width != test.width || reference.height != test.height)
     throw input_error("", "pictures of {}x{} and {}x{} pixels cannot be compared", reference.width,
                       reference.height, test.width, test.height);
+
   ExposedDifference found;
   std::vector<std::uint8_t> mask(reference.values.size() / 4);
   for (std::size_t i = 0; i < mask.size(); ++i) {
@@ -39,14 +40,18 @@ std::optional<ExposedDifference> compare_exposed(ImageF reference, ImageF test, 
     found.pixels += mask[i];
   }
   if (found.pixels == 0) return std::nullopt;
+
+  // Exposes both alike until the reference shows at a mean of 0.25 to 0.5.
   Image8 shown;
   for (int step = 0; step < most_steps; ++step) {
     shown = to_display(reference, tone_map);
     found.mean_display = mean_over(shown, mask);
     if (found.mean_display >= 0.25 && found.mean_display <= 0.5) break;
     const float factor = found.mean_display < 0.25 ? 1.4f : 0.7f;
-    expose(reference, factor), expose(test, factor);
+    expose(reference, factor);
+    expose(test, factor);
   }
+
   const Image8 other = to_display(test, tone_map);
   found.psnr_db = psnr_db(shown, other, mask);
   found.flip_mean = mean_flip(shown, other, mask);

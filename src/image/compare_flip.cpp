@@ -52,13 +52,17 @@ FilteredRows filter_rows(const RowSource& source, const Filters& filters, int fi
   for (std::vector<float>& plane : filtered.planes) plane.resize(static_cast<std::size_t>(rows) * w);
   std::vector<flip::Rgb> linear(w);
   std::vector<float> y(w + 2 * radius), cx(y.size()), cz(y.size());
+
   for (int i = 0; i < rows; ++i) {
     // Beyond its borders a picture goes on as its last row and column.
     source(std::clamp(first + i, 0, height - 1), linear.data());
     for (std::size_t x = 0; x < y.size(); ++x) {
       const flip::Opponent o = flip::opponent(linear[std::min(x > radius ? x - radius : 0, w - 1)]);
-      y[x] = o.y, cx[x] = o.cx, cz[x] = o.cz;
+      y[x] = o.y;
+      cx[x] = o.cx;
+      cz[x] = o.cz;
     }
+
     const auto along = [&](const std::vector<float>& in, const Taps& taps, FilteredRows::Plane plane) {
       filter(in.data(), 1, taps, w, filtered.planes[plane].data() + static_cast<std::size_t>(i) * w);
     };
@@ -70,6 +74,7 @@ FilteredRows filter_rows(const RowSource& source, const Filters& filters, int fi
     along(y, filters.edge, FilteredRows::edge);
     along(y, filters.point, FilteredRows::point);
   }
+
   return filtered;
 }
 
@@ -130,12 +135,14 @@ ImageF flip_of_rows(const RowSource& reference, const RowSource& test, int width
   constexpr int band_rows = 64;
   ImageF map{.width = width, .height = height, .channels = 1, .values = {}};
   map.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+
   const int bands = (height + band_rows - 1) / band_rows;
   parallel_for(static_cast<std::size_t>(bands), [&](std::size_t band) {
     const int top = static_cast<int>(band) * band_rows, bottom = std::min(top + band_rows, height);
     const int first = top - filters.radius, rows = bottom - top + 2 * filters.radius;
     const FilteredRows a = filter_rows(reference, filters, first, rows, width, height);
     const FilteredRows b = filter_rows(test, filters, first, rows, width, height);
+
     const std::size_t w = static_cast<std::size_t>(width);
     SeenRow seen_a(w), seen_b(w);
     for (int y = top; y < bottom; ++y) {
@@ -145,6 +152,7 @@ ImageF flip_of_rows(const RowSource& reference, const RowSource& test, int width
       for (std::size_t x = 0; x < w; ++x) out[x] = flip_at(seen_a, seen_b, x);
     }
   });
+
   return map;
 }
 
@@ -174,8 +182,10 @@ float tone_map(float linear) {
 /// [ANSA21] sec. 3.2: from where the brightest to where the median pixel of the reference shows as 0.85.
 void choose_exposures(const ImageF& reference, HdrFlip& result) {
   constexpr double shown = 0.85, least_share = 0x1p-30;
+  // Solves the curve for the input that shows as 0.85.
   const double a = aces::a - shown * aces::c, b = aces::b - shown * aces::d, c = -shown * aces::e;
   const double target = (-b + std::sqrt(b * b - 4 * a * c)) / (2 * a);
+
   std::vector<double> luminances;
   const std::size_t channels = static_cast<std::size_t>(reference.channels);
   for (std::size_t i = 0; i < reference.values.size(); i += channels) {
@@ -183,15 +193,18 @@ void choose_exposures(const ImageF& reference, HdrFlip& result) {
     const double luminance = 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
     luminances.push_back(luminance > 0 ? luminance : 0.0);  // NaN is black too
   }
+
   std::sort(luminances.begin(), luminances.end());
   const double greatest = luminances.back();
   result.exposures = 2;
   if (!(greatest > 0)) return;
+
   auto first = luminances.begin();
   if (luminances[luminances.size() / 2] == 0) first = std::upper_bound(first, luminances.end(), 0.0);
   const std::size_t count = static_cast<std::size_t>(luminances.end() - first);
   const double median = 0.5 * (first[static_cast<std::ptrdiff_t>((count - 1) / 2)] +
                                first[static_cast<std::ptrdiff_t>(count / 2)]);
+
   result.start_exposure = std::log2(target / greatest);
   result.stop_exposure = std::log2(target / std::max(median, least_share * greatest));
   result.exposures = std::max(2, static_cast<int>(std::ceil(result.stop_exposure - result.start_exposure)));
@@ -215,6 +228,7 @@ HdrFlip hdr_flip(const ImageF& reference, const ImageF& test) {
   check_sizes(reference, test);
   DERMIS_ASSERT_LE(3, reference.channels);
   DERMIS_ASSERT_LE(3, test.channels);
+
   HdrFlip result;
   choose_exposures(reference, result);
   const double step = (result.stop_exposure - result.start_exposure) / (result.exposures - 1);
@@ -228,6 +242,7 @@ HdrFlip hdr_flip(const ImageF& reference, const ImageF& test) {
           row[x] = {tone_map(in[0] * factor), tone_map(in[1] * factor), tone_map(in[2] * factor)};
       };
     };
+
     ImageF map = flip_of_rows(rows(reference), rows(test), reference.width, reference.height);
     if (i == 0) {
       result.map = std::move(map);
@@ -236,6 +251,7 @@ HdrFlip hdr_flip(const ImageF& reference, const ImageF& test) {
         result.map.values[p] = std::max(result.map.values[p], map.values[p]);
     }
   }
+
   return result;
 }
 
@@ -243,15 +259,19 @@ FlipSummary summarise_flip(const ImageF& map, std::span<const std::uint8_t> mask
   DERMIS_ASSERT_EQ(map.channels, 1);
   if (!mask.empty() && mask.size() != map.values.size())
     throw input_error("", "the mask has {} pixels, the pictures have {}", mask.size(), map.values.size());
+
   std::vector<float> values;
   for (std::size_t i = 0; i < map.values.size(); ++i)
     if (mask.empty() || mask[i] != 0) values.push_back(map.values[i]);
   if (values.empty()) throw input_error("", "no pixel to compare: the mask selects none");
   std::sort(values.begin(), values.end());
+
   double sum = 0;
   for (const float value : values) sum += static_cast<double>(value);
   FlipSummary summary{
       .mean = sum / static_cast<double>(values.size()), .min = values.front(), .max = values.back()};
+
+  // Finds the values at which the running sum passes 1/4, 1/2 and 3/4 of the sum.
   double running = 0;
   std::size_t i = 0;
   for (const auto& [share, target] : {std::pair(0.25, &summary.q1), std::pair(0.5, &summary.weighted_median),
@@ -259,6 +279,7 @@ FlipSummary summarise_flip(const ImageF& map, std::span<const std::uint8_t> mask
     while (i < values.size() && running <= share * sum) running += static_cast<double>(values[i++]);
     *target = sum > 0 ? static_cast<double>(values[i - 1]) : 0.0;
   }
+
   return summary;
 }
 

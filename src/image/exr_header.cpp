@@ -97,12 +97,15 @@ void read_attribute(Part& part, std::string_view name, std::string_view type, In
   if (name == "channels") part.pixel_bytes = read_channels(value, where);
   if (name == "compression") part.compression = value.u8();
   if (name == "chunkCount") part.chunk_count = value.u32();
+
   if (name == "tiles") {
     const std::int64_t width = value.u32();
     part.tile = Box{width, value.u32()};
   }
+
   if (name == "type" && value.take(value.left()).starts_with("deep"))
     throw input_error(where, "EXR holds a deep picture, expected a flat one");
+
   if (type == "preview") {
     const std::uint64_t width = value.u32();
     const std::uint64_t height = value.u32();

@@ -63,9 +63,11 @@ void read_rows(Imf::InputFile& file, Colours colours, int y0, int y1, std::vecto
   Imath::Box2i window = file.header().dataWindow();
   window.min.y = y0;
   window.max.y = y1;
+
   const std::size_t width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
   values.resize(width * static_cast<std::size_t>(y1 - y0 + 1) * 3);
   const std::size_t pixel = 3 * sizeof(float);
+
   Imf::FrameBuffer target;
   const auto add = [&](const char* name, std::size_t channel) {
     target.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data() + channel, window, pixel, pixel * width));
@@ -77,6 +79,7 @@ void read_rows(Imf::InputFile& file, Colours colours, int y0, int y1, std::vecto
     add("G", 1);
     add("B", 2);
   }
+
   file.setFrameBuffer(target);
   file.readPixels(y0, y1);
   if (colours == Colours::grey) {

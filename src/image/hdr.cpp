@@ -72,16 +72,19 @@ Layout parse_resolution(std::string_view line, const std::string& where) {
     }
     return value;
   };
+
   const std::string_view first = word(rest);
   if (first == "+X" || first == "-X")
     throw input_error(where, "HDR stores columns (\"{}\"), expected rows (\"-Y ... +X ...\")",
                       printable(line.substr(0, 80)));
+
   Layout layout;
   layout.bottom_up = first == "+Y";
   layout.height = number(word(rest));
   const std::string_view second = word(rest);
   layout.right_to_left = second == "-X";
   layout.width = number(word(rest));
+
   const bool known =
       (first == "-Y" || first == "+Y") && (second == "+X" || second == "-X") && word(rest).empty();
   if (!known) number(line);  // throws with the whole line
@@ -112,16 +115,19 @@ void read_old_row(Input& input, const Rgbe& first, std::vector<std::uint8_t>& ro
   size_t x = 0;
   unsigned shift = 0;
   Rgbe pixel = {first[0], first[1], first[2], first[3]};
+
   for (bool have = true; x < width; have = false) {
     if (!have) {
       for (std::uint8_t& b : pixel) b = input.byte();
     }
+
     if (pixel[0] != 1 || pixel[1] != 1 || pixel[2] != 1) {
       for (size_t c = 0; c < 4; ++c) row[x * 4 + c] = pixel[c];
       ++x;
       shift = 0;
       continue;
     }
+
     const size_t run = shift > 24 ? width + 1 : static_cast<size_t>(pixel[3]) << shift;
     if (x == 0 || run > width - x) throw input_error(where, "HDR is damaged: a run of pixels leaves its row");
     for (size_t i = 0; i < run * 4; ++i) row[x * 4 + i] = row[x * 4 + i - 4];
@@ -176,17 +182,20 @@ ImageF decode_hdr(Bytes bytes, const std::string& where, const DecodeLimits& lim
   // The shortest row is one pixel and one long run of the old coding.
   check_plausible(bytes, static_cast<std::uint64_t>(layout.height) * (layout.width == 1 ? 4 : 8),
                   layout.width, layout.height, where);
+
   const int height = static_cast<int>(layout.height);
   const size_t width = static_cast<size_t>(layout.width);
   Collected picture(static_cast<int>(layout.width), height, most_pixels);
   std::vector<std::uint8_t> row(width * 4);
   std::vector<float> rgb(width * 3);
+
   for (int i = 0; i < height; ++i) {
     read_row(input, row, width, where);
     for (size_t x = 0; x < width; ++x)
       to_float(&row[x * 4], &rgb[3 * (layout.right_to_left ? width - 1 - x : x)]);
     picture.row(layout.bottom_up ? height - 1 - i : i, rgb);
   }
+
   return picture.take(where);
 }
 

@@ -50,11 +50,13 @@ double rel_mse(const ImageF& reference, const ImageF& test, std::span<const std:
   const std::size_t pixels = check_sizes(reference, test, mask);
   DERMIS_ASSERT_LE(3, reference.channels);
   DERMIS_ASSERT_LE(3, test.channels);
+
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < pixels; ++i) {
     if (!mask.empty() && mask[i] == 0) continue;
     ++count;
+
     const float* r = reference.values.data() + i * static_cast<std::size_t>(reference.channels);
     const float* t = test.values.data() + i * static_cast<std::size_t>(test.channels);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -62,6 +64,7 @@ double rel_mse(const ImageF& reference, const ImageF& test, std::span<const std:
       sum += difference * difference / (value * value + floor);
     }
   }
+
   if (count == 0) throw input_error("", "no pixel to compare: the mask selects none");
   return sum / (3.0 * static_cast<double>(count));
 }

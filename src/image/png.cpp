@@ -109,6 +109,7 @@ Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& lim
   const Context context = open(bytes, where, limits, header);
   Shrinking picture(static_cast<int>(header.width), static_cast<int>(header.height), shrink);
   const bool in_order = header.interlace_method == 0;
+
   if (header.bit_depth == 16) {
     // libspng would cut the low byte off; we round.
     decode_rows<std::uint16_t>(context.get(), header, SPNG_FMT_RGBA16, where,
@@ -123,9 +124,11 @@ Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& lim
                                 if (in_order) picture.done_to(y);
                               });
   }
+
   picture.done_to(static_cast<int>(header.height) - 1);
   // Reads on to the end chunk, so that a file cut after its last pixel is noticed too.
   check(spng_decode_chunks(context.get()), where);
+
   // The library does not ask for the checksum of the end chunk, which is always the same.
   constexpr std::string_view end_chunk("IEND\xae\x42\x60\x82");
   if (std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).rfind(end_chunk) ==

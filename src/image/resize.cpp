@@ -50,8 +50,10 @@ Level halve(int width, int height, const Fetch& fetch) {
   Level half{.width = std::max(1, width / 2), .height = std::max(1, height / 2), .pixels = {}};
   const std::size_t row_size = static_cast<std::size_t>(half.width);
   half.pixels.resize(row_size * static_cast<std::size_t>(half.height));
+
   std::vector<Cover> all_columns(row_size);
   for (std::size_t x = 0; x < row_size; ++x) all_columns[x] = cover(static_cast<int>(x), half.width, width);
+
   parallel_for(static_cast<std::size_t>(half.height), [&](std::size_t row) {
     const Cover rows = cover(static_cast<int>(row), half.height, height);
     for (std::size_t x = 0; x < row_size; ++x) {
@@ -68,6 +70,7 @@ Level halve(int width, int height, const Fetch& fetch) {
       half.pixels[row * row_size + x] = sum;
     }
   });
+
   return half;
 }
 
@@ -111,12 +114,14 @@ ImageF downsample_box(const ImageF& picture, int factor) {
   DERMIS_ASSERT_EQ(picture.width % factor, 0);
   DERMIS_ASSERT_EQ(picture.height % factor, 0);
   DERMIS_ASSERT_LE(picture.channels, 4);
+
   ImageF small{.width = picture.width / factor,
                .height = picture.height / factor,
                .channels = picture.channels,
                .values = {}};
   small.values.resize(picture.values.size() / static_cast<std::size_t>(factor) /
                       static_cast<std::size_t>(factor));
+
   const double scale = 1.0 / (static_cast<double>(factor) * factor);
   parallel_for(static_cast<std::size_t>(small.height), [&](std::size_t row) {
     const int y = static_cast<int>(row);
@@ -129,6 +134,7 @@ ImageF downsample_box(const ImageF& picture, int factor) {
             sum[static_cast<std::size_t>(c)] += static_cast<double>(in[c]);
         }
       }
+
       float* out = small.at(x, y);
       for (int c = 0; c < small.channels; ++c)
         out[c] = static_cast<float>(sum[static_cast<std::size_t>(c)] * scale);

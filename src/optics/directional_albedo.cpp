@@ -18,24 +18,29 @@ DirectionalAlbedo directional_albedo(double cosine, double m) {
   const double c = std::clamp(cosine, 1e-3, 1.0);
   const double s = std::sqrt(1 - c * c);
   DirectionalAlbedo sum;
+
   for (int i = 0; i < samples_theta; ++i) {
     // Beckmann: P(theta_h) by inversion, tan^2 = -m^2 ln(1 - u). The estimator f cos(l) / pdf is then pi F
     // cos(l) / (v.h cos(h)), because the lobe carries a factor pi ([KSK01] with D not divided by pi).
     const double u = (i + 0.5) / samples_theta;
     const double tan2 = -m * m * std::log(1 - u);
     const double cos_h = 1 / std::sqrt(1 + tan2), sin_h = std::sqrt(std::max(0.0, 1 - cos_h * cos_h));
+
     for (int j = 0; j < samples_phi; ++j) {
       const double phi = std::numbers::pi * (j + 0.5) / samples_phi;  // the other half is symmetric
       const double v_h = s * sin_h * std::cos(phi) + c * cos_h;
       if (v_h <= 0) continue;
       const double cos_l = 2 * v_h * cos_h - c;
       if (cos_l <= 0) continue;
+
+      // Splits Schlick's F = f0 (1 - x) + x into what f0 scales and the rest.
       const double x = std::pow(1 - v_h, 5);
       const double weight = std::numbers::pi * cos_l / (v_h * cos_h);
       sum.of_f0 += weight * (1 - x);
       sum.rest += weight * x;
     }
   }
+
   constexpr double count = samples_theta * samples_phi;
   return {sum.of_f0 / count, sum.rest / count};
 }

@@ -29,6 +29,7 @@ Rgb triple(const Json& value, const std::string& where) {
 
 RgbLayer parse_layer(const Json& json, const std::string& where) {
   if (!json.is_object()) throw input_error(where, "expected an object, got {}", json.type_name());
+
   RgbLayer layer;
   for (const auto& [key, value] : json.items()) {
     const std::string place = where + "." + key;
@@ -45,6 +46,7 @@ RgbLayer parse_layer(const Json& json, const std::string& where) {
           where, "unknown key '{}'; known: sigma_a_per_mm, sigma_s_reduced_per_mm, eta, thickness_mm", key);
     }
   }
+
   for (const char* key : {"sigma_a_per_mm", "sigma_s_reduced_per_mm"})
     if (!json.contains(key)) throw input_error(where, "'{}' is missing", key);
   return layer;
@@ -96,10 +98,12 @@ RgbLayers parse(std::string_view json, const std::string& where) {
   } catch (const Json::parse_error& error) {
     throw input_error(where, "not JSON (byte {})", error.byte);
   } catch (const Json::exception&) { throw input_error(where, "a number is too large"); }
+
   if (!document.is_array())
     throw input_error(where, "expected a list of layers, got {}", document.type_name());
   if (document.empty() || document.size() > max_layers)
     throw input_error(where, "1 to {} layers, got {}", max_layers, document.size());
+
   RgbLayers layers;
   for (std::size_t i = 0; i < document.size(); ++i)
     layers.push_back(parse_layer(document[i], fmt::format("{}: layer {}", where, i)));

@@ -31,6 +31,7 @@ const Tables& tables() {
   static const Tables made = [] {
     Tables t;
     Rgb white{};
+
     for (const ObserverRow& row : rows) {
       t.nm.push_back(row.nm);
       Rgb weight{};
@@ -40,6 +41,7 @@ const Tables& tables() {
       }
       t.weights.push_back(weight);
     }
+
     // The matrix is printed for a rounded white: dividing by the white of the tables makes a white surface
     // white.
     for (Rgb& weight : t.weights)

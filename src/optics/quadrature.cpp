@@ -45,6 +45,7 @@ std::vector<Node> gauss_legendre(int count, double low, double high) {
   DERMIS_ASSERT(count >= 1 && count <= 512);
   std::vector<Node> rule(count);
   const double half = (high - low) / 2, middle = (high + low) / 2;
+
   for (int i = 0; i < count; ++i) {
     double x = std::cos(pi * (i + 0.75) / (count + 0.5));
     double slope = 1;
@@ -55,11 +56,13 @@ std::vector<Node> gauss_legendre(int count, double low, double high) {
         p0 = p1;
         p1 = p2;
       }
+
       slope = count * (x * p1 - p0) / (x * x - 1);
       const double change = p1 / slope;
       x -= change;
       if (std::abs(change) < 1e-15) break;
     }
+
     rule[i] = {middle - half * x, half * 2 / ((1 - x * x) * slope * slope)};
   }
   return rule;

@@ -20,16 +20,20 @@ std::array<Node, n> radau_to_one(double low) {
   for (int i = 0; i < n; ++i) {
     double x = -std::cos(2 * std::numbers::pi * i / (2 * n - 1)), p0 = 1, p1 = x;
     for (int step = 0; step < 60; ++step) {  // roots of P_{n-1} + P_n; -1 is one of them
-      p0 = 1, p1 = x;
+      p0 = 1;
+      p1 = x;
       for (int k = 2; k <= n; ++k) {
         const double p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;
-        p0 = p1, p1 = p2;
+        p0 = p1;
+        p1 = p2;
       }
+
       if (i == 0) break;
       const double change = (1 - x) / n * (p0 + p1) / (p0 - p1);
       x -= change;
       if (std::abs(change) < 1e-15) break;
     }
+
     const double weight = i == 0 ? 2.0 / (n * n) : (1 - x) / (n * n * p0 * p0);
     rule[i] = {1 - (1 - low) * (x + 1) / 2, weight * (1 - low) / 2};  // mirrored: -1 becomes 1
   }
@@ -153,6 +157,8 @@ HFunction solve_h(double albedo) {
   HFunction out{gauss_legendre(200, 0, 1), {}};
   out.h.assign(out.rule.size(), 1.0);
   const double root = std::sqrt(1 - albedo);
+
+  // Iterates Chandrasekhar's 1/H(x) = root + albedo/2 Int_0^1 y H(y) / (x + y) dy.
   for (int step = 0; step < 20000; ++step) {
     double change = 0;
     std::vector<double> next(out.h.size());
@@ -164,9 +170,11 @@ HFunction solve_h(double albedo) {
       next[i] = (1 / (root + albedo / 2 * sum) + out.h[i]) / 2;
       change = std::max(change, std::abs(next[i] - out.h[i]));
     }
+
     out.h = std::move(next);
     if (change < 1e-12) break;
   }
+
   return out;
 }
 

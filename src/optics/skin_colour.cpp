@@ -64,10 +64,12 @@ std::vector<Candidate> coarse_grid(const Skin& fixed) {
   static std::mutex mutex;
   static std::vector<Candidate> grid;
   static std::array<double, 5> made_for{};
+
   const std::array<double, 5> key{fixed.blend, fixed.oxygenation, fixed.oiliness, fixed.epidermis_mm,
                                   fixed.eta};
   const std::lock_guard lock(mutex);
   if (!grid.empty() && made_for == key) return grid;
+
   grid.assign(grid_columns * grid_rows, {});
   parallel_for(grid.size(), [&](std::size_t i) {
     const std::size_t column = i % grid_columns, row = i / grid_columns;
@@ -78,6 +80,7 @@ std::vector<Candidate> coarse_grid(const Skin& fixed) {
                         std::log(least_blood) + h * std::log(most_blood / least_blood)},
                        4);
   });
+
   made_for = key;
   return grid;
 }
@@ -176,10 +179,12 @@ Lab parse_colour(const std::string& text, const std::string& where) {
   const auto expected = [&] {
     return input_error(where, "expected #rrggbb (sRGB) or L,a,b (CIELAB), got '{}'", text);
   };
+
   if (!text.empty() && text[0] == '#') {
     unsigned value = 0;
     const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), value, 16);
     if (text.size() != 7 || error != std::errc() || end != text.data() + text.size()) throw expected();
+
     Rgb linear{};
     for (int c = 0; c < 3; ++c) {
       const double display = ((value >> (16 - 8 * c)) & 255) / 255.0;
@@ -188,6 +193,7 @@ Lab parse_colour(const std::string& text, const std::string& where) {
     }
     return lab_from_linear(linear);
   }
+
   if (text.find(',') == std::string::npos || text.find_first_of(" =") != std::string::npos) throw expected();
   const Rgb lab = parse_key_values("lab=" + text, {"lab"}, where).at("lab");
   if (!(lab[0] >= 0 && lab[0] <= 100) || !(std::abs(lab[1]) <= 200 && std::abs(lab[2]) <= 200))

@@ -52,9 +52,11 @@ std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
   maps[MAP_SPECULAR] = m.specular_map;
   maps[MAP_EMISSIVE] = m.emissive_map;
   maps[MAP_SPECULAR_COLOUR] = m.specular_colour_map;
+
   if (m.skin) {
     maps[MAP_SPECULAR] = m.skin_settings.specular;
     maps[MAP_ROUGHNESS] = m.skin_settings.roughness;
+
     // glTF's metallic-roughness map serves where the skin names no map of its own: roughness in G, times the
     // factor.
     if (!maps[MAP_ROUGHNESS].present() && m.metallic_roughness_map.present()) {
@@ -63,6 +65,7 @@ std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
       maps[MAP_ROUGHNESS].scale = m.roughness;
     }
   }
+
   return maps;
 }
 
@@ -78,9 +81,11 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   // alphas of 8 bits may be half floats: a cutoff equal to one must keep it
   c.alpha_cutoff = m.alpha_cutoff - 1.0f / 4096;
   c.specular_colour = m.specular_colour;
+
   c.flags = (m.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) | (m.unlit ? MATERIAL_UNLIT : 0u) |
             (m.alpha_mode == scene::AlphaMode::mask ? MATERIAL_ALPHA_MASK : 0u) |
             (m.alpha_mode == scene::AlphaMode::blend ? MATERIAL_ALPHA_BLEND : 0u);
+
   c.mix_before = mix.value_or(m.skin_settings.mix.value_or(0.5f));
   c.rho_s = 0.18f;  // [DLE07] GPU Gems 3, ch. 14.3
   const auto& lobes = m.skin_settings.lobes;
@@ -88,6 +93,7 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   c.lobe_weight_0 = lobes.empty() ? 1.0f : lobes[0].weight;
   c.lobe_factor_1 = lobes.size() > 1 ? lobes[1].roughness_factor : 1.0f;
   c.lobe_weight_1 = lobes.size() > 1 ? lobes[1].weight : 0.0f;
+
   for (int i = 0; i < MAP_COUNT; ++i) c.maps[i] = map_io(maps[static_cast<std::size_t>(i)]);
   return c;
 }
@@ -149,18 +155,22 @@ GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std
     vertices.back().unwrap = skin.unwrap[i];
     vertices.back().metric_mm2 = skin.metric[i];
   }
+
   GpuMesh mesh;
   mesh.name = fmt::format("skin {}", number);
   mesh.vertices =
       gpu::make_buffer(device, mesh.name + " vertices", std::span<const io::VertexIo>(vertices), storage);
   mesh.indices =
       gpu::make_buffer(device, mesh.name + " indices", std::span<const std::uint32_t>(skin.indices), storage);
+
   const std::vector<std::uint32_t> charts(skin.triangle_chart.begin(), skin.triangle_chart.end());
   mesh.charts =
       gpu::make_buffer(device, mesh.name + " charts", std::span<const std::uint32_t>(charts), storage);
   const std::vector<std::uint32_t> turned = scene::turned_neighbours(skin);
   mesh.turned_neighbours = gpu::make_buffer(device, mesh.name + " turned neighbours",
                                             std::span<const std::uint32_t>(turned), storage);
+
+  // Adds a draw for each run of triangles of one material, on the map or off it.
   for (std::uint32_t t = 0; t < skin.triangle_material.size(); ++t) {
     const int material = skin.triangle_material[t];
     const bool on_map = skin.triangle_chart[t] != scene::no_chart;
@@ -168,6 +178,7 @@ GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std
       mesh.draws.push_back({.first_index = 3 * t, .index_count = 0, .material = material, .on_map = on_map});
     mesh.draws.back().index_count += 3;
   }
+
   return mesh;
 }
 
@@ -215,6 +226,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
   gpu::Device& device = library.device();
   white_ = single_texel(device, "white", {255, 255, 255, 255});
   flat_normal_ = single_texel(device, "flat normal", {128, 128, 255, 255});
+
   for (const scene::Material& m : scene.materials) {
     GpuMaterial material;
     material.name = m.name;
@@ -229,6 +241,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
                           library.sampler({.filter = gpu::Filter::nearest,
                                            .u = address(m.base_colour_map.wrap_u),
                                            .v = address(m.base_colour_map.wrap_v)})};
+
     auto maps = maps_of(m);
     const gpu::Texture* fine = nullptr;
     if (const auto normals = scene::fine_normals(scene, materials.size(), skin_meshes)) {
@@ -236,10 +249,12 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
       maps[MAP_NORMAL].scale = 1;
       fine = &upload_map(library, m.name + " fine normals", *normals, generated, false);
     }
+
     const io::MaterialIo constants = material_io(m, maps, settings.mix);
     material.mixed = constants.mix_before > 0;
     material.constants = gpu::make_buffer(device, "material " + m.name, std::span(&constants, 1),
                                           VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+
     for (int i = 0; i < MAP_COUNT; ++i) {
       const scene::MapRef& map = maps[static_cast<std::size_t>(i)];
       const bool srgb = i == MAP_BASE_COLOUR || i == MAP_EMISSIVE || i == MAP_SPECULAR_COLOUR;
@@ -249,6 +264,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
                            .u = address(map.wrap_u),
                            .v = address(map.wrap_v),
                            .max_anisotropy = map.nearest || device.limits().software ? 1.0f : 8.0f});
+
       const bool is_fine = i == MAP_NORMAL && fine;
       material.maps[static_cast<std::size_t>(i)] = {is_fine ? fine
                                                     : map.present()
@@ -256,8 +272,10 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
                                                         : &none,
                                                     sampler};
     }
+
     materials.push_back(std::move(material));
   }
+
   directional_albedo = upload_directional_albedo(device);
   for (std::size_t i = 0; i < skin_meshes.size(); ++i) skin.push_back(upload_skin(device, skin_meshes[i], i));
   surfaces = upload_surfaces(device, scene);

@@ -28,6 +28,7 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
     out.falloff_per_m2[i] =
         static_cast<float>(mm_per_unit * mm_per_unit / (2 * profile.terms[i].variance_mm2));
   }
+
   std::vector<std::size_t> first = transmission_groups(terms);
   first.push_back(terms);
   for (int c = 0; c < 3; ++c) {
@@ -35,20 +36,25 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
     const auto share = [&](std::size_t g, std::size_t i) -> float& {
       return out.share[g * TRANSMISSION_TERMS + i][c];
     };
+
     // the mean of the last group that had weight, as shares of the T_i
     std::vector<double> before(terms, 0.0);
     for (std::size_t g = 0; g + 1 < first.size(); ++g) {
       double sum = 0;
-      for (std::size_t i = first[g]; i < first[g + 1]; ++i)
-        sum += weight(i), out.group[i] = static_cast<std::uint32_t>(g);
+      for (std::size_t i = first[g]; i < first[g + 1]; ++i) {
+        sum += weight(i);
+        out.group[i] = static_cast<std::uint32_t>(g);
+      }
       out.group_weight[g][c] = static_cast<float>(sum);
       if (!(sum > 0)) continue;
+
       std::vector<double> mean(terms, 0.0);
       for (std::size_t i = first[g]; i < first[g + 1]; ++i) mean[i] = weight(i) / sum;
       for (std::size_t i = 0; i < terms; ++i) share(g, i) = static_cast<float>(mean[i] - before[i]);
       before = mean;
     }
   }
+
   return out;
 }
 

@@ -61,15 +61,18 @@ BurleyDescription parse_burley(const std::string& text, const std::string& where
   const auto values = optics::parse_key_values(text, {"reflectance", "mfp_mm", "dmfp_mm", "shape_mm"}, where);
   if (!values.contains("reflectance")) throw input_error(where, "'reflectance' is missing");
   if (values.size() != 2) throw input_error(where, "give exactly one length: mfp_mm, dmfp_mm or shape_mm");
+
   const char* key = values.contains("mfp_mm")    ? "mfp_mm"
                     : values.contains("dmfp_mm") ? "dmfp_mm"
                                                  : "shape_mm";
   BurleyDescription out{.total_reflectance = values.at("reflectance"), .shape_mm = {}};
+
   for (int c = 0; c < 3; ++c) {
     const double a = out.total_reflectance[c];
     if (!(a > 0 && a <= 1)) throw input_error(where, "reflectance must be above 0 and at most 1, got {}", a);
     const double length_mm = values.at(key)[c];
     if (!(length_mm > 0)) throw input_error(where, "{} must be above 0, got {}", key, length_mm);
+
     if (values.contains("mfp_mm"))
       out.shape_mm[c] = Burley::shape_mm(a, optics::MeanFreePath(length_mm));
     else if (values.contains("dmfp_mm"))
@@ -78,6 +81,7 @@ BurleyDescription parse_burley(const std::string& text, const std::string& where
       out.shape_mm[c] = length_mm;
     Burley(a, out.shape_mm[c], where);  // checks the length
   }
+
   return out;
 }
 

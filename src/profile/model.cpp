@@ -68,8 +68,11 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
   if (model == Model::dipole || model == Model::better || model == Model::beam)
     throw input_error("--model", "'{}' knows no layers; layers take multipole, monte-carlo or auto",
                       model_name(model));
+
   ModelledProfiles out;
   out.model = model;
+
+  // Looks for the lowest reduced albedo and the thinnest layer, and where they are.
   double lowest = 2, thinnest = 1e300;
   std::string place, thin_place;
   for (int c = 0; c < 3; ++c) {
@@ -86,6 +89,7 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
       place = fmt::format("layer {}, {}", i, channel_name[c]);
     }
   }
+
   if (model == Model::automatic) {
     const bool thin = thinnest < diffusion_thickness;
     out.model = lowest >= diffusion_albedo && !thin ? Model::multipole : Model::monte_carlo;
@@ -99,6 +103,7 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
           "model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds",
           lowest, place, lowest >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
+
   for (int c = 0; c < 3; ++c) {
     const optics::Layers one = optics::channel(layers, c);
     if (out.model == Model::monte_carlo)
@@ -106,6 +111,7 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
     else
       out.profiles[c] = std::make_shared<LayeredProfile>(one, LayeredProfile::Side::reflected, where);
   }
+
   check_reflects(out, where);
   return out;
 }

@@ -69,6 +69,7 @@ MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vect
   std::vector<double> reflected(rings), transmitted(rings), reflected2(rings);
   double r = 0, r2 = 0, t = 0, t2 = 0;
   result.absorbed.assign(tallies[0].absorbed.size(), 0.0);
+
   for (const PhotonTally& tally : tallies) {
     for (std::size_t i = 0; i < rings; ++i) {
       reflected[i] += tally.reflected[i] / photons;
@@ -77,25 +78,34 @@ MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vect
     }
     for (std::size_t i = 0; i < result.absorbed.size(); ++i)
       result.absorbed[i] += tally.absorbed[i] / photons;
-    r += tally.reflected_sum, r2 += tally.reflected_sum2, t += tally.transmitted_sum,
-        t2 += tally.transmitted_sum2;
+    r += tally.reflected_sum;
+    r2 += tally.reflected_sum2;
+    t += tally.transmitted_sum;
+    t2 += tally.transmitted_sum2;
     result.ballistic += tally.ballistic / photons;
     result.cut += tally.cut / photons;
   }
+
   const double n = static_cast<double>(tallies.size());
   for (std::size_t i = 0; i < rings; ++i) {  // from the spread of the batches
     const double mean = reflected[i] * photons / n;
     result.reflected_error.push_back(std::sqrt(std::max(0.0, reflected2[i] - n * mean * mean) / (n - 1) * n) /
                                      photons);
   }
+
+  // Adds the light scattered once, where it is known exactly and was not counted.
   for (std::size_t i = 0; i < rings; ++i) {
     reflected[i] += exact[i];
     result.reflected_total += exact[i];
   }
-  result.reflected_total += r / photons, result.reflected_total_error = standard_error(r, r2, photons);
-  result.transmitted_total = t / photons, result.transmitted_total_error = standard_error(t, t2, photons);
+
+  result.reflected_total += r / photons;
+  result.reflected_total_error = standard_error(r, r2, photons);
+  result.transmitted_total = t / photons;
+  result.transmitted_total_error = standard_error(t, t2, photons);
   result.reflected = Annuli(edges, std::move(reflected));
   result.transmitted = Annuli(edges, std::move(transmitted));
+
   return result;
 }
 
@@ -104,6 +114,7 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
   const std::vector<double> edges = edges_of(scene);
   PhotonTally empty(edges, layers.size());
   empty.leave_single_out = single_is_exact(layers, scene.light);
+
   std::vector<PhotonTally> tallies(batches, empty);
   std::mutex mutex;
   std::size_t finished = 0;
@@ -114,10 +125,12 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
     for (std::uint64_t photon = begin; photon < end; ++photon)
       trace_photon(layers, scene.light, PhotonRandom(options.seed, photon), tally);
     tallies[batch] = std::move(tally);
+
     if (!options.progress) return;
     const std::lock_guard lock(mutex);
     options.progress(static_cast<double>(++finished) / batches);
   });
+
   const auto exact =
       empty.leave_single_out ? single_rings(layers, edges) : std::vector<double>(edges.size() - 1, 0.0);
   return gather(tallies, edges, static_cast<double>(options.photons), exact);

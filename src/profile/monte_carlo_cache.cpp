@@ -73,18 +73,25 @@ std::optional<MonteCarloResult> read(const std::string& key, const std::string& 
   std::string line;
   std::vector<double> totals, edges, reflected, transmitted;
   MonteCarloResult r;
+
   if (!std::getline(in, line) || line != key) return std::nullopt;
   if (!get(in, totals, 6) || !get(in, r.absorbed, 0) || !get(in, edges, 0) || edges.size() < 3)
     return std::nullopt;
+
   const std::size_t rings = edges.size() - 1;
   if (!get(in, reflected, rings) || !get(in, r.reflected_error, rings) || !get(in, transmitted, rings))
     return std::nullopt;
+
   // Rings from the middle outwards, and parts of the light that entered.
   if (edges.front() != 0 || edges.back() > largest_mm) return std::nullopt;
   for (std::size_t i = 0; i < rings; ++i)
     if (!(edges[i] < edges[i + 1]) || !is_part(reflected[i]) || !is_part(transmitted[i])) return std::nullopt;
-  r.reflected_total = totals[0], r.reflected_total_error = totals[1];
-  r.transmitted_total = totals[2], r.transmitted_total_error = totals[3], r.ballistic = totals[4],
+
+  r.reflected_total = totals[0];
+  r.reflected_total_error = totals[1];
+  r.transmitted_total = totals[2];
+  r.transmitted_total_error = totals[3];
+  r.ballistic = totals[4];
   r.cut = totals[5];
   r.reflected = Annuli(edges, std::move(reflected));
   r.transmitted = Annuli(std::move(edges), std::move(transmitted));

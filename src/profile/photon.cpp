@@ -61,6 +61,7 @@ void cross(const std::vector<PhotonLayer>& layers, Photon& photon, PhotonRandom&
   const double eta_next = outside ? 1 : layers[up ? photon.layer - 1 : photon.layer + 1].eta;
   const double n = layers[photon.layer].eta / eta_next;
   const double reflect = n == 1 ? 0 : optics::fresnel(std::abs(photon.to.z), n);
+
   if (outside) {
     const double leaving = photon.weight * (1 - reflect);
     const double radius2 = photon.at.x * photon.at.x + photon.at.y * photon.at.y;
@@ -77,11 +78,14 @@ void cross(const std::vector<PhotonLayer>& layers, Photon& photon, PhotonRandom&
     photon.turned = true;
     return;
   }
+
   if (reflect > 0 && random.next() < reflect) {
     photon.to.z = -photon.to.z;
     photon.turned = true;
     return;
   }
+
+  // Refracts by Snell's law: the part along the boundary is scaled by n.
   const double sine_scale = n, z2 = 1 - n * n * (1 - photon.to.z * photon.to.z);
   photon.to = {photon.to.x * sine_scale, photon.to.y * sine_scale,
                (up ? -1 : 1) * std::sqrt(std::max(0.0, z2))};
@@ -117,6 +121,7 @@ void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light li
     const double moved = std::min(step, std::max(wall, 0.0));
     photon.at = {photon.at.x + moved * photon.to.x, photon.at.y + moved * photon.to.y,
                  photon.at.z + moved * photon.to.z};
+
     if (step >= wall) {
       // exactly: rounding must not leave it outside
       photon.at.z = photon.to.z > 0 ? layer.bottom_mm : layer.top_mm;
@@ -124,6 +129,7 @@ void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light li
       cross(layers, photon, random, tally);
       continue;
     }
+
     tally.absorbed[photon.layer] += photon.weight * (1 - layer.albedo);
     photon.weight *= layer.albedo;
     if (++photon.scatterings >= max_scatterings) {
@@ -131,14 +137,17 @@ void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light li
       tally.cut += photon.weight;
       break;
     }
+
     if (photon.weight < roulette_below)
       photon.weight = random.next() < roulette_survivors ? photon.weight / roulette_survivors : 0;
     photon.to = scatter(photon.to, layer.g, random);
     depth_left = -std::log(random.next());
   }
-  tally.reflected_sum += photon.reflected, tally.reflected_sum2 += photon.reflected * photon.reflected;
-  tally.transmitted_sum += photon.transmitted,
-      tally.transmitted_sum2 += photon.transmitted * photon.transmitted;
+
+  tally.reflected_sum += photon.reflected;
+  tally.reflected_sum2 += photon.reflected * photon.reflected;
+  tally.transmitted_sum += photon.transmitted;
+  tally.transmitted_sum2 += photon.transmitted * photon.transmitted;
 }
 
 }  // namespace dermis::profile

@@ -22,10 +22,12 @@ void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, 
   static const std::vector<optics::Node> rule = optics::gauss_legendre(6, 0, 1);
   const double critical = layer.eta > 1 ? std::sqrt(1 - 1 / (layer.eta * layer.eta)) : 0;
   double high = 1;
+
   for (std::size_t i = 0; i < rings.size(); ++i) {
     const double low = std::max(t / std::hypot(t, edges_mm[i + 1]), critical);
     if (low >= high) break;  // past the escape cone
     const auto leaves = [&](double mu) { return std::exp(-tau / mu) * (1 - optics::fresnel(mu, layer.eta)); };
+
     double sum = 0;
     if (i == 0 && layer.g < -0.5) {
       // All of a backward lobe may lie here: in s = turn^{-1/2} it is flat, p_HG dmu = (1 - g^2) / (4 pi |g|)
@@ -45,6 +47,7 @@ void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, 
         sum += node.weight * (high - low) * 2 * node.x * phase * leaves(mu);
       }
     }
+
     rings[i] += weight * 2 * pi * sum;
     high = low;
   }

@@ -111,14 +111,17 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
   if (model == Model::dipole || model == Model::better || model == Model::beam)
     throw input_error("--model", "'{}' knows no layers; spectral skin takes multipole, monte-carlo or auto",
                       model_name(model));
+
   ModelledProfiles out;
   out.model = model;
   if (model == Model::automatic) std::tie(out.model, out.reason) = choose(skin);
+
   MonteCarloOptions each = options;
   each.photons = std::max<std::uint64_t>(options.photons / 16, 1000);
   const auto weights = sample_weights();
   const optics::Rgb exact = optics::skin_reflectance(skin);
   std::array<std::vector<WeightedProfile::Part>, 3> parts;
+
   for (std::size_t i = 0; i < samples; ++i) {
     const optics::Layers layers = optics::skin_layers(skin, sample_nm(i));
     ProfilePtr one;
@@ -130,6 +133,7 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
     }
     for (int c = 0; c < 3; ++c) parts[c].push_back({weights[i][c], one});
   }
+
   const std::string name =
       out.model == Model::monte_carlo ? "Monte-Carlo, 31 wavelengths" : "multipole, 31 wavelengths";
   constexpr const char* channel[] = {"red", "green", "blue"};

@@ -91,11 +91,13 @@ std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& wh
   std::array<std::vector<double>, 3> values;
   bool header = false;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // spreadsheets begin UTF-8 so
+
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t newline = text.find('\n');
     const std::string_view line = trim(text.substr(0, newline));
     text.remove_prefix(newline == std::string_view::npos ? text.size() : newline + 1);
     if (line.empty() || line.front() == '#') continue;
+
     const std::string place = fmt::format("{}: line {}", where, number);
     if (!header) {
       if (line.find('\r') != std::string_view::npos)
@@ -105,6 +107,7 @@ std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& wh
       header = true;
       continue;
     }
+
     const auto row = parse_row(line, place);
     if (!radii.empty() && !(row[0] > radii.back()))
       throw input_error(place, "radii must rise: {} mm after {} mm", row[0], radii.back());
@@ -112,6 +115,7 @@ std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& wh
     radii.push_back(row[0]);
     for (int c = 0; c < 3; ++c) values[c].push_back(row[c + 1]);
   }
+
   if (!header) throw input_error(where, "empty; expected the header r_mm,R,G,B and rows below it");
   std::array<ProfilePtr, 3> profiles;
   for (int c = 0; c < 3; ++c)

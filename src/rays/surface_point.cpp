@@ -55,6 +55,7 @@ SurfacePoint surface_point(const scene::Scene& scene, const Hit& hit) {
   const auto mix2 = [&](const glm::vec2& x, const glm::vec2& y, const glm::vec2& z) {
     return w * glm::dvec2(x) + hit.u * glm::dvec2(y) + hit.v * glm::dvec2(z);
   };
+
   SurfacePoint s;
   s.material = static_cast<std::size_t>(scene.primitives[hit.primitive].material);
   const glm::dvec3 pa(a->position_m), pb(b->position_m), pc(c->position_m);
@@ -65,6 +66,7 @@ SurfacePoint surface_point(const scene::Scene& scene, const Hit& hit) {
   s.tangent = w * glm::dvec4(a->tangent) + hit.u * glm::dvec4(b->tangent) + hit.v * glm::dvec4(c->tangent);
   s.uv = {mix2(a->uv0, b->uv0, c->uv0), mix2(a->uv1, b->uv1, c->uv1)};
   s.colour = w * glm::dvec4(a->colour) + hit.u * glm::dvec4(b->colour) + hit.v * glm::dvec4(c->colour);
+
   // [H21] A flat triangle with rounded normals shadows itself near the terminator; rays start from the
   // rounded surface instead.
   const auto lift = [&](const scene::Vertex& v, const glm::dvec3& at) {

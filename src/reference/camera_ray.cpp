@@ -12,6 +12,7 @@ rays::Ray camera_ray(const View& view, double px, double py) {
   const glm::dmat4 world_from_camera(camera.world_from_camera);
   const glm::dmat3 turn(world_from_camera);
   const glm::dvec3 eye(world_from_camera[3]);
+
   rays::Ray ray;
   if (camera.orthographic) {
     ray.origin_m = eye + turn * glm::dvec3(x * camera.ymag_m, y * camera.ymag_m, 0);
@@ -19,10 +20,12 @@ rays::Ray camera_ray(const View& view, double px, double py) {
     ray.t_min_m = camera.znear_m;
     return ray;
   }
+
   const double tan_half_y = std::tan(camera.fov_y_rad / 2.0);
   const glm::dvec3 d(x * tan_half_y, y * tan_half_y, -1);
   ray.origin_m = eye;
   ray.direction = glm::normalize(turn * d);
+  // Turns the near depth into a length along the ray: d is one unit deep.
   ray.t_min_m = camera.znear_m * glm::length(d);
   return ray;
 }

@@ -149,6 +149,7 @@ bool load_checkpoint(const std::filesystem::path& path, Film& film, std::uint64_
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return false;
   const std::vector<std::byte> bytes = read_file(path, std::uint64_t{1} << 40);
+
   Header header{};
   if (bytes.size() < sizeof header || std::memcmp(bytes.data(), magic, sizeof magic) != 0)
     throw input_error(path.string(), "is not a checkpoint of `dermis reference`");
@@ -157,6 +158,7 @@ bool load_checkpoint(const std::filesystem::path& path, Film& film, std::uint64_
     throw input_error(path.string(),
                       "belongs to another picture: scene, camera, lights, model, size or seed differ; "
                       "without --resume it is replaced");
+
   const std::span state = std::span(bytes).subspan(sizeof header);
   Hash check;
   check.bytes(state.data(), state.size());

@@ -46,6 +46,7 @@ double way_m(const rays::RayScene& rays, const rays::SurfacePoint& s, const glm:
       glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
   const glm::dvec3 third = glm::cross(axis, across);
   const double gap = rays::stand_off_m(s.position_m);
+
   std::array<double, count> ways{};
   for (std::size_t i = 0; i < count; ++i) {
     // A spiral by the golden angle, even in solid angle.
@@ -57,6 +58,7 @@ double way_m(const rays::RayScene& rays, const rays::SurfacePoint& s, const glm:
         rays.nearest_skin({.origin_m = s.position_m + gap * axis, .direction = direction, .t_min_m = gap});
     ways[i] = hit ? hit->t_m : std::numeric_limits<double>::infinity();
   }
+
   const auto nth = ways.begin() + static_cast<std::ptrdiff_t>(part * count);
   std::nth_element(ways.begin(), nth, ways.end());
   return *nth;
@@ -68,18 +70,21 @@ std::optional<HeadFrame> HeadFrame::find(const rays::RayScene& rays) {
   const scene::Scene& scene = rays.scene();
   double top_m = -1e300;
   for_each_skin_vertex(scene, [&](const glm::dvec3& p) { top_m = std::max(top_m, p.y); });
+
   HeadFrame frame;
   frame.tip_m_.z = -1e300;
   const double lowest_m = top_m - head_height_mm / scene.mm_per_unit;
   for_each_skin_vertex(scene, [&](const glm::dvec3& p) {
     if (p.y >= lowest_m && p.z > frame.tip_m_.z) frame.tip_m_ = p;
   });
+
   // The breadth at the height of the nose and above it: there the ears stand out, and shoulders are far
   // below.
   for_each_skin_vertex(scene, [&](const glm::dvec3& p) {
     if (p.y >= frame.tip_m_.y && p.y <= top_m)
       frame.half_breadth_m_ = std::max(frame.half_breadth_m_, std::abs(p.x - frame.tip_m_.x));
   });
+
   if (!(frame.half_breadth_m_ > 0) || !is_nose(rays, frame.tip_m_, frame.half_breadth_m_))
     return std::nullopt;
   return frame;

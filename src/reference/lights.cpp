@@ -15,12 +15,14 @@ Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m)
     a.to_light = -direction;
     return a;
   }
+
   const glm::dvec3 d = glm::dvec3(light.position_m) - position_m;
   const double d2 = std::max(glm::dot(d, d), 1e-8);
   a.distance_m = std::sqrt(d2);
   a.to_light = d / a.distance_m;
   a.irradiance = colour / d2;
   if (light.range_m > 0) a.irradiance *= std::clamp(1 - std::pow(a.distance_m / light.range_m, 4), 0.0, 1.0);
+
   if (light.type == scene::LightType::spot) {
     const double outer = std::cos(light.outer_cone_rad), inner = std::cos(light.inner_cone_rad);
     const double c =

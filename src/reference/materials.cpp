@@ -8,6 +8,7 @@
 namespace dermis::reference {
 
 std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::optional<double> mix) {
+  // Reads an image once for each colour space; materials share the pixels.
   std::map<std::pair<int, bool>, std::shared_ptr<const MapPixels>> loaded;
   const auto slot = [&](const scene::MapRef& map, bool srgb) {
     MapSlot made{.map = map, .pixels = nullptr};
@@ -19,6 +20,7 @@ std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::o
     made.pixels = pixels;
     return made;
   };
+
   const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
   std::vector<ShadingMaterial> materials;
   for (const scene::Material& m : scene.materials) {
@@ -31,6 +33,7 @@ std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::o
     made.specular_colour = slot(m.specular_colour_map, true);
     made.specular = slot(m.skin ? m.skin_settings.specular : m.specular_map, false);
     made.roughness = slot(m.metallic_roughness_map, false);
+
     if (m.skin) {
       // glTF's metallic-roughness map serves where the skin names no map of its own: roughness in G, times
       // the factor.
@@ -38,6 +41,7 @@ std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::o
       made.roughness.map.scale = m.roughness;
       if (m.skin_settings.roughness.present()) made.roughness = slot(m.skin_settings.roughness, false);
     }
+
     if (auto normals = scene::fine_normals(scene, materials.size(), skin)) {
       made.normal = {.map = m.skin_settings.displacement,
                      .pixels = std::make_shared<const MapPixels>(std::move(*normals), false)};

@@ -217,10 +217,12 @@ std::vector<Region> regions(const rays::RayScene& rays, const View& view) {
       shadow_edges = terminator;
   for (const scene::Light& light : view.lights)
     if (light.colour != glm::vec3(0)) find.add_light(light, terminator, shadow_edges);
+
   std::vector<Region> all;
   const auto add = [&](const char* name, Mask mask) {
     all.push_back({.name = name, .mask = std::move(mask)});
   };
+
   add("skin", find.skin());
   add("ears", find.ears());
   add("nose", find.nose());
@@ -229,11 +231,13 @@ std::vector<Region> regions(const rays::RayScene& rays, const View& view) {
   add("thin parts", find.thin_parts());
   add("folds", find.folds());
   add("seams", find.seams());
+
   Mask rest = all.front().mask;
   for (std::size_t i = 0; i < rest.size(); ++i)
     for (std::size_t k = 1; k < all.size(); ++k)
       if (all[k].mask[i]) rest[i] = 0;
   add("the rest", std::move(rest));
+
   for (Region& region : all)
     region.pixels = static_cast<std::size_t>(
         std::count_if(region.mask.begin(), region.mask.end(), [](std::uint8_t m) { return m != 0; }));

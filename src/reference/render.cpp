@@ -38,14 +38,17 @@ bool render(const Tracer& tracer, Film& film, const Limits& limits,
   std::optional<Control> control;
   if (limits.threads > 0)
     control.emplace(Control::max_allowed_parallelism, static_cast<std::size_t>(limits.threads));
+
   oneapi::tbb::task_arena arena(limits.threads > 0 ? limits.threads : oneapi::tbb::task_arena::automatic);
   std::vector<Tracer::Sample> pass(static_cast<std::size_t>(tracer.width()) *
                                    static_cast<std::size_t>(tracer.height()));
+
   const auto enough = [&] {
     if (film.samples() >= limits.samples) return true;
     return limits.noise_percent && film.samples() >= least_samples &&
            film.noise_percent() <= *limits.noise_percent;
   };
+
   while (!enough()) {
     arena.execute([&] { trace_pass(tracer, film.samples(), limits, pass); });
     if (stopped(limits)) return false;

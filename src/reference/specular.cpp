@@ -68,6 +68,7 @@ ReflectanceTable::ReflectanceTable() : table_(optics::directional_albedo_table()
 double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
   const auto c0 = static_cast<std::size_t>(column);
   const double cx = column - static_cast<double>(c0);
+
   double sum = 0;
   for (std::size_t lobe = 0; lobe < 2; ++lobe) {
     if (s.weight[lobe] == 0) continue;
@@ -77,6 +78,8 @@ double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
     const auto r0 = static_cast<std::size_t>(row);
     const double ry = row - static_cast<double>(r0);
     const std::size_t r1 = std::min<std::size_t>(r0 + 1, directional_albedo_rows - 1);
+
+    // Each entry holds a factor of F0 and what is added to it.
     const auto rho = [&](std::size_t r, std::size_t c) {
       const std::size_t i = 2 * (r * (directional_albedo_columns + 2) + c);
       return s.f0 * table_[i] + table_[i + 1];
@@ -86,6 +89,7 @@ double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
     };
     sum += s.weight[lobe] * ((1 - ry) * along(r0) + ry * along(r1));
   }
+
   return std::min(s.rho_s * sum, 0.9);
 }
 

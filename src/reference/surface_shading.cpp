@@ -27,14 +27,19 @@ Look look_at(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::d
   double metallic = source.metallic, roughness = source.roughness;
   if (m.roughness.present()) {
     const glm::dvec4 t = m.roughness.read(s.uv);
-    roughness *= t.g, metallic *= t.b;
+    roughness *= t.g;
+    metallic *= t.b;
   }
+
   double specular = source.specular;
   if (m.specular.present()) specular *= m.specular.read(s.uv).a;
   glm::dvec3 tint(source.specular_colour);
   if (m.specular_colour.present()) tint *= glm::dvec3(m.specular_colour.read(s.uv));
+
+  // Yields what a dielectric reflects head-on; tint and strength as in KHR_materials_specular.
   const double r = (source.ior - 1.0) / (source.ior + 1.0);
   const glm::dvec3 dielectric = glm::min(r * r * tint, glm::dvec3(1)) * specular;
+
   Look look{};
   look.f0 = glm::mix(dielectric, base, metallic);
   look.f90 = glm::mix(specular, 1.0, metallic);
@@ -108,6 +113,7 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
   if (view_.white_albedo) base = glm::dvec4(1, 1, 1, base.a);
   if (source.alpha_mode == scene::AlphaMode::mask && base.a < source.alpha_cutoff)
     return {.radiance = glm::dvec3(0), .alpha = 0};
+
   Surface out;
   if (source.alpha_mode == scene::AlphaMode::blend) out.alpha = std::clamp(base.a, 0.0, 1.0);
   const glm::dvec3 albedo(base);
@@ -115,6 +121,7 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
     out.radiance = albedo;
     return out;
   }
+
   rays::SurfacePoint seen = s;
   seen.normal *= normal_side;
   const Look look = look_at(m, s, albedo);
@@ -124,6 +131,7 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
     if (glm::dot(n, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(seen, a)) continue;
     out.radiance += a.irradiance * brdf_times_cosine(look, view_.specular, n, to_eye, a.to_light);
   }
+
   if (view_.surroundings) {
     const auto arriving = [&](const glm::dvec3& d) { return arriving_from(seen, d, random, 0); };
     out.radiance += occlusion(m, s) *
@@ -133,6 +141,7 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
         view_.specular ? mirrored_uniform(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
     out.radiance += view_.ambient * occlusion(m, s) * (look.albedo * (1 - largest(mirrored)) + mirrored);
   }
+
   out.radiance += emitted(s);
   return out;
 }

@@ -65,11 +65,13 @@ Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<rays::Hi
   rays::Ray ray = camera_ray(job_.view, px, py);
   const glm::dvec3 to_eye = -ray.direction;
   const scene::Scene& scene = rays_.scene();
+
   Sample out;
   double through = 1;
   while (through > 1e-6) {
     const std::optional<rays::Hit> hit = rays_.nearest(ray);
     if (!hit) break;
+
     rays::SurfacePoint s = rays::surface_point(scene, *hit);
     const double side = glm::dot(s.face_normal, to_eye) >= 0 ? 1 : -1;
     const ShadingMaterial& material = shading_.material(s.material);
@@ -83,8 +85,11 @@ Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<rays::Hi
       out.radiance += through * surface.alpha * surface.radiance;
       through *= 1 - surface.alpha;
     }
+
+    // Goes on behind this surface, from the next larger float.
     ray.t_min_m = std::nextafter(static_cast<float>(hit->t_m), 1e30f);
   }
+
   out.radiance *= job_.view.radiance_scale;
   return out;
 }

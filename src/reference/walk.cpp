@@ -71,10 +71,12 @@ glm::dvec3 refracted(const glm::dvec3& d, const glm::dvec3& n, double n_ratio) {
 WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m,
              const glm::dvec3& direction, Random& random) {
   WalkEnd end;
+  // Draws all free paths by one channel; weight() divides by the mean density of all three.
   const int hero = std::min(2, static_cast<int>(3 * random.next()));
   const double sigma_hero = medium.sigma_t[hero];
   Carried carried;
   glm::dvec3 at = start_m, to = direction;
+
   for (int event = 0; event < max_events; ++event) {
     const double free_path = -std::log(random.next()) / sigma_hero;
     const std::optional<rays::Hit> hit =
@@ -86,6 +88,7 @@ WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dv
       carried.scatter(medium, sigma_hero);
       to = scattered(to, medium.g, random);
       ++end.scatterings;
+
       const glm::dvec3 weight = carried.weight();
       const double most = std::max({weight.x, weight.y, weight.z});
       if (most < roulette_below) {
@@ -94,11 +97,13 @@ WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dv
       }
       continue;
     }
+
     const rays::SurfacePoint s = rays::surface_point(rays.scene(), *hit);
     const double cosine = glm::dot(s.face_normal, to);
     if (cosine <= 0) break;  // the front of a face: it is outside
     carried.move(medium, hit->t_m, sigma_hero);
     const double gap = rays::stand_off_m(s.position_m);
+
     if (random.next() >= optics::fresnel(std::min(cosine, 1.0), medium.eta)) {
       end.how = WalkEnd::How::left;
       end.weight = carried.weight();
@@ -109,6 +114,7 @@ WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dv
     to = glm::normalize(to - 2 * cosine * s.face_normal);
     at = s.position_m - gap * s.face_normal;
   }
+
   end.how = WalkEnd::How::lost;
   return end;
 }

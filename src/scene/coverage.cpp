@@ -36,11 +36,13 @@ TexelSpan TexelTriangle::row(int y) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t n = (k + 1) % 3;
     const std::int64_t dx = x_[n] - x_[k], dy = y_[n] - y_[k];
+
     // Edge function at the centre of column c: at_zero + c * step, positive inside. y runs down and the
     // winding is clockwise to the eye: a left edge goes up, a top edge to the right; only those keep centres
     // that lie on them.
     const std::int64_t at_zero = dx * (centre_y - y_[k]) - dy * (sub / 2 - x_[k]), step = -dy * sub;
     const std::int64_t least = dy < 0 || (dy == 0 && dx > 0) ? 0 : 1;
+
     if (step > 0) {
       begin = std::max(begin, -floor_div(at_zero - least, step));
     } else if (step < 0) {
@@ -49,6 +51,7 @@ TexelSpan TexelTriangle::row(int y) const {
       end = begin;
     }
   }
+
   // A row whose centres lie above a level edge has ended where it began, which may be past the map: the
   // slanted edges were followed beyond their ends.
   begin = std::min<std::int64_t>(begin, side_);

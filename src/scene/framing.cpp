@@ -153,6 +153,7 @@ std::vector<Light> light_rig(const BoundingSphere& sphere, std::span<const Lamp>
   require_sphere(sphere);
   const double radius = sphere.radius_m, distance = rig_distance_radii * radius;
   const glm::dvec3 centre(sphere.centre_m);
+
   std::vector<Light> lights;
   for (const Lamp& lamp : lamps) {
     const glm::dvec3 towards = head_direction(lamp.azimuth_deg, lamp.elevation_deg);
@@ -160,12 +161,14 @@ std::vector<Light> light_rig(const BoundingSphere& sphere, std::span<const Lamp>
     double cone = cone_around(position, -towards, centre, radius);
     for (const glm::vec3& offset : head_offsets_m)
       cone = std::max(cone, cone_around(position, -towards, centre + glm::dvec3(offset), radius));
+
     Light light;
     light.name = lamp.name;
     light.type = LightType::spot;
     light.colour = glm::vec3(lamp.irradiance * distance * distance);
     light.position_m = glm::vec3(position);
     light.direction = glm::vec3(-towards);
+    // Keeps the outer cone, 2 degrees wider, below a right angle.
     light.inner_cone_rad = static_cast<float>(std::min(cone, 83 * radians_per_degree));
     light.outer_cone_rad =
         static_cast<float>(std::min(cone, 83 * radians_per_degree) + 2 * radians_per_degree);

@@ -46,19 +46,24 @@ GutterMap::GutterMap(const SkinMesh& mesh, const std::vector<BorderEdge>& border
     : borders_(borders), side_(side), reach2_(static_cast<float>(reach_texels * reach_texels)) {
   DERMIS_ASSERT_LT(0, side);
   DERMIS_ASSERT_LE(side, 16384);
+
   const std::size_t texels = index(0, side);
   chart_.assign(texels, 0);
   for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t)
     for_each_texel(triangle_uv(mesh, t), side,
                    [&](int x, int y) { chart_[index(x, y)] = mesh.triangle_chart[t]; });
+
   edge_.assign(texels, none);
   distance2_.assign(texels, 0);
   for (std::uint32_t e = 0; e < borders.size(); ++e) seed(e);
+
   for (std::size_t i = 0; i < texels; ++i) {
+    // Takes texels whose centres lie within 1/256 texel of a border as uncovered; covered ones keep no edge.
     const bool doubtful = edge_[i] != none && distance2_[i] <= 1.0f / (256 * 256);
     if (doubtful) chart_[i] = 0;
     if (chart_[i] != 0) edge_[i] = none;
   }
+
   for (const bool downwards : {true, false, true, false}) sweep(downwards);
 }
 
@@ -93,16 +98,20 @@ void GutterMap::seed(std::uint32_t edge) {
   constexpr double band = 1.5;
   const BorderEdge& b = borders_[edge];
   const glm::dvec2 end = b.start + b.vector;
+
   const auto first_texel = [](double low) { return static_cast<int>(std::ceil(low - 0.5)); };
   const int y0 = std::max(0, first_texel(std::min(b.start.y, end.y) - band));
   const int y1 = std::min(side_ - 1, static_cast<int>(std::floor(std::max(b.start.y, end.y) + band - 0.5)));
+
   for (int y = y0; y <= y1; ++y) {
     double s0 = 0, s1 = 1;  // the part of the edge near this row
     if (std::abs(b.vector.y) > 1e-9) {
       const double u = (y + 0.5 - band - b.start.y) / b.vector.y,
                    v = (y + 0.5 + band - b.start.y) / b.vector.y;
-      s0 = std::clamp(std::min(u, v), 0.0, 1.0), s1 = std::clamp(std::max(u, v), 0.0, 1.0);
+      s0 = std::clamp(std::min(u, v), 0.0, 1.0);
+      s1 = std::clamp(std::max(u, v), 0.0, 1.0);
     }
+
     const double xa = b.start.x + s0 * b.vector.x, xb = b.start.x + s1 * b.vector.x;
     const int x0 = std::max(0, first_texel(std::min(xa, xb) - band));
     const int x1 = std::min(side_ - 1, static_cast<int>(std::floor(std::max(xa, xb) + band - 0.5)));

@@ -92,9 +92,11 @@ Scene ellipsoid(const glm::dvec3& radii_m, int subdivisions, double margin) {
   DERMIS_ASSERT_LT(0, subdivisions);
   DERMIS_ASSERT_LE(0.0, margin);
   DERMIS_ASSERT_LT(margin, 1.0 / 6);
+
   const int n = subdivisions;
   const double side = 1.0 / 3 - 2 * margin;
   Primitive primitive;
+
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto base = static_cast<std::uint32_t>(primitive.vertices.size());
     const glm::dvec2 corner(static_cast<double>(s % 3) / 3 + margin, static_cast<double>(s / 3) / 2 + margin);
@@ -104,6 +106,7 @@ Scene ellipsoid(const glm::dvec3& radii_m, int subdivisions, double margin) {
         const glm::ivec3 lattice =
             outwards(sides[s]) * n + sides[s].right * (2 * i - n) - sides[s].up * (2 * j - n);
         const glm::dvec3 unit = on_sphere(lattice, n);
+
         Vertex vertex;
         vertex.position_m = glm::vec3(unit * radii_m);
         vertex.normal = glm::vec3(glm::normalize(unit / radii_m));

@@ -81,6 +81,7 @@ void split_mirrored(Primitive& primitive, const std::vector<TriangleFrame>& fram
     const int h = frames[i / 3].handedness;
     if (h != 0) used[primitive.indices[i]] |= h > 0 ? 1 : 2;
   }
+
   std::vector<std::uint32_t> copy(before, 0);
   for (std::size_t v = 0; v < before; ++v) {
     if (used[v] == 2) primitive.vertices[v].tangent.w = -1;
@@ -89,6 +90,7 @@ void split_mirrored(Primitive& primitive, const std::vector<TriangleFrame>& fram
     primitive.vertices.push_back(primitive.vertices[v]);
     primitive.vertices.back().tangent.w = -1;
   }
+
   for (std::size_t i = 0; i < primitive.indices.size(); ++i) {
     std::uint32_t& index = primitive.indices[i];
     if (index < before && used[index] == 3 && frames[i / 3].handedness < 0) index = copy[index];

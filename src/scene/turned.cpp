@@ -38,10 +38,13 @@ std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh) {
     if (mesh.triangle_chart[t] != no_chart && turned(mesh, t))
       for (std::size_t k = 0; k < 3; ++k)
         at_place[place[mesh.indices[3 * t + k]]].push_back(static_cast<std::uint32_t>(t));
+
+  // Packs: where the list of each triangle begins, then the lists.
   std::vector<std::uint32_t> packed(triangles + 1), found;
   for (std::size_t t = 0; t < triangles; ++t) {
     packed[t] = static_cast<std::uint32_t>(packed.size());
     found.clear();
+
     for (std::size_t k = 0; k < 3; ++k) {
       const std::vector<std::uint32_t>& here = at_place[place[mesh.indices[3 * t + k]]];
       if (here.size() > most_at_a_place) {
@@ -51,9 +54,11 @@ std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh) {
       for (const std::uint32_t other : here)
         if (other != t) found.push_back(other);
     }
+
     std::sort(found.begin(), found.end());
     packed.insert(packed.end(), found.begin(), std::unique(found.begin(), found.end()));
   }
+
   packed[triangles] = static_cast<std::uint32_t>(packed.size());
   return packed;
 }

@@ -94,6 +94,7 @@ std::vector<SkinMesh> skin_meshes(const Scene& scene) {
   for (const Primitive& primitive : scene.primitives) {
     if (!scene.materials.at(static_cast<std::size_t>(primitive.material)).skin || primitive.indices.empty())
       continue;
+
     const auto [entry, is_new] = mesh_of_node.try_emplace(skin_mesh_number(primitive), meshes.size());
     if (is_new) {
       meshes.emplace_back();
@@ -102,6 +103,7 @@ std::vector<SkinMesh> skin_meshes(const Scene& scene) {
     }
     append_primitive(meshes[entry->second], primitive);
   }
+
   for (SkinMesh& mesh : meshes) {
     const std::vector<bool> on_map = fit_unwrap(mesh);
     take_off_the_map(mesh, on_map);

@@ -94,12 +94,14 @@ std::vector<RawTriangle> raw_triangles(const SkinMesh& mesh) {
     RawTriangle& triangle = triangles[t];
     std::array<glm::dvec3, 3> p;
     bool finite = true;
+
     for (std::size_t k = 0; k < 3; ++k) {
       const Vertex& v = mesh.vertices[mesh.indices[3 * t + k]];
       triangle.uv[k] = v.uv0;
       p[k] = glm::dvec3(v.position_m);
       finite = finite && std::isfinite(v.uv0.x) && std::isfinite(v.uv0.y);
     }
+
     triangle.area = 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
     triangle.valid =
         finite && uv_area2(triangle.uv[0], triangle.uv[1], triangle.uv[2]) != 0 && !flattened(triangle.uv, p);

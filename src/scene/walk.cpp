@@ -83,11 +83,13 @@ std::optional<Walker::State> Walker::turn(std::uint32_t half, bool at_end, const
   const Flat& from = flat_[half / 3];
   const glm::dvec2 a = from[half % 3], b = from[next_corner(half) % 3];
   const glm::dvec2 edge = at_end ? a - b : b - a;
+
   // The triangle lies to the left of a -> b: seen from b outwards is counter-clockwise, seen from a
   // clockwise.
   double angle = std::atan2(cross2(edge, vector), glm::dot(edge, vector)) * (at_end ? 1 : -1);
   if (angle < 0) angle += 2 * glm::pi<double>();
   const std::uint32_t vertex = place(at_end ? next_corner(half) : half);
+
   for (int step = 0; step < 256; ++step) {
     const std::uint32_t other = topology_.mate[half];
     if (other == no_edge) return std::nullopt;
@@ -102,11 +104,14 @@ std::optional<Walker::State> Walker::turn(std::uint32_t half, bool at_end, const
     const double inner = std::atan2(std::abs(cross2(side, way_on)), glm::dot(side, way_on));
     // the other edge at this vertex
     const std::uint32_t side_on = at_start ? base + (corner + 2) % 3 : corner;
+
     if (angle <= inner) {
       const glm::dvec2 inwards = right_of(side) * (cross2(side, way_on) < 0 ? 1.0 : -1.0);
       const glm::dvec2 turned = glm::length(vector) * (std::cos(angle) * side + std::sin(angle) * inwards);
       return State{other / 3, flat[corner % 3], turned, 1u << other % 3 | 1u << side_on % 3};
     }
+
+    // Goes on to the next triangle around the vertex.
     angle -= inner;
     half = side_on;
   }
@@ -118,18 +123,25 @@ std::optional<SurfacePoint> Walker::straight(State state) const {
     const Flat& flat = flat_[state.triangle];
     double nearest = 1;  // of the remaining vector, where it leaves the triangle
     std::uint32_t exit = no_edge;
+
     for (std::uint32_t k = 0; k < 3; ++k) {
       if ((state.closed_edges >> k & 1u) != 0) continue;
       const glm::dvec2 outwards = right_of(flat[(k + 1) % 3] - flat[k]);
       const double speed = glm::dot(outwards, state.vector);
       if (speed <= 0) continue;
       const double share = std::max(0.0, -glm::dot(outwards, state.at - flat[k]) / speed);
-      if (share < nearest) nearest = share, exit = 3 * state.triangle + k;
+      if (share < nearest) {
+        nearest = share;
+        exit = 3 * state.triangle + k;
+      }
     }
     if (exit == no_edge) return SurfacePoint{state.triangle, barycentric(flat, state.at + state.vector)};
+
+    // Crosses the edge with what is left of the vector.
     const glm::dvec2 start = flat[exit % 3], edge = flat[next_corner(exit) % 3] - start;
     const double along = std::clamp(
         glm::dot(state.at + nearest * state.vector - start, edge) / glm::dot(edge, edge), 0.0, 1.0);
+
     const std::optional<State> next = cross(exit, along, (1 - nearest) * state.vector);
     if (!next) return std::nullopt;
     state = *next;

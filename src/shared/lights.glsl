@@ -17,15 +17,18 @@ Arriving arriving_light(LightIo light, vec3 p) {
     a.distance_m = 0.0;
     return a;
   }
+
   const vec3 d = light.position_m - p;
   const float d2 = max(dot(d, d), 1e-8);
   a.distance_m = sqrt(d2);
   a.to_light = d / a.distance_m;
   a.irradiance = light.colour / d2;
+
   if (light.range_m > 0.0) {
     const float x = a.distance_m / light.range_m;
     a.irradiance *= clamp(1.0 - x * x * x * x, 0.0, 1.0);
   }
+
   if (light.type == LIGHT_SPOT) {
     const float c = clamp(
         (dot(light.direction, -a.to_light) - light.cos_outer) / max(light.cos_inner - light.cos_outer, 1e-4),

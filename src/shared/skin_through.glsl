@@ -21,12 +21,14 @@ EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric
   EnteringAndThrough r;
   r.entering = vec3(0.0);
   for (int i = 0; i < through_terms; ++i) r.through[i] = vec3(0.0);
+
   for (uint k = nothing(); k < frame.light_count; ++k) {
     const LightIo light = lights[k];
     const Arriving a = arriving_light(light, s.position_m);
     const float cosine_here = dot(n_geometric, a.to_light);
     const LightRead read = read_light(light, a, s.position_m, n_geometric, cosine_here);
     const float tangent = light_tangent(light, a);
+
     const bool faces = cosine_here > 0.0;
     const float cosine_lit = light_cosine(dot(n, a.to_light), tangent),
                 cosine = faces ? cosine_lit : read.cosine;
@@ -37,6 +39,7 @@ EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric
       r.entering +=
           a.irradiance *
           (cosine_lit * read.lit * (1.0 - specular_albedo(directional_albedo, spec, cosine_lit)) / kept_mean);
+
     // A light that has not quite set comes half over the horizon and half through the body.
     const float set = tangent > 0.0 ? min(-cosine_here / tangent, 1.0) : 1.0;
     add_slab_factors(read, cosine_here,

@@ -73,20 +73,24 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geo
   const float texel_m = shadow_texel_m(light, a);
   const float cosine = dot(n_geometric, a.to_light), tangent = light_tangent(light, a),
               sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
+
   // Clear of the surface, which is not quite the plane of its normal.
   const vec4 clip = from_world * vec4(off_the_surface(p, n_geometric, a, texel_m, 1.5), 1.0);
   if (clip.w <= 0.0) return hard;
+
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), uv = clip.xy / clip.w * 0.5 + 0.5;
   const MapRay ray = MapRay(clip, (from_world * vec4(a.to_light, 0.0)).zw);
   const vec2 slope = depth_slope(from_world, clip, n_geometric, a.to_light) / size;  // a texel
   const float depth = clip.z / clip.w, steepness = length(slope);
   const float horizon = tangent * sine / max(steepness, 1e-15);
+
   const vec2 here = uv * size;
   const vec2 noise =
       fract(52.9829189 * fract(floor(here) * mat2(0.06711056, 0.00583715, 0.00583715, 0.07711056)));
   // Of the nearest thing that a map can hold, but no more than half of it: maps of lights inside the scene
   // begin close to those.
   const float reach = clamp(penumbra_texels(light, a, way_of(ray, 1.0)), 0.0, 0.5 * size.x);
+
   float whole = 0.0, lit = 0.0, widest = 0.0;
   for (int i = 0; i < soft_directions; ++i) {
     const float angle = 6.2831853 * (noise.x + float(i)) / float(soft_directions),
@@ -95,6 +99,7 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geo
     const float rise = dot(slope, direction);
     uint hidden = 0u;
     float r = 0.0;
+
     for (int k = 0; k < soft_steps; ++k) {
       // Steps are wider further out: what is near hides with what lies near the ray.
       const float t = (float(k) + jitter) / float(soft_steps), t_next = t + 1.0 / float(soft_steps),
@@ -112,6 +117,7 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geo
       }
       r = next;
     }
+
     // The light's rings count by their cosine.
     const float across = -horizon * rise;
     for (int g = 0; g < 4; ++g) {
@@ -120,6 +126,7 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geo
       lit += weight * float(8 - bitCount(hidden >> (8 * g) & 255u));
     }
   }
+
   // Contacts closer than the map resolves are seen by its filter; not near the horizon, where that sees the
   // surface itself.
   if (widest <= 1.5) return mix(1.0, hard, smoothstep(0.5 * tangent, tangent, cosine));

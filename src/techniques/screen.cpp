@@ -31,12 +31,14 @@ Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&p
   depth.format = VK_FORMAT_D32_SFLOAT;
   colour_ = plan.texture("colour", colour);
   depth_ = plan.texture("depth", depth);
+
   gpu::TextureDesc shadow{.width = settings.shadow_size,
                           .height = settings.shadow_size,
                           .layers = std::max(settings.shadow_layers, 1u) * settings.heads_per_batch,
                           .format = VK_FORMAT_D32_SFLOAT,
                           .array = true};
   shadow_ = plan.texture("shadow maps", shadow);
+
   if (settings.translucency && !settings.all_enters) {
     gpu::TextureDesc entering = shadow;
     entering.width = entering.height = entering_size(settings);
@@ -44,6 +46,7 @@ Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&p
     entering.format = VK_FORMAT_R8G8B8A8_UNORM;
     entering_ = plan.texture("entering maps", entering);
   }
+
   counters_ = plan.buffer("counters", {.bytes = counter_count(settings.skin.size()) * sizeof(std::uint32_t)});
   plan.add<passes::ClearCounters>("clear counters", {counters_});
 }

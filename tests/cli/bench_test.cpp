@@ -48,6 +48,7 @@ TEST_F(Bench, AnswersOtherProgramsRelyOn) {
   EXPECT_EQ(j.at("settings").at("map_size"), 64);
   EXPECT_EQ(j.at("settings").at("lights"), 2);
   EXPECT_EQ(j.at("settings").at("gaussians"), 6);
+
   ASSERT_EQ(j.at("cells").size(), 2u);
   for (const json& cell : j.at("cells")) {
     EXPECT_EQ(cell.at("distance"), 5);
@@ -62,6 +63,7 @@ TEST_F(Bench, AnswersOtherProgramsRelyOn) {
     EXPECT_GE(cell.at("texels").at("baseline").at("irradiance"),
               cell.at("texels").at("all").at("irradiance"));
     EXPECT_EQ(cell.at("texels").at("baseline").at("used_size").size(), cell.at("heads"));
+
     const json& variants = cell.at("variants");
     for (const auto& [name, variant] : variants.items()) {
       SCOPED_TRACE(name);
@@ -69,12 +71,14 @@ TEST_F(Bench, AnswersOtherProgramsRelyOn) {
       EXPECT_GE(variant.at("ms").at("median"), variant.at("ms").at("min"));
       EXPECT_FALSE(variant.at("passes").empty());
     }
+
     EXPECT_EQ(variants.at("lambert").at("technique"), "lambert");
     EXPECT_EQ(variants.at("baseline").at("optimise"), json::array());
     EXPECT_EQ(variants.at("baseline").at("skip_unseen_heads"), false);
     EXPECT_EQ(variants.at("all").at("optimise"), json({"cull", "depth", "clip"}));
     EXPECT_EQ(variants.at("all").at("skip_unseen_heads"), true);
   }
+
   EXPECT_EQ(j.at("cells")[0].at("heads"), 1);
   EXPECT_EQ(j.at("cells")[0].at("paper_speedup"), 1.10);
   EXPECT_TRUE(j.at("cells")[1].at("paper_speedup").is_null()) << "the paper has no 3 heads";
@@ -153,6 +157,7 @@ TEST_F(Bench, RefusesBeforeItMeasures) {
     SCOPED_TRACE(arguments.front() + " " + arguments.back());
     expect_refused(tiny(arguments), says);
   };
+
   refuse({"--heads", "1,2,1"}, "--heads names 1 twice");
   refuse({"--heads", "0"}, "--heads must be 1 to 1024, got 0");
   refuse({"--heads", ""}, "--heads must be 1 to 1024, got 0");
@@ -171,6 +176,7 @@ TEST_F(Bench, RefusesBeforeItMeasures) {
          "--json needs its own");
   refuse({"--fail-if-slower"}, "--fail-if-slower: is for --compare");
   expect_refused(run({"bench", (folder() / "none.glb").string()}), "none.glb");
+
   expect_not_understood(tiny({"--heads", "many"}), "--heads");
   expect_not_understood(tiny({"--heads", "1.5"}), "--heads");
   expect_not_understood(tiny({"--distances", "near"}), "--distances");

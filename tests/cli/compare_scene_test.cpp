@@ -45,6 +45,7 @@ TEST_F(CompareScene, EveryTechniqueCostAndErrorPerRegion) {
   EXPECT_EQ(j.at("reference").at("model"), "bssrdf");
   EXPECT_EQ(j.at("reference").at("samples"), 16);
   EXPECT_GT(j.at("reference").at("noise_percent"), 0);
+
   std::vector<std::string> names, empty;
   for (const json& region : j.at("regions")) {
     names.push_back(region.at("name"));
@@ -55,6 +56,7 @@ TEST_F(CompareScene, EveryTechniqueCostAndErrorPerRegion) {
   EXPECT_GE(std::count(empty.begin(), empty.end(), "ears") + std::count(empty.begin(), empty.end(), "nose"),
             2)
       << "a plane has neither";
+
   std::vector<std::string> techniques;
   for (const json& t : j.at("techniques")) {
     techniques.push_back(t.at("name"));
@@ -69,6 +71,7 @@ TEST_F(CompareScene, EveryTechniqueCostAndErrorPerRegion) {
     }
     EXPECT_EQ(t.at("error").at("skin").at("share"), 1);
   }
+
   EXPECT_EQ(techniques,
             (std::vector<std::string>{"texture-space", "texture-space, one Gaussian", "lambert"}));
   EXPECT_EQ(j.at("techniques")[0].at("gaussians"), 6);
@@ -81,6 +84,7 @@ TEST_F(CompareScene, AReferenceThatIsThereIsUsedAgain) {
   const Result made = run({"reference", head(), "--size", "24x24", "--samples", "16", "-o",
                            in_folder("truth.exr"), "--variance", in_folder("v.exr")});
   ASSERT_EQ(made.status, 0) << made.err;
+
   json now = found({"--techniques", "lambert"}),
        again = found({"--techniques", "lambert", "--reference", in_folder("truth.exr"), "--variance",
                       in_folder("v.exr")});
@@ -89,6 +93,7 @@ TEST_F(CompareScene, AReferenceThatIsThereIsUsedAgain) {
   EXPECT_EQ(now.at("noise"), again.at("noise"));
   EXPECT_TRUE(
       found({"--techniques", "lambert", "--reference", in_folder("truth.exr")}).at("noise").is_null());
+
   expect_refused(compare({"--size", "25x24", "--reference", in_folder("truth.exr")}), "--size says 25 x 24");
   expect_refused(compare({"--reference", in_folder("none.exr")}), "no such file");
   expect_refused(compare({"--reference", file("text.exr", "no picture")}), "text.exr");
@@ -105,6 +110,7 @@ TEST_F(CompareScene, EachOptimisationAndAPage) {
                                  "--html", in_folder("page.html"), "--json", in_folder("n.json")});
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
+
   std::vector<json> optimised;
   const json numbers = json::parse(read_text(folder() / "n.json"));
   for (const json& t : numbers.at("techniques")) optimised.push_back(t.at("optimise"));
@@ -114,8 +120,10 @@ TEST_F(CompareScene, EachOptimisationAndAPage) {
                                           {"depth"},
                                           {"clip"},
                                           {"cull", "depth", "clip"}}));
+
   EXPECT_NE(result.out.find("texture-space, --optimise cull"), std::string::npos);
   EXPECT_NE(result.out.find("ears: empty"), std::string::npos);
+
   const std::string page = read_text(folder() / "page.html");
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_NE(page.find("class=\"slider\""), std::string::npos);
@@ -126,6 +134,7 @@ TEST_F(CompareScene, WhatMakesNoSense) {
     SCOPED_TRACE(arguments[0] + " " + arguments[1]);
     expect_refused(compare(arguments), says);
   };
+
   refuse({"--techniques", "oil"}, "all, texture-space, lambert");
   refuse({"--techniques", "all,lambert"}, "'all'");
   refuse({"--supersample", "0"}, "--supersample");
@@ -144,6 +153,7 @@ TEST_F(CompareScene, WhatMakesNoSense) {
   refuse({"--distance", "1000000"}, "shows no skin");
   refuse({"--light", "0,100"}, "elevation");
   refuse({"--html", "-"}, "needs a file");
+
   expect_refused(run({"compare", "--scene", in_folder("none.gltf")}), "none.gltf");
   expect_refused(compare({"--json", in_folder("head.gltf")}), "names of their own");
 }

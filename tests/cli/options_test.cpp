@@ -23,6 +23,7 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
   expect_not_understood(run({}), "subcommand");
   expect_not_understood(run({"paint"}), "subcommand");
   expect_not_understood(run({"render"}), "--output");
+
   expect_not_understood(run({"render", scene, "-o"}), "-o");
   expect_not_understood(run({"render", scene, "-o", out, "--brush"}), "--brush");
   expect_not_understood(run({"render", scene, "-o", out, "--map-size", "big"}), "--map-size");
@@ -32,6 +33,7 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
   expect_not_understood(run({"render", scene, "-o", out, "--fov", "wide"}), "--fov");
   expect_not_understood(run({"render", scene, "-o", out, "--specular", "maybe"}), "--specular");
   expect_not_understood(run({"render", scene, "-o", out, "--albedo", "black"}), "--albedo");
+
   for (const char* size :
        {"12", "12x", "x12", "12x12x12", "12 x 12", "12x12 ", "axb", "99999999999x10", "1.5x2", "0x10x10"})
     expect_not_understood(run({"render", scene, "-o", out, "--size", size}), "--size");
@@ -45,11 +47,13 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
   for (const char* light :
        {"90", "90,", ",10", "90,10,", "90,10,3,4", "90;10", "left,up", " 90,10", "90,10x", ""})
     expect_not_understood(run({"render", scene, "-o", out, "--light", light}), "--light");
+
   expect_not_understood(run({"render", scene, "another.glb", "-o", out}), "another.glb");
   expect_not_understood(run({"info", "--brush"}), "--brush");
   for (const char* exposure : {"bright", "1,5", "", "auto1"})
     expect_not_understood(run({"render", scene, "-o", out, "--exposure", exposure}),
                           "--exposure: expected EV or auto");
+
   expect_not_understood(run({"render", scene, "-o", out, "--view", "filmic"}), "--view: is now --tone-map");
   expect_not_understood(run({"bench", "--view", "filmic"}), "--view: is now --tone-map");
   expect_not_understood(run({"compare", scene, scene, "--view", "filmic"}), "--view: is now --tone-map");
@@ -101,6 +105,7 @@ TEST_F(Options, ValuesOutOfRange) {
   refuse({"--lights", "-1"}, "--lights");
   refuse({"--lights", "2000000000"}, "--lights");
   refuse({"--map-budget", "0.001"}, "--map-budget");
+
   for (const char* light : {"nan,0", "4000,0", "0,91", "0,inf", "0,0,-1", "0,0,nan", "0,0,1e30"})
     refuse({"--light", light}, "--light");
   refuse({"--lights", "2", "--light", "90,10"}, "--lights and --light");
@@ -111,6 +116,7 @@ TEST_F(Options, ValuesOutOfRange) {
          {"--d-ref", "--clip-margin", "--map-budget", "--environment-intensity", "--environment-rotation",
           "--fov", "--distance", "--ambient", "--mix", "--bloom", "--exposure", "--unit-scale"})
       refuse({option, value}, option);
+
   refuse({"--orbit", "nan,0"}, "--orbit");
   refuse({"--fov", "180"}, "--fov");
   refuse({"--unit-scale", "0"}, "--unit-scale");
@@ -138,6 +144,7 @@ TEST_F(Options, ExtremesThatAreAllowedGiveAPicture) {
                               {"--optimise", "clip", "--mask", "depth", "--distance", "0.5"},
                               {"--d-ref", "0.000001", "--heads", "3", "--map-budget", "1"}}) {
     SCOPED_TRACE(options[0] + " " + options[1]);
+
     Arguments arguments{head()};
     arguments.insert(arguments.end(), options.begin(), options.end());
     expect_rendered(render(arguments));

@@ -48,16 +48,19 @@ TEST_F(Output, TheCacheSaysWhatItHoldsAndIsCleared) {
   const Surroundings here{.variables = {"XDG_CACHE_HOME=" + (folder() / "kept").string()}};
   std::ofstream(cache / "occlusion-1.bin") << "12345";
   std::ofstream(cache / "mine.txt") << "stays";
+
   const auto kinds = [&](const Arguments& arguments) {
     const json said = json::parse(run(arguments, here).out, nullptr, false);
     EXPECT_EQ(said.at("cache").at("folder"), cache.string());
     return said.at("cache").at("kinds");
   };
+
   EXPECT_EQ(kinds({"info", "--cache", "--json"}).at("occlusion"), json({{"files", 1}, {"bytes", 5}}));
   EXPECT_NE(run({"info", "--cache"}, here).out.find("limit 1000 MB"), std::string::npos);
   EXPECT_EQ(kinds({"info", "--clear-cache", "--json"}).at("occlusion").at("files"), 1);
   EXPECT_EQ(kinds({"info", "--cache", "--json"}).at("occlusion").at("files"), 0);
   EXPECT_TRUE(fs::exists(cache / "mine.txt"));
+
   // Without a home nothing is kept, and nothing is wrong.
   const Result homeless = run({"info", "--cache"}, {.variables = {"XDG_CACHE_HOME=", "HOME="}});
   EXPECT_EQ(homeless.status, 0);

@@ -83,6 +83,7 @@ std::string Program::file(const std::string& name, const std::string& content) c
 Result Program::run(const Arguments& arguments, const Surroundings& surroundings) const {
   std::vector<std::string> all{DERMIS_PROGRAM};
   all.insert(all.end(), arguments.begin(), arguments.end());
+
   std::vector<std::string> variables = surroundings.variables;
   for (char** v = environ; *v; ++v) {
     const std::string variable = *v, name = variable.substr(0, variable.find('=') + 1);
@@ -91,11 +92,13 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
       variables.push_back(variable);
   }
   const std::vector<char*> argv = pointers(all), envp = pointers(variables);
+
   // beside the folder: what is left in the folder is what the program left
   const fs::path log = folder_.string() + ".log";
   const fs::path out = log.string() + ".out", err = log.string() + ".err";
   const pid_t child = ::fork();
   if (child == 0) become(out, err, argv.data(), envp.data(), surroundings.address_space_bytes);
+
   const double allowed_s = surroundings.kill_after_s > 0 ? surroundings.kill_after_s : limit_s;
   const auto start = std::chrono::steady_clock::now();
   const auto gone_s = [&] {
@@ -105,17 +108,22 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
   pid_t done = 0;
   bool interrupted = surroundings.interrupt_after_s <= 0;
   while ((done = ::waitpid(child, &status, WNOHANG)) == 0 && gone_s() < allowed_s) {
-    if (!interrupted && gone_s() > surroundings.interrupt_after_s) ::kill(child, SIGINT), interrupted = true;
+    if (!interrupted && gone_s() > surroundings.interrupt_after_s) {
+      ::kill(child, SIGINT);
+      interrupted = true;
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   if (done == 0) {
     ::kill(child, SIGKILL);
     ::waitpid(child, &status, 0);
   }
+
   Result result{.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
                 .out = read_text(out),
                 .err = read_text(err)};
-  fs::remove(out), fs::remove(err);
+  fs::remove(out);
+  fs::remove(err);
   return result;
 }
 

@@ -38,16 +38,20 @@ TEST_F(Reference, IsTheSameOnAnyNumberOfThreadsAndNeedsNoDevice) {
       all.insert(all.end(), more);
       return all;
     };
+
     const Result one = reference("a.exr", with({"--threads", "1", "--variance", in_folder("va.exr")}));
     EXPECT_EQ(one.status, 0) << one.err;
     const Result many = reference("b.exr", with({"--threads", "3", "--variance", in_folder("vb.exr")}));
     EXPECT_EQ(many.status, 0) << many.err;
+
     EXPECT_TRUE(read_text(folder() / "a.exr").starts_with("\x76\x2f\x31\x01"));
     EXPECT_EQ(read_text(folder() / "a.exr"), read_text(folder() / "b.exr"));
     EXPECT_EQ(read_text(folder() / "va.exr"), read_text(folder() / "vb.exr"));
+
     EXPECT_EQ(reference("c.exr", with({"--seed", "2"})).status, 0);
     EXPECT_NE(read_text(folder() / "a.exr"), read_text(folder() / "c.exr"));
   }
+
   EXPECT_FALSE(fs::exists(folder() / "a.exr.resume"));
   EXPECT_EQ(reference("a.png", {"--samples", "1"}).status, 0);
   EXPECT_TRUE(read_text(folder() / "a.png").starts_with("\x89PNG"));
@@ -84,6 +88,7 @@ TEST_F(Reference, RefusesWhatMakesNoSense) {
     expect_refused(reference("r.exr", arguments), says);
     EXPECT_FALSE(fs::exists(folder() / "r.exr"));
   };
+
   refuse({"--model", "magic"}, "bssrdf, volume");
   refuse({"--samples", "0"}, "--samples");
   refuse({"--noise", "0"}, "--noise");
@@ -102,8 +107,10 @@ TEST_F(Reference, RefusesWhatMakesNoSense) {
   refuse({"--environment", in_folder("nowhere.hdr")}, "no such environment");
   refuse({"--environment-intensity", "-1"}, "--environment-intensity");
   refuse({"--variance", in_folder("r.exr")}, "its own");
+
   expect_refused(run({"reference", head(), "-o", in_folder("a.bmp")}), ".bmp");
   expect_not_understood(reference("r.exr", {"--technique", "lambert"}), "--technique");
+
   file("r.exr.resume", "rubbish");
   expect_refused(reference("r.exr", {"--resume", "--samples", "1"}), "not a checkpoint");
 }

@@ -64,10 +64,14 @@ std::string tiny_gltf(const TinyMesh& mesh, const std::function<void(json&)>& ch
     accessors.push_back(more);
     return static_cast<int>(accessors.size()) - 1;
   };
+
+  // Finds the bounds, which glTF asks of positions.
   std::vector<float> low{1e30f, 1e30f, 1e30f}, high{-1e30f, -1e30f, -1e30f};
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    low[i % 3] = std::min(low[i % 3], mesh.positions[i]),
-            high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    low[i % 3] = std::min(low[i % 3], mesh.positions[i]);
+    high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
+  }
+
   json attributes;
   if (const int a = add(mesh.positions, 5126, "VEC3", 3, {{"min", low}, {"max", high}}); a >= 0)
     attributes["POSITION"] = a;
@@ -75,6 +79,7 @@ std::string tiny_gltf(const TinyMesh& mesh, const std::function<void(json&)>& ch
   if (const int a = add(mesh.uvs, 5126, "VEC2", 2, json::object()); a >= 0) attributes["TEXCOORD_0"] = a;
   json primitive{{"attributes", attributes}, {"material", 0}};
   if (const int a = add(mesh.indices, 5125, "SCALAR", 1, json::object()); a >= 0) primitive["indices"] = a;
+
   json root{
       {"asset", {{"version", "2.0"}}},
       {"scene", 0},
@@ -85,6 +90,7 @@ std::string tiny_gltf(const TinyMesh& mesh, const std::function<void(json&)>& ch
       {"accessors", accessors},
       {"bufferViews", views},
       {"buffers", {{{"byteLength", bytes.size()}, {"uri", data_uri("application/octet-stream", bytes)}}}}};
+
   if (change) change(root);
   return root.dump();
 }

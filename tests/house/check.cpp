@@ -135,15 +135,18 @@ std::vector<SourceFile> read_tree(const fs::path& root) {
         it.disable_recursion_pending();
       continue;
     }
+
     if (!it->is_regular_file() || name == ".git") continue;
     std::ifstream in(it->path(), std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(in), {}};
     if (text.find('\0') != std::string::npos) continue;
+
     SourceFile file{fs::relative(it->path(), root).generic_string(), {}};
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) file.lines.push_back(line);
     tree.push_back(std::move(file));
   }
+
   std::sort(tree.begin(), tree.end(),
             [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
   return tree;
@@ -162,6 +165,7 @@ std::vector<Dependencies> read_dependencies(std::string_view text, const std::se
     const std::string folder = target.substr(0, target.find('_'));
     return rooms.contains(target) || !rooms.contains(folder) ? target : folder;
   };
+
   std::vector<Dependencies> all;
   std::istringstream lines{std::string(text)};
   for (std::string line; std::getline(lines, line);) {
@@ -169,9 +173,11 @@ std::vector<Dependencies> read_dependencies(std::string_view text, const std::se
     const std::size_t colon = line.find(':');
     if (colon == std::string::npos || colon == 0)
       throw std::runtime_error("house.txt: expected 'room: rooms', got '" + line + "'");
+
     const std::string room = room_of_target(line.substr(0, colon));
     auto entry = std::find_if(all.begin(), all.end(), [&](const Dependencies& d) { return d.room == room; });
     if (entry == all.end()) entry = all.insert(entry, {room, {}});
+
     std::istringstream names(line.substr(colon + 1));
     for (std::string name; names >> name;) {
       if (const std::string other = room_of_target(name); other != room || name == room)
@@ -209,12 +215,14 @@ std::string dependency_table(const std::vector<Dependencies>& dependencies) {
 Violations check_includes(const std::vector<SourceFile>& tree, const Rules& rules) {
   std::set<std::string> paths;
   for (const SourceFile& file : tree) paths.insert(file.path);
+
   Violations violations;
   for (const std::string& room : rooms_of(tree)) {
     if (!rules.contains(room))
       violations.push_back(
           fmt::format("src/{}: no dermis_module of this name, so its includes cannot be judged", room));
   }
+
   for (const SourceFile& file : tree) {
     if (!is_code(file.path) || !(file.path.starts_with("src/") || file.path.starts_with("include/")))
       continue;
@@ -236,10 +244,12 @@ Violations check_rules(const Rules& rules) {
                     {"frame", skin_side},
                     {"scene", {"gpu", "frame"}},
                     {"reference", {"gpu", "frame", "passes", "techniques"}}};
+
   Violations violations;
   for (const auto& [room, allowed] : rules) {
     if (allowed.contains(room))
       violations.push_back(fmt::format("house.txt: '{}' depends on itself, in a circle", room));
+
     const auto rule = never.find(room);
     if (rule == never.end()) continue;
     for (const std::string& other : rule->second) {
@@ -282,10 +292,12 @@ Violations check_machine_paths(const std::vector<SourceFile>& tree) {
   // In two parts, so that this file does not break its own rule.
   const std::vector<std::string> roots{std::string("/") + "work/", std::string("/") + "tmp/",
                                        std::string("/") + "root/", std::string("/") + "home/"};
+
   const auto continues_a_path = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
            std::string_view("._-/$}>*").find(c) != std::string_view::npos;
   };
+
   Violations violations;
   for (const SourceFile& file : tree) {
     for (std::size_t i = 0; i < file.lines.size(); ++i) {

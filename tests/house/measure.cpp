@@ -33,6 +33,7 @@ void add_functions(const SourceFile& file, std::vector<Length>& lengths) {
   std::size_t begin = 0;
   bool inside = false;
   bool has_parameters = false;
+
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
     const std::string& line = file.lines[i];
     if (inside) {
@@ -44,10 +45,12 @@ void add_functions(const SourceFile& file, std::vector<Length>& lengths) {
                          static_cast<int>(i - begin + 1), static_cast<int>(blank)});
       continue;
     }
+
     if (begins_declaration(line)) {
       begin = i;
       has_parameters = false;
     }
+
     has_parameters = has_parameters || line.find('(') != std::string::npos;
     inside = line.ends_with('{') && has_parameters && !is_no_function(file.lines[begin]);
   }

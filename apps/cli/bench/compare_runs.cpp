@@ -61,12 +61,14 @@ std::size_t count(const Recorded& run) {
 RunComparison compare_runs(Recorded before, Recorded after) {
   check_same(before, after);
   RunComparison all{.before = std::move(before), .after = std::move(after), .changes = {}};
+
   for (const RecordedCell& cell : all.after.cells)
     for (const RecordedTimes& times : cell.times) {
       const RecordedTimes* old = find_times(all.before, cell.heads, cell.distance, times.variant);
       if (!old) continue;
       ++all.compared;
       all.by_chance += chance(old->rounds_ms.size(), times.rounds_ms.size());
+
       TimeChange change{.heads = cell.heads,
                         .distance = cell.distance,
                         .variant = times.variant,
@@ -79,8 +81,12 @@ RunComparison compare_runs(Recorded before, Recorded after) {
       find_pass(*old, times, change);
       all.changes.push_back(std::move(change));
     }
+
   if (all.compared == 0) throw input_error(all.after.file, "has no cell in common with {}", all.before.file);
-  all.only_before = count(all.before) - all.compared, all.only_after = count(all.after) - all.compared;
+  all.only_before = count(all.before) - all.compared;
+  all.only_after = count(all.after) - all.compared;
+
+  // Sort the slower before the faster, each from furthest beyond the spread.
   std::stable_sort(all.changes.begin(), all.changes.end(), [](const TimeChange& a, const TimeChange& b) {
     return std::pair(a.found.change == Change::faster, -a.found.beyond) <
            std::pair(b.found.change == Change::faster, -b.found.beyond);
@@ -94,6 +100,7 @@ std::string comparison_text(const RunComparison& all) {
     text += fmt::format("{}: {}, commit {}, {}\n", name, run->file, run->commit, run->device);
   if (all.before.device != all.after.device)
     text += "the devices differ: this compares devices, not programs\n";
+
   if (!all.changes.empty())
     text += fmt::format("\n{:>5} {:>8}  {:<14} {:>10} {:>10} {:>9} {:>18}  {}\n", "heads", "distance", "what",
                         "old ms", "new ms", "change", "beyond the spread", "most of it");
@@ -103,6 +110,7 @@ std::string comparison_text(const RunComparison& all) {
                         c.distance, c.variant, c.before_ms, c.after_ms, 100 * (c.found.ratio - 1),
                         100 * c.found.beyond, pass);
   }
+
   text += fmt::format("\n{} of {} times are slower, {} are faster: all new rounds beyond all old ones\n",
                       all.slower, all.compared, all.faster);
   text += fmt::format("if nothing had changed, about {:.1f} of each would come out so by chance\n",
@@ -118,8 +126,10 @@ std::string comparison_json(const RunComparison& all) {
   ordered_json json;
   for (const auto& [name, run] : {std::pair("old", &all.before), std::pair("new", &all.after)})
     json[name] = {{"file", run->file}, {"commit", run->commit}, {"device", run->device}};
+
   json["compared"] = all.compared;
   json["by_chance"] = all.by_chance;
+
   json["slower"] = json["faster"] = ordered_json::array();
   for (const TimeChange& c : all.changes)
     json[c.found.change == Change::slower ? "slower" : "faster"].push_back({{"heads", c.heads},
@@ -131,7 +141,9 @@ std::string comparison_json(const RunComparison& all) {
                                                                             {"beyond", c.found.beyond},
                                                                             {"pass", c.pass},
                                                                             {"pass_ms", c.pass_ms}});
-  json["only_old"] = all.only_before, json["only_new"] = all.only_after;
+
+  json["only_old"] = all.only_before;
+  json["only_new"] = all.only_after;
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

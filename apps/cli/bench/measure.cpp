@@ -192,10 +192,12 @@ RenderSettings settings_at(const Task& task, const Place& place) {
 
 void measure(Renderer& renderer, const Scene& scene, const Task& task, Run& run,
              const std::function<void(const Cell&)>& after_cell) {
+  // Add up the work ahead, in frames of about one head, for the progress line.
   double total = 0;
   const auto frames = static_cast<double>(variants_of(task.settings).size()) * (task.rounds + 1);
   for (const Place& place : places_of(task))
     total += work_of(place) * (frames + (task.picture_samples == 0 ? 0 : picture_work));
+
   Bench bench{renderer, scene, task, run, Progress(total)};
   for (const Place& place : places_of(task)) {
     std::optional<Cell> cell = bench.cell(place);
@@ -204,8 +206,10 @@ void measure(Renderer& renderer, const Scene& scene, const Task& task, Run& run,
     bench.progress.clear();
     after_cell(run.cells.back());
   }
+
   run.complete = run.cells.size() == places_of(task).size();
   if (run.pictures.size() > run.cells.size()) run.pictures.pop_back();  // of the cell that was not finished
+
   if (!task.keep_pictures || run.cells.empty() || bench.stopped()) return;
   const Cell& first = run.cells.front();  // fewest heads, nearest
   run.maps = map_pictures(renderer, scene, first.of(baseline_key).variant.settings,

@@ -47,6 +47,7 @@ std::string facts(const Run& run) {
                             run.timing == "submit" ? "each pass is its own submission, timed on the host"
                                                    : "time stamps of the device")},
   };
+
   if (!run.complete) rows.emplace_back("stopped", "not all cells were measured");
   return html::table(rows);
 }
@@ -55,6 +56,7 @@ std::string paper_section(const Run& run) {
   Row headings{"heads"};
   const std::vector<double> distances = distances_of(run.cells);
   for (const double distance : distances) headings.push_back(fmt::format("at {:g} radii", distance));
+
   std::vector<Row> rows;
   for (const int heads : heads_of(run.cells)) {
     Row row{std::to_string(heads)};
@@ -66,6 +68,7 @@ std::string paper_section(const Run& run) {
     }
     rows.push_back(std::move(row));
   }
+
   return "<h2>Speed-up of the three optimisations together</h2>\n<p>Over the baseline | over the baseline "
          "that skips heads outside the "
          "picture | "
@@ -106,17 +109,24 @@ std::string charts_section(const Run& run) {
     against_distance.push_back(chart<double>(
         fmt::format("{} head{}", h, h == 1 ? "" : "s"), "distance, radii", distances,
         [&](double d) { return std::pair(h, d); }, run));
+
+  // Give all charts one scale; those against distance hold the same values.
   double most = 1;
   for (const html::LineChart& c : against_heads)
     for (const html::Line& line : c.lines)
       for (const std::optional<double>& value : line.values)
         if (value && std::isfinite(*value)) most = std::max(most, *value);
   const double step = html::tick_step(most, 6), y_max = std::ceil(most / step) * step;
+
   const auto together = [&](std::vector<html::LineChart>& charts) {
     std::string text = "<div class=\"figures\">\n";
-    for (html::LineChart& c : charts) c.y_max = y_max, text += html::line_chart(c);
+    for (html::LineChart& c : charts) {
+      c.y_max = y_max;
+      text += html::line_chart(c);
+    }
     return text + "</div>\n";
   };
+
   return "<h2>Speed-up against heads and distance</h2>\n" + html::legend(against_heads.front().lines) +
          together(against_heads) + together(against_distance);
 }
@@ -188,6 +198,7 @@ std::string cells_section(const Run& run) {
   const std::vector<std::size_t> groups = groups_of(run);
   std::vector<std::string> names;
   for (const std::size_t group : groups) names.push_back(pass_groups()[group]);
+
   std::string text = "<h2>Every cell</h2>\n" + html::legend(names);
   for (std::size_t i = 0; i < run.cells.size(); ++i) {
     const Cell& cell = run.cells[i];
@@ -198,12 +209,14 @@ std::string cells_section(const Run& run) {
       text += fmt::format("; pictures {:.2f} dB, FLIP {:.4f} apart over {} pixels", cell.difference->psnr_db,
                           cell.difference->flip_mean, cell.difference->pixels);
     text += "</h3>\n";
+
     if (i < run.pictures.size()) {
       const std::string left = fmt::format("baseline-{}", i), right = fmt::format("all-{}", i);
       text += "<div hidden>" + html::picture(left, run.pictures[i].baseline, "baseline") +
               html::picture(right, run.pictures[i].optimised, "all") + "</div>\n" +
               html::slider(left, right, "baseline", "all");
     }
+
     text += "<div>" + bars(cell, groups) + "</div>\n" + texels_table(cell);
   }
   return text;

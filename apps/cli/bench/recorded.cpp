@@ -77,10 +77,12 @@ RecordedCell read_cell(const Place& place) {
 Recorded read(const std::string& path) {
   const std::vector<std::byte> bytes = read_file(path, largest_file);
   const auto* const begin = reinterpret_cast<const char*>(bytes.data());
+
   // Deep nesting would exhaust the stack of who writes it out again; a result has six levels.
   const auto shallow = [](int depth, ordered_json::parse_event_t, ordered_json&) { return depth < 64; };
   const ordered_json json = ordered_json::parse(begin, begin + bytes.size(), shallow, false);
   if (json.is_discarded()) throw input_error(path, "is no JSON");
+
   Recorded recorded{.file = path, .commit = {}, .device = {}, .scene = {}, .settings = {}, .cells = {}};
   const Place root{recorded.file, "", json};
   recorded.commit = root.at("commit").text();
@@ -89,6 +91,7 @@ Recorded read(const std::string& path) {
   const Place settings = root.at("settings");
   for (const auto& [name, value] : settings.json.items())
     recorded.settings.emplace_back(name, value.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+
   const Place cells = root.at("cells");
   std::set<std::pair<int, double>> seen;
   for (std::size_t i = 0; i < cells.list(); ++i) {

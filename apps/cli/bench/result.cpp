@@ -47,6 +47,7 @@ ordered_json variant_json(const Measured& m) {
 ordered_json cell_json(const Cell& cell) {
   ordered_json json{{"heads", cell.heads}, {"distance", cell.distance}};
   for (const Measured& m : cell.measured) json[m.variant.key + "_ms"] = m.ms();
+
   json["speedup"] = cell.speedup();
   json["speedup_over_skip"] = cell.speedup_over_skipping();
   json["speedup_margin_0"] =
@@ -54,11 +55,13 @@ ordered_json cell_json(const Cell& cell) {
   if (cell.has(progressive_key))
     json["speedup_progressive"] = cell.of(progressive_key).ms() / cell.of(optimised_progressive_key).ms();
   json["paper_speedup"] = or_null(paper_speedup(cell.heads, cell.distance));
+
   const std::optional<PictureDifference>& d = cell.difference;
   json["psnr_db"] = d ? ordered_json(d->psnr_db) : ordered_json(nullptr);
   json["flip_mean"] = d ? ordered_json(d->flip_mean) : ordered_json(nullptr);
   json["compared_pixels"] = d ? d->pixels : 0;
   json["picture_samples"] = d ? d->samples : 0;
+
   for (const Measured& m : cell.measured)
     if (m.variant.key != floor_key) json["texels"][m.variant.key] = texels_json(m.counts);
   for (const Measured& m : cell.measured) json["variants"][m.variant.key] = variant_json(m);
@@ -70,6 +73,7 @@ ordered_json settings_json(const Run& run) {
   ordered_json placed = ordered_json::array();
   for (const PlacedLight& light : s.placed_lights)
     placed.push_back({light.azimuth_deg, light.elevation_deg, light.irradiance});
+
   return {{"size", {s.width, s.height}},
           {"map_size", s.map_size},
           {"shadow_size", s.shadow_size},

@@ -46,6 +46,7 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
       {"clip", "clip", "skin outside the picture and a margin is not lit", with(common, false, false, true)},
       {optimised_key, "all", "cull, depth and clip", with(common, true, true, true)},
   };
+
   if (common.clip_margin_mm != 0.0)
     all.push_back({at_edge_key, "margin 0", "all, clipped at the edge of the picture as in the paper",
                    at_edge(common)});
@@ -56,6 +57,7 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
     all.push_back({optimised_progressive_key, "all prog", "all with progressive maps",
                    progressive(with(common, true, true, true))});
   }
+
   all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
                  unscattered(common)});
   return all;

@@ -61,8 +61,10 @@ frame::TextureId add_bloom(frame::FramePlan& plan, frame::TextureId picture, flo
   using Mode = BloomStep::Mode;
   // half-size pixels
   const float d = static_cast<float>(plan.textures()[picture.index].desc.height) / 12 / 2;
+
   const frame::TextureId half =
       plan.add<BloomStep>("bloom halve", {picture, {}, {}}, {.mode = Mode::halve}).picture;
+
   const auto blurred = [&](const char* name, float variance) {
     const float sigma = std::max(std::sqrt(variance) * d, 0.3f);
     const auto x = plan.add<BloomStep>(std::string(name) + " x", {half, {}, {}},
@@ -72,6 +74,7 @@ frame::TextureId add_bloom(frame::FramePlan& plan, frame::TextureId picture, flo
                         {.mode = Mode::along_y, .sigma = sigma})
         .picture;
   };
+
   const frame::TextureId narrow = blurred("bloom narrow", narrow_variance);
   const frame::TextureId wide = blurred("bloom wide", wide_variance);
   return plan

@@ -72,12 +72,14 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
   bindings.add("light_in", resources.sampled(in_.light, sampler_))
       .add("stretch", resources.sampled(in_.stretch, sampler_))
       .add("Kernels", kernels_);
+
   const bool tiled = settings_.mask == Mask::tiles;
   // Without tiles the list is never read, but must be bound: any buffer serves.
   bindings.add("Tiles", tiled ? resources.buffer(in_.lists.tiles) : kernels_)
       .add("TileCounts", tiled ? resources.buffer(in_.lists.counts) : kernels_);
   if (!drawn()) bindings.add("light_out", gpu::StorageImageBinding{&resources.texture(in_.target)});
   bindings.bind(cmd, *pipeline_);
+
   for (const MapSquare& square : settings_.squares) {
     if (!instance_of(frame, square).visible) continue;
     const std::uint32_t side = side_of(frame, square);
@@ -89,6 +91,7 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame:
                                     .square = square.index,
                                     .first_tile = square.index * in_.lists.room,
                                     .averaged_texels2 = averaged_texels2(frame, square)});
+
     if (drawn())
       draw(cmd, resources, used_area(frame, square));
     else if (tiled)
@@ -103,6 +106,7 @@ std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, doubl
   std::vector<BlurStep> steps;
   const double first_sigma = kernel_max_sigma / max_texels_per_mm;
   double done_mm2 = 0;
+
   for (const double variance_mm2 : variances_mm2) {
     while (true) {
       // variance after the largest step from here
@@ -115,9 +119,11 @@ std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, doubl
       steps.push_back({.variance_mm2 = limit - done_mm2, .ends_term = false});
       done_mm2 = limit;
     }
+
     steps.push_back({.variance_mm2 = variance_mm2 - done_mm2, .ends_term = true});
     done_mm2 = variance_mm2;
   }
+
   return steps;
 }
 

@@ -20,12 +20,16 @@ const int reach = 3;
 void main() {
   const uint i = tile_number(gl_WorkGroupID.xy);
   if (i >= tile_counts[io.square].listed) return;
+
   const ivec2 p = tile_corner(tiles[io.first_tile + i]) + ivec2(gl_LocalInvocationID.xy),
               origin = ivec2(io.origin);
   if (any(greaterThanEqual(uvec2(p), uvec2(io.side)))) return;
   if (imageLoad(light, origin + p).a != 0.0) return;
+
   const float chart =
       texelFetch(stretch, ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side))), 0).a;
+
+  // Sums the lit neighbours of this chart, and those of any.
   vec4 same = vec4(0.0), any_chart = vec4(0.0);
   for (int y = -reach; y <= reach; ++y)
     for (int x = -reach; x <= reach; ++x) {
@@ -38,6 +42,7 @@ void main() {
       any_chart += weight * vec4(texel.rgb, 1.0);
       if (texel.a == chart) same += weight * vec4(texel.rgb, 1.0);
     }
+
   // A chart that is not lit here may lie so close to one that is that reads of that touch it: light for
   // bilinear reads alone.
   const vec4 sum = same.w > 0.0 ? same : any_chart;

@@ -15,8 +15,10 @@ layout(binding = 2, rgba16f) uniform writeonly image2D light_out;
 void main() {
   const ivec2 p = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(p, ivec2(io.side)))) return;
+
   const float chart =
       texelFetch(stretch, ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side))), 0).a;
+
   vec3 sum = vec3(0.0), strange = vec3(0.0);
   float total = 0.0, strangers = 0.0;
   bool lit = false;
@@ -32,11 +34,13 @@ void main() {
     total += 1.0;
     lit = lit || texel.a > 0.0;
   }
+
   vec4 mean = vec4(0.0);
   if (total > 0.0)
     mean = vec4(round_to_half(sum / total), lit ? chart : -chart);
   else if (strangers >
            0.0)  // beside an open border, or of a chart thinner than this texel: for bilinear reads alone
     mean = vec4(round_to_half(strange / strangers), BORDER_ALPHA);
+
   imageStore(light_out, p + ivec2(io.origin), mean);
 }

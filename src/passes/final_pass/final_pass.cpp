@@ -112,17 +112,24 @@ void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources,
   const GpuMesh& mesh = frame.scene->skin[settings_.square.mesh];
   const frame::Instance& instance = instance_of(frame, settings_.square);
   if (!instance.visible && !settings_.clear) return;
+
   gpu::ColourTarget colour_target{.texture = &colour};
   gpu::DepthTarget depth_target{.texture = &resources.texture(in_.depth)};
-  if (settings_.clear) colour_target.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}, depth_target.clear = 0.0f;
+  if (settings_.clear) {
+    colour_target.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f};
+    depth_target.clear = 0.0f;
+  }
   cmd.begin_rendering(std::span(&colour_target, 1), depth_target,
                       {colour.desc().width, colour.desc().height});
+
   io::FinalPassIo io{.offset_m = instance.offset_m,
                      .weights = {},
                      .map_origin = settings_.square.origin,
                      .map_side = instance.map_side,
                      .slot = 0,
                      .halvings = 0};
+
+  // Sets each term's weight on the map, and in 4 bits how often its map is halved.
   bool mixed = settings_.terms.coarse;
   for (std::size_t i = 0; i < settings_.weights.size(); ++i) {
     const float shrink =
@@ -132,18 +139,21 @@ void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources,
             ? direct_share(settings_.terms.sigmas_mm[i] * settings_.texels_per_mm / shrink, shrink)
             : 0.0f;
     mixed = mixed || share > 0;
+
     const std::uint32_t side =
         halved_side(instance.map_side, settings_.terms.largest_side, settings_.halvings[i]);
     while (instance.map_side >> (io.halvings >> 4 * i & 15u) > side) io.halvings += 1u << 4 * i;
     io.weights[i] =
         (1 - share) * glm::vec3(settings_.weights[i][0], settings_.weights[i][1], settings_.weights[i][2]);
   }
+
   static constexpr std::array names{"light_0", "light_1", "light_2", "light_3",
                                     "light_4", "light_5", "light_6", "light_7"};
   for (const GpuDraw& draw : mesh.draws) {
     if (!instance.visible) break;
     const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
     const gpu::Pipeline& pipeline = pipelines_of(draw, mixed).of(material);
+
     Bindings bindings;
     mesh.offer(bindings);
     material.offer(bindings);
@@ -155,11 +165,13 @@ void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources,
       bindings.add(names[i], i < in_.lights.size()
                                  ? resources.sampled(in_.lights[i], light_sampler_)
                                  : gpu::SampledBinding{&frame.scene->white(), light_sampler_});
+
     bindings.add("Terms", terms_);
     bindings.bind(cmd, pipeline);
     cmd.push(pipeline, io);
     cmd.draw(draw.index_count, 1, draw.first_index);
   }
+
   cmd.end_rendering();
 }
 

@@ -134,11 +134,13 @@ vec3 mirrored_surroundings(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, Ski
   const float n_v = dot(n, v), all = specular_albedo(directional_albedo, spec, n_v),
               open = skin_open(s, unwrap);
   if (!environment) return frame.ambient * (all * open);
+
   const vec3 mirrored = reflect(-v, n),
              turned = off_map ? vec3(0.0) : textureLod(bent_normal, unwrap, 0.0).xyz,
              sky = normalize(n_geometric + turned);
   const float above = clamp(1.0 + 1.3 * dot(mirrored, n_geometric), 0.0,
                             1.0);  // a mapped normal may mirror what lies beneath the surface
+
   vec2 albedo = vec2(0.0);
   vec3 lobe[2];
   for (int k = 0; k < 2; ++k) {
@@ -148,6 +150,7 @@ vec3 mirrored_surroundings(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, Ski
     lobe[k] = mix(skin, surroundings_radiance(towards, slope),
                   sky_in_lobe(sky, open, towards, slope) * above * above);
   }
+
   return (lobe[0] * albedo.x + lobe[1] * albedo.y) * (all / max(albedo.x + albedo.y, 1e-6));
 }
 
@@ -159,6 +162,7 @@ void main() {
   vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   const SkinSpecular spec = skin_specular(s);
   const vec3 albedo = skin_albedo(s);
+
   vec3 diffuse = vec3(0.0);
   if (term_count > 0) diffuse = scattered() * albedo_power(albedo, 1.0 - material.mix_before);
   if (direct) {
@@ -176,14 +180,17 @@ void main() {
     diffuse += share * entering * albedo * (frame.radiance_scale / pi);
 #endif
   }
+
   // A mapped normal may face away from the eye at a silhouette; seen surfaces have a positive cosine.
   const float n_v = dot(n, v);
   if (n_v < 0.05) n = normalize(n + v * (0.05 - n_v));
+
   const vec3 surroundings = mirrored_surroundings(s, n, n_geometric, v, spec, diffuse / frame.radiance_scale);
   diffuse *= 1.0 - specular_albedo(directional_albedo, spec, dot(n, v));
   vec3 radiance =
       diffuse + (specular_radiance(s, n, n_geometric, v, spec) + surroundings) * frame.radiance_scale;
   if (emits) radiance += emitted(s) * frame.radiance_scale;
+
   if (cut_out && is_cut(in_uv, in_colour)) discard;
   out_radiance = vec4(storable(radiance), 1.0);
 }

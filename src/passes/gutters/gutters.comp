@@ -16,15 +16,19 @@ void main() {
   const GutterIo g = gutters[i];
   const ivec2 origin = ivec2(io.origin);
   const ivec2 p = ivec2(g.texel & 0xFFFFu, g.texel >> 16) + origin;
+
   if (io.mode == 1u) {
     const ivec2 own = ivec2(g.own & 0xFFFFu, g.own >> 16) + origin;
     imageStore(target, p, vec4(imageLoad(target, own).xyz, float(g.chart)));
     return;
   }
+
+  // Mixes the lit ones of the four texels around the source, as a bilinear read does.
   const vec2 at = g.source - 0.5;
   const ivec2 corner = ivec2(floor(at));
   const vec2 f = at - vec2(corner);
   const ivec2 limit = ivec2(io.side) - 1;
+
   vec3 sum = vec3(0.0);
   float total = 0.0;
   for (int k = 0; k < 4; ++k) {
@@ -35,6 +39,7 @@ void main() {
     sum += weight * texel.rgb;
     total += weight;
   }
+
   // Where the other chart is not lit, what the border pass put here stays.
   if (total > 0.0)
     imageStore(target, p, vec4(round_to_half(sum / total), g.chart != 0u ? float(g.chart) : BORDER_ALPHA));

@@ -57,21 +57,25 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources,
   };
   add_target(in_.light);
   for (const frame::TextureId joining : in_.joining) add_target(joining);
+
   const bool through = !settings_.through.empty();
   for (const MapSquare& square : settings_.squares) {
     const GpuMesh& mesh = frame.scene->skin[square.mesh];
     const frame::Instance& instance = instance_of(frame, square);
     if (!instance.visible) continue;
+
     cmd.begin_rendering_area(targets, {}, used_area(frame, square), true);
     for (const GpuDraw& draw : mesh.draws) {
       const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
       const gpu::Pipeline& pipeline = *pipelines_[material.cut_out][through ? square.mesh : 0];
+
       Bindings bindings;
       mesh.offer(bindings);
       material.offer(bindings);
       samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
       samplers_.offer_sky(bindings, frame, square.mesh);
       if (through) through_.offer(bindings, resources, in_.entering, in_.shadow, square.mesh);
+
       bindings.bind(cmd, pipeline);
       cmd.push(pipeline, cull_io(frame, instance, material));
       cmd.draw(draw.index_count, 1, draw.first_index);

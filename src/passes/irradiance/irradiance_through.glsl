@@ -25,12 +25,15 @@ void main() {
   const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   const EnteringAndThrough r = entering_and_through(s, n, n_geometric, skin_specular(s));
+
   const float chart = cut_out ? chart_left(float(in_chart), in_uv, in_colour) : float(in_chart);
   vec3 albedo = skin_albedo(s);
   if (cut_out && chart == BORDER_ALPHA) albedo = albedo_beside(in_uv, in_colour);
+
   const vec3 before = albedo_power(albedo, material.mix_before);
   const float scale = frame.radiance_scale / pi;
   const vec3 entering = r.entering + entering_surroundings(s, n, in_unwrap);
+
   if (cut_out && chart == 0.0) discard;
   out_light = vec4(storable((entering * before + joining(r, 0)) * scale), chart);
 #if GROUPS > 1

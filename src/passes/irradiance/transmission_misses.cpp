@@ -38,10 +38,12 @@ void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources
     const GpuMesh& mesh = frame.scene->skin[square.mesh];
     const frame::Instance& instance = instance_of(frame, square);
     if (!instance.visible) continue;
+
     cmd.begin_rendering_area({}, {}, used_area(frame, square), true);
     for (const GpuDraw& draw : mesh.draws) {
       const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
       const gpu::Pipeline& pipeline = *pipelines_[square.mesh];
+
       Bindings bindings;
       mesh.offer(bindings);
       material.offer(bindings);
@@ -49,6 +51,7 @@ void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources
       samplers_.offer_sky(bindings, frame, square.mesh);
       through_.offer(bindings, resources, in_.entering, in_.shadow, square.mesh);
       bindings.add("Counters", resources.buffer(in_.counters));
+
       bindings.bind(cmd, pipeline);
       cmd.push(pipeline, cull_io(frame, instance, material));
       cmd.draw(draw.index_count, 1, draw.first_index);

@@ -39,11 +39,13 @@ ShadowFit fit_shadow(const scene::Light& light, const scene::BoundingSphere& sph
   const float margin = 1 + 8.0f / static_cast<float>(map_size);
   const float radius = std::max(sphere.radius_m, 1e-6f);
   const float size = static_cast<float>(map_size);
+
   if (light.type == scene::LightType::directional) {
     const float half = radius * margin;
     const glm::vec3 eye = sphere.centre_m - light.direction * (2 * radius);
     return {{orthographic(half, 0.9f * radius, 3.1f * radius) * view(eye, light.direction)}, 2 * half / size};
   }
+
   const glm::vec3 to_centre = sphere.centre_m - light.position_m;
   const float distance = glm::length(to_centre);
   if (distance > 1.1f * radius) {
@@ -53,6 +55,8 @@ ShadowFit fit_shadow(const scene::Light& light, const scene::BoundingSphere& sph
              view(light.position_m, to_centre / distance)},
             2 * tan_half / size};
   }
+
+  // Takes a layer for each direction of the axes, as the light is inside the sphere, or nearly.
   const float near_m = radius * 0.005f, far_m = (distance + radius) * 1.1f;
   ShadowFit fit{.shadow_from_world = {}, .texel = 2 * margin / size};
   for (const glm::vec3& axis : {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0),

@@ -21,6 +21,7 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
                                .depth_format = VK_FORMAT_D32_SFLOAT,
                                .depth_test = true,
                                .depth_write = true};
+
         if (cut_out) desc.fragment = "shadow.frag";
         if (in_.entering.valid()) {
           desc.fragment = "shadow_entering.frag";
@@ -29,6 +30,7 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
           desc.constants.emplace_back("mixed", mixed ? 1u : 0u);
           desc.colour_formats = {VK_FORMAT_R8G8B8A8_UNORM};
         }
+
         pipelines_[skin][cut_out][mixed] = &library.graphics(desc);
       }
 }
@@ -79,6 +81,7 @@ void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const fram
   const gpu::Texture& shadow = resources.texture(in_.shadow);
   const frame::Instance& instance = frame.instances[settings_.instance];
   if (!instance.visible) return;
+
   for (std::uint32_t layer = 0; layer < settings_.layers; ++layer) {
     const std::uint32_t target = instance.first_shadow_layer + layer;
     std::vector<gpu::ColourTarget> colour;
@@ -88,6 +91,7 @@ void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const fram
                         .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}});
     cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
                         {shadow.desc().width, shadow.desc().height}, true);
+
     if (layer < instance.shadow_from_world.size()) {
       const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
                             .offset_m = instance.offset_m,

@@ -42,14 +42,18 @@ Look look_at(SurfacePoint s, vec3 base) {
     roughness *= t.g;
     metallic *= t.b;
   }
+
   float specular = material.specular;
   const MapIo sm = material.maps[MAP_SPECULAR];
   if (is_present(sm)) specular *= texture(map_specular, map_uv(sm, s)).a;
+
   vec3 tint = material.specular_colour;
   const MapIo sc = material.maps[MAP_SPECULAR_COLOUR];
   if (is_present(sc)) tint *= texture(map_specular_colour, map_uv(sc, s)).rgb;
+
   const float r = (material.ior - 1.0) / (material.ior + 1.0);
   const vec3 dielectric = min(r * r * tint, vec3(1.0)) * specular;
+
   Look look;
   look.f0 = mix(dielectric, base, metallic);
   look.f90 = mix(specular, 1.0, metallic);
@@ -86,17 +90,20 @@ void main() {
   const vec3 v = is_on(frame.orthographic) ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
   const vec3 n_geometric = gl_FrontFacing ? normalize(in_normal) : -normalize(in_normal);
   const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
+
   vec4 base = material.base_colour * in_colour;
   const MapIo bc = material.maps[MAP_BASE_COLOUR];
   if (is_present(bc)) base *= texture(map_base_colour, map_uv(bc, s));
   if (is_on(frame.white_albedo)) base.rgb = vec3(1.0);
   if (is_on(material.flags & MATERIAL_ALPHA_MASK) && base.a < material.alpha_cutoff) discard;
+
   const float alpha = is_on(material.flags & MATERIAL_ALPHA_BLEND) ? clamp(base.a, 0.0, 1.0) : 1.0;
   if (is_on(material.flags & MATERIAL_UNLIT)) {
     out_radiance = vec4(storable(base.rgb * alpha * frame.radiance_scale), 0.0);
     out_radiance.a = is_on(material.flags & MATERIAL_ALPHA_BLEND) ? alpha : 0.0;
     return;
   }
+
   const Look look = look_at(s, base.rgb);
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   vec3 radiance = vec3(0.0);
@@ -111,6 +118,7 @@ void main() {
     radiance += a.irradiance * brdf_times_cosine(seen, n, v, a.to_light, cosine) *
                 shadow_at(light, a, s.position_m, n_geometric);
   }
+
   const MapIo oc = material.maps[MAP_OCCLUSION];
   const float occlusion =
       is_present(oc) ? 1.0 + oc.scale * (texture(map_occlusion, map_uv(oc, s)).r - 1.0) : 1.0;
@@ -119,10 +127,12 @@ void main() {
   const vec3 diffuse =
       surroundings_irradiance(n) / pi * look.albedo * (1.0 - max(mirrored.x, max(mirrored.y, mirrored.z)));
   radiance += occlusion * (diffuse + surroundings_radiance(reflect(-v, n), look.alpha) * mirrored);
+
   vec3 emitted = material.emissive;
   const MapIo em = material.maps[MAP_EMISSIVE];
   if (is_present(em)) emitted *= texture(map_emissive, map_uv(em, s)).rgb;
   radiance += emitted;
+
   // Colour is premultiplied. Alpha of the target marks skin: opaque parts write 0, blended ones cover it in
   // proportion.
   out_radiance = vec4(storable(radiance * alpha * frame.radiance_scale), 0.0);

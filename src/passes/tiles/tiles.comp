@@ -19,14 +19,17 @@ uint holds(ivec2 tile, ivec2 across) {
 void main() {
   const ivec2 tile = ivec2(gl_GlobalInvocationID.xy), across = ivec2(tiles_across(io.side));
   if (any(greaterThanEqual(tile, across))) return;
+
   const uint own = holds(tile, across);
   uint around = own;
   if (io.border != 0u)
     for (int y = -1; y <= 1; ++y)
       for (int x = -1; x <= 1; ++x) around |= holds(tile + ivec2(x, y), across);
+
   const bool listed =
       io.border != 0u ? (own & TILE_UNLIT) != 0u && (around & TILE_LIT) != 0u : (own & TILE_LIT) != 0u;
   const uint entry = tile_entry(uvec2(tile));
+
   if (listed) {
     const uint i = atomicAdd(tile_counts[io.square].listed, 1u);
     tiles[io.first_tile + i] = entry;
@@ -35,6 +38,7 @@ void main() {
     atomicMax(tile_arguments[io.square].listed_groups[2], 1u);
     if (io.border == 0u) atomicAdd(counters[io.slot], 1u);
   } else {
+    // Fills the list from its end.
     const uint i = atomicAdd(tile_counts[io.square].idle, 1u);
     tiles[io.first_tile + io.tile_count - 1u - i] = entry;
     atomicMax(tile_arguments[io.square].idle_groups[0], min(i + 1u, TILE_ROW));

@@ -111,12 +111,14 @@ void IdleTiles::prepare(gpu::PipelineLibrary& library) { pipeline_ = &library.co
 void IdleTiles::record(gpu::Cmd& cmd, const frame::Resources& resources,
                        const frame::FrameData& frame) const {
   const gpu::Buffer& arguments = resources.buffer(in_.lists.arguments);
+
   for (const frame::TextureId map : in_.maps) {
     Bindings()
         .add("Tiles", resources.buffer(in_.lists.tiles))
         .add("TileCounts", resources.buffer(in_.lists.counts))
         .add("light", gpu::StorageImageBinding{&resources.texture(map)})
         .bind(cmd, *pipeline_);
+
     for (const MapSquare& square : settings_.squares) {
       if (!instance_of(frame, square).visible) continue;
       const std::uint32_t side = side_of(frame, square), first = square.index * in_.lists.room;

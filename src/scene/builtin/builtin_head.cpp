@@ -26,6 +26,7 @@ Primitive make_mesh(const Net& net) {
   mesh.node = 0;
   mesh.has_uv = true;
   mesh.vertices.resize(net.at_mm.size());
+
   for (int j = 0; j <= net.rows; ++j) {
     for (int i = 0; i <= net.columns; ++i) {
       Vertex& v = mesh.vertices[net.index(i, j)];
@@ -34,6 +35,7 @@ Primitive make_mesh(const Net& net) {
       v.uv0 = v.uv1 = chart_uv(net, static_cast<float>(i), static_cast<float>(j));
     }
   }
+
   mesh.indices.reserve(static_cast<std::size_t>(net.columns * net.rows * 6));
   for (int j = 0; j < net.rows; ++j) {
     for (int i = 0; i < net.columns; ++i) {
@@ -42,6 +44,7 @@ Primitive make_mesh(const Net& net) {
         mesh.indices.push_back(k);
     }
   }
+
   make_tangents(mesh, MapRef{}.transform, 0);
   return mesh;
 }

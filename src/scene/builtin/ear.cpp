@@ -41,6 +41,7 @@ Ear::Ear()
   frame_.x = glm::normalize(back - glm::dot(back, frame_.y) * frame_.y);
   frame_.z = glm::cross(frame_.x, frame_.y);
   if (frame_.z.x < 0) frame_.z = -frame_.z;  // outwards; a mirrored frame is as good
+
   hollows_ = {
       {{12.8f, 10, 6.0f}, {3.6f, 15, 6}, -1.6f},     // the groove between rim and inner fold
       {{2.5f, 14.5f, 4}, {5.5f, 3.6f, 5}, -1.4f},    // between the legs of the fold
@@ -52,25 +53,30 @@ float Ear::add(float f, const vec3& p, Detail detail) const {
   const vec3 q = frame_.to_local(p);
   if (std::abs(q.x) > 34 || std::abs(q.y) > 46 || std::abs(q.z) > 26) return f;
   const float far = 60;
+
   // Root: fills most of the groove behind the ear, which a mesh without undercuts could not follow.
   f = soft_min(f, ellipsoid(q - vec3(1.5f, 2, -5.5f), {17.3f, 30.0f, 10.0f}), 5.0f);
   if (detail == Detail::blunt)
     return soft_min(f, ellipsoid(q - vec3(2.0f, 1.0f, 2.0f), {21.0f, 34.0f, 9.0f}), 6.0f);
+
   // The plate is a dish: its edge stands out and carries the rim.
   const vec2 r((q.x - 1.5f) / 17.0f, (q.y - 3.5f) / 27.0f);
   const float dish = 3.4f * std::min(glm::dot(r, r), 1.6f);
   float ear = ellipsoid(q - vec3(1.5f, 3.5f, dish - 0.6f), {17.8f, 28.5f, 4.2f});
   ear = soft_min(ear, ellipsoid(q - vec3(-2.5f, -22.5f, 0.0f), {9.5f, 8.5f, 3.2f}), 3.5f);
   f = soft_min(f, ear, 5.0f);
+
   f = soft_max(f, -ellipsoid(q - vec3(-2.8f, -4.2f, 5.0f), {9.2f, 9.6f, 7.4f}), 3.0f);  // bowl, lower part
   f = soft_max(f, -ellipsoid(q - vec3(-1.0f, 6.0f, 5.0f), {8.0f, 5.0f, 5.8f}), 2.6f);   // bowl, upper part
   f = soft_min(f, helix_(q, far), 2.0f);
   f = soft_min(f, antihelix_(q, far), 2.4f);
   f = soft_min(f, inferior_crus_(q, far), 2.2f);
   f = soft_min(f, lobe_rim_(q, far), 3.6f);
+
   // where the lobe grows from the jaw
   f = soft_min(f, ellipsoid(q - vec3(-9.5f, -21.0f, -4.0f), {6.0f, 9.0f, 5.5f}), 7.0f);
   f = soft_min(f, ellipsoid(q - vec3(-12.0f, -6.6f, 2.4f), {3.2f, 5.2f, 4.0f}), 2.6f);  // tragus
+
   for (const Dab& d : hollows_) f -= d(q);
   if (detail == Detail::fine) f -= Dab{{-1.5f, -20.5f, 3.2f}, {6, 4, 5}, -0.5f}(q);
   return f;

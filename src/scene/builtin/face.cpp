@@ -141,6 +141,7 @@ Face::Face()
   eye_.x = glm::normalize(vec3(0.987f, 0.05f, -0.156f));
   eye_.z = glm::normalize(glm::cross(eye_.x, vec3(0, 1, 0)));
   eye_.y = glm::cross(eye_.z, eye_.x);
+
   nostril_.origin = {7.6f, -48.0f, 101.0f};
   nostril_.z = glm::normalize(vec3(-0.42f, 0.30f, 0.86f));
   nostril_.x = glm::normalize(glm::cross(vec3(0, 1, 0), nostril_.z));

@@ -52,6 +52,7 @@ void Hairs::add_brow(float side) {
     const float t = 0.98f * std::pow(dice(0), 0.9f) - 0.03f + 0.04f * dice(6);
     const vec2 middle = point_on(curve, t), ahead = point_on(curve, std::min(t + 0.04f, 1.0f)) -
                                                     point_on(curve, std::max(t - 0.04f, 0.0f));
+
     const float half = 4.9f * (1 - 0.62f * t) * smooth_step(-0.25f, 0.22f, t);
     const float offset = (dice(1) + dice(2) - 1.0f) * half * 1.05f - 0.4f;
     const float flow = std::atan2(ahead.y, ahead.x);
@@ -59,15 +60,18 @@ void Hairs::add_brow(float side) {
     float angle =
         flow + upright + 0.10f - 0.17f * offset * smooth_step(0.10f, 0.5f, t) + 0.30f * (dice(3) - 0.5f);
     float turn = -0.45f * upright - 0.25f * dice(4);
+
     vec2 root = middle + vec2(0, offset);
     const float length =
         (5.0f + 3.2f * dice(5)) * (1 - 0.35f * t) * (0.75f + 0.25f * smooth_step(0, 0.15f, t));
     root -= 0.35f * length * vec2(std::cos(angle), std::sin(angle));
+
     if (side < 0) {
       root.x = -root.x;
       angle = 3.14159265f - angle;
       turn = -turn;
     }
+
     add(root, angle, turn, length, 0.12f + 0.08f * dice(7));
   }
 }
@@ -96,6 +100,7 @@ void Hairs::sort_into_buckets() {
   const auto cell = [](float at, float first, int count) {
     return std::clamp(static_cast<int>((at - first) / bucket_mm), 0, count - 1);
   };
+
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     const vec2 low = glm::min(pieces_[k].from, pieces_[k].to) - widest_mm,
                high = glm::max(pieces_[k].from, pieces_[k].to) + widest_mm;
@@ -105,6 +110,8 @@ void Hairs::sort_into_buckets() {
       }
     }
   }
+
+  // Packs the lists: bucket k has order_[start_[k]] up to order_[start_[k + 1]].
   start_.push_back(0);
   for (const auto& list : lists) {
     order_.insert(order_.end(), list.begin(), list.end());

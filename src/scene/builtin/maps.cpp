@@ -26,6 +26,7 @@ FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net, int m
   fine.at_mm.resize(static_cast<std::size_t>(fine.stride * (rows + 1)));
   fine.normal.resize(fine.at_mm.size());
   fine.region.resize(fine.at_mm.size());
+
   parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
     const int j = std::min(static_cast<int>(row) / n, net.rows - 1);
     const float v = static_cast<float>(row) / static_cast<float>(n) - static_cast<float>(j);
@@ -37,6 +38,8 @@ FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net, int m
       const vec3 flat = glm::mix(glm::mix(at(0, 0), at(1, 0), u), glm::mix(at(0, 1), at(1, 1), u), v);
       const vec3 side =
           glm::mix(glm::mix(normal(0, 0), normal(1, 0), u), glm::mix(normal(0, 1), normal(1, 1), u), v);
+
+      // Steps to the surface twice; the second step gives the normal.
       vec3 p = flat;
       bust.project(p, Detail::fine, 0.35f, 1);
       vec3 g = bust.project(p, Detail::fine, 0.25f, 1);
@@ -46,6 +49,7 @@ FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net, int m
         g = glm::normalize(g + (0.15f - facing) * glm::normalize(side));
         if (!(glm::dot(g, side) > 0)) g = glm::normalize(side);
       }
+
       const std::size_t self = row * static_cast<std::size_t>(fine.stride) + static_cast<std::size_t>(k);
       fine.at_mm[self] = p;
       fine.normal[self] = g;

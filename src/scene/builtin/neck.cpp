@@ -50,12 +50,15 @@ Neck::Neck() {
                         Stroke::Brush{15, 3.4f, 0.15f, 0, false});
   strokes_.emplace_back(std::vector<vec3>{{49, -86, 14}, {40, -108, 20}, {28, -134, 27}, {17, -160, 29}},
                         Stroke::Brush{12, -1.8f, 0.3f, 0.4f, false});
+
   // trapezius
   strokes_.emplace_back(std::vector<vec3>{{20, -60, -66}, {36, -110, -56}, {58, -150, -46}, {88, -184, -36}},
                         Stroke::Brush{26, 3.5f, 0.3f, 0, false});
+
   // clavicle
   strokes_.emplace_back(std::vector<vec3>{{13, -183, 26}, {34, -180, 23}, {58, -177, 12}, {84, -174, -4}},
                         Stroke::Brush{10, 2.6f, 0.15f, 0.2f, false});
+
   dabs_ = {
       {{0, -142, 27}, {12, 13, 14}, 3.0f},  // larynx
       // above it {{0, -179, 27}, {15, 17, 15}, -3.0f},  // pit of the neck

@@ -70,6 +70,7 @@ Cell cells(const glm::vec3& p, std::uint32_t seed) {
   const int i = floor_int(p.x - 0.5f), j = floor_int(p.y - 0.5f), k = floor_int(p.z - 0.5f);
   float first2 = 1e9f, second2 = 1e9f;
   Cell cell;
+
   for (int n = 0; n < 8; ++n) {
     const int a = i + (n & 1), b = j + ((n >> 1) & 1), c = k + (n >> 2);
     const std::uint32_t h = lattice_hash(a, b, c, seed);
@@ -79,6 +80,7 @@ Cell cells(const glm::vec3& p, std::uint32_t seed) {
     const glm::vec3 d(static_cast<float>(a) + jitter(0) - p.x, static_cast<float>(b) + jitter(10) - p.y,
                       static_cast<float>(c) + jitter(20) - p.z);
     const float d2 = glm::dot(d, d);
+
     if (d2 < first2) {
       second2 = first2;
       first2 = d2;
@@ -87,6 +89,7 @@ Cell cells(const glm::vec3& p, std::uint32_t seed) {
       second2 = d2;
     }
   }
+
   cell.nearest = std::sqrt(first2);
   cell.second = std::sqrt(second2);
   return cell;

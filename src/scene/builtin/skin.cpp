@@ -104,6 +104,7 @@ float Skin::hair(const vec3& p, const vec3& q) const {
 vec3 Skin::tint(const vec3& p, const Region& r) const {
   const float broad = r.complexion, mottle = layered_noise(p * 0.16f, 3, 5),
               grain = gradient_noise(p * 1.1f, 9);
+
   float melanin =
       0.10f * broad + 0.05f * mottle + 0.05f * grain + 0.16f * r.forehead + 0.10f * r.neck - 0.10f * r.lips;
   float blood = 0.10f * mottle + 0.07f * layered_noise(p * 0.45f, 2, 13) + 0.05f * broad;
@@ -111,6 +112,7 @@ vec3 Skin::tint(const vec3& p, const Region& r) const {
            0.20f * r.upper_lid - 0.10f * r.forehead;
   const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
   blood += 0.25f * bell(q, {18, -42, 90}, {5, 8, 10});
+
   // Freckles: sparse cells, each with its own size and strength, over cheeks and nose.
   const float where = std::min(1.0f, 1.2f * r.cheek + 1.1f * r.nose + 0.25f * r.forehead + 0.12f);
   for (int layer = 0; layer < (where > 0.2f ? 2 : 1); ++layer) {
@@ -121,10 +123,13 @@ vec3 Skin::tint(const vec3& p, const Region& r) const {
       melanin += (0.25f + 0.5f * unit(c.id * 3266489917u)) * where *
                  (1 - smooth_step(0.4f * radius, radius * 1.3f, c.nearest));
   }
+
+  // Lets both pigments absorb by Beer's law.
   vec3 albedo = base_albedo * glm::exp(-melanin * melanin_density - blood * blood_density);
   // Thin skin over veins; a shaven beard and a shaven scalp: hair in the skin looks blue-grey through it.
   albedo *= glm::mix(vec3(1), vec3(0.88f, 0.86f, 0.92f), r.under_eye * 0.8f);
   albedo *= glm::mix(vec3(1), vec3(0.93f, 0.90f, 0.92f), r.upper_lid * 0.7f);
+
   const float shaven = std::max(0.60f * r.beard, 0.95f * r.scalp);
   if (shaven > 0.01f) {
     albedo *= glm::mix(vec3(1), vec3(0.84f, 0.87f, 0.91f), shaven);
@@ -138,11 +143,13 @@ SkinPoint Skin::paint(const vec3& p, const Region& r) const {
   SkinPoint s;
   const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
   s.albedo = tint(p, r);
+
   const float patch = layered_noise(p * 0.12f, 2, 71);
   s.specular = std::clamp(
       0.62f + 0.30f * r.t_zone + 0.08f * patch - 0.12f * r.neck - 0.08f * r.scalp - 0.08f * r.under_eye, 0.0f,
       1.0f);
   s.roughness = 0.565f - 0.085f * r.t_zone + 0.03f * patch + 0.02f * r.cheek + 0.02f * r.neck;
+
   if (r.lips > 0) {
     const float streak = gradient_noise(vec3(p.x * 1.5f, p.y * 0.25f, p.z * 0.4f), 81);
     const vec3 lip = vec3(0.455f, 0.205f, 0.175f) * (1.0f + 0.10f * streak);
@@ -152,6 +159,7 @@ SkinPoint Skin::paint(const vec3& p, const Region& r) const {
     const vec2 line = mouth_.nearest(q, 2.5f);
     s.albedo *= 1.0f - 0.45f * (1 - smooth_step(0.2f, 1.5f, line.x));
   }
+
   const float hairs = hair(p, q);
   s.albedo = glm::mix(s.albedo, vec3(0.055f, 0.036f, 0.026f), 0.94f * hairs);
   s.specular *= 1.0f - 0.5f * hairs;
@@ -169,23 +177,28 @@ float Skin::relief_mm(const vec3& p, const Region& r) const {
   const float radius = 0.16f + 0.10f * unit(pore.id);
   float h = -bare * (0.024f + 0.062f * oily) * (0.4f + 0.6f * unit(pore.id * 668265263u)) *
             (1 - smooth_step(0.3f * radius, 1.5f * radius, pore.nearest));
+
   // The net of fine furrows between them, and the softer unevenness of skin.
   const Cell net = cells(p * 1.15f + 0.35f * gradient_noise(p * 0.6f, 107), 103);
   h -= 0.016f * (1 - r.lips) * (1 - smooth_step(0.02f, 0.22f, net.second - net.nearest));
   h += 0.030f * gradient_noise(p * 0.35f, 109) * (1 - r.lips) + 0.010f * gradient_noise(p * 1.6f, 113);
+
   if (r.lips > 0) {
     // Vertical furrows, crowded in the middle, fanning out.
     const float wave = gradient_noise(vec3(p.x * 1.15f + 0.02f * p.x * (q.y + 68), p.y * 0.10f, 0.0f), 127);
     const float fine = gradient_noise(vec3(p.x * 2.6f, p.y * 0.35f, 3.0f), 131);
     h += r.lips * (0.075f * (std::abs(wave) - 0.3f) * 1.3f + 0.02f * fine);
   }
+
   if (r.forehead > 0.02f) {
+    // Draws wavy creases, deepest in the middle of the forehead.
     const float wander = 2.2f * gradient_noise(vec3(p.x * 0.03f, p.y * 0.05f, 1), 137);
     const float crease = std::abs(std::sin((q.y + wander - 4.0f * std::cos(q.x * 0.035f)) * 0.30f));
     h -= 0.085f * r.forehead * (1 - smooth_step(0.0f, 0.20f, crease)) *
          smooth_step(-0.2f, 0.5f, gradient_noise(vec3(p.x * 0.035f, p.y * 0.06f, 7), 139)) *
          std::exp(-q.x * q.x / 1500);
   }
+
   const float eye = std::max(r.crow, 0.8f * r.under_eye);
   if (eye > 0.02f) {
     // Fine lines fan from the outer corner and run along the lower lid.
@@ -197,6 +210,7 @@ float Skin::relief_mm(const vec3& p, const Region& r) const {
                           std::abs(std::sin(q.y * 1.5f + 0.05f * q.x * q.x * 0.1f +
                                             1.2f * gradient_noise(p * 0.2f, 151)))));
   }
+
   if (r.neck > 0.05f) {
     const float ring =
         std::abs(std::sin((q.y + 0.22f * q.z + 2.0f * gradient_noise(p * 0.03f, 157)) * 0.16f));

@@ -204,6 +204,7 @@ void solve(std::vector<double>& a, std::vector<double>& b) {
                        a.begin() + static_cast<std::ptrdiff_t>(pivot * n));
       std::swap(b[k], b[pivot]);
     }
+
     for (std::size_t i = k + 1; i < n; ++i) {
       const double f = a[i * n + k] / a[k * n + k];
       if (f == 0) continue;
@@ -211,6 +212,8 @@ void solve(std::vector<double>& a, std::vector<double>& b) {
       b[i] -= f * b[k];
     }
   }
+
+  // Solves from the last row upwards.
   for (std::size_t k = n; k-- > 0;) {
     for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k * n + j] * b[j];
     b[k] /= a[k * n + k];
@@ -228,6 +231,8 @@ Interpolant interpolate_landmarks() {
       radii.push_back(static_cast<double>(glm::length(q)));
     }
   }
+
+  // Fills the system: cubes of distances, stiffness on the diagonal, the linear part as a border.
   const std::size_t n = radii.size(), m = n + 4;
   std::vector<double> a(m * m, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
@@ -237,6 +242,7 @@ Interpolant interpolate_landmarks() {
     const std::array<double, 4> linear = {1.0, f.directions[i].x, f.directions[i].y, f.directions[i].z};
     for (std::size_t k = 0; k < 4; ++k) a[i * m + n + k] = a[(n + k) * m + i] = linear[k];
   }
+
   radii.resize(m, 0.0);
   solve(a, radii);
   f.weights = std::move(radii);
@@ -285,14 +291,18 @@ float Skull::radius(const vec3& d) const {
   const int axis = m.x >= m.y && m.x >= m.z ? 0 : (m.y >= m.z ? 1 : 2);
   const std::size_t face = static_cast<std::size_t>(2 * axis + (d[axis] < 0 ? 1 : 0));
   const float inverse = 1.0f / std::max(m[axis], 1e-6f);
+
   const float x = (unwarp(d[(axis + 1) % 3] * inverse) + 1.0f) * 0.5f * side + margin;
   const float y = (unwarp(d[(axis + 2) % 3] * inverse) + 1.0f) * 0.5f * side + margin;
   const int i = std::clamp(static_cast<int>(x), 1, stride - 3),
             j = std::clamp(static_cast<int>(y), 1, stride - 3);
   const float tx = x - static_cast<float>(i), ty = y - static_cast<float>(j);
+
+  // Catmull-Rom weights, four along each axis.
   const vec2 xl = cubic_weights_low(tx), xh = cubic_weights_high(tx), yl = cubic_weights_low(ty),
              yh = cubic_weights_high(ty);
   const std::array<float, 4> wy = {yl.x, yl.y, yh.x, yh.y};
+
   float sum = 0;
   for (int k = 0; k < 4; ++k) {
     const float* row = &radii_[face][static_cast<std::size_t>((j - 1 + k) * stride + i - 1)];

@@ -55,6 +55,7 @@ void lay_cap(Net& net) {
   vec3 middle(0);
   for (int i = 0; i < net.columns; ++i)
     middle += net.at_mm[net.index(i, rim_row)] / static_cast<float>(net.columns);
+
   for (int i = 0; i <= net.columns; ++i) {
     const vec3 rim = net.at_mm[net.index(i, rim_row)];
     // Evenly from behind to the front, the same for both halves.
@@ -64,6 +65,7 @@ void lay_cap(Net& net) {
         glm::mix(net.at_mm[net.index(0, rim_row)], net.at_mm[net.index(net.columns / 2, rim_row)], along);
     vec3 line = middle + 0.75f * (spine - middle);
     line.y = Sculpture::cut_mm;
+
     for (int j = 0; j < rim_row; ++j) {
       const float inwards = 1.0f - static_cast<float>(j) / static_cast<float>(rim_row);
       vec3& p = net.at_mm[net.index(i, j)];
@@ -97,11 +99,13 @@ void close_seam(Net& net) {
 Net first_net(const Sculpture& bust, int columns, int rows) {
   Net net{columns, rows, std::vector<vec3>(static_cast<std::size_t>((columns + 1) * (rows + 1))), {}};
   const vec3 middle(0, -35, -5);
+
   parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i <= columns; ++i) {
       const vec3 d = sphere_direction(2.0f * static_cast<float>(i) / static_cast<float>(columns) - 1.0f,
                                       2.0f * static_cast<float>(j) / static_cast<float>(rows) - 1.0f);
+
       // of a ray from the middle; the bust is star-shaped enough for that at this size
       float inside = 0, outside = 1;
       const vec3 reach = d * vec3(170, 240, 200);
@@ -112,6 +116,7 @@ Net first_net(const Sculpture& bust, int columns, int rows) {
       net.at_mm[net.index(i, j)] = middle + inside * reach;
     }
   });
+
   close_seam(net);
   return net;
 }
@@ -179,6 +184,7 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
   std::vector<float> weight(net.at_mm.size());
   if (net.normal.empty()) net.normal.resize(net.at_mm.size(), vec3(0));
   const int rim_row = net.rows / rim_part;
+
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t k = 0; k < weight.size(); ++k) weight[k] = pull(net.at_mm[k], bust.ear_frame());
     parallel_for(static_cast<std::size_t>(net.rows + 1), [&](std::size_t row) {
@@ -186,6 +192,7 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
       for (int i = 0; i <= net.columns; ++i) {
         const std::size_t self = net.index(i, j);
         vec3 p = net.at_mm[self];
+
         if (j < rim_row) {  // see lay_cap
           next[self] = p;
           continue;
@@ -196,11 +203,13 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
           next[self] = to_rim(bust, p);
           continue;
         }
+
         vec3 step = 0.4f * (balance(net, weight, i, j) - p);
         step -= net.normal[self] * glm::dot(net.normal[self], step);
         if (i % net.columns == 0 || j == net.rows) step.x = -p.x;
         if (j == net.rows && i == net.columns / 2) step = seam_end - p;
         p += step;
+
         const vec3 side = facing(net, i, j);
         const float f = round % 3 == 0 ? bust.field(p, detail) : 0.0f;
         // Deep inside a thin part the gradient may lead through it: there the net's own side decides.
@@ -211,10 +220,12 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
         // again.
         if (round + 3 < rounds && glm::dot(n, side) < 0.25f)
           p = glm::mix(before, balance(net, weight, i, j), 0.7f);
+
         net.normal[self] = n;
         next[self] = p;
       }
     });
+
     std::swap(net.at_mm, next);
     lay_cap(net);
     if (eps_mm > 1.0f) balance_halves(net);
@@ -237,6 +248,7 @@ std::size_t Net::folded(int i, int j) const {
 Net wrap(const Sculpture& bust, int columns, int rows) {
   DERMIS_ASSERT(columns % 8 == 0 && rows % (4 * rim_part) == 0);
   Net net = first_net(bust, columns / 4, rows / 4);
+
   // Coarse nets are drawn over the blunt bust, the hollows last: a net that enters an ear before it is fine
   // enough jumps over its rim.
   relax(net, bust, Detail::blunt, 120, 5.0f);
@@ -247,6 +259,7 @@ Net wrap(const Sculpture& bust, int columns, int rows) {
   relax(net, bust, Detail::blunt, 12, 2.0f);
   relax(net, bust, Detail::form, 27, 1.2f);
   relax(net, bust, Detail::form, 24, 0.8f);
+
   for (int k = 0; k < 2; ++k) {
     parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
       for (int i = 0; i <= columns; ++i) {

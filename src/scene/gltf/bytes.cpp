@@ -78,6 +78,7 @@ std::span<const std::byte> Bytes::buffer_bytes(const Buffer& buffer, std::size_t
                                                const Container& container) {
   if (!buffer.uri && !buffer.is_chunk) return {};
   const std::string where = fmt::format("{}: buffers[{}]", document_.file, number);
+
   std::span<const std::byte> bytes;
   if (!buffer.uri) {
     bytes = *container.binary;
@@ -90,6 +91,7 @@ std::span<const std::byte> Bytes::buffer_bytes(const Buffer& buffer, std::size_t
   } else {
     bytes = *file_bytes(uri_path(document_.folder, *buffer.uri, where));
   }
+
   if (bytes.size() < buffer.byte_length)
     throw input_error(where, "is cut off: byteLength is {}, there are {} bytes", buffer.byte_length,
                       bytes.size());
@@ -121,11 +123,13 @@ std::vector<T> Bytes::elements(int index) {
   const Accessor& a = document_.accessors[index];
   const std::size_t components = a.components();
   std::vector<T> out(a.count * components);
+
   if (a.view >= 0) {
     const std::uint64_t stride = stride_bytes(a, document_.views[a.view]);
     copy_any(a, a.component, view(a.view).data() + a.offset, a.count, stride, out.data());
   }
   if (!a.sparse) return out;
+
   const Sparse& sparse = *a.sparse;
   const Accessor scalar;  // shape of the sparse indices
   std::vector<std::uint32_t> where(sparse.count);
@@ -134,6 +138,7 @@ std::vector<T> Bytes::elements(int index) {
   std::vector<T> values(sparse.count * components);
   copy_any(a, a.component, view(sparse.values_view).data() + sparse.values_offset, sparse.count,
            stride_bytes(a, BufferView{}), values.data());
+
   for (std::size_t i = 0; i < where.size(); ++i) {
     if (where[i] >= a.count || (i > 0 && where[i] <= where[i - 1]))
       throw input_error(document_.file, "{}.sparse: index {} is {}; they must increase and stay below {}",

@@ -44,12 +44,14 @@ void split_chunks(const std::string& file, Container& container) {
       throw input_error(file, "the header of .glb chunk {} is cut off", number);
     const std::uint32_t length = u32_at(all, offset), type = u32_at(all, offset + 4);
     offset += chunk_header_bytes;
+
     if (length > all.size() - offset)
       throw input_error(file, ".glb chunk {} of {} bytes reaches past the end of the file", number, length);
     if (length % 4 != 0)
       throw input_error(file, ".glb chunk {} has {} bytes, not a multiple of 4", number, length);
     const auto data = all.subspan(offset, length);
     offset += length;
+
     if (number == 0) {
       if (type != chunk_json) throw input_error(file, "the first .glb chunk is not JSON");
       if (data.empty()) throw input_error(file, "the JSON chunk is empty");

@@ -66,12 +66,14 @@ void read_header(Document& document, const Value& root) {
   const Version version = read_version(version_value);
   if (version.major != 2)
     version_value.fail("glTF {}.{} is not supported, expected 2.0", version.major, version.minor);
+
   if (const std::optional<Value> least = asset.find("minVersion")) {
     const Version minimum = read_version(*least);
     if (minimum.major != 2 || minimum.minor != 0)
       least->fail("needs glTF {}.{}, this reader knows 2.0", minimum.major, minimum.minor);
   }
   if (version.minor != 0) warn("{}: glTF 2.{} is read as 2.0", document.file, version.minor);
+
   const auto is_supported = [](const std::string& name) {
     return std::find(supported_extensions.begin(), supported_extensions.end(), name) !=
            supported_extensions.end();
@@ -80,6 +82,7 @@ void read_header(Document& document, const Value& root) {
     if (!is_supported(name))
       throw input_error(document.file, "requires the extension {}, which is not supported; supported are: {}",
                         name, fmt::join(supported_extensions, ", "));
+
   std::vector<std::string> unread;
   for (const std::string& name : names_in(root, "extensionsUsed")) {
     if (!is_supported(name)) unread.push_back(name);

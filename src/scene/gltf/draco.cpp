@@ -101,10 +101,12 @@ std::vector<float> read_attribute(const draco::Mesh& mesh, std::uint32_t id, con
                                   const std::string& where) {
   const draco::PointAttribute* stored = mesh.GetAttributeByUniqueId(id);
   if (stored == nullptr) throw input_error(where, "the Draco data has no attribute {}", id);
+
   const int components = accessor.components();
   if (stored->num_components() != components)
     throw input_error(where, "Draco attribute {} has {} components, the accessor {}", id,
                       static_cast<int>(stored->num_components()), components);
+
   // Our own reading of "normalized": the accessor's word counts, not the one in the compressed data.
   draco::GeometryAttribute attribute = *stored;
   attribute.set_normalized(accessor.normalized);
@@ -128,6 +130,7 @@ DracoMesh decode_draco(const Document& document, Bytes& bytes, const MeshPrimiti
   const std::uint64_t corners = document.accessors[primitive.indices].count;
   const std::span<const std::byte> compressed = bytes.view(primitive.draco->view);
   check_claim(compressed, corners / 3, where);
+
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(compressed.data()), compressed.size());
   draco::Decoder decoder;
@@ -135,11 +138,13 @@ DracoMesh decode_draco(const Document& document, Bytes& bytes, const MeshPrimiti
   if (!decoded.ok())
     throw input_error(where, "the Draco data is damaged: {}", decoded.status().error_msg_string());
   const draco::Mesh& mesh = *decoded.value();
+
   DracoMesh out;
   out.vertices = mesh.num_points();
   if (out.vertices != claimed_vertices(document, primitive) || std::uint64_t{mesh.num_faces()} * 3 != corners)
     throw input_error(where, "the Draco data holds {} vertices and {} triangles, the accessors say {} and {}",
                       out.vertices, mesh.num_faces(), claimed_vertices(document, primitive), corners / 3);
+
   for (draco::FaceIndex face(0); face < mesh.num_faces(); ++face)
     for (int corner = 0; corner < 3; ++corner) out.indices.push_back(mesh.face(face)[corner].value());
   for (const auto& [semantic, id] : primitive.draco->attributes)

@@ -116,20 +116,25 @@ void choose_skin(const Document& document, const std::string& skin_material,
   };
   // A material that says "skin": false stays what it is under every rule but --skin.
   const auto may_be = [](const MaterialSource& m) { return m.says_skin.value_or(true); };
+
   if (!skin_material.empty()) {
     choose([&](const MaterialSource& m) { return m.material.name == skin_material; });
     if (!any)
       throw input_error(document.file, "no material is called '{}'; there are: {}", skin_material,
                         quoted_names(materials));
   }
+
+  // Asks in turn: what the file says, what the names say, the only material there is.
   if (!any) choose([](const MaterialSource& m) { return m.says_skin.value_or(false); });
   if (!any) choose([&](const MaterialSource& m) { return may_be(m) && says_skin(m.material.name); });
   if (!any && materials.size() == 1) choose(may_be);
+
   if (!any) {
     const std::string line = fmt::format("{}: no material is skin; name one with --skin: {}", document.file,
                                          quoted_names(materials));
     warn_of(line, document.file, line);
   }
+
   make_blended_skin_surface(document, materials);
   for (MaterialSource& m : materials) {
     if (m.material.skin && !m.has_ior) m.material.ior = skin_ior;

@@ -32,6 +32,7 @@ void complete_surface(Primitive& primitive, const Material& material, bool file_
 void warn_of_size(const Document& document, const Scene& scene) {
   float low = 0, high = 0;
   bool any = false;
+
   for (const Primitive& p : scene.primitives) {
     if (!scene.materials[p.material].skin) continue;
     for_each_position(p, [&](const glm::vec3& position_m) {
@@ -40,6 +41,7 @@ void warn_of_size(const Document& document, const Scene& scene) {
       any = true;
     });
   }
+
   const float height = high - low;
   if (any && (height < least_height_m || height > most_height_m)) {
     const std::string line = fmt::format(

@@ -138,6 +138,7 @@ LocalMesh read_mesh(const Document& document, Bytes& bytes, const MeshPrimitive&
   Source source(document, bytes, primitive);
   LocalMesh mesh;
   const std::size_t vertices = claimed_vertices(document, primitive);
+
   mesh.indices = source.corners();
   check_indices(document, primitive, mesh.indices, vertices);
   // Draco data holds single triangles whatever the mode says.
@@ -145,6 +146,7 @@ LocalMesh read_mesh(const Document& document, Bytes& bytes, const MeshPrimitive&
   mesh.original = drop_unused(mesh.indices, vertices);
   mesh.vertices = mesh.original.empty() && !mesh.indices.empty() ? vertices : mesh.original.size();
   if (mesh.indices.empty()) return mesh;
+
   const std::vector<std::uint32_t>& order = mesh.original;
   mesh.positions = source.finite("POSITION", 3, order);
   mesh.normals = source.attribute("NORMAL", 3, order);
@@ -154,6 +156,7 @@ LocalMesh read_mesh(const Document& document, Bytes& bytes, const MeshPrimitive&
     mesh.joints[set] = source.finite(fmt::format("JOINTS_{}", set), 4, order);
     mesh.weights[set] = source.finite(fmt::format("WEIGHTS_{}", set), 4, order);
   }
+
   if (const auto colour = primitive.attributes.find("COLOR_0"); colour != primitive.attributes.end()) {
     const int components = document.accessors[colour->second].rows;
     mesh.colours = source.finite("COLOR_0", components, order);

@@ -212,6 +212,7 @@ std::vector<glm::dmat4> world_matrices(const Document& document, double unit_sca
 void check_limits(const Document& document, const LoadOptions& options) {
   const std::uint64_t max_triangles = options.max_triangles, max_vertices = max_triangles * 3;
   std::uint64_t triangles = 0, vertices = 0, morphed = 0, skipped = 0;
+
   for (const int n : shown_nodes(document)) {
     const Node& node = document.nodes[n];
     if (node.mesh < 0) continue;
@@ -219,6 +220,7 @@ void check_limits(const Document& document, const LoadOptions& options) {
     const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
     const auto active = static_cast<std::uint64_t>(
         std::count_if(weights.begin(), weights.end(), [](double w) { return w != 0; }));
+
     for (const MeshPrimitive& primitive : mesh.primitives) {
       const std::uint64_t here = claimed_triangles(document, primitive);
       skipped += primitive.mode < 4 ? 1 : 0;
@@ -226,6 +228,7 @@ void check_limits(const Document& document, const LoadOptions& options) {
       triangles += here;
       vertices += claimed_vertices(document, primitive);
       morphed += claimed_vertices(document, primitive) * std::min(active, max_vertices);
+
       if (triangles > max_triangles)
         throw input_error(document.file, "has more than {} triangles, the limit", max_triangles);
       if (vertices > max_vertices)
@@ -234,6 +237,7 @@ void check_limits(const Document& document, const LoadOptions& options) {
         throw input_error(document.file, "has more morph targets at work than can be applied");
     }
   }
+
   if (skipped > 0) {
     const std::string line =
         fmt::format("{}: {} primitives of points or lines are left out", document.file, skipped);

@@ -38,6 +38,7 @@ MeshoptView read_meshopt(const Document& document, const Value& value) {
   view.length = value.at("byteLength").count(1);
   view.stride = value.at("byteStride").count(1, 256);
   view.count = value.at("count").count(1);
+
   const std::string& mode = value.at("mode").text();
   if (mode == "ATTRIBUTES")
     view.mode = MeshoptMode::attributes;
@@ -47,6 +48,7 @@ MeshoptView read_meshopt(const Document& document, const Value& value) {
     view.mode = MeshoptMode::indices;
   else
     value.at("mode").fail("must be ATTRIBUTES, TRIANGLES or INDICES, is '{}'", mode.substr(0, 40));
+
   const std::string filter = value.text_or("filter", "NONE");
   if (filter == "NONE")
     view.filter = MeshoptFilter::none;
@@ -59,6 +61,7 @@ MeshoptView read_meshopt(const Document& document, const Value& value) {
   else
     value.at("filter").fail("must be NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL, is '{}'",
                             filter.substr(0, 40));
+
   const bool attributes = view.mode == MeshoptMode::attributes;
   if (attributes && view.stride % 4 != 0)
     value.fail("byteStride {} must be a multiple of 4 in mode ATTRIBUTES", view.stride);
@@ -68,12 +71,14 @@ MeshoptView read_meshopt(const Document& document, const Value& value) {
     value.fail("count {} must be a multiple of 3 in mode TRIANGLES", view.count);
   if (!attributes && view.filter != MeshoptFilter::none)
     value.fail("filter {} is only for mode ATTRIBUTES", filter);
+
   const std::uint64_t s = view.stride;
   const bool fits = view.filter == MeshoptFilter::none ||
                     (view.filter == MeshoptFilter::octahedral && (s == 4 || s == 8)) ||
                     (view.filter == MeshoptFilter::quaternion && s == 8) ||
                     view.filter == MeshoptFilter::exponential;
   if (!fits) value.fail("byteStride {} does not fit filter {}", s, filter);
+
   check_within(value, view.offset, view.length, document.buffers[view.buffer].byte_length, "buffer");
   if (document.buffers[view.buffer].fallback)
     value.fail("buffer {} is a fallback without bytes", view.buffer);
@@ -86,10 +91,12 @@ BufferView read_view(const Document& document, const Value& value) {
   view.offset = value.count_or("byteOffset", 0);
   view.length = value.at("byteLength").count(1);
   view.stride = value.count_or("byteStride", 0, min_stride, max_stride);
+
   if (view.stride % 4 != 0) value.fail("byteStride {} must be a multiple of 4", view.stride);
   if (view.stride > view.length)
     value.fail("byteStride {} is more than byteLength {}", view.stride, view.length);
   check_within(value, view.offset, view.length, document.buffers[view.buffer].byte_length, "buffer");
+
   if (const std::optional<Value> meshopt = value.extension("EXT_meshopt_compression")) {
     view.meshopt = read_meshopt(document, *meshopt);
     if (view.meshopt->count > max_count / view.meshopt->stride ||
@@ -128,6 +135,7 @@ void read_shape(Accessor& accessor, const Value& value) {
                                                 {"MAT2", 2, 2},
                                                 {"MAT3", 3, 3},
                                                 {"MAT4", 4, 4}}};
+
   const std::string& name = value.text();
   for (const Shape& shape : shapes)
     if (name == shape.name) {
@@ -150,6 +158,7 @@ Sparse read_sparse(const Document& document, const Value& value, const Accessor&
   sparse.count = value.at("count").count(1);
   if (sparse.count > accessor.count)
     value.fail("count {} is more than the accessor's {}", sparse.count, accessor.count);
+
   const Value indices = value.at("indices"), values = value.at("values");
   sparse.indices_view = indices.index("bufferView", document.views.size(), "bufferView");
   sparse.indices_offset = indices.count_or("byteOffset", 0);
@@ -157,8 +166,10 @@ Sparse read_sparse(const Document& document, const Value& value, const Accessor&
   const Component c = sparse.indices_component;
   if (c != Component::uint8 && c != Component::uint16 && c != Component::uint32)
     indices.fail("componentType must be an unsigned integer");
+
   sparse.values_view = values.index("bufferView", document.views.size(), "bufferView");
   sparse.values_offset = values.count_or("byteOffset", 0);
+
   const std::uint64_t bytes = element_bytes(accessor), stride = stride_bytes(accessor, BufferView{});
   check_elements(indices, document.views[sparse.indices_view], sparse.indices_offset, sparse.count,
                  size_of(c), size_of(c));
@@ -173,11 +184,13 @@ Accessor read_accessor(const Document& document, const Value& value) {
   accessor.component = read_component(value.at("componentType"));
   accessor.count = value.at("count").count(1);
   read_shape(accessor, value.at("type"));
+
   accessor.normalized = value.boolean_or("normalized", false);
   if (accessor.normalized &&
       (accessor.component == Component::float32 || accessor.component == Component::uint32))
     value.fail("normalized is not for {}", name_of(accessor.component));
   for (const char* bound : {"min", "max"}) value.numbers(bound, accessor.components());
+
   accessor.view = value.index_or_none("bufferView", document.views.size(), "bufferView");
   accessor.offset = value.count_or("byteOffset", 0);
   if (accessor.view >= 0) {
@@ -192,6 +205,7 @@ Accessor read_accessor(const Document& document, const Value& value) {
     if (accessor.count > limit)
       value.fail("{} elements without a bufferView; the limit for this file is {}", accessor.count, limit);
   }
+
   if (const std::optional<Value> sparse = value.find("sparse"))
     accessor.sparse = read_sparse(document, *sparse, accessor);
   return accessor;

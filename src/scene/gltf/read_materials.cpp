@@ -91,8 +91,10 @@ void read_metallic_roughness(const Document& document, const Value& value, Mater
 void read_material_extensions(const Document& document, const Value& value, MaterialSource& source) {
   constexpr float largest = 1e6f;  // radiance that half floats will not hold in any case
   Material& material = source.material;
+
   if (const auto strength = value.extension("KHR_materials_emissive_strength"))
     material.emissive *= factor(*strength, "emissiveStrength", 1, largest);
+
   if (const auto ior = value.extension("KHR_materials_ior")) {
     source.has_ior = true;
     material.ior = factor(*ior, "ior", 1.5, 100);
@@ -100,6 +102,7 @@ void read_material_extensions(const Document& document, const Value& value, Mate
     if (material.ior == 0) material.ior = 100;
     if (material.ior < 1) ior->fail("ior must be 0 or at least 1, is {}", material.ior);
   }
+
   if (const auto specular = value.extension("KHR_materials_specular")) {
     material.specular = factor(*specular, "specularFactor", 1);
     material.specular_map = map_member(document, *specular, "specularTexture");
@@ -107,6 +110,7 @@ void read_material_extensions(const Document& document, const Value& value, Mate
     material.specular_colour = colour_member(*specular, "specularColorFactor", glm::vec3(1), largest);
     material.specular_colour_map = map_member(document, *specular, "specularColorTexture");
   }
+
   material.unlit = value.extension("KHR_materials_unlit").has_value();
 }
 
@@ -122,6 +126,7 @@ MaterialSource read_material(const Document& document, const Value& value) {
   MaterialSource source;
   Material& material = source.material;
   material.name = value.text_or("name", "");
+
   if (const std::optional<Value> pbr = value.find("pbrMetallicRoughness"))
     read_metallic_roughness(document, *pbr, material);
   material.normal_map = map_member(document, value, "normalTexture", "scale");
@@ -131,6 +136,7 @@ MaterialSource read_material(const Document& document, const Value& value) {
   material.alpha_mode = read_alpha_mode(value);
   material.alpha_cutoff = factor(value, "alphaCutoff", 0.5, 1e6);
   material.double_sided = value.boolean_or("doubleSided", false);
+
   read_material_extensions(document, value, source);
   const std::optional<Value> extras = value.find("extras");
   if (extras && extras->is_object() && extras->has("dermis")) {

@@ -78,6 +78,7 @@ void check_attributes(const Document& document, const Value& value, const MeshPr
   std::uint64_t count = 0;
   const auto position = primitive.attributes.find("POSITION");
   if (position != primitive.attributes.end()) count = document.accessors[position->second].count;
+
   for (const auto& [semantic, index] : primitive.attributes) {
     const Accessor& accessor = document.accessors[index];
     if (count == 0) count = accessor.count;
@@ -86,6 +87,7 @@ void check_attributes(const Document& document, const Value& value, const MeshPr
     if (const auto rule = rule_for(semantic, document.quantized))
       check_format(value, semantic, accessor, *rule);
   }
+
   for (const char* set : {"0", "1"}) {
     const bool joints = primitive.attributes.contains(std::string("JOINTS_") + set);
     const bool weights = primitive.attributes.contains(std::string("WEIGHTS_") + set);

@@ -51,9 +51,11 @@ Node read_node(const Document& document, const Value& value, std::size_t nodes, 
     node.light = light->index("light", document.lights.size(), "light");
   node.children = value.indices("children", nodes, "node");
   node.weights = value.numbers("weights", 0);
+
   if (node.mesh < 0 && node.skin >= 0) value.fail("has a skin but no mesh");
   if (node.mesh < 0 && !node.weights.empty()) value.fail("has weights but no mesh");
   if (node.mesh < 0) return node;
+
   const Mesh& mesh = document.meshes[node.mesh];
   const std::size_t targets = mesh.primitives.front().targets.size();
   if (!node.weights.empty() && node.weights.size() != targets)

@@ -87,6 +87,7 @@ std::optional<Light> read_light(const Document& document, const Value& value) {
   const std::string& type = value.at("type").text();
   const std::vector<double> colour = value.numbers("color", 3);
   const auto intensity = static_cast<float>(value.number_or("intensity", 1, 0, largest));
+
   for (int i = 0; i < 3 && !colour.empty(); ++i) {
     if (colour[i] < 0) value.at("color").fail("must not be negative, is {}", colour[i]);
     light.colour[i] = static_cast<float>(colour[i]);
@@ -95,6 +96,7 @@ std::optional<Light> read_light(const Document& document, const Value& value) {
   if (!std::isfinite(light.colour.x + light.colour.y + light.colour.z))
     value.fail("color times intensity is out of range");
   if (value.has("range")) light.range_m = positive(value, "range");
+
   if (type == "directional")
     light.type = LightType::directional;
   else if (type == "point")
@@ -108,6 +110,7 @@ std::optional<Light> read_light(const Document& document, const Value& value) {
                         value.place(), type.substr(0, 40)));
     return std::nullopt;
   }
+
   read_extras(value, light);
   return light;
 }

@@ -26,10 +26,12 @@ std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
   static constexpr auto values = base64_values();
   while (!text.empty() && text.back() == '=' && text.size() % 4 != 1) text.remove_suffix(1);
   if (text.size() % 4 == 1) return std::nullopt;
+
   std::vector<std::byte> bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
   std::uint32_t bits = 0;
   int held = 0;
+
   for (const char c : text) {
     const std::uint8_t value = values[static_cast<unsigned char>(c)];
     if (value == not_a_digit) return std::nullopt;

@@ -8,6 +8,7 @@ namespace dermis::techniques {
 
 FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings) {
   Screen screen(plan, settings);
+
   for (std::uint32_t head = 0; head < settings.heads; ++head) {
     screen.add_shadow(head);
     for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh)
@@ -26,6 +27,7 @@ FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings
                                    .through = {}});
     screen.add_surfaces(head);
   }
+
   return screen.finish();
 }
 

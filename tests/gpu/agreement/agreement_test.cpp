@@ -66,6 +66,7 @@ TEST(Agreement, DirectLight) {
       std::filesystem::path(testing::TempDir()) / ("dermis_narrow_" + std::to_string(::getpid()) + ".json");
   write_file(narrow,
              std::string_view(R"({"name": "narrow", "variances_mm2": [1e-4], "weights": [[1, 1, 1]]})"));
+
   for (const bool specular : {false, true}) {
     RenderSettings s = settings();
     s.profile = narrow.string();
@@ -74,11 +75,13 @@ TEST(Agreement, DirectLight) {
     // texels of the normal map, filtered normals are not what the mean of their light is.
     s.white_albedo = true;
     s.width = s.height = 512;
+
     const Agreement a = agreement("lambert", s, 8);
     EXPECT_GT(a.pixels, 5000);
     for (const double ratio : a.ratio) EXPECT_NEAR(ratio, 1, 0.01);
     EXPECT_LT(a.typical, 0.01);
   }
+
   std::filesystem::remove(narrow);
 }
 

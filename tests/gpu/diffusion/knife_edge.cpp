@@ -51,15 +51,18 @@ Setting make_setting(const Case& c) {
   const double size_mm = side / c.texels_per_mm;
   const glm::dvec2 offset = glm::dvec2(0.5) - c.transform * glm::dvec2(0.5);
   s.experiment.scene = scene::plane(size_mm / 1000 / c.node_scale, c.transform, offset, 8);
+
   // What a node scale does at load: positions grow, and the unwrap must count mm of the world.
   for (scene::Primitive& p : s.experiment.scene.primitives)
     for (scene::Vertex& v : p.vertices) v.position_m *= static_cast<float>(c.node_scale);
+
   s.experiment.map_size = side;
   // On texel borders; the slanted edge runs midway between two rows of centres.
   s.point = glm::dvec2(side / 2.0) + (c.edge == Edge::across ? glm::dvec2(0.5, 0) : glm::dvec2(0));
   s.normal = c.edge == Edge::along_v   ? glm::dvec2(1, 0)
              : c.edge == Edge::along_u ? glm::dvec2(0, 1)
                                        : glm::normalize(glm::dvec2(1, 1));
+
   // |grad of (n . texel)| per mm = |J^-T n|: texel = side * transform * P / size_mm.
   s.texel_per_mm = c.transform * (side / size_mm);
   s.mm_per_unit_distance = 1 / glm::length(glm::transpose(s.texel_per_mm) * s.normal);
@@ -88,12 +91,14 @@ Deviation measure(const Setting& s, const lab::Result& result, const gaussians::
   Deviation d;
   const int reach = 60;
   int counted = 0;
+
   for (int row = -6; row <= 6; row += 3)
     for (int k = -reach; k < reach; ++k) {
       const bool along_u = std::abs(s.normal.x) < 0.5;
       const int x = side / 2 + (along_u ? row : k), y = side / 2 + (along_u ? k : row);
       const glm::dvec2 centre(x + 0.5, y + 0.5);
       if (!far_from_border(s, result.painted, centre, std::sqrt(sum.terms.back().variance_mm2))) continue;
+
       ++counted;
       for (std::size_t channel = 0; channel < 3; ++channel) {
         double got = 0, want = 0;
@@ -105,6 +110,7 @@ Deviation measure(const Setting& s, const lab::Result& result, const gaussians::
         d.worst[channel] = std::max(d.worst[channel], std::abs(got - want));
       }
     }
+
   EXPECT_GT(counted, 50);
   return d;
 }

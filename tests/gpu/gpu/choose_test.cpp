@@ -34,9 +34,14 @@ TEST(Missing, OneSentenceForEachThing) {
     const char* word;
     std::function<void(DeviceFacts&)> take;
   };
+
   const Case cases[] = {
       {"needs Vulkan 1.3, has 1.2.131",
-       [](auto& f) { f.api_version = VK_MAKE_API_VERSION(0, 1, 2, 131), f.features13 = {}, f.formats = {}; }},
+       [](auto& f) {
+         f.api_version = VK_MAKE_API_VERSION(0, 1, 2, 131);
+         f.features13 = {};
+         f.formats = {};
+       }},
       {"shaderClipDistance", [](auto& f) { f.features.shaderClipDistance = VK_FALSE; }},
       {"depthClamp", [](auto& f) { f.features.depthClamp = VK_FALSE; }},
       {"shaderStorageImageExtendedFormats",
@@ -55,6 +60,7 @@ TEST(Missing, OneSentenceForEachThing) {
       {"4 samples", [](auto& f) { f.colour_samples = VK_SAMPLE_COUNT_1_BIT; }},
       {"4 samples", [](auto& f) { f.depth_samples = VK_SAMPLE_COUNT_1_BIT; }},
   };
+
   for (const Case& c : cases) {
     DeviceFacts facts = complete();
     c.take(facts);

@@ -87,6 +87,7 @@ TEST_F(Devices, RefuseWhatIsTooLarge) {
   const auto texture = [&](const TextureDesc& desc) {
     return refusal([&] { const Texture made(device(), "map", desc); });
   };
+
   EXPECT_NE(texture({.width = 100000, .height = 8, .format = VK_FORMAT_R8_UNORM, .usage = sampled})
                 .find("'map' would be 100000x8 texels"),
             std::string::npos);
@@ -101,12 +102,14 @@ TEST_F(Devices, RefuseWhatIsTooLarge) {
       texture({.width = 8, .height = 8, .format = VK_FORMAT_D32_SFLOAT, .usage = VK_IMAGE_USAGE_STORAGE_BIT})
           .find("needs D32_SFLOAT images"),
       std::string::npos);
+
   const std::string huge = texture({.width = side,
                                     .height = side,
                                     .layers = 256,
                                     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
                                     .usage = sampled});
   EXPECT_NE(huge.find("no device memory for 'map': needed "), std::string::npos) << huge;
+
   const std::uint64_t over = device().limits().max_storage_buffer_bytes + 4;
   if (over <= device().limits().max_buffer_bytes) {
     const std::string said = refusal([&] {
@@ -114,6 +117,7 @@ TEST_F(Devices, RefuseWhatIsTooLarge) {
     });
     EXPECT_NE(said.find("'list' would be"), std::string::npos) << said;
   }
+
   EXPECT_EQ(device().image_bytes() + device().buffer_bytes(), 0u);
 }
 

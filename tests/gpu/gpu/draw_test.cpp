@@ -135,14 +135,17 @@ TEST_F(Draw, FourSamplesAreAveragedAndTheNearerWins) {
   desc.samples = 4;
   desc.depth_format = VK_FORMAT_D32_SFLOAT;
   desc.depth_test = desc.depth_write = true;
+
   // Reversed Z: 0.8 is nearer than 0.3, whichever is drawn first.
   for (const bool near_first : {true, false}) {
     std::vector<Vertex> vertices = lower_left(near_first ? 0.8f : 0.3f, near_first ? green : red);
     const auto second = lower_left(near_first ? 0.3f : 0.8f, near_first ? red : green);
     vertices.insert(vertices.end(), second.begin(), second.end());
+
     const auto picture = draw(desc, vertices, {});
     EXPECT_EQ(at(picture, 2, 12), (Pixel{0, 255, 0, 255})) << near_first;
     EXPECT_EQ(at(picture, 12, 2), blue);
+
     // The diagonal runs through these pixels: some of the four samples are green and the rest blue, and their
     // sum is one.
     int mixed = 0;
@@ -205,14 +208,17 @@ TEST_F(Draw, DepthOnlyThenSampledByComparison) {
                         .format = VK_FORMAT_D32_SFLOAT,
                         .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
   const Buffer out(device(), "out", {.bytes = 16, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+
   GraphicsDesc desc;
   desc.vertex = "triangle.vert";
   desc.depth_format = VK_FORMAT_D32_SFLOAT;
   desc.depth_test = desc.depth_write = true;
   desc.depth_bias = 1;
+
   const Pipeline& pipeline = library().graphics(desc);
   const Pipeline& compare = library().compute("shadow.comp");
   const VkSampler sampler = library().sampler({.compare_greater = true});
+
   const auto lit = [&](float x, float y, float depth) {
     device().run([&](VkCommandBuffer commands) {
       Cmd cmd(device(), commands);
@@ -224,6 +230,7 @@ TEST_F(Draw, DepthOnlyThenSampledByComparison) {
         cmd.draw(3);
         cmd.end_rendering();
       }
+
       transition(cmd, single, depth_target_layout, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
       cmd.bind(compare, std::array<Binding, 2>{SampledBinding{&single, sampler}, BufferBinding{&out}});
       const float place[] = {x, y, depth};
@@ -232,6 +239,7 @@ TEST_F(Draw, DepthOnlyThenSampledByComparison) {
     });
     return values_of<float>(out)[0];
   };
+
   EXPECT_EQ(lit(0.2f, 0.8f, 0.6f), 1);  // nearer than the triangle
   EXPECT_EQ(lit(0.2f, 0.8f, 0.4f), 0);  // behind it
   EXPECT_EQ(lit(0.8f, 0.2f, 0.4f), 1);  // beside it
@@ -247,6 +255,7 @@ TEST_F(Draw, IndexedIndirectAndTimed) {
   const VkDrawIndirectCommand draws[] = {{3, 0, 0, 0}, {3, 1, 0, 0}};
   const Buffer arguments =
       make_buffer<VkDrawIndirectCommand>(device(), "arguments", draws, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+
   const Pipeline& pipeline = library().graphics(base());
   Timer timer(device(), 4);
   for (const bool indirect : {false, true}) {
@@ -255,6 +264,7 @@ TEST_F(Draw, IndexedIndirectAndTimed) {
                           .height = 16,
                           .format = VK_FORMAT_R8G8B8A8_UNORM,
                           .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
+
     device().run([&](VkCommandBuffer commands) {
       Cmd cmd(device(), commands);
       timer.reset(commands);
@@ -266,6 +276,7 @@ TEST_F(Draw, IndexedIndirectAndTimed) {
       transition(cmd, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, colour_target_layout);
       device().end_label(commands);
       timer.end(commands);
+
       timer.begin(commands, "draw");
       const ColourTarget colour{&target};
       cmd.begin_rendering(std::span(&colour, 1), std::nullopt, extent);
@@ -279,9 +290,11 @@ TEST_F(Draw, IndexedIndirectAndTimed) {
       timer.end(commands);
       timer.end(commands);
     });
+
     const auto picture = as<Pixel>(read_back(device(), target, colour_target_layout));
     EXPECT_EQ(at(picture, 1, 14), (Pixel{255, 0, 0, 255}));
     EXPECT_EQ(at(picture, 14, 1), blue);
+
     const auto times = timer.read();
     ASSERT_EQ(times.size(), 3u);
     EXPECT_EQ(times[0].name, "all");

@@ -195,6 +195,7 @@ TEST_F(External, RecordsIntoTheEnginesCommandsAndSubmitsNothing) {
     const Buffer out(device, "out", {.bytes = 16, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     Timer timer(device, 1);
     device.run([&](VkCommandBuffer commands) { Cmd(device, commands).fill(out, 0); });
+
     engine.begin();
     timer.reset(engine.commands);
     timer.begin(engine.commands, "fill");
@@ -202,9 +203,11 @@ TEST_F(External, RecordsIntoTheEnginesCommandsAndSubmitsNothing) {
     record_fill(device, library, engine.commands, in, out);
     device.end_label(engine.commands);
     timer.end(engine.commands);
+
     std::vector<float> values(4);
     std::memcpy(values.data(), read_back(device, out).data(), 16);
     EXPECT_EQ(values, std::vector<float>(4, 0.0f));  // recorded, not submitted
+
     engine.submit_and_wait();
     std::memcpy(values.data(), read_back(device, out).data(), 16);
     EXPECT_EQ(values, std::vector<float>(4, 123.0f));

@@ -15,6 +15,7 @@ constexpr std::uint64_t mib = 1 << 20;
 TEST_F(Memory, SmallResourcesShareABlockAndNeverOverlap) {
   std::mt19937 random(7);
   std::vector<RawBuffer> live;
+
   const auto check_apart = [&] {
     std::map<std::pair<VkDeviceMemory, std::uint64_t>, std::uint64_t> ranges;
     for (const RawBuffer& buffer : live)
@@ -26,6 +27,7 @@ TEST_F(Memory, SmallResourcesShareABlockAndNeverOverlap) {
       ASSERT_LE(range->first.second + range->second, next->first.second);
     }
   };
+
   for (int step = 0; step < 600; ++step) {
     if (live.empty() || random() % 5 < 3) {
       live.push_back(create_raw_buffer(device(), "piece", {.bytes = 1 + random() % (300 << 10)}));
@@ -36,9 +38,11 @@ TEST_F(Memory, SmallResourcesShareABlockAndNeverOverlap) {
     }
     if (step % 50 == 0) check_apart();
   }
+
   check_apart();
   EXPECT_LE(device().memory().reserved_bytes(), 2 * MemoryPool::block_bytes);
   for (const RawBuffer& buffer : live) destroy_raw_buffer(device(), buffer);
+
   // All pieces merged again: a buffer of almost half a block fits into the one block that is kept.
   EXPECT_EQ(device().buffer_bytes(), 0u);
   const std::uint64_t kept = device().memory().reserved_bytes();

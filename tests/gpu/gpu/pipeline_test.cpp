@@ -46,6 +46,7 @@ TEST_F(Pipelines, ReflectionFindsBindingsPushAndWorkgroup) {
   EXPECT_EQ(found.bindings[1].binding, 3u);
   EXPECT_EQ(found.push_bytes, 16u);
   EXPECT_EQ(found.workgroup, (std::array<std::uint32_t, 3>{64, 1, 1}));
+
   const ShaderInterface grid = reflect(test_gpu::find_shader("grid.comp"), "grid.comp");
   using Constant = std::pair<std::string, std::uint32_t>;
   EXPECT_EQ(grid.constants,
@@ -53,6 +54,7 @@ TEST_F(Pipelines, ReflectionFindsBindingsPushAndWorkgroup) {
   EXPECT_EQ(grid.workgroup, (std::array<std::uint32_t, 3>{8, 2, 1}));
   EXPECT_EQ(grid.workgroup_constants,
             (std::array<std::uint32_t, 3>{4, ShaderInterface::fixed, ShaderInterface::fixed}));
+
   const ShaderInterface store = reflect(test_gpu::find_shader("store.comp"), "store.comp");
   ASSERT_EQ(store.bindings.size(), 2u);
   EXPECT_EQ(store.bindings[0].kind, BindingKind::storage_image);
@@ -68,10 +70,12 @@ TEST_F(Pipelines, ConstantsByNameSetWorkgroupBoolAndFloat) {
     std::uint32_t group_x;
     float expected;
   };
+
   const Case cases[] = {
       {{}, 8, 8.5f},
       {{{"group_x", 16}}, 16, 16.5f},
       {{{"group_x", 4}, {"doubled", 1}, {"offset", bits(0.25f)}, {"unused", bits(-1)}}, 4, 8.25f}};
+
   for (const Case& c : cases) {
     const Pipeline& pipeline = library().compute("grid.comp", c.constants);
     EXPECT_EQ(pipeline.interface.workgroup[0], c.group_x);
@@ -171,11 +175,13 @@ class PipelineCache : public GpuTest {
 TEST_F(PipelineCache, SurvivesEveryKindOfDamage) {
   if (IsSkipped()) return;
   build_and_save();
+
   const std::vector<std::byte> good = read_file(file_);
   const std::vector<std::byte> blob = load_pipeline_cache(file_, device().properties());
   constexpr std::size_t header = 48, seal = 26;
   ASSERT_EQ(header + blob.size() + seal, good.size());
   ASSERT_FALSE(blob.empty());
+
   const auto damaged = [&](auto&& change) {
     std::vector<std::byte> bytes = good;
     change(bytes);
@@ -185,12 +191,14 @@ TEST_F(PipelineCache, SurvivesEveryKindOfDamage) {
     build_and_save();
     EXPECT_FALSE(load_pipeline_cache(file_, device().properties()).empty());
   };
+
   for (const std::size_t at : {std::size_t{0}, std::size_t{9}, std::size_t{30}, std::size_t{45}, header,
                                good.size() - seal - 1, good.size() - 1})
     damaged([&](std::vector<std::byte>& bytes) { bytes[at] ^= std::byte{0x40}; });
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, header - 1, header, good.size() - 1})
     damaged([&](std::vector<std::byte>& bytes) { bytes.resize(size); });
   damaged([&](std::vector<std::byte>& bytes) { bytes.resize(good.size() + 100); });
+
   std::filesystem::remove(file_);
   build_and_save();
   EXPECT_FALSE(load_pipeline_cache(file_, device().properties()).empty());

@@ -84,6 +84,7 @@ TEST_F(Transfer, EveryMipAndLayerIsWhereItBelongs) {
                          .mips = 3,
                          .format = VK_FORMAT_R32G32B32A32_SFLOAT,
                          .usage = VK_IMAGE_USAGE_SAMPLED_BIT};
+
   std::vector<float> texels;
   for (std::uint32_t mip = 0; mip < desc.mips; ++mip)
     for (std::uint32_t layer = 0; layer < desc.layers; ++layer)
@@ -92,9 +93,11 @@ TEST_F(Transfer, EveryMipAndLayerIsWhereItBelongs) {
           for (const std::uint32_t value : {layer, mip, x, y}) texels.push_back(static_cast<float>(value));
   const Texture texture(device(), "places", desc);
   upload(device(), texture, std::as_bytes(std::span(texels)));
+
   const Buffer out(device(), "out", {.bytes = sizeof(Colour), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   const Pipeline& sample = library().compute("sample.comp");
   const VkSampler nearest = library().sampler({.filter = Filter::nearest});
+
   for (const auto& [layer, mip, x, y] :
        {std::array{0u, 0u, 5u, 4u}, {1u, 0u, 2u, 3u}, {1u, 1u, 2u, 1u}, {0u, 2u, 0u, 0u}, {1u, 2u, 0u, 0u}}) {
     const float width = static_cast<float>(std::max(1u, desc.width >> mip)),
@@ -107,6 +110,7 @@ TEST_F(Transfer, EveryMipAndLayerIsWhereItBelongs) {
                           static_cast<float>(layer), static_cast<float>(mip)});
       cmd.dispatch(1, 1);
     });
+
     const auto found = values_of<float>(out);
     EXPECT_EQ(found, (std::vector<float>{static_cast<float>(layer), static_cast<float>(mip),
                                          static_cast<float>(x), static_cast<float>(y)}));
@@ -122,8 +126,10 @@ TEST_F(Transfer, SamplersFilterAndRepeatAsAsked) {
                          .usage = VK_IMAGE_USAGE_SAMPLED_BIT,
                          .array = true});
   upload(device(), texture, std::as_bytes(std::span(texels)));
+
   const Buffer out(device(), "out", {.bytes = sizeof(Colour), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   const Pipeline& sample = library().compute("sample.comp");
+
   const auto at = [&](float u, const SamplerDesc& desc) {
     device().run([&](VkCommandBuffer commands) {
       Cmd cmd(device(), commands);
@@ -134,6 +140,7 @@ TEST_F(Transfer, SamplersFilterAndRepeatAsAsked) {
     });
     return values_of<float>(out)[0];
   };
+
   EXPECT_NEAR(at(0.5f, {}), 0.5f, 1e-3);
   EXPECT_EQ(at(0.45f, {.filter = Filter::nearest}), 0);
   EXPECT_EQ(at(1.25f, {}), 1);
@@ -150,6 +157,7 @@ TEST_F(Transfer, StorageImagesAreWrittenToTheirEdges) {
   const Buffer scale = make_buffer<float>(device(), "scale", factor, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   const Buffer out(device(), "out", {.bytes = bytes_of(desc), .place = BufferPlace::readback});
   const Pipeline& store = library().compute("store.comp");
+
   device().run([&](VkCommandBuffer commands) {
     Cmd cmd(device(), commands);
     transition(cmd, texture, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
@@ -158,10 +166,12 @@ TEST_F(Transfer, StorageImagesAreWrittenToTheirEdges) {
     transition(cmd, texture, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     cmd.copy(texture, out);
   });
+
   const auto half = [](std::uint16_t bits) {  // all values here are normal numbers or 0
     if (bits == 0) return 0.0f;
     return std::ldexp(static_cast<float>((bits & 0x3ff) + 0x400), (bits >> 10 & 31) - 25);
   };
+
   std::vector<std::uint16_t> halves(out.desc().bytes / 2);
   std::memcpy(halves.data(), out.mapped().data(), out.desc().bytes);
   for (std::uint32_t y = 0; y < desc.height; ++y)

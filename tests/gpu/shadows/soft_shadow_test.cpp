@@ -111,6 +111,7 @@ TEST(SoftShadow, OfASphereIsItsHorizon) {
     made.lights = {directional({-1, 0, 0}, tangent)};
     made.cameras = {from_above(0.1f, {0, 0, 0.5f})};
     const Picture picture = renderer().render(wrap(std::move(made)), plain(200, 201));
+
     const int middle = picture.height / 2;
     double worst = 0;
     for (int x = 4; x < picture.width - 4; ++x) {
@@ -120,10 +121,12 @@ TEST(SoftShadow, OfASphereIsItsHorizon) {
         const double u = (i + 0.5) / 500 - 1;
         wanted += std::max(c + tangent * std::sqrt(1 - c * c) * u, 0.0) * 2 / pi * std::sqrt(1 - u * u) / 500;
       }
+
       const double seen =
           double{picture.linear_rgba[4 * static_cast<std::size_t>(middle * picture.width + x)]};
       worst = std::max(worst, std::abs(seen - wanted));
     }
+
     std::printf("tangent %.2f: off by %.4f of the light at most\n", tangent, worst);
     EXPECT_LT(worst, 0.02) << tangent;
   }
@@ -140,9 +143,11 @@ TEST(SoftShadow, OfALightInsideTheScene) {
     lamp.position_m = {-0.04f, 0, 0.05f};
     lamp.radius = static_cast<float>(radius);
     made.lights = {lamp};
+
     const Picture picture = renderer().render(wrap(std::move(made)), plain(60, 8));
     for (const float value : picture.linear_rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0);
     if (radius > 1) continue;
+
     // 0.5 mm beside the plate's edge, under it as the lamp sees it
     EXPECT_EQ(picture.linear_rgba[0], 0) << radius;
     const double x = 0.0595, d2 = std::pow(x + 0.04, 2) + 0.05 * 0.05;

@@ -110,15 +110,20 @@ TEST_P(CutOut, EmissionIsAddedAsItIs) {
     scene::Material& skin = made.materials.front();
     skin.emissive = {0.25f, 0.5f, 3.0f};
     if (mapped) skin.emissive_map = skin.base_colour_map;  // white where the skin is
+
     RenderSettings s = settings_of(GetParam(), true);
-    s.lights = 0, s.ambient = 0, s.exposure_ev = 1;
+    s.lights = 0;
+    s.ambient = 0;
+    s.exposure_ev = 1;
     const Picture picture = renderer().render(wrap(made), s);
+
     for (int y = 0; y < 128; ++y)
       for (int x = 0; x < 128; ++x)
         for (int c = 0; c < 3; ++c)
           ASSERT_EQ(picture.linear_rgba[static_cast<std::size_t>(4 * (128 * y + x) + c)],
                     x < 64 ? 2 * skin.emissive[c] : 0.0f)
               << x << " " << y;
+
     s.width = s.height = 8;
     const Picture truth = render_reference(wrap(made), s, {.samples = 2}).picture;
     for (int i = 0; i < 64; ++i)
@@ -188,14 +193,19 @@ TEST(CutOutMaps, WhatIsCutAwayIsNotBlurred) {
     v.position_m.x = v.position_m.x / 2 - static_cast<float>(size_m) / 4;
     v.uv0.x /= 2;
   }
+
   for (scene::Scene* scene : {&made, &narrow})
     scene->lights.push_back({.name = "lamp",
                              .type = scene::LightType::point,
                              .colour = glm::vec3(0.001f),
                              .position_m = {0, 0, 0.02f}});
+
   RenderSettings s = settings_of("texture-space", true);
-  s.ambient = 0, s.specular = false, s.translucency = false;
+  s.ambient = 0;
+  s.specular = false;
+  s.translucency = false;
   const Picture cut = renderer().render(wrap(made), s), ends = renderer().render(wrap(narrow), s);
+
   for (int y = 0; y < 128; ++y)
     for (int x = 0; x < 64; ++x) {
       const auto i = static_cast<std::size_t>(4 * (128 * y + x));
@@ -212,6 +222,7 @@ TEST(CutOutMaps, IsThatOfTheReference) {
   sheet.materials.front().name = "skin with a hole";
   cut_out(sheet, 8, [](int x, int y) { return x < 2 || x > 5 || y < 2 || y > 5; });
   sheet.materials.front().base_colour_map.image = 0;
+
   gaussians::SumOfGaussians narrow;
   narrow.name = "narrow";
   narrow.terms = {{.variance_mm2 = 1e-3, .weight = {1, 1, 1}}};
@@ -219,15 +230,22 @@ TEST(CutOutMaps, IsThatOfTheReference) {
   made.images = sheet.images;
   made.materials.push_back(sheet.materials.front());
   made.primitives.push_back(sheet.primitives.front());
-  made.primitives.back().material = 1, made.primitives.back().node = 1;
+  made.primitives.back().material = 1;
+  made.primitives.back().node = 1;
   for (scene::Vertex& v : made.primitives.back().vertices) v.position_m.z += 0.02f;
   made.lights.push_back({.name = "sun", .colour = glm::vec3(pi)});
   made.cameras.push_back(from_above(size_m / 2));
+
   RenderSettings s = settings_of("texture-space", true);
-  s.width = s.height = 64, s.map_size = 512, s.shadow_size = 1024;
-  s.ambient = 0, s.specular = false, s.translucency = false;
+  s.width = s.height = 64;
+  s.map_size = 512;
+  s.shadow_size = 1024;
+  s.ambient = 0;
+  s.specular = false;
+  s.translucency = false;
   const Picture picture = renderer().render(wrap(made), s),
                 truth = render_reference(wrap(made), s, {.samples = 64}).picture;
+
   double difference = 0, all = 0;
   for (int y = 10; y < 54; ++y)
     for (int x = 10; x < 54; ++x)
@@ -236,6 +254,7 @@ TEST(CutOutMaps, IsThatOfTheReference) {
         difference += picture.linear_rgba[i] - truth.linear_rgba[i];
         all += truth.linear_rgba[i];
       }
+
   std::printf("mean difference %.4f of the mean\n", difference / all);
   EXPECT_GT(all, 100);
   EXPECT_NEAR(difference / all, 0, 0.03);

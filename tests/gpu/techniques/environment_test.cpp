@@ -56,12 +56,14 @@ TEST_P(EveryTechniqueInSurroundings, TurningThemTurnsTheLight) {
   const Scene ball = sphere(0.1);
   RenderSettings s = lit_by_studio(GetParam());
   std::array<double, 3> first{}, mean{};
+
   for (int k = 0; k < 8; ++k) {
     s.environment_rotation_deg = 45.0 * k;
     s.orbit_deg = {45.0 * k, 0};
     const std::array<double, 3> turned = sum(renderer().render(ball, s));
     s.orbit_deg = {0, 0};
     const std::array<double, 3> still = sum(renderer().render(ball, s));
+
     for (std::size_t c = 0; c < 3; ++c) {
       if (k == 0) first[c] = turned[c];
       EXPECT_NEAR(turned[c], first[c], 0.02 * first[c]) << k;
@@ -69,6 +71,7 @@ TEST_P(EveryTechniqueInSurroundings, TurningThemTurnsTheLight) {
     }
     EXPECT_TRUE(k != 4 || std::abs(still[0] - first[0]) > 0.1 * first[0]) << "the bright side is behind now";
   }
+
   // A full turn gives each side its share: as much as from a sky without sides.
   s.environment_rotation_deg = 360;
   const std::array<double, 3> whole = sum(renderer().render(ball, s));

@@ -88,9 +88,11 @@ TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
     s.width = 192;
     s.distance = 2.5;
     s.clip_margin_mm = margin_mm;
+
     const glm::dmat4 camera_from_world =
         glm::inverse(glm::dmat4(scene::distance_camera(sphere, 2.5, 20).world_from_camera));
     const double slope_y = std::tan(glm::radians(10.0)), slope_x = slope_y * 192 / 128;
+
     const auto inside = [&](std::size_t t, const glm::dvec3& w) {
       glm::dvec3 p(0);
       for (int k = 0; k < 3; ++k) p += w[k] * glm::dvec3(corner(*mesh, t, k).position_m);
@@ -100,6 +102,7 @@ TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
                    y = (-q.z * slope_y - std::abs(q.y)) / std::hypot(1, slope_y);
       return std::min(x, y) >= -margin_mm * 0.001;
     };
+
     const std::size_t expected = count_texels(*mesh, inside),
                       all = count_texels(*mesh, [](auto, auto) { return true; });
     const Statistics st = renderer().render(*scan, s).statistics;
@@ -111,25 +114,30 @@ TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
 
 TEST_F(OnTheScan, DepthTakesTheMapThatTheNearestPointNeeds) {
   glm::dvec3 low(1e9), high(-1e9);
-  for (const std::uint32_t i : mesh->indices)
-    low = min(low, glm::dvec3(mesh->vertices[i].position_m)),
+  for (const std::uint32_t i : mesh->indices) {
+    low = min(low, glm::dvec3(mesh->vertices[i].position_m));
     high = max(high, glm::dvec3(mesh->vertices[i].position_m));
+  }
+
   PreparedFrame frame = renderer().prepare(*scan, settings_with(false, true, false));
   for (const double distance : {2.5, 5.0, 10.0, 20.0, 50.0, 100.0}) {
     RenderSettings s = settings_with(false, true, false);
     s.distance = distance;
     frame.set(s);
     const Statistics st = frame.picture().statistics;
+
     const glm::dvec3 eye(scene::distance_camera(sphere, distance, 20).world_from_camera[3]);
     const double d = glm::distance(eye, glm::clamp(eye, low, high)) / sphere.radius_m;
     const int expected = static_cast<int>(32 * std::ceil(std::min(1.0, st.d_ref / d) * side / 32));
     ASSERT_EQ(st.used_size, std::vector<int>{expected}) << distance;
+
     std::vector<bool> covered(static_cast<std::size_t>(expected) * static_cast<std::size_t>(expected));
     for (std::size_t t = 0; t < mesh->triangle_chart.size(); ++t)
       scene::for_each_texel(scene::triangle_uv(*mesh, t), expected, [&](int x, int y) {
         covered[static_cast<std::size_t>(y) * static_cast<std::size_t>(expected) +
                 static_cast<std::size_t>(x)] = true;
       });
+
     const auto texels = static_cast<double>(std::count(covered.begin(), covered.end(), true));
     EXPECT_NEAR(static_cast<double>(st.irradiance_texels), texels, 0.001 * texels) << distance;
   }

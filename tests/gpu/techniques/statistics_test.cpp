@@ -90,6 +90,7 @@ TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
     SCOPED_TRACE(technique);
     const nlohmann::json j =
         nlohmann::json::parse(renderer().render(sphere(0.1), small_settings(technique)).statistics.json());
+
     for (const char* key : {"dermis", "device", "driver", "api", "technique", "timing"})
       EXPECT_TRUE(j.at(key).is_string() && j.at(key) != "") << key;
     for (const char* key :
@@ -101,15 +102,18 @@ TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
       EXPECT_TRUE(j.at("texels").at(key).is_number_unsigned()) << key;
     for (const char* key : {"images", "buffers", "peak"}) EXPECT_GT(j.at("memory_bytes").at(key), 0) << key;
     EXPECT_TRUE(j.at("texels").at("used_size").is_array());
+
     const bool scatters = technique != "lambert";
     EXPECT_EQ(j.at("optimise"),
               scatters ? nlohmann::json({"cull", "depth", "clip"}) : nlohmann::json::array());
     EXPECT_EQ(j.at("maps"), scatters ? nlohmann::json("full") : nlohmann::json());
     EXPECT_EQ(j.at("mask").is_string(), scatters);
+
     EXPECT_EQ(j.at("size"), nlohmann::json({128, 128}));
     EXPECT_EQ(j.at("skin_materials"), nlohmann::json({"skin"}));
     EXPECT_TRUE(j.at("distance").is_null());
     EXPECT_GT(j.at("d_ref"), 0);
+
     ASSERT_FALSE(j.at("passes").empty());
     for (const nlohmann::json& pass : j.at("passes"))
       EXPECT_TRUE(pass.at("name").is_string() && pass.at("ms").is_number() && pass.at("calls") == 1);

@@ -95,10 +95,13 @@ TEST_F(Views, NearAndFarAndInARow) {
 // Maps change their size on the way: that must not show as jumps.
 TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
   RenderSettings s = small_view();
-  s.width = 320, s.height = 200;
-  s.map_size = 352, s.shadow_size = 512;  // texels a pixel about as in the paper's test
+  s.width = 320;
+  s.height = 200;
+  s.map_size = 352;  // texels a pixel about as in the paper's test
+  s.shadow_size = 512;
   s.bloom = 0;
   PreparedFrame optimised = renderer().prepare(scan(), s), baseline = renderer().prepare(scan(), without(s));
+
   // Of 200 steps from 2.5 to 100 radii those in which maps shrink to a third.
   const double step = std::pow(100 / 2.5, 1 / 199.0);
   constexpr int steps = 40;
@@ -107,8 +110,10 @@ TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
   double worst = 0;
   for (int i = 0; i < steps; ++i) {
     s.distance = 5 * std::pow(step, i);
-    baseline.set(without(s)), optimised.set(s);
+    baseline.set(without(s));
+    optimised.set(s);
     const Picture a = baseline.picture(), b = optimised.picture();
+
     if (i > 0) {
       double change[2] = {}, values = 0;
       for (std::size_t p = 0; p < a.display_rgba.size(); ++p) {
@@ -121,10 +126,13 @@ TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
           << "from " << *s.distance << " radii on, over " << values << " values";
       worst = std::max(worst, change[1] / change[0]);
     }
-    last[0] = a.display_rgba, last[1] = b.display_rgba;
+
+    last[0] = a.display_rgba;
+    last[1] = b.display_rgba;
     last_alpha.clear();
     for (std::size_t p = 3; p < a.linear_rgba.size(); p += 4) last_alpha.push_back(a.linear_rgba[p]);
   }
+
   std::cout << "largest ratio of changes " << worst << "\n";
 }
 
@@ -136,17 +144,21 @@ TEST(CoarseHeads, EveryReadFindsLight) {
       (folder ? std::filesystem::path(folder)
               : std::filesystem::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets") /
       "makehuman" / "crowd";
+
   const std::pair<const char*, std::array<double, 2>> views[] = {
       {"african-man-old", {90, -30}},      {"african-man-old", {135, -30}},
       {"african-man-old", {180, 0}},       {"asian-woman-young", {45, -30}},
       {"asian-woman-young", {22.5, 60}},   {"european-man-young", {90, 0}},
       {"european-woman-young", {45, -30}}, {"south-asian-man-middleage", {112.5, 0}}};
+
   for (const auto& [name, orbit_deg] : views) {
     const std::filesystem::path file = crowd / ("mh-crowd-" + std::string(name) + "-lod2.glb");
     if (!std::filesystem::exists(file))
       GTEST_SKIP() << file.filename() << " is not there; set DERMIS_ASSET_CACHE to the folder that holds it";
+
     RenderSettings s;
-    s.width = 192, s.height = 120;
+    s.width = 192;
+    s.height = 120;
     s.map_size = s.shadow_size = 512;
     s.lights = 2;
     s.orbit_deg = orbit_deg;

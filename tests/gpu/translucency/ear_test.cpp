@@ -77,11 +77,13 @@ TEST_F(Ear, GlowsAsTheReferenceDoes) {
   const Picture on = renderer().render(*scan, s);
   s.translucency = false;
   const Picture off = renderer().render(*scan, s);
+
   const std::vector<std::uint8_t> region = ear_region();
   const double with = image::mean_flip(shown(truth), shown(on), region),
                without = image::mean_flip(shown(truth), shown(off), region);
   std::printf("FLIP over the ear: %.4f with, %.4f without, ratio %.3f\n", with, without, with / without);
   EXPECT_LE(with, 0.5 * without);
+
   std::array<double, 3> light[3] = {};  // over the region: truth, with, without
   for (std::size_t i = 0; i < region.size(); ++i)
     if (region[i])
@@ -90,6 +92,7 @@ TEST_F(Ear, GlowsAsTheReferenceDoes) {
         light[1][c] += double{on.linear_rgba[4 * i + c]};
         light[2][c] += double{off.linear_rgba[4 * i + c]};
       }
+
   const double glow = light[0][0] - light[2][0];
   std::printf("red light through the ear: %.3f of the reference's\n", (light[1][0] - light[2][0]) / glow);
   EXPECT_NEAR((light[1][0] - light[2][0]) / glow, 1, 0.25);

@@ -20,6 +20,7 @@ scene::Scene slab(double thickness_mm) {
   scene::Scene made = scene::plane(side_m, glm::dmat2(0.46, 0, 0, 0.46), {0.02, 0.02}, 4);
   scene::Primitive back =
       scene::plane(side_m, glm::dmat2(0.46, 0, 0, 0.46), {0.52, 0.52}, 4).primitives.front();
+
   scene::Primitive& both = made.primitives.front();
   const auto base = static_cast<std::uint32_t>(both.vertices.size());
   for (scene::Vertex v : back.vertices) {
@@ -31,6 +32,7 @@ scene::Scene slab(double thickness_mm) {
   }
   for (const std::uint32_t i : back.indices) both.indices.push_back(base + i);
   made.name = both.name = "slab";
+
   scene::Camera camera;
   camera.name = "front";
   camera.world_from_camera[3] = glm::vec4(0, 0, 0.1f, 1);

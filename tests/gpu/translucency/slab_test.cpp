@@ -71,12 +71,15 @@ TEST(Slab, IsThatOfTheReference) {
       const RenderSettings s = slab_settings();
       const ReferencePicture truth = render_reference(scene, s, {.samples = 400});
       const auto seen = middle(renderer().render(scene, s)), wanted = middle(truth.picture);
+
       for (std::size_t c = 0; c < 3; ++c) {
+        // Yields the standard error of the picture's mean.
         double variance = 0;
         for (std::size_t i = c; i < truth.variance_rgba.size(); i += 4)
           variance += double{truth.variance_rgba[i]};
         const double error = std::sqrt(variance) / static_cast<double>(truth.variance_rgba.size() / 4);
         const double back = l.irradiance[static_cast<int>(c)] / pi;
+
         EXPECT_LT(error, 0.02 * back * thin[c]);
         EXPECT_NEAR(seen[c], wanted[c], 0.02 * back * thin[c] + 3 * error)
             << d << " mm, " << lights << " lights, channel " << c;
@@ -160,6 +163,7 @@ TEST(Slab, AnyNumberOfTerms) {
   for (const std::size_t terms : {1u, 2u, 3u, 4u, 5u, 8u}) {
     std::string variances, weights;
     double wanted = 0;
+
     for (std::size_t i = 0; i < terms; ++i) {
       const double variance = 0.05 * std::pow(3.0, static_cast<double>(i)),
                    weight = 1.0 / static_cast<double>(terms);
@@ -168,12 +172,14 @@ TEST(Slab, AnyNumberOfTerms) {
       weights += comma + "[" + w + ", " + w + ", " + w + "]";
       wanted += weight * std::exp(-0.25 / (2 * variance));
     }
+
     const auto path = folder / ("dermis_terms_" + std::to_string(terms) + ".json");
     FILE* file = std::fopen(path.c_str(), "w");
     ASSERT_NE(file, nullptr);
     std::fprintf(file, R"({"name": "made up", "variances_mm2": [%s], "weights": [%s]})", variances.c_str(),
                  weights.c_str());
     std::fclose(file);
+
     RenderSettings s = slab_settings();
     s.profile = path.string();
     s.normalise_profile = true;

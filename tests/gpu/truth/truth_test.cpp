@@ -215,6 +215,7 @@ TEST(Truth, ASunIsNoWorseThanAStudio) {
 Scene knife_edge() {
   scene::Scene made = scene::plane(0.06, glm::dmat2(1), {}, 1);
   made.materials.push_back({.name = "sheet"});
+
   scene::Primitive sheet{.name = "sheet", .material = 1};
   for (int i = 0; i < 4; ++i) {
     scene::Vertex v;
@@ -223,6 +224,7 @@ Scene knife_edge() {
   }
   sheet.indices = {0, 1, 3, 0, 3, 2};
   made.primitives.push_back(std::move(sheet));
+
   made.lights.push_back({.name = "sun", .colour = glm::vec3(3.14159265f)});
   scene::Camera camera;
   camera.name = "above";
@@ -242,9 +244,11 @@ TEST(Truth, AKnifeEdge) {
   s.ambient = 0;
   s.specular = false;
   s.white_albedo = true;
+
   const Scene scene = knife_edge();
   const Truth truth(scene, s, 1024);
   const image::ImageF picture = truth.rendered("texture-space", false), &reference = truth.reference();
+
   double mean = 0, worst = 0;
   for (int x = 0; x < s.width; ++x)
     for (int c = 0; c < 3; ++c) {
@@ -254,6 +258,7 @@ TEST(Truth, AKnifeEdge) {
       mean += std::abs(difference) / (3 * s.width);
       worst = std::max(worst, std::abs(difference));
     }
+
   std::printf("mean %.4f, worst %.4f of the peak\n", mean, worst);
   EXPECT_GT(reference.at(0, 8)[0], 0.95) << "lit";
   EXPECT_LT(reference.at(47, 8)[0], 0.05) << "in the shadow";

@@ -76,9 +76,11 @@ std::vector<MadeUp> made_up_unwraps() {
       {"a line", moved(sphere, glm::dmat2(0.4, 0.2, 0, 0))},
       {"nearly a line", moved(sphere, glm::dmat2(1, 1, 1e-6, -1e-6))},
       {"a point", moved(sphere, glm::dmat2(0), glm::dvec2(0.3))}};
+
   const auto add = [&](const char* name, const std::function<void(std::size_t, scene::Vertex*)>& change) {
     all.push_back({name, with_triangles(sphere, change)});
   };
+
   add("half without area", [](std::size_t t, scene::Vertex* v) {
     if (t % 2 == 0) v[1].uv0 = v[2].uv0 = v[0].uv0;
   });
@@ -88,12 +90,14 @@ std::vector<MadeUp> made_up_unwraps() {
   add("one far away", [](std::size_t t, scene::Vertex* v) {
     if (t == 300) v[0].uv0 += glm::vec2(300, -4000);
   });
+
   add("all on one square", [](std::size_t, scene::Vertex* v) {
     for (std::size_t k = 0; k < 3; ++k) v[k].uv0 = corner_uv(k, 1);
   });
   add("all on one small square", [](std::size_t, scene::Vertex* v) {
     for (std::size_t k = 0; k < 3; ++k) v[k].uv0 = corner_uv(k, 0.001f);
   });
+
   add("each far from the next", [](std::size_t t, scene::Vertex* v) {
     const auto at = glm::vec2(static_cast<float>(t % 28), static_cast<float>(t / 28)) / 28.0f;
     for (std::size_t k = 0; k < 3; ++k) v[k].uv0 = at + corner_uv(k, 0.001f);
@@ -101,6 +105,7 @@ std::vector<MadeUp> made_up_unwraps() {
   add("two islands at the ends", [](std::size_t t, scene::Vertex* v) {
     for (std::size_t k = 0; k < 3; ++k) v[k].uv0 = v[k].uv0 * 0.02f + glm::vec2(t % 2 == 0 ? 0.0f : 0.98f);
   });
+
   scene::Scene without = moved(sphere, glm::dmat2(0));
   without.primitives[0].has_uv = false;
   all.push_back({"none at all", without});

@@ -137,10 +137,12 @@ TEST_F(CompareRuns, WhatIsNoResultIsRefusedWithItsPlace) {
       EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
     }
   };
+
   refuse("{", "is no JSON");
   refuse("[]", "has no 'commit'");
   refuse("{}", "has no 'commit'");
   refuse(std::string(100000, '['), "is no JSON");
+
   const auto broken = [&](const std::string& pointer, const json& value, const std::string& says) {
     json j = made_up();
     j[json::json_pointer(pointer)] = value;
@@ -155,12 +157,14 @@ TEST_F(CompareRuns, WhatIsNoResultIsRefusedWithItsPlace) {
   broken("/cells/0/variants/cull/rounds_ms/2", -1, "rounds_ms[2]: expected a number from 0");
   broken("/cells/0/variants/cull/rounds_ms/2", nullptr, "rounds_ms[2]: expected a number");
   broken("/cells/0/variants/cull/passes/0/name", 1, "passes[0].name: expected text");
+
   json twice = made_up();
   twice["cells"][1] = twice["cells"][0];
   refuse(twice.dump(), "cells[1]: is there twice");
   json settings = made_up();
   settings.erase("settings");
   refuse(settings.dump(), "has no 'settings'");
+
   // The way to a value goes through the names of the file, which may hold anything; the message is one line.
   json odd = made_up();
   odd["cells"][0]["variants"]["a\nb"] = 1;

@@ -36,22 +36,31 @@ Run made_up_run() {
           .driver = "a driver",
           .api = "1.3.0",
           .timing = "submit"};
-  run.cores = 2, run.lights = 2, run.gaussians = 6, run.rounds = 3;
+  run.cores = 2;
+  run.lights = 2;
+  run.gaussians = 6;
+  run.rounds = 3;
+
   for (const int heads : {1, 3})
     for (const double distance : {2.5, 7.0}) {
       RenderSettings s = run.settings;
-      s.heads = heads, s.distance = distance;
+      s.heads = heads;
+      s.distance = distance;
       Cell cell{.heads = heads, .distance = distance, .measured = {}, .difference = {}};
+
+      // Let each variant take 4 ms less than the one before; the optimised one always takes 20 ms.
       double ms = 40.0 * heads;
       for (const Variant& variant : variants_of(s)) {
         cell.measured.push_back(measured(variant, variant.key == optimised_key ? 20 : ms));
         ms -= 4;
       }
+
       if (distance < 5)
         cell.difference =
             PictureDifference{.psnr_db = 45.5, .flip_mean = 0.0125, .pixels = 321, .samples = 4};
       run.cells.push_back(std::move(cell));
     }
+
   return run;
 }
 

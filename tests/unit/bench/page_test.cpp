@@ -25,7 +25,10 @@ std::size_t count(const std::string& text, std::string_view part) {
 
 TEST(Variants, DifferInNothingButWhatTheyAreFor) {
   RenderSettings s;
-  s.map_size = 777, s.heads = 5, s.lights = 3;
+  s.map_size = 777;
+  s.heads = 5;
+  s.lights = 3;
+
   for (const Variant& v : variants_of(s)) {
     SCOPED_TRACE(v.key);
     EXPECT_EQ(v.settings.map_size, 777);
@@ -34,6 +37,7 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.samples, s.samples);
     EXPECT_EQ(v.settings.technique, v.key == floor_key ? "lambert" : "texture-space");
     EXPECT_EQ(v.settings.skip_unseen_heads, v.key != baseline_key && v.key != progressive_key);
+
     const bool all = v.key == optimised_key || v.key == at_edge_key || v.key == optimised_progressive_key;
     EXPECT_EQ(v.settings.maps,
               v.key == progressive_key || v.key == optimised_progressive_key ? "progressive" : "full");
@@ -42,9 +46,11 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.clip, all || v.key == "clip");
     EXPECT_EQ(v.settings.clip_margin_mm, v.key == at_edge_key ? std::optional(0.0) : std::nullopt);
   }
+
   EXPECT_EQ(variants_of(s).size(), 10u);
   s.clip_margin_mm = 0;
   EXPECT_EQ(variants_of(s).size(), 9u) << "all is at the edge already";
+
   s.maps = "progressive";
   EXPECT_EQ(variants_of(s).size(), 7u) << "all are progressive already";
   for (const Variant& v : variants_of(s)) EXPECT_EQ(v.settings.maps, "progressive");
@@ -58,6 +64,7 @@ TEST(RunJson, KeysThatAreAContract) {
   EXPECT_EQ(j.at("commit"), "abcdef0");
   EXPECT_EQ(j.at("dermis"), "1.2.3");
   ASSERT_EQ(j.at("cells").size(), 4u);
+
   for (const json& cell : j.at("cells")) {
     for (const char* key : {"heads", "distance", "baseline_ms", "skip_ms", "cull_ms", "depth_ms", "clip_ms",
                             "all_ms", "lambert_ms", "speedup", "speedup_over_skip", "speedup_margin_0",
@@ -67,17 +74,20 @@ TEST(RunJson, KeysThatAreAContract) {
                 1e-12);
     EXPECT_NEAR(cell.at("speedup_over_skip"),
                 cell.at("skip_ms").get<double>() / cell.at("all_ms").get<double>(), 1e-12);
+
     EXPECT_EQ(cell.at("texels").at("all").at("irradiance"), 100);
     EXPECT_FALSE(cell.at("texels").contains("lambert"));
     EXPECT_EQ(cell.at("variants").at("cull").at("rounds_ms").size(), 3u);
     EXPECT_EQ(cell.at("variants").at("cull").at("passes").at(0).at("name"), "shadow");
   }
+
   const json& first = j.at("cells")[0];
   EXPECT_EQ(first.at("baseline_ms"), 40);
   EXPECT_EQ(first.at("speedup"), 2);
   EXPECT_EQ(first.at("paper_speedup"), 1.17);
   EXPECT_EQ(first.at("psnr_db"), 45.5);
   EXPECT_EQ(first.at("flip_mean"), 0.0125);
+
   const json& second = j.at("cells")[1];
   EXPECT_TRUE(second.at("paper_speedup").is_null()) << "the paper has no 7 radii";
   EXPECT_TRUE(second.at("psnr_db").is_null());
@@ -107,9 +117,11 @@ TEST(RunPage, HoldsEveryCell) {
   EXPECT_EQ(count(page, "src=\"data:image/png;base64,"), 2 * 4 + 3u);
   EXPECT_EQ(count(page, "<svg"), count(page, "</svg>"));
   EXPECT_EQ(count(page, "class=\"chart\""), 2 + 2 + 4u) << "against heads, against distance, bars";
+
   EXPECT_NE(page.find("abcdef0"), std::string::npos);
   EXPECT_EQ(count(page, "<head>.glb"), 0u) << "names of files are text, not HTML";
   EXPECT_EQ(count(page, ">nan<") + count(page, ">inf<"), 0u);
+
   // Each half of a slider names a picture of its own.
   std::set<std::string> ids;
   for (std::size_t at = page.find("data-from=\""); at != std::string::npos;

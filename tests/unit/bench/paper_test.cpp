@@ -21,6 +21,7 @@ TEST(PaperTable, IsTable1) {
       "4 1.66 1.39 1.58 1.89 2.10 2.26\n"
       "8 1.86 1.67 1.95 2.01 2.34 2.59\n"
       "16 2.01 1.90 2.28 2.41 2.50 2.77\n");
+
   int rows = 0;
   for (std::string line; std::getline(printed, line); ++rows) {
     std::istringstream words(line);
@@ -32,6 +33,7 @@ TEST(PaperTable, IsTable1) {
       EXPECT_EQ(paper_speedup(heads, distance), speedup) << heads << " heads at " << distance;
     }
   }
+
   EXPECT_EQ(rows, 5);
 }
 

@@ -87,16 +87,19 @@ TEST(BuiltinHead, IsOneSkinPrimitiveOfAbout25000Triangles) {
   EXPECT_GE(mesh().indices.size() / 3, 20000u);
   EXPECT_LE(mesh().indices.size() / 3, 30000u);
   for (const std::uint32_t i : mesh().indices) ASSERT_LT(i, mesh().vertices.size());
+
   const Material& skin = head().materials.front();
   EXPECT_TRUE(skin.skin);
   EXPECT_EQ(skin.name, "skin");
   EXPECT_FLOAT_EQ(skin.ior, 1.4f);
   EXPECT_FALSE(skin.skin_settings.mix.has_value());
+
   for (const MapRef* ref : {&skin.base_colour_map, &skin.normal_map, &skin.skin_settings.specular,
                             &skin.skin_settings.roughness}) {
     ASSERT_TRUE(ref->present());
     ASSERT_LT(static_cast<std::size_t>(ref->image), head().images.size());
   }
+
   for (const MapImage& image : head().images) {
     EXPECT_EQ(image.pixels->width, test_map_size);
     EXPECT_EQ(image.pixels->height, test_map_size);
@@ -161,10 +164,12 @@ TEST(BuiltinHead, UnwrapDoesNotOverlapAndKeepsTheFaceDense) {
   EXPECT_EQ(skins.front().charts, 1);
   EXPECT_LT(uv_overlap_fraction(skins.front(), 1024), 0.0005);
   EXPECT_GT(uv_area_sum(skins.front()), 0.9);
+
   const UnwrapDensity density = unwrap_density(skins.front(), head().mm_per_unit);
   EXPECT_NEAR(density.area_mm2, 165000, 25000);
   EXPECT_LT(density.texels_per_mm.p95, 2.5 * density.texels_per_mm.p50);
   EXPECT_LT(density.largest_texels_per_mm.p95, 4 * density.texels_per_mm.p50);
+
   // On the face at least three texels per mm of a map of 2048.
   double face = 0, area = 0;
   const Primitive& m = mesh();
@@ -185,16 +190,19 @@ TEST(BuiltinHead, LooksLikeAFace) {
   const auto depth = [](double x, double above_eyes) { return front_mm(x, above_eyes + 35); };
   const double tip = depth(0, -37), root = depth(0, 3), brow = depth(0, 18), lips = depth(0, -73),
                chin = depth(0, -102), groove = depth(0, -87);
+
   EXPECT_GT(tip, root + 20) << "nose";
   EXPECT_GT(brow, root + 2) << "brow";
   EXPECT_GT(tip, depth(17, -20) + 20) << "nose against cheek";
   EXPECT_GT(lips, groove + 4) << "lower lip";
   EXPECT_GT(chin, groove + 1) << "chin";
   EXPECT_GT(tip, lips + 8);
+
   for (const double side : {1.0, -1.0}) {
     EXPECT_GT(depth(side * 31.5, -4), depth(side * 16, -7) + 1.5) << "closed eye against its inner corner";
     EXPECT_LT(depth(side * 31.5, -4), root + 2) << "eye behind the root of the nose";
   }
+
   // Ears stand out at the side, between brow and nose, and nowhere else.
   float ear = 0, temple = 0;
   for (const Vertex& v : mesh().vertices) {
@@ -214,6 +222,8 @@ TEST(BuiltinHead, NostrilsAreHollow) {
       std::array<dvec3, 3> p;
       for (std::size_t k = 0; k < 3; ++k) p[k] = dvec3(m.vertices[m.indices[t + k]].position_m) * 1000.0;
       if (p[0].y < -20 || p[0].y > 40) continue;  // only the nose is above
+
+      // Weigh the corners at (x, z); outside the triangle one weight has the other sign than the sum.
       const auto side = [&](const dvec3& a, const dvec3& b) {
         return (b.x - a.x) * (z - a.z) - (b.z - a.z) * (x - a.x);
       };
@@ -223,6 +233,7 @@ TEST(BuiltinHead, NostrilsAreHollow) {
     }
     return low;
   };
+
   const double columella = lowest(0, 104);
   EXPECT_GT(lowest(7.5, 104), columella + 2);
   EXPECT_GT(lowest(-7.5, 104), columella + 2);
@@ -231,28 +242,37 @@ TEST(BuiltinHead, NostrilsAreHollow) {
 TEST(BuiltinHead, ColourIsSkinAndVaries) {
   const image::Image8& colour =
       *head().images[static_cast<std::size_t>(head().materials.front().base_colour_map.image)].pixels;
+
   std::set<std::uint32_t> different;
   double red = 0, green = 0, blue = 0;
   for (std::size_t i = 0; i < colour.rgba.size(); i += 4) {
-    red += colour.rgba[i], green += colour.rgba[i + 1], blue += colour.rgba[i + 2];
+    red += colour.rgba[i];
+    green += colour.rgba[i + 1];
+    blue += colour.rgba[i + 2];
     different.insert(
         static_cast<std::uint32_t>(colour.rgba[i] << 16 | colour.rgba[i + 1] << 8 | colour.rgba[i + 2]));
     ASSERT_EQ(colour.rgba[i + 3], 255);
   }
+
   EXPECT_GT(red, 1.1 * green);
   EXPECT_GT(green, 1.05 * blue);
   EXPECT_GT(different.size(), 2000u);
+
   // Redness (red over green) at a place of the face, mm.
   const auto redness = [&](const vec3& near_mm) {
     const Vertex* best = nullptr;
     float distance = 1e9f;
     for (const Vertex& v : mesh().vertices) {
       const float d = glm::distance(v.position_m * 1000.0f - vec3(0, 35, 0), near_mm);
-      if (d < distance) distance = d, best = &v;
+      if (d < distance) {
+        distance = d;
+        best = &v;
+      }
     }
     const vec3 c = texel(colour, best->uv0);
     return c.x / c.y;
   };
+
   const float forehead = redness({0, 45, 92});
   EXPECT_GT(redness({8, -73, 100}), 1.10f * forehead) << "lips";
   EXPECT_GT(redness({0, -37, 117}), 1.03f * forehead) << "tip of the nose";
@@ -283,6 +303,7 @@ TEST(BuiltinHead, NormalSpecularAndRoughnessMapsAreWithinTheirRanges) {
   const image::Image8& normal = *head().images[static_cast<std::size_t>(skin.normal_map.image)].pixels;
   const MapRef &specular = skin.skin_settings.specular, &roughness = skin.skin_settings.roughness;
   const image::Image8& gloss = *head().images[static_cast<std::size_t>(specular.image)].pixels;
+
   std::size_t flat = 0, texels = 0;
   for (std::size_t i = 0; i < normal.rgba.size(); i += 4) {
     const vec3 n = vec3(normal.rgba[i], normal.rgba[i + 1], normal.rgba[i + 2]) / 127.5f - 1.0f;
@@ -290,12 +311,14 @@ TEST(BuiltinHead, NormalSpecularAndRoughnessMapsAreWithinTheirRanges) {
     ASSERT_GT(n.z, 0);
     flat += n.z > 0.9f;
     ++texels;
+
     const int s = gloss.rgba[i + static_cast<std::size_t>(specular.channel)],
               r = gloss.rgba[i + static_cast<std::size_t>(roughness.channel)];
     ASSERT_GE(s, 50);
     ASSERT_GE(r, 0.40 * 255);
     ASSERT_LE(r, 0.70 * 255);
   }
+
   EXPECT_GT(flat, texels * 8 / 10);
   EXPECT_LT(flat, texels);
 }

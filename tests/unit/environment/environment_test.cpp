@@ -63,7 +63,9 @@ TEST(Irradiance, IsTheCosineIntegral) {
     const Irradiance e = irradiance_of(environment);
     double worst = 0, mean = 0;
     const image::ImageF& p = environment.radiance;
+
     for (const glm::dvec3& n : some_directions()) {
+      // Sum the green radiance times the cosine over the solid angles of all texels.
       double exact = 0;
       for (int y = 0; y < p.height; ++y)
         for (int x = 0; x < p.width; ++x) {
@@ -71,9 +73,11 @@ TEST(Irradiance, IsTheCosineIntegral) {
           exact += std::max(glm::dot(d, n), 0.0) * p.at(x, y)[1] * std::sin(pi * (y + 0.5) / p.height) * 2 *
                    pi * pi / (p.width * p.height);
         }
+
       worst = std::max(worst, std::abs(evaluate(e, n).y - exact));
       mean += exact / 50;
     }
+
     return worst / mean;
   };
   EXPECT_LT(error(painted(
@@ -102,10 +106,13 @@ TEST(Prefilter, SpreadsALamp) {
   const std::vector<image::ImageF> levels = prefilter(painted(512, 256, [&](const glm::dvec3& d) {
     return glm::dvec3(glm::dot(d, lamp) > std::cos(0.05) ? 100 : 0.1);
   }));
+
   double last_peak = 1e9, first_sum = 0;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     double sum = 0, peak = 0;
     glm::dvec3 middle(0);
+
+    // Sum the level's light, its direction without the surroundings' 0.1, and its peak.
     for (int y = 0; y < levels[k].height; ++y)
       for (int x = 0; x < levels[k].width; ++x) {
         const double v = (y + 0.5) / levels[k].height, value = levels[k].at(x, y)[0];
@@ -115,6 +122,7 @@ TEST(Prefilter, SpreadsALamp) {
         middle += d * ((value - 0.1) * sr);
         peak = std::max(peak, value);
       }
+
     if (k == 0) first_sum = sum;
     EXPECT_NEAR(sum, first_sum, 0.15 * first_sum) << k;
     EXPECT_LT(peak, last_peak) << k;

@@ -54,6 +54,7 @@ TEST(Harmonics, HoldAPolynomialAndTurnIt) {
   const auto radiance = [](const glm::dvec3& d) {
     return glm::dvec3(2 + d.x, 1 + d.x * d.z + d.y, 1.5 + d.z * d.z * d.x - d.y * d.y);
   };
+
   image::ImageF picture{.width = 256, .height = 128, .channels = 3, .values = {}};
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
@@ -61,12 +62,14 @@ TEST(Harmonics, HoldAPolynomialAndTurnIt) {
       for (int c = 0; c < 3; ++c) picture.values.push_back(static_cast<float>(rgb[c]));
     }
   const SkyHarmonics sky = sky_of(picture), left = turned(sky, pi / 2);
+
   const auto evaluate = [](const SkyHarmonics& s, const glm::dvec3& d) {
     const Harmonics y = harmonics(d);
     glm::dvec3 sum(0);
     for (std::size_t k = 0; k < y.size(); ++k) sum += s[k] * y[k];
     return sum;
   };
+
   for (int i = 0; i < 40; ++i) {
     const double z = 1 - (2 * i + 1) / 40.0, a = 2.4 * i;
     const glm::dvec3 d(std::sqrt(1 - z * z) * std::cos(a), std::sqrt(1 - z * z) * std::sin(a), z);

@@ -74,6 +74,7 @@ TEST(Occlusion, NothingInTheWayIsOpen) {
 TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
   const scene::Scene scene = floor_with_wall(0.5);
   const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
+
   const auto radiance = [](const glm::dvec3& d) { return glm::dvec3(1 + d.x, 1 - d.x, 0.5 + d.z * d.z); };
   constexpr int rows = 128;
   image::ImageF picture{.width = 2 * rows, .height = rows, .channels = 3, .values = {}};
@@ -82,10 +83,13 @@ TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
       const glm::dvec3 rgb = radiance(direction_of((x + 0.5) / (2 * rows), (y + 0.5) / rows));
       for (int c = 0; c < 3; ++c) picture.values.push_back(static_cast<float>(rgb[c]));
     }
+
   const std::vector<float> light = sky_light(o, sky_of(picture), {}).direct;
   for (int x = 2; x < 62; x += 5) {
     const double distance = (x + 0.5) / 64;
     glm::dvec3 exact(0), mean(0);
+
+    // Sum over the sky above the floor that the wall, 0.5 m high, does not hide.
     for (int i = 0; i < rows; ++i)
       for (int j = 0; j < 2 * rows; ++j) {
         const double v = (i + 0.5) / rows;
@@ -94,6 +98,7 @@ TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
         exact += radiance(d) *
                  (d.z * std::sin(std::numbers::pi * v) * std::numbers::pi * std::numbers::pi / (rows * rows));
       }
+
     for (int y = 20; y < 44; ++y)
       for (int c = 0; c < 3; ++c)
         mean[c] += double{light[static_cast<std::size_t>((y * 64 + x) * 4 + c)]} / 24;
@@ -126,11 +131,13 @@ scene::Scene corner() {
 TEST(Occlusion, WhatHidesTheSkySendsItOn) {
   const scene::Scene scene = corner();
   const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
+
   SkyHarmonics white{};
   white[0] = glm::dvec3(std::sqrt(4 * std::numbers::pi));
   const SkyLight light = sky_light(o, white, white);
   for (std::size_t i = 0; i < light.direct.size(); i += 4)
     EXPECT_NEAR(light.direct[i] + light.bounced[i], std::numbers::pi, 0.01);
+
   // 0.25 m from the wall: of the height z of the wall a strip dz has the form factor below, and sees the
   // floor as the floor sees it.
   const auto share = [](double distance) {
@@ -140,8 +147,11 @@ TEST(Occlusion, WhatHidesTheSkySendsItOn) {
   double hidden = 0, open = 0;
   for (int i = 0; i < 1000; ++i) {
     const double z = (i + 0.5) / 1000, factor = 0.5 * d * z / std::pow(d * d + z * z, 1.5) / 1000;
-    hidden += factor, open += factor * share(z);
+    hidden += factor;
+    open += factor * share(z);
   }
+
+  // Find the texel 0.25 m from the wall: 1 m of the floor is 0.45 of the unwrap, from 0.02 on.
   const int x = static_cast<int>((0.02 + 0.45 * d) * 64);
   const float* at = &light.bounced[static_cast<std::size_t>((32 * 64 + x) * 4)];
   EXPECT_NEAR(at[3], open / hidden, 0.03);

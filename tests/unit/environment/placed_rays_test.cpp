@@ -33,10 +33,12 @@ TEST(PlacedRays, HitTheSamePointsAsMeshesOfTheirOwn) {
     scene::Scene distinct = shared;
     distinct.primitives = scene::written_out(shared);
     const RayScene a(shared), b(distinct);
+
     std::size_t hits = 0;
     for (int i = 0; i < 1600; ++i) {
       const Ray ray{.origin_m = {-1.1 + 0.055 * (i % 40) + 0.003, -0.4 + 0.02 * (i / 40) + 0.001, 2},
                     .direction = {0, 0, -1}};
+
       const auto x = a.nearest(ray), y = b.nearest(ray);
       ASSERT_EQ(x.has_value(), y.has_value()) << i;
       // The alpha test of these balls cuts nothing away: their alpha is 1.
@@ -45,12 +47,14 @@ TEST(PlacedRays, HitTheSamePointsAsMeshesOfTheirOwn) {
       ++hits;
       EXPECT_NEAR(x->t_m, y->t_m, 1e-5);
       if (x->copy != y->primitive || x->triangle != y->triangle) continue;  // on an edge
+
       const SurfacePoint p = surface_point(shared, *x), q = surface_point(distinct, *y);
       EXPECT_NEAR(glm::distance(p.position_m, q.position_m), 0, 1e-5) << i;
       EXPECT_NEAR(glm::distance(p.normal, q.normal), 0, 1e-3) << i;
       EXPECT_NEAR(glm::distance(p.face_normal, q.face_normal), 0, 1e-5) << i;
       EXPECT_GT(glm::dot(p.face_normal, p.normal), 0.5) << i;
     }
+
     EXPECT_GT(hits, 200u);
   }
 }

@@ -57,12 +57,14 @@ void expect_pair(FramePlan& plan, Id id, const Way& first, const Way& second) {
   constexpr bool is_texture = std::is_same_v<Id, TextureId>;
   add(plan, "first", first.kind, {{first.access, id}});
   add(plan, "second", second.kind, {{second.access, id}});
+
   const auto barriers = derive_barriers(plan);
   ASSERT_EQ(barriers.size(), 2u);
   ASSERT_EQ(barriers[1].size(), 1u);
   const Barrier& b = barriers[1].front();
   const Demand from = demand_of(first.access, first.kind, is_texture),
                to = demand_of(second.access, second.kind, is_texture);
+
   EXPECT_EQ(b.is_texture, is_texture);
   EXPECT_EQ(b.index, id.index);
   EXPECT_FALSE(b.first_use);
@@ -136,10 +138,12 @@ TEST(Barriers, ReadInANewStageWaitsForTheWrite) {
   FramePlan plan;
   const TextureId map = plan.texture("map", small_map);
   const BufferId list = plan.buffer("list", small_buffer);
+
   add(plan, "write", PassKind::compute, {{Access::storage_write, map}, {Access::storage_write, list}});
   add(plan, "compute", PassKind::compute, {{Access::sampled, map}, {Access::storage_read, list}});
   add(plan, "raster", PassKind::raster, {{Access::sampled, map}, {Access::storage_read, list}});
   add(plan, "arguments", PassKind::compute, {{Access::indirect_arguments, list}});
+
   const auto barriers = derive_barriers(plan);
   EXPECT_EQ(barriers[2].size(), 2u);
   for (const Barrier& b : barriers[2]) {
@@ -148,6 +152,7 @@ TEST(Barriers, ReadInANewStageWaitsForTheWrite) {
               VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT);
     EXPECT_EQ(b.old_layout, b.new_layout);
   }
+
   ASSERT_EQ(barriers[3].size(), 1u);
   EXPECT_EQ(barriers[3].front().target_access, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT);
   expect_clean(plan);

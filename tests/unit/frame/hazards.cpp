@@ -188,6 +188,7 @@ Demand demand_of(Access access, PassKind kind, bool is_texture) {
   const Stages shader = kind == PassKind::compute
                             ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
                             : VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+
   switch (access) {
     case Access::sampled:
       d = {shader, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
@@ -222,6 +223,7 @@ Demand demand_of(Access access, PassKind kind, bool is_texture) {
            VK_IMAGE_LAYOUT_UNDEFINED};
       break;
   }
+
   d.written = d.access & all_writes;
   if (!is_texture) d.layout = VK_IMAGE_LAYOUT_UNDEFINED;
   return d;

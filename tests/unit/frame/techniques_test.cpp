@@ -18,6 +18,7 @@ struct Case {
 
 std::vector<Case> cases() {
   std::vector<Case> all;
+
   for (const techniques::Technique& technique : techniques::techniques())
     for (const std::uint32_t heads : {1u, 2u})
       for (const std::size_t parts : {0u, 1u, 2u})
@@ -38,6 +39,8 @@ std::vector<Case> cases() {
                                        parts, samples, more ? ", surfaces, bloom" : ""),
                            &technique, std::move(s)});
           }
+
+  // Take three heads two at a time, with each mask.
   for (const passes::Mask mask : {passes::Mask::alpha, passes::Mask::depth, passes::Mask::tiles})
     for (const std::size_t parts : {1u, 2u})
       for (const bool sparse : {false, true}) {
@@ -52,6 +55,7 @@ std::vector<Case> cases() {
                                    sparse ? ", cull and clip" : ""),
                        &techniques::find_technique("texture-space"), std::move(s)});
       }
+
   techniques::FrameSettings parts{.width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64};
   parts.meshes_per_batch = 2;
   parts.optimise = {.cull = true, .depth = true, .clip = true};
@@ -84,12 +88,14 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
   for (const Case& c : cases()) {
     FramePlan plan;
     c.technique->build(plan, c.settings);
+
     for (const bool counting : {false, true}) {
       const auto barriers = derive_barriers(plan, counting);
       for (std::size_t p = 0; p < barriers.size(); ++p)
         for (std::size_t k = 0; k < barriers[p].size(); ++k, ++removed) {
           auto fewer = barriers;
           fewer[p].erase(fewer[p].begin() + static_cast<std::ptrdiff_t>(k));
+
           const Barrier& b = barriers[p][k];
           EXPECT_FALSE(hazards(plan, fewer, counting).empty())
               << c.name << ": nothing is missed without the barrier of '"
@@ -98,6 +104,7 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
         }
     }
   }
+
   EXPECT_GT(removed, 500u);
 }
 

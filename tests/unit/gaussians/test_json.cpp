@@ -39,15 +39,18 @@ TEST(ProfileJson, RoundTripKeepsEveryBit) {
   sum.diffuse_mean_free_path_mm = {3.67, 1.37, 0.68};
   std::swap(sum.terms[0], sum.terms[1]);
   std::swap(sum.terms[0].variance_mm2, sum.terms[1].variance_mm2);
+
   const SumOfGaussians back = parse_json(to_json(sum), "p.json");
   EXPECT_EQ(back.name, sum.name);
   ASSERT_EQ(back.terms.size(), sum.terms.size());
+
   for (const Gaussian& term : back.terms) {
     const auto same = [&](const Gaussian& g) {
       return g.variance_mm2 == term.variance_mm2 && g.weight == term.weight;
     };
     EXPECT_EQ(std::count_if(sum.terms.begin(), sum.terms.end(), same), 1) << term.variance_mm2;
   }
+
   EXPECT_EQ(back.error_percent, sum.error_percent);
   EXPECT_EQ(back.total_reflectance, sum.total_reflectance);
   EXPECT_EQ(back.mean_free_path_mm, sum.mean_free_path_mm);
@@ -104,9 +107,11 @@ TEST(ProfileJson, Weights) {
   EXPECT_EQ(error_of(two_terms("[1, 2]", off)),
             "p.json: weights of green sum to 0.998, expected 1 within 0.001 (or have them normalised)");
   EXPECT_EQ(error_of(two_terms("[1, 2]", "[[0.25, 0.5, 1], [0.75, 0.4995, 0]]")), "no error");
+
   const SumOfGaussians sum = parse_json(two_terms("[1, 2]", "[[1, 2, 3], [3, 2, 0]]"), "p.json", true);
   EXPECT_EQ(sum.terms[0].weight, (Rgb{0.25, 0.5, 1}));
   EXPECT_EQ(sum.terms[1].weight, (Rgb{0.75, 0.5, 0}));
+
   EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1, 0, 1], [0, 0, 0]]"), true),
             "p.json: weights of green sum to 0 and cannot be normalised");
   EXPECT_EQ(error_of(two_terms("[1, 2]", "[[1.5, 1, 1], [-0.5, 0, 0]]")),

@@ -48,6 +48,7 @@ TEST(Coverage, EveryTexelOnceWhereTrianglesShareEdges) {
   for (const double jitter : {0.0, 0.3}) {
     constexpr int cells = 8, side = 64;
     std::uniform_real_distribution<double> noise(-jitter, jitter);
+
     std::vector<glm::vec2> points;
     for (int y = 0; y <= cells; ++y)
       for (int x = 0; x <= cells; ++x) {
@@ -57,18 +58,21 @@ TEST(Coverage, EveryTexelOnceWhereTrianglesShareEdges) {
                                 double(cells) +
                             (rim ? 0 : shift));
       }
+
     std::vector<int> count(side * side, 0);
     const auto add = [&](int a, int b, int c) {
       const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
       for_each_texel({at(a), at(b), at(c)}, side,
                      [&](int x, int y) { ++count[static_cast<std::size_t>(y * side + x)]; });
     };
+
     for (int y = 0; y < cells; ++y)
       for (int x = 0; x < cells; ++x) {
         const int i = y * (cells + 1) + x;
         add(i, i + 1, i + cells + 2);
         add(i, i + cells + 1, i + cells + 2);  // the other winding
       }
+
     for (const int c : count) ASSERT_EQ(c, 1);
   }
 }

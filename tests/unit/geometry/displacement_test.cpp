@@ -38,11 +38,13 @@ TEST(Displacement, WavesAgainstTheirDerivative) {
   DisplacementSettings s;
   s.displacement_mm = 2;
   s.mm_per_uv = {60, 90};
+
   const double ku = 2 * pi * 3, kv = 2 * pi * 2;
   const auto wave = [&](double u, double v) { return 0.5 + 0.3 * std::sin(ku * u) + 0.2 * std::cos(kv * v); };
   const image::Image8 n = displaced_normals(heights_of(256, 192, wave), s);
   ASSERT_EQ(n.width, 256);
   ASSERT_EQ(n.height, 192);
+
   for (int y = 0; y < n.height; ++y)
     for (int x = 0; x < n.width; ++x) {
       const double u = (x + 0.5) / n.width, v = (y + 0.5) / n.height;
@@ -61,17 +63,21 @@ TEST(Displacement, ARampOfStairsComesOutEven) {
   s.displacement_mm = 3;
   s.mm_per_uv = {9.6, 9.6};
   s.wrap_u = Wrap::clamp;
+
   const image::Image8 n =
       displaced_normals(heights_of(256, 8, [](double u, double) { return 24 * u / 255; }), s);
   const glm::dvec3 expected = glm::normalize(glm::dvec3(-24 * 3 / 255.0 / 9.6, 0, 1));
+
   double mean = 0, worst = 0;
   for (int x = 16; x < 240; ++x) {
     const double error = degrees_between(normal_at(n, x, 4), expected);
     worst = std::max(worst, error);
     mean += normal_at(n, x, 4).x / 224;
   }
+
   EXPECT_NEAR(mean, expected.x, 0.1 * std::abs(expected.x));
   EXPECT_LT(worst, 5);
+
   EXPECT_NEAR(height_smoothing_texels(3, 0.0375), 1.44, 0.02);
   EXPECT_EQ(height_smoothing_texels(0, 0.1), 0.7);
   EXPECT_EQ(height_smoothing_texels(-100, 0.1), 2);
@@ -84,6 +90,7 @@ TEST(Displacement, FlatHeightsKeepTheBase) {
     for (int c = 0; c < 3; ++c)
       base.at(i % 4, i / 4)[c] = static_cast<std::uint8_t>(std::lround((n[c] + 1) * 127.5));
   }
+
   const image::Image8 grey = heights_of(4, 4, [](double, double) { return 0.5; });
   DisplacementSettings s;
   s.displacement_mm = 5;
@@ -94,6 +101,7 @@ TEST(Displacement, FlatHeightsKeepTheBase) {
         1.0);
     EXPECT_LT(degrees_between(normal_at(same, i % 4, i / 4), glm::normalize(n)), 0.6);
   }
+
   s.base_scale = 0;
   const image::Image8 flat = displaced_normals(grey, s, &base);
   for (std::size_t i = 0; i < flat.rgba.size(); i += 4) EXPECT_EQ(flat.rgba[i] + flat.rgba[i + 1], 256);
@@ -124,6 +132,7 @@ TEST(Displacement, TakesOnlyWhatIsFinerThanTheBase) {
                              for (int i = 0; i < 256; ++i) flat.insert(flat.end(), {128, 128, 255, 255});
                              return flat;
                            }()};
+
   const auto strength = [&](double waves) {
     const image::Image8 n = displaced_normals(
         heights_of(256, 256, [&](double u, double) { return 0.5 + 0.4 * std::sin(2 * pi * waves * u); }), s,
@@ -132,8 +141,11 @@ TEST(Displacement, TakesOnlyWhatIsFinerThanTheBase) {
     for (int x = 0; x < 256; ++x)
       part -=
           normal_at(n, x, 128).x / normal_at(n, x, 128).z * std::cos(2 * pi * waves * (x + 0.5) / 256) / 128;
+
+    // Divide by the wave's own slope, mm per mm.
     return part / (3 * 0.4 * 2 * pi * waves / 40);
   };
+
   EXPECT_LT(strength(1), 0.09) << "a slow wave is the base map's affair";
   EXPECT_GT(strength(16), 0.8) << "one wave per texel of the base is beyond it";
 }

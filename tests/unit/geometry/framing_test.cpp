@@ -117,11 +117,13 @@ TEST(LightRig, DirectionsAndIrradianceAtTheCentre) {
     double azimuth, elevation;
     glm::dvec3 irradiance;
   };
+
   const std::vector<Expected> table{{45, 35, {3, 2.88, 2.7}},
                                     {-60, 10, {0.68, 0.736, 0.8}},
                                     {160, 25, {2, 2, 2}},
                                     {195, 20, {1, 1, 1}},
                                     {375, 20, {1, 1, 1}}};
+
   const std::vector<Light> lights = light_rig(head, 5);
   ASSERT_EQ(lights.size(), table.size());
   for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -136,6 +138,7 @@ TEST(LightRig, DirectionsAndIrradianceAtTheCentre) {
     EXPECT_NEAR(light.inner_cone_rad, std::asin(0.25), 1e-5);
     EXPECT_GT(light.outer_cone_rad, light.inner_cone_rad);
   }
+
   EXPECT_GT(lights[0].position_m.x, head.centre_m.x) << "the key stands at the head's left, +X";
   EXPECT_TRUE(light_rig(head, 0).empty());
   EXPECT_EQ(light_rig(head, 2).size(), 2u);

@@ -35,13 +35,17 @@ std::vector<int> coverage(const SkinMesh& mesh, int side) {
 void expect_sound(const SkinMesh& mesh, const std::vector<GutterTexel>& gutters, int side) {
   std::vector<int> chart = coverage(mesh, side);
   for (const GutterTexel& g : gutters) chart[static_cast<std::size_t>(g.y * side + g.x)] = 0;
+
   int last = -1;
   for (const GutterTexel& g : gutters) {
     ASSERT_LT(last, g.y * side + g.x) << "sorted, each texel once";
     last = g.y * side + g.x;
+
     const int x = static_cast<int>(std::floor(g.source_x - 0.5)),
               y = static_cast<int>(std::floor(g.source_y - 0.5));
     const double fx = g.source_x - 0.5 - x, fy = g.source_y - 0.5 - y;
+
+    // Check the texels that a bilinear read at the source takes in: covered, all of one chart.
     int found = 0;
     for (const int dy : {0, 1})
       for (const int dx : {0, 1}) {
@@ -92,13 +96,16 @@ TEST(Gutters, CylinderSeamGoesRoundToItsOtherSide) {
     const double a = std::fmod(s.x, 100.0) / 100 * 2 * pi;
     return glm::dvec3(std::cos(a), std::sin(a), 0) * (100 / (2 * pi)) + glm::dvec3(0, 0, s.y);
   };
+
   Primitive p;
   append_patch(p, cylinder, {0, 0}, {100, 40}, glm::dmat2(0.008, 0, 0, 0.008), {0.1, 0.1}, 40);
   const SkinMesh mesh = mesh_from(p);
   EXPECT_EQ(mesh.charts, 1);
+
   constexpr int side = 250, width = 12;  // 200 texels around
   const std::vector<GutterTexel> gutters = build_gutters(mesh, side, width);
   expect_sound(mesh, gutters, side);
+
   int seam = 0, open = 0;
   for (const GutterTexel& g : gutters) {
     if (g.chart == 0) {
@@ -113,6 +120,7 @@ TEST(Gutters, CylinderSeamGoesRoundToItsOtherSide) {
     EXPECT_NEAR(g.source_x, std::clamp(expected, 25.5, 224.5), 2e-3) << g.x << ' ' << g.y;
     EXPECT_NEAR(g.source_y, g.y + 0.5, 2e-3);
   }
+
   EXPECT_EQ(seam, 2 * 12 * 80) << "12 texels left and right of 80 rows";
   EXPECT_GE(open, 2 * 2 * 200);
 }
@@ -121,6 +129,7 @@ TEST(Gutters, FoldedPlanesContinueEachOther) {
   // Two planes, 90 degrees apart, on the map turned by 90 degrees, mirrored, and at 0.7 times the scale.
   const auto floor = [](glm::dvec2 s) { return glm::dvec3(s.x, s.y, 0); };
   const auto wall = [](glm::dvec2 s) { return glm::dvec3(40, s.y, s.x); };
+
   for (const bool mirrored : {false, true}) {
     Primitive p;
     append_patch(p, floor, {0, 0}, {40, 40}, glm::dmat2(0.01, 0, 0, 0.01), {0.05, 0.05}, 7);
@@ -128,14 +137,17 @@ TEST(Gutters, FoldedPlanesContinueEachOther) {
     append_patch(p, wall, {0, 0}, {40, 40}, turned, {0.6, mirrored ? 0.6 : 0.9}, 7);
     const SkinMesh mesh = mesh_from(p);
     EXPECT_EQ(mesh.charts, 2);
+
     constexpr int side = 512, width = 16;
     const std::vector<GutterTexel> gutters = build_gutters(mesh, side, width);
     expect_sound(mesh, gutters, side);
+
     int from_floor = 0, from_wall = 0;
     double worst = 0;
     for (const GutterTexel& g : gutters) {
       const glm::dvec2 uv = glm::dvec2(g.x + 0.5, g.y + 0.5) / double(side),
                        source = glm::dvec2(g.source_x, g.source_y) / double(side);
+
       if (g.chart == 1) {  // floor: beyond x = 40 lies the wall at height x - 40
         const glm::dvec2 mm = (uv - 0.05) / 0.01;
         if (mm.y < 0 || mm.y > 40) continue;
@@ -159,6 +171,7 @@ TEST(Gutters, FoldedPlanesContinueEachOther) {
         ++from_wall;
       }
     }
+
     EXPECT_GT(from_floor, 16 * 200);
     EXPECT_GT(from_wall, 16 * 140);
     EXPECT_LT(worst, 1.0) << "sources beside the rim give way by less than a texel";
@@ -186,6 +199,7 @@ TEST(Gutters, SphereFollowsGreatCircles) {
   const std::vector<GutterTexel> gutters = build_gutters(mesh, side, width);
   expect_sound(mesh, gutters, side);
   const double chart_size = 1.0 / 3 - 2 * margin, texel_mm = radius_mm * pi / 2 / (chart_size * side);
+
   std::size_t checked = 0, within_half = 0;
   double worst = 0;
   for (std::size_t i = 0; i < gutters.size(); i += 7) {
@@ -194,22 +208,27 @@ TEST(Gutters, SphereFollowsGreatCircles) {
     const glm::dvec2 uv = glm::dvec2(g.x + 0.5, g.y + 0.5) / double(side);
     const int c = g.chart - 1;
     const glm::dvec2 low = glm::dvec2(c % 3 / 3.0 + margin, c / 3 / 2.0 + margin), high = low + chart_size;
+
     // From the nearest rim point, in the tangent plane, as far as the metric at the rim says; then along the
     // great circle.
     const glm::dvec2 rim = glm::clamp(uv, low + 1e-6, high - 1e-6),
                      inside = glm::mix(rim, 0.5 * (low + high), 1e-3);
+
+    // Differentiate the position within the chart, mm per unit of the map.
     const double h = 1e-4;
     const auto at = [&](glm::dvec2 q) { return position_mm_at(mesh, q); };
     const glm::dvec2 way(inside.x > 0.5 * (low.x + high.x) ? -h : h,
                          inside.y > 0.5 * (low.y + high.y) ? -h : h);
     const glm::dvec3 dp_du = (at(inside + glm::dvec2(way.x, 0)) - at(inside)) / way.x,
                      dp_dv = (at(inside + glm::dvec2(0, way.y)) - at(inside)) / way.y;
+
     const glm::dvec3 start = glm::normalize(at(rim));
     glm::dvec3 step = dp_du * (uv - rim).x + dp_dv * (uv - rim).y;
     const double length = glm::length(step);
     step = glm::normalize(step - start * glm::dot(start, step));
     const glm::dvec3 expected =
         radius_mm * (std::cos(length / radius_mm) * start + std::sin(length / radius_mm) * step);
+
     const glm::dvec3 source =
         glm::normalize(at(glm::dvec2(g.source_x, g.source_y) / double(side))) * radius_mm;
     const double error = glm::distance(source, expected) / texel_mm;
@@ -217,6 +236,7 @@ TEST(Gutters, SphereFollowsGreatCircles) {
     ++checked;
     if (error < 0.5) ++within_half;
   }
+
   EXPECT_GT(checked, 1000u);
   EXPECT_GT(double(within_half) / double(checked), 0.93)
       << "the rest lies beside a rim, where sources give way to stay on covered texels";

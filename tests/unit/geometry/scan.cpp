@@ -30,8 +30,10 @@ std::optional<Scene> load_scan() {
   const std::filesystem::path root = cache != nullptr ? cache : DERMIS_SOURCE_DIR "/../shared/assets";
   const std::filesystem::path path = root / "lee-perry-smith" / "LeePerrySmith.glb";
   if (!std::filesystem::exists(path)) return std::nullopt;
+
   const std::vector<std::byte> file = read_file(path);
   const std::span<const std::byte> bytes = std::span(file).subspan(binary_chunk);
+
   Primitive primitive;
   primitive.name = "scan";
   primitive.node = 0;
@@ -45,8 +47,10 @@ std::optional<Scene> load_scan() {
     vertex.uv0 = value_at<glm::vec2>(bytes, 328800 + 8 * i);
     primitive.vertices.push_back(vertex);
   }
+
   make_missing_normals(primitive);
   make_tangents(primitive, glm::mat3x2(1, 0, 0, -1, 0, 1));
+
   Scene scene;
   scene.name = "scan";
   scene.materials.push_back(material("skin", true));

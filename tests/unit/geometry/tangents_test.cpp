@@ -113,16 +113,20 @@ TEST(Tangents, AngleWeightsIgnoreHowAQuadIsCut) {
     v.uv0 = uv;
     p.vertices.push_back(v);
   };
+
   // Left of 90 degrees the picture is turned by -10 degrees, right of it by +10 degrees, both about the
   // corner.
   const double turn = 0.1745;
   const auto uv = [&](double angle, double by) {
     return glm::vec2(glm::dvec2(std::cos(angle + by), -std::sin(angle + by)));
   };
-  add(0, uv(0, turn)), add(1.5707963, uv(1.5707963, turn));
+
+  add(0, uv(0, turn));
+  add(1.5707963, uv(1.5707963, turn));
   for (int k = 0; k <= 8; ++k) add(1.5707963 * (1 + k / 8.0), uv(1.5707963 * (1 + k / 8.0), -turn));
   p.indices = {0, 1, 2};
   for (std::uint32_t k = 3; k < 11; ++k) p.indices.insert(p.indices.end(), {0, k, k + 1});
+
   make_tangents(p, identity);
   EXPECT_NEAR(p.vertices[0].tangent.y, 0, 1e-6);
   EXPECT_GT(p.vertices[0].tangent.x, 0.99f);

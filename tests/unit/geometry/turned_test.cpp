@@ -32,6 +32,7 @@ TEST(TurnedNeighbours, ThoseAroundATurnedVertex) {
   for (Vertex& v : mesh.vertices)
     if (glm::distance(v.position_m, place) < 1e-7f)
       v.normal = glm::normalize(glm::cross(v.normal, glm::vec3(0.3f, 0.5f, 0.9f)));
+
   const std::vector<std::uint32_t> packed = turned_neighbours(mesh);
   std::vector<std::uint32_t> turned;
   const auto touches = [&](std::size_t t, const glm::vec3& p) {
@@ -39,9 +40,12 @@ TEST(TurnedNeighbours, ThoseAroundATurnedVertex) {
       if (glm::distance(mesh.vertices[mesh.indices[3 * t + k]].position_m, p) < 1e-7f) return true;
     return false;
   };
+
   for (std::uint32_t t = 0; t < mesh.triangle_chart.size(); ++t)
     if (touches(t, place)) turned.push_back(t);
   ASSERT_GE(turned.size(), 3u);
+
+  // Expect of each triangle the turned ones that share a corner with it.
   for (std::uint32_t t = 0; t < mesh.triangle_chart.size(); ++t) {
     std::vector<std::uint32_t> wanted;
     for (const std::uint32_t other : turned) {

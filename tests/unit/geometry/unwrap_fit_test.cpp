@@ -104,6 +104,8 @@ TEST(UnwrapFit, AStrayTriangleDoesNotShrinkTheRest) {
     SCOPED_TRACE(far);
     Scene scene = scaled_sphere(0.1);
     Primitive& p = scene.primitives[0];
+
+    // Move two corners of the first triangle far away on the map.
     const auto n = static_cast<std::uint32_t>(p.vertices.size());
     for (std::uint32_t k = 0; k < 3; ++k) {
       Vertex v = p.vertices[p.indices[k]];
@@ -111,12 +113,14 @@ TEST(UnwrapFit, AStrayTriangleDoesNotShrinkTheRest) {
       p.vertices.push_back(v);
       p.indices[k] = n + k;
     }
+
     const Warnings warnings;
     const SkinMesh mesh = only_mesh(scene);
     EXPECT_EQ(chartless(mesh), 1u);
     EXPECT_EQ(mesh.triangle_chart[0], no_chart);
     expect_inside(mesh, fit_margin);
     EXPECT_GE(unwrap_density(mesh, 1000).texels_per_mm.mean, 0.99 * mean_density(scaled_sphere(1)));
+
     ASSERT_EQ(warnings.lines.size(), 1u);
     EXPECT_NE(warnings.lines[0].find("1 of its 1728 triangles"), std::string::npos) << warnings.lines[0];
   }

@@ -66,6 +66,7 @@ TEST(Metric, CholeskyOfTheInverse) {
 TEST(Metric, SphereIsSmoothWithinAndSymmetricBetweenCharts) {
   const SkinMesh mesh = only_mesh(sphere(0.01, 24));
   EXPECT_EQ(mesh.charts, 6);
+
   double area_mm2 = 0;  // integral of sqrt(det g) over the unwrap
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const auto uv = [&](std::size_t k) { return glm::dvec2(mesh.unwrap[mesh.indices[i + k]]); };
@@ -74,9 +75,11 @@ TEST(Metric, SphereIsSmoothWithinAndSymmetricBetweenCharts) {
       const glm::dvec3 g(mesh.metric[mesh.indices[i + k]]);
       density += std::sqrt(g.x * g.z - g.y * g.y) / 3;
     }
+
     const glm::dvec2 a = uv(1) - uv(0), b = uv(2) - uv(0);
     area_mm2 += 0.5 * std::abs(a.x * b.y - a.y * b.x) * density;
   }
+
   const double exact = 4 * 3.14159265358979 * 100;
   EXPECT_NEAR(area_mm2 / exact, 1, 0.01);
   const UnwrapDensity density = unwrap_density(mesh, 1000);
@@ -145,9 +148,11 @@ TEST(Metric, NeverAveragedAcrossAMirror) {
       p.vertices.push_back(v);
     }
   p.indices = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
+
   const SkinMesh mesh = only_mesh(scene);
   EXPECT_EQ(mesh.charts, 2);
   EXPECT_EQ(mesh.vertices.size(), 8u) << "each vertex belongs to one chart";
+
   for (std::size_t i = 0; i < mesh.indices.size(); ++i)
     EXPECT_NEAR(mesh.metric[mesh.indices[i]].x, i < 6 ? 400 : 100, 0.01) << "corner " << i;
 }
@@ -161,10 +166,13 @@ TEST(Unwrap, MovesByWholeTilesElseFits) {
     EXPECT_TRUE(warnings.lines.empty());
     expect_metric(mesh, {1e4, 0, 1e4}, 1e-5);
   }
+
+  // Let u span two tiles: moving by whole tiles does not help, the unwrap is fitted.
   Warnings warnings;
   const SkinMesh mesh = only_mesh(plane(0.05, glm::dmat2(2, 0, 0, 1), {-0.5, 0}));
   ASSERT_EQ(warnings.lines.size(), 1u);
   EXPECT_FALSE(mesh.unwrap_note.empty());
+
   for (const glm::vec2& uv : mesh.unwrap) EXPECT_TRUE(uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     EXPECT_LT(glm::distance(glm::dvec2(mesh.vertices[v].uv0) * mesh.unwrap_scale + mesh.unwrap_offset,
@@ -212,6 +220,7 @@ TEST(Unwrap, Scan) {
   const SkinMesh mesh = only_mesh(*scan);
   EXPECT_TRUE(mesh.unwrap_note.empty());
   EXPECT_GT(mesh.charts, 1);
+
   std::vector<double> cosines;
   for (const glm::vec3& g : mesh.metric) {
     ASSERT_TRUE(std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z));
@@ -220,9 +229,11 @@ TEST(Unwrap, Scan) {
     ASSERT_TRUE(std::isfinite(l.x) && std::isfinite(l.y) && std::isfinite(l.z));
     cosines.push_back(std::abs(g.y) / std::sqrt(g.x * g.z));
   }
+
   std::nth_element(cosines.begin(), cosines.begin() + static_cast<std::ptrdiff_t>(cosines.size() / 2),
                    cosines.end());
   EXPECT_NEAR(cosines[cosines.size() / 2], 0.35, 0.05) << "u and v are far from orthogonal on the scan";
+
   const UnwrapDensity density = unwrap_density(mesh, 1000);
   RecordProperty("charts", mesh.charts);
   EXPECT_GT(density.area_mm2, 1e5);

@@ -26,6 +26,7 @@ namespace {
 std::string one_bit_png(std::uint32_t width, std::uint32_t height) {
   const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> context(spng_ctx_new(SPNG_CTX_ENCODER),
                                                                     &spng_ctx_free);
+
   spng_ihdr header{};
   header.width = width;
   header.height = height;
@@ -34,9 +35,11 @@ std::string one_bit_png(std::uint32_t width, std::uint32_t height) {
   spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
   spng_set_ihdr(context.get(), &header);
   spng_encode_image(context.get(), nullptr, 0, SPNG_FMT_PNG, SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE);
+
   std::vector<std::uint8_t> row(width / 8);
   std::fill(row.begin() + width / 16, row.end(), std::uint8_t{255});
   for (int result = 0; result == 0;) result = spng_encode_row(context.get(), row.data(), row.size());
+
   std::size_t size = 0;
   int error = 0;
   const std::unique_ptr<void, decltype(&std::free)> file(spng_get_png_buffer(context.get(), &size, &error),

@@ -54,9 +54,11 @@ const std::vector<Entry>& corpus() {
   static const std::vector<Entry> entries = [] {
     std::vector<Entry> all;
     const fs::path root = *assets();
+
     for (const char* folder : {"gltf-valid", "gltf-malformed"}) {
       std::istringstream index(read_text(root / folder / "INDEX.tsv"));
       std::string line;
+      // Step over the line of column names.
       std::getline(index, line);
       while (std::getline(index, line)) {
         std::istringstream fields(line);
@@ -66,6 +68,7 @@ const std::vector<Entry>& corpus() {
         std::getline(fields, entry.errors, '\t');
         std::getline(fields, warnings, '\t');
         std::getline(fields, entry.first_error, '\t');
+
         entry.file = std::string(folder) + "/" + entry.file;
         try_to_load(root, entry);
         all.push_back(entry);

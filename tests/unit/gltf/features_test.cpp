@@ -111,10 +111,12 @@ TEST(GltfNodes, DepthAndLoopsAreRefused) {
     else
       EXPECT_ERROR(b.error(), "nested deeper than 64 levels");
   }
+
   Builder loop;
   loop.triangle();
   loop.json["nodes"] = {{{"mesh", 0}, {"children", {1}}}, {{"children", {0}}}};
   EXPECT_ERROR(loop.error(), "its own ancestor");
+
   Builder into_loop;
   into_loop.triangle();
   into_loop.json["nodes"] = {{{"mesh", 0}}, {{"children", {2}}}, {{"children", {1}}}};
@@ -221,20 +223,24 @@ TEST(GltfMesh, SkinsFollowTheirJointsAsTheyStand) {
   const int weights = b.accessor({1, 0, 0, 0, 0.5f, 0.5f, 0, 0, 0, 2, 0, 0}, "VEC4");
   b.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] = joints;
   b.json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] = weights;
+
   std::vector<float> bind;
   for (int joint = 0; joint < 2; ++joint)
     // joint 1 was bound at y = 1
     for (int i = 0; i < 16; ++i) bind.push_back(i % 5 == 0 ? 1.0f : i == 13 && joint == 1 ? -1.0f : 0.0f);
+
   b.json["nodes"][0]["skin"] = 0;
   b.json["nodes"][0]["translation"] = {100, 0, 0};  // ignored, as the specification says
   b.json["nodes"].push_back({{"translation", {0, 0, 2}}, {"children", {2}}});
   b.json["nodes"].push_back({{"translation", {0, 3, 0}}});
   b.json["scenes"][0]["nodes"].push_back(1);
   b.json["skins"] = Json::array({{{"joints", {1, 2}}, {"inverseBindMatrices", b.accessor(bind, "MAT4")}}});
+
   const Primitive p = b.load().primitives[0];
   expect_near(p.vertices[0].position_m, {0, 0, 2});
   expect_near(p.vertices[1].position_m, {0.2f, 1, 2});
   expect_near(p.vertices[2].position_m, {0, 2.2f, 2});
+
   b.json["skins"][0]["joints"] = {1};
   b.json["skins"][0].erase("inverseBindMatrices");
   EXPECT_ERROR(b.error(), "hangs on joint 1, the skin has 1");
@@ -255,6 +261,7 @@ TEST(GltfMaterial, FactorsMapsAndExtensions) {
       "KHR_materials_specular": {
         "specularFactor": 0.5, "specularColorFactor": [2, 1, 0], "specularTexture": {"index": 0}}}})"))
           .load();
+
   const Material& m = scene.materials[0];
   EXPECT_EQ(m.base_colour, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
   EXPECT_EQ(m.metallic, 0.5f);
@@ -270,6 +277,7 @@ TEST(GltfMaterial, FactorsMapsAndExtensions) {
   EXPECT_TRUE(m.unlit && m.double_sided && m.skin);
   EXPECT_EQ(m.alpha_mode, AlphaMode::mask);
   EXPECT_EQ(m.alpha_cutoff, 0.3f);
+
   ASSERT_EQ(scene.images.size(), 1u);
   EXPECT_EQ(scene.images[0].pixels->rgba, (std::vector<std::uint8_t>{255, 0, 0, 127}));
 }
@@ -313,6 +321,7 @@ TEST(GltfMaterial, SkinRule) {
     b.json["meshes"][i]["primitives"][0]["material"] = i;
   }
   b.json["materials"] = {{{"name", "Eye"}}, {{"name", "FaceSkin"}}, {{"name", "Hair"}}};
+
   const auto skins = [](const Scene& s) {
     std::string names;
     for (const Material& m : s.materials) names += m.skin ? m.name + " " : "";
@@ -321,15 +330,18 @@ TEST(GltfMaterial, SkinRule) {
   EXPECT_EQ(skins(b.load()), "FaceSkin ");
   EXPECT_EQ(b.load().materials[1].ior, 1.4f);
   EXPECT_EQ(b.load().materials[0].ior, 1.5f);
+
   LoadOptions named;
   named.skin_material = "Hair";
   EXPECT_EQ(skins(b.load(named)), "Hair ");
   named.skin_material = "Nose";
   EXPECT_ERROR(b.error(named), "no material is called 'Nose'; there are: 'Eye', 'FaceSkin', 'Hair'");
+
   b.json["materials"][0]["extras"] = {{"dermis", {{"skin", true}}}};
   EXPECT_EQ(skins(b.load()), "Eye ");
   b.json["materials"][0]["extras"] = {{"dermis", {{"skin", false}}}};
   EXPECT_EQ(skins(b.load()), "FaceSkin ");
+
   b.json["materials"][1]["name"] = "Face";
   const Warnings warnings;
   EXPECT_EQ(skins(b.load()), "");
@@ -346,6 +358,7 @@ TEST(GltfMaterial, DermisExtrasAreReadInFull) {
                              .load()
                              .materials[0]
                              .skin_settings;
+
   ASSERT_TRUE(s.profile);
   EXPECT_EQ(s.profile->terms.size(), 2u);
   EXPECT_EQ(s.mix, 0.25f);
@@ -353,6 +366,7 @@ TEST(GltfMaterial, DermisExtrasAreReadInFull) {
   EXPECT_EQ(s.specular.scale, 2);
   EXPECT_EQ(s.roughness.channel, 1);  // green, as glTF has roughness
   EXPECT_EQ(s.roughness.uv_set, 1);
+
   EXPECT_EQ(s.displacement_mm, 3);
   EXPECT_EQ(s.displacement_middle, 0.537f);
   ASSERT_EQ(s.lobes.size(), 2u);
@@ -363,6 +377,7 @@ TEST(GltfMaterial, DermisExtrasAreStrict) {
   const auto error = [](const std::string& dermis) {
     return with_material({{"extras", {{"dermis", Json::parse(dermis)}}}}).error();
   };
+
   EXPECT_ERROR(
       error(R"({"skinn": true})"),
       "unknown key 'skinn'; known are: skin, profile, mix, specular, roughness, displacement, lobes");
@@ -371,10 +386,12 @@ TEST(GltfMaterial, DermisExtrasAreStrict) {
   EXPECT_ERROR(error(R"({"displacement": {"texture": 0}})"), "'mm' is missing");
   EXPECT_ERROR(error(R"({"specular": {"texture": 1}})"), "there is no texture 1");
   EXPECT_ERROR(error(R"({"specular": {"texture": 0, "channel": "X"}})"), "one of R, G, B, A");
+
   EXPECT_ERROR(error(R"({"mix": 1.5})"), "must be 0 to 1");
   EXPECT_ERROR(error(R"({"lobes": [[1, 0.5], [2, 0.4]]})"), "must sum to 1");
   EXPECT_ERROR(error(R"({"lobes": [[0, 1]]})"), "must be over 0");
   EXPECT_ERROR(error(R"({"lobes": []})"), "empty array");
+
   EXPECT_ERROR(error(R"({"profile": "no-such-skin"})"), "known are:");
   EXPECT_ERROR(error(R"({"profile": "/etc/passwd"})"), "relative to the scene");
   EXPECT_ERROR(error(R"({"profile": {"name": "x", "variances_mm2": [-1], "weights": [[1, 1, 1]]}})"),
@@ -447,17 +464,21 @@ TEST(GltfUris, WhatIsReadAndWhatIsRefused) {
     write_text(folder.path() / "sub" / "built.gltf", b.json.dump());
     return error_of(folder.path() / "sub" / "built.gltf");
   };
+
   EXPECT_EQ(error("../plain.bin"), "");
   EXPECT_EQ(error("../a%20b%25.bin"), "");
   EXPECT_EQ(error("../a b%.bin"), "");  // not escaped, but there
+
   EXPECT_ERROR(error((folder.path() / "plain.bin").string()), "absolute path");
   EXPECT_ERROR(error("%2Fetc%2Fhostname"), "absolute path");
   EXPECT_ERROR(error("file:///etc/hostname"), "not a relative uri");
   EXPECT_ERROR(error("C:\\x.bin"), "not a relative uri");
   EXPECT_ERROR(error("http://example.com/x.bin"), "not a relative uri");
+
   EXPECT_ERROR(error("no.bin"), "no such file");
   EXPECT_ERROR(error(".."), "is a directory");
   EXPECT_ERROR(error(""), "the uri is empty");
+
   EXPECT_ERROR(error("data:application/octet-stream;base64,AAAA"), "cut off");
   EXPECT_ERROR(error("data:application/octet-stream;base64,A*AA"), "not valid base64");
   EXPECT_ERROR(error("data:application/octet-stream,AAAA"), "base64");

@@ -118,12 +118,14 @@ TEST(GltfHeads, ScanThroughAManifestThatReadsTheGlb) {
   DERMIS_NEED_ASSETS(root);
   const fs::path scan = *root / "lee-perry-smith";
   if (!fs::exists(scan / "LeePerrySmith.glb")) GTEST_SKIP() << "the scan is not in the asset cache";
+
   const TempFolder folder;
   for (const char* name : {"LeePerrySmith.glb", "Map-COL.jpg", "Map-SPEC.jpg"})
     fs::copy_file(scan / name, folder.path() / name);
   Json manifest = scan_manifest();
   point_at_glb(manifest, scan / "LeePerrySmith.glb");
   write_text(folder.path() / "head.gltf", manifest.dump());
+
   const Warnings warnings;
   const Scene scene = load_gltf(folder.path() / "head.gltf");
   EXPECT_EQ(warnings.all(), "");
@@ -131,6 +133,7 @@ TEST(GltfHeads, ScanThroughAManifestThatReadsTheGlb) {
   EXPECT_EQ(triangles(scene), 17684u);
   EXPECT_NEAR(box(scene).high.y - box(scene).low.y, 0.4211f, 1e-3f);
   EXPECT_GT(outward_part(scene), 0.999);
+
   const Material& skin = skin_of(scene);
   EXPECT_EQ(skin.ior, 1.4f);
   EXPECT_EQ(skin.skin_settings.mix, 0.0f);
@@ -140,6 +143,7 @@ TEST(GltfHeads, ScanThroughAManifestThatReadsTheGlb) {
   EXPECT_EQ(skin.base_colour_map.transform, glm::mat3x2(1, 0, 0, -1, 0, 1));
   EXPECT_EQ(scene.images.size(), 2u);  // the colour picture is used twice and decoded once
   EXPECT_EQ(scene.images[0].pixels->width, 1024);
+
   // README of the assets: the nose tip, the foremost vertex, has v = 0.613 in the file.
   const Vertex* nose = &scene.primitives[0].vertices[0];
   for (const Vertex& v : scene.primitives[0].vertices)
@@ -202,14 +206,17 @@ TEST(GltfHeads, CompressedAndQuantizedHeadsAreTheSameHead) {
   const Scene meshopt = load_gltf(variants / "head-anim-meshopt-quantized.glb");
   const Scene embedded = load_gltf(variants / "head-embedded-datauri.gltf");
   const Scene draco = load_gltf(variants / "head-draco.glb");
+
   for (const Scene* s : {&quantized, &meshopt, &embedded, &draco}) expect_sound(*s);
   ASSERT_EQ(triangles(quantized), triangles(plain));
   ASSERT_EQ(triangles(meshopt), triangles(plain));
+
   // 16 bits over 0.3 m are 5 um.
   for (const Scene* s : {&quantized, &meshopt}) {
     EXPECT_NEAR(glm::distance(box(*s).low, box(plain).low), 0, 2e-5f);
     EXPECT_NEAR(glm::distance(box(*s).high, box(plain).high), 0, 2e-5f);
   }
+
   EXPECT_EQ(triangles(draco), triangles(embedded));
   EXPECT_NEAR(glm::distance(box(draco).low, box(embedded).low), 0, 2e-4f);
   EXPECT_NEAR(glm::distance(box(draco).high, box(embedded).high), 0, 2e-4f);

@@ -48,6 +48,7 @@ void bend_values(const Json& original, const std::string& bin, int rounds) {
   const Json wild = Json::parse(
       R"([0, -1, 1, 2, 3, 255, 65535, 4294967295, 4294967296, 281474976710656, 1e300,
           0.5, null, true, "x", [], {}, [1], {"a": 1}])");
+
   for (int round = 0; round < rounds; ++round) {
     Json mutant = original;
     for (unsigned changes = 1 + random() % 2; changes > 0; --changes) {
@@ -57,6 +58,7 @@ void bend_values(const Json& original, const std::string& bin, int rounds) {
       if (mutant.contains(Json::json_pointer(where.key())))
         mutant[Json::json_pointer(where.key())] = wild[random() % wild.size()];
     }
+
     Builder b;
     b.json = mutant;
     b.bytes = bin;
@@ -120,11 +122,13 @@ TEST(GltfHostile, NumbersThatAreNone) {
     Builder b;
     b.mesh({{"POSITION", b.accessor({0, 0, 0, bad, 0, 0, 0, 1, 0}, "VEC3")}});
     EXPECT_ERROR(b.error(), "POSITION of vertex 1 is not finite");
+
     Builder uv;
     uv.triangle();
     uv.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
         uv.accessor({0, 0, 1, bad, 0, 1}, "VEC2");
     EXPECT_ERROR(uv.error(), "TEXCOORD_0 of vertex 1 is not finite");
+
     Builder normal;  // can be made anew
     normal.triangle();
     normal.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
@@ -132,6 +136,7 @@ TEST(GltfHostile, NumbersThatAreNone) {
     const Scene made = normal.load();
     for (const Vertex& v : made.primitives[0].vertices) EXPECT_EQ(v.normal, glm::vec3(0, 0, 1));
   }
+
   EXPECT_ERROR(bent([](Builder& b) {
                  b.json["nodes"][0]["translation"] = {1e30, 0, 0};
                }),
@@ -147,6 +152,7 @@ TEST(GltfHostile, RangesAndReferences) {
                  b.json["meshes"][0]["primitives"][0]["indices"] = b.accessor({0, 1, 3}, "SCALAR", 5123);
                }),
                "index 2 is 3, there are 3 vertices");
+
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 4; }),
                "reach past the end of its bufferView");
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["byteOffset"] = 4; }),
@@ -157,6 +163,7 @@ TEST(GltfHostile, RangesAndReferences) {
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 0; }), "must be 1 to");
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = -3; }), "must be 1 to");
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 2.5; }), "must be an integer");
+
   EXPECT_ERROR(bent([](Builder& b) { b.json["bufferViews"][0]["byteLength"] = 1000; }),
                "reach past the end of its buffer");
   EXPECT_ERROR(bent([](Builder& b) { b.json["bufferViews"][0]["byteOffset"] = (1ull << 48) - 1; }),
@@ -169,11 +176,13 @@ TEST(GltfHostile, RangesAndReferences) {
                  b.json["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
                }),
                "the binary chunk has 60 bytes");
+
   EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["mesh"] = 1; }), "there is no mesh 1");
   EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["mesh"] = "0"; }), "must be an integer, is string");
   EXPECT_ERROR(bent([](Builder& b) { b.json["scenes"][0]["nodes"] = {0, 0}; }), "twice");
   EXPECT_ERROR(bent([](Builder& b) { b.json["meshes"][0]["primitives"] = Json::array(); }), "empty array");
   EXPECT_ERROR(bent([](Builder& b) { b.json["meshes"][0]["primitives"][0]["mode"] = 7; }), "must be 0 to 6");
+
   EXPECT_ERROR(bent([](Builder& b) { b.json.erase("asset"); }), "'asset' is missing");
   EXPECT_ERROR(bent([](Builder& b) { b.json["asset"]["version"] = "1.0"; }), "glTF 1.0 is not supported");
   EXPECT_ERROR(bent([](Builder& b) { b.json["extensionsRequired"] = {"EXT_of_tomorrow"}; }),
@@ -205,6 +214,7 @@ TEST(GltfHostile, SmallFilesThatClaimMuch) {
                  b.json["accessors"][2].erase("bufferView");
                }),
                "no bufferView");
+
   LoadOptions few;
   few.max_triangles = 5;
   Builder many;
@@ -214,6 +224,7 @@ TEST(GltfHostile, SmallFilesThatClaimMuch) {
     many.json["scenes"][0]["nodes"].push_back(i + 1);
   }
   EXPECT_ERROR(many.error(few), "more than 5 triangles");
+
   const std::string meshopt = bent([](Builder& b) {
     b.json["buffers"].push_back(
         {{"byteLength", 1ull << 40}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
@@ -228,6 +239,7 @@ TEST(GltfHostile, SmallFilesThatClaimMuch) {
                                     {"mode", "ATTRIBUTES"}}}}}};
   });
   EXPECT_ERROR(meshopt, "36 compressed bytes cannot hold");
+
   const std::string draco = bent([](Builder& b) {
     // Header of an edgebreaker mesh, bitstream 2.2, that claims 2^28 vertices and faces.
     const std::string header("DRACO\x02\x02\x01\x01\x00\x00\x00\x80\x80\x80\x80\x01\x80\x80\x80\x80\x01", 22);
@@ -258,12 +270,14 @@ TEST(GltfHostile, MessagesStayOneLine) {
 TEST(GltfHostile, DracoDataThatDoesNotFit) {
   DERMIS_NEED_ASSETS(root);
   const Builder original = draco_head(*root);
+
   const auto error = [&](const auto& bend) {
     Builder b = original;
     bend(b);
     return b.error();
   };
   const Json& primitive = original.json["meshes"][0]["primitives"][0];
+
   EXPECT_EQ(error([](Builder&) {}), "");
   EXPECT_ERROR(error([&](Builder& b) { b.json["accessors"][primitive["indices"].get<int>()]["count"] = 3; }),
                "triangles");
@@ -281,12 +295,15 @@ TEST(GltfHostile, DracoMetadataIsSteppedOver) {
   Builder b = draco_head(*root);
   Json view = b.json["bufferViews"][draco_extension(b)["bufferView"].get<int>()];
   std::string data = b.bytes.substr(view.value("byteOffset", 0u), view["byteLength"]);
+
   data[10] = static_cast<char>(0x80);  // flags: metadata follow the header's 11 bytes
   // One attribute's {id 0: no entries, no children}; the mesh's: one entry "k" = 2 bytes, one child "c" that
   // is empty.
   data.insert(11, std::string("\x01\x00\x00\x00\x01\x01k\x02xy\x01\x01"
                               "c\x00\x00",
                               15));
+
+  // Append the data to the buffer and let the extension read them there.
   view["byteOffset"] = b.bytes.size();
   view["byteLength"] = data.size();
   b.bytes += data + std::string((4 - data.size() % 4) % 4, '\0');
@@ -294,6 +311,7 @@ TEST(GltfHostile, DracoMetadataIsSteppedOver) {
   b.json["bufferViews"].push_back(view);
   draco_extension(b)["bufferView"] = b.json["bufferViews"].size() - 1;
   EXPECT_EQ(b.error(), "");
+
   const Json& indices = b.json["meshes"][0]["primitives"][0]["indices"];
   b.json["accessors"][indices.get<int>()]["count"] = 3;  // still found behind the metadata
   EXPECT_ERROR(b.error(), "the accessor of the indices says 1");
@@ -316,6 +334,7 @@ TEST(GltfHostile, FlippedBytesOfRealFiles) {
 TEST(GltfHostile, BentValues) {
   Builder b;
   b.triangle();
+
   const int joints = b.accessor(std::vector<float>(12, 0), "VEC4", 5121);
   const int weights = b.accessor(std::vector<float>(12, 0.25f), "VEC4");
   b.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] = joints;
@@ -323,6 +342,7 @@ TEST(GltfHostile, BentValues) {
   b.json["meshes"][0]["primitives"][0]["indices"] = b.accessor({0, 1, 2}, "SCALAR", 5123);
   b.json["meshes"][0]["primitives"][0]["targets"] = Json::array({{{"POSITION", 0}}});
   b.json["meshes"][0]["weights"] = {0.5};
+
   b.json["nodes"][0]["skin"] = 0;
   b.json["nodes"].push_back({{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}});
   b.json["skins"] = Json::array({{{"joints", {1}}}});
@@ -330,6 +350,7 @@ TEST(GltfHostile, BentValues) {
                                       {"indices", {{"bufferView", 4}, {"componentType", 5123}}},
                                       {"values", {{"bufferView", 0}}}};
   b.json["cameras"] = Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.2}}])");
+
   ASSERT_EQ(b.error(), "");
   bend_values(b.json, b.bytes, 1500);
 }

@@ -28,6 +28,7 @@ Builder prisms(int count, bool distinct, float away = 0, const Json& dermis = {{
   b.json["meshes"][0]["primitives"][0]["material"] = 0;
   b.json["nodes"] = Json::array();
   b.json["scenes"][0]["nodes"] = Json::array();
+
   for (int i = 0; i < count; ++i) {
     const double angle = 0.7 * i;
     Json node = {{"mesh", mesh},
@@ -35,6 +36,7 @@ Builder prisms(int count, bool distinct, float away = 0, const Json& dermis = {{
                  {"translation", {0.3 * i - double(away), 0.1 * i, -0.2}},
                  {"rotation", {0.6 * std::sin(angle), 0.8 * std::sin(angle), 0, std::cos(angle)}},
                  {"scale", {i % 3 == 1 ? -1.5 : 1.0, 1.0, 0.5}}};
+
     if (distinct && i > 0) {
       b.json["meshes"].push_back(b.json["meshes"][0]);
       node["mesh"] = i;
@@ -42,6 +44,7 @@ Builder prisms(int count, bool distinct, float away = 0, const Json& dermis = {{
     b.json["nodes"].push_back(node);
     b.json["scenes"][0]["nodes"].push_back(i);
   }
+
   return b;
 }
 

@@ -53,6 +53,7 @@ class Memory : public Imf::OStream {
 Bytes make_png(const PngRecipe& recipe, std::span<const std::uint8_t> samples) {
   spng_ctx* context = spng_ctx_new(SPNG_CTX_ENCODER);
   check(spng_set_option(context, SPNG_ENCODE_TO_BUFFER, 1));
+
   spng_ihdr header{};
   header.width = recipe.width;
   header.height = recipe.height;
@@ -60,6 +61,7 @@ Bytes make_png(const PngRecipe& recipe, std::span<const std::uint8_t> samples) {
   header.color_type = recipe.colour_type;
   header.interlace_method = recipe.interlaced ? 1 : 0;
   check(spng_set_ihdr(context, &header));
+
   if (!recipe.palette_rgba.empty()) {
     spng_plte palette{};
     spng_trns transparency{};
@@ -73,11 +75,13 @@ Bytes make_png(const PngRecipe& recipe, std::span<const std::uint8_t> samples) {
     check(spng_set_plte(context, &palette));
     check(spng_set_trns(context, &transparency));
   }
+
   if (recipe.transparent_grey >= 0) {
     spng_trns transparency{};
     transparency.gray = static_cast<std::uint16_t>(recipe.transparent_grey);
     check(spng_set_trns(context, &transparency));
   }
+
   check(spng_encode_image(context, samples.data(), samples.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE));
   std::size_t size = 0;
   int result = 0;
@@ -95,6 +99,7 @@ Bytes make_jpeg(int width, int height, JpegKind kind, std::span<const std::uint8
   unsigned char* data = nullptr;
   unsigned long size = 0;
   jpeg_mem_dest(&info, &data, &size);
+
   info.image_width = static_cast<JDIMENSION>(width);
   info.image_height = static_cast<JDIMENSION>(height);
   info.input_components = kind == JpegKind::grey ? 1 : (kind == JpegKind::cmyk ? 4 : 3);
@@ -102,15 +107,19 @@ Bytes make_jpeg(int width, int height, JpegKind kind, std::span<const std::uint8
       kind == JpegKind::grey ? JCS_GRAYSCALE : (kind == JpegKind::cmyk ? JCS_CMYK : JCS_RGB);
   jpeg_set_defaults(&info);
   jpeg_set_quality(&info, 95, TRUE);
+
+  // Keep all components at full resolution.
   for (int c = 0; c < info.num_components; ++c)
     info.comp_info[c].h_samp_factor = info.comp_info[c].v_samp_factor = 1;
   if (kind == JpegKind::progressive) jpeg_simple_progression(&info);
+
   jpeg_start_compress(&info, TRUE);
   while (info.next_scanline < info.image_height) {
     const std::size_t row_bytes = static_cast<std::size_t>(width * info.input_components);
     JSAMPROW row = const_cast<JSAMPROW>(samples.data()) + info.next_scanline * row_bytes;
     jpeg_write_scanlines(&info, &row, 1);
   }
+
   jpeg_finish_compress(&info);
   jpeg_destroy_compress(&info);
   return take(data, size);
@@ -122,6 +131,7 @@ Bytes make_exr(const ExrRecipe& r, std::span<const float> values) {
                           Imath::V2i(r.show_x + r.show_width - 1, r.show_y + r.show_height - 1));
   Imf::Header header(r.show_width == 0 ? data : show, data);
   header.compression() = static_cast<Imf::Compression>(r.compression);
+
   const std::size_t pixel = r.channels.size() * sizeof(float);
   Imf::FrameBuffer source;
   for (std::size_t c = 0; c < r.channels.size(); ++c) {
@@ -130,6 +140,7 @@ Bytes make_exr(const ExrRecipe& r, std::span<const float> values) {
     source.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data() + c, data, pixel,
                                          pixel * static_cast<std::size_t>(r.width)));
   }
+
   Memory stream;
   if (r.tile == 0) {
     Imf::OutputFile file(stream, header, 0);

@@ -134,9 +134,11 @@ TEST(ErrorColours, FromBlackToPaleYellow) {
   EXPECT_EQ(magma(-1), magma(0));
   EXPECT_EQ(magma(7), magma(1));
   EXPECT_EQ(magma(std::nanf("")), magma(0));
+
   // Entry 128 of the published table: 0.716387, 0.214982, 0.475290.
   for (const auto& [c, published] : {std::pair(0, 0.716387), std::pair(1, 0.214982), std::pair(2, 0.475290)})
     EXPECT_NEAR(magma(128 / 255.0f)[static_cast<std::size_t>(c)], published * 255, 3);
+
   double before = -1;
   for (int i = 0; i <= 255; ++i) {
     const Colour m = magma(static_cast<float>(i) / 255);
@@ -145,6 +147,7 @@ TEST(ErrorColours, FromBlackToPaleYellow) {
     EXPECT_GE(brightness, before) << i;
     before = brightness;
   }
+
   const Image8 picture = error_colours({.width = 3, .height = 1, .channels = 1, .values = {0, 0.25f, 1}},
                                        0.25f, Region{1, 1, 0});
   EXPECT_EQ(picture.at(0, 0)[2], 4);

@@ -41,9 +41,11 @@ std::string hdr_text(int width, int height) {
 std::vector<Sample> samples() {
   const auto error8 = [](std::span<const std::byte> b) { return error_of8(b); };
   const auto error_f = [](std::span<const std::byte> b) { return error_of_f(b); };
+
   std::vector<float> floats;
   for (const std::uint8_t v : noise(100 * 80 * 3, 7)) floats.push_back(static_cast<float>(v) * 0.01f);
   const std::vector<std::uint8_t> bytes = noise(100 * 80 * 4, 8);
+
   std::vector<Sample> all = {
       {"png", make_png({.width = 100, .height = 80, .palette_rgba = {}}, bytes), error8},
       {"interlaced png",
@@ -53,6 +55,7 @@ std::vector<Sample> samples() {
       {"hdr", bytes_of(hdr_text(100, 80)), error_f},
       {"tiled exr", make_exr({.width = 100, .height = 80, .tile = 32}, floats), error_f},
   };
+
   for (int compression = 0; compression < 10; ++compression) {
     all.push_back({fmt::format("exr {}", compression),
                    make_exr({.width = 100, .height = 80, .compression = compression}, floats), error_f});
@@ -154,12 +157,14 @@ TEST(Hostile, HugeSizesAreRefusedBeforeMemoryIsTaken) {
   EXPECT_EQ(error_of8(jpeg_that_claims(30000, 4)), "map: " + side);
   EXPECT_EQ(error_of_f(exr_that_claims(30000, 4)), "sky: " + side);
   EXPECT_EQ(error_of_f(bytes_of("#?RADIANCE\n\n-Y 4 +X 30000\nabcd")), "sky: " + side);
+
   EXPECT_EQ(error_of8(png_that_claims(0x7fffffff, 0x7fffffff)).find("map: "), 0u);
   EXPECT_EQ(
       error_of_f(exr_that_claims(0x7fffffff, 0x7fffffff)).find("sky: is 2147483647 x 2147483647 pixels"), 0u);
   EXPECT_EQ(error_of_f(exr_that_claims(0, 5)), "sky: has no pixels (0 x 5)");
   EXPECT_NE(error_of8(png_that_claims(0, 5)), "no error");
   EXPECT_NE(error_of8(jpeg_that_claims(5, 0)), "no error");
+
   // Within the limits and yet a lie: a few hundred bytes that would cost 1 to 3 GB.
   EXPECT_EQ(error_of8(png_that_claims(16384, 16384)).find("map: is truncated or damaged: "), 0u);
   EXPECT_EQ(error_of8(jpeg_that_claims(16384, 16384)).find("map: is truncated or damaged: "), 0u);
@@ -169,6 +174,7 @@ TEST(Hostile, HugeSizesAreRefusedBeforeMemoryIsTaken) {
   EXPECT_EQ(
       error_of_f(bytes_of("#?RADIANCE\n\n-Y 8192 +X 16384\nabcd")).find("sky: is truncated or damaged: "),
       0u);
+
   EXPECT_LT(peak_kib() - before_kib, 200 * 1024);
 }
 

@@ -63,16 +63,20 @@ TEST(Jpeg, EndlessScansAreRefused) {
   const Bytes file = make_jpeg(64, 64, JpegKind::progressive, ramp(64, 64, 3));
   const std::byte marker{0xff};
   const auto is_marker = [&](std::size_t i) { return file[i] == marker && file[i + 1] != std::byte{0}; };
+
+  // Find the first scan: from its marker up to the next one.
   std::size_t begin = 0;
   while (file[begin] != marker || file[begin + 1] != std::byte{0xda}) ++begin;
   std::size_t end = begin + 2;
   while (!is_marker(end)) ++end;
+
   const auto with_repeats = [&](int count) {
     Bytes repeated(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(end));
     for (int i = 0; i < count; ++i) repeated.insert(repeated.end(), &file[begin], &file[end]);
     repeated.insert(repeated.end(), &file[end], file.data() + file.size());
     return repeated;
   };
+
   // the order of the scans is odd: one warning
   const LogSink before = set_log_sink([](LogLevel, const std::string&) {});
   EXPECT_EQ(error_of8(with_repeats(20)), "no error");

@@ -25,6 +25,7 @@ Pixels spread(const Pixels& samples, int per_pixel) {
 TEST(Png, AllEightBitKindsPlainAndInterlaced) {
   // colour type, samples a pixel
   const std::pair<std::uint8_t, int> kinds[] = {{0, 1}, {2, 3}, {4, 2}, {6, 4}};
+
   for (const auto& [colour_type, per_pixel] : kinds) {
     for (const auto& [width, height] : {std::pair{1u, 1u}, {1u, 37u}, {53u, 1u}, {29u, 31u}}) {
       for (const bool interlaced : {false, true}) {
@@ -37,6 +38,7 @@ TEST(Png, AllEightBitKindsPlainAndInterlaced) {
                                      .interlaced = interlaced,
                                      .palette_rgba = {}},
                                     samples);
+
         const Image8 picture = decode_image8(file, "map");
         EXPECT_EQ(picture.width, static_cast<int>(width));
         EXPECT_EQ(picture.height, static_cast<int>(height));
@@ -78,6 +80,7 @@ TEST(Png, SmallDepthsAndPalette) {
       decode_image8(make_png({.width = 3, .bit_depth = 1, .colour_type = 0, .palette_rgba = {}}, bits), "map")
           .rgba,
       (Pixels{255, 255, 255, 255, 0, 0, 0, 255, 255, 255, 255, 255}));
+
   const Pixels pairs = {0b00011011};  // 0 1 2 3
   const Pixels palette = {10, 20, 30, 255, 40, 50, 60, 128, 70, 80, 90, 0, 1, 2, 3, 4};
   EXPECT_EQ(
@@ -85,6 +88,7 @@ TEST(Png, SmallDepthsAndPalette) {
                     "map")
           .rgba,
       palette);
+
   const Pixels key = {7, 8};
   EXPECT_EQ(
       decode_image8(make_png({.width = 2, .colour_type = 0, .palette_rgba = {}, .transparent_grey = 8}, key),

@@ -53,6 +53,7 @@ TEST(Shrink, PngOfEveryKindIsTheAverageOfAreas) {
   const std::vector<std::uint8_t> rgb = noise(width * height * 3, 5);
   std::vector<std::uint8_t> wide(rgb.size() * 2);
   for (std::size_t i = 0; i < rgb.size(); ++i) wide[2 * i] = wide[2 * i + 1] = rgb[i];  // times 257
+
   for (const bool interlaced : {false, true})
     for (const bool sixteen : {false, true}) {
       const Bytes file = make_png({.width = width,
@@ -62,6 +63,7 @@ TEST(Shrink, PngOfEveryKindIsTheAverageOfAreas) {
                                    .interlaced = interlaced,
                                    .palette_rgba = {}},
                                   sixteen ? wide : rgb);
+
       const Image8 large = decode_image8(file, "map");
       for (const int halvings : {1, 2, 3, 9})
         for (const bool srgb : {false, true}) {

@@ -113,13 +113,17 @@ TEST(ToneMap, NeutralIsTheSpecification) {
     const double x = std::min({c[0], c[1], c[2]});
     const double offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
     for (double& v : c) v -= offset;
+
     const double peak = std::max({c[0], c[1], c[2]});
     if (peak < 0.76) return c;
+
+    // Compress the peak, then fade towards white by how much it was compressed.
     const double d = 1 - 0.76, new_peak = 1 - d * d / (peak + d - 0.76);
     const double g = 1 - 1 / (0.15 * (peak - new_peak) + 1);
     for (double& v : c) v = v * new_peak / peak * (1 - g) + new_peak * g;
     return c;
   };
+
   for (const float r : {0.0f, 0.01f, 0.08f, 0.3f, 0.8f, 0.81f, 1.5f, 16.0f, 3000.0f})
     for (const float g : {0.0f, 0.03f, 0.5f, 0.9f, 4.0f})
       for (const float b : {0.0f, 0.02f, 0.4f, 1.1f, 100.0f}) {

@@ -44,6 +44,8 @@ TEST(Algebra, MergingKeepsTotalVarianceAndShape) {
 void expect_agreement(const optics::Layers& layers, int terms = 6) {
   LayerSums stack =
       gaussians::fit_layer(layers.back(), layers.size() > 1 ? layers[layers.size() - 2].eta : 1, 1, terms);
+
+  // Put the other layers on top of the lowest, one by one.
   double lost = 0;
   for (std::size_t i = layers.size() - 1; i-- > 0;) {
     const auto stacked = gaussians::stack(
@@ -52,6 +54,7 @@ void expect_agreement(const optics::Layers& layers, int terms = 6) {
     lost += stacked.lost;
   }
   EXPECT_LT(lost, 1e-3);
+
   const profile::LayeredProfile exact(layers, profile::SlabProfile::Side::reflected);
   const profile::Spectra all = exact.spectra(0);
   for (double k = 1e-3 / exact.outer_mm(); k < 40 / exact.inner_mm(); k *= 1.2) {
@@ -60,6 +63,7 @@ void expect_agreement(const optics::Layers& layers, int terms = 6) {
       EXPECT_NEAR(gaussians::transform(terms_of, k), truth, 0.01 * part)
           << what << ", k " << k << ", layers " << layers.size();
     };
+
     near(stack.reflect_above, at.reflect_above, all.reflect_above, "R+");
     near(stack.beam_reflect, at.beam.reflect, all.beam.reflect, "R+ of a beam");
     near(stack.transmit_above, at.transmit_above, std::max(all.transmit_above, 0.05), "T+");

@@ -37,9 +37,11 @@ TEST(MonteCarloCache, AChangedDigitIsNoticed) {
   std::filesystem::remove_all(folder);
   const profile::MonteCarloOptions options{.photons = 2000, .seed = 5, .cache = folder};
   const double total = profile::monte_carlo(scene, options)->reflected_total;
+
   const std::filesystem::path file = std::filesystem::directory_iterator(folder)->path();
   const std::string whole = text_of(file);
   const std::size_t totals = whole.find('\n') + 1;
+
   // The first total, a ring in the middle, the checksum itself; then a file that ends early, and one that
   // goes on.
   std::vector<std::string> damaged;
@@ -51,6 +53,7 @@ TEST(MonteCarloCache, AChangedDigitIsNoticed) {
   damaged.push_back(whole.substr(0, whole.size() / 2));
   damaged.push_back(whole + "1\n");
   damaged.emplace_back("7");
+
   for (const std::string& text : damaged) {
     forget();
     std::ofstream(file) << text;

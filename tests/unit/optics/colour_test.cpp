@@ -85,11 +85,13 @@ TEST(Model, AutomaticSaysWhatDecided) {
   };
   const optics::RgbLayer thick{{.01, .01, .01}, {2, 2, 2}, 1.4, 5}, dark{{1, 1, 1}, {2, 2, 2}, 1.4, 5},
       thin{{.01, .01, .01}, {2, 2, 2}, 1.4, .1};
+
   EXPECT_EQ(chosen({thick, thick}).model, profile::Model::multipole);
   EXPECT_EQ(chosen({thick, dark}).model, profile::Model::monte_carlo);
   EXPECT_NE(chosen({thick, dark}).reason.find("0.667 (layer 1, red)"), std::string::npos);
   EXPECT_EQ(chosen({thin, thick}).model, profile::Model::monte_carlo);
   EXPECT_NE(chosen({thin, thick}).reason.find("0.20 mean free paths (layer 0, red)"), std::string::npos);
+
   optics::RgbMedium pale;
   for (auto& medium : pale) medium = {.sigma_a_per_mm = .01, .sigma_s_per_mm = 1};
   EXPECT_EQ(profile::make_profiles(pale, profile::Model::automatic, few, "test").model,
@@ -98,8 +100,10 @@ TEST(Model, AutomaticSaysWhatDecided) {
   const auto mixed = profile::make_profiles(pale, profile::Model::automatic, few, "test");
   EXPECT_EQ(mixed.model, profile::Model::monte_carlo);
   EXPECT_NE(mixed.reason.find("0.500 (green)"), std::string::npos);
+
   EXPECT_THROW(profile::make_profiles(optics::RgbLayers{thick}, profile::Model::beam, few, "test"),
                InputError);
+
   // Spectral skin without melanin and blood: pale enough for diffusion, if the epidermis is thick enough
   const auto skin = [&](double epidermis_mm) {
     return profile::make_profiles(optics::Skin{.melanin = 0, .haemoglobin = 0, .epidermis_mm = epidermis_mm},

@@ -97,6 +97,7 @@ TEST_F(ProfileCommand, EverySourceYieldsAProfile) {
       << R"([{"sigma_a_per_mm":[0.02,0.1,0.2],"sigma_s_reduced_per_mm":5,"thickness_mm":0.5},
              {"sigma_a_per_mm":0.05,"sigma_s_reduced_per_mm":2}])";
   std::ofstream(path("r.csv")) << "r_mm,R,G,B\n0,0.1,0.1,0.1\n0.5,0.05,0.04,0.03\n2,0,0,0\n";
+
   const std::vector<std::vector<std::string>> sources{
       {"--coefficients", "sigma_a=0.03,0.17,0.48 sigma_s=0.74,0.88,1.01 g=0 eta=1.3", "--model", "better"},
       {"--preset", "skin2", "--model", "beam"},
@@ -108,6 +109,7 @@ TEST_F(ProfileCommand, EverySourceYieldsAProfile) {
        "multipole"},
       {"--colour", "#c58c85", "--model", "multipole"},
       {"--import", "unity reflectance=0.8,0.5,0.4 scattering_distance=0.76,0.32,0.2"}};
+
   for (auto source : sources) {
     source.insert(source.end(), {"-o", "-", "--gaussians", "4"});
     EXPECT_NO_THROW(gaussians::parse_json(run(source), source[0])) << source[0] << " " << source[1];
@@ -120,12 +122,14 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
   EXPECT_THROW(run({"--preset", "skin1", "--gaussians", "six"}), CLI::ParseError);
   EXPECT_THROW(run({"--preset", "skin1", "--no-such-option"}), CLI::ParseError);
   EXPECT_THROW(run({"--blend", "0.2"}), CLI::ParseError);
+
   EXPECT_NE(message_of({"--preset", "skin3"}).find("known: apple, chicken1"), std::string::npos);
   EXPECT_NE(message_of({"--coefficients", "sigma_a=-1 sigma_s=1"}).find("sigma_a must be"),
             std::string::npos);
   EXPECT_NE(message_of({"--coefficients", "sigma_a=1 sigma_s=1 g=1"}).find("g must be"), std::string::npos);
   EXPECT_NE(message_of({"--coefficients", "sigma_a=1 sigma_s=1 eta=0.5"}).find("eta must be"),
             std::string::npos);
+
   EXPECT_NE(message_of({"--preset", "skin1", "--gaussians", "9"}).find("1 to 8"), std::string::npos);
   EXPECT_NE(message_of({"--preset", "skin1", "--model", "tripole"}).find("known: dipole, better"),
             std::string::npos);
@@ -134,6 +138,7 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
   EXPECT_NE(
       message_of({"--preset", "skin1", "--model", "dipole", "--export", "maya"}).find("known: separable"),
       std::string::npos);
+
   EXPECT_NE(message_of({"--layers", path("none.json")}).find("none.json"), std::string::npos);
   EXPECT_NE(message_of({"--melanin", "0.02", "--model", "dipole"}).find("knows no layers"),
             std::string::npos);
@@ -142,6 +147,7 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
   EXPECT_NE(
       message_of({"--preset", "skin1", "--model", "dipole", "-o", path("no/such/a.json")}).find("no/such"),
       std::string::npos);
+
   EXPECT_NE(message_of({"--burley", "reflectance=1 mfp_mm=1e-300"}).find("1e-6 to 1e6 mm"),
             std::string::npos);
   EXPECT_NE(message_of({"--burley", "reflectance=0.5 mfp_mm=-1"}).find("mfp_mm must be above 0, got -1"),
@@ -153,6 +159,7 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
             std::string::npos);
   EXPECT_NE(message_of({"--import", "radius=1"}).find("could be a mean free path, a diffuse mean free path"),
             std::string::npos);
+
   std::ofstream(path("layers.json")) << R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"depth_mm":1}])";
   EXPECT_NE(
       message_of({"--layers", path("layers.json")}).find("unknown key 'depth_mm'; known: sigma_a_per_mm"),
@@ -246,12 +253,14 @@ TEST_F(ProfileCommand, TheTableSaysWhatANumberAloneDoesNot) {
   EXPECT_NE(better.find("scattered only once"), std::string::npos);
   EXPECT_NE(better.find("\nerror, %"), std::string::npos);
   EXPECT_EQ(better.find("noise"), std::string::npos);
+
   const std::string beam =
       run({"--coefficients", "sigma_a=0.001,0.1,0.1 sigma_s=0.999 eta=1", "--model", "beam"});
   EXPECT_NE(beam.find("red: this model gives back 1.00"), std::string::npos) << beam;
   EXPECT_EQ(beam.find("green: this model"), std::string::npos);
   EXPECT_NE(beam.find("error through a narrow beam, %"), std::string::npos);
   EXPECT_NE(beam.find("sigma of that beam, mm"), std::string::npos);
+
   const std::string endless =
       run({"--coefficients", "sigma_a=0,1,1 sigma_s=1", "--model", "monte-carlo", "--photons", "1000"});
   EXPECT_NE(endless.find("Monte-Carlo noise, %"), std::string::npos) << endless;
@@ -259,6 +268,7 @@ TEST_F(ProfileCommand, TheTableSaysWhatANumberAloneDoesNot) {
       << endless;
   EXPECT_NE(endless.find("    infinite"), std::string::npos) << endless;
   EXPECT_EQ(endless.find("green: "), std::string::npos) << "what is absorbed is not missing";
+
   const std::string spectral = run({"--melanin", "0.02", "--photons", "16000"});
   EXPECT_TRUE(spectral.starts_with("spectral skin, melanin 0.02: Monte-Carlo, 31 wavelengths\n")) << spectral;
   EXPECT_NE(spectral.find("Monte-Carlo noise, %"), std::string::npos);

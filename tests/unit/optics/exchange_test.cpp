@@ -65,16 +65,19 @@ TEST(Exchange, NumbersByHandOfMediaAndKernels) {
     input.profiles[c] = std::make_shared<profile::Dipole>(input.medium[c]);
     input.terms[c] = {{7.41, 1}};
   }
+
   const Json pbr = Json::parse(gaussians::export_text("openpbr", input))["parameters"];
   EXPECT_NEAR(pbr["subsurface_radius"].get<double>(), 1.295337e-3, 1e-8);  // 1 / 0.772 mm, in metres
   expect_triple(pbr["subsurface_radius_scale"], {1, 0.7352381, 0.5181208}, "openpbr");
   EXPECT_EQ(pbr["specular_ior"], 1.3);
+
   const Json gltf = Json::parse(gaussians::export_text("gltf", input))["parameters"]["extensions"];
   // 1 / 1.49 mm, in metres
   EXPECT_NEAR(gltf["KHR_materials_volume"]["attenuationDistance"].get<double>(), 6.711409e-4, 1e-9);
   // e^{-sigma_t' / 1.49}
   expect_triple(gltf["KHR_materials_volume"]["attenuationColor"], {0.5956386, 0.4942580, 0.3678794}, "gltf");
   EXPECT_EQ(gltf["KHR_materials_ior"]["ior"], 1.3);
+
   // 1.5 sqrt(7.41) mm in metres; taps of a unit Gaussian between +-1/96, and from there to 5/96
   const Json separable = Json::parse(gaussians::export_text("separable", input))["parameters"];
   EXPECT_NEAR(separable["sssWidth"].get<double>(), 4.083197e-3, 1e-8);
@@ -140,12 +143,14 @@ TEST(Exchange, MediumSystemsGiveTheMeanFreePathBack) {
           " subsurface_radius=" + number(pbr["subsurface_radius"]) +
           " subsurface_radius_scale=" + triple(pbr["subsurface_radius_scale"]),
       "--import");
+
   const Json gltf = Json::parse(gaussians::export_text("gltf", input))["parameters"]["extensions"];
   const auto b = gaussians::parse_import(
       "gltf ior=1.4 multiscatter_color=" + triple(gltf["KHR_materials_volume_scatter"]["multiscatterColor"]) +
           " attenuation_color=" + triple(gltf["KHR_materials_volume"]["attenuationColor"]) +
           " attenuation_distance=" + number(gltf["KHR_materials_volume"]["attenuationDistance"]),
       "--import");
+
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(a.medium[c].mean_free_path().mm / input.medium[c].mean_free_path().mm, 1, 1e-6);
     EXPECT_NEAR(b.medium[c].mean_free_path().mm / input.medium[c].mean_free_path().mm, 1, 1e-6);
@@ -196,6 +201,7 @@ TEST(Exchange, AmbiguousImportsAreRefusedWithTheirReadings) {
                        "mean_free_path_distance=1")
                 .find("must be 0 or 1"),
             std::string::npos);
+
   EXPECT_NE(message_of("a\nb").find("'a?b' names no system"), std::string::npos);
   EXPECT_NE(message_of("separable width=1").find("do not say a profile"), std::string::npos);
   EXPECT_NE(message_of("unity reflectance=0.5 radius=1").find("known: reflectance, scattering_distance"),
@@ -206,6 +212,7 @@ TEST(Exchange, AmbiguousImportsAreRefusedWithTheirReadings) {
   EXPECT_NE(message_of("cycles scene_unit_mm=1 color=0.5 radius=-2")
                 .find("radius * scale must be above 0, got -2 mm"),
             std::string::npos);
+
   // One number where the system has one
   for (const char* text :
        {"cycles scene_unit_mm=1000,1,1 color=0.5 radius=1",
@@ -215,6 +222,7 @@ TEST(Exchange, AmbiguousImportsAreRefusedWithTheirReadings) {
         "unreal enable_mean_free_path=1,0,0 surface_albedo=0.5 mean_free_path_color=1 "
         "mean_free_path_distance=1"})
     EXPECT_NE(message_of(text).find("is one number for all channels"), std::string::npos) << text;
+
   EXPECT_THROW(gaussians::export_text("maya", burley_skin()), InputError);
 }
 

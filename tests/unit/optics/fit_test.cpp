@@ -113,6 +113,7 @@ TEST(Fit, SharedVariancesAreSortedNormalisedAndPositive) {
     const auto medium = optics::find_material(name)->medium();
     std::array<profile::ProfilePtr, 3> profiles;
     for (int c = 0; c < 3; ++c) profiles[c] = std::make_shared<Dipole>(medium[c]);
+
     double before = 1e9;
     for (int k = 1; k <= 8; ++k) {
       const auto sum = gaussians::fit_shared(profiles, k, name);
@@ -127,6 +128,7 @@ TEST(Fit, SharedVariancesAreSortedNormalisedAndPositive) {
         EXPECT_NEAR(total, 1, 1e-9);
         error2 += sum.error_percent[c] * sum.error_percent[c];
       }
+
       EXPECT_LT(error2, before) << name << k;
       before = error2;
       EXPECT_LT(std::sqrt(error2), k >= 6 ? 1.5 : 100) << name;
@@ -157,21 +159,26 @@ std::array<double, 2> best_gaussian(const profile::RadialProfile& table, double 
   double square = 0;
   std::vector<double> radius, value;
   for (int i = 0; i < count; ++i) {  // midpoints: a jump at the end falls between two
-    radius.push_back((i + 0.5) * step), value.push_back(table.at(radius.back()));
+    radius.push_back((i + 0.5) * step);
+    value.push_back(table.at(radius.back()));
     square += radius[i] * value[i] * value[i] * step;
   }
+
   const auto explained = [&](double v) {
     double product = 0;
     for (int i = 0; i < count; ++i)
       product += radius[i] * value[i] * std::exp(-radius[i] * radius[i] / (2 * v)) * step;
     return product * product / (v / 2) / square;  // Int r G^2 dr, G = e^{-r^2/2v}, is v/2
   };
+
+  // Narrow ln(variance) down to the best by golden sections.
   double low = std::log(1e-2 * end_mm * end_mm), high = std::log(4 * end_mm * end_mm);
   for (int i = 0; i < 40; ++i) {
     const double a = low + 0.382 * (high - low), b = low + 0.618 * (high - low);
     (explained(std::exp(a)) < explained(std::exp(b)) ? low : high) =
         explained(std::exp(a)) < explained(std::exp(b)) ? a : b;
   }
+
   return {std::exp(low), 100 * std::sqrt(1 - explained(std::exp(low)))};
 }
 
@@ -180,6 +187,7 @@ TEST(Fit, TablesAreIntegratedFromRowToRow) {
   std::string decay = "r_mm,R,G,B\n";
   for (int i = 0; i < 16; ++i)
     decay += fmt::format("{0},{1},{1},{1}\n", i / 10.0, 0.05 * std::exp(-i / 10.0));
+
   struct Table {
     std::string csv;
     double end_mm;
@@ -189,12 +197,14 @@ TEST(Fit, TablesAreIntegratedFromRowToRow) {
     const auto profile = profile::parse_csv(table.csv, "table.csv")[0];
     const ChannelFit fit = gaussians::fit_channel(*profile, 1);
     const auto [variance, error] = best_gaussian(*profile, table.end_mm);
+
     ASSERT_EQ(fit.terms.size(), 1u);
     EXPECT_NEAR(fit.error_percent, error, 2e-3 * error) << table.csv;
     EXPECT_NEAR(fit.terms[0].variance_mm2 / variance, 1, 5e-3) << table.csv;
     EXPECT_NEAR(gaussians::error_percent(*profile, fit.terms), fit.error_percent, 1e-9);
     EXPECT_NEAR(profile->hankel(0) / profile->total(), 1, 1e-3);
   }
+
   // A box of radius 1: (1 - e^{-t})^2 / t is largest for t = 1/2v = 1.2564
   const auto box =
       gaussians::fit_channel(*profile::parse_csv("r_mm,R,G,B\n0,.3,.3,.3\n1,.3,.3,.3\n", "box.csv")[0], 1);

@@ -85,6 +85,7 @@ TEST(Fresnel, MomentsAndBoundaryFactors) {
     EXPECT_NEAR(optics::boundary_factor_classical(row.n), row.classical, 1e-5) << row.n;
     EXPECT_NEAR(optics::boundary_factor_moments(row.n), row.moments, 1e-5) << row.n;
   }
+
   struct Outside {
     double n, c1, poly;
   };
@@ -93,6 +94,7 @@ TEST(Fresnel, MomentsAndBoundaryFactors) {
     EXPECT_NEAR(optics::fresnel_moment_2c1(1 / row.n), row.c1, 1e-6) << row.n;
     EXPECT_NEAR(optics::fresnel_diffuse_polynomial(1 / row.n), row.poly, 1e-6) << row.n;
   }
+
   EXPECT_EQ(optics::boundary_factor_classical(1), 1);
   EXPECT_NEAR(optics::fresnel(1, 1.4), (0.4 / 2.4) * (0.4 / 2.4), 1e-12);
   EXPECT_EQ(optics::fresnel(0.1, 1.4), 1);
@@ -147,6 +149,7 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
   const auto parse = [](const char* json) {
     return message_of([&] { optics::parse_layers(json, "skin.json"); });
   };
+
   const auto layers = optics::parse_layers(
       R"([{"sigma_a_per_mm":[0.1,0.2,0.3],"sigma_s_reduced_per_mm":2,"thickness_mm":0.25},
                                               {"sigma_a_per_mm":0.1,"sigma_s_reduced_per_mm":1,"eta":1.38}])",
@@ -156,6 +159,7 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
   EXPECT_EQ(layers[0].eta, 1.4);
   EXPECT_EQ(layers[1].eta, 1.38);
   EXPECT_TRUE(std::isinf(layers[1].thickness_mm));
+
   EXPECT_NE(parse("[]").find("1 to 32 layers, got 0"), std::string::npos);
   // One line, whatever a key holds.
   EXPECT_NE(parse(R"([{"a\nb":1}])").find("unknown key 'a?b'"), std::string::npos);
@@ -166,6 +170,7 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
   EXPECT_NE(parse(R"([{"eta":1.3,"eta":1.4}])").find("'eta' is given twice"), std::string::npos);
   EXPECT_NE(parse(R"([{"eta":1e999}])").find("skin.json: a number is too large"), std::string::npos);
   EXPECT_NE(parse(std::string(100'000, '[').c_str()).find("not JSON"), std::string::npos);
+
   EXPECT_NE(parse(R"([{"sigma_a_per_mm":1}])").find("'sigma_s_reduced_per_mm' is missing"),
             std::string::npos);
   EXPECT_NE(parse(
@@ -173,6 +178,7 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
               {"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1}])")
                 .find("only the last"),
             std::string::npos);
+
   EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":"x"}])").find("expected a number"),
             std::string::npos);
   EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"thickness_mm":-1}])")

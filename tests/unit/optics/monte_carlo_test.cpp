@@ -79,17 +79,20 @@ TEST(MonteCarlo, ThreeLayersOfTheMcmlManual) {
   const ScatterScene skin{.layers = {{{1 * from_cm, 100 * from_cm, .9, 1.37}, 1},
                                      {{1 * from_cm, 10 * from_cm, 0, 1.37}, 1},
                                      {{2 * from_cm, 10 * from_cm, .7, 1.37}, 2}}};
+
   EXPECT_NEAR(optics::fresnel(1, 1.37), .0243729, 5e-8);
   const double entered = 1 - .0243729;
   const auto mean = [&](auto quantity) {
     return over_seeds(skin, 5'000, [&](const Result& r) { return entered * quantity(r); });
   };
+
   expect_sigma(mean([](const Result& r) { return r.reflected_total; }), .237859, .00031, "Rd");
   expect_sigma(mean([](const Result& r) { return r.transmitted_total + r.ballistic; }), .0962202, .00019,
                "T");
   expect_sigma(mean([](const Result& r) { return r.absorbed[0] + r.absorbed[1] + r.absorbed[2]; }), .641594,
                .00036,
                "A");  // 1 - Rsp - Rd - T
+
   const double absorbed[] = {.2612, .1488, .2316};
   for (int i = 0; i < 3; ++i)
     expect_sigma(mean([&](const Result& r) { return r.absorbed[i]; }), absorbed[i], .00036,
@@ -122,16 +125,19 @@ TEST(MonteCarlo, RingsOfTheMcmlManual) {
   const ScatterScene skin{.layers = {{{1 * from_cm, 100 * from_cm, .9, 1.37}, 1},
                                      {{1 * from_cm, 10 * from_cm, 0, 1.37}, 1},
                                      {{2 * from_cm, 10 * from_cm, .7, 1.37}, 2}}};
+
   const double reflected[] = {30.924, 10.071, 6.1187, 4.4015, 3.5138, 2.8528, 2.4344, 2.0692, 1.7715, 1.5409,
                               1.3425, 1.2006, 1.0319, .89424, .79300, .70183, .61493, .54537, .48518, .42576,
                               .37759, .32900, .29997, .26421, .23595, .20775, .18657, .16498, .14860, .14064};
   const double transmitted[] = {.58942, .60085, .56453, .55132, .53655, .53603, .52027,
                                 .49193, .46582, .43591, .41109, .39854, .36636, .33945,
                                 .32122, .29694, .28041, .26182, .23866, .22141};
+
   constexpr double photons = 200'000, entered = 1 - .0243729;
   const auto r = profile::monte_carlo(skin, {.photons = 200'000, .seed = 3, .cache = {}});
   const auto area_cm2 = [](int i) { return M_PI * .0001 * (2 * i + 1); };
   const profile::MonteCarloProfile curve(skin, {.photons = 200'000, .seed = 3, .cache = {}});
+
   // our rings are up to four times as wide as theirs: compared along the curve through them
   for (int i = 0; i < 30; ++i) {
     double ours = i == 0 ? r->reflected.within(.1) : 0;
@@ -141,12 +147,14 @@ TEST(MonteCarlo, RingsOfTheMcmlManual) {
     EXPECT_NEAR(entered * ours, theirs, three_sigma(theirs, photons))
         << "reflected " << i << ": " << entered * ours / theirs;
   }
+
   double ours_all = 0, theirs_all = 0;
   for (int i = 0; i < 20; ++i) {
     const double ours = entered * (r->transmitted.within(.1 * (i + 1)) - r->transmitted.within(.1 * i)),
                  theirs = transmitted[i] * area_cm2(i);
     EXPECT_NEAR(ours, theirs, three_sigma(theirs, photons)) << "transmitted " << i << ": " << ours / theirs;
-    ours_all += ours, theirs_all += theirs;
+    ours_all += ours;
+    theirs_all += theirs;
   }
   EXPECT_NEAR(ours_all, theirs_all, three_sigma(theirs_all, photons));
 }
@@ -155,6 +163,7 @@ TEST(MonteCarlo, HalfSpaceTotals) {
   struct Row {
     double albedo, normal, normal_error, diffuse, diffuse_error;
   };
+
   const double into_normal = 1 - optics::fresnel(1, 1 / 1.4), into_diffuse = 1 - .076812;
   for (const Row& row :
        {Row{.5, .05234, 9e-5, .05327, 9e-5}, Row{.8, .15300, 1.7e-4, .15331, 1.8e-4},
@@ -162,9 +171,11 @@ TEST(MonteCarlo, HalfSpaceTotals) {
         Row{.99, .60359, 2.5e-4, .58379, 2.7e-4}, Row{.999, .83023, 1.8e-4, .79384, 2.4e-4}}) {
     const MonteCarloOptions options{.photons = 30'000, .seed = 11, .cache = {}};
     ScatterScene scene = profile::scene_of(Medium{1 - row.albedo, row.albedo, 0, 1.4});
+
     const auto normal = profile::monte_carlo(scene, options);
     expect_sigma(into_normal * normal->reflected_total, into_normal * normal->reflected_total_error,
                  row.normal, row.normal_error, "normal");
+
     scene.light = ScatterScene::Light::diffuse;
     const auto diffuse = profile::monte_carlo(scene, options);
     expect_sigma(into_diffuse * diffuse->reflected_total, into_diffuse * diffuse->reflected_total_error,
@@ -175,6 +186,7 @@ TEST(MonteCarlo, HalfSpaceTotals) {
 TEST(MonteCarlo, MeasuredSkinAndSlabs) {
   const double into = 1 - optics::fresnel(1, 1 / 1.3);
   const double truth[2][3] = {{.43230, .20983, .11338}, {.62350, .42943, .33342}};
+
   for (int skin = 0; skin < 2; ++skin)
     for (int c = 0; c < 3; ++c) {
       const auto r = profile::monte_carlo(
@@ -183,6 +195,7 @@ TEST(MonteCarlo, MeasuredSkinAndSlabs) {
       expect_sigma(into * r->reflected_total, into * r->reflected_total_error, truth[skin][c], 2.5e-4,
                    "skin" + std::to_string(skin + 1));
     }
+
   struct Slab {
     double d, rd, td, tb, a;
   };
@@ -193,12 +206,14 @@ TEST(MonteCarlo, MeasuredSkinAndSlabs) {
     const auto mean = [&](auto quantity) {
       return over_seeds(scene, 5'000, [&](const Result& r) { return entered * quantity(r); });
     };
+
     expect_sigma(mean([](const Result& r) { return r.reflected_total; }), slab.rd, 2e-4, "Rd");
     expect_sigma(mean([](const Result& r) { return r.transmitted_total; }), slab.td, 2e-4, "Td");
     expect_sigma(mean([](const Result& r) { return r.ballistic; }), slab.tb,
                  std::sqrt(slab.tb * (1 - slab.tb) / 2e6), "Tb");
     expect_sigma(mean([](const Result& r) { return r.absorbed[0]; }), slab.a, 2e-4, "A");
   }
+
   const auto two = profile::monte_carlo({.layers = {{{.5, 4, 0, 1.4}, .25}, {{.05, 2, 0, 1.4}, infinite}}},
                                         {.photons = 100'000, .seed = 9, .cache = {}});
   expect_sigma(entered * two->reflected_total, entered * two->reflected_total_error, .31169, 2e-4,
@@ -210,6 +225,7 @@ TEST(MonteCarlo, MeasuredSkinAndSlabs) {
 TEST(MonteCarlo, IndexStepsWithoutScattering) {
   const ScatterScene stack{.layers = {{{.3, 0, 0, 1.5}, 1}, {{.2, 0, 0, 1.2}, 2}},
                            .light = ScatterScene::Light::diffuse};
+
   double entered = 0, reflected = 0, transmitted = 0;
   for (const auto& node : optics::gauss_legendre(64, 0, 1)) {
     const double sine = std::sqrt(1 - node.x * node.x), mu1 = std::sqrt(1 - sine * sine / 2.25),
@@ -217,14 +233,18 @@ TEST(MonteCarlo, IndexStepsWithoutScattering) {
     const double flux = 2 * node.x * (1 - optics::fresnel(node.x, 1 / 1.5)) * node.weight;
     const double top = optics::fresnel(mu1, 1.5), step = optics::fresnel(mu1, 1.5 / 1.2),
                  bottom = optics::fresnel(mu2, 1.2);
+
+    // Sum all bounces within layer 2, then those between the surface and what lies below layer 1.
     const double through1 = std::exp(-.3 / mu1), through2 = std::exp(-.4 / mu2);
     const double bounces2 = 1 / (1 - step * bottom * through2 * through2);
     const double below = step + (1 - step) * (1 - step) * bottom * through2 * through2 * bounces2;
     const double down = flux / (1 - top * below * through1 * through1);  // at the top of layer 1, all bounces
+
     entered += flux;
     reflected += down * through1 * through1 * below * (1 - top);
     transmitted += down * through1 * (1 - step) * bounces2 * through2 * (1 - bottom);
   }
+
   expect_sigma(over_seeds(stack, 5'000, [](const Result& r) { return r.reflected_total; }),
                reflected / entered, 0, "R");
   expect_sigma(over_seeds(stack, 5'000, [](const Result& r) { return r.ballistic; }), transmitted / entered,
@@ -286,10 +306,12 @@ TEST(MonteCarlo, EqualSeedsGiveEqualBitsAndFilesGiveThemBack) {
       std::filesystem::temp_directory_path() /
       ("dermis_cache_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_mc");
   std::filesystem::remove_all(folder);
+
   const ScatterScene scene = profile::scene_of(Medium{.2, 1, 0.3, 1.4});
   const auto a = profile::monte_carlo(scene, {.photons = 5'000, .seed = 1, .cache = {}});
   const auto other = profile::monte_carlo(scene, {.photons = 5'000, .seed = 2, .cache = {}});
   EXPECT_NE(a->reflected_total, other->reflected_total);
+
   const MonteCarloOptions kept{.photons = 5'001, .seed = 1, .cache = folder};
   const auto first = profile::monte_carlo(scene, kept);
   for (int i = 0; i < 70; ++i)
@@ -299,11 +321,13 @@ TEST(MonteCarlo, EqualSeedsGiveEqualBitsAndFilesGiveThemBack) {
   EXPECT_NE(first.get(), second.get());
   EXPECT_EQ(first->reflected.energies(), second->reflected.energies());
   EXPECT_EQ(first->reflected_total, second->reflected_total);
+
   for (const auto& file : std::filesystem::directory_iterator(folder))
     std::ofstream(file.path()) << "damaged";
   for (int i = 0; i < 70; ++i)
     profile::monte_carlo(scene, {.photons = 1000, .seed = static_cast<std::uint64_t>(300 + i), .cache = {}});
   EXPECT_EQ(profile::monte_carlo(scene, kept)->reflected.energies(), first->reflected.energies());
+
   std::filesystem::remove_all(folder);
   EXPECT_THROW(profile::monte_carlo(scene, {.photons = 1, .seed = 1, .cache = {}}), InputError);
 }

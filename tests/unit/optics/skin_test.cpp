@@ -71,11 +71,13 @@ TEST(Radiative, AsExactAsStated) {
         Row{{{.5, 4, 1.4, .25}, {.05, 2, 1.4, infinite}}, .320177, 0}}) {
     const optics::Totals fine = optics::adding_doubling(row.layers),
                          coarse = optics::adding_doubling_coarse(row.layers);
+
     EXPECT_NEAR(fine.reflectance, row.reflectance, 3e-4);
     EXPECT_NEAR(fine.transmittance, row.transmittance, 3e-4);
     EXPECT_NEAR(coarse.reflectance, row.reflectance, 2e-3);
     EXPECT_NEAR(coarse.transmittance, row.transmittance, 2e-3);
   }
+
   // Giovanelli 1955, isotropic, n = 1.5, with what the surface reflects
   EXPECT_NEAR(.04 + .96 * optics::adding_doubling({{1, 9, 1.5, infinite}}).reflectance, .2600, 3e-4);
 }
@@ -221,18 +223,21 @@ std::vector<std::vector<double>> csv_rows(const std::string& name) {
 TEST(Tables, AreTheSourcesOwn) {
   const auto blood = csv_rows("haemoglobin.csv"), cie = csv_rows("cie.csv");
   if (blood.empty() || cie.empty()) GTEST_SKIP() << "haemoglobin.csv and cie.csv are not at hand";
+
   for (const auto& row : blood) {
     if (row[0] < 380 || row[0] > 780) continue;
     const double scale = std::log(10.0) * 150 / 64500 / 10;
     EXPECT_NEAR(optics::oxyhaemoglobin_per_mm(row[0]) / (scale * row[1]), 1, 1e-12);
     EXPECT_NEAR(optics::deoxyhaemoglobin_per_mm(row[0]) / (scale * row[2]), 1, 1e-12);
   }
+
   ASSERT_EQ(optics::wavelengths_nm().size(), cie.size());
   double y = 0;
   for (std::size_t i = 0; i < cie.size(); ++i) {
     EXPECT_EQ(optics::wavelengths_nm()[i], cie[i][0]);
     y += cie[i][2] * cie[i][4];
   }
+
   // By the matrix of Rec.709 the weights are the observer's own three columns again, wavelength by
   // wavelength; x and z to the 2e-4 by which the white that the matrix is printed for differs from that of
   // the tables

@@ -48,18 +48,21 @@ TEST(Multipole, ThickSlabIsTheDipole) {
     const double diffuse_mm = medium.medium().diffuse_mean_free_path().mm,
                  mean_mm = medium.medium().mean_free_path().mm;
     const profile::Dipole dipole(medium.medium());
+
     double before = 1;
     for (const double lengths : {3.0, 6.0, 12.0, 25.0}) {  // thicknesses in diffuse mean free paths
       Layer layer = medium;
       layer.thickness_mm = lengths * diffuse_mm + 2 * mean_mm;
       const SlabProfile slab(layer, Side::reflected);
       const double deviation = std::abs(slab.total() - dipole.total());
+
       // light goes there and back
       EXPECT_LE(deviation, 2 * std::exp(-2 * lengths)) << medium.sigma_a_per_mm << " " << lengths;
       EXPECT_LE(deviation, before);
       EXPECT_LE(SlabProfile(layer, Side::transmitted).total(), 8 * std::exp(-lengths))
           << medium.sigma_a_per_mm << " " << lengths;
       before = deviation + 1e-12;
+
       if (lengths < 25) continue;
       for (const double r : {0.1, 1.0, 3.0})
         EXPECT_NEAR(slab.at(r * diffuse_mm) / dipole.at(r * diffuse_mm), 1, 1e-6) << r;
@@ -73,8 +76,10 @@ TEST(Layers, RandomStacksKeepTheLight) {
   const auto between = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
   };
+
   double worst = 0;
   for (int i = 0; i < 300; ++i) {
+    // Draw 2 to 5 layers, without and with absorption, equally many mean free paths deep.
     optics::Layers clear, absorbing;
     for (int layer = 0; layer < 2 + i % 4; ++layer) {
       const double sigma_s = std::exp(between(std::log(0.1), std::log(30))),
@@ -83,6 +88,7 @@ TEST(Layers, RandomStacksKeepTheLight) {
       clear.push_back({0, sigma_s, eta, depth / sigma_s});
       absorbing.push_back({sigma_a, sigma_s, eta, depth / (sigma_s + sigma_a)});
     }
+
     const profile::Spectra kept = LayeredProfile(clear, Side::reflected).spectra(0),
                            less = LayeredProfile(absorbing, Side::reflected).spectra(0);
     for (const double all : {kept.beam.reflect + kept.beam.transmit, kept.reflect_above + kept.transmit_above,
@@ -94,6 +100,7 @@ TEST(Layers, RandomStacksKeepTheLight) {
       EXPECT_GT(all, 0) << "stack " << i;
     }
   }
+
   EXPECT_LE(worst, 0.005);
   EXPECT_LE(worst, 1e-6);
 }
@@ -105,11 +112,13 @@ TEST(Multipole, NeverMoreLightThanEntered) {
         for (const double below : {1.0, 1.4, 2.0}) {
           const Multipole slab({sigma_a, 1, eta, d / (1 + sigma_a)}, 1, below);
           const profile::Spectra s = slab.spectra(0);
+
           for (const double all : {s.beam.reflect + s.beam.transmit, s.reflect_above + s.transmit_above,
                                    s.reflect_below + s.transmit_below}) {
             EXPECT_LE(all, 1 + 1e-9) << sigma_a << " " << d << " " << eta << " " << below;
             if (sigma_a == 0) { EXPECT_NEAR(all, 1, 0.005) << d; }
           }
+
           for (const double k : {0.0, 0.7, 20.0, 400.0, 1e5}) {
             const profile::Spectra at = slab.spectra(k);
             for (const double part :
@@ -213,13 +222,18 @@ TEST(Layers, TwoHalvesAgainstTheWhole) {
     for (double half = 0.02; half < 12; half *= 1.06) {
       const double deviation = halves_against_whole(half, eta);
       EXPECT_LE(deviation, 0.04) << "halves of " << half << " mean free paths, index " << eta;
-      if (deviation > worst) worst = deviation, where = half;
+      if (deviation > worst) {
+        worst = deviation;
+        where = half;
+      }
     }
+
     std::printf("| %.2f | %.3f at %.2f |", eta, worst, where);  // a row of docs/theory.md
     for (const double half : {0.05, 0.2, 0.6, 1.0, 1.5, 2.0, 4.0, 8.0})
       std::printf(" %.3f |", halves_against_whole(half, eta));
     std::printf("\n");
   }
+
   double no_tissue = 0;
   for (const double eta : {2.0, 3.0})
     for (double half = 0.02; half < 12; half *= 1.06)

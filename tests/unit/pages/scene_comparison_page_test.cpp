@@ -16,17 +16,23 @@ SceneComparison made_up() {
   c.scene = "head <1>.gltf";
   c.tone_map = "filmic";
   c.model = "bssrdf";
-  c.samples = 64, c.noise_percent = 1.5, c.reference_seconds = 2;
-  c.width = 4, c.height = 2, c.supersample = 4;
+  c.samples = 64;
+  c.noise_percent = 1.5;
+  c.reference_seconds = 2;
+  c.width = 4;
+  c.height = 2;
+  c.supersample = 4;
   c.regions = {{"skin", {1, 1, 1, 1, 0, 0, 0, 0}, 4},
                {"nose", {1, 0, 0, 0, 0, 0, 0, 0}, 1},
                {"ears", std::vector<std::uint8_t>(8), 0}};
+
   const auto picture = [](std::uint8_t value) {
     image::Image8 p{.width = 4, .height = 2, .rgba = std::vector<std::uint8_t>(32, value)};
     for (std::size_t i = 3; i < 32; i += 4) p.rgba[i] = 255;
     return p;
   };
   c.shown_reference = picture(100);
+
   for (const char* name : {"texture-space", "lambert"}) {
     ComparedTechnique t;
     t.name = name;
@@ -34,6 +40,7 @@ SceneComparison made_up() {
     t.statistics.frame_ms_median = 12.34;
     t.statistics.gaussians = t.name == "lambert" ? 0 : 6;
     t.statistics.optimise = {"cull"};
+
     t.errors = {RegionError{.flip = 0.02,
                             .hdr_flip = 0.03,
                             .psnr_db = 40,
@@ -51,6 +58,7 @@ SceneComparison made_up() {
     t.flip_map = {.width = 4, .height = 2, .channels = 1, .values = std::vector<float>(8, 0.1f)};
     c.techniques.push_back(t);
   }
+
   c.noise = c.techniques.front().errors;
   return c;
 }
@@ -59,6 +67,7 @@ TEST(SceneComparisonPage, Json) {
   const json j = json::parse(scene_comparison_json(made_up()));
   EXPECT_EQ(j.at("scene"), "head <1>.gltf");
   EXPECT_EQ(j.at("regions")[2], json({{"name", "ears"}, {"pixels", 0}}));
+
   const json& first = j.at("techniques")[0];
   EXPECT_EQ(first.at("frame_ms").at("median"), 12.34);
   EXPECT_EQ(first.at("optimise"), json::array({"cull"}));
@@ -66,8 +75,10 @@ TEST(SceneComparisonPage, Json) {
   EXPECT_EQ(first.at("error").at("nose").at("share"), 0.5);
   EXPECT_TRUE(first.at("error").at("nose").at("rel_mse_unbiased").is_null());
   EXPECT_TRUE(first.at("error").at("ears").is_null());
+
   EXPECT_EQ(j.at("noise").at("skin").at("psnr_db"), 40);
   EXPECT_EQ(j.at("reference").at("samples"), 64);
+
   SceneComparison c = made_up();
   c.reference_file = "truth.exr";
   c.noise.reset();

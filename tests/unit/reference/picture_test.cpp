@@ -107,13 +107,16 @@ double mean_phi(double a, double b, double sigma) {
 
 TEST(Picture, KnifeEdgeIsTheAnalyticOne) {
   const scene::Scene scene = knife_edge();
+
   Job job;
-  job.view.width = 24, job.view.height = 16;
+  job.view.width = 24;
+  job.view.height = 16;
   job.view.camera = tests::from_above(0.02, 0.004 * 16 / 24);  // between skin and sheet; 8 mm across
   job.view.lights.push_back({.name = "sun", .colour = glm::vec3(std::numbers::pi_v<float>)});
   job.view.white_albedo = true;
   job.view.specular = false;
   job.profiles.assign(scene.materials.size(), gaussians::skin_six());
+
   const image::ImageF picture = tests::rendered(Tracer(scene, job), 2048).picture();
   double worst = 0;
   for (int x = 0; x < picture.width; ++x) {
@@ -128,6 +131,7 @@ TEST(Picture, KnifeEdgeIsTheAnalyticOne) {
       EXPECT_NEAR(mean, wanted, 0.005) << "column " << x << ", channel " << c;
     }
   }
+
   std::printf("knife edge: at most %.4f of the peak away\n", worst);
 }
 
@@ -136,20 +140,25 @@ TEST(Picture, KnifeEdgeIsTheAnalyticOne) {
 TEST(Picture, APixelIsTheMeanOfItsPointsNotOfItsMaps) {
   scene::Scene scene = scene::plane(0.1, glm::dmat2(1), {}, 1);
   image::Image8 stripes{.width = 256, .height = 1, .rgba = {}};
-  for (int x = 0; x < 256; ++x)
-    stripes.rgba.insert(stripes.rgba.end(), 3, x % 2 ? 255 : 56), stripes.rgba.push_back(255);
+  for (int x = 0; x < 256; ++x) {
+    stripes.rgba.insert(stripes.rgba.end(), 3, x % 2 ? 255 : 56);
+    stripes.rgba.push_back(255);
+  }
   scene.images.push_back({"stripes", std::make_shared<const image::Image8>(stripes)});
+
   scene::Material& skin = scene.materials.front();
   skin.base_colour_map.image = 0;
   skin.base_colour_map.nearest = true;
   skin.skin_settings.mix = 0.5f;
   const double dark = image::srgb8_to_linear(56), root = (1 + std::sqrt(dark)) / 2;
+
   Job job;
   job.view.width = job.view.height = 4;
   job.view.camera = tests::from_above(0.5, 0.01);
   job.view.ambient = 1;
   job.view.specular = false;
   job.profiles.push_back({.name = "wide", .terms = {{.variance_mm2 = 4, .weight = {1, 1, 1}}}});
+
   const Deviation d = deviation(tests::rendered(Tracer(scene, job), 4096), glm::dvec3(root * root));
   EXPECT_EQ(d.pixels, 16);
   EXPECT_LT(std::abs(d.mean), 0.01) << "filtered colour would give " << root * std::sqrt((1 + dark) / 2)

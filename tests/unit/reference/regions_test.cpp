@@ -87,6 +87,7 @@ TEST(Regions, SeamsAreWhereTheUnwrapIsCut) {
 TEST(Regions, ShadowEdgesReachFiveMillimetres) {
   scene::Scene scene = scene::plane(0.12);
   scene.materials.push_back({.name = "sheet"});
+
   scene::Primitive sheet{.name = "sheet", .material = 1};
   for (int i = 0; i < 4; ++i) {
     scene::Vertex v;
@@ -95,11 +96,13 @@ TEST(Regions, ShadowEdgesReachFiveMillimetres) {
   }
   sheet.indices = {0, 1, 3, 0, 3, 2};
   scene.primitives.push_back(sheet);
+
   const rays::RayScene rays(scene);
   View view;
   view.camera = tests::from_above(0.02, 0.02);  // between skin and sheet
   view.width = view.height = 80;                // half a millimetre each
   view.lights = {from({0, 0, 1})};
+
   const std::vector<Region> all = regions(rays, view);
   EXPECT_EQ(named(all, "terminator").pixels, 0u);
   for (std::size_t x = 0; x < 80; ++x) {
@@ -145,10 +148,12 @@ TEST(Regions, ASlitIsAFold) {
 TEST(Regions, OfTheBuiltInHead) {
   const scene::Scene head = scene::builtin_head({.map_size = 64});
   const rays::RayScene rays(head);
+
   const std::optional<HeadFrame> frame = HeadFrame::find(rays);
   ASSERT_TRUE(frame);
   EXPECT_NEAR(1000 * frame->half_breadth_m(), 85, 15);
   EXPECT_NEAR(frame->nose_tip_m().x, 0, 0.002);
+
   const View front = framed(head, 160);
   const std::vector<Region> all = regions(rays, front);
   std::array<int, 2> ears{};  // right, left
@@ -163,10 +168,12 @@ TEST(Regions, OfTheBuiltInHead) {
     if (named(all, "nose").mask[i]) nose_mm = std::max(nose_mm, glm::length(from_tip_mm));
     if (glm::length(from_tip_mm) < 8) { EXPECT_TRUE(named(all, "nose").mask[i]); }
   });
+
   EXPECT_GT(ears[0], 40);
   EXPECT_NEAR(ears[0], ears[1], 0.3 * ears[0]) << "the head is symmetric";
   EXPECT_GT(nose_mm, 30);
   EXPECT_LT(nose_mm, 60);
+
   // From behind there is no nose, but both ears.
   const std::vector<Region> behind = regions(rays, framed(head, 160, 180));
   EXPECT_EQ(named(behind, "nose").pixels, 0u);

@@ -77,10 +77,12 @@ TEST_P(Run, EndsWhenTheNoiseIsLowAndTheVarianceIsHonest) {
   EXPECT_LT(film.samples(), 4096u);
   EXPECT_GT(film.samples(), 128u) << "variances of too few blocks scatter themselves";
   EXPECT_LE(film.noise_percent(), noise_percent);
+
   // Against an independent run: differences scatter as both variances say. Over pixels that are all skin the
   // mean square of z is 1.
   const Film other = tests::rendered(tracer, film.samples(), 4);
   const image::ImageF a = film.picture(), b = other.picture(), va = film.variance(), vb = other.variance();
+
   double sum = 0;
   int count = 0;
   for (int y = 0; y < 40; ++y)
@@ -92,6 +94,7 @@ TEST_P(Run, EndsWhenTheNoiseIsLowAndTheVarianceIsHonest) {
         sum += d * d / variance;
         ++count;
       }
+
   ASSERT_GT(count, 1000);
   EXPECT_NEAR(sum / count, 1, 0.25);
 }

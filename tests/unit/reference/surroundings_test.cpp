@@ -53,6 +53,7 @@ TEST(Surroundings, DirectionsAreDrawnAsTheyClaim) {
       double ones = 0;
       glm::dvec3 drawn(0), summed(0);
       constexpr int count = 60'000, rows = 350;
+
       for (int i = 0; i < count; ++i) {
         Random random = random_of(1, static_cast<std::uint32_t>(i), 0);
         const glm::dvec3 d = sky.draw(random);
@@ -62,12 +63,14 @@ TEST(Surroundings, DirectionsAreDrawnAsTheyClaim) {
         ones += 1 / density / count;
         drawn += sky.radiance(d) * (std::max(0.0, glm::dot(n, d)) / density / count);
       }
+
       for (int y = 0; y < rows; ++y)
         for (int x = 0; x < 2 * rows; ++x) {
           const glm::dvec3 d = environment::direction_of((x + 0.5) / (2 * rows), (y + 0.5) / rows);
           summed += sky.radiance(d) * (std::max(0.0, glm::dot(n, d)) * std::sin(pi * (y + 0.5) / rows) * pi *
                                        pi / (rows * rows));
         }
+
       EXPECT_NEAR(ones / (4 * pi), 1, 0.03) << width << " x " << height;
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(drawn[c] / summed[c], 1, 0.02) << width << " x " << height << ", channel " << c;
@@ -109,6 +112,7 @@ double mean_of(const Film& film) {
 scene::Scene well() {
   scene::Scene made = scene::plane(0.2, glm::dmat2(1), {}, 1);
   made.materials.push_back({.name = "wall", .double_sided = true});
+
   scene::Primitive p{.name = "walls", .material = 1};
   constexpr float half = 0.012f, high = 0.03f;
   for (int i = 0; i < 8; ++i) {
@@ -117,10 +121,12 @@ scene::Scene well() {
                     i & 4 ? high : -1e-4f};
     p.vertices.push_back(v);
   }
+
   for (std::uint32_t i = 0; i < 4; ++i) {
     const std::uint32_t j = (i + 1) % 4;
     p.indices.insert(p.indices.end(), {i, j, j + 4, i, j + 4, i + 4});
   }
+
   // Normals as the faces have them: outwards; the camera looks in from within.
   for (scene::Vertex& v : p.vertices) v.normal = glm::normalize(glm::vec3(v.position_m.x, v.position_m.y, 0));
   made.primitives.push_back(std::move(p));

@@ -41,6 +41,7 @@ std::array<Totals, 3> totals(const optics::RgbMedium& medium, double depth_mm, d
   const scene::Scene box = tests::box(depth_mm, half_mm);
   const rays::RayScene rays(box);
   const WalkMedium walked(medium, box.mm_per_unit);
+
   constexpr std::size_t batches = 64;
   const std::size_t per_batch = walks_per_case() / batches;
   std::vector<std::array<Totals, 3>> sums(batches);
@@ -54,10 +55,13 @@ std::array<Totals, 3> totals(const optics::RgbMedium& medium, double depth_mm, d
         entered = 1 - optics::fresnel(cosine, 1 / walked.eta);
         d = {sine, 0, -cosine};
       }
+
       const glm::dvec3 start(0, 0, -rays::stand_off_m(glm::dvec3(0)));
       const WalkEnd end =
           walk(rays, walked, start, refracted(d, glm::dvec3(0, 0, 1), 1 / walked.eta), random);
       EXPECT_NE(end.how, WalkEnd::How::lost);
+
+      // Count what leaves through the top, through the bottom scattered, and through it unscattered.
       const double z = end.how == WalkEnd::How::left ? rays::surface_point(box, end.hit).face_normal.z : 0;
       for (std::size_t c = 0; c < 3; ++c) {
         const double weight = entered * end.weight[static_cast<int>(c)];
@@ -67,11 +71,14 @@ std::array<Totals, 3> totals(const optics::RgbMedium& medium, double depth_mm, d
       }
     }
   });
+
   std::array<Totals, 3> all;
   for (const auto& batch : sums)
     for (std::size_t c = 0; c < 3; ++c)
-      for (Mean Totals::*part : {&Totals::reflected, &Totals::transmitted, &Totals::ballistic})
-        (all[c].*part).sum += (batch[c].*part).sum, (all[c].*part).squares += (batch[c].*part).squares;
+      for (Mean Totals::*part : {&Totals::reflected, &Totals::transmitted, &Totals::ballistic}) {
+        (all[c].*part).sum += (batch[c].*part).sum;
+        (all[c].*part).squares += (batch[c].*part).squares;
+      }
   return all;
 }
 
@@ -135,6 +142,7 @@ TEST(Walk, SlabAndHalfSpaceWithABoundary) {
   expect_mean("slab n 1.4, reflected", slab[0].reflected, 0.21144, 0.0002);
   expect_mean("slab n 1.4, transmitted", slab[1].transmitted, 0.19176, 0.0002);
   expect_mean("slab n 1.4, unscattered", slab[2].ballistic, 0.31449, 0.0002);
+
   optics::RgbMedium medium;
   const std::array<double, 3> albedo{0.5, 0.8, 0.95}, normal{0.05234, 0.15300, 0.35900},
       diffuse{0.05327, 0.15331, 0.35360};
@@ -142,6 +150,7 @@ TEST(Walk, SlabAndHalfSpaceWithABoundary) {
       diffuse_error{0.00009, 0.00018, 0.00025};
   for (std::size_t c = 0; c < 3; ++c)
     medium[c] = {.sigma_a_per_mm = 1 - albedo[c], .sigma_s_per_mm = albedo[c], .g = 0, .eta = 1.4};
+
   const auto n = totals(medium, 100, 200, Light::perpendicular, 7),
              d = totals(medium, 100, 200, Light::diffuse, 8);
   for (std::size_t c = 0; c < 3; ++c) {
