@@ -223,7 +223,7 @@ class Run {
     add(name + ", one Gaussian", one, s);
   }
 
-  // Cost at the size that was asked for, error at as many samples a pixel as wanted, of light maps of the
+  // Cost at the size that was asked for, error at as many samples per pixel as wanted, of light maps of the
   // same size.
   Statistics add(const std::string& name, const Scene& scene, RenderSettings s) {
     check_stopped();

@@ -25,7 +25,7 @@ namespace {
 using namespace dermis;
 using Json = nlohmann::ordered_json;
 
-constexpr int super = 4;  // samples a pixel, along each axis
+constexpr int super = 4;  // samples per pixel, along each axis
 
 RenderSettings without(RenderSettings s) {
   s.cull = s.depth = s.clip = false;

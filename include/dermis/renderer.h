@@ -51,7 +51,7 @@ struct RenderSettings {
   std::optional<std::string> mask;
   /// full: a Gaussian each at T_max; progressive: those of smooth light on half, a quarter, an eighth
   std::string maps = "full";
-  /// distance, in sphere radii, up to which maps have their full size; none: a texel a pixel
+  /// distance, in sphere radii, up to which maps have their full size; none: a texel per pixel
   std::optional<double> d_ref;
   std::optional<double> clip_margin_mm;  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma
   /// for light maps, 1e6 bytes; none: four skin meshes at T_max, at most a quarter of the device's memory

@@ -103,7 +103,7 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
 
   setup.profiles.resize(scene.materials.size());
   for (const scene::SkinMesh& mesh : skin) {
-    // One profile a mesh, that of its first triangle, as the renderer has it.
+    // One profile per mesh, that of its first triangle, as the renderer has it.
     const scene::Material& first = scene.materials[static_cast<std::size_t>(mesh.triangle_material.front())];
     const gaussians::SumOfGaussians profile = api::choose_profile(first, s);
     for (const int material : mesh.triangle_material) {

@@ -16,12 +16,12 @@ namespace dermis {
 
 namespace api {
 
-/// A scene, examined and (once a frame has found room) on the device; shared by all frames that show it.
+/// A scene, examined and (once per frame has found room) on the device; shared by all frames that show it.
 struct SharedScene {
   Subject subject;
   std::optional<float> mix;             ///< it is uploaded with
   std::optional<passes::GpuScene> gpu;  ///< its materials point into it: never moved
-  /// one a skin mesh, once an environment was asked for; values are on the device only
+  /// one per skin mesh, once an environment was asked for; values are on the device only
   std::vector<environment::Occlusion> bent_normal;
   double upload_ms = 0;
   bool warned_coarse = false;  ///< once is enough, however many views follow

@@ -102,7 +102,7 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
 
 constexpr double default_squares = 4;
 
-// How many squares of T_max, one a head and skin mesh, the pool of light maps holds.
+// How many squares of T_max, one per head and skin mesh, the pool of light maps holds.
 double squares_in_budget(const techniques::FrameSettings& plan, const RenderSettings& s,
                          const DeviceTraits& device) {
   std::size_t terms = 0;

@@ -40,7 +40,7 @@ struct SkyOnSkin {
   std::vector<frame::SkyMaps> maps;
 };
 
-/// `seen`: one a skin mesh. Some 15 ms a mesh: product of harmonics on the processor.
+/// `seen`: one per skin mesh. Some 15 ms per mesh: product of harmonics on the processor.
 SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings,
                       double rotation_deg, const std::vector<environment::Occlusion>& seen);
 

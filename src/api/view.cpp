@@ -38,7 +38,7 @@ double texels_per_mm(const Subject& subject, const RenderSettings& s) {
   return 0;
 }
 
-// [JG08] sec. 4: the distance at which the map at T_max has one texel a pixel.
+// [JG08] sec. 4: the distance at which the map at T_max has one texel per pixel.
 double reference_distance(const Subject& subject, const RenderSettings& s, double fov_y_rad) {
   const double density = texels_per_mm(subject, s);
   if (density <= 0) return 0;

@@ -19,7 +19,7 @@ struct View {
   glm::vec3 direction{0, 0, -1};  ///< unit, where it looks
   /// World space, left, right, bottom, top, near: dot(xyz, position_m) + w is the distance inside, metres.
   std::array<glm::vec4, 5> planes{};
-  double d_ref = 0;  ///< sphere radii at which the map at T_max has one texel a pixel; 0 if orthographic
+  double d_ref = 0;  ///< sphere radii at which the map at T_max has one texel per pixel; 0 if orthographic
 };
 
 /// InputError: no such camera (lists those of the scene).

@@ -14,7 +14,7 @@
 
 namespace dermis::image {
 
-/// One byte a pixel: 0 = does not count. Empty: all pixels count.
+/// One byte per pixel: 0 = does not count. Empty: all pixels count.
 using Region = std::vector<std::uint8_t>;
 
 /// A PNG of the given size; pixels whose R, G and B are not all 0 are inside. InputError: another size,

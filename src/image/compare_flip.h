@@ -47,8 +47,8 @@ struct FlipSummary {
   double mean = 0, weighted_median = 0, q1 = 0, q3 = 0, min = 0, max = 0;
 };
 
-/// mask: empty (all pixels count) or one byte a pixel, 0 = does not count. InputError: a mask of another size
-/// or one that selects no pixel.
+/// mask: empty (all pixels count) or one byte per pixel, 0 = does not count. InputError: a mask of another
+/// size or one that selects no pixel.
 FlipSummary summarise_flip(const ImageF& map, std::span<const std::uint8_t> mask = {});
 
 /// The mean of flip_map over a mask: what a benchmark reports.

@@ -8,8 +8,8 @@
 
 namespace dermis::image {
 
-/// 8 bits a channel, always four channels (RGBA); what a colour or data map decodes to. Values are as stored:
-/// no colour conversion.
+/// 8 bits per channel, always four channels (RGBA); what a colour or data map decodes to. Values are as
+/// stored: no colour conversion.
 struct Image8 {
   int width = 0;
   int height = 0;

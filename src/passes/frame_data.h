@@ -18,7 +18,7 @@ namespace dermis::frame {
 struct Instance {
   glm::vec3 offset_m{0};
   gpu::Buffer lights;  ///< LightIo[]
-  /// mat4[], one a layer of the shadow maps; those of other heads are zero
+  /// mat4[], one per layer of the shadow maps; those of other heads are zero
   gpu::Buffer shadow_matrices;
   std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them

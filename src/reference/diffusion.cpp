@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double reach_in_sigma = 5;
-/// Probes of each kind a sample, spread evenly over terms and radii: most of the noise is in which term was
+/// Probes of each kind per sample, spread evenly over terms and radii: most of the noise is in which term was
 /// drawn, and the eye's ray and what is reflected serve all of them.
 constexpr int strata = 4;
 // The normal finds nearly everything and is always probed; of the two tangents, which find what stands steep,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Samples until there are enough: in passes of one sample a pixel, so that it can stop and go on at any time.
+// Samples until there are enough: in passes of one sample per pixel, so that it can stop and go on at any
+// time.
 #pragma once
 
 #include <atomic>

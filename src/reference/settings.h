@@ -31,7 +31,7 @@ struct View {
 struct Job {
   View view;
   Model model = Model::bssrdf;
-  /// bssrdf: one a material of the scene; those that are not skin may be empty
+  /// bssrdf: one per material of the scene; those that are not skin may be empty
   std::vector<gaussians::SumOfGaussians> profiles;
   optics::RgbMedium medium{};  ///< volume; one g and one eta for all channels
 };

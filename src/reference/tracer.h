@@ -43,14 +43,14 @@ class Tracer {
   Job job_;
   rays::RayScene rays_;
   Shading shading_;
-  std::vector<Diffusion> diffusion_;  // one a material
+  std::vector<Diffusion> diffusion_;  // one per material
   WalkMedium medium_;
   glm::dvec3 medium_total_{1};  // what the medium sends back of diffuse light that entered
   mutable std::atomic<std::uint64_t> walks_{0}, lost_{0};
 };
 
 /// What a half-space of the medium sends back of diffuse light that entered it, per channel, 0 to 1.
-/// Monte-Carlo, 4e5 photons a channel: within 0.2 per cent.
+/// Monte-Carlo, 4e5 photons per channel: within 0.2 per cent.
 glm::dvec3 diffuse_total(const optics::RgbMedium& medium);
 
 }  // namespace dermis::reference

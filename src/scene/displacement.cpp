@@ -76,7 +76,7 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
                           down = gaussian_taps(heights.height, target.height, sigma.y);
   Field rows = make_field(target.width, heights.height), result = make_field(target.width, target.height);
   const double mm_per_step = s.displacement_mm / 255;
-  // A row with what its taps reach beyond it: wrapped once a texel instead of once a tap.
+  // A row with what its taps reach beyond it: wrapped once per texel instead of once a tap.
   const int first = across.front().first,
             end = across.back().first + static_cast<int>(across.back().weights.size());
   parallel_for(static_cast<std::size_t>(heights.height), [&](std::size_t y) {

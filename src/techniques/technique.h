@@ -68,7 +68,7 @@ struct FrameSettings {
   passes::Mask mask = passes::Mask::tiles;
   bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
   bool visibility = false;     ///< also makes the map that `--show visibility` shows
-  std::vector<SkinPart> skin;  ///< one a skin mesh of the scene
+  std::vector<SkinPart> skin;  ///< one per skin mesh of the scene
   bool has_surfaces = false, has_blended = false;
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
   bool soft_shadows = false;  ///< some light has a radius

@@ -64,7 +64,7 @@ struct Run {
   RenderSettings settings;  ///< common to all cells and variants
   std::vector<Cell> cells;
   bool complete = true;                ///< false: stopped by Ctrl-C
-  std::vector<CellPictures> pictures;  ///< one a cell, or none
+  std::vector<CellPictures> pictures;  ///< one per cell, or none
   std::optional<MapPictures> maps;
 };
 

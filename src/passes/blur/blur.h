@@ -24,7 +24,7 @@ class Blur {
     std::uint32_t axis = 0;       ///< 0, then 1
     bool texel_averaged = false;  ///< the first step: its input is constant over each texel
     Mask mask = Mask::whole;
-    /// the first step after Halve: of the map that it has read
+    /// the first step after Downsample: of the map that it has read
     std::optional<std::uint32_t> halvings_before;
   };
   struct In {

@@ -15,7 +15,7 @@
 namespace dermis::passes {
 
 /// How much of a term is lit at the pixel instead of read from the map, 0..1. A map at less than T_max holds
-/// light at about a texel a pixel: it cannot hold what a Gaussian narrower than its texels leaves sharp,
+/// light at about a texel per pixel: it cannot hold what a Gaussian narrower than its texels leaves sharp,
 /// while that Gaussian does not show at the pixel. Departs from [JG08] sec. 4, where all is read from the
 /// small map; changes smoothly with T so that nothing pops, and is 0 at T_max.
 float direct_share(float sigma_texels, float shrink);

@@ -9,7 +9,7 @@ struct FinalPassIo {
   uvec2 map_origin;  // of the head's square in the pool of light maps
   uint map_side;     // T, texels
   uint slot;         // of the counters, see unshaded_reads.frag
-  uint halvings;     // four bits a term: the side of its map is T >> n
+  uint halvings;     // four bits per term: the side of its map is T >> n
 };
 // What the pass needs to know where the map is too coarse: see coarse_share() of skin.h.
 struct SkinTermsIo {

@@ -47,7 +47,7 @@ class Irradiance {
  private:
   Settings settings_;
   In in_;
-  // [cut out], each: one, or with `through` one a skin mesh
+  // [cut out], each: one, or with `through` one per skin mesh
   std::array<std::vector<const gpu::Pipeline*>, 2> pipelines_;
   ThroughBindings through_;
   LightingSamplers samplers_;
@@ -75,7 +75,7 @@ class TransmissionMisses {
  private:
   Settings settings_;
   In in_;
-  std::vector<const gpu::Pipeline*> pipelines_;  // one a skin mesh
+  std::vector<const gpu::Pipeline*> pipelines_;  // one per skin mesh
   ThroughBindings through_;
   LightingSamplers samplers_;
 };

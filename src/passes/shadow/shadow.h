@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Depth as each light sees one head: a layer a light, six for a point light inside the scene. Reversed
+/// Depth as each light sees one head: a layer per light, six for a point light inside the scene. Reversed
 /// depth, 0 where nothing is. And, if wanted, what of the light enters there: for translucent shadow maps,
 /// [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, 2003.
 #pragma once

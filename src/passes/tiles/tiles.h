@@ -58,7 +58,7 @@ class Tiles {
   struct Settings {
     std::vector<MapSquare> squares;
     What what = What::lit;
-    std::uint32_t first_slot = 0;  ///< of the counters: lit tiles, one a mesh
+    std::uint32_t first_slot = 0;  ///< of the counters: lit tiles, one per mesh
     std::uint32_t slot_stride = 1;
   };
   struct In {

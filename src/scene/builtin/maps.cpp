@@ -123,7 +123,7 @@ class Baker {
 
 std::uint8_t to_byte(float x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
-// Linear to sRGB through a table fine enough for 8 bits: a power a texel would cost as much as the noise.
+// Linear to sRGB through a table fine enough for 8 bits: a power per texel would cost as much as the noise.
 std::uint8_t to_srgb(float linear) {
   static const auto table = [] {
     std::array<std::uint8_t, 4096> t{};

@@ -106,7 +106,7 @@ class TextureSpace {
       for (const MapSquare& square : all) add_final(square);
   }
 
-  // One square a head of a batch and skin mesh of a batch, in rows.
+  // One square per head of a batch and skin mesh of a batch, in rows.
   std::uint32_t meshes_per_batch() const {
     const auto meshes = static_cast<std::uint32_t>(settings_.skin.size());
     return settings_.meshes_per_batch == 0 ? meshes : std::min(settings_.meshes_per_batch, meshes);
@@ -466,10 +466,10 @@ class TextureSpace {
   const FrameSettings& settings_;
   Screen screen_;
   std::uint32_t batch_ = 0;                // of heads and skin meshes
-  std::vector<std::uint32_t> halvings_;    // one a term, of the profile with most terms
+  std::vector<std::uint32_t> halvings_;    // one per term, of the profile with most terms
   std::vector<Level> levels_;              // large to small; the first holds the irradiance
-  std::vector<frame::TextureId> blurred_;  // one a term
-  std::vector<frame::TextureId> stretch_;  // one a skin mesh of a batch
+  std::vector<frame::TextureId> blurred_;  // one per term
+  std::vector<frame::TextureId> stretch_;  // one per skin mesh of a batch
   // with translucency: what joins at the second and third group of terms
   std::vector<frame::TextureId> joining_;
   std::map<std::pair<std::size_t, std::uint32_t>, frame::TextureId> halved_joining_;  // by group and halvings

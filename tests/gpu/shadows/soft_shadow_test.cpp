@@ -87,7 +87,7 @@ double share_past_the_edge(double x_m, double tangent) {
 
 TEST(SoftShadow, OfAnEdge) {
   for (const double tangent : {0.05, 0.2, 0.5}) {
-    // 1 mm a pixel along x, from 0
+    // 1 mm per pixel along x, from 0
     const Picture picture = renderer().render(plate_over_floor(tangent), plain(60, 8));
     double worst = 0;
     for (int x = 0; x < picture.width; ++x) {

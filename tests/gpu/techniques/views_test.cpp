@@ -16,7 +16,7 @@
 namespace dermis::tests {
 namespace {
 
-constexpr int super = 3;  // samples a pixel, along each axis
+constexpr int super = 3;  // samples per pixel, along each axis
 
 RenderSettings without(RenderSettings s) {
   s.cull = s.depth = s.clip = false;
@@ -25,7 +25,7 @@ RenderSettings without(RenderSettings s) {
 
 Scene scan() { return subject("scan").open(); }
 
-// The mean of super x super samples a pixel; light maps as for the picture at its own size.
+// The mean of super x super samples per pixel; light maps as for the picture at its own size.
 image::ImageF super_sampled(PreparedFrame& frame, RenderSettings s, double d_ref) {
   s.width *= super, s.height *= super;
   s.samples = 1;
@@ -97,7 +97,7 @@ TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
   RenderSettings s = small_view();
   s.width = 320;
   s.height = 200;
-  s.map_size = 352;  // texels a pixel about as in the paper's test
+  s.map_size = 352;  // texels per pixel about as in the paper's test
   s.shadow_size = 512;
   s.bloom = 0;
   PreparedFrame optimised = renderer().prepare(scan(), s), baseline = renderer().prepare(scan(), without(s));

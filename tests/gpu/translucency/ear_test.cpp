@@ -38,7 +38,7 @@ RenderSettings ear_settings() {
   RenderSettings s;
   s.width = s.height = side;
   s.map_size = 1024;
-  s.shadow_size = 2048;  // 0.3 mm a texel: the scan has shoulders
+  s.shadow_size = 2048;  // 0.3 mm per texel: the scan has shoulders
   s.camera = "ear";
   s.bloom = 0;
   return s;

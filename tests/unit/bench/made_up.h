@@ -7,7 +7,7 @@
 namespace dermis::tests {
 
 /// 1 and 3 heads at 2.5 and 7 radii: the paper has one of these rows and one of these columns. The baseline
-/// takes 40 ms a head, everything else less; three rounds, 1 ms apart.
+/// takes 40 ms per head, everything else less; three rounds, 1 ms apart.
 cli::bench::Run made_up_run();
 
 /// The same with pictures.

@@ -23,7 +23,7 @@ Pixels spread(const Pixels& samples, int per_pixel) {
 }
 
 TEST(Png, AllEightBitKindsPlainAndInterlaced) {
-  // colour type, samples a pixel
+  // colour type, samples per pixel
   const std::pair<std::uint8_t, int> kinds[] = {{0, 1}, {2, 3}, {4, 2}, {6, 4}};
 
   for (const auto& [colour_type, per_pixel] : kinds) {
