@@ -65,47 +65,65 @@ vec3 off_the_surface(vec3 p, vec3 n_geometric, Arriving a, float texel_m, float 
 
 #include "shared/soft_shadow.glsl"
 
-// Texels base-1 .. base+2 along both axes, four gathers: [x + 2 y] = the block of two by two that begins at
-// base - 1 + 2 (x, y), in the order of textureGather: (0,1) (1,1) (1,0) (0,0).
-void gather_depths(vec2 base, vec2 size, float layer, out vec4 z[4]) {
+// What a light's map holds around the place of a point.
+struct MapLook {
+  mat4 from_world;
+  vec4 clip;     // of the point
+  vec2 uv;       // its place in the map
+  vec2 between;  // its place between the middle four texels, 0..1
+  vec4 z[4];     // depths of 4 x 4 texels around: [x + 2 y] is a block of two by two, in the order of
+                 // textureGather: (0,1) (1,1) (1,0) (0,0)
+  float layer;
+  bool inside;  // else the map says nothing of the point, and z holds nothing
+};
+
+MapLook look_into_map(LightIo light, vec3 p) {
+  MapLook m;
+  const uint layer = shadow_layer_of(light, p);
+  m.layer = float(layer);
+  m.from_world = shadow_matrices[layer];
+  m.clip = m.from_world * vec4(p, 1.0);
+  m.uv = m.clip.xy / m.clip.w * 0.5 + 0.5;
+  m.inside = m.clip.w > 0.0 && all(greaterThanEqual(m.uv, vec2(0.0))) && all(lessThanEqual(m.uv, vec2(1.0)));
+  if (!m.inside) return m;
+
+  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), base = floor(m.uv * size - 0.5);
+  m.between = m.uv * size - 0.5 - base;
   for (int k = 0; k < 4; ++k)
-    z[k] = textureGather(shadow_depths, vec3((base + 2.0 * vec2(k & 1, k >> 1)) / size, layer));
+    m.z[k] = textureGather(shadow_depths, vec3((base + 2.0 * vec2(k & 1, k >> 1)) / size, m.layer));
+  return m;
 }
 
-// The share of a tent over 3 x 3 bilinear comparisons that is not beyond `depth`, as weights of 4 x 4
+// The share of a tent over 3 x 3 bilinear comparisons that is not beyond the point, as weights of 4 x 4
 // comparisons.
-float share_not_beyond(vec4 z[4], vec2 f, float depth) {
+float share_not_beyond(MapLook m) {
+  const vec2 f = m.between;
   const vec4 x = vec4(1.0 - f.x, 2.0 - f.x, 1.0 + f.x, f.x) * 0.25,
              y = vec4(1.0 - f.y, 2.0 - f.y, 1.0 + f.y, f.y) * 0.25;
   float sum = 0.0;
   for (int k = 0; k < 4; ++k) {
     const vec2 u = (k & 1) == 0 ? x.xy : x.zw, v = (k >> 1) == 0 ? y.xy : y.zw;
-    sum += dot(vec4(u.x * v.y, u.y * v.y, u.y * v.x, u.x * v.x), step(z[k], vec4(depth)));
+    sum += dot(vec4(u.x * v.y, u.y * v.y, u.y * v.x, u.x * v.x), step(m.z[k], vec4(m.clip.z / m.clip.w)));
   }
   return sum;
 }
 
-// Percentage-closer filtering with tent weights: a stable soft edge about three texels wide. Gathers cost
-// less than comparisons by the sampler, of which it took nine. The receiver is moved along its geometric
-// normal by the filter's radius (so a plane never shadows itself, whatever its slope) and a texel towards the
-// light.
+// How much of the light arrives at p, 0..1, by a look from beside it: percentage-closer filtering with tent
+// weights, a stable soft edge about three texels wide. Gathers cost less than comparisons by the sampler, of
+// which it took nine.
+float share_lit(LightIo light, Arriving a, vec3 p, vec3 n_geometric, MapLook m) {
+  const float lit = share_not_beyond(m);
+  if (soft_shadows && light.radius > 0.0)
+    return soft_shadow(light, a, m.from_world, p, n_geometric, m.layer, lit);
+  return lit;
+}
+
+// The receiver is moved along its geometric normal by the filter's radius (so a plane never shadows itself,
+// whatever its slope) and a texel towards the light.
 float shadow_at(LightIo light, Arriving a, vec3 p, vec3 n_geometric) {
   if (light.shadow_layers == 0u) return 1.0;
   const vec3 q =
       off_the_surface(p, n_geometric, a, shadow_texel_m(light, a), sign(dot(n_geometric, a.to_light)) * 2.5);
-  const uint layer = shadow_layer_of(light, q);
-  const mat4 from_world = shadow_matrices[layer];
-  const vec4 clip = from_world * vec4(q, 1.0);
-  if (clip.w <= 0.0) return 1.0;
-  const vec2 uv = clip.xy / clip.w * 0.5 + 0.5;
-  if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return 1.0;
-
-  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), base = floor(uv * size - 0.5),
-             f = uv * size - 0.5 - base;
-  vec4 z[4];
-  gather_depths(base, size, float(layer), z);
-  const float lit = share_not_beyond(z, f, clip.z / clip.w);
-  if (soft_shadows && light.radius > 0.0)
-    return soft_shadow(light, a, from_world, p, n_geometric, float(layer), lit);
-  return lit;
+  const MapLook m = look_into_map(light, q);
+  return m.inside ? share_lit(light, a, p, n_geometric, m) : 1.0;
 }

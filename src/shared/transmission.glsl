@@ -26,12 +26,12 @@ struct LightRead {
 
 // A plane stays a plane under projection, so differences of depth between the texels around give the surface
 // there, in the world, without the map's inverse.
-void find_lit_point(inout LightRead r, vec4 z[4], vec2 f, vec2 size, MapRay ray, mat4 from_world,
-                    vec3 to_light, vec3 n_geometric) {
-  const float z00 = z[0].y, z10 = z[1].x, z01 = z[2].z, z11 = z[3].w;
+void find_lit_point(inout LightRead r, MapLook m, MapRay ray, vec3 to_light, vec3 n_geometric) {
+  const float z00 = m.z[0].y, z10 = m.z[1].x, z01 = m.z[2].z, z11 = m.z[3].w;
+  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), f = m.between;
   const float depth = mix(mix(z00, z10, f.x), mix(z01, z11, f.x), f.y);
   const vec2 slope = vec2(mix(z10 - z00, z11 - z01, f.y), mix(z01 - z00, z11 - z10, f.x)) * size * 0.5;
-  const vec3 plane = (vec4(slope, -1.0, depth - dot(slope, ray.clip.xy / ray.clip.w)) * from_world)
+  const vec3 plane = (vec4(slope, -1.0, depth - dot(slope, ray.clip.xy / ray.clip.w)) * m.from_world)
                          .xyz;  // its normal, either way
   const float along = dot(plane, to_light);
   const float scale = (along < 0.0 ? -1.0 : 1.0) * inversesqrt(max(dot(plane, plane), 1e-30));
@@ -41,13 +41,13 @@ void find_lit_point(inout LightRead r, vec4 z[4], vec2 f, vec2 size, MapRay ray,
 }
 
 // Of four rays beside, `side` and its quarter turns away, texels. Where nothing is no light enters.
-vec4 ways_beside(MapRay ray, vec2 at, vec2 side, float layer) {
+vec4 ways_beside(MapRay ray, MapLook m, vec2 side) {
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy);
   vec4 way_m;
   for (int k = 0; k < 4; ++k) {
     const vec2 turned = (k & 1) == 0 ? side : vec2(-side.y, side.x);
-    const vec2 texel = floor(at + (k < 2 ? turned : -turned)) + 0.5;
-    const float depth = textureLod(shadow_depths, vec3(texel / size, layer), 0.0).x;
+    const vec2 texel = floor(m.uv * size + (k < 2 ? turned : -turned)) + 0.5;
+    const float depth = textureLod(shadow_depths, vec3(texel / size, m.layer), 0.0).x;
     way_m[k] = depth > 0.0 ? way_of(ray, depth) : 1e3;
   }
   return way_m;
@@ -59,34 +59,28 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   // Moved as in shadow_at() where the surface faces the light; what lies behind is measured from where it is.
   const float texel_m = shadow_texel_m(light, a);
   const vec3 q = cosine_here > 0.0 ? off_the_surface(p, n_geometric, a, texel_m, 2.5) : p;
-  const uint layer = shadow_layer_of(light, q);
-  const mat4 from_world = shadow_matrices[layer];
-  const MapRay ray = MapRay(from_world * vec4(q, 1.0), (from_world * vec4(a.to_light, 0.0)).zw);
-  const vec2 uv = ray.clip.xy / ray.clip.w * 0.5 + 0.5;
-  r.inside = ray.clip.w > 0.0 && all(greaterThanEqual(uv, vec2(0.0))) && all(lessThanEqual(uv, vec2(1.0)));
-  if (!r.inside) return r;
-  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), base = floor(uv * size - 0.5),
-             f = uv * size - 0.5 - base;
-  vec4 z[4];
-  gather_depths(base, size, float(layer), z);
-  r.lit = share_not_beyond(z, f, ray.clip.z / ray.clip.w);
-  if (soft_shadows && light.radius > 0.0)
-    r.lit = soft_shadow(light, a, from_world, p, n_geometric, float(layer), r.lit);
-  find_lit_point(r, z, f, size, ray, from_world, a.to_light, n_geometric);
+  const MapLook m = look_into_map(light, q);
+  r.inside = m.inside;
+  if (!m.inside) return r;
+
+  r.lit = share_lit(light, a, p, n_geometric, m);
+  const MapRay ray = MapRay(m.clip, (m.from_world * vec4(a.to_light, 0.0)).zw);
+  find_lit_point(r, m, ray, a.to_light, n_geometric);
+
   // Rays of the two terms lie on a cross and on its diagonals.
   const float near = transmission.two_sigma_m[term_before] / texel_m;
   const float wide = sqrt(0.5) * transmission.two_sigma_m[last_term] / texel_m;
-  r.way_near_m = ways_beside(ray, uv * size, vec2(near, 0.0), float(layer));
-  r.way_wide_m = ways_beside(ray, uv * size, vec2(wide), float(layer));
+  r.way_near_m = ways_beside(ray, m, vec2(near, 0.0));
+  r.way_wide_m = ways_beside(ray, m, vec2(wide));
 
-  r.entering = vec3(max(max(z[0].y, z[1].x), max(z[2].z, z[3].w)) > 0.0 ? 1.0 : 0.0);
+  r.entering = vec3(max(max(m.z[0].y, m.z[1].x), max(m.z[2].z, m.z[3].w)) > 0.0 ? 1.0 : 0.0);
   r.shaded = true;
   if (!entering_stored) return r;
   // Where something is too thin to show in a map of what enters that is smaller than the depths, all light
   // enters.
-  const vec4 stored = textureLod(entering_maps, vec3(uv, float(layer)), 0.0);
+  const vec4 stored = textureLod(entering_maps, vec3(m.uv, m.layer), 0.0);
   if (stored.a > 1e-3) r.entering = (stored.rgb / stored.a) * (stored.rgb / stored.a);
-  r.shaded = stored.a > 0.0 || z[0].y == 0.0;
+  r.shaded = stored.a > 0.0 || m.z[0].y == 0.0;
   return r;
 }
 
