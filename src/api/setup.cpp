@@ -164,7 +164,7 @@ bool all_enters(const scene::Scene& scene, const RenderSettings& s) {
   return std::all_of(scene.primitives.begin(), scene.primitives.end(), [&](const scene::Primitive& p) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(p.material)];
     if (material.alpha_mode == scene::AlphaMode::blend) return true;
-    const auto of_material = static_cast<double>(material.skin_settings.mix.value_or(0.5f));
+    const auto of_material = static_cast<double>(material.skin_settings.mix_or_default());
     return material.skin && s.mix.value_or(of_material) == 0;
   });
 }

@@ -86,7 +86,7 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
             (m.alpha_mode == scene::AlphaMode::mask ? MATERIAL_ALPHA_MASK : 0u) |
             (m.alpha_mode == scene::AlphaMode::blend ? MATERIAL_ALPHA_BLEND : 0u);
 
-  c.mix_before = mix.value_or(m.skin_settings.mix.value_or(0.5f));
+  c.mix_before = mix.value_or(m.skin_settings.mix_or_default());
   c.rho_s = 0.18f;  // [DLE07] GPU Gems 3, ch. 14.3
   const auto& lobes = m.skin_settings.lobes;
   c.lobe_factor_0 = lobes.empty() ? 1.0f : lobes[0].roughness_factor;

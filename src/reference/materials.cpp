@@ -25,7 +25,7 @@ std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::o
   std::vector<ShadingMaterial> materials;
   for (const scene::Material& m : scene.materials) {
     ShadingMaterial made{.source = &m, .skin = m.skin};
-    made.mix_before = mix.value_or(m.skin_settings.mix.value_or(0.5f));
+    made.mix_before = mix.value_or(m.skin_settings.mix_or_default());
     made.base_colour = slot(m.base_colour_map, true);
     made.normal = slot(m.normal_map, false);
     made.occlusion = slot(m.occlusion_map, false);

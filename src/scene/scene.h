@@ -58,6 +58,7 @@ struct SkinSettings {
   std::optional<gaussians::SumOfGaussians> profile;  ///< none: the command's default
   /// 0..1, part of the albedo applied before scattering; none: 0.5
   std::optional<float> mix;
+  float mix_or_default() const { return mix.value_or(0.5f); }
   MapRef specular;  ///< multiplies rho_s; scale as factor
   /// glTF roughness (m = roughness^2); scale as factor. Absent: Material::roughness
   MapRef roughness;
