@@ -20,8 +20,8 @@ constexpr std::array maps_of_material{&Material::base_colour_map,    &Material::
 constexpr std::array maps_of_skin{&SkinSettings::specular, &SkinSettings::roughness,
                                   &SkinSettings::displacement};
 
-template <class Visit>
-void for_each_map(Material& material, const Visit& visit) {
+template <class MaterialOrConst, class Visit>
+void for_each_map(MaterialOrConst& material, const Visit& visit) {
   for (const auto map : maps_of_material) visit(material.*map);
   for (const auto map : maps_of_skin) visit(material.skin_settings.*map);
 }
@@ -30,15 +30,17 @@ bool lacks(const std::array<bool, 2>& has_uv, const MapRef& map) {
   return map.present() && !has_uv[static_cast<std::size_t>(map.uv_set)];
 }
 
-/// Removes the maps that cannot be read; returns whether there were any.
-bool leave_out(Material& material, const std::array<bool, 2>& has_uv) {
+bool has_map_without_uv(const Material& material, const std::array<bool, 2>& has_uv) {
   bool any = false;
-  for_each_map(material, [&](MapRef& map) {
-    if (!lacks(has_uv, map)) return;
-    map = {};
-    any = true;
-  });
+  for_each_map(material, [&](const MapRef& map) { any = any || lacks(has_uv, map); });
   return any;
+}
+
+Material without_such_maps(Material material, const std::array<bool, 2>& has_uv) {
+  for_each_map(material, [&](MapRef& map) {
+    if (lacks(has_uv, map)) map = {};
+  });
+  return material;
 }
 
 void warn_of_missing_uv(const Document& document, const Primitive& primitive, bool skin, bool lost_maps) {
@@ -65,25 +67,23 @@ void leave_out_maps_without_uv(const Document& document, const Placed& placed, S
   // its pictures are not read.
   for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
     const auto number = static_cast<std::size_t>(scene.primitives[i].material);
-    Material material = whole[number];
-    if (!leave_out(material, placed.has_uv[i])) used[number] = 1;
+    if (!has_map_without_uv(whole[number], placed.has_uv[i])) used[number] = 1;
   }
 
   for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
     Primitive& primitive = scene.primitives[i];
     const auto number = static_cast<std::size_t>(primitive.material);
-    Material material = whole[number];
-    const bool lost = leave_out(material, placed.has_uv[i]);
-    warn_of_missing_uv(document, primitive, material.skin, lost);
+    const bool lost = has_map_without_uv(whole[number], placed.has_uv[i]);
+    warn_of_missing_uv(document, primitive, whole[number].skin, lost);
     if (!lost) continue;
 
     const auto [entry, is_new] =
         without.try_emplace({primitive.material, placed.has_uv[i]}, primitive.material);
     if (is_new && std::exchange(used[number], 1) != 0) {
       entry->second = static_cast<int>(scene.materials.size());
-      scene.materials.push_back(material);
+      scene.materials.push_back(without_such_maps(whole[number], placed.has_uv[i]));
     } else if (is_new) {
-      scene.materials[number] = material;
+      scene.materials[number] = without_such_maps(whole[number], placed.has_uv[i]);
     }
     primitive.material = entry->second;
   }
