@@ -43,8 +43,6 @@ scene::Camera from_above(double half_m) {
   return camera;
 }
 
-Scene wrap(scene::Scene made) { return Scene(std::make_shared<const scene::Scene>(std::move(made))); }
-
 /// A plane of which the left half is there, seen from above.
 scene::Scene half_plane(int map_side = 64) {
   scene::Scene made = scene::plane(size_m, glm::dmat2(1), {}, 4);

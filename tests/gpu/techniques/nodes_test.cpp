@@ -12,8 +12,6 @@
 namespace dermis::tests {
 namespace {
 
-Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
-
 /// A row of shared octahedra-like balls before the camera, turned, stretched, every third one mirrored; none
 /// is skin. `blended`: half transparent.
 scene::Scene shared_balls(int count, bool blended = false) {

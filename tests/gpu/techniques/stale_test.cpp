@@ -15,8 +15,6 @@ Renderer& poisoned_renderer() {
   return shared;
 }
 
-Scene wrap(scene::Scene made) { return Scene(std::make_shared<const scene::Scene>(std::move(made))); }
-
 /// A plane whose texture coordinates end where the square of the light map does, and a ball with seams above
 /// it, skin of its own, in a square of its own.
 scene::Scene plane_and_ball() {

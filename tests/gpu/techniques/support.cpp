@@ -46,9 +46,9 @@ struct Validated : testing::Environment {
 };
 Validated* const validated = static_cast<Validated*>(testing::AddGlobalTestEnvironment(new Validated));
 
-Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
-
 }  // namespace
+
+Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
 
 Renderer& renderer() {
   static Renderer shared;

@@ -28,6 +28,9 @@ RenderSettings small_settings(const std::string& technique);
 /// The same under white light from everywhere: what is skin must be 1.
 RenderSettings furnace_settings(const std::string& technique, bool specular);
 
+/// A scene made in memory.
+Scene wrap(scene::Scene data);
+
 /// Six charts, radius in metres.
 Scene sphere(double radius_m);
 Scene sheared_plane();
