@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shared/cull.glsl needs of the frame.
+// What shaders/cull.glsl needs of the frame.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 460
 #include "passes/add_transmitted/add_transmitted_io.h"
-#include "shared/half.glsl"
+#include "shaders/half.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
 layout(push_constant, scalar) uniform Push { AddTransmittedIo io; };
 layout(binding = 0) uniform sampler2D light;

@@ -2,7 +2,7 @@
 // See bloom.h.
 #version 460
 #include "shared/types.h"
-#include "shared/half.glsl"
+#include "shaders/half.glsl"
 #include "passes/bloom/bloom_io.h"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { BloomIo io; };

@@ -2,7 +2,7 @@
 // The convolution as computation, over the whole square or over the tiles that hold light.
 #version 460
 #include "passes/blur/blur.glsl"
-#include "shared/tile_list.glsl"
+#include "shaders/tile_list.glsl"
 layout(constant_id = 0) const bool tiled = false;
 layout(local_size_x = TILE_WIDTH, local_size_y = TILE_HEIGHT) in;
 layout(binding = 3, rgba16f) uniform writeonly image2D light_out;

@@ -4,7 +4,7 @@
 // second along v. The variance that the interpolation adds is taken off the second pass. Right for any
 // stretch and shear in two passes.
 #include "shared/types.h"
-#include "shared/half.glsl"
+#include "shaders/half.glsl"
 #include "passes/blur/blur_io.h"
 layout(push_constant, scalar) uniform Push { BlurIo io; };
 layout(binding = 0) uniform sampler2D light_in;

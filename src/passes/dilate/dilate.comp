@@ -3,8 +3,8 @@
 #version 460
 #include "shared/types.h"
 #include "shared/gutters_io.h"
-#include "shared/half.glsl"
-#include "shared/tile_list.glsl"
+#include "shaders/half.glsl"
+#include "shaders/tile_list.glsl"
 #include "passes/dilate/dilate_io.h"
 layout(local_size_x = TILE_WIDTH, local_size_y = TILE_HEIGHT) in;
 layout(push_constant, scalar) uniform Push { DilateIo io; };

@@ -4,7 +4,7 @@
 #version 460
 #include "shared/types.h"
 #include "shared/gutters_io.h"
-#include "shared/half.glsl"
+#include "shaders/half.glsl"
 #include "passes/downsample/downsample_io.h"
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { DownsampleIo io; };

@@ -3,13 +3,13 @@
 // at the pixel), the part of the albedo that is applied after, the two lobes of the specular, and what the
 // skin emits. Alpha 1 marks skin. THROUGH: light also comes through the body.
 #include "passes/final_pass/final_pass_io.h"
-#include "shared/half.glsl"
+#include "shaders/half.glsl"
 #include "shared/scene_io.h"
-#include "shared/skin_point.glsl"
-#include "shared/cut_out.glsl"
+#include "shaders/skin_point.glsl"
+#include "shaders/cut_out.glsl"
 #include "shared/gutters_io.h"
 #ifdef THROUGH
-#include "shared/skin_through.glsl"
+#include "shaders/skin_through.glsl"
 #endif
 layout(constant_id = 0) const int term_count = 6;
 layout(constant_id = 1) const bool direct = false;       // what the weights leave of 1 is lit here instead

@@ -2,7 +2,7 @@
 #version 460
 #include "passes/final_pass/final_pass_io.h"
 #include "shared/scene_io.h"
-#include "shared/vertex_pull.glsl"
+#include "shaders/vertex_pull.glsl"
 layout(push_constant, scalar) uniform Push { FinalPassIo io; };
 layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
 invariant gl_Position;  // unshaded_reads.frag tests against the depth that this wrote

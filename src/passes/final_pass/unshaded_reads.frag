@@ -10,7 +10,7 @@ layout(early_fragment_tests) in;
 layout(push_constant, scalar) uniform Push { FinalPassIo io; };
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 layout(binding = 8) uniform sampler2D map_base_colour;
-#include "shared/cut_out.glsl"
+#include "shaders/cut_out.glsl"
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15, scalar) buffer Counters { uint counters[]; };
 layout(location = 3) in vec4 in_uv;

@@ -3,7 +3,7 @@
 // of the skin. Sources are texels that the mesh covers, so the order of the invocations does not matter.
 #version 460
 #include "shared/gutters_io.h"
-#include "shared/half.glsl"
+#include "shaders/half.glsl"
 #include "shared/types.h"
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { GuttersIo io; };

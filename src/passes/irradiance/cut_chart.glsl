@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which texels of the light map hold skin that the alpha test leaves. Follows skin_point.glsl.
-#include "shared/cut_out.glsl"
+#include "shaders/cut_out.glsl"
 #include "shared/gutters_io.h"
 layout(binding = 32) uniform sampler2D map_alpha_max;  // passes/alpha_max.h
 

@@ -3,8 +3,8 @@
 // the chart, 0 where nothing was shaded.
 #version 460
 #include "shared/scene_io.h"
-#include "shared/half.glsl"
-#include "shared/skin_point.glsl"
+#include "shaders/half.glsl"
+#include "shaders/skin_point.glsl"
 #include "passes/irradiance/cut_chart.glsl"
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;

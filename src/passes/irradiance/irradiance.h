@@ -18,7 +18,7 @@ class Irradiance {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-    bool cull = false;          ///< leave out triangles that face away from the eye; see shared/cull.glsl
+    bool cull = false;          ///< leave out triangles that face away from the eye; see shaders/cull.glsl
     bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
     bool clip = false;          ///< leave out what lies outside FrameData::clip_planes

@@ -2,9 +2,9 @@
 // One texel of the head's light, as irradiance.frag, with what comes to it through the body. GROUPS: of the
 // profile's terms, each with a target; see passes/transmission.h.
 #include "shared/scene_io.h"
-#include "shared/half.glsl"
-#include "shared/skin_point.glsl"
-#include "shared/skin_through.glsl"
+#include "shaders/half.glsl"
+#include "shaders/skin_point.glsl"
+#include "shaders/skin_through.glsl"
 #include "passes/irradiance/cut_chart.glsl"
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The vertex stage of passes that draw a head in its texture coordinates. CLIP: with clip distances.
 #include "shared/scene_io.h"
-#include "shared/vertex_pull.glsl"
-#include "shared/cull.glsl"
+#include "shaders/vertex_pull.glsl"
+#include "shaders/cull.glsl"
 #include "shared/cull_io.h"
 layout(constant_id = 0) const bool cull = false;
 layout(push_constant, scalar) uniform Push { CullIo io; };

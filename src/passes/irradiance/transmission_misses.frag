@@ -4,9 +4,9 @@
 // there, the look is counted.
 #version 460
 #include "shared/scene_io.h"
-#include "shared/half.glsl"
-#include "shared/skin_point.glsl"
-#include "shared/skin_through.glsl"
+#include "shaders/half.glsl"
+#include "shaders/skin_point.glsl"
+#include "shaders/skin_through.glsl"
 layout(constant_id = 9) const uint slot = 0;
 layout(binding = 25, scalar) buffer Counters { uint counters[]; };
 layout(location = 0) in vec3 in_position_m;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 460
 #include "shared/scene_io.h"
-#include "shared/vertex_pull.glsl"
-#include "shared/placement.glsl"
+#include "shaders/vertex_pull.glsl"
+#include "shaders/placement.glsl"
 #include "passes/shadow/shadow_io.h"
 // What is grown by a texel covers every texel that it touches: maps smaller than the depth beside them then
 // miss no thin rim.

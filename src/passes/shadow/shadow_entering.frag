@@ -4,7 +4,7 @@
 // what was shaded.
 #version 460
 #include "shared/scene_io.h"
-#include "shared/switches.glsl"
+#include "shaders/switches.glsl"
 layout(constant_id = 0) const bool skin = true;
 layout(constant_id = 1) const bool cut_out = false;
 layout(constant_id = 2) const bool mixed = true;  // mix is not 0

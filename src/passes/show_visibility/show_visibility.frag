@@ -4,7 +4,7 @@
 #include "shared/cull_io.h"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 layout(binding = 8) uniform sampler2D map_base_colour;
-#include "shared/cut_out.glsl"
+#include "shaders/cut_out.glsl"
 layout(constant_id = 0) const bool cull = true;
 layout(constant_id = 1) const bool clip = true;
 layout(push_constant, scalar) uniform Push { CullIo io; };

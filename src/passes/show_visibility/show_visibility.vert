@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 460
 #include "shared/scene_io.h"
-#include "shared/vertex_pull.glsl"
-#include "shared/cull.glsl"
+#include "shaders/vertex_pull.glsl"
+#include "shaders/cull.glsl"
 #include "shared/cull_io.h"
 layout(push_constant, scalar) uniform Push { CullIo io; };
 layout(location = 0) out vec3 out_position_m;

@@ -4,11 +4,11 @@
 // belongs to no chart.
 #version 460
 #include "shared/types.h"
-#include "shared/half.glsl"
+#include "shaders/half.glsl"
 #include "shared/scene_io.h"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 layout(binding = 8) uniform sampler2D map_base_colour;
-#include "shared/cut_out.glsl"
+#include "shaders/cut_out.glsl"
 layout(location = 0) in vec3 in_metric;  // g_uu, g_uv, g_vv: mm^2 per unit^2
 layout(location = 1) flat in uint in_chart;
 layout(location = 2) in vec4 in_uv;

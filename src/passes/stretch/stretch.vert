@@ -2,7 +2,7 @@
 // The mesh laid out in its own texture coordinates.
 #version 460
 #include "shared/scene_io.h"
-#include "shared/vertex_pull.glsl"
+#include "shaders/vertex_pull.glsl"
 layout(binding = 13, scalar) readonly buffer Charts { uint charts[]; };
 layout(location = 0) out vec3 out_metric;
 layout(location = 1) flat out uint out_chart;

@@ -4,7 +4,7 @@
 // Shading on Mobile", 2014.
 #version 460
 #include "shared/scene_io.h"
-#include "shared/half.glsl"
+#include "shaders/half.glsl"
 #include "passes/surface/surface_io.h"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
@@ -19,9 +19,9 @@ layout(binding = 12) uniform sampler2D map_specular;
 layout(binding = 13) uniform sampler2D map_emissive;
 layout(binding = 14) uniform sampler2D map_specular_colour;
 const float pi = 3.14159265358979;
-#include "shared/lights.glsl"
-#include "shared/material.glsl"
-#include "shared/surroundings.glsl"
+#include "shaders/lights.glsl"
+#include "shaders/material.glsl"
+#include "shaders/surroundings.glsl"
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_tangent;

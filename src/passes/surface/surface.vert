@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 460
 #include "shared/scene_io.h"
-#include "shared/vertex_pull.glsl"
-#include "shared/placement.glsl"
+#include "shaders/vertex_pull.glsl"
+#include "shaders/placement.glsl"
 #include "passes/surface/surface_io.h"
 layout(push_constant, scalar) uniform Push { SurfaceIo io; };
 layout(binding = 3, scalar) uniform Frame { FrameIo frame; };

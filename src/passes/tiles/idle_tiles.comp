@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Clears the tiles that no convolution will write, so that nothing stale is read there.
 #version 460
-#include "shared/tile_list.glsl"
+#include "shaders/tile_list.glsl"
 layout(local_size_x = TILE_WIDTH, local_size_y = TILE_HEIGHT) in;
 layout(push_constant, scalar) uniform Push { IdleIo io; };
 layout(binding = 0, scalar) readonly buffer Tiles { uint tiles[]; };

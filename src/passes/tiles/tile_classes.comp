@@ -2,7 +2,7 @@
 // What each tile of a square holds. One invocation a tile: barriers cost software devices more than this
 // loop.
 #version 460
-#include "shared/tile_list.glsl"
+#include "shaders/tile_list.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { TilesIo io; };
 layout(binding = 0) uniform sampler2D light;

@@ -2,7 +2,7 @@
 // Lists of tiles by what they hold. In which order they stand depends on the run; what is computed from them
 // does not.
 #version 460
-#include "shared/tile_list.glsl"
+#include "shaders/tile_list.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { TilesIo io; };
 layout(binding = 0, scalar) readonly buffer TileClasses { uint tile_classes[]; };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 460
 #include "shared/scene_io.h"
-#include "shared/vertex_pull.glsl"
+#include "shaders/vertex_pull.glsl"
 layout(binding = 2, scalar) readonly buffer Charts { uint charts[]; };
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) flat out uint out_chart;

@@ -139,7 +139,7 @@ std::size_t heap_bytes() {
 }
 
 // A software driver that compiles shaders for what uniform blocks hold keeps them for ever: see
-// shared/switches.glsl. Materials without maps leave it the most to compile for.
+// shaders/switches.glsl. Materials without maps leave it the most to compile for.
 TEST(Nodes, FramesAndNodesLeaveNothingBehind) {
   RenderSettings s = tiny_settings();
   s.width = s.height = 48;

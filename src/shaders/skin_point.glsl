@@ -19,10 +19,10 @@ layout(binding = 30) uniform sampler2D sky_bounced;
 layout(constant_id = 13) const
     bool off_map = false;  // the unwrap does not hold the point: nothing is known of what it sees of the sky
 
-#include "shared/specular.glsl"
-#include "shared/lights.glsl"
-#include "shared/material.glsl"
-#include "shared/surroundings.glsl"
+#include "shaders/specular.glsl"
+#include "shaders/lights.glsl"
+#include "shaders/material.glsl"
+#include "shaders/surroundings.glsl"
 
 vec3 skin_albedo(SurfacePoint s) {
   if (is_on(frame.white_albedo)) return vec3(1.0);

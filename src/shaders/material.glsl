@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reading a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour
 // ... (scene_io.h).
-#include "shared/switches.glsl"
+#include "shaders/switches.glsl"
 
 struct SurfacePoint {
   vec3 position_m;

@@ -63,7 +63,7 @@ vec3 off_the_surface(vec3 p, vec3 n_geometric, Arriving a, float texel_m, float 
   return p + n_geometric * (texels * texel_m * sine) + a.to_light * texel_m;
 }
 
-#include "shared/soft_shadow.glsl"
+#include "shaders/soft_shadow.glsl"
 
 // What a light's map holds around the place of a point.
 struct MapLook {

@@ -5,7 +5,7 @@
 layout(binding = 23) uniform sampler2DArray entering_maps;
 layout(binding = 24, scalar) uniform Transmission { TransmissionIo transmission; };
 layout(constant_id = 8) const int through_terms = 6;
-#include "shared/transmission.glsl"
+#include "shaders/transmission.glsl"
 
 struct EnteringAndThrough {
   vec3 entering;                     // irradiance, as entering_irradiance()
