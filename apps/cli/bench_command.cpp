@@ -6,7 +6,6 @@
 #include <memory>
 #include <thread>
 
-#include "api/setup.h"
 #include "cli/bench/measure.h"
 #include "cli/bench/page.h"
 #include "cli/bench/paper.h"
@@ -18,6 +17,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "gpu/device.h"
+#include "setup/frame_setup.h"
 
 namespace dermis::cli {
 namespace {
@@ -70,7 +70,7 @@ void check(const BenchArguments& a, const bench::Task& task) {
   if (a.picture_samples < 0 || a.picture_samples > 16)
     throw input_error("", "--picture-samples must be 0 to 16, got {}", a.picture_samples);
   for (const bench::Place& place : bench::places_of(task))
-    api::check_settings(bench::settings_at(task, place));
+    setup::check_settings(bench::settings_at(task, place));
   if (a.frames_mb && !(*a.frames_mb >= 0 && *a.frames_mb <= 1e9))
     throw input_error("", "--frames-memory must be 0 to 1e+09 MB, got {}", *a.frames_mb);
   const RenderSettings& s = a.settings;

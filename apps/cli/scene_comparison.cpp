@@ -12,7 +12,6 @@
 #include <random>
 #include <tuple>
 
-#include "api/choose.h"
 #include "cli/progress.h"
 #include "core/error.h"
 #include "dermis/cancelled.h"
@@ -22,6 +21,7 @@
 #include "image/metrics.h"
 #include "image/resize.h"
 #include "image/tone_map.h"
+#include "setup/choose.h"
 
 namespace dermis::cli {
 namespace {
@@ -105,7 +105,7 @@ Scene with_one_gaussian(const Scene& scene, const RenderSettings& s) {
   auto copy = std::make_shared<scene::Scene>(scene.data());
   for (scene::Material& material : copy->materials)
     if (material.skin)
-      material.skin_settings.profile = gaussians::one_gaussian(api::choose_profile(material, s));
+      material.skin_settings.profile = gaussians::one_gaussian(setup::choose_profile(material, s));
   return Scene(std::move(copy));
 }
 

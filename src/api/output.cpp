@@ -106,9 +106,9 @@ std::uint64_t irradiance_texels(const techniques::FrameOutputs& out, std::span<c
   return sum;
 }
 
-std::uint64_t used_texels(const FrameSetup& setup, std::uint32_t halvings) {
+std::uint64_t used_texels(const setup::FrameSetup& setup, std::uint32_t halvings) {
   std::uint64_t sum = 0;
-  for (const HeadSetup& head : setup.heads) {
+  for (const setup::HeadSetup& head : setup.heads) {
     const std::uint64_t side =
         passes::halved_side(static_cast<std::uint32_t>(head.map_side), setup.plan.map_size, halvings);
     if (head.visible) sum += side * side;
@@ -118,7 +118,7 @@ std::uint64_t used_texels(const FrameSetup& setup, std::uint32_t halvings) {
 
 // Shader invocations of shading and convolution. Drawn or computed whole, a convolution runs over the used
 // squares; otherwise over what its mask leaves of them.
-std::uint64_t launched(const FrameSetup& setup, const techniques::FrameOutputs& out,
+std::uint64_t launched(const setup::FrameSetup& setup, const techniques::FrameOutputs& out,
                        std::span<const std::uint32_t> counts) {
   std::uint64_t sum = irradiance_texels(out, counts);
   const bool sparse = setup.plan.optimise.cull || setup.plan.optimise.clip;
@@ -150,8 +150,8 @@ void fill_optimise(Statistics& st, const techniques::FrameSettings& plan) {
 
 }  // namespace
 
-void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& settings,
-                 const FrameSetup& setup, const techniques::FrameOutputs& out,
+void fill_counts(Statistics& st, const setup::Subject& subject, const RenderSettings& settings,
+                 const setup::FrameSetup& setup, const techniques::FrameOutputs& out,
                  std::span<const std::byte> counters) {
   std::vector<std::uint32_t> counts(counters.size() / sizeof(std::uint32_t));
   DERMIS_ASSERT_EQ(counts.size(), techniques::counter_count(subject.skin.size()));
@@ -166,7 +166,7 @@ void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& s
   st.environment_lights = setup.suns;
   st.gaussians = setup.gaussians;
   st.distance = settings.distance;
-  st.d_ref = setup.view.d_ref;
+  st.d_ref = setup.camera.d_ref;
   st.tone_map = settings.tone_map;
 
   st.skin_pixels = counts[techniques::counter_skin_pixels];
@@ -184,7 +184,7 @@ void fill_counts(Statistics& st, const Subject& subject, const RenderSettings& s
   st.launched = launched(setup, out, counts);
 
   st.used_size.resize(setup.heads.size());
-  for (const HeadSetup& head : setup.heads)
+  for (const setup::HeadSetup& head : setup.heads)
     st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;
 }
 
@@ -194,7 +194,7 @@ std::vector<float> read_before_bloom(frame::Executor& executor, const techniques
 }
 
 void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out,
-                  const RenderSettings& settings, const FrameSetup& setup) {
+                  const RenderSettings& settings, const setup::FrameSetup& setup) {
   const auto read = [&](frame::TextureId id, std::uint32_t layer) {
     return gpu::read_back(executor.device(), executor.resources().texture(id), executor.layout_of(id), layer);
   };

@@ -4,9 +4,9 @@
 
 #include <span>
 
-#include "api/setup.h"
 #include "dermis/renderer.h"
 #include "frame/executor.h"
+#include "setup/frame_setup.h"
 
 namespace dermis::api {
 
@@ -17,8 +17,8 @@ void check_device_limits(const RenderSettings& settings, const gpu::DeviceLimits
 void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& settings);
 
 /// `counters` as read back from FrameOutputs::counters.
-void fill_counts(Statistics& statistics, const Subject& subject, const RenderSettings& settings,
-                 const FrameSetup& setup, const techniques::FrameOutputs& out,
+void fill_counts(Statistics& statistics, const setup::Subject& subject, const RenderSettings& settings,
+                 const setup::FrameSetup& setup, const techniques::FrameOutputs& out,
                  std::span<const std::byte> counters);
 
 /// The picture before bloom, linear RGBA.
@@ -26,6 +26,6 @@ std::vector<float> read_before_bloom(frame::Executor& executor, const techniques
 
 /// The picture, or the map that settings.show names, which check_show() has accepted.
 void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out,
-                  const RenderSettings& settings, const FrameSetup& setup);
+                  const RenderSettings& settings, const setup::FrameSetup& setup);
 
 }  // namespace dermis::api

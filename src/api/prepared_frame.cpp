@@ -9,7 +9,6 @@
 #include "api/memory.h"
 #include "api/output.h"
 #include "api/renderer_state.h"
-#include "api/setup.h"
 #include "core/cache.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -18,6 +17,7 @@
 #include "frame/executor.h"
 #include "passes/blur/blur.h"
 #include "passes/frame_data.h"
+#include "setup/frame_setup.h"
 
 namespace dermis {
 namespace {
@@ -28,19 +28,19 @@ double median(std::vector<double> values) {
   return n == 0 ? 0 : n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-frame::FrameData frame_data(gpu::Device& device, const api::FrameSetup& setup,
+frame::FrameData frame_data(gpu::Device& device, const setup::FrameSetup& setup,
                             const passes::GpuScene& scene) {
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   frame::FrameData data;
   data.scene = &scene;
-  data.eye_m = setup.view.eye_m;
-  data.eye =
-      setup.view.camera.orthographic ? glm::vec4(-setup.view.direction, 0) : glm::vec4(setup.view.eye_m, 1);
+  data.eye_m = setup.camera.eye_m;
+  data.eye = setup.camera.scene_camera.orthographic ? glm::vec4(-setup.camera.direction, 0)
+                                                    : glm::vec4(setup.camera.eye_m, 1);
   data.clip_planes = setup.clip_planes;
   data.frame_io =
       gpu::make_buffer(device, "frame", std::span(&setup.frame, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
 
-  for (const api::HeadSetup& head : setup.heads) {
+  for (const setup::HeadSetup& head : setup.heads) {
     frame::Instance instance;
     instance.offset_m = head.offset_m;
     instance.map_side = static_cast<std::uint32_t>(head.map_side);
@@ -80,9 +80,9 @@ struct PreparedFrame::State {
   Scene source;
   RenderSettings settings;
   std::shared_ptr<api::SharedScene> scene;
-  std::shared_ptr<const api::Surroundings> surroundings;
-  api::SkyOnSkin sky;
-  api::FrameSetup setup;
+  std::shared_ptr<const setup::EnvironmentLight> environment_light;
+  setup::SkyOnSkin sky;
+  setup::FrameSetup setup;
   techniques::FrameOutputs outputs;
   std::optional<frame::Executor> executor;
   frame::FrameData data;
@@ -94,7 +94,7 @@ struct PreparedFrame::State {
 
   gpu::Device& device() { return renderer->device; }
   void set(const RenderSettings& wanted);
-  void plan(const RenderSettings& wanted, const api::FrameSetup& next);
+  void plan(const RenderSettings& wanted, const setup::FrameSetup& next);
   void upload();
   void make_data();
   std::optional<double> measure_exposure();
@@ -105,17 +105,17 @@ struct PreparedFrame::State {
 
 void PreparedFrame::State::set(const RenderSettings& wanted) {
   const gpu::DeviceLimits& limits = device().limits();
-  api::check_settings(wanted);
+  setup::check_settings(wanted);
   api::check_device_limits(wanted, limits);
 
   const std::shared_ptr<api::SharedScene> next_scene = renderer->shared(source, wanted);
-  const api::DeviceTraits traits{.software = limits.software,
-                                 .memory_bytes = device().summary().memory_bytes,
-                                 .max_image_side = limits.max_image_side};
-  const std::shared_ptr<const api::Surroundings> next_surroundings = renderer->surroundings(wanted);
+  const setup::DeviceTraits traits{.software = limits.software,
+                                   .memory_bytes = device().summary().memory_bytes,
+                                   .max_image_side = limits.max_image_side};
+  const std::shared_ptr<const setup::EnvironmentLight> next_environment = renderer->environment_light(wanted);
   std::vector<scene::Light> suns;
-  if (next_surroundings) suns = api::lights_of(next_surroundings->sources, wanted);
-  api::FrameSetup next = api::set_up(next_scene->subject, wanted, traits, suns);
+  if (next_environment) suns = setup::lights_of(next_environment->sources, wanted);
+  setup::FrameSetup next = setup::set_up(next_scene->subject, wanted, traits, suns);
 
   const std::uint64_t layers = std::uint64_t{next.plan.shadow_layers} * next.plan.heads_per_batch;
   if (layers > limits.max_array_layers)
@@ -123,8 +123,8 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
                       "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
                       "--lights uses fewer ({} of them are in the environment)",
                       next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers, next.suns);
-  if (!std::exchange(next_scene->warned_coarse, true)) api::warn_coarse(next_scene->subject, next);
-  if (next_surroundings) api::fill_surroundings(next.frame, *next_surroundings, wanted);
+  if (!std::exchange(next_scene->warned_coarse, true)) setup::warn_coarse(next_scene->subject, next);
+  if (next_environment) setup::fill_environment(next.frame, *next_environment, wanted);
 
   // Count as unready until all below is done: any of it may throw.
   ready = false;
@@ -134,7 +134,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   api::check_show(outputs, wanted);
 
   scene = next_scene;
-  surroundings = next_surroundings;
+  environment_light = next_environment;
   setup = std::move(next);
   settings = wanted;
   upload();
@@ -151,8 +151,8 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
 
 void PreparedFrame::State::make_data() {
   data = frame_data(device(), setup, *scene->gpu);
-  if (!surroundings) return;
-  data.environment = &surroundings->map;
+  if (!environment_light) return;
+  data.environment = &environment_light->map;
   data.sky = sky.maps;
 }
 
@@ -173,7 +173,7 @@ std::optional<double> PreparedFrame::State::measure_exposure() {
   return ev;
 }
 
-void PreparedFrame::State::plan(const RenderSettings& wanted, const api::FrameSetup& next) {
+void PreparedFrame::State::plan(const RenderSettings& wanted, const setup::FrameSetup& next) {
   frame::FramePlan made;
   const techniques::FrameOutputs made_outputs = next.technique->build(made, next.plan);
   api::check_show(made_outputs, wanted);
@@ -195,7 +195,7 @@ void PreparedFrame::State::upload() {
     shared.gpu.emplace(renderer->library, *shared.subject.scene, shared.subject.skin,
                        passes::GpuSceneSettings{shared.mix});
 
-  if (surroundings) look_at_the_sky();
+  if (environment_light) look_at_the_sky();
   if (setup.technique->scatters)
     for (std::size_t i = 0; i < shared.subject.skin.size(); ++i) {
       const double density = shared.subject.densities[i].largest_texels_per_mm.p95;
@@ -206,7 +206,7 @@ void PreparedFrame::State::upload() {
       };
 
       make(settings.map_size);  // of the stretch map
-      for (const api::HeadSetup& head : setup.heads)
+      for (const setup::HeadSetup& head : setup.heads)
         for (std::uint32_t halvings = 0; halvings <= passes::max_halvings; ++halvings)
           if (head.visible && (halvings == 0 || outputs.work[i][halvings].halved))
             make(static_cast<int>(passes::halved_side(static_cast<std::uint32_t>(head.map_side),
@@ -240,9 +240,9 @@ void PreparedFrame::State::look_at_the_sky() {
   }
 
   const double rotation_deg = settings.environment_rotation_deg;
-  if (sky.of != surroundings || sky.rotation_deg != rotation_deg ||
+  if (sky.of != environment_light || sky.rotation_deg != rotation_deg ||
       sky.maps.size() != shared.bent_normal.size())
-    sky = api::sky_on_skin(device(), surroundings, rotation_deg, shared.bent_normal);
+    sky = setup::sky_on_skin(device(), environment_light, rotation_deg, shared.bent_normal);
 }
 
 void PreparedFrame::State::run_full() {

@@ -5,9 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "api/choose.h"
 #include "api/memory.h"
-#include "api/reference_view.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "image/codec.h"
@@ -17,6 +15,8 @@
 #include "reference/render.h"
 #include "scene/topology.h"
 #include "scene/unwrap.h"
+#include "setup/choose.h"
+#include "setup/reference_setup.h"
 
 namespace dermis {
 namespace {
@@ -94,35 +94,35 @@ void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>&
 
 reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
   const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
-  reference::Job setup;
-  setup.model = model_of(r.model);
-  setup.view = api::reference_view(scene, s);
+  reference::Job job;
+  job.model = model_of(r.model);
+  job.setup = setup::reference_setup(scene, s);
   if (!s.environment.empty())
-    setup.view.surroundings = std::make_shared<const reference::Surroundings>(
+    job.setup.environment = std::make_shared<const reference::EnvironmentSampler>(
         environment::from_name_or_file(s.environment), s.environment_intensity, s.environment_rotation_deg);
 
-  setup.profiles.resize(scene.materials.size());
+  job.profiles.resize(scene.materials.size());
   for (const scene::SkinMesh& mesh : skin) {
     // One profile per mesh, that of its first triangle, as the renderer has it.
     const scene::Material& first = scene.materials[static_cast<std::size_t>(mesh.triangle_material.front())];
-    const gaussians::SumOfGaussians profile = api::choose_profile(first, s);
+    const gaussians::SumOfGaussians profile = setup::choose_profile(first, s);
     for (const int material : mesh.triangle_material) {
-      gaussians::SumOfGaussians& of = setup.profiles[static_cast<std::size_t>(material)];
+      gaussians::SumOfGaussians& of = job.profiles[static_cast<std::size_t>(material)];
       if (of.terms.empty()) of = profile;
     }
 
-    if (setup.model == reference::Model::volume && &mesh == &skin.front())
-      setup.medium = choose_medium(r.medium, profile, first.ior);
+    if (job.model == reference::Model::volume && &mesh == &skin.front())
+      job.medium = choose_medium(r.medium, profile, first.ior);
   }
 
-  if (setup.model == reference::Model::volume) {
+  if (job.model == reference::Model::volume) {
     if (skin.empty())
       throw input_error(scene.name,
                         "has no skin for light to walk in; --skin NAME says which material is skin");
-    optics::check(setup.medium, "--medium");
+    optics::check(job.medium, "--medium");
     warn_if_open(scene, skin);
   }
-  return setup;
+  return job;
 }
 
 Picture picture_of(const reference::Film& film, image::ToneMap tone_map) {
@@ -174,14 +174,14 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
                       "--exposure auto` prints");
 
   const image::ToneMap tone_map = image::find_tone_map(s.tone_map);
-  const reference::Job setup = set_up(scene.data(), s, r);
+  const reference::Job job = set_up(scene.data(), s, r);
   reference::Film film(s.width, s.height);
   const std::uint64_t fingerprint =
-      r.checkpoint.empty() ? 0 : reference::fingerprint(scene.data(), setup, r.seed);
+      r.checkpoint.empty() ? 0 : reference::fingerprint(scene.data(), job, r.seed);
   if (r.resume && !r.checkpoint.empty() && !load_checkpoint(r.checkpoint, film, fingerprint))
     note("{}: no such file, so this run begins at the beginning", r.checkpoint.string());
 
-  const reference::Tracer tracer(scene.data(), setup);
+  const reference::Tracer tracer(scene.data(), job);
   Watch watch(r, static_cast<int>(film.samples()), fingerprint);
   ReferencePicture out;
   out.complete = reference::render(tracer, film,

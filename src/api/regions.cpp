@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "reference/regions.h"
 
-#include "api/reference_view.h"
 #include "dermis/reference.h"
+#include "setup/reference_setup.h"
 
 namespace dermis {
 
 std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings) {
-  const reference::View view = api::reference_view(scene.data(), settings);
+  const reference::RenderSetup setup = setup::reference_setup(scene.data(), settings);
   const rays::RayScene rays(scene.data());
   std::vector<PictureRegion> out;
-  for (reference::Region& region : reference::regions(rays, view))
+  for (reference::Region& region : reference::regions(rays, setup))
     out.push_back({.name = std::move(region.name), .mask = std::move(region.mask), .pixels = region.pixels});
   return out;
 }

@@ -2,8 +2,8 @@
 #include "dermis/renderer.h"
 
 #include "api/renderer_state.h"
-#include "api/setup.h"
 #include "passes/shaders.h"
+#include "setup/frame_setup.h"
 
 namespace dermis {
 
@@ -18,17 +18,17 @@ std::shared_ptr<api::SharedScene> Renderer::State::shared(const Scene& scene,
       settings.mix ? std::optional(static_cast<float>(*settings.mix)) : std::nullopt;
   if (last_scene && last_scene->subject.scene == scene.shared() && last_scene->mix == mix) return last_scene;
   auto made = std::make_shared<api::SharedScene>();
-  made->subject = api::examine(scene.shared());
+  made->subject = setup::examine(scene.shared());
   made->mix = mix;
   return last_scene = made;
 }
 
-std::shared_ptr<const api::Surroundings> Renderer::State::surroundings(const RenderSettings& settings) {
+std::shared_ptr<const setup::EnvironmentLight> Renderer::State::environment_light(
+    const RenderSettings& settings) {
   if (settings.environment.empty()) return nullptr;
-  if (last_surroundings && api::is_current(*last_surroundings, settings.environment))
-    return last_surroundings;
-  return last_surroundings =
-             std::make_shared<const api::Surroundings>(api::surroundings_of(device, settings.environment));
+  if (last_environment && setup::is_current(*last_environment, settings.environment)) return last_environment;
+  return last_environment = std::make_shared<const setup::EnvironmentLight>(
+             setup::environment_light(device, settings.environment));
 }
 
 Renderer::Renderer(const Options& options) : state_(std::make_shared<State>(options)) {}
@@ -58,12 +58,12 @@ std::vector<std::string> tone_map_names() {
 }
 
 std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot) {
-  api::check_settings(settings);
+  setup::check_settings(settings);
   std::vector<scene::Light> suns;
   if (!settings.environment.empty())
-    suns = api::lights_of(
+    suns = setup::lights_of(
         environment::split_sources(environment::from_name_or_file(settings.environment)).sources, settings);
-  const api::FrameSetup setup = api::set_up(api::examine(scene.shared()), settings, {}, suns);
+  const setup::FrameSetup setup = setup::set_up(setup::examine(scene.shared()), settings, {}, suns);
   frame::FramePlan plan;
   setup.technique->build(plan, setup.plan);
   return dot ? frame::print_dot(plan) : frame::print_text(plan);

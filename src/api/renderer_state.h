@@ -6,11 +6,11 @@
 #include <memory>
 #include <optional>
 
-#include "api/subject.h"
-#include "api/surroundings.h"
 #include "dermis/renderer.h"
 #include "gpu/device.h"
 #include "passes/gpu_scene.h"
+#include "setup/environment_light.h"
+#include "setup/subject.h"
 
 namespace dermis {
 
@@ -18,7 +18,7 @@ namespace api {
 
 /// A scene, examined and (once per frame has found room) on the device; shared by all frames that show it.
 struct SharedScene {
-  Subject subject;
+  setup::Subject subject;
   std::optional<float> mix;             ///< it is uploaded with
   std::optional<passes::GpuScene> gpu;  ///< its materials point into it: never moved
   /// one per skin mesh, once an environment was asked for; values are on the device only
@@ -35,13 +35,13 @@ struct Renderer::State {
   std::shared_ptr<api::SharedScene> shared(const Scene& scene, const RenderSettings& settings);
 
   /// The last surroundings if they are these, else these. None if the settings name none.
-  std::shared_ptr<const api::Surroundings> surroundings(const RenderSettings& settings);
+  std::shared_ptr<const setup::EnvironmentLight> environment_light(const RenderSettings& settings);
 
   Options options;
   gpu::Device device;
   gpu::PipelineLibrary library;
   std::shared_ptr<api::SharedScene> last_scene;
-  std::shared_ptr<const api::Surroundings> last_surroundings;
+  std::shared_ptr<const setup::EnvironmentLight> last_environment;
 };
 
 }  // namespace dermis

@@ -7,8 +7,8 @@
 
 namespace dermis::reference {
 
-/// (px, py) in pixels from the upper left corner; width and height as in the view. Begins at the camera's
+/// (px, py) in pixels from the upper left corner; width and height as in the setup. Begins at the camera's
 /// near plane.
-rays::Ray camera_ray(const View& view, double px, double py);
+rays::Ray camera_ray(const RenderSetup& setup, double px, double py);
 
 }  // namespace dermis::reference

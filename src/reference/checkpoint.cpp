@@ -91,19 +91,19 @@ void add_scene(Hash& h, const scene::Scene& scene) {
   }
 }
 
-void add_view(Hash& h, const View& view) {
-  const scene::Camera& camera = view.camera;
+void add_setup(Hash& h, const RenderSetup& setup) {
+  const scene::Camera& camera = setup.camera;
   for (glm::length_t i = 0; i < 4; ++i) h.add(camera.world_from_camera[i]);
   h.add(camera.fov_y_rad), h.add(camera.znear_m), h.add(camera.orthographic), h.add(camera.ymag_m);
-  h.add(view.width), h.add(view.height), h.add(view.ambient), h.add(view.radiance_scale),
-      h.add(view.specular), h.add(view.white_albedo);
-  h.add(view.mix.value_or(-1));
-  if (view.surroundings) {
-    const image::ImageF& picture = view.surroundings->picture().radiance;
-    h.add(view.surroundings->intensity()), h.add(view.surroundings->rotation_rad()), h.add(picture.width);
+  h.add(setup.width), h.add(setup.height), h.add(setup.ambient), h.add(setup.radiance_scale),
+      h.add(setup.specular), h.add(setup.white_albedo);
+  h.add(setup.mix.value_or(-1));
+  if (setup.environment) {
+    const image::ImageF& picture = setup.environment->picture().radiance;
+    h.add(setup.environment->intensity()), h.add(setup.environment->rotation_rad()), h.add(picture.width);
     h.bytes(picture.values.data(), picture.values.size() * sizeof(float));
   }
-  for (const scene::Light& light : view.lights) {
+  for (const scene::Light& light : setup.lights) {
     h.add(light.type), h.add(light.colour), h.add(light.position_m), h.add(light.direction),
         h.add(light.range_m);
     h.add(light.inner_cone_rad), h.add(light.outer_cone_rad), h.add(light.radius);
@@ -115,7 +115,7 @@ void add_view(Hash& h, const View& view) {
 std::uint64_t fingerprint(const scene::Scene& scene, const Job& job, std::uint64_t seed) {
   Hash h;
   add_scene(h, scene);
-  add_view(h, job.view);
+  add_setup(h, job.setup);
   h.add(job.model), h.add(seed);
   for (const gaussians::SumOfGaussians& profile : job.profiles) {
     h.word(profile.terms.size());

@@ -58,11 +58,11 @@ std::vector<std::vector<std::uint32_t>> charts_of(const scene::Scene& scene) {
 
 class Finder {
  public:
-  Finder(const rays::RayScene& rays, const View& view) : rays_(rays), view_(view) {
-    const auto width = static_cast<std::size_t>(view.width);
-    seen_.resize(width * static_cast<std::size_t>(view.height));
+  Finder(const rays::RayScene& rays, const RenderSetup& setup) : rays_(rays), setup_(setup) {
+    const auto width = static_cast<std::size_t>(setup.width);
+    seen_.resize(width * static_cast<std::size_t>(setup.height));
     const std::vector<std::vector<std::uint32_t>> charts = charts_of(rays.scene());
-    parallel_for(static_cast<std::size_t>(view.height), [&](std::size_t y) {
+    parallel_for(static_cast<std::size_t>(setup.height), [&](std::size_t y) {
       for (std::size_t x = 0; x < width; ++x)
         seen_[y * width + x] = look(static_cast<int>(x), static_cast<int>(y), charts);
     });
@@ -124,7 +124,7 @@ class Finder {
 
   Seen look(int x, int y, const std::vector<std::vector<std::uint32_t>>& charts) const {
     Seen seen;
-    rays::Ray ray = camera_ray(view_, x + 0.5, y + 0.5);
+    rays::Ray ray = camera_ray(setup_, x + 0.5, y + 0.5);
     while (const auto hit = rays_.nearest(ray)) {
       const scene::Primitive& primitive = rays_.scene().primitives[hit->primitive];
       const scene::Material& material = rays_.scene().materials[static_cast<std::size_t>(primitive.material)];
@@ -138,9 +138,9 @@ class Finder {
         seen.chart = charts[hit->primitive][hit->triangle];
         seen.thickness = thickness_m(rays_, seen.point);
         seen.gap = gap_m(rays_, seen.point);
-        const scene::Camera& camera = view_.camera;
+        const scene::Camera& camera = setup_.camera;
         seen.pixel_m = (camera.orthographic ? camera.ymag_m : hit->t_m * std::tan(camera.fov_y_rad / 2.0)) *
-                       2 / view_.height;
+                       2 / setup_.height;
         break;
       }
       ray.t_min_m = std::nextafter(static_cast<float>(hit->t_m), 1e30f);
@@ -167,7 +167,7 @@ class Finder {
   template <class Differ>
   Mask edges(const Differ& differ) const {
     Mask mask(seen_.size());
-    const auto width = static_cast<std::size_t>(view_.width);
+    const auto width = static_cast<std::size_t>(setup_.width);
     const auto try_pair = [&](std::size_t i, std::size_t j) {
       const Seen &a = seen_[i], &b = seen_[j];
       if (!a.skin || !b.skin ||
@@ -188,12 +188,12 @@ class Finder {
     for (std::size_t i = 0; i < mask.size(); ++i) {
       if (!mask[i]) continue;
       const Seen& from = seen_[i];
-      const int x0 = static_cast<int>(i % static_cast<std::size_t>(view_.width)),
-                y0 = static_cast<int>(i / static_cast<std::size_t>(view_.width));
+      const int x0 = static_cast<int>(i % static_cast<std::size_t>(setup_.width)),
+                y0 = static_cast<int>(i / static_cast<std::size_t>(setup_.width));
       const int window = static_cast<int>(std::min(std::ceil(reach_m / from.pixel_m), 65536.0));
-      for (int y = std::max(0, y0 - window); y <= std::min(view_.height - 1, y0 + window); ++y)
-        for (int x = std::max(0, x0 - window); x <= std::min(view_.width - 1, x0 + window); ++x) {
-          const std::size_t j = static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
+      for (int y = std::max(0, y0 - window); y <= std::min(setup_.height - 1, y0 + window); ++y)
+        for (int x = std::max(0, x0 - window); x <= std::min(setup_.width - 1, x0 + window); ++x) {
+          const std::size_t j = static_cast<std::size_t>(y) * static_cast<std::size_t>(setup_.width) +
                                 static_cast<std::size_t>(x);
           if (!out[j] && seen_[j].skin &&
               glm::distance(seen_[j].point.position_m, from.point.position_m) <= reach_m)
@@ -204,18 +204,18 @@ class Finder {
   }
 
   const rays::RayScene& rays_;
-  const View& view_;
+  const RenderSetup& setup_;
   std::optional<HeadFrame> frame_ = HeadFrame::find(rays_);
   std::vector<Seen> seen_;
 };
 
 }  // namespace
 
-std::vector<Region> regions(const rays::RayScene& rays, const View& view) {
-  const Finder find(rays, view);
-  Mask terminator(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height)),
+std::vector<Region> regions(const rays::RayScene& rays, const RenderSetup& setup) {
+  const Finder find(rays, setup);
+  Mask terminator(static_cast<std::size_t>(setup.width) * static_cast<std::size_t>(setup.height)),
       shadow_edges = terminator;
-  for (const scene::Light& light : view.lights)
+  for (const scene::Light& light : setup.lights)
     if (light.colour != glm::vec3(0)) find.add_light(light, terminator, shadow_edges);
 
   std::vector<Region> all;

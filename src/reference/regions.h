@@ -30,6 +30,6 @@ struct Region {
 ///   mm of where the unwrap is cut the rest      skin in none of these
 /// Distances are straight lines between points that the picture shows. Lights without light do not count;
 /// parts that are cut out by a map (alpha mode mask) cast no shadow here.
-std::vector<Region> regions(const rays::RayScene& rays, const View& view);
+std::vector<Region> regions(const rays::RayScene& rays, const RenderSetup& setup);
 
 }  // namespace dermis::reference

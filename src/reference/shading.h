@@ -39,11 +39,11 @@ rays::Ray shadow_ray(const rays::SurfacePoint& s, const Arriving& light);
 
 class Shading {
  public:
-  Shading(const rays::RayScene& rays, const View& view);
+  Shading(const rays::RayScene& rays, const RenderSetup& setup);
 
   const ShadingMaterial& material(std::size_t index) const { return materials_[index]; }
   const rays::RayScene& rays() const { return *rays_; }
-  const View& view() const { return view_; }
+  const RenderSetup& setup() const { return setup_; }
 
   /// Irradiance that enters the skin, over all lights and the surroundings, less what the surface reflects.
   glm::dvec3 entering_irradiance(const rays::SurfacePoint& s, Random& random) const;
@@ -78,10 +78,10 @@ class Shading {
   /// Under a picture of the surroundings: what of them enters skin with the mapped normal n, and what its
   /// lobes reflect. `bounces`: how often the light has been sent on by something in the way, on its path from
   /// the eye.
-  glm::dvec3 entering_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n, const SkinSpecular& spec,
-                                   Random& random) const;
-  glm::dvec3 reflected_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n,
-                                    const SkinSpecular& spec, const glm::dvec3& to_eye, Random& random) const;
+  glm::dvec3 entering_from_environment(const rays::SurfacePoint& s, const glm::dvec3& n,
+                                       const SkinSpecular& spec, Random& random) const;
+  glm::dvec3 reflected_environment(const rays::SurfacePoint& s, const glm::dvec3& n, const SkinSpecular& spec,
+                                   const glm::dvec3& to_eye, Random& random) const;
   /// Radiance that reaches the point from a direction: the surroundings', or what is in the way sends on.
   glm::dvec3 arriving_from(const rays::SurfacePoint& s, const glm::dvec3& direction, Random& random,
                            int bounces) const;
@@ -89,7 +89,7 @@ class Shading {
   double occlusion(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
 
   const rays::RayScene* rays_;
-  View view_;
+  RenderSetup setup_;
   std::vector<ShadingMaterial> materials_;
   ReflectanceTable table_;
 };

@@ -21,8 +21,8 @@ glm::dvec3 power(const glm::dvec3& albedo, double exponent) {
 
 }  // namespace
 
-Shading::Shading(const rays::RayScene& rays, const View& view)
-    : rays_(&rays), view_(view), materials_(shading_materials(rays.scene(), view.mix)) {}
+Shading::Shading(const rays::RayScene& rays, const RenderSetup& setup)
+    : rays_(&rays), setup_(setup), materials_(shading_materials(rays.scene(), setup.mix)) {}
 
 glm::dvec3 Shading::mapped_normal(const ShadingMaterial& m, const rays::SurfacePoint& s,
                                   const glm::dvec3& normal) const {
@@ -45,7 +45,7 @@ glm::dvec3 Shading::eye_normal(const ShadingMaterial& m, const rays::SurfacePoin
 }
 
 glm::dvec3 Shading::albedo(const ShadingMaterial& m, const rays::SurfacePoint& s) const {
-  if (view_.white_albedo) return glm::dvec3(1);
+  if (setup_.white_albedo) return glm::dvec3(1);
   glm::dvec3 colour = glm::dvec3(m.source->base_colour) * glm::dvec3(s.colour);
   if (m.base_colour.present()) colour *= glm::dvec3(m.base_colour.read(s.uv));
   return glm::max(colour, glm::dvec3(0));
@@ -53,7 +53,7 @@ glm::dvec3 Shading::albedo(const ShadingMaterial& m, const rays::SurfacePoint& s
 
 SkinSpecular Shading::skin_specular(const ShadingMaterial& m, const rays::SurfacePoint& s) const {
   SkinSpecular spec;
-  spec.rho_s = view_.specular ? 0.18 : 0;  // [DLE07] GPU Gems 3, ch. 14.3
+  spec.rho_s = setup_.specular ? 0.18 : 0;  // [DLE07] GPU Gems 3, ch. 14.3
   if (m.specular.present()) spec.rho_s *= m.specular.map.scale * m.specular.channel(s.uv);
   double roughness = m.source->roughness;
   if (m.roughness.present()) roughness = m.roughness.map.scale * m.roughness.channel(s.uv);
@@ -79,7 +79,7 @@ glm::dvec3 Shading::entering_irradiance(const rays::SurfacePoint& s, Random& ran
   const SkinSpecular spec = skin_specular(m, s);
   const glm::dvec3 n = mapped_normal(m, s, s.normal);
   glm::dvec3 e(0);
-  for (const scene::Light& light : view_.lights) {
+  for (const scene::Light& light : setup_.lights) {
     const Arriving a = arriving_light(light, s.position_m, random);
     const double cosine = glm::dot(n, a.to_light);
     if (cosine <= 0 || glm::dot(s.normal, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(s, a))
@@ -87,8 +87,8 @@ glm::dvec3 Shading::entering_irradiance(const rays::SurfacePoint& s, Random& ran
     e += a.irradiance * (cosine * (1 - table_.at(spec, cosine)));
   }
   e /= 1 - table_.mean(spec);
-  return e + (view_.surroundings ? entering_surroundings(s, n, spec, random)
-                                 : glm::dvec3(view_.ambient * pi * occlusion(m, s)));
+  return e + (setup_.environment ? entering_from_environment(s, n, spec, random)
+                                 : glm::dvec3(setup_.ambient * pi * occlusion(m, s)));
 }
 
 glm::dvec3 Shading::light_in_skin(const rays::SurfacePoint& s, Random& random) const {
@@ -111,16 +111,16 @@ glm::dvec3 Shading::skin_reflection(const rays::SurfacePoint& s, const glm::dvec
   if (spec.rho_s <= 0) return glm::dvec3(0);
   const glm::dvec3 n = eye_normal(m, s, s.normal, to_eye);
   glm::dvec3 sum(0);
-  for (const scene::Light& light : view_.lights) {
+  for (const scene::Light& light : setup_.lights) {
     const Arriving a = arriving_light(light, s.position_m, random);
     const double cosine = glm::dot(n, a.to_light);
     if (cosine <= 0 || glm::dot(s.normal, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(s, a))
       continue;
     sum += a.irradiance * (cosine * specular_brdf(spec, n, to_eye, a.to_light));
   }
-  if (view_.surroundings) return sum + reflected_surroundings(s, n, spec, to_eye, random);
+  if (setup_.environment) return sum + reflected_environment(s, n, spec, to_eye, random);
   // Uniform surroundings are reflected by the lobes' albedo.
-  return sum + glm::dvec3(view_.ambient * table_.at(spec, glm::dot(n, to_eye)) * occlusion(m, s));
+  return sum + glm::dvec3(setup_.ambient * table_.at(spec, glm::dot(n, to_eye)) * occlusion(m, s));
 }
 
 }  // namespace dermis::reference

@@ -80,8 +80,8 @@ double highlight_density(const Look& look, const glm::dvec3& n, const glm::dvec3
 }
 
 /// What a picture of the surroundings shows in a surface; `arriving` says what comes from a direction.
-glm::dvec3 mirrored_picture(const Look& look, bool specular, const Surroundings& sky, const glm::dvec3& n,
-                            const glm::dvec3& v, Random& random,
+glm::dvec3 mirrored_picture(const Look& look, bool specular, const EnvironmentSampler& sky,
+                            const glm::dvec3& n, const glm::dvec3& v, Random& random,
                             const std::function<glm::dvec3(const glm::dvec3&)>& arriving) {
   const double r2 = random.next();
   glm::dvec3 sum(0);
@@ -110,7 +110,7 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
   const scene::Material& source = *m.source;
   glm::dvec4 base = glm::dvec4(source.base_colour) * s.colour;
   if (m.base_colour.present()) base *= m.base_colour.read(s.uv);
-  if (view_.white_albedo) base = glm::dvec4(1, 1, 1, base.a);
+  if (setup_.white_albedo) base = glm::dvec4(1, 1, 1, base.a);
   if (source.alpha_mode == scene::AlphaMode::mask && base.a < source.alpha_cutoff)
     return {.radiance = glm::dvec3(0), .alpha = 0};
 
@@ -126,20 +126,20 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
   seen.normal *= normal_side;
   const Look look = look_at(m, s, albedo);
   const glm::dvec3 n = mapped_normal(m, s, seen.normal);
-  for (const scene::Light& light : view_.lights) {
+  for (const scene::Light& light : setup_.lights) {
     const Arriving a = arriving_light(light, s.position_m, random);
     if (glm::dot(n, a.to_light) <= 0 || a.irradiance == glm::dvec3(0) || shadowed(seen, a)) continue;
-    out.radiance += a.irradiance * brdf_times_cosine(look, view_.specular, n, to_eye, a.to_light);
+    out.radiance += a.irradiance * brdf_times_cosine(look, setup_.specular, n, to_eye, a.to_light);
   }
 
-  if (view_.surroundings) {
+  if (setup_.environment) {
     const auto arriving = [&](const glm::dvec3& d) { return arriving_from(seen, d, random, 0); };
     out.radiance += occlusion(m, s) *
-                    mirrored_picture(look, view_.specular, *view_.surroundings, n, to_eye, random, arriving);
+                    mirrored_picture(look, setup_.specular, *setup_.environment, n, to_eye, random, arriving);
   } else {
     const glm::dvec3 mirrored =
-        view_.specular ? mirrored_uniform(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
-    out.radiance += view_.ambient * occlusion(m, s) * (look.albedo * (1 - largest(mirrored)) + mirrored);
+        setup_.specular ? mirrored_uniform(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
+    out.radiance += setup_.ambient * occlusion(m, s) * (look.albedo * (1 - largest(mirrored)) + mirrored);
   }
 
   out.radiance += emitted(s);

@@ -22,7 +22,7 @@ glm::dvec3 diffuse_total(const optics::RgbMedium& medium) {
 }
 
 Tracer::Tracer(const scene::Scene& scene, const Job& job)
-    : job_(job), rays_(scene), shading_(rays_, job.view), medium_(job.medium, scene.mm_per_unit) {
+    : job_(job), rays_(scene), shading_(rays_, job.setup), medium_(job.medium, scene.mm_per_unit) {
   if (job.model == Model::bssrdf)
     for (const gaussians::SumOfGaussians& profile : job.profiles)
       diffusion_.emplace_back(profile, scene.mm_per_unit);
@@ -62,7 +62,7 @@ glm::dvec3 Tracer::skin_radiance(rays::SurfacePoint& s, double side, const glm::
 
 Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<rays::Hit>& scratch) const {
   const double px = x + random.next(), py = y + random.next();
-  rays::Ray ray = camera_ray(job_.view, px, py);
+  rays::Ray ray = camera_ray(job_.setup, px, py);
   const glm::dvec3 to_eye = -ray.direction;
   const scene::Scene& scene = rays_.scene();
 
@@ -90,7 +90,7 @@ Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<rays::Hi
     ray.t_min_m = std::nextafter(static_cast<float>(hit->t_m), 1e30f);
   }
 
-  out.radiance *= job_.view.radiance_scale;
+  out.radiance *= job_.setup.radiance_scale;
   return out;
 }
 

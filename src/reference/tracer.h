@@ -25,8 +25,8 @@ class Tracer {
   /// The ray passes through (x, y) + a random point of the pixel. `scratch` only saves memory.
   Sample sample(int x, int y, Random& random, std::vector<rays::Hit>& scratch) const;
 
-  int width() const { return job_.view.width; }
-  int height() const { return job_.view.height; }
+  int width() const { return job_.setup.width; }
+  int height() const { return job_.setup.height; }
   const Shading& shading() const { return shading_; }
 
   /// Walks that began, and those that a hole of the mesh swallowed.

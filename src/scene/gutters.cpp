@@ -25,7 +25,7 @@ struct Builder {
   /// Where the skin goes on beyond the border, in texels, and on which chart.
   std::optional<GutterTexel> continued(const BorderEdge& edge, const glm::dvec2& p) const {
     const double along = nearest_along(edge, p), side = map.side();
-    const std::optional<SurfacePoint> end =
+    const std::optional<MeshPoint> end =
         walker.leave(edge.half, along, (p - edge.start - along * edge.vector) / side);
     if (!end || mesh.triangle_chart[end->triangle] == no_chart) return std::nullopt;
     glm::dvec2 uv(0);

@@ -45,8 +45,7 @@ Walker::Walker(const Topology& topology, std::span<const Vertex> vertices, std::
   }
 }
 
-std::optional<SurfacePoint> Walker::leave(std::uint32_t half, double along,
-                                          const glm::dvec2& uv_vector) const {
+std::optional<MeshPoint> Walker::leave(std::uint32_t half, double along, const glm::dvec2& uv_vector) const {
   const std::uint32_t t = half / 3;
   const auto uv = [&](std::uint32_t k) { return glm::dvec2(uv_[indices_[3 * t + k]]); };
   const glm::dvec2 d1 = uv(1) - uv(0), d2 = uv(2) - uv(0);
@@ -118,7 +117,7 @@ std::optional<Walker::State> Walker::turn(std::uint32_t half, bool at_end, const
   return std::nullopt;
 }
 
-std::optional<SurfacePoint> Walker::straight(State state) const {
+std::optional<MeshPoint> Walker::straight(State state) const {
   for (int step = 0; step < 1000; ++step) {
     const Flat& flat = flat_[state.triangle];
     double nearest = 1;  // of the remaining vector, where it leaves the triangle
@@ -135,7 +134,7 @@ std::optional<SurfacePoint> Walker::straight(State state) const {
         exit = 3 * state.triangle + k;
       }
     }
-    if (exit == no_edge) return SurfacePoint{state.triangle, barycentric(flat, state.at + state.vector)};
+    if (exit == no_edge) return MeshPoint{state.triangle, barycentric(flat, state.at + state.vector)};
 
     // Crosses the edge with what is left of the vector.
     const glm::dvec2 start = flat[exit % 3], edge = flat[next_corner(exit) % 3] - start;

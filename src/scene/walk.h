@@ -16,7 +16,7 @@
 
 namespace dermis::scene {
 
-struct SurfacePoint {
+struct MeshPoint {
   std::uint32_t triangle = 0;
   glm::dvec3 barycentric{1, 0, 0};  ///< 0..1, sum 1
 };
@@ -32,7 +32,7 @@ class Walker {
   /// around that vertex) and goes on straight by `uv_vector`, texture coordinates of that triangle turned
   /// into lengths by its plane. The way runs over neighbours at the same place, whatever their coordinates.
   /// None where the way meets an open border, or does not end within 1,000 triangles.
-  std::optional<SurfacePoint> leave(std::uint32_t half, double along, const glm::dvec2& uv_vector) const;
+  std::optional<MeshPoint> leave(std::uint32_t half, double along, const glm::dvec2& uv_vector) const;
 
  private:
   using Flat = std::array<glm::dvec2, 3>;  ///< a triangle laid in the plane, counter-clockwise
@@ -45,7 +45,7 @@ class Walker {
   std::uint32_t place(std::uint32_t half) const { return topology_.position_id[indices_[half]]; }
   std::optional<State> cross(std::uint32_t half, double along, const glm::dvec2& vector) const;
   std::optional<State> turn(std::uint32_t half, bool at_end, const glm::dvec2& vector) const;
-  std::optional<SurfacePoint> straight(State state) const;
+  std::optional<MeshPoint> straight(State state) const;
 
   const Topology& topology_;
   std::span<const glm::vec2> uv_;

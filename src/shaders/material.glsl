@@ -3,7 +3,7 @@
 // ... (scene_io.h).
 #include "shaders/switches.glsl"
 
-struct SurfacePoint {
+struct ShadingPoint {
   vec3 position_m;
   vec3 normal;  // interpolated, unit
   vec4 tangent;
@@ -11,12 +11,12 @@ struct SurfacePoint {
   vec4 colour;
 };
 
-vec2 map_uv(MapIo map, SurfacePoint s) {
+vec2 map_uv(MapIo map, ShadingPoint s) {
   const vec2 uv = map.uv_set == 0u ? s.uv0 : s.uv1;
   return map.u_axis * uv.x + map.v_axis * uv.y + map.offset;
 }
 
-vec3 mapped_normal(MapIo map, sampler2D normal_map, SurfacePoint s) {
+vec3 mapped_normal(MapIo map, sampler2D normal_map, ShadingPoint s) {
   if (!is_present(map)) return s.normal;
   vec3 t = texture(normal_map, map_uv(map, s)).xyz * 2.0 - 1.0;
   t.xy *= map.scale;

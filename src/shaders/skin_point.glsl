@@ -22,9 +22,9 @@ layout(constant_id = 13) const
 #include "shaders/specular.glsl"
 #include "shaders/lights.glsl"
 #include "shaders/material.glsl"
-#include "shaders/surroundings.glsl"
+#include "shaders/environment.glsl"
 
-vec3 skin_albedo(SurfacePoint s) {
+vec3 skin_albedo(ShadingPoint s) {
   if (is_on(frame.white_albedo)) return vec3(1.0);
   vec3 albedo = material.base_colour.rgb * s.colour.rgb;
   const MapIo map = material.maps[MAP_BASE_COLOUR];
@@ -39,7 +39,7 @@ vec3 albedo_power(vec3 albedo, float exponent) {
   return pow(max(albedo, vec3(1e-6)), vec3(exponent));
 }
 
-SkinSpecular skin_specular(SurfacePoint s) {
+SkinSpecular skin_specular(ShadingPoint s) {
   SkinSpecular spec;
   spec.rho_s = is_on(frame.specular_on) ? material.rho_s : 0.0;
   const MapIo specular_map = material.maps[MAP_SPECULAR];
@@ -56,7 +56,7 @@ SkinSpecular skin_specular(SurfacePoint s) {
   return spec;
 }
 
-float skin_occlusion(SurfacePoint s) {
+float skin_occlusion(ShadingPoint s) {
   const MapIo map = material.maps[MAP_OCCLUSION];
   return is_present(map) ? 1.0 + map.scale * (texture(map_occlusion, map_uv(map, s)).r - 1.0) : 1.0;
 }
@@ -64,7 +64,7 @@ float skin_occlusion(SurfacePoint s) {
 // Irradiance that enters the skin, sum over the lights. What the surface reflects does not enter; dividing by
 // the mean over all directions here, where the light enters, keeps a white furnace white with maps that vary:
 // (1-rho(L)) (1-rho(V)) / (1-rho_mean).
-vec3 entering_irradiance(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
+vec3 entering_irradiance(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
   const float kept_mean = 1.0 - specular_albedo_mean(directional_albedo, spec);
   vec3 e = vec3(0.0);
   for (uint i = nothing(); i < frame.light_count; ++i) {
@@ -81,7 +81,7 @@ vec3 entering_irradiance(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular 
 const float least_open = 0.002;  // white skin in a hole without a way out has no answer
 
 // The share of the sky that a point sees.
-float skin_open(SurfacePoint s, vec2 unwrap) {
+float skin_open(ShadingPoint s, vec2 unwrap) {
   return environment && !off_map ? clamp(textureLod(bent_normal, unwrap, 0.0).w, least_open, 1.0) *
                                        max(skin_occlusion(s), least_open)
                                  : skin_occlusion(s);
@@ -92,7 +92,7 @@ float skin_open(SurfacePoint s, vec2 unwrap) {
 // in white surroundings stays white. What a painted map hides is lit as the point itself is: a geometric
 // series of the albedo. Based on: Stewart, Langer: Toward Accurate Recovery of Shape from Shading Under
 // Diffuse Lighting, PAMI 19(9), 1997.
-vec3 entering_surroundings(SurfacePoint s, vec3 n, vec2 unwrap) {
+vec3 entering_surroundings(ShadingPoint s, vec3 n, vec2 unwrap) {
   if (!environment || off_map) return surroundings_irradiance(n) * skin_occlusion(s);
   // The maps know the normal of the mesh; a mapped one faces another part of the sky.
   const vec4 seen = textureLod(bent_normal, unwrap, 0.0), bounced = textureLod(sky_bounced, unwrap, 0.0);

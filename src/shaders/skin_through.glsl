@@ -16,7 +16,7 @@ struct EnteringAndThrough {
 // Where the surface faces a light it is lit by it, or lies in a shadow that the light may have reached by
 // air: none of it comes through the body. Where it faces away none of that light enters. So no light is
 // counted twice.
-EnteringAndThrough entering_and_through(SurfacePoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
+EnteringAndThrough entering_and_through(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
   const float kept_mean = 1.0 - specular_albedo_mean(directional_albedo, spec);
   EnteringAndThrough r;
   r.entering = vec3(0.0);

@@ -69,7 +69,7 @@ vec3 light_of(sampler2D light, int term, vec2 at) {
   return cut_out ? light_left(light, at) : textureLod(light, at, 0.0).rgb;
 }
 
-vec3 emitted(SurfacePoint s) {
+vec3 emitted(ShadingPoint s) {
   const MapIo map = material.maps[MAP_EMISSIVE];
   return is_present(map) ? material.emissive * texture(map_emissive, map_uv(map, s)).rgb : material.emissive;
 }
@@ -105,7 +105,7 @@ vec3 through_share(EnteringAndThrough r) {
 }
 #endif
 
-vec3 specular_radiance(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec) {
+vec3 specular_radiance(ShadingPoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec) {
   if (spec.rho_s <= 0.0) return vec3(0.0);
   vec3 sum = vec3(0.0);
   for (uint i = nothing(); i < frame.light_count; ++i) {
@@ -129,7 +129,7 @@ vec3 specular_radiance(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpe
 // place: `skin`, the radiance that leaves it here. Seen edge on, a lobe is narrower than its slope and bent
 // towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the mean of
 // [KSK01]'s lobe, m = 0.1 to 0.4.
-vec3 mirrored_surroundings(SurfacePoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec, vec3 skin) {
+vec3 mirrored_surroundings(ShadingPoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec, vec3 skin) {
   const vec2 unwrap = within_triangle(in_unwrap);
   const float n_v = dot(n, v), all = specular_albedo(directional_albedo, spec, n_v),
               open = skin_open(s, unwrap);
@@ -158,7 +158,7 @@ void main() {
   const vec3 v = is_on(frame.orthographic) ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
   const vec3 n_interpolated = normalize(in_normal);
   const vec3 n_geometric = gl_FrontFacing ? n_interpolated : -n_interpolated;
-  const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
+  const ShadingPoint s = ShadingPoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
   vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   const SkinSpecular spec = skin_specular(s);
   const vec3 albedo = skin_albedo(s);

@@ -16,7 +16,7 @@ layout(location = 6) in vec2 in_unwrap;
 layout(location = 0) out vec4 out_light;
 void main() {
   const vec3 n_geometric = normalize(in_normal);
-  const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
+  const ShadingPoint s = ShadingPoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   const vec3 e =
       entering_irradiance(s, n, n_geometric, skin_specular(s)) + entering_surroundings(s, n, in_unwrap);

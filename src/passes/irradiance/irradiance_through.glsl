@@ -22,7 +22,7 @@ layout(location = 2) out vec4 out_third;
 #endif
 void main() {
   const vec3 n_geometric = normalize(in_normal);
-  const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
+  const ShadingPoint s = ShadingPoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   const EnteringAndThrough r = entering_and_through(s, n, n_geometric, skin_specular(s));
 

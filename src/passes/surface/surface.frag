@@ -21,7 +21,7 @@ layout(binding = 14) uniform sampler2D map_specular_colour;
 const float pi = 3.14159265358979;
 #include "shaders/lights.glsl"
 #include "shaders/material.glsl"
-#include "shaders/surroundings.glsl"
+#include "shaders/environment.glsl"
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_tangent;
@@ -34,7 +34,7 @@ struct Look {
   float f90, alpha, roughness;
 };
 
-Look look_at(SurfacePoint s, vec3 base) {
+Look look_at(ShadingPoint s, vec3 base) {
   float metallic = material.metallic, roughness = material.roughness;
   const MapIo mr = material.maps[MAP_ROUGHNESS];
   if (is_present(mr)) {
@@ -89,7 +89,7 @@ vec3 reflected_surroundings(Look look, float n_v) {
 void main() {
   const vec3 v = is_on(frame.orthographic) ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
   const vec3 n_geometric = gl_FrontFacing ? normalize(in_normal) : -normalize(in_normal);
-  const SurfacePoint s = SurfacePoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
+  const ShadingPoint s = ShadingPoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
 
   vec4 base = material.base_colour * in_colour;
   const MapIo bc = material.maps[MAP_BASE_COLOUR];

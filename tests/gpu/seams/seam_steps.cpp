@@ -8,9 +8,9 @@
 #include <optional>
 #include <tuple>
 
-#include "api/reference_view.h"
 #include "rays/surface_point.h"
 #include "reference/camera_ray.h"
+#include "setup/reference_setup.h"
 
 namespace dermis::tests {
 namespace {
@@ -28,7 +28,7 @@ struct Sample {
 class Pixels {
  public:
   Pixels(const Scene& scene, const RenderSettings& settings)
-      : view_(api::reference_view(scene.data(), settings)), rays_(scene.data()) {
+      : view_(setup::reference_setup(scene.data(), settings)), rays_(scene.data()) {
     const glm::dvec3 light_m(view_.lights.at(0).position_m);
 
     samples_.resize(static_cast<std::size_t>(view_.width) * static_cast<std::size_t>(view_.height));
@@ -57,7 +57,7 @@ class Pixels {
   }
 
  private:
-  reference::View view_;
+  reference::RenderSetup view_;
   rays::RayScene rays_;
   std::vector<Sample> samples_;
 };

@@ -58,7 +58,7 @@ TEST(CutOut, StandsAmongOpaqueThings) {
 TEST(CutOut, IsNotSeenAndGetsNoLight) {
   const scene::Scene scene = half_plane();
   Job job = tests::furnace(scene, 16);
-  job.view.camera = tests::from_above(0.01, size_m / 2);
+  job.setup.camera = tests::from_above(0.01, size_m / 2);
   const Tracer tracer(scene, job);
   const image::ImageF picture = tests::rendered(tracer, 4).picture();
   for (int y = 0; y < 16; ++y)

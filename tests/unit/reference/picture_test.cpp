@@ -41,7 +41,7 @@ TEST(Picture, VolumeFurnaceIsWhite) {
   for (const bool specular : {false, true}) {
     Job job = tests::furnace(sphere, 16);
     job.model = Model::volume;
-    job.view.specular = specular;
+    job.setup.specular = specular;
     job.medium.fill({.sigma_a_per_mm = 0, .sigma_s_per_mm = 1, .g = 0.5, .eta = 1.4});
     const Deviation d = deviation(tests::rendered(Tracer(sphere, job), 4), glm::dvec3(1));
     EXPECT_GT(d.pixels, 100);
@@ -61,7 +61,7 @@ TEST(Picture, SphereKeepsTheLightOfItsProfile) {
           g.weight[static_cast<std::size_t>(c)] * -std::expm1(-2 * radius_mm * radius_mm / g.variance_mm2);
   EXPECT_LT(wanted.r, 0.99);  // the far side does matter here
   Job job = tests::furnace(sphere, 24);
-  job.view.specular = false;
+  job.setup.specular = false;
   const Deviation d = deviation(tests::rendered(Tracer(sphere, job), 256), wanted);
   EXPECT_LT(std::abs(d.mean), 0.001);
   EXPECT_LT(d.worst, 0.15);  // noise of single pixels
@@ -72,7 +72,7 @@ TEST(Picture, SurfaceFurnaceIsWhite) {
   const scene::Scene sphere = scene::sphere(0.05, 32);
   for (const bool specular : {false, true}) {
     Job job = tests::furnace(sphere, 24);
-    job.view.specular = specular;
+    job.setup.specular = specular;
     const Deviation d = deviation(tests::rendered(Tracer(sphere, job), 128), glm::dvec3(1));
     EXPECT_LT(std::abs(d.mean), 0.002) << "specular " << specular;
   }
@@ -109,12 +109,12 @@ TEST(Picture, KnifeEdgeIsTheAnalyticOne) {
   const scene::Scene scene = knife_edge();
 
   Job job;
-  job.view.width = 24;
-  job.view.height = 16;
-  job.view.camera = tests::from_above(0.02, 0.004 * 16 / 24);  // between skin and sheet; 8 mm across
-  job.view.lights.push_back({.name = "sun", .colour = glm::vec3(std::numbers::pi_v<float>)});
-  job.view.white_albedo = true;
-  job.view.specular = false;
+  job.setup.width = 24;
+  job.setup.height = 16;
+  job.setup.camera = tests::from_above(0.02, 0.004 * 16 / 24);  // between skin and sheet; 8 mm across
+  job.setup.lights.push_back({.name = "sun", .colour = glm::vec3(std::numbers::pi_v<float>)});
+  job.setup.white_albedo = true;
+  job.setup.specular = false;
   job.profiles.assign(scene.materials.size(), gaussians::skin_six());
 
   const image::ImageF picture = tests::rendered(Tracer(scene, job), 2048).picture();
@@ -153,10 +153,10 @@ TEST(Picture, APixelIsTheMeanOfItsPointsNotOfItsMaps) {
   const double dark = image::srgb8_to_linear(56), root = (1 + std::sqrt(dark)) / 2;
 
   Job job;
-  job.view.width = job.view.height = 4;
-  job.view.camera = tests::from_above(0.5, 0.01);
-  job.view.ambient = 1;
-  job.view.specular = false;
+  job.setup.width = job.setup.height = 4;
+  job.setup.camera = tests::from_above(0.5, 0.01);
+  job.setup.ambient = 1;
+  job.setup.specular = false;
   job.profiles.push_back({.name = "wide", .terms = {{.variance_mm2 = 4, .weight = {1, 1, 1}}}});
 
   const Deviation d = deviation(tests::rendered(Tracer(scene, job), 4096), glm::dvec3(root * root));

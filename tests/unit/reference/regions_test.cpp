@@ -17,11 +17,11 @@
 namespace dermis::reference {
 namespace {
 
-View framed(const scene::Scene& scene, int side, double azimuth_deg = 0) {
-  View view;
-  view.camera = scene::framing_camera(scene::skin_sphere(scene), 1, azimuth_deg, 0);
-  view.width = view.height = side;
-  return view;
+RenderSetup framed(const scene::Scene& scene, int side, double azimuth_deg = 0) {
+  RenderSetup setup;
+  setup.camera = scene::framing_camera(scene::skin_sphere(scene), 1, azimuth_deg, 0);
+  setup.width = setup.height = side;
+  return setup;
 }
 
 scene::Light from(const glm::dvec3& towards) {
@@ -38,42 +38,42 @@ const Region& named(const std::vector<Region>& all, const std::string& name) {
 
 /// Calls visit(point that pixel i shows, i) for each pixel of skin.
 template <class Visit>
-void for_each_point(const rays::RayScene& rays, const View& view, const Visit& visit) {
-  for (int y = 0; y < view.height; ++y)
-    for (int x = 0; x < view.width; ++x) {
-      const auto hit = rays.nearest_skin(camera_ray(view, x + 0.5, y + 0.5));
-      if (hit) visit(rays::surface_point(rays.scene(), *hit), static_cast<std::size_t>(y * view.width + x));
+void for_each_point(const rays::RayScene& rays, const RenderSetup& setup, const Visit& visit) {
+  for (int y = 0; y < setup.height; ++y)
+    for (int x = 0; x < setup.width; ++x) {
+      const auto hit = rays.nearest_skin(camera_ray(setup, x + 0.5, y + 0.5));
+      if (hit) visit(rays::surface_point(rays.scene(), *hit), static_cast<std::size_t>(y * setup.width + x));
     }
 }
 
 TEST(Regions, ABallHasATerminatorAndNeitherNoseNorEars) {
   const scene::Scene ball = scene::sphere(0.1, 64);
   const rays::RayScene rays(ball);
-  View view = framed(ball, 96);
-  view.lights = {from({1, 0, 0})};
-  const std::vector<Region> all = regions(rays, view);
+  RenderSetup setup = framed(ball, 96);
+  setup.lights = {from({1, 0, 0})};
+  const std::vector<Region> all = regions(rays, setup);
   for (const char* empty : {"ears", "nose", "shadow edges", "thin parts", "folds"})
     EXPECT_EQ(named(all, empty).pixels, 0u) << empty;
   EXPECT_GT(named(all, "skin").pixels, 5000u);
   const Region& terminator = named(all, "terminator");
-  for_each_point(rays, view, [&](const rays::SurfacePoint& p, std::size_t i) {
+  for_each_point(rays, setup, [&](const rays::SurfacePoint& p, std::size_t i) {
     const double cosine = p.position_m.x / 0.1;
     // On the dark side only as far as 12 mm from light.
     if (cosine > -0.11 && cosine < 0.19) { EXPECT_TRUE(terminator.mask[i]) << cosine; }
     if (std::abs(cosine) > 0.21) { EXPECT_FALSE(terminator.mask[i]) << cosine; }
   });
-  view.lights.front().colour = glm::vec3(0);
-  EXPECT_EQ(named(regions(rays, view), "terminator").pixels, 0u) << "a lamp that is off";
+  setup.lights.front().colour = glm::vec3(0);
+  EXPECT_EQ(named(regions(rays, setup), "terminator").pixels, 0u) << "a lamp that is off";
 }
 
 TEST(Regions, SeamsAreWhereTheUnwrapIsCut) {
   const scene::Scene ball = scene::sphere(0.1, 32);  // six charts, cut where two coordinates are equal
   const rays::RayScene rays(ball);
-  const View view = framed(ball, 128);
-  const std::vector<Region> all = regions(rays, view);
+  const RenderSetup setup = framed(ball, 128);
+  const std::vector<Region> all = regions(rays, setup);
   const Region &seams = named(all, "seams"), &rest = named(all, "the rest");
   EXPECT_GT(seams.pixels, 100u);
-  for_each_point(rays, view, [&](const rays::SurfacePoint& p, std::size_t i) {
+  for_each_point(rays, setup, [&](const rays::SurfacePoint& p, std::size_t i) {
     const glm::dvec3 a = glm::abs(p.position_m);
     // from the nearest cut that is seen
     const double off_mm = 1000 * std::abs(a.z - std::max(a.x, a.y)) / std::sqrt(2.0);
@@ -98,12 +98,12 @@ TEST(Regions, ShadowEdgesReachFiveMillimetres) {
   scene.primitives.push_back(sheet);
 
   const rays::RayScene rays(scene);
-  View view;
-  view.camera = tests::from_above(0.02, 0.02);  // between skin and sheet
-  view.width = view.height = 80;                // half a millimetre each
-  view.lights = {from({0, 0, 1})};
+  RenderSetup setup;
+  setup.camera = tests::from_above(0.02, 0.02);  // between skin and sheet
+  setup.width = setup.height = 80;               // half a millimetre each
+  setup.lights = {from({0, 0, 1})};
 
-  const std::vector<Region> all = regions(rays, view);
+  const std::vector<Region> all = regions(rays, setup);
   EXPECT_EQ(named(all, "terminator").pixels, 0u);
   for (std::size_t x = 0; x < 80; ++x) {
     const double mm = (static_cast<double>(x) + 0.5) / 2 - 20;
@@ -121,11 +121,11 @@ TEST(Regions, ThicknessOfABox) {
     // Half of a cone of 60 degrees lies within acos(3/4) of its axis.
     EXPECT_NEAR(1000 * thickness_m(rays, rays::surface_point(box, *hit)), depth_mm / 0.75, 0.05 * depth_mm);
   }
-  View view;
-  view.camera = tests::from_above(0.5, 0.05);
-  view.width = view.height = 16;
-  EXPECT_EQ(named(regions(rays::RayScene(tests::box(5, 100)), view), "thin parts").pixels, 256u);
-  EXPECT_EQ(named(regions(rays::RayScene(tests::box(50, 100)), view), "thin parts").pixels, 0u);
+  RenderSetup setup;
+  setup.camera = tests::from_above(0.5, 0.05);
+  setup.width = setup.height = 16;
+  EXPECT_EQ(named(regions(rays::RayScene(tests::box(5, 100)), setup), "thin parts").pixels, 256u);
+  EXPECT_EQ(named(regions(rays::RayScene(tests::box(50, 100)), setup), "thin parts").pixels, 0u);
 }
 
 // Two boxes side by side with a slit of 2 mm between them: a fold is where one sees the other.
@@ -154,7 +154,7 @@ TEST(Regions, OfTheBuiltInHead) {
   EXPECT_NEAR(1000 * frame->half_breadth_m(), 85, 15);
   EXPECT_NEAR(frame->nose_tip_m().x, 0, 0.002);
 
-  const View front = framed(head, 160);
+  const RenderSetup front = framed(head, 160);
   const std::vector<Region> all = regions(rays, front);
   std::array<int, 2> ears{};  // right, left
   double nose_mm = 0;

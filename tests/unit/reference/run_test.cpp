@@ -19,7 +19,7 @@ class Run : public testing::TestWithParam<Model> {
     Job s = tests::furnace(scene_, 40);
     s.model = GetParam();
     s.medium.fill({.sigma_a_per_mm = 0.05, .sigma_s_per_mm = 1, .g = 0, .eta = 1.4});
-    s.view.lights.push_back({.name = "sun", .colour = {3, 2, 1}, .direction = {-0.6f, 0, -0.8f}});
+    s.setup.lights.push_back({.name = "sun", .colour = {3, 2, 1}, .direction = {-0.6f, 0, -0.8f}});
     return s;
   }
   scene::Scene scene_ = scene::sphere(0.01, 16);
@@ -53,7 +53,7 @@ TEST_P(Run, GoesOnFromACheckpointAsIfItHadNotStopped) {
 
   EXPECT_NE(fingerprint(scene_, s, 8), mark);
   Job other = s;
-  other.view.ambient = 0.5;
+  other.setup.ambient = 0.5;
   EXPECT_NE(fingerprint(scene_, other, 7), mark);
   EXPECT_THROW(load_checkpoint(path, again, fingerprint(scene_, other, 7)), InputError);
   std::vector<std::byte> bytes = read_file(path);

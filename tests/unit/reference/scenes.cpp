@@ -36,10 +36,10 @@ scene::Camera from_above(double z_m, double half_m) {
 
 reference::Job furnace(const scene::Scene& scene, int side) {
   reference::Job job;
-  job.view.camera = scene::framing_camera(scene::skin_sphere(scene), 1);
-  job.view.width = job.view.height = side;
-  job.view.ambient = 1;
-  job.view.white_albedo = true;
+  job.setup.camera = scene::framing_camera(scene::skin_sphere(scene), 1);
+  job.setup.width = job.setup.height = side;
+  job.setup.ambient = 1;
+  job.setup.white_albedo = true;
   job.profiles.assign(scene.materials.size(), gaussians::skin_six());
   return job;
 }

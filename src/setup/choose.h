@@ -9,7 +9,7 @@
 #include "gaussians/sum.h"
 #include "scene/scene.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 
 /// sphere: of the skin. InputError lists the cameras when there is none such.
 scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& settings,
@@ -23,4 +23,4 @@ std::vector<scene::Light> choose_lights(const scene::Scene& scene, const RenderS
 /// The settings' profile, else the material's, else the published six Gaussians.
 gaussians::SumOfGaussians choose_profile(const scene::Material& material, const RenderSettings& settings);
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/surroundings.h"
+#include "reference/environment_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,8 @@ double mean_brightness(const image::ImageF& picture, Span columns, Span rows) {
 
 }  // namespace
 
-Surroundings::Surroundings(environment::Environment picture, double intensity, double rotation_deg)
+EnvironmentSampler::EnvironmentSampler(environment::Environment picture, double intensity,
+                                       double rotation_deg)
     : picture_(std::move(picture)), intensity_(intensity), rotation_rad_(rotation_deg * pi / 180) {
   const image::ImageF& pixels = picture_.radiance;
   rows_ = std::min(pixels.height, most_rows), columns_ = std::min(pixels.width, 2 * most_rows);
@@ -55,21 +56,21 @@ Surroundings::Surroundings(environment::Environment picture, double intensity, d
 }
 
 /// Of one cell of the row: between two circles of latitude, cos = 1 - 2 sin^2.
-double Surroundings::solid_angle(int row) const {
+double EnvironmentSampler::solid_angle(int row) const {
   return 2 * pi / columns_ * (std::cos(pi * row / rows_) - std::cos(pi * (row + 1) / rows_));
 }
 
-glm::dvec3 Surroundings::to_picture(const glm::dvec3& d) const {
+glm::dvec3 EnvironmentSampler::to_picture(const glm::dvec3& d) const {
   const double c = std::cos(rotation_rad_), s = std::sin(rotation_rad_);
   return {d.x * c - d.z * s, d.y, d.x * s + d.z * c};
 }
 
-glm::dvec3 Surroundings::radiance(const glm::dvec3& direction) const {
+glm::dvec3 EnvironmentSampler::radiance(const glm::dvec3& direction) const {
   return intensity_ *
          environment::radiance_at(picture_.radiance, environment::place_of(to_picture(direction)));
 }
 
-glm::dvec3 Surroundings::draw(Random& random) const {
+glm::dvec3 EnvironmentSampler::draw(Random& random) const {
   const double pick = random.next(), across = random.next(), down = random.next();
   const auto cell = std::min<std::size_t>(
       static_cast<std::size_t>(std::upper_bound(cumulative_.begin(), cumulative_.end(), pick) -
@@ -85,7 +86,7 @@ glm::dvec3 Surroundings::draw(Random& random) const {
   return {d.x * c + d.z * s, d.y, -d.x * s + d.z * c};
 }
 
-double Surroundings::density(const glm::dvec3& direction) const {
+double EnvironmentSampler::density(const glm::dvec3& direction) const {
   if (cumulative_.back() == 0) return 0;
   const glm::dvec2 at = environment::place_of(to_picture(direction));
   const int row = std::clamp(static_cast<int>(at.y * rows_), 0, rows_ - 1),

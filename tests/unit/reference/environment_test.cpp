@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of the surroundings as light: directions are drawn as they claim, and what is lit by them is
 // known.
-#include "reference/surroundings.h"
+#include "reference/environment_sampler.h"
 
 #include <gtest/gtest.h>
 
@@ -30,8 +30,8 @@ environment::Environment painted(int width, int height,
   return e;
 }
 
-std::shared_ptr<const Surroundings> uniform(double radiance) {
-  return std::make_shared<const Surroundings>(
+std::shared_ptr<const EnvironmentSampler> uniform(double radiance) {
+  return std::make_shared<const EnvironmentSampler>(
       painted(8, 4, [&](const glm::dvec3&) { return glm::dvec3(radiance); }), 1, 0);
 }
 
@@ -45,11 +45,11 @@ environment::Environment two_lamps(int width, int height) {
 
 // The mean of f / density over directions that are drawn is the integral of f, for any f: here 1, which finds
 // holes and wrong solid angles, and the radiance times a cosine, against a sum over fine steps.
-TEST(Surroundings, DirectionsAreDrawnAsTheyClaim) {
+TEST(EnvironmentSampler, DirectionsAreDrawnAsTheyClaim) {
   const glm::dvec3 n = glm::normalize(glm::dvec3(0.2, -0.5, 0.8));
   for (const auto& [width, height] : {std::pair(1, 1), {7, 5}, {64, 32}, {1500, 700}})
     for (const double rotation_deg : {0.0, 77.0}) {
-      const Surroundings sky(two_lamps(width, height), 2, rotation_deg);
+      const EnvironmentSampler sky(two_lamps(width, height), 2, rotation_deg);
       double ones = 0;
       glm::dvec3 drawn(0), summed(0);
       constexpr int count = 60'000, rows = 350;
@@ -77,19 +77,19 @@ TEST(Surroundings, DirectionsAreDrawnAsTheyClaim) {
     }
 }
 
-TEST(Surroundings, TurnTowardsTheLeft) {
+TEST(EnvironmentSampler, TurnTowardsTheLeft) {
   const auto lamp_at = [](const glm::dvec3& to) {
     return painted(128, 64, [=](const glm::dvec3& d) { return glm::dvec3(glm::dot(d, to) > 0.95 ? 1 : 0); });
   };
-  const Surroundings turned(lamp_at({0, 0, 1}), 1, 90);  // from the front
+  const EnvironmentSampler turned(lamp_at({0, 0, 1}), 1, 90);  // from the front
   EXPECT_GT(turned.radiance({1, 0, 0}).x, 0.99);
   EXPECT_EQ(turned.radiance({0, 0, 1}).x, 0);
 }
 
-TEST(Surroundings, BlackOnesAreBlack) {
+TEST(EnvironmentSampler, BlackOnesAreBlack) {
   const scene::Scene ball = scene::sphere(0.05, 16);
   Job job = tests::furnace(ball, 8);
-  job.view.surroundings = uniform(0);
+  job.setup.environment = uniform(0);
   const image::ImageF picture = tests::rendered(Tracer(ball, job), 8).picture();
   for (std::size_t i = 0; i < picture.values.size(); ++i)
     if (i % 4 < 3) { EXPECT_EQ(picture.values[i], 0); }
@@ -135,35 +135,35 @@ scene::Scene well() {
 
 // White surroundings, white bodies: whatever hides the sky sends on as much as it hides, over any number of
 // bounces.
-TEST(Surroundings, FurnaceIsWhiteInAWell) {
+TEST(EnvironmentSampler, FurnaceIsWhiteInAWell) {
   scene::Scene scene = well();
   for (scene::Material& material : scene.materials) material.base_colour = {0.5f, 0.5f, 0.5f, 1};
   for (const bool specular : {false, true}) {
     Job job = tests::furnace(scene, 12);
-    job.view.ambient = 0;
-    job.view.surroundings = uniform(1);
-    job.view.camera = tests::from_above(0.02, 0.01);
-    job.view.specular = specular;
+    job.setup.ambient = 0;
+    job.setup.environment = uniform(1);
+    job.setup.camera = tests::from_above(0.02, 0.01);
+    job.setup.specular = specular;
     EXPECT_NEAR(mean_of(tests::rendered(Tracer(scene, job), 512)), 1, 0.01) << "specular " << specular;
-    job.view.white_albedo = false;  // grey walls and skin darken each other
+    job.setup.white_albedo = false;  // grey walls and skin darken each other
     EXPECT_LT(mean_of(tests::rendered(Tracer(scene, job), 64)), 0.45) << "half of it in the open";
   }
 }
 
 // A lamp that covers little of the sky is a directional light of its radiance times its solid angle.
-TEST(Surroundings, ASmallLampIsADirectionalLight) {
+TEST(EnvironmentSampler, ASmallLampIsADirectionalLight) {
   const glm::dvec3 to_lamp = glm::normalize(glm::dvec3(0.6, 0.3, 0.9));
   constexpr double half_angle = 0.05, radiance = 400;
   const double irradiance = radiance * 2 * pi * (1 - std::cos(half_angle));
   const scene::Scene ball = scene::sphere(0.05, 32);
   Job job = tests::furnace(ball, 16);
-  job.view.ambient = 0;
+  job.setup.ambient = 0;
   Job lit = job;
   const auto disc = painted(1024, 512, [&](const glm::dvec3& d) {
     return glm::dvec3(glm::dot(d, to_lamp) > std::cos(half_angle) ? radiance : 0);
   });
-  job.view.surroundings = std::make_shared<const Surroundings>(disc, 1, 0);
-  lit.view.lights.push_back(
+  job.setup.environment = std::make_shared<const EnvironmentSampler>(disc, 1, 0);
+  lit.setup.lights.push_back(
       {.name = "sun", .colour = glm::vec3(static_cast<float>(irradiance)), .direction = -glm::vec3(to_lamp)});
   const double ours = mean_of(tests::rendered(Tracer(ball, job), 256)),
                wanted = mean_of(tests::rendered(Tracer(ball, lit), 256));
@@ -171,14 +171,14 @@ TEST(Surroundings, ASmallLampIsADirectionalLight) {
 }
 
 // Metal that is nearly a mirror shows the picture in the mirrored direction.
-TEST(Surroundings, ShowInAMirror) {
+TEST(EnvironmentSampler, ShowInAMirror) {
   scene::Scene scene = scene::plane(0.2, glm::dmat2(1), {}, 1);
   scene.materials.front().skin = false;
   scene.materials.front().metallic = 1, scene.materials.front().roughness = 0.05f;
   Job job = tests::furnace(scene, 4);
-  job.view.ambient = 0;
-  job.view.camera = tests::from_above(0.5, 0.01);
-  job.view.surroundings = std::make_shared<const Surroundings>(
+  job.setup.ambient = 0;
+  job.setup.camera = tests::from_above(0.5, 0.01);
+  job.setup.environment = std::make_shared<const EnvironmentSampler>(
       painted(256, 128, [](const glm::dvec3& d) { return glm::dvec3(1 + d.z, 1 - d.z, d.z > 0.9 ? 1 : 0); }),
       1, 0);
   const image::ImageF picture = tests::rendered(Tracer(scene, job), 4096).picture();
@@ -187,13 +187,13 @@ TEST(Surroundings, ShowInAMirror) {
   EXPECT_NEAR(picture.at(2, 2)[2], 1, 0.02);
 }
 
-TEST(Surroundings, ACheckpointKnowsThem) {
+TEST(EnvironmentSampler, ACheckpointKnowsThem) {
   const scene::Scene ball = scene::sphere(0.05, 8);
   Job job = tests::furnace(ball, 4);
   const std::uint64_t without = fingerprint(ball, job, 1);
-  job.view.surroundings = uniform(1);
+  job.setup.environment = uniform(1);
   const std::uint64_t one = fingerprint(ball, job, 1);
-  job.view.surroundings = uniform(2);
+  job.setup.environment = uniform(2);
   EXPECT_NE(without, one);
   EXPECT_NE(one, fingerprint(ball, job, 1));
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "api/view.h"
+#include "setup/frame_camera.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "api/choose.h"
+#include "setup/choose.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 namespace {
 
 constexpr int side_step = 32;  // texels
@@ -59,37 +59,39 @@ std::array<glm::vec4, 5> planes_of(const glm::mat4& clip_from_world) {
 
 }  // namespace
 
-View view_of(const Subject& subject, const RenderSettings& s) {
-  View view;
-  view.camera = choose_camera(*subject.scene, s, subject.sphere);
-  view.eye_m = glm::vec3(view.camera.world_from_camera[3]);
-  view.direction = -glm::normalize(glm::vec3(view.camera.world_from_camera[2]));
-  view.clip_from_world = projection(view.camera, static_cast<double>(s.width) / s.height) *
-                         glm::inverse(view.camera.world_from_camera);
-  view.planes = planes_of(view.clip_from_world);
-  if (!view.camera.orthographic)
-    view.d_ref = s.d_ref.value_or(reference_distance(subject, s, view.camera.fov_y_rad));
-  return view;
+FrameCamera frame_camera(const Subject& subject, const RenderSettings& s) {
+  FrameCamera camera;
+  camera.scene_camera = choose_camera(*subject.scene, s, subject.sphere);
+  camera.eye_m = glm::vec3(camera.scene_camera.world_from_camera[3]);
+  camera.direction = -glm::normalize(glm::vec3(camera.scene_camera.world_from_camera[2]));
+  camera.clip_from_world = projection(camera.scene_camera, static_cast<double>(s.width) / s.height) *
+                           glm::inverse(camera.scene_camera.world_from_camera);
+  camera.planes = planes_of(camera.clip_from_world);
+  if (!camera.scene_camera.orthographic)
+    camera.d_ref = s.d_ref.value_or(reference_distance(subject, s, camera.scene_camera.fov_y_rad));
+  return camera;
 }
 
-int map_side(const Subject& subject, const RenderSettings& s, const View& view, const glm::vec3& offset_m) {
+int map_side(const Subject& subject, const RenderSettings& s, const FrameCamera& camera,
+             const glm::vec3& offset_m) {
   if (!s.depth || subject.skin.empty()) return s.map_size;
   double needed = 1;  // of T_max
-  if (view.camera.orthographic) {
-    const double pixels_per_mm = s.height / (2.0 * view.camera.ymag_m * subject.scene->mm_per_unit);
+  if (camera.scene_camera.orthographic) {
+    const double pixels_per_mm = s.height / (2.0 * camera.scene_camera.ymag_m * subject.scene->mm_per_unit);
     needed = pixels_per_mm / texels_per_mm(subject, s);
   } else {
-    const glm::vec3 nearest = glm::clamp(view.eye_m, subject.box.low + offset_m, subject.box.high + offset_m);
-    const double d = glm::distance(view.eye_m, nearest) / subject.sphere.radius_m;
-    needed = d > 0 ? view.d_ref / d : 1;
+    const glm::vec3 nearest =
+        glm::clamp(camera.eye_m, subject.box.low + offset_m, subject.box.high + offset_m);
+    const double d = glm::distance(camera.eye_m, nearest) / subject.sphere.radius_m;
+    needed = d > 0 ? camera.d_ref / d : 1;
   }
   const double steps = std::ceil(std::min(needed, 1.0) * s.map_size / side_step);
   return std::min(s.map_size, side_step * std::max(1, static_cast<int>(steps)));
 }
 
-bool in_view(const Subject& subject, const View& view, const glm::vec3& offset_m) {
+bool in_view(const Subject& subject, const FrameCamera& camera, const glm::vec3& offset_m) {
   const glm::vec4 centre(subject.casters.centre_m + offset_m, 1);
-  return std::all_of(view.planes.begin(), view.planes.end(), [&](const glm::vec4& plane) {
+  return std::all_of(camera.planes.begin(), camera.planes.end(), [&](const glm::vec4& plane) {
     return glm::dot(plane, centre) > -subject.casters.radius_m;
   });
 }
@@ -99,4 +101,4 @@ std::array<glm::vec4, 5> with_margin(std::array<glm::vec4, 5> planes, double mar
   return planes;
 }
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

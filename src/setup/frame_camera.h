@@ -7,13 +7,13 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "api/subject.h"
 #include "dermis/renderer.h"
+#include "setup/subject.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 
-struct View {
-  scene::Camera camera;
+struct FrameCamera {
+  scene::Camera scene_camera;  ///< one of the scene, or the framing one
   glm::mat4 clip_from_world{1};
   glm::vec3 eye_m{0};
   glm::vec3 direction{0, 0, -1};  ///< unit, where it looks
@@ -23,18 +23,18 @@ struct View {
 };
 
 /// InputError: no such camera (lists those of the scene).
-View view_of(const Subject& subject, const RenderSettings& settings);
+FrameCamera frame_camera(const Subject& subject, const RenderSettings& settings);
 
 /// [JG08] sec. 4: T of a head, min(d_ref / d, 1) T_max rounded up to 32 texels, d from the eye to the nearest
 /// point of the head's box (the paper takes the nearest vertex; a point that is never farther keeps the map
 /// from being too small). Orthographic: pixels per mm over texels per mm in place of d_ref / d.
-int map_side(const Subject& subject, const RenderSettings& settings, const View& view,
+int map_side(const Subject& subject, const RenderSettings& settings, const FrameCamera& camera,
              const glm::vec3& offset_m);
 
 /// Whether any part of the head may lie in the picture: its sphere against the planes.
-bool in_view(const Subject& subject, const View& view, const glm::vec3& offset_m);
+bool in_view(const Subject& subject, const FrameCamera& camera, const glm::vec3& offset_m);
 
 /// The planes moved outwards by the margin: [JG08] sec. 5 clips at the view itself (margin 0).
 std::array<glm::vec4, 5> with_margin(std::array<glm::vec4, 5> planes, double margin_m);
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

@@ -30,10 +30,10 @@ glm::dvec3 Shading::sent_on(const rays::SurfacePoint& s, Random& random, int bou
   const double goes_on = std::min(most_survivors, std::max({colour.x, colour.y, colour.z}));
   if (bounces > most_bounces || random.next() >= goes_on) return glm::dvec3(0);
   const glm::dvec3 d =
-      random.next() < 0.5 ? view_.surroundings->draw(random) : cosine_drawn(s.normal, random);
+      random.next() < 0.5 ? setup_.environment->draw(random) : cosine_drawn(s.normal, random);
   const double cosine = glm::dot(s.normal, d);
   if (cosine <= 0) return glm::dvec3(0);
-  const double density = 0.5 * (view_.surroundings->density(d) + cosine / pi);
+  const double density = 0.5 * (setup_.environment->density(d) + cosine / pi);
   return arriving_from(s, d, random, bounces) * (colour * (cosine / (pi * density * goes_on)));
 }
 
@@ -43,7 +43,7 @@ glm::dvec3 Shading::arriving_from(const rays::SurfacePoint& s, const glm::dvec3&
   if (glm::dot(s.normal, direction) <= 0) return sent_on(s, random, bounces + 1);
   const rays::Ray ray = shadow_ray(s, {.to_light = direction});
   const std::optional<rays::Hit> hit = rays_->nearest_solid(ray);
-  if (!hit) return view_.surroundings->radiance(direction);
+  if (!hit) return setup_.environment->radiance(direction);
   rays::SurfacePoint other = rays::surface_point(rays_->scene(), *hit);
   if (glm::dot(other.face_normal, direction) > 0) {
     if (!materials_[other.material].source->double_sided) return glm::dvec3(0);  // the inside of a body
@@ -52,9 +52,9 @@ glm::dvec3 Shading::arriving_from(const rays::SurfacePoint& s, const glm::dvec3&
   return sent_on(other, random, bounces + 1);
 }
 
-glm::dvec3 Shading::entering_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n,
-                                          const SkinSpecular& spec, Random& random) const {
-  const Surroundings& sky = *view_.surroundings;
+glm::dvec3 Shading::entering_from_environment(const rays::SurfacePoint& s, const glm::dvec3& n,
+                                              const SkinSpecular& spec, Random& random) const {
+  const EnvironmentSampler& sky = *setup_.environment;
   glm::dvec3 e(0);
   for (const glm::dvec3& d : {sky.draw(random), cosine_drawn(n, random)}) {
     const double cosine = glm::dot(n, d);
@@ -68,10 +68,10 @@ glm::dvec3 Shading::entering_surroundings(const rays::SurfacePoint& s, const glm
   return e / (1 - table_.mean(spec)) * (open / (1.0 - glm::min(albedo(m, s), glm::dvec3(1)) * (1 - open)));
 }
 
-glm::dvec3 Shading::reflected_surroundings(const rays::SurfacePoint& s, const glm::dvec3& n,
-                                           const SkinSpecular& spec, const glm::dvec3& to_eye,
-                                           Random& random) const {
-  const Surroundings& sky = *view_.surroundings;
+glm::dvec3 Shading::reflected_environment(const rays::SurfacePoint& s, const glm::dvec3& n,
+                                          const SkinSpecular& spec, const glm::dvec3& to_eye,
+                                          Random& random) const {
+  const EnvironmentSampler& sky = *setup_.environment;
   glm::dvec3 sum(0);
   for (const glm::dvec3& d : {sky.draw(random), lobe_drawn(spec, n, to_eye, random)}) {
     const double cosine = glm::dot(n, d);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "api/setup.h"
 #include "core/error.h"
+#include "setup/frame_setup.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 namespace {
 
 template <class T>
@@ -56,4 +56,4 @@ void check_settings(const RenderSettings& s) {
   for (const double angle : s.orbit_deg) require("orbit", angle, -3600.0, 3600.0, " degrees");
 }
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "api/choose.h"
+#include "setup/choose.h"
 
 #include <numbers>
 
@@ -8,7 +8,7 @@
 #include "gaussians/known.h"
 #include "scene/framing.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 
 namespace {
 
@@ -74,4 +74,4 @@ gaussians::SumOfGaussians choose_profile(const scene::Material& material, const 
   return material.skin_settings.profile.value_or(gaussians::skin_six());
 }
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "api/setup.h"
+#include "setup/frame_setup.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "api/choose.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "passes/blur/blur.h"
@@ -13,8 +12,9 @@
 #include "passes/shadow/fit.h"
 #include "passes/transmission.h"
 #include "scene/framing.h"
+#include "setup/choose.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 namespace {
 
 io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, std::size_t first_layer) {
@@ -36,8 +36,8 @@ io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, st
 }
 
 // Far to near, so that what is blended is drawn over what lies behind it.
-std::vector<HeadSetup> set_up_heads(const Subject& subject, const RenderSettings& s, const View& view,
-                                    const std::vector<scene::Light>& lights) {
+std::vector<HeadSetup> set_up_heads(const Subject& subject, const RenderSettings& s,
+                                    const FrameCamera& camera, const std::vector<scene::Light>& lights) {
   std::vector<HeadSetup> heads;
   const bool skip = s.skip_unseen_heads.value_or(s.cull || s.depth || s.clip);
 
@@ -51,13 +51,13 @@ std::vector<HeadSetup> set_up_heads(const Subject& subject, const RenderSettings
       head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(),
                                     fit.shadow_from_world.end());
     }
-    head.map_side = map_side(subject, s, view, offset);
-    head.visible = !skip || in_view(subject, view, offset);
+    head.map_side = map_side(subject, s, camera, offset);
+    head.visible = !skip || in_view(subject, camera, offset);
     heads.push_back(std::move(head));
   }
 
   const auto distance = [&](const HeadSetup& head) {
-    return glm::distance(subject.sphere.centre_m + head.offset_m, view.eye_m);
+    return glm::distance(subject.sphere.centre_m + head.offset_m, camera.eye_m);
   };
   std::stable_sort(heads.begin(), heads.end(),
                    [&](const HeadSetup& a, const HeadSetup& b) { return distance(a) > distance(b); });
@@ -245,24 +245,24 @@ FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceT
   check_settings(s);
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
-  setup.view = view_of(subject, s);
+  setup.camera = frame_camera(subject, s);
 
   const std::vector<glm::vec3> offsets = scene::head_row_offsets(s.heads, subject.sphere.radius_m);
   std::vector<scene::Light> lights = choose_lights(*subject.scene, s, subject.sphere, offsets);
   lights.insert(lights.end(), suns.begin(), suns.end());
   setup.lights = static_cast<int>(lights.size());
   setup.suns = static_cast<int>(suns.size());
-  setup.heads = set_up_heads(subject, s, setup.view, lights);
+  setup.heads = set_up_heads(subject, s, setup.camera, lights);
   set_up_plan(setup, subject, s, lights, device);
   place_shadows(setup.heads, setup.plan);
-  setup.clip_planes = with_margin(setup.view.planes, clip_margin_m(setup, subject, s));
+  setup.clip_planes = with_margin(setup.camera.planes, clip_margin_m(setup, subject, s));
 
   io::FrameIo& frame = setup.frame;
-  frame.clip_from_world = setup.view.clip_from_world;
-  frame.eye_m = setup.view.eye_m;
+  frame.clip_from_world = setup.camera.clip_from_world;
+  frame.eye_m = setup.camera.eye_m;
   frame.radiance_scale = static_cast<float>(std::exp2(s.exposure_ev.value_or(0)));
-  frame.view_direction = setup.view.direction;
-  frame.orthographic = setup.view.camera.orthographic ? 1 : 0;
+  frame.view_direction = setup.camera.direction;
+  frame.orthographic = setup.camera.scene_camera.orthographic ? 1 : 0;
   frame.ambient = glm::vec3(static_cast<float>(s.ambient));
   frame.light_count = static_cast<std::uint32_t>(lights.size());
   frame.specular_on = s.specular ? 1 : 0;
@@ -270,4 +270,4 @@ FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceT
   return setup;
 }
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

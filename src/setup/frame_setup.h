@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "api/subject.h"
-#include "api/view.h"
 #include "dermis/renderer.h"
+#include "setup/frame_camera.h"
+#include "setup/subject.h"
 #include "shared/scene_io.h"
 #include "techniques/technique.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 
 /// InputError for a setting out of range, with its name and range.
 void check_settings(const RenderSettings& settings);
@@ -37,13 +37,13 @@ struct FrameSetup {
   techniques::FrameSettings plan;
   std::vector<HeadSetup> heads;  ///< far to near
   io::FrameIo frame{};
-  View view;
+  FrameCamera camera;
   std::array<glm::vec4, 5> clip_planes{};   ///< with the margin
   int lights = 0, suns = 0, gaussians = 0;  ///< suns: those of the lights that surroundings bring
 };
 
 /// `suns`: lights of the surroundings, besides those that the settings choose. InputError: see
-/// check_settings(), view_of(); a map budget that holds not even one head.
+/// check_settings(), frame_camera(); a map budget that holds not even one head.
 FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {},
                   const std::vector<scene::Light>& suns = {});
 
@@ -51,4 +51,4 @@ FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const 
 /// has fewest, how many, what that means and what helps.
 void warn_coarse(const Subject& subject, const FrameSetup& setup);
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "api/subject.h"
+#include "setup/subject.h"
 
 #include "core/error.h"
 #include "core/warnings.h"
 #include "scene/coverage.h"
 #include "scene/framing.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 
 Subject examine(std::shared_ptr<const scene::Scene> scene) {
   const WarningGroup group;
@@ -33,4 +33,4 @@ Subject examine(std::shared_ptr<const scene::Scene> scene) {
   return subject;
 }
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

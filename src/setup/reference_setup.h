@@ -5,10 +5,10 @@
 #include "dermis/renderer.h"
 #include "reference/settings.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 
 /// InputError: a setting out of range or that only the renderer knows (several heads, a picture of more than
 /// 2^26 pixels), an empty scene.
-reference::View reference_view(const scene::Scene& scene, const RenderSettings& settings);
+reference::RenderSetup reference_setup(const scene::Scene& scene, const RenderSettings& settings);
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "api/surroundings.h"
+#include "setup/environment_light.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 #include "image/colour.h"
 #include "passes/gpu_scene.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 namespace {
 
 std::filesystem::file_time_type time_of(const std::string& name) {
@@ -29,14 +29,14 @@ environment::SkyHarmonics with_sources(environment::SkyHarmonics sky,
 
 }  // namespace
 
-Surroundings surroundings_of(gpu::Device& device, const std::string& name) {
-  Surroundings made{.name = name,
-                    .written = time_of(name),
-                    .sources = {},
-                    .irradiance = {},
-                    .sky = {},
-                    .bouncing_sky = {},
-                    .map = {}};
+EnvironmentLight environment_light(gpu::Device& device, const std::string& name) {
+  EnvironmentLight made{.name = name,
+                        .written = time_of(name),
+                        .sources = {},
+                        .irradiance = {},
+                        .sky = {},
+                        .bouncing_sky = {},
+                        .map = {}};
 
   environment::Split split = environment::split_sources(environment::from_name_or_file(name));
   made.sources = std::move(split.sources);
@@ -66,13 +66,13 @@ Surroundings surroundings_of(gpu::Device& device, const std::string& name) {
   return made;
 }
 
-bool is_current(const Surroundings& surroundings, const std::string& name) {
-  return surroundings.name == name && surroundings.written == time_of(name);
+bool is_current(const EnvironmentLight& environment_light, const std::string& name) {
+  return environment_light.name == name && environment_light.written == time_of(name);
 }
 
-SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings,
+SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLight> environment_light,
                       double rotation_deg, const std::vector<environment::Occlusion>& seen) {
-  SkyOnSkin made{.of = std::move(surroundings), .rotation_deg = rotation_deg, .maps = {}};
+  SkyOnSkin made{.of = std::move(environment_light), .rotation_deg = rotation_deg, .maps = {}};
   const double angle_rad = rotation_deg * std::numbers::pi / 180;
   const environment::SkyHarmonics sky = environment::turned(made.of->sky, angle_rad),
                                   bouncing_sky = environment::turned(made.of->bouncing_sky, angle_rad);
@@ -103,13 +103,15 @@ std::vector<scene::Light> lights_of(const std::vector<environment::Source>& sour
   return lights;
 }
 
-void fill_surroundings(io::FrameIo& frame, const Surroundings& surroundings, const RenderSettings& settings) {
+void fill_environment(io::FrameIo& frame, const EnvironmentLight& environment_light,
+                      const RenderSettings& settings) {
   const double angle = settings.environment_rotation_deg * std::numbers::pi / 180;
   frame.environment_intensity = static_cast<float>(settings.environment_intensity);
   frame.environment_cos = static_cast<float>(std::cos(angle));
   frame.environment_sin = static_cast<float>(std::sin(angle));
-  for (std::size_t k = 0; k < surroundings.irradiance.size(); ++k)
-    frame.environment_irradiance[k] = glm::vec3(surroundings.irradiance[k] * settings.environment_intensity);
+  for (std::size_t k = 0; k < environment_light.irradiance.size(); ++k)
+    frame.environment_irradiance[k] =
+        glm::vec3(environment_light.irradiance[k] * settings.environment_intensity);
 }
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

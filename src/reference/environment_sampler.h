@@ -12,11 +12,11 @@
 
 namespace dermis::reference {
 
-class Surroundings {
+class EnvironmentSampler {
  public:
   /// Radiance is multiplied by intensity >= 0. The picture is turned about +Y by rotation_deg, from the
   /// head's front (+Z) towards its left (+X).
-  Surroundings(environment::Environment picture, double intensity, double rotation_deg);
+  EnvironmentSampler(environment::Environment picture, double intensity, double rotation_deg);
 
   /// What arrives from a unit direction, bilinear between pixels.
   glm::dvec3 radiance(const glm::dvec3& direction) const;

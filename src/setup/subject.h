@@ -9,7 +9,7 @@
 #include "scene/scene.h"
 #include "scene/unwrap.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 
 struct Box {
   glm::vec3 low{0}, high{0};
@@ -27,4 +27,4 @@ struct Subject {
 /// InputError: a scene with nothing to see. Warns of unwraps that overlap.
 Subject examine(std::shared_ptr<const scene::Scene> scene);
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

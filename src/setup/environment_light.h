@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Surroundings on the device, and what a frame needs of them.
+/// An environment prepared as light, on the device, and what a frame needs of it.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,9 @@
 #include "passes/frame_data.h"
 #include "shared/scene_io.h"
 
-namespace dermis::api {
+namespace dermis::setup {
 
-struct Surroundings {
+struct EnvironmentLight {
   std::string name;                          ///< RenderSettings::environment
   std::filesystem::file_time_type written;   ///< of the file when it was read
   std::vector<environment::Source> sources;  ///< suns: they light as lamps do, and the rest has none of them
@@ -28,26 +28,27 @@ struct Surroundings {
 };
 
 /// InputError: see environment::from_name_or_file.
-Surroundings surroundings_of(gpu::Device& device, const std::string& name);
+EnvironmentLight environment_light(gpu::Device& device, const std::string& name);
 
 /// Is it still what this name means? A file may have changed.
-bool is_current(const Surroundings& surroundings, const std::string& name);
+bool is_current(const EnvironmentLight& environment_light, const std::string& name);
 
 /// What light of the surroundings arrives on each texel of each skin mesh, of intensity 1, on the device.
 struct SkyOnSkin {
-  std::shared_ptr<const Surroundings> of;  ///< none: no maps
+  std::shared_ptr<const EnvironmentLight> of;  ///< none: no maps
   double rotation_deg = 0;
   std::vector<frame::SkyMaps> maps;
 };
 
 /// `seen`: one per skin mesh. Some 15 ms per mesh: product of harmonics on the processor.
-SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const Surroundings> surroundings,
+SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLight> environment_light,
                       double rotation_deg, const std::vector<environment::Occlusion>& seen);
 
 /// Directional lights as wide as the sources, turned and multiplied as the settings say.
 std::vector<scene::Light> lights_of(const std::vector<environment::Source>& sources,
                                     const RenderSettings& settings);
 
-void fill_surroundings(io::FrameIo& frame, const Surroundings& surroundings, const RenderSettings& settings);
+void fill_environment(io::FrameIo& frame, const EnvironmentLight& environment_light,
+                      const RenderSettings& settings);
 
-}  // namespace dermis::api
+}  // namespace dermis::setup

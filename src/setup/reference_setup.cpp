@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "setup/reference_setup.h"
+
+#include <cmath>
+
+#include "core/error.h"
+#include "scene/framing.h"
+#include "setup/choose.h"
+#include "setup/frame_setup.h"
+
+namespace dermis::setup {
+
+reference::RenderSetup reference_setup(const scene::Scene& scene, const RenderSettings& s) {
+  check_settings(s);
+  if (s.heads != 1) throw input_error("", "--heads must be 1 for the reference, got {}", s.heads);
+  if (static_cast<std::int64_t>(s.width) * s.height > std::int64_t{1} << 26)
+    throw input_error("", "--size {}x{} has more than {} pixels, too many for the sums of the reference",
+                      s.width, s.height, 1 << 26);
+  const scene::BoundingSphere sphere = scene::skin_sphere(scene);
+  if (!(sphere.radius_m > 0))
+    throw input_error(scene.name, "has nothing to see: all its triangles lie at one point");
+  reference::RenderSetup setup;
+  setup.camera = choose_camera(scene, s, sphere);
+  setup.width = s.width, setup.height = s.height;
+  setup.lights = choose_lights(scene, s, sphere, scene::head_row_offsets(1, sphere.radius_m));
+  setup.ambient = s.ambient;
+  setup.radiance_scale = std::exp2(s.exposure_ev.value_or(0));
+  setup.specular = s.specular, setup.white_albedo = s.white_albedo;
+  setup.mix = s.mix;
+  return setup;
+}
+
+}  // namespace dermis::setup
