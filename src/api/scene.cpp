@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dermis/scene.h"
 
-#include "scene/builtin_head.h"
+#include "builtin_head/builtin_head.h"
 #include "scene/load.h"
 #include "scene/scene.h"
 
@@ -15,7 +15,7 @@ Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options
   return Scene(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)));
 }
 
-Scene Scene::built_in() { return Scene(std::make_shared<const scene::Scene>(scene::builtin_head())); }
+Scene Scene::built_in() { return Scene(std::make_shared<const scene::Scene>(builtin_head::make())); }
 
 const std::string& Scene::name() const { return data_->name; }
 

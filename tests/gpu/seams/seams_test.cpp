@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <string>
 
+#include "builtin_head/builtin_head.h"
 #include "gpu/seams/seam_steps.h"
-#include "scene/builtin_head.h"
 #include "scene/scene.h"
 
 namespace dermis::tests {
@@ -98,7 +98,7 @@ void expect_no_seam_in_colour(const Scene& scene, const std::string& name) {
 
 const Scene& built_in_head() {
   static const Scene head =
-      without_maps(Scene(std::make_shared<const scene::Scene>(scene::builtin_head({.map_size = 512}))));
+      without_maps(Scene(std::make_shared<const scene::Scene>(builtin_head::make({.map_size = 512}))));
   return head;
 }
 

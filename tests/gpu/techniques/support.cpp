@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "scene/builtin_head.h"
+#include "builtin_head/builtin_head.h"
 #include "scene/primitives.h"
 
 namespace dermis::tests {
@@ -108,7 +108,7 @@ const std::vector<Subject>& subjects() {
     return std::vector<Subject>{
         {"sphere", once([] { return sphere(0.1); }), {}},
         {"sheared plane", once(sheared_plane), {}},
-        {"built-in head", once([] { return wrap(scene::builtin_head({.map_size = 512})); }), {}},
+        {"built-in head", once([] { return wrap(builtin_head::make({.map_size = 512})); }), {}},
         from_file("scan", heads / "lee-perry-smith.gltf",
                   {heads / "LeePerrySmith.glb", heads / "Map-COL.jpg"}, "./run fetch-assets brings it"),
         from_file("MakeHuman", makehuman, {makehuman}, cache),

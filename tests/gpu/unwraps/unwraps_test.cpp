@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include "builtin_head/builtin_head.h"
 #include "gpu/unwraps/made_up.h"
-#include "scene/builtin_head.h"
 #include "scene/primitives.h"
 
 namespace dermis::tests {
@@ -67,7 +67,7 @@ TEST(Unwraps, AWhiteFurnaceIsWhite) {
 
 // The fit takes back what the file has scaled, up to the rounding of its floats.
 TEST(Unwraps, AScaledHeadLooksLikeItself) {
-  const scene::Scene head = scene::builtin_head({.map_size = 128});
+  const scene::Scene head = builtin_head::make({.map_size = 128});
   const RenderSettings s = tiny_settings(96, 192);
   const Picture plain = renderer().render(wrap(head), s);
   const std::pair<double, double> cases[]{{0.1, 0.0}, {0.001, 0.5}};

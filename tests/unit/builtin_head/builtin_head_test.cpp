@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The built-in head: closed, evenly unwrapped, seamless, the same on every run, and shaped like a head.
-#include "scene/builtin_head.h"
+#include "builtin_head/builtin_head.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ using glm::vec3;
 constexpr int test_map_size = 256;
 
 const Scene& head() {
-  static const Scene scene = builtin_head({test_map_size});
+  static const Scene scene = builtin_head::make({test_map_size});
   return scene;
 }
 const Primitive& mesh() { return head().primitives.front(); }
@@ -323,10 +323,10 @@ TEST(BuiltinHead, NormalSpecularAndRoughnessMapsAreWithinTheirRanges) {
   EXPECT_LT(flat, texels);
 }
 
-TEST(BuiltinHead, IsTheSameOnEveryRun) { EXPECT_EQ(hash(head()), hash(builtin_head({test_map_size}))); }
+TEST(BuiltinHead, IsTheSameOnEveryRun) { EXPECT_EQ(hash(head()), hash(builtin_head::make({test_map_size}))); }
 
 TEST(BuiltinHead, RefusesMapSizesThatAreNoPowerOfTwoFrom64To4096) {
-  for (const int size : {0, -64, 32, 100, 8192}) EXPECT_THROW(builtin_head({size}), InputError) << size;
+  for (const int size : {0, -64, 32, 100, 8192}) EXPECT_THROW(builtin_head::make({size}), InputError) << size;
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "builtin_head/builtin_head.h"
 #include "reference/camera_ray.h"
 #include "reference/head_frame.h"
-#include "scene/builtin_head.h"
 #include "scene/framing.h"
 #include "scene/primitives.h"
 #include "unit/reference/scenes.h"
@@ -146,7 +146,7 @@ TEST(Regions, ASlitIsAFold) {
 }
 
 TEST(Regions, OfTheBuiltInHead) {
-  const scene::Scene head = scene::builtin_head({.map_size = 64});
+  const scene::Scene head = builtin_head::make({.map_size = 64});
   const rays::RayScene rays(head);
 
   const std::optional<HeadFrame> frame = HeadFrame::find(rays);

@@ -4,9 +4,9 @@
 // and no pole where triangles would shrink to needles.
 #pragma once
 
-#include "scene/builtin/sculpture.h"
+#include "builtin_head/sculpture.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 /// (columns + 1) x (rows + 1) nodes; node (i, j) is at (i / columns, j / rows), j = 0 below. columns is even.
 struct Net {
@@ -23,4 +23,4 @@ struct Net {
 /// run.
 Net wrap(const Sculpture& bust, int columns, int rows);
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The face, on the left half: what a sculptor lays on the skull, in his order: planes, eyes, nose, mouth.
-#include "scene/builtin/landmarks.h"
-#include "scene/builtin/sculpture.h"
+#include "builtin_head/landmarks.h"
+#include "builtin_head/sculpture.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 namespace {
 
 const vec3 eye_centre(31.5f, -1.5f, 67.6f);
@@ -198,4 +198,4 @@ float Face::add(float f, const vec3& p, Detail detail) const {
   return f - Dab{{15.5f, -1.5f, 81}, {9.5f, 12, 16}, -2.1f}(p);
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

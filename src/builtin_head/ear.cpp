@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The ear: a leaning plate on a root, its rim (helix) rolled outwards, the inner fold (antihelix) with its
 // two legs, the bowl (concha), the flap before it (tragus), its counterpart below, and the lobe.
-#include "scene/builtin/sculpture.h"
+#include "builtin_head/sculpture.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 Ear::Ear()
     : helix_({{{-1.5f, -2.0f, -2.6f}, 2.4f},
@@ -82,4 +82,4 @@ float Ear::add(float f, const vec3& p, Detail detail) const {
   return f;
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

@@ -2,12 +2,12 @@
 // The four maps of the built-in head, baked from the sculpture and the painter.
 #pragma once
 
+#include "builtin_head/skin.h"
+#include "builtin_head/wrap.h"
 #include "image/image.h"
-#include "scene/builtin/skin.h"
-#include "scene/builtin/wrap.h"
 #include "scene/scene.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 /// Where the chart lies in the unit square: a margin all around, so that filtering and blurring never meet
 /// the border of the map.
@@ -28,6 +28,6 @@ struct Maps {
 
 /// `mesh` holds the net's nodes row by row (Net::index), with normals and tangents. Texels beyond the chart
 /// repeat its border.
-Maps bake(const Sculpture& bust, const Net& net, const Primitive& mesh, int map_size);
+Maps bake(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int map_size);
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 
-#include "scene/builtin/sculpture.h"
+#include "builtin_head/sculpture.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 namespace {
 
 struct Section {
@@ -60,9 +60,8 @@ Neck::Neck() {
                         Stroke::Brush{10, 2.6f, 0.15f, 0.2f, false});
 
   dabs_ = {
-      {{0, -142, 27}, {12, 13, 14}, 3.0f},  // larynx
-      // above it {{0, -179, 27}, {15, 17, 15}, -3.0f},  // pit of the neck
-      {{0, -126, 28}, {22, 10, 16}, -1.2f},
+      {{0, -142, 27}, {12, 13, 14}, 3.0f},   // larynx
+      {{0, -126, 28}, {22, 10, 16}, -1.2f},  // above it
       {{52, -170, 6}, {24, 13, 22}, -4.0f},  // hollow over the clavicle
       {{0, -86, -67}, {14, 40, 16}, -1.6f},  // nape
   };
@@ -84,4 +83,4 @@ float Neck::add_muscles(float f, const vec3& p) const {
   return f;
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

@@ -6,9 +6,9 @@
 #include <array>
 #include <vector>
 
-#include "scene/builtin/clay.h"
+#include "builtin_head/clay.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 /// r(direction) about a centre: a cubic radial basis function interpolates the landmarks' radii over the
 /// sphere of directions (the least bending of all interpolants in space), and a cube map of it makes it
@@ -27,4 +27,4 @@ class Skull {
   std::array<std::vector<float>, 6> radii_;
 };
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

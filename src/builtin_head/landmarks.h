@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "scene/builtin/clay.h"
+#include "builtin_head/clay.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 // The line on which the lids meet: from the inner to the outer corner, lowest outside its middle.
 inline const std::vector<vec3> lash_line = {{16.2f, -3.4f, 74}, {20.5f, -5.6f, 77}, {26, -7.4f, 80},
@@ -30,4 +30,4 @@ inline const std::vector<vec3> lower_border = {
 inline const std::vector<vec3> brow_line = {{11, 16.5f, 95}, {18, 19.0f, 94}, {27, 21.4f, 92},
                                             {36, 22.4f, 88}, {44, 20.6f, 82}, {52, 15.5f, 73}};
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

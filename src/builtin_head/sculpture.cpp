@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "scene/builtin/sculpture.h"
+#include "builtin_head/sculpture.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 vec3 to_symmetric(const vec3& p) {
   vec3 q = p;
@@ -44,4 +44,4 @@ vec3 Sculpture::project(vec3& p, Detail detail, float step_mm, int steps) const 
   return glm::normalize(g);
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

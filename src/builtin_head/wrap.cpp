@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "scene/builtin/wrap.h"
+#include "builtin_head/wrap.h"
 
 #include "core/assert.h"
 #include "core/parallel.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 namespace {
 
 // One row runs along the rim of the cut, so that the edge is clean.
@@ -272,4 +272,4 @@ Net wrap(const Sculpture& bust, int columns, int rows) {
   return net;
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

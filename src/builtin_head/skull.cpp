@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/builtin/skull.h"
+#include "builtin_head/skull.h"
 
 #include "core/parallel.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 namespace {
 
 const vec3 centre(0, -5, 0);
@@ -319,4 +319,4 @@ float Skull::operator()(const vec3& p) const {
   return 0.9f * (length - radius(q / length));
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "scene/builtin/hair.h"
+#include "builtin_head/hair.h"
 
-#include "scene/builtin/landmarks.h"
-#include "scene/builtin/noise.h"
+#include "builtin_head/landmarks.h"
+#include "builtin_head/noise.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 namespace {
 
 constexpr float widest_mm = 0.5f;  // reach of a hair around its middle, edge included
@@ -139,4 +139,4 @@ float Hairs::coverage(const vec2& at, float softness_mm) const {
   return 1 - bare;
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

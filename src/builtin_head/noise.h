@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 /// Well mixed 32 bits of a lattice point.
 std::uint32_t lattice_hash(int x, int y, int z, std::uint32_t seed);
@@ -25,4 +25,4 @@ struct Cell {
 /// Cellular noise with one point a cell, jittered within the middle 60 % so that eight cells suffice.
 Cell cells(const glm::vec3& p, std::uint32_t seed);
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "scene/builtin/maps.h"
+#include "builtin_head/maps.h"
 
 #include <algorithm>
 #include <array>
 
 #include "core/parallel.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 namespace {
 
 // The net refined on the sculpture with all its creases: what the normal map adds to the mesh. Small maps
@@ -66,7 +66,7 @@ struct Place {
 
 class Baker {
  public:
-  Baker(const Sculpture& bust, const Net& net, const Primitive& mesh, int size)
+  Baker(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int size)
       : skin_(bust),
         net_(net),
         mesh_(mesh),
@@ -115,7 +115,7 @@ class Baker {
 
   Skin skin_;
   const Net& net_;
-  const Primitive& mesh_;
+  const scene::Primitive& mesh_;
   FineNet fine_;
   int size_;
   std::vector<float> height_mm_;
@@ -179,9 +179,9 @@ glm::mat3 Baker::mesh_frame(const Place& at) const {
             j = std::min(static_cast<int>(at.y), net_.rows - 1);
   const float u = at.x - static_cast<float>(i), v = at.y - static_cast<float>(j);
   const bool lower = u >= v;  // the diagonal of a cell runs from (0, 0) to (1, 1)
-  const Vertex& a = mesh_.vertices[net_.index(i, j)];
-  const Vertex& b = mesh_.vertices[lower ? net_.index(i + 1, j) : net_.index(i, j + 1)];
-  const Vertex& c = mesh_.vertices[net_.index(i + 1, j + 1)];
+  const scene::Vertex& a = mesh_.vertices[net_.index(i, j)];
+  const scene::Vertex& b = mesh_.vertices[lower ? net_.index(i + 1, j) : net_.index(i, j + 1)];
+  const scene::Vertex& c = mesh_.vertices[net_.index(i + 1, j + 1)];
   const float wc = lower ? v : u, wb = lower ? u - v : v - u, wa = 1 - wb - wc;
   const vec3 n = glm::normalize(wa * a.normal + wb * b.normal + wc * c.normal);
   vec3 t = wa * vec3(a.tangent) + wb * vec3(b.tangent) + wc * vec3(c.tangent);
@@ -204,8 +204,8 @@ void Baker::normal_row(int y, image::Image8& map) const {
 
 }  // namespace
 
-Maps bake(const Sculpture& bust, const Net& net, const Primitive& mesh, int map_size) {
+Maps bake(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int map_size) {
   return Baker(bust, net, mesh, map_size).run();
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

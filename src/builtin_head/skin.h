@@ -2,10 +2,10 @@
 // The painter: what the skin of the bust looks like at a point of its surface.
 #pragma once
 
-#include "scene/builtin/hair.h"
-#include "scene/builtin/sculpture.h"
+#include "builtin_head/hair.h"
+#include "builtin_head/sculpture.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 struct SkinPoint {
   vec3 albedo{0.5f};       ///< linear Rec.709, 0..1
@@ -42,4 +42,4 @@ class Skin {
   std::vector<vec3> upper_lip_, lower_lip_;
 };
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

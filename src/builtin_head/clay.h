@@ -9,7 +9,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 using glm::vec2;
 using glm::vec3;
@@ -108,4 +108,4 @@ class Stroke {
 /// pieces per span.
 std::vector<vec3> smooth_curve(const std::vector<vec3>& points, int steps);
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

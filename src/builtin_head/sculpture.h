@@ -3,10 +3,10 @@
 // from the middle of the head, looking along +z.
 #pragma once
 
-#include "scene/builtin/clay.h"
-#include "scene/builtin/skull.h"
+#include "builtin_head/clay.h"
+#include "builtin_head/skull.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 /// blunt: no hollows, so that a coarse net can be drawn over it. form: what a mesh of 25,000 triangles can
 /// carry. fine: adds creases narrower than its triangles, for the normal map.
@@ -77,4 +77,4 @@ vec3 to_symmetric(const vec3& p);
 /// |x| without its crease.
 inline float mirrored(float x) { return std::sqrt(x * x + 0.36f); }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "scene/builtin/clay.h"
+#include "builtin_head/clay.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 namespace {
 
 template <class T>
@@ -98,4 +98,4 @@ float Stroke::operator()(const vec3& p) const {
   return brush_.amount_mm * in * out * falloff(d * d);
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

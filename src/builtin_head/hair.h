@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "scene/builtin/clay.h"
+#include "builtin_head/clay.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 
 /// Tapered strokes in the x, y plane of the face (mm, both halves), in buckets.
 class Hairs {
@@ -31,4 +31,4 @@ class Hairs {
   std::vector<std::uint32_t> start_, order_;
 };
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

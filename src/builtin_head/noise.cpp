@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/builtin/noise.h"
+#include "builtin_head/noise.h"
 
 #include <cmath>
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 namespace {
 
 std::uint32_t mix_bits(std::uint32_t h) {
@@ -95,4 +95,4 @@ Cell cells(const glm::vec3& p, std::uint32_t seed) {
   return cell;
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "scene/builtin_head.h"
+#include "builtin_head/builtin_head.h"
 
 #include <utility>
 
+#include "builtin_head/maps.h"
 #include "core/error.h"
-#include "scene/builtin/maps.h"
 #include "scene/tangents.h"
 
-namespace dermis::scene {
+namespace dermis::builtin_head {
 namespace {
-
-using namespace builtin;
 
 constexpr int columns = 120, rows = 108;  // 25,920 triangles
 
@@ -20,8 +18,8 @@ vec3 to_world_m(const vec3& p_mm) {
   return 0.001f * vec3(p_mm.x, p_mm.y - middle_mm, p_mm.z);
 }
 
-Primitive make_mesh(const Net& net) {
-  Primitive mesh;
+scene::Primitive make_mesh(const Net& net) {
+  scene::Primitive mesh;
   mesh.name = "built-in head";
   mesh.node = 0;
   mesh.has_uv = true;
@@ -29,7 +27,7 @@ Primitive make_mesh(const Net& net) {
 
   for (int j = 0; j <= net.rows; ++j) {
     for (int i = 0; i <= net.columns; ++i) {
-      Vertex& v = mesh.vertices[net.index(i, j)];
+      scene::Vertex& v = mesh.vertices[net.index(i, j)];
       v.position_m = to_world_m(net.at_mm[net.index(i, j)]);
       v.normal = net.normal[net.index(i, j)];
       v.uv0 = v.uv1 = chart_uv(net, static_cast<float>(i), static_cast<float>(j));
@@ -45,20 +43,20 @@ Primitive make_mesh(const Net& net) {
     }
   }
 
-  make_tangents(mesh, MapRef{}.transform, 0);
+  scene::make_tangents(mesh, scene::MapRef{}.transform, 0);
   return mesh;
 }
 
-MapRef map_ref(int image, int channel) {
-  MapRef ref;
+scene::MapRef map_ref(int image, int channel) {
+  scene::MapRef ref;
   ref.image = image;
-  ref.wrap_u = ref.wrap_v = Wrap::clamp;
+  ref.wrap_u = ref.wrap_v = scene::Wrap::clamp;
   ref.channel = channel;
   return ref;
 }
 
-Material make_material() {
-  Material m;
+scene::Material make_material() {
+  scene::Material m;
   m.name = "skin";
   m.skin = true;
   m.metallic = 0;
@@ -73,13 +71,13 @@ Material make_material() {
 
 }  // namespace
 
-Scene builtin_head(const BuiltinHeadSettings& settings) {
+scene::Scene make(const Settings& settings) {
   const int size = settings.map_size;
   if (size < 64 || size > 4096 || (size & (size - 1)) != 0)
     throw input_error("built-in head", "map size must be a power of two from 64 to 4096, got {}", size);
   const Sculpture bust;
   const Net net = wrap(bust, columns, rows);
-  Scene scene;
+  scene::Scene scene;
   scene.name = "built-in";
   scene.primitives.push_back(make_mesh(net));
   scene.materials.push_back(make_material());
@@ -93,4 +91,4 @@ Scene builtin_head(const BuiltinHeadSettings& settings) {
   return scene;
 }
 
-}  // namespace dermis::scene
+}  // namespace dermis::builtin_head

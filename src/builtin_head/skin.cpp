@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "scene/builtin/skin.h"
+#include "builtin_head/skin.h"
 
-#include "scene/builtin/landmarks.h"
-#include "scene/builtin/noise.h"
+#include "builtin_head/landmarks.h"
+#include "builtin_head/noise.h"
 
-namespace dermis::scene::builtin {
+namespace dermis::builtin_head {
 namespace {
 
 // Optical densities of one unit more of melanin and of blood (red, green, blue): melanin falls steadily from
@@ -219,4 +219,4 @@ float Skin::relief_mm(const vec3& p, const Region& r) const {
   return h;
 }
 
-}  // namespace dermis::scene::builtin
+}  // namespace dermis::builtin_head
