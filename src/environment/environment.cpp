@@ -14,7 +14,7 @@ namespace dermis::environment {
 
 namespace {
 
-// 4096 x 2048: eight times as fine as anything that skin or its reflections ask for, in 100 MB.
+// Eight times the resolution that skin or its reflections need, in 100 MB.
 constexpr std::uint64_t most_pixels = 4096 * 2048;
 
 image::ImageF load_radiance(const std::filesystem::path& path) {
@@ -29,7 +29,10 @@ Environment load(const std::filesystem::path& path) {
   Environment e{.name = path.filename().string(), .radiance = load_radiance(path)};
   std::size_t negative = 0;
   for (float& value : e.radiance.values)
-    if (value < 0) value = 0, ++negative;
+    if (value < 0) {
+      value = 0;
+      ++negative;
+    }
   if (negative > 0) warn("{}: {} negative values of radiance are taken as 0", path.string(), negative);
   if (e.radiance.width != 2 * e.radiance.height)
     warn("{}: {} x {} pixels is not twice as wide as high; it is stretched over all directions as if it were",

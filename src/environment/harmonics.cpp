@@ -13,12 +13,13 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int order = harmonic_order;
 
-/// Of the cosine lobe, by order: [RH01] eq. 8.
+/// Zonal factors of the cosine lobe by order, [RH01] eq. 8.
 constexpr std::array<double, order + 1> zonal{pi, 2 * pi / 3, pi / 4, 0, -pi / 24, 0};
 
 constexpr std::size_t number(int l, int m) { return static_cast<std::size_t>(l * (l + 1) + m); }
 
-/// sqrt((2 l + 1) / 4 pi (l - m)! / (l + m)!), times sqrt 2 for m > 0, where cosine and sine share it.
+/// Returns sqrt((2 l + 1) / (4 pi) (l - m)! / (l + m)!), times sqrt 2 for m > 0, where cosine and sine share
+/// it.
 double norm(int l, int m) {
   double factorials = 1;
   for (int i = l - m + 1; i <= l + m; ++i) factorials *= i;
@@ -39,20 +40,23 @@ const std::array<double, harmonic_terms>& norms() {
 
 Harmonics harmonics(const glm::dvec3& d) {
   Harmonics out{};
-  // sin(polar)^m times those of m azimuths: the real and imaginary part of (z + i x)^m
+  // Real and imaginary part of (z + i x)^m: sin(polar)^m times cosine and sine of m azimuths.
   double cosine = 1, sine = 0;
-  double diagonal = 1;  // the Legendre function of l = m without sin^m: 1 3 5 ... (2 m - 1)
+  double diagonal = 1;  // the Legendre function P_m^m without sin^m: 1 3 5 ... (2 m - 1)
   for (int m = 0; m <= order; ++m) {
     double before = 0, here = diagonal;
     for (int l = m; l <= order; ++l) {
       out[number(l, m)] = norms()[number(l, m)] * here * cosine;
       if (m > 0) out[number(l, -m)] = norms()[number(l, m)] * here * sine;
+      // (l - m + 1) P_{l+1}^m = (2 l + 1) y P_l^m - (l + m) P_{l-1}^m.
       const double next = (d.y * (2 * l + 1) * here - (l + m) * before) / (l - m + 1);
-      before = here, here = next;
+      before = here;
+      here = next;
     }
     diagonal *= 2 * m + 1;
     const double turned_cosine = cosine * d.z - sine * d.x;
-    sine = cosine * d.x + sine * d.z, cosine = turned_cosine;
+    sine = cosine * d.x + sine * d.z;
+    cosine = turned_cosine;
   }
   return out;
 }
@@ -67,6 +71,7 @@ Harmonics cosine_lobe(const glm::dvec3& normal) {
 SkyHarmonics sky_of(const image::ImageF& picture) {
   SkyHarmonics sky{};
   double solid_angle = 0;
+  // Sums L Y over the pixels, weighted by solid angle, and scales to the whole sphere, 4 pi sr.
   for (int y = 0; y < picture.height; ++y) {
     const double v = (y + 0.5) / picture.height, share = std::sin(pi * v);
     for (int x = 0; x < picture.width; ++x) {
@@ -90,6 +95,7 @@ glm::dvec3 irradiance_of(const SkyHarmonics& sky, const glm::dvec3& normal, int 
 
 namespace {
 
+// Returns the terms of order l divided by 1 + lambda l^2 (l + 1)^2, [S08].
 SkyHarmonics windowed(const SkyHarmonics& sky, double lambda) {
   SkyHarmonics out = sky;
   for (int l = 1; l <= order; ++l)
@@ -97,7 +103,8 @@ SkyHarmonics windowed(const SkyHarmonics& sky, double lambda) {
   return out;
 }
 
-/// In directions 4 degrees apart, a ninth of what order 5 resolves.
+/// Returns whether irradiance is below 0 in one of a set of directions 4 degrees apart, a ninth of what order
+/// 5 resolves.
 bool rings(const SkyHarmonics& sky, int highest) {
   constexpr int directions = 2600;
   for (int i = 0; i < directions; ++i) {
@@ -115,7 +122,8 @@ bool rings(const SkyHarmonics& sky, int highest) {
 SkyHarmonics without_ringing(const SkyHarmonics& sky, int highest) {
   if (!rings(sky, highest)) return sky;
 
-  // At lambda = 1 a point of light is all but its mean and a fifth of its first order.
+  // Bisection for the smallest lambda. At lambda = 1 only the mean and a fifth of order 1 remain, even of a
+  // point of light.
   double low = 0, high = 1;
   for (int i = 0; i < 12; ++i) {
     const double middle = (low + high) / 2;

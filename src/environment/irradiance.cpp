@@ -15,12 +15,11 @@ Basis polynomials(const glm::dvec3& n) {
   return {1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
 }
 
-// Squares of the harmonics' normalisation: Y = k * polynomial, so the projection onto Y and its evaluation
-// multiply by k^2.
+// Squared norms of the harmonics: Y = k * polynomial, so projection onto Y and evaluation multiply by k^2.
 constexpr double pi = std::numbers::pi;
 constexpr Basis squared_factors{1 / (4 * pi),  3 / (4 * pi),  3 / (4 * pi),  3 / (4 * pi),  15 / (4 * pi),
                                 15 / (4 * pi), 5 / (16 * pi), 15 / (4 * pi), 15 / (16 * pi)};
-// What a cosine lobe does to each band: pi, 2 pi / 3, pi / 4.
+// Factors of the cosine lobe per order: pi, 2 pi / 3, pi / 4.
 constexpr Basis cosine_factors{pi,     2 * pi / 3, 2 * pi / 3, 2 * pi / 3, pi / 4,
                                pi / 4, pi / 4,     pi / 4,     pi / 4};
 
@@ -28,7 +27,7 @@ constexpr Basis cosine_factors{pi,     2 * pi / 3, 2 * pi / 3, 2 * pi / 3, pi / 
 
 Irradiance irradiance_of(const Environment& environment) {
   const image::ImageF& picture = environment.radiance;
-  // Pixels of a small picture are wide: the polynomials vary within them.
+  // Samples each pixel of a small picture several times, because the polynomials vary within it.
   const int nx = std::max(1, 128 / picture.width), ny = std::max(1, 64 / picture.height);
 
   Irradiance sum{};
@@ -44,7 +43,7 @@ Irradiance irradiance_of(const Environment& environment) {
     }
   }
 
-  // Scale the sums to the whole sphere, 4 pi sr, and each term to irradiance.
+  // Scales the sums to the whole sphere, 4 pi sr, and each term to irradiance.
   for (std::size_t k = 0; k < sum.size(); ++k)
     sum[k] *= squared_factors[k] * cosine_factors[k] * 4 * pi / solid_angle;
   return sum;

@@ -15,14 +15,14 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr std::uint32_t none = ~0u;
 
-/// Half the angle of discs as large as a region of each size may be: a sun, its glare, a lamp or a window.
+/// Angular radius of a disc as large as a region of each size may be: a sun, its glare, a lamp or a window.
 constexpr std::array<double, 3> half_angles_deg{1.5, 6, 20};
 
-/// A disc of half the angle a has a mean direction of length (1 + cos a) / 2. What is longer than a disc of
-/// 50 degrees to each side is a horizon and no lamp.
+/// The mean direction of a disc of angular radius a has the length (1 + cos a) / 2. A region with a shorter
+/// one than a disc of 50 degrees is a horizon, not a lamp.
 const double least_resultant = (1 + std::cos(50 * pi / 180)) / 2;
 
-/// What a level set has; sums over its pixels.
+/// Sums over the pixels of a level set.
 struct Component {
   double solid_angle = 0, energy = 0;
   glm::dvec3 direction{0};
@@ -35,8 +35,8 @@ struct Component {
   }
 };
 
-/// Pixels come in from the brightest to the dimmest and join what is beside them. When a region outgrows a
-/// size, what it was just before is a largest compact region of that size.
+/// Adds pixels from the brightest to the dimmest and joins each with its neighbours. A region that outgrows a
+/// size with a pixel was, just before, a largest compact region of that size.
 class Flood {
  public:
   Flood(const image::ImageF& picture, double least_excess)
@@ -57,7 +57,7 @@ class Flood {
   std::array<std::vector<LevelRegion>, half_angles_deg.size()> regions() {
     for (std::uint32_t i = 0; i < order_.size(); ++i) add(i);
 
-    // What never flowed out ends at the mean of the picture.
+    // A region that never joined a larger one ends at the mean of the picture.
     for (std::uint32_t i = 0; i < order_.size(); ++i)
       if (parent_[i] == i)
         for (std::size_t size = 0; size < found_.size(); ++size)
@@ -81,7 +81,8 @@ class Flood {
     const int x = static_cast<int>(pixel) % picture_.width, y = static_cast<int>(pixel) / picture_.width;
     const double omega = pixel_solid_angle(y, picture_.width, picture_.height);
     Component& own = components_[i];
-    own.solid_angle = omega, own.energy = omega * brightness(pixel);
+    own.solid_angle = omega;
+    own.energy = omega * brightness(pixel);
     own.direction = omega * direction_of((x + 0.5) / picture_.width, (y + 0.5) / picture_.height);
     own.first = own.last = i;
     for (std::size_t size = 0; size < found_.size(); ++size) own.outgrown[size] = !own.is_compact(size);
@@ -91,7 +92,7 @@ class Flood {
       for (int dx = -1; dx <= 1; ++dx) join_with(i, x + dx, y + dy);
   }
 
-  /// The pixel at (x, y), which may lie over the seam or a pole, if it is here yet.
+  /// Joins with the pixel at (x, y), which may lie across the seam or a pole, if it was added already.
   void join_with(std::uint32_t i, int x, int y) {
     const int width = picture_.width, height = picture_.height;
     if (y < 0 || y >= height) {
@@ -111,7 +112,8 @@ class Flood {
     Component& large = components_[a];
     Component& small = components_[b];
     Component both = large;
-    both.solid_angle += small.solid_angle, both.energy += small.energy;
+    both.solid_angle += small.solid_angle;
+    both.energy += small.energy;
     both.direction += small.direction;
     for (std::size_t size = 0; size < found_.size(); ++size) {
       both.outgrown[size] = large.outgrown[size] || small.outgrown[size];
@@ -130,7 +132,7 @@ class Flood {
   void keep(const Component& component, std::size_t size, const glm::dvec3& level) {
     const double at = (level.x + level.y + level.z) / 3,
                  excess = component.energy - at * component.solid_angle;
-    // Far above what is around it: in the mean twice as bright.
+    // A source is on average at least twice as bright as its level.
     if (excess < least_excess_ || excess < at * component.solid_angle) return;
     LevelRegion region{.pixels = {}, .level = level, .excess = excess};
     for (std::uint32_t i = component.first;; i = next_[i]) {
@@ -143,9 +145,9 @@ class Flood {
   const image::ImageF& picture_;
   double least_excess_, floor_;
   std::vector<std::uint32_t> order_;          // pixels, brightest first
-  std::vector<std::uint32_t> slot_;           // of a pixel in order_; none: not here yet
+  std::vector<std::uint32_t> slot_;           // index of a pixel in order_; none if not added yet
   std::vector<std::uint32_t> parent_, next_;  // by slot
-  std::vector<Component> components_;         // of a slot that is its own parent
+  std::vector<Component> components_;         // valid for slots that are their own parent
   std::array<std::vector<LevelRegion>, half_angles_deg.size()> found_;
 };
 

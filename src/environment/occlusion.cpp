@@ -19,8 +19,8 @@
 namespace dermis::environment {
 namespace {
 
-constexpr double least_open = 0.002;  // as the shaders have it
-constexpr int dilation = 6;           // texels; more than bilinear reads beside a seam ever need
+constexpr double least_open = 0.002;  // the same value as in the shaders
+constexpr int dilation = 6;           // texels; more than bilinear filtering ever reads beside a seam
 
 struct Texel {
   std::uint32_t triangle = ~0u;
@@ -54,19 +54,20 @@ Grid rasterise(const scene::SkinMesh& mesh, int side) {
   return grid;
 }
 
-// Two numbers in 0..1 that differ from texel to texel, so that what noise is left has no pattern.
+// Returns two numbers in 0..1 that differ from texel to texel, so that the noise has no pattern.
 glm::dvec2 shift_of(std::uint32_t x, std::uint32_t y) {
   std::uint32_t h = x * 0x9E3779B1u ^ (y * 0x85EBCA77u + 0x165667B1u);
   h = (h ^ h >> 15) * 0x2C1B3C6Du, h = (h ^ h >> 12) * 0x297A2D39u, h ^= h >> 15;
   return glm::dvec2(h & 0xFFFFu, h >> 16) / 65536.0;
 }
 
-// What is known of a texel: four values of the sky that it sees, then its transfer.
+// Per texel: the four `values` of Occlusion, then its transfer.
 using Seen = std::array<float, 4 + harmonic_terms>;
-// What hides the sky: its transfer over how much it sees of the sky itself, then that.
+// Per texel: transfer of light from occluders over their mean visible share, then that share
+// (Occlusion::bounced).
 using Hidden = std::array<float, bounced_terms>;
 constexpr std::size_t blockers_open = bounced_terms - 1;
-const Seen all_of_it = [] {  // from no direction in particular: pi times the mean radiance
+const Seen all_of_it = [] {  // no occluder: pi times the mean radiance
   Seen made{0, 0, 0, 1};
   made[4] = static_cast<float>(std::sqrt(std::numbers::pi) / 2);
   return made;
@@ -82,21 +83,21 @@ std::array<float, n> divided(std::array<float, n> sum, float by) {
   return sum;
 }
 
-// The texels that a texel's blocked rays meet; `itself` for what is no skin of this mesh, or is seen from
-// within.
+// The texels that the blocked rays of a texel hit; `itself` stands for hits on anything but the front of this
+// mesh.
 constexpr std::uint32_t itself = ~0u;
 using Blockers = std::vector<std::uint32_t>;
 
-// What a point sees, from what its rays have found.
+// Returns values and transfer of a point from the sums over its rays.
 Seen seen_by(const SkySums& sums, const glm::dvec3& n) {
   Seen out = all_of_it;
   const Harmonics lobe = cosine_lobe(n);
   for (std::size_t k = 0; k < lobe.size(); ++k) out[4 + k] = static_cast<float>(lobe[k]);
   if (sums.seen() == sums.asked()) return out;
 
-  // The exact lobe of all directions less that of the rays is noise alone: as much of it is taken off as is
-  // seen, so that nothing is left of it where nothing is in the way, and nothing is brought in where nothing
-  // is seen.
+  // Transfer Int V cos Y = pi / N Sum V Y over N cosine-weighted rays. As a control variate serves the same
+  // integral without V, whose exact value is the cosine lobe: its error is subtracted with the visible share
+  // as weight, so that no noise is left where nothing occludes, and none is added where all is occluded.
   const double share = static_cast<double>(sums.seen()) / sums.asked(),
                each = std::numbers::pi / sums.asked();
   Harmonics all, open;
@@ -106,21 +107,26 @@ Seen seen_by(const SkySums& sums, const glm::dvec3& n) {
   out[3] = static_cast<float>(share);
   if (sums.seen() == 0) return out;
 
-  // Noise and the triangle's tilt cancel here, too.
+  // Bent normal minus normal. The mean of all rays replaces the normal, so that noise and the tilt of the
+  // triangle cancel.
   const glm::dvec3 turned = glm::normalize(sums.open()) - glm::normalize(sums.all());
   for (glm::length_t i = 0; i < 3; ++i) out[static_cast<std::size_t>(i)] = static_cast<float>(turned[i]);
   return out;
 }
 
+// Returns the texel that a ray hits, or `itself`.
 std::uint32_t texel_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const rays::Hit& hit,
                        const glm::dvec3& direction, int side) {
   const scene::Primitive& primitive = scene.primitives[hit.primitive];
   if (scene::skin_mesh_number(primitive) != mesh.node || !rays::is_skin(scene, primitive)) return itself;
+
+  // Hits on the back of the skin come from inside.
   const std::uint32_t* index = &primitive.indices[3 * std::size_t{hit.triangle}];
   const scene::Vertex &a = primitive.vertices[index[0]], &b = primitive.vertices[index[1]],
                       &c = primitive.vertices[index[2]];
   const glm::dvec3 pa(a.position_m), pb(b.position_m), pc(c.position_m);
   if (glm::dot(glm::cross(pb - pa, pc - pa), direction) > 0) return itself;
+
   const glm::dvec2 uv =
       (1 - hit.u - hit.v) * glm::dvec2(a.uv0) + hit.u * glm::dvec2(b.uv0) + hit.v * glm::dvec2(c.uv0);
   const glm::ivec2 at(glm::floor((uv * mesh.unwrap_scale + mesh.unwrap_offset) * static_cast<double>(side)));
@@ -138,7 +144,8 @@ struct Around {
   int asked = 0;
 };
 
-// Directions beneath the flat triangle are not asked: a coarse mesh would darken itself.
+// Traces the rays of a point. Skips directions below the flat triangle, else a coarse mesh would darken
+// itself.
 Around look_around(const rays::RayScene& rays, const scene::SkinMesh& mesh, const Place& place,
                    const RaySet& set, const RaySet::Shift& shift, int side_texels) {
   const glm::vec3 n(place.normal), face(place.face);
@@ -162,17 +169,19 @@ Around look_around(const rays::RayScene& rays, const scene::SkinMesh& mesh, cons
   return out;
 }
 
-// [SKS02] sec. 3.3, one bounce: a blocked ray brings what the texel that it meets has of the sky. `all`: of
-// all texels, smoothed.
+// Returns the light of one bounce, [SKS02]'s interreflected transfer: a blocked ray gathers the transfer of
+// the texel that it hits. Occluders are white, so E of a texel is radiance E / pi, and irradiance is (1 / N)
+// Sum E over the blocked rays. `all`: of all texels, smoothed.
 Hidden bounced(const Around& around, const Seen& own, const std::vector<Seen>& all) {
   Hidden out{};
   out[blockers_open] = 1;
   if (around.blockers.empty()) return out;
+
   double open = 0;
   std::array<double, blockers_open> sum{};
   for (const std::uint32_t blocker : around.blockers) {
     const Seen& seen = blocker == itself ? own : all[blocker];
-    // of white skin in a hole without a way out
+    // A hole without a way out counts as least_open, with light from all directions.
     const double missing = std::max(0.0, least_open - double{seen[3]});
     open += double{seen[3]} + missing;
     for (std::size_t k = 0; k < sum.size(); ++k)
@@ -184,7 +193,7 @@ Hidden bounced(const Around& around, const Seen& own, const std::vector<Seen>& a
   return out;
 }
 
-// The mean of 3 x 3 texels of the same chart: what is left of the noise.
+// Returns a 3 x 3 tent filter over texels of the same chart, against the remaining noise.
 template <class Values>
 std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid,
                              const std::vector<Values>& values) {
@@ -214,7 +223,7 @@ std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid,
   return out;
 }
 
-// Fills texels off the mesh from those beside them, ring by ring, and what is left with `rest`.
+// Fills texels off the mesh from their neighbours, ring by ring, and all others with `rest`.
 template <class Values>
 void dilate(const Grid& grid, std::vector<Values>& values, const Values& rest) {
   std::vector<bool> filled(values.size());
@@ -239,7 +248,7 @@ void dilate(const Grid& grid, std::vector<Values>& values, const Values& rest) {
         if (total > 0) added.emplace_back(grid.at(x, y), divided(sum, total));
       }
 
-    // Fill a ring only when all of it is known, so that the order of texels makes no difference.
+    // Writes a ring only when all of it is known, so that the order of texels makes no difference.
     for (const auto& [i, value] : added) {
       values[i] = value;
       filled[i] = true;
@@ -250,16 +259,18 @@ void dilate(const Grid& grid, std::vector<Values>& values, const Values& rest) {
     if (!filled[i]) values[i] = rest;
 }
 
-// None where a triangle has no area or no normal.
+// Returns the place of a texel; none if its triangle has no area or no normal.
 std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const Texel& texel) {
   const scene::Vertex* corners[3];
   for (std::size_t k = 0; k < 3; ++k)
     corners[k] = &mesh.vertices[mesh.indices[3 * std::size_t{texel.triangle} + k]];
   const glm::dvec3 a(corners[0]->position_m), b(corners[1]->position_m), c(corners[2]->position_m);
+
   const double u = double{texel.u}, v = double{texel.v}, w = 1.0 - texel.u - texel.v;
   glm::dvec3 face = glm::cross(b - a, c - a);
   const glm::dvec3 normal = glm::dvec3(corners[0]->normal) * w + glm::dvec3(corners[1]->normal) * u +
                             glm::dvec3(corners[2]->normal) * v;
+
   if (glm::length(face) < 1e-30 || glm::length(normal) < 1e-6) return std::nullopt;
   face = glm::normalize(face);
   const glm::dvec3 n = glm::normalize(normal);
@@ -267,11 +278,11 @@ std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const Texel& te
   return Place{a * w + b * u + c * v, n, face};
 }
 
-// How many rows of texels are done, for whoever watches.
+// Counts finished rows of texels for BakeWatch.
 class Rows {
  public:
   Rows(int count, const BakeWatch& watch) : count_(count), watch_(watch) {}
-  /// Throws Cancelled if it shall stop.
+  /// Throws Cancelled if stopped.
   void begin() const {
     if (watch_.stop && watch_.stop->load(std::memory_order_relaxed))
       throw Cancelled("stopped while it was found what the skin sees of its surroundings");
@@ -302,11 +313,13 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
   DERMIS_ASSERT_LE(16, settings.side);
   DERMIS_ASSERT_LE(settings.side, 4096);
   DERMIS_ASSERT_LE(1, settings.rays);
+
   const rays::RayScene rays(scene);
   const Grid grid = rasterise(mesh, settings.side);
   const RaySet set(settings.rays);
   Rows rows(settings.side, watch);
 
+  // First pass: rays from each texel, then noise filter and dilation.
   std::vector<Around> around(grid.texels.size());
   std::vector<Seen> seen(grid.texels.size(), all_of_it);
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
@@ -322,9 +335,11 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
     }
     rows.done();
   });
+
   seen = smoothed(mesh, grid, seen);
   dilate(grid, seen, all_of_it);
 
+  // Second pass: one bounce from the texels that blocked rays hit.
   std::vector<Hidden> hidden(grid.texels.size());
   parallel_for(hidden.size(), [&](std::size_t i) { hidden[i] = bounced(around[i], seen[i], seen); });
   hidden = smoothed(mesh, grid, hidden);
@@ -350,6 +365,7 @@ SkyLight sky_light(const Occlusion& occlusion, const SkyHarmonics& sky, const Sk
   DERMIS_ASSERT_EQ(occlusion.transfer.size(), side * side * harmonic_terms);
   DERMIS_ASSERT_EQ(occlusion.bounced.size(), side * side * bounced_terms);
 
+  // Returns the product of transfer and radiance, at least 0: the truncated series may ring.
   const auto product = [](const std::uint16_t* transfer, const SkyHarmonics& radiance, std::size_t terms) {
     glm::vec3 e(0);
     for (std::size_t k = 0; k < terms; ++k) e += image::half_to_float(transfer[k]) * glm::vec3(radiance[k]);

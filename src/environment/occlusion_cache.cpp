@@ -12,7 +12,7 @@
 namespace dermis::environment {
 namespace {
 
-// FNV-1a, twice from different starts: 128 bits, so that two heads never share a file by chance.
+// FNV-1a from two different starts: 128 bits, so that no two heads share a file by chance.
 class Hash {
  public:
   template <class T>
@@ -31,10 +31,10 @@ class Hash {
   std::array<std::uint64_t, 2> state_{0xCBF29CE484222325u, 0x9E3779B97F4A7C15u};
 };
 
-constexpr std::uint32_t version = 5;  // of what bake_occlusion does and of the file
+constexpr std::uint32_t version = 5;  // of bake_occlusion and of the file layout
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31;
 
-// What the alpha test leaves of a primitive.
+// Adds all that decides the alpha test of a primitive.
 void add_alpha(Hash& hash, const scene::Scene& scene, const scene::Primitive& primitive,
                const scene::Material& material) {
   hash.add(material.alpha_cutoff), hash.add(material.base_colour.a);
@@ -90,7 +90,7 @@ std::vector<std::byte> write(const Occlusion& occlusion, const Hash& hash) {
   return bytes;
 }
 
-// Empty if the bytes are not what write() has made for this hash and size.
+// Returns the result; empty if the bytes are not what write() made for this hash and size.
 Occlusion read(std::span<const std::byte> bytes, const Hash& hash, int side) {
   const std::size_t texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
                     count = 4 * texels, transfer = harmonic_terms * texels, bounced = bounced_terms * texels;
@@ -123,7 +123,7 @@ Occlusion read(std::span<const std::byte> bytes, const Hash& hash, int side) {
   return out;
 }
 
-// As it would be read back: the first picture and later ones are equal to the bit.
+// Rounds as a file does, so that the first picture and later ones are equal to the bit.
 void round_to_half(Occlusion& occlusion) {
   for (float& value : occlusion.values) value = image::half_to_float(image::float_to_half(value));
 }

@@ -20,7 +20,7 @@ image::ImageF empty(int width, int height) {
       .values = std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
 }
 
-// Every pixel is the mean of the area that it covers; enlarges bilinearly.
+// Returns the picture at another size: each pixel is the mean over its area; enlarges bilinearly.
 image::ImageF resampled(const image::ImageF& from, int width, int height) {
   image::ImageF to = empty(width, height);
   const int nx = std::clamp((from.width + width - 1) / width, 1, 64),
@@ -45,31 +45,34 @@ double radical_inverse(unsigned i) {
   return value;
 }
 
-// A direction of the lobe around +Z and what it counts; `level` is the resampled picture whose pixels are as
-// large as a sample's share.
+// A direction of the lobe around +Z and its weight; `level` is the level of the chain whose pixels are as
+// large as the solid angle of a sample.
 struct LobeSample {
   glm::dvec3 direction;
   double weight, level;
 };
 
+// Returns samples of the lobe of roughness m, for normal = view = mirrored direction.
 std::vector<LobeSample> lobe(double m) {
   std::vector<LobeSample> samples;
   const double pixel = 4 * pi / (prefilter_width * (prefilter_width / 2.0));
   for (unsigned i = 0; i < lobe_samples; ++i) {
-    // Beckmann: tan^2 = -m^2 log(1 - u).
+    // Half vectors from Beckmann's distribution: tan^2 = -m^2 log(1 - u).
     const double tan2 = -m * m * std::log(1 - (i + 0.5) / lobe_samples),
                  azimuth = 2 * pi * radical_inverse(i);
     const double cos2 = 1 / (1 + tan2), c = std::sqrt(cos2), s = std::sqrt(1 - cos2);
     const glm::dvec3 h(s * std::cos(azimuth), s * std::sin(azimuth), c);
     const glm::dvec3 d = 2 * c * h - glm::dvec3(0, 0, 1);
     if (d.z <= 0) continue;
-    // of the mirrored direction, per sr
+
+    // Density per sr of the mirrored direction: D cos_h / (4 v.h) = D / 4, because v is the normal.
     const double density = std::exp(-tan2 / (m * m)) / (pi * m * m * cos2 * cos2) / 4;
     samples.push_back({d, d.z, std::max(0.0, 0.5 * std::log2(1 / (lobe_samples * density * pixel)) + 1)});
   }
   return samples;
 }
 
+// Returns the mean radiance of the lobe around `axis`, weighted by the cosine.
 glm::dvec3 average(const std::vector<image::ImageF>& chain, const std::vector<LobeSample>& samples,
                    const glm::dvec3& axis) {
   const glm::dvec3 side =
@@ -91,7 +94,7 @@ glm::dvec3 average(const std::vector<image::ImageF>& chain, const std::vector<Lo
 }  // namespace
 
 std::vector<image::ImageF> prefilter(const Environment& environment) {
-  // Halve the picture again and again: a sample reads pixels as large as its share of the lobe.
+  // Downsamples the picture repeatedly, so that a sample reads pixels as large as its share of the lobe.
   std::vector<image::ImageF> chain{resampled(environment.radiance, prefilter_width, prefilter_width / 2)};
   while (chain.back().height > 4)
     chain.push_back(resampled(chain.back(), chain.back().width / 2, chain.back().height / 2));

@@ -17,8 +17,7 @@ double radical_inverse(unsigned i) {
   return value;
 }
 
-/// The norms of harmonics.cpp: those of a direction along the axis of each degree, read off where everything
-/// else is known, would need care at zeros, so they are made here by the same formula.
+/// Returns the norms of harmonics.cpp, by the same formula.
 std::array<float, harmonic_terms> make_norms() {
   std::array<float, harmonic_terms> made{};
   for (int l = 0; l <= order; ++l)
@@ -35,7 +34,7 @@ const std::array<float, harmonic_terms> norms = make_norms();
 
 }  // namespace
 
-// The recurrences of harmonics(), every step for all lanes.
+// The recurrences of harmonics(), each step for all lanes.
 void harmonics_of(const DirectionLanes& d, HarmonicLanes& out) {
   std::array<float, ray_lanes> cosine, sine{};
   cosine.fill(1);
@@ -53,14 +52,14 @@ void harmonics_of(const DirectionLanes& d, HarmonicLanes& out) {
       for (std::size_t j = 0; j < ray_lanes; ++j) {
         const float value = norm * here[j];
         negative[j] = value * sine[j];
-        positive[j] = value * cosine[j];  // of m = 0 it is the same place
+        positive[j] = value * cosine[j];  // for m = 0 both are the same entry
         const float next = a * d.y[j] * here[j] - b * before[j];
         before[j] = here[j];
         here[j] = next;
       }
     }
 
-    // Go on to the next m: sin^m(polar) times cosine and sine of m times the azimuth.
+    // Next m: sin^m(polar) times cosine and sine of m azimuths.
     diagonal *= static_cast<float>(2 * m + 1);
     for (std::size_t j = 0; j < ray_lanes; ++j) {
       const float turned = cosine[j] * d.z[j] - sine[j] * d.x[j];
@@ -105,7 +104,7 @@ void SkySums::harmonics(Harmonics& all, Harmonics& open) const {
     HarmonicLanes values;
     harmonics_of(directions_[block], values);
 
-    // Lanes of the last block that hold no direction count nothing.
+    // Lanes of the last block without a direction have weight 0.
     std::array<float, ray_lanes> used{}, free{};
     for (std::size_t j = 0; j < ray_lanes && block * ray_lanes + j < free_.size(); ++j) {
       used[j] = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What rays around a point of the skin find of the sky, summed up in harmonics. All in floats, sixteen rays
-// side by side: this is most of the work of a bake.
+// Sums up which rays around a point of the skin reach the sky, in harmonics. All in float, sixteen rays side
+// by side, because this is most of the work of a bake.
 #pragma once
 
 #include <algorithm>
@@ -16,22 +16,22 @@ namespace dermis::environment {
 
 inline constexpr std::size_t ray_lanes = 16;
 
-/// Real spherical harmonics (see harmonics.h) of sixteen unit directions.
+/// Real spherical harmonics (harmonics.h) of sixteen unit directions.
 struct DirectionLanes {
   std::array<float, ray_lanes> x{}, y{}, z{};
 };
 using HarmonicLanes = std::array<std::array<float, ray_lanes>, harmonic_terms>;
 void harmonics_of(const DirectionLanes& directions, HarmonicLanes& out);
 
-/// Cosine-weighted directions around +z, the same for every point: a point turns them by an angle of its own
-/// and shifts their polar angles, so that what noise is left has no pattern.
+/// Cosine-weighted directions around +z, the same for every point. Each point turns them by its own angle and
+/// shifts their polar angles, so that the noise has no pattern.
 class RaySet {
  public:
   explicit RaySet(int rays);
   int size() const { return static_cast<int>(cosine_.size()); }
 
-  /// Direction `i` in the frame (side, up, normal), `shift` in 0..1 x 0..1 given as cosine and sine of the
-  /// azimuth 2 pi shift.y.
+  /// The shift of a point, made from two numbers in 0..1: for polar angles, and cosine and sine of the
+  /// azimuth.
   struct Shift {
     float polar = 0, cosine = 1, sine = 0;
   };
@@ -49,16 +49,16 @@ class RaySet {
   std::vector<float> share_, cosine_, sine_;
 };
 
-/// The directions that were asked and which of them are free, and their sums. Harmonics are summed at the
-/// end, and only if something is in the way: much of a head sees the whole sky.
+/// Sums over the directions of the rays and over those that reach the sky. Computes harmonics at the end, and
+/// only if something occludes: much of a head sees the whole sky.
 class SkySums {
  public:
   void add(const glm::vec3& direction, bool free);
   int asked() const { return static_cast<int>(free_.size()); }
   int seen() const { return seen_; }
   const glm::dvec3& all() const { return all_; }    ///< sum of directions
-  const glm::dvec3& open() const { return open_; }  ///< of those that are free
-  /// Harmonics of all directions and of the free ones.
+  const glm::dvec3& open() const { return open_; }  ///< sum of directions that reach the sky
+  /// Sums the harmonics of all directions, and of those that reach the sky.
   void harmonics(Harmonics& all, Harmonics& open) const;
 
  private:

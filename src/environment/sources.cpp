@@ -13,19 +13,19 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of the mean irradiance of the picture: what a source has at least. Less than that neither rings nor casts
-/// a shadow that one sees.
+/// The least irradiance of a source, as a share of that of the picture. Weaker ones neither ring nor cast a
+/// visible shadow.
 constexpr double least_share = 0.04;
 
-/// Strips are cut across where one spread (standard deviation) is this many times the other, and a disc of
-/// that spread would be larger than so much to each side: rad.
+/// A region becomes several discs if one spread (standard deviation) is this many times the other, and a disc
+/// of that spread would have a larger angular radius [rad] than this.
 constexpr double most_elongation = 1.7, least_cut_rad = 0.1;
 constexpr int most_pieces = 4;
 
-constexpr int most_width = 2048;  // a pixel of this has a third of the sun
+constexpr int most_width = 2048;  // a pixel then has a third of the sun's diameter
 
-/// A picture of at most `most_width` columns where whole pixels fit, of the same energy: no light map and no
-/// reflection shows more of it.
+/// Returns a picture of at most `most_width` columns, if whole pixels fit, with the same energy: neither
+/// light maps nor reflections show more of it.
 image::ImageF reduced(const image::ImageF& picture) {
   int factor = (picture.width + most_width - 1) / most_width;
   while (factor < picture.height && (picture.width % factor != 0 || picture.height % factor != 0)) ++factor;
@@ -49,11 +49,11 @@ image::ImageF reduced(const image::ImageF& picture) {
   return out;
 }
 
-/// What one pixel has over the level of its region.
+/// The excess of one pixel over the level of its region.
 struct Piece {
   std::uint32_t pixel;
   glm::dvec3 direction, excess;  // unit; times solid angle, per channel
-  double variance;               // rad^2 on each axis, of bilinear reading
+  double variance;               // rad^2 per axis, of bilinear interpolation
   double brightness() const { return (excess.x + excess.y + excess.z) / 3; }
 };
 
@@ -66,7 +66,7 @@ std::vector<Piece> pieces_of(const image::ImageF& picture, const LevelRegion& re
     const double v = (y + 0.5) / picture.height, step = pi / picture.height;
     Piece piece{pixel, direction_of((x + 0.5) / picture.width, v), glm::dvec3(0), 0};
 
-    // A tent as wide as two pixels has a sixth of a pixel squared; half of it here, half of it there.
+    // A tent two pixels wide has the variance pixel^2 / 6; here the mean of both axes.
     const double across = 2 * pi / picture.width * std::sin(pi * v);
     piece.variance = (step * step + across * across) / 12;
 
@@ -80,7 +80,7 @@ std::vector<Piece> pieces_of(const image::ImageF& picture, const LevelRegion& re
   return pieces;
 }
 
-/// Adds so many times what the pieces have to the picture: -1 or 1.
+/// Adds the pieces to the picture, times -1 or 1.
 void add_to(image::ImageF& picture, const std::vector<Piece>& pieces, double times) {
   for (const Piece& piece : pieces) {
     const int y = static_cast<int>(piece.pixel) / picture.width;
@@ -103,22 +103,22 @@ glm::dvec3 middle_of(const std::vector<Piece>& pieces) {
   return glm::normalize(sum);
 }
 
-/// Two axes across a direction.
+/// Returns two axes perpendicular to a direction.
 std::array<glm::dvec3, 2> across(const glm::dvec3& d) {
   const glm::dvec3 side =
       glm::normalize(glm::cross(std::abs(d.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), d));
   return {side, glm::cross(d, side)};
 }
 
-/// Spread about the middle, in the plane that touches the sphere there.
+/// Spread about the centre, in the tangent plane of the sphere.
 struct Spread {
   double uu = 0, uv = 0, vv = 0;  // rad^2
-  /// The larger and the smaller of the principal variances.
+  /// Returns the larger and the smaller principal variance.
   std::array<double, 2> principal() const {
     const double mean = (uu + vv) / 2, root = std::hypot((uu - vv) / 2, uv);
     return {mean + root, std::max(mean - root, 0.0)};
   }
-  /// Of the larger, in the plane.
+  /// Returns the axis of the larger one, in the plane.
   glm::dvec2 axis() const {
     const double angle = 0.5 * std::atan2(2 * uv, uu - vv);
     return {std::cos(angle), std::sin(angle)};
@@ -141,15 +141,14 @@ Spread spread_of(const std::vector<Piece>& pieces, const glm::dvec3& middle) {
   return spread;
 }
 
-/// A disc of the same energy, middle and spread: the variance of a disc is a quarter of its radius squared on
-/// each axis.
+/// Returns a disc of the same energy, centre and spread. The variance of a disc is radius^2 / 4 per axis.
 Source disc_of(const std::vector<Piece>& pieces) {
   const glm::dvec3 middle = middle_of(pieces);
   const auto [large, small] = spread_of(pieces, middle).principal();
   return {middle, energy_of(pieces), std::sqrt(2 * (large + small))};
 }
 
-/// One disc for what is round, several along what is long, of equal energy.
+/// Returns one disc for a round region, several of equal energy along an elongated one.
 std::vector<Source> discs_of(std::vector<Piece> pieces) {
   std::erase_if(pieces, [](const Piece& piece) { return piece.brightness() <= 0; });
   const glm::dvec3 middle = middle_of(pieces);
@@ -165,7 +164,7 @@ std::vector<Source> discs_of(std::vector<Piece> pieces) {
     return glm::dot(a.direction, along) < glm::dot(b.direction, along);
   });
 
-  // A new disc begins where the light so far is another share of all.
+  // Starts the next disc where the sum of the light passes the next equal share.
   double total = 0;
   for (const Piece& piece : pieces) total += piece.brightness();
   const int count = std::min(most_pieces, static_cast<int>(std::lround(elongation)));
@@ -187,7 +186,7 @@ std::vector<Source> discs_of(std::vector<Piece> pieces) {
 
 double brightness_of(const glm::dvec3& colour) { return (colour.x + colour.y + colour.z) / 3; }
 
-/// What was cut off one region, and the discs that it became.
+/// The pieces cut off one region, and the discs that replace them.
 struct Group {
   std::vector<Piece> pieces;
   std::vector<Source> discs;
@@ -199,7 +198,7 @@ double pixel_solid_angle(int row, int width, int height) {
   if (height == 1) return 4 * pi / width;
   const double step = pi / height, polar = (std::min(row, height - 1 - row) + 0.5) * step;
 
-  // Int tent(t) sin dt over two rows; at a pole the row goes on as it is.
+  // Int tent(t) sin dt over two rows; at a pole the row continues with its own value.
   const double rows = row == 0 || row == height - 1 ? 1 - (std::sin(1.5 * step) - std::sin(0.5 * step)) / step
                                                     : std::sin(polar) * 2 * (1 - std::cos(step)) / step;
   return 2 * pi / width * rows;
@@ -222,7 +221,7 @@ Split split_sources(const Environment& picture) {
     groups.push_back(std::move(group));
   }
 
-  // Too many: the weakest stay in the picture.
+  // If there are too many, the weakest stay in the picture.
   std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
     return brightness_of(energy_of(a.pieces)) > brightness_of(energy_of(b.pieces));
   });

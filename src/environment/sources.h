@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// Suns, bulbs, windows: what of a picture of the surroundings is so bright and so narrow that it casts
-/// shadows, and that harmonics of order 5 would ring. Such sources are taken out of the picture and light as
-/// the lamps that they are. Based on: Salembier, Oliveras, Garrido: Antiextensive Connected Operators for
-/// Image and Sequence Processing. IEEE Transactions on Image Processing 7(4), 1998 (the tree of level sets)
+/// Takes suns, bulbs and windows out of a picture of the environment: regions so bright and so narrow that
+/// they cast shadows and that harmonics of order 5 would ring. They become lights of their own. Based on:
+/// Salembier, Oliveras, Garrido: Antiextensive Connected Operators for Image and Sequence Processing. IEEE
+/// Transactions on Image Processing 7(4), 1998 (the tree of level sets)
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,29 +12,29 @@
 
 namespace dermis::environment {
 
-/// A disc far away that sends its light alone.
+/// A distant disc that sends the light of one region.
 struct Source {
-  glm::dvec3 direction{0};   ///< unit, towards it
+  glm::dvec3 direction{0};   ///< unit, towards the disc
   glm::dvec3 irradiance{0};  ///< on a surface that faces it: Int excess radiance dOmega, linear Rec.709
-  double tangent = 0;        ///< of half the angle under which it is seen
+  double tangent = 0;        ///< of its angular radius
 };
 
 inline constexpr std::size_t most_sources = 8;
 
-/// remainder + sources = the picture: their energy is the same in each channel but for the rounding of
-/// floats.
+/// remainder + sources = the picture: their sum has the energy of the picture in each channel, up to the
+/// rounding of floats.
 struct Split {
-  Environment remainder;        ///< the picture, each source cut off at the level of what lies around it
+  Environment remainder;        ///< the picture, each source cut off at the level around it
   std::vector<Source> sources;  ///< brightest first, at most `most_sources`
 };
 
-/// Takes the compact sources out. A smooth or uniform picture has none, and is its own remainder. No pixel of
-/// the remainder is brighter than it was, and none below 0. A picture wider than 2048 is made smaller first,
-/// by a whole factor that divides both sides, if there is one; its energy stays.
+/// Splits a picture. A smooth or uniform picture has no sources and is its own remainder. No pixel of the
+/// remainder is brighter than before, and none is below 0. A picture wider than 2048 is downsampled first by
+/// a whole factor that divides both sides, if there is one; its energy stays.
 Split split_sources(const Environment& picture);
 
-/// Int dOmega of what bilinear reading makes of one pixel of a row, as radiance_at() does it: sr. All pixels
-/// of a picture have 4 pi together.
+/// Returns the solid angle [sr] of one pixel of a row as radiance_at() interpolates it. All pixels of a
+/// picture have 4 pi together.
 double pixel_solid_angle(int row, int width, int height);
 
 }  // namespace dermis::environment

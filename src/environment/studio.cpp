@@ -8,14 +8,13 @@
 namespace dermis::environment {
 namespace {
 
-// A rectangular soft light: where its middle lies, half its size, how bright it is. Degrees; azimuth from +Z
-// towards +X.
+// A rectangular soft light: centre, half its size, radiance. Degrees; azimuth from +Z towards +X.
 struct SoftBox {
   double azimuth_deg, elevation_deg, half_width_deg, half_height_deg;
   glm::dvec3 radiance;
 };
 
-constexpr double edge_deg = 3;  // cloth is not sharp, and nothing rings
+constexpr double edge_deg = 3;  // soft, as cloth is, so that harmonics do not ring
 
 double inside(double distance_deg, double half_deg) {
   const double t = std::clamp((half_deg + edge_deg - distance_deg) / (2 * edge_deg), 0.0, 1.0);

@@ -17,7 +17,7 @@ constexpr std::size_t most_terms = 512;
 
 void add_to(Sum& sum, const Sum& more) { sum.insert(sum.end(), more.begin(), more.end()); }
 
-/// One of the seven spectra of a layer, to be fitted in Hankel space.
+/// One of the seven spectra of a layer as a profile, fitted in Hankel space.
 class Spectrum final : public profile::RadialProfile {
  public:
   using Part = double (*)(const profile::Spectra&);
@@ -39,8 +39,8 @@ Sum fit_part(const profile::Multipole& slab, Spectrum::Part part, int terms) {
   const Spectrum spectrum(slab, part);
   if (spectrum.total() <= 1e-12) return {};  // black, or too thick to let anything through
   Sum fitted = fit_channel(spectrum, terms, Weights::any_sign).terms;
-  // The fit minimises the residual, not the lost total; light must not get lost from layer to layer, so the
-  // weights are scaled to it.
+  // Scales the weights to the exact total. The fit minimises the residual and may miss the total, but no
+  // light may get lost from layer to layer.
   const double scale = spectrum.total() / total(fitted);
   for (Term& term : fitted) term.weight *= scale;
   return fitted;
@@ -111,7 +111,7 @@ LayerSums fit_layer(const optics::Layer& layer, double eta_above, double eta_bel
     sums.transmit_below = fit([](const Spectra& s) { return s.transmit_below; });
   }
 
-  if (!slab.thin()) {  // no difference between a beam and diffuse light
+  if (!slab.thin()) {  // a beam acts like diffuse light
     sums.beam_reflect = sums.reflect_above;
     sums.beam_transmit = sums.transmit_above;
     return sums;
@@ -125,7 +125,7 @@ LayerSums fit_layer(const optics::Layer& layer, double eta_above, double eta_bel
 
 Stacked stack(const LayerSums& upper, const LayerSums& lower, double energy) {
   DERMIS_ASSERT(energy > 0 && energy < 1);
-  // Sum_m (R1' R2)^m, the light that bounces between the two
+  // Sum_m (R1' R2)^m, the bounces between the two layers.
   const Sum bounce = convolve(upper.reflect_below, lower.reflect_above);
   const double kept = total(bounce);
   DERMIS_ASSERT(kept < 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Sums of Gaussians are closed under what layers do to light: convolving adds variances, so fitted layers
-// combine without another fit. Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin.
-// EGSR 2007, sec. 4 and 5; [DJ05] Donner, Jensen: Light Diffusion
-//           in Multi-Layered Translucent Materials. SIGGRAPH 2005, sec. 4
+// Combines layers as sums of Gaussians: convolving two sums adds variances, so fitted layers need no new fit.
+// Based on:
+// [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 4 and 5
+// [DJ05]  Donner, Jensen: Light Diffusion in Multi-Layered Translucent Materials. SIGGRAPH 2005, sec. 4
 #pragma once
 
 #include <span>
@@ -13,40 +13,42 @@
 
 namespace dermis::gaussians {
 
-/// f * g over the plane: (w1, v1) * (w2, v2) = (w1 w2, v1 + v2), all pairs, narrow to wide. [DLE07] sec. 4.
-/// Variance 0 is light that stays where it is (a delta). More than 512 pairs are merged, see merge().
+/// Returns f * g over the plane: all pairs (w1, v1) * (w2, v2) = (w1 w2, v1 + v2), narrow to wide. [DLE07]
+/// sec. 4. Variance 0 is a delta: light that leaves where it entered. More than 512 pairs are merged, see
+/// merge().
 std::vector<Term> convolve(std::span<const Term> f, std::span<const Term> g);
 
-/// Sum of the weights = total over the plane.
+/// Returns the sum of the weights, which is the total over the plane.
 double total(std::span<const Term> terms);
 
-/// S^(k) = Sum w e^{-v k^2/2}, k in 1/mm, dimensionless.
+/// Returns S^(k) = Sum w e^{-v k^2/2}, k in 1/mm, dimensionless.
 double transform(std::span<const Term> terms, double k_per_mm);
 
-/// Fewer terms on a grid of 32 variances a decade: each weight is split between its two neighbours so that
-/// Sum w and Sum w v stay. Changes R^ by less than 1e-3 of the total.
+/// Returns fewer terms, on a grid of 32 variances per decade: splits each weight between the two neighbours
+/// on the grid so that Sum w and Sum w v stay. Changes R^ by less than 1e-3 of the total.
 std::vector<Term> merge(std::span<const Term> terms);
 
-/// Reflectance and transmittance of a layer as sums, the same seven as profile::Spectra: diffuse light from
-/// above and from below, and a beam from above. A half-space transmits nothing.
+/// Reflectance and transmittance of a layer as sums, the seven of profile::Spectra: for diffuse light from
+/// above and from below, and for a beam from above. A half-space transmits nothing.
 struct LayerSums {
   std::vector<Term> reflect_above, transmit_above, reflect_below, transmit_below;
   std::vector<Term> beam_reflect, beam_transmit, beam_straight;
 };
 
-/// The multipole of one layer (profile::Multipole) between media of index eta_above and eta_below, each of
-/// the seven fitted with `terms` (1 to 8) of any sign.
+/// Fits the multipole of one layer (profile::Multipole) between media of index eta_above and eta_below: each
+/// of the seven spectra with `terms` (1 to 8) terms of any sign.
 LayerSums fit_layer(const optics::Layer& layer, double eta_above, double eta_below, int terms);
 
-/// Two layers as one, and what the truncation lost, as a part of the light that entered (an upper bound).
+/// Two layers as one, and the light lost by truncation, as a fraction of the light that entered (upper
+/// bound).
 struct Stacked {
   LayerSums layer;
   double lost = 0;
 };
 
-/// [DJ05] eq. 15 to 17 as a polynomial in Gaussians: R12 = R1 + T1 R2 T1' Sum_m (R1' R2)^m and the like
-/// (profile::add), products being convolutions. Ends where the rest of the bounces holds less than `energy`
-/// (0 < energy < 1) of the light.
+/// Returns two layers as one. [DJ05] eq. 15 to 17 as a series of Gaussians: R12 = R1 + T1 R2 T1' Sum_m (R1'
+/// R2)^m and likewise for the others (profile::add), with convolutions as products. The series ends where the
+/// remaining bounces hold less than `energy` (0 < energy < 1) of the light.
 Stacked stack(const LayerSums& upper, const LayerSums& lower, double energy = 1e-4);
 
 }  // namespace dermis::gaussians

@@ -17,22 +17,22 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-/// Bounds of the search, and where it starts.
+/// Bounds and starting points of the search.
 struct Range {
   double low = 0, high = 0;  // log of the variance of the narrowest and the widest structure
-  double floor = 0;          // no log-variance goes below
-  bool any_sign = false;     // of the weights
+  double floor = 0;          // lower bound of the log-variances
+  bool any_sign = false;     // allows negative weights
 };
 
-/// Two terms of opposite sign that drift together stand for a derivative, with weights that cancel in the
-/// eighth digit: kept apart by 20 %.
+/// Keeps variances 20 % apart: two terms of opposite sign that drift together approximate a derivative, with
+/// weights that cancel in the eighth digit.
 void keep_apart(VectorXd& log_variance) {
   std::sort(log_variance.begin(), log_variance.end());
   for (Index j = 1; j < log_variance.size(); ++j)
     log_variance[j] = std::max(log_variance[j], log_variance[j - 1] + 0.2);
 }
 
-/// Levenberg-Marquardt over the log-variances. Ends when steps no longer pay.
+/// Minimises over the log-variances by Levenberg-Marquardt, until steps hardly reduce the residual.
 Projected descend(std::span<const Target> channels, VectorXd& log_variance, const Range& range) {
   Projected here = project(channels, log_variance, range.any_sign);
   double damping = 1e-3;
@@ -55,8 +55,8 @@ Projected descend(std::span<const Target> channels, VectorXd& log_variance, cons
       stalled = stalls ? stalled + 1 : 0;
       log_variance = there_at;
       here = std::move(there);
-      // Where little of the profile can be fitted, steps overshoot to the other side of the optimum, just as
-      // far: shorter ones settle that
+      // Where little of the profile can be fitted, steps overshoot to the other side of the optimum, equally
+      // far: damping shortens them.
       damping = stalls ? std::max(damping * 4, 0.5) : std::max(damping * 0.2, 1e-12);
     } else {
       damping *= 4;
@@ -75,7 +75,7 @@ VectorXd spread(const Range& range, Index count) {
   return start;
 }
 
-/// A term more: in the widest gap of the solution with one fewer, or past an end.
+/// Returns starts with one more term than a solution: in its widest gap, or past either end.
 std::vector<VectorXd> with_one_more(VectorXd smaller) {
   std::sort(smaller.begin(), smaller.end());
   std::vector<double> extra{smaller[0] - 1.5, smaller[smaller.size() - 1] + 1.5};
@@ -97,8 +97,9 @@ struct Solution {
   Projected projected;
 };
 
-/// The surface has local minima (two terms sharing one hump), so three families of starts are tried: evenly
-/// spread, spread inside, and grown from the solution with a term fewer.
+/// Searches from three families of starts, because the residual has local minima (two terms sharing one
+/// hump): evenly spread, spread over the upper part of the range, and grown from the solution with one term
+/// fewer.
 Solution search(std::span<const Target> channels, const Range& range, int terms) {
   Solution best;
   std::vector<VectorXd> starts{
@@ -143,7 +144,7 @@ std::vector<Index> narrow_to_wide(const VectorXd& log_variance) {
   return order;
 }
 
-constexpr double same_variance = 1e-6;  // relative: closer terms are one
+constexpr double same_variance = 1e-6;  // relative: closer terms are joined
 
 }  // namespace
 
@@ -198,7 +199,7 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
     for (int c = 0; c < 3; ++c)
       term.weight[c] = solution.projected.weights(j, c) / solution.projected.weights.col(c).sum();
 
-    // Joins terms whose variances hardly differ, and drops those without weight.
+    // Joins terms whose variances hardly differ, and drops terms without weight.
     if (!sum.terms.empty() && term.variance_mm2 < sum.terms.back().variance_mm2 * (1 + same_variance)) {
       for (int c = 0; c < 3; ++c) sum.terms.back().weight[c] += term.weight[c];
     } else if (term.weight != Rgb{}) {

@@ -35,14 +35,14 @@ gaussians::SumOfGaussians to_sum(const ScatterProfile& from) {
   return sum;
 }
 
-/// Before the work: Monte-Carlo takes seconds.
+/// Returns the model; checks all options before the work, because Monte-Carlo takes seconds.
 profile::Model checked_model(const ProfileOptions& options) {
   if (options.gaussians < 1 || options.gaussians > gaussians::max_terms)
     throw input_error("gaussians", "1 to {}, got {}", gaussians::max_terms, options.gaussians);
   return profile::parse_model(options.model);
 }
 
-/// medium: the one that was modelled, or null, and then eta is the index of the surface.
+/// Fits the profiles. `medium` is the modelled medium; if it is null, `eta` is the index of the surface.
 ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made,
                       const optics::RgbMedium* medium, double eta, const ProfileOptions& options) {
   const gaussians::SumOfGaussians sum = gaussians::fit_shared(made.profiles, options.gaussians, name);

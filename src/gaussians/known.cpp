@@ -10,8 +10,7 @@
 namespace dermis::gaussians {
 
 // [DLE07] in GPU Gems 3 (2007), ch. 14 "Advanced Techniques for Realistic Real-Time Skin Rendering", table
-// 14-1 (variance in mm^2, weights of red, green and blue, normalised to white); G(v, r) there is the one of
-// sum.h.
+// 14-1: variance in mm^2, weights of red, green and blue, normalised to white. G(v, r) is that of sum.h.
 SumOfGaussians skin_six() {
   SumOfGaussians sum;
   sum.name = "skin";

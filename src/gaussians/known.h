@@ -9,13 +9,13 @@
 
 namespace dermis::gaussians {
 
-/// The six-Gaussian skin set of [DLE07] (GPU Gems 3, ch. 14, table 14-1), weights normalised to white. The
-/// default of every command.
+/// Returns the six-Gaussian skin set of [DLE07] (GPU Gems 3, ch. 14, table 14-1), weights normalised to
+/// white: the default of every command.
 SumOfGaussians skin_six();
 
-/// Names that known() takes, in the order in which errors list them.
+/// Returns the names that known() takes, in the order in which errors list them.
 std::vector<std::string_view> known_names();
-/// A published sum by name ("skin", ...); InputError lists the names when there is none such.
+/// Returns a published sum by name ("skin", ...); throws InputError (lists the names) if there is none.
 SumOfGaussians known(std::string_view name);
 
 }  // namespace dermis::gaussians

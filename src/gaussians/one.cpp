@@ -6,7 +6,10 @@ namespace dermis::gaussians {
 SumOfGaussians one_gaussian(const SumOfGaussians& sum) {
   double moment_mm2 = 0, weight = 0;
   for (const Gaussian& term : sum.terms)
-    for (const double w : term.weight) moment_mm2 += w * term.variance_mm2, weight += w;
+    for (const double w : term.weight) {
+      moment_mm2 += w * term.variance_mm2;
+      weight += w;
+    }
   SumOfGaussians one = sum;
   one.name += ", one Gaussian";
   one.error_percent = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cheapest diffusion there is: a single blur.
+// The cheapest diffusion: a single blur.
 // Based on: [BL03] Borshukov, Lewis: Realistic human face rendering for The Matrix Reloaded. SIGGRAPH 2003
 // sketches
 #pragma once
@@ -8,9 +8,9 @@
 
 namespace dermis::gaussians {
 
-/// One Gaussian that spreads light as far as the sum does: its variance is the mean of r^2 / 2 over the light
-/// of all three channels, sum_i w_i v_i averaged over them. Weight 1 in each, so colours no longer bleed.
-/// total_reflectance and mean free paths are the sum's; the error is not known.
+/// Returns one Gaussian that spreads light as far as the sum does: its variance is the mean of r^2 / 2 over
+/// the light of all three channels, that is sum_i w_i v_i averaged over them. All weights are 1, so colours
+/// no longer bleed. Keeps total_reflectance and mean free paths of the sum; the error is unknown.
 SumOfGaussians one_gaussian(const SumOfGaussians& sum);
 
 }  // namespace dermis::gaussians

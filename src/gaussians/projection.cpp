@@ -20,19 +20,23 @@ namespace {
 
 using profile::RadialProfile;
 
-/// The rows of a target, as they are gathered.
+/// Gathers the rows of a target.
 struct Rows {
-  std::vector<double> x, weight, value;  // weight: square root of the quadrature's
+  std::vector<double> x, weight, value;  // weight: square root of the quadrature weight
   void add(double at, double of, double is) {
-    x.push_back(at), weight.push_back(of), value.push_back(of * is);
+    x.push_back(at);
+    weight.push_back(of);
+    value.push_back(of * is);
   }
 };
 
-/// Trapezoid rule in log x: integrands are analytic there and vanish at both ends, so the error falls like
-/// e^{-5/step}.
+/// Makes rows by the trapezoid rule in log x. Integrands vanish at both ends, and a Gaussian is bounded for
+/// arg x| < pi/4, so the error falls like e^{-2 pi (pi/4) / step}, about e^{-5/step}.
 Rows smooth_rows(const RadialProfile& profile, bool spectral) {
   constexpr double step = 0.1;
   const double beam_mm2 = profile.has_pole() ? core_variance_mm2(profile) : 0;
+
+  // Range of r, or of k, outside which the integrand is negligible.
   double low = 1e-6 * profile.inner_mm(), high = 45 * profile.outer_mm();
   if (spectral) {
     low = 1e-6 / profile.outer_mm();
@@ -41,6 +45,9 @@ Rows smooth_rows(const RadialProfile& profile, bool spectral) {
   Rows rows;
   for (double i = 0; i <= std::ceil(std::log(high / low) / step); ++i) {
     const double x = low * std::exp(step * i);
+    // Int r f^2 dr = Int r^2 f^2 d(log r), so a row weighs r sqrt(step). By Parseval Int r f^2 dr = Int k
+    // f^^2 dk / (4 pi^2), which divides the weight by 2 pi. A beam of variance v multiplies R^ and S^ by
+    // e^{-v k^2/2}.
     const double weight = x * std::sqrt(step) / (spectral ? 2 * pi : 1) * std::exp(-beam_mm2 * x * x / 2);
     rows.add(x, weight, spectral ? profile.hankel(x) : profile.at(x));
   }
@@ -49,7 +56,7 @@ Rows smooth_rows(const RadialProfile& profile, bool spectral) {
 
 constexpr int cell_nodes = 4;
 
-/// Lagrange polynomial n of the nodes, at x: 1 at node n, 0 at the others.
+/// Returns the Lagrange polynomial n of the nodes at x: 1 at node n, 0 at the others.
 double lagrange(const std::array<double, cell_nodes>& node, int n, double x) {
   double product = 1;
   for (int m = 0; m < cell_nodes; ++m)
@@ -57,10 +64,13 @@ double lagrange(const std::array<double, cell_nodes>& node, int n, double x) {
   return product;
 }
 
-/// One cell low..high, over which Gaussians are as good as cubic: its rows hold the cubic that is nearest to
-/// R, so that Int r R S dr and Int r S^2 dr are right, whatever R does inside. Returns Int r (R - cubic)^2
-/// dr, which no sum can take away.
+/// Adds the rows of the cell low..high, over which Gaussians are nearly cubic: they hold the cubic nearest to
+/// R, weighted by r, so that Int r R S dr and Int r S^2 dr are right however R varies inside. Returns
+/// Int r (R - cubic)^2 dr, which no sum of Gaussians can reduce.
 double add_cell(Rows& rows, const RadialProfile& profile, double low, double high) {
+  // Four Gauss nodes integrate r l_m l_n (degree 7) exactly, so Lagrange polynomials of the nodes are
+  // orthogonal under r dr, with the squared norm weight_n r_n. Three nodes per piece integrate r R l_n
+  // exactly for linear R.
   static const std::vector<optics::Node> cell_rule = optics::gauss_legendre(cell_nodes, 0, 1),
                                          piece_rule = optics::gauss_legendre(3, 0, 1);
   std::array<double, cell_nodes> node{}, moment{};
@@ -85,7 +95,7 @@ double add_cell(Rows& rows, const RadialProfile& profile, double low, double hig
   }
   add_piece(from, high);
 
-  // Leaves in `square` what the cubic does not hold of it.
+  // Coefficients of the cubic are moment_n / norm_n^2. Subtracts its square from that of R.
   for (int n = 0; n < cell_nodes; ++n) {
     const double weight = (high - low) * cell_rule[n].weight * node[n];
     rows.add(node[n], std::sqrt(weight), moment[n] / weight);
@@ -95,14 +105,15 @@ double add_cell(Rows& rows, const RadialProfile& profile, double low, double hig
   return std::max(square, 0.0);
 }
 
-/// A profile with break points, cell by cell, and one row for what lies between its rows.
+/// Makes the rows of a profile with break points, cell by cell, and one row for what lies between its rows.
 Rows broken_rows(const RadialProfile& profile) {
   const double end = profile.break_points_mm().back();
   Rows rows;
+
   double low = 1e-5 * profile.inner_mm();
   double rest = add_cell(rows, profile, 0, low);
   while (low < 10 * end) {
-    // R may jump at its end
+    // A cell ends where the profile does, because R may jump there.
     const double grown = low * std::exp(0.2), high = low < end && grown > end ? end : grown;
     rest += add_cell(rows, profile, low, high);
     low = high;
@@ -117,14 +128,17 @@ Target::Target(const RadialProfile& profile, std::string where)
     : where_(std::move(where)), spectral_(profile.hankel_is_exact() || profile.has_pole()) {
   if (!(profile.total() > 0))
     throw input_error(where_, "the profile reflects nothing: there is no sum of Gaussians to fit");
+
   const Rows rows =
       spectral_ || profile.break_points_mm().empty() ? smooth_rows(profile, spectral_) : broken_rows(profile);
   const auto vector = [](const std::vector<double>& from) {
     return Eigen::Map<const VectorXd>(from.data(), static_cast<Index>(from.size()));
   };
+
   x2_ = vector(rows.x).array().square();
   row_weight_ = vector(rows.weight);
   value_ = vector(rows.value);
+
   const double norm = value_.norm();
   if (!(norm > 0) || !std::isfinite(norm))
     throw input_error(where_, "the profile cannot be fitted: its norm is {}", norm);
@@ -132,7 +146,8 @@ Target::Target(const RadialProfile& profile, std::string where)
   row_weight_ /= norm;
 }
 
-// nothing on skin is looked at closer; dark skin sends back much of its light within micrometres
+// Finer detail than this is not visible on skin. Needed for dark skin, where much light leaves within
+// micrometres.
 constexpr double finest_mm = 0.01;
 
 double core_variance_mm2(const profile::RadialProfile& profile) {
@@ -175,7 +190,8 @@ VectorXd solve_non_negative(const MatrixXd& a, const VectorXd& b) {
   w = solve_used();
   if (w.minCoeff() >= 0) return w;  // nearly always
 
-  // Active set: takes up the column that gains most, then drops those that would turn negative.
+  // [LH74] ch. 23, active set: adds the column whose gradient is largest, then removes those that would turn
+  // negative.
   used.assign(used.size(), false);
   w.setZero();
   for (Index outer = 0; outer < 3 * n; ++outer) {
@@ -187,6 +203,7 @@ VectorXd solve_non_negative(const MatrixXd& a, const VectorXd& b) {
     used[best] = true;
 
     for (Index inner = 0; inner <= n; ++inner) {
+      // Moves towards the solution of the used columns, up to where the first weight becomes 0.
       const VectorXd s = solve_used();
       double part = 1;
       for (Index j = 0; j < n; ++j)
@@ -218,7 +235,7 @@ Projected project(std::span<const Target> channels, const VectorXd& log_variance
     MatrixXd basis(target.rows(), n), slope(target.rows(), n);
     for (Index j = 0; j < n; ++j) target.column(std::exp(log_variance[j]), basis.col(j), slope.col(j));
 
-    // Solves with R alone, n x n: its least squares are those of the basis.
+    // Weights from the factor R alone, n x n, which has the least-squares solution of the whole basis.
     const Eigen::HouseholderQR<MatrixXd> qr(basis);
     const MatrixXd r = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
     const VectorXd rotated = qr.householderQ().transpose() * target.value();
@@ -230,11 +247,12 @@ Projected project(std::span<const Target> channels, const VectorXd& log_variance
     out.channel_residual2.push_back(residual.squaredNorm());
     out.residual2 += residual.squaredNorm();
 
-    // [K75]: dr/dp_j = -(1 - Q Q^T) dPhi_j w_j, Q spanning the columns in use
+    // Jacobian of the residual, [K75]: dr/dp_j = -(1 - Q Q^T) dPhi_j w_j, where Q spans the columns in use.
     std::vector<Index> used;
     for (Index j = 0; j < n; ++j)
       if (w[j] != 0) used.push_back(j);
     if (used.empty()) continue;
+
     const MatrixXd part = basis(Eigen::all, used);
     const Eigen::HouseholderQR<MatrixXd> part_qr(part);
     const MatrixXd q =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Variable projection [GP73]: for given variances the best weights follow by linear least squares, so only
-// the variances are searched.
+// Variable projection [GP73]: for given variances the best weights follow from linear least squares, so that
+// only the variances need a search.
 #pragma once
 
 #include <Eigen/Dense>
@@ -13,43 +13,43 @@
 
 namespace dermis::gaussians {
 
-/// A profile as rows of a least-squares problem, sqrt(quadrature weight) (R(x) - S(x)), x = r or k, scaled so
-/// that Int r R^2 dr = 1.
+/// A profile as rows of a least-squares problem: sqrt(quadrature weight) times R(x), x = r or k, scaled so
+/// that the rows have the norm 1.
 class Target {
  public:
-  /// InputError (place `where`, such as a channel) if the profile is 0 everywhere, or so wide or narrow that
-  /// its norm leaves the numbers.
+  /// Throws InputError (place `where`, such as a channel) if the profile is 0 everywhere, or so wide or
+  /// narrow that its norm overflows or vanishes.
   Target(const profile::RadialProfile& profile, std::string where);
 
   const std::string& where() const { return where_; }
   Eigen::Index rows() const { return value_.size(); }
   const Eigen::VectorXd& value() const { return value_; }
-  /// Column of G(v, .) on the rows, and its derivative by log v.
+  /// Fills the column of G(v, .) on the rows, and its derivative by log v.
   void column(double variance_mm2, Eigen::Ref<Eigen::VectorXd> basis,
               Eigen::Ref<Eigen::VectorXd> slope) const;
 
  private:
   std::string where_;
-  bool spectral_ = false;  // x is k, the rows hold R^
+  bool spectral_ = false;  // x is k and the rows hold R^
   Eigen::VectorXd x2_;     // x^2
   Eigen::VectorXd row_weight_;
   Eigen::VectorXd value_;
 };
 
-/// What projection yields at one set of variances.
+/// The result of projection at one set of variances.
 struct Projected {
   double residual2 = 0;     // sum over the channels of the squared relative error
   Eigen::MatrixXd weights;  // terms x channels
   std::vector<double> channel_residual2;
-  Eigen::MatrixXd normal;  // J^T J and J^T r by [K75]
+  Eigen::MatrixXd normal;  // J^T J; with J^T r the system of a Gauss-Newton step, J as in [K75]
   Eigen::VectorXd gradient;
 };
 
-/// Best weights for the given log-variances; >= 0 unless any sign is allowed. With slopes for the next step
-/// of the search.
+/// Returns the best weights for the given log-variances (>= 0 unless any_sign), and the slopes for the next
+/// step of the search.
 Projected project(std::span<const Target> channels, const Eigen::VectorXd& log_variance, bool any_sign);
 
-/// min |A w - b| for w >= 0 [LH74]; A has full column rank or is nearly so, few columns.
+/// Returns the w >= 0 that minimises |A w - b| [LH74]. A has few columns and full column rank, or nearly so.
 Eigen::VectorXd solve_non_negative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 }  // namespace dermis::gaussians

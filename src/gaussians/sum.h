@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A diffusion profile as a sum of Gaussians, the form that the GPU can blur.
 //   R(r) = sum_i w_i G(v_i, r),  G(v, r) = exp(-r^2 / (2 v)) / (2 pi v)   [1/mm^2]
-// Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 4; [JG08]
-// eq. 2.
+// Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 4; [JG08] eq.
+// 2
 #pragma once
 
 #include <array>
@@ -20,11 +20,12 @@ struct Gaussian {
   bool operator==(const Gaussian&) const = default;
 };
 
-/// Narrow to wide. Weights sum to 1 per channel; what the skin reflects in all is kept beside them.
+/// Terms ordered narrow to wide. Weights sum to 1 per channel; total_reflectance holds what the skin
+/// reflects.
 struct SumOfGaussians {
   std::string name;
-  std::string
-      model;  ///< which model made the profile ("dipole", "Monte-Carlo", ...); empty if published or unknown
+  std::string model;  ///< the model that made the profile ("dipole", "Monte-Carlo", ...); empty if published
+                      ///< or unknown
   std::vector<Gaussian> terms;  ///< 1 to 8, variances strictly increasing
   /// 0..1, the integral of R over the plane before the weights were normalised
   Rgb total_reflectance{1, 1, 1};

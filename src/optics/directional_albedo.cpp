@@ -20,8 +20,9 @@ DirectionalAlbedo directional_albedo(double cosine, double m) {
   DirectionalAlbedo sum;
 
   for (int i = 0; i < samples_theta; ++i) {
-    // Beckmann: P(theta_h) by inversion, tan^2 = -m^2 ln(1 - u). The estimator f cos(l) / pdf is then pi F
-    // cos(l) / (v.h cos(h)), because the lobe carries a factor pi ([KSK01] with D not divided by pi).
+    // Half vector by inversion of Beckmann's distribution, tan^2 = -m^2 ln(1 - u), with pdf_h = D cos_h / pi:
+    // D of [KSK01] is not divided by pi. Then pdf_l = pdf_h / (4 v.h) and f = D F / (4 (v.h)^2), so that a
+    // sample counts f cos_l / pdf_l = pi F cos_l / (v.h cos_h).
     const double u = (i + 0.5) / samples_theta;
     const double tan2 = -m * m * std::log(1 - u);
     const double cos_h = 1 / std::sqrt(1 + tan2), sin_h = std::sqrt(std::max(0.0, 1 - cos_h * cos_h));
@@ -33,7 +34,7 @@ DirectionalAlbedo directional_albedo(double cosine, double m) {
       const double cos_l = 2 * v_h * cos_h - c;
       if (cos_l <= 0) continue;
 
-      // Splits Schlick's F = f0 (1 - x) + x into what f0 scales and the rest.
+      // Splits Schlick's F = f0 (1 - x) + x into the part that f0 scales and the rest.
       const double x = std::pow(1 - v_h, 5);
       const double weight = std::numbers::pi * cos_l / (v_h * cos_h);
       sum.of_f0 += weight * (1 - x);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// Directional albedo of the specular lobe, tabulated: rho(cos, m) = int f cos dw with rho_s factored out.
-/// Based on: [DLE07] GPU Gems 3, ch. 14.3.2; [KSK01]. Their 80 x 80 sum is 1 to 3 % low and breaks at grazing
-/// angles for small m; here half vectors are drawn from the distribution itself, so that every sample counts
-/// alike.
+/// Based on:
+/// [DLE07] GPU Gems 3, ch. 14.3.2. Its 80 x 80 sum is 1 to 3 % low and fails at grazing angles for small m;
+/// here
+///         half vectors are sampled from the distribution itself, so that all samples have equal weight.
+/// [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF Model. Eurographics 2001
 #pragma once
 
 #include <vector>
 
 namespace dermis::optics {
 
-/// cos 0..1, plus two columns that hold the cosine-weighted mean
+/// cos 0..1; two more columns hold the cosine-weighted mean
 inline constexpr int directional_albedo_columns = 64;
 inline constexpr int directional_albedo_rows = 32;  ///< m from directional_albedo_min_m to 1
 inline constexpr double directional_albedo_min_m = 0.05;
@@ -20,14 +22,14 @@ struct DirectionalAlbedo {
   double rho(double f0) const { return f0 * of_f0 + rest; }
 };
 
-/// rho(cos, m) = Int f(l, v) cos_l dl over the hemisphere with Schlick's F0 factored out, dimensionless;
-/// cosine of the view 0..1 (clamped to 1e-3), m the roughness of Beckmann's distribution,
-/// directional_albedo_min_m to 1. [KSK01] eq. 6 for f.
+/// Returns rho(cos, m) = Int f(l, v) cos_l dl over the hemisphere with Schlick's F0 factored out,
+/// dimensionless. The cosine of the view is 0..1 (at least 1e-3 is used), m is Beckmann's roughness,
+/// directional_albedo_min_m to 1. f is that of [KSK01] eq. 6.
 DirectionalAlbedo directional_albedo(double cosine, double m);
-/// Its mean over diffuse light, 2 Int_0^1 rho(mu, m) mu dmu, by 64 midpoints; m as above.
+/// Returns its mean over diffuse light, 2 Int_0^1 rho(mu, m) mu dmu, by 64 midpoints.
 DirectionalAlbedo mean_directional_albedo(double m);
 
-/// (of_f0, rest) pairs, directional_albedo_rows rows of directional_albedo_columns + 2.
+/// Returns (of_f0, rest) pairs, directional_albedo_rows rows of directional_albedo_columns + 2.
 std::vector<float> directional_albedo_table();
 
 }  // namespace dermis::optics

@@ -10,8 +10,8 @@
 namespace dermis::optics {
 namespace {
 
-/// Int_0^1 F(mu, n) mu^power dmu. Past the critical angle F = 1; at it F has a square-root kink, which mu =
-/// mu_c + (1 - mu_c) t^2 removes.
+/// Returns Int_0^1 F(mu, n) mu^power dmu. Past the critical angle F = 1. At it F has a square-root kink,
+/// which the substitution mu = mu_c + (1 - mu_c) t^2 removes.
 double fresnel_moment(double n, int power) {
   static const std::vector<Node> rule = gauss_legendre(64, 0, 1);
   const double mu_critical = n > 1 ? std::sqrt(1 - 1 / (n * n)) : 0;
@@ -29,6 +29,8 @@ double fresnel(double cos_incident, double n) {
   const double ci = std::clamp(cos_incident, 0.0, 1.0);
   const double sin2_t = n * n * (1 - ci * ci);
   if (sin2_t >= 1) return 1;
+
+  // F = (r_par^2 + r_perp^2) / 2 with Snell's sin_t = n sin_i.
   const double ct = std::sqrt(1 - sin2_t);
   if (n * ci + ct == 0 || ci + n * ct == 0) return 1;
   const double perpendicular = (n * ci - ct) / (n * ci + ct);

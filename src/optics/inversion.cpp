@@ -26,6 +26,7 @@ Medium medium_of(double reduced_albedo, double sigma_t_reduced_per_mm, double et
 }  // namespace
 
 double dipole_total_reflectance(double reduced_albedo, double eta) {
+  // [JMLH01] eq. 15: R_d = (alpha'/2) (1 + e^{-(4/3) A sqrt(3 (1 - alpha'))}) e^{-sqrt(3 (1 - alpha'))}.
   const double root = std::sqrt(3 * (1 - reduced_albedo));
   return reduced_albedo / 2 * (1 + std::exp(-4.0 / 3 * boundary_factor_classical(eta) * root)) *
          std::exp(-root);
@@ -35,6 +36,8 @@ double reduced_albedo_from_reflectance(double total_reflectance, double eta, con
   if (!(total_reflectance >= 0 && total_reflectance <= 1))
     throw input_error(where, "reflectance must be 0 to 1, got {}", total_reflectance);
   if (!(eta >= 1 && eta <= 3)) throw input_error(where, "eta must be 1 to 3, got {}", eta);
+  // Bisection: R_d grows with alpha'.
+
   double low = 0, high = 1;
   if (total_reflectance == 1) return 1;
   for (int step = 0; step < 60; ++step) {

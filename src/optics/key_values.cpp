@@ -19,7 +19,7 @@ double parse_number(std::string_view text, const std::string& where) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
     throw input_error(where, "'{}' is not a number", text);
-  return value + 0.0;  // -0 becomes 0: one over it must not be -inf
+  return value + 0.0;  // -0 becomes 0: its inverse must not be -inf
 }
 
 Rgb parse_triple(const std::string& text, const std::string& where) {

@@ -18,7 +18,7 @@ constexpr double largest_mm = 1e6;  // a kilometre of skin: numbers stay far fro
 
 double number(const Json& value, const std::string& where) {
   if (!value.is_number()) throw input_error(where, "expected a number, got {}", value.type_name());
-  return value.get<double>() + 0.0;  // -0 becomes 0: one over it must not be -inf
+  return value.get<double>() + 0.0;  // -0 becomes 0: its inverse must not be -inf
 }
 
 Rgb triple(const Json& value, const std::string& where) {

@@ -10,7 +10,7 @@
 namespace dermis::optics {
 namespace {
 
-// a mean free path of a nanometre: beyond any tissue, and numbers stay far from overflow
+// a mean free path of a nanometre: beyond any tissue, and far from overflow
 constexpr double largest_per_mm = 1e6;
 
 void check_range(const std::string& where, const char* name, double value, double low, double high,
@@ -22,7 +22,7 @@ void check_range(const std::string& where, const char* name, double value, doubl
 }  // namespace
 
 double Medium::sigma_tr_per_mm() const {
-  // the root of -0 is -0, and one over it -inf
+  // the root of -0 is -0, whose inverse is -inf
   return std::sqrt(3 * std::abs(sigma_a_per_mm) * sigma_t_reduced_per_mm());
 }
 

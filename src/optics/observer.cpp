@@ -42,7 +42,7 @@ const Tables& tables() {
       t.weights.push_back(weight);
     }
 
-    // The matrix is printed for a rounded white: dividing by the white of the tables makes a white surface
+    // The matrix is printed for a rounded white. Division by the white of the tables makes a white surface
     // white.
     for (Rgb& weight : t.weights)
       for (int c = 0; c < 3; ++c) weight[c] /= white[c];
@@ -53,7 +53,7 @@ const Tables& tables() {
 
 Xyz white_xyz() { return xyz_from_linear({1, 1, 1}); }
 
-/// CIE 015: cube root with a straight start.
+/// CIE 015 sec. 8: f(t) = t^(1/3) above (6/29)^3, else t / (3 (6/29)^2) + 4/29.
 double lab_curve(double t) {
   constexpr double d = 6.0 / 29;
   return t > d * d * d ? std::cbrt(t) : t / (3 * d * d) + 4.0 / 29;
@@ -88,6 +88,7 @@ Lab lab_from_linear(const Rgb& linear) {
   const Xyz xyz = xyz_from_linear(linear), white = white_xyz();
   const double fx = lab_curve(xyz[0] / white[0]), fy = lab_curve(xyz[1] / white[1]),
                fz = lab_curve(xyz[2] / white[2]);
+  // L* = 116 f(Y/Yn) - 16, a* = 500 (f(X/Xn) - f(Y/Yn)), b* = 200 (f(Y/Yn) - f(Z/Zn)).
   return {116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)};
 }
 

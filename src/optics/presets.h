@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Media that others measured.
-// Based on: [JMLH01] fig. 5 (measured coefficients); [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered
-// Translucent Materials. SIGGRAPH 2005
+// Published measurements of media.
+// Based on:
+// [JMLH01] fig. 5 (measured coefficients)
+// [DJ05]   Donner, Jensen: Light Diffusion in Multi-Layered Translucent Materials. SIGGRAPH 2005
 #pragma once
 
 #include <span>
@@ -19,24 +20,24 @@ struct Material {
   std::string_view name;  ///< lower case, as --preset takes it
   Rgb sigma_s_reduced_per_mm;
   Rgb sigma_a_per_mm;
-  /// 1.3; marble 1.5. Not printed in the table, but the printed reflectances follow from it to 0.01
+  /// 1.3; marble 1.5. Not printed in the table, but these values reproduce the printed reflectances to 0.01.
   double eta;
   Rgb published_reflectance;  ///< column "diffuse reflectance" of [JMLH01] fig. 5
 
-  /// Its coefficients per channel [1/mm], scattering as reduced (g = 0).
+  /// Returns the coefficients per channel [1/mm], scattering as reduced (g = 0).
   RgbMedium medium() const;
 };
 
-/// The twelve materials of [JMLH01] fig. 5, in its order.
+/// Returns the twelve materials of [JMLH01] fig. 5, in its order.
 std::span<const Material> jensen_materials();
 
-/// Layered preset "skin-layers": the three-layer skin of [DJ05], RGB. Its source gives no unit; 1/cm is the
-/// reading in which the numbers make sense for skin (epidermis mean free path 0.2 mm), and 0.25 mm, 0.35 mm
-/// and a half-space are our assumption for thicknesses that the paper's table lacks. Use it as plausible
-/// skin, not as the generator of the published six Gaussians: no thicknesses reproduce those.
+/// Returns the layered preset "skin-layers", the three-layer skin of [DJ05] in RGB. Its source gives no unit;
+/// we read 1/cm, for which the epidermis has a plausible mean free path of 0.2 mm. Thicknesses 0.25 mm, 0.35
+/// mm and a half-space are our assumption. It is plausible skin, but not the source of the published six
+/// Gaussians: no thicknesses reproduce those.
 RgbLayers donner_jensen_skin();
 
-/// Names that find_material() and --preset take, layered ones last, for listings and errors.
+/// Returns the names of all presets, layered ones last, for listings and errors.
 std::vector<std::string_view> preset_names();
 /// A homogeneous material by name, or nullptr.
 const Material* find_material(std::string_view name);

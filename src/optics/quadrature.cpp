@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Zero number k (from 1) of J0: McMahon's expansion, then Newton (J0' = -J1).
+/// Returns zero number k (from 1) of J0: McMahon's expansion, then Newton (J0' = -J1).
 double bessel_j0_zero(int k) {
   const double b = (k - 0.25) * pi;
   double x = b + 1 / (8 * b) - 31 / (384 * b * b * b);
@@ -19,8 +19,8 @@ double bessel_j0_zero(int k) {
   return x;
 }
 
-/// Nodes and weights of [O05] eq. 5.2 with step h, psi(t) = t tanh(pi/2 sinh t); weights carry J0 at the
-/// node.
+/// Returns nodes and weights of [O05] eq. 5.2 with step h: zeros of J0, bent by psi(t) = t tanh(pi/2 sinh t),
+/// so that the oscillation dies out double-exponentially. Weights include J0 at the node.
 std::vector<Node> ogata_rule(double h, int count) {
   std::vector<Node> rule;
   for (int k = 1; k <= count; ++k) {
@@ -32,7 +32,7 @@ std::vector<Node> ogata_rule(double h, int count) {
     const double slope = std::tanh(inner) + t * pi / 2 * std::cosh(t) * sech * sech;
     const double x = pi / h * psi;
     const double weight = pi * (::y0(zero) / ::j1(zero)) * ::j0(x) * slope;
-    // Near convergence the nodes coincide with zeros of J0: what is left there is rounding, not signal.
+    // Near convergence the nodes coincide with zeros of J0, and only rounding is left.
     if (std::abs(pi / h * t - x) < 1e-13 * x) break;
     rule.push_back({x, weight});
   }
@@ -47,6 +47,7 @@ std::vector<Node> gauss_legendre(int count, double low, double high) {
   const double half = (high - low) / 2, middle = (high + low) / 2;
 
   for (int i = 0; i < count; ++i) {
+    // A close first guess, then Newton on the Legendre polynomial of degree `count`.
     double x = std::cos(pi * (i + 0.75) / (count + 0.5));
     double slope = 1;
     for (int step = 0; step < 100; ++step) {  // Newton on the Legendre polynomial of degree `count`

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rules for integrals that have no closed form.
+// Quadrature for integrals without a closed form.
 // Based on: [O05] Ogata: A Numerical Integration Formula Based on the Bessel Functions. Publ. RIMS 41, 2005,
 // eq. 5.2
 #pragma once
@@ -14,14 +14,12 @@ struct Node {
   double weight = 0;
 };
 
-/// Gauss-Legendre rule, Int_low^high f(x) dx = Sum_i w_i f(x_i), with `count` nodes (1 to 512), low < high;
-/// exact for polynomials of degree 2 count - 1. The nodes are the zeros of the Legendre polynomial
-/// (Abramowitz and Stegun 25.4.29), rising.
+/// Returns the Gauss-Legendre rule Int_low^high f(x) dx = Sum_i w_i f(x_i) with `count` nodes (1 to 512), low
+/// < high, nodes rising. Exact for polynomials of degree 2 count - 1. Abramowitz and Stegun 25.4.29.
 std::vector<Node> gauss_legendre(int count, double low, double high);
 
-/// Int_0^inf f(x) J0(x) dx by [O05]: nodes at the zeros of J0, bent double-exponentially, so that what is
-/// left of the oscillation dies out. f smooth on x > 0 and of at most moderate growth; absolute accuracy
-/// about 1e-10 of the largest |f(x) x|.
+/// Returns Int_0^inf f(x) J0(x) dx by [O05]. f is smooth on x > 0 and grows at most moderately; absolute
+/// accuracy is about 1e-10 of the largest |f(x) x|.
 double bessel_j0_integral(const std::function<double(double)>& f);
 
 }  // namespace dermis::optics

@@ -13,7 +13,8 @@
 namespace dermis::optics {
 namespace {
 
-/// Gauss-Radau rule on [low, 1] with a node at 1, so that the perpendicular beam is one of the directions.
+/// Returns the Gauss-Radau rule on [low, 1] with a node at 1, so that the perpendicular beam is one of the
+/// directions.
 template <int n>
 std::array<Node, n> radau_to_one(double low) {
   std::array<Node, n> rule;
@@ -47,15 +48,16 @@ struct AddingDoubling {
   using Matrix = Eigen::Matrix<double, directions, directions>;
   using Vector = Eigen::Matrix<double, directions, 1>;
 
-  /// Directions inside a medium of index n: those past the critical angle, and those that can leave. The last
-  /// is perpendicular.
+  /// Directions inside a medium: those past the critical angle, then those that can leave. The last is
+  /// perpendicular.
   struct Directions {
     Vector mu, weight, surface;  // surface: internal reflectance
   };
 
   static Directions directions_of(double eta) {
     Directions d;
-    const double critical = eta > 1 ? std::sqrt(1 - 1 / (eta * eta)) : 0.3;  // without one, any split serves
+    const double critical =
+        eta > 1 ? std::sqrt(1 - 1 / (eta * eta)) : 0.3;  // without a critical angle any split works
     const auto inner = gauss_legendre(half_count, 0, critical);
     const auto outer = radau_to_one<half_count>(critical);
     for (int i = 0; i < half_count; ++i) {
@@ -66,20 +68,21 @@ struct AddingDoubling {
     return d;
   }
 
-  /// What a slab does to intensities: out = R in (same side), out = T in (other side). Homogeneous, so both
-  /// sides are alike.
+  /// The effect of a slab on intensities: out = R in (same side), out = T in (other side). A slab is
+  /// homogeneous, so that both sides are alike.
   struct SlabMatrices {
     Matrix reflect, transmit;
   };
 
-  /// A slab so thin that the mean of its two faces stands for its inside ([PGW93] "diamond"): second order in
-  /// its depth.
+  /// Returns a slab so thin that the mean of its two faces stands for its inside ([PGW93] "diamond"): second
+  /// order in `depth`.
   static SlabMatrices thin_slab(const Directions& d, double albedo, double depth) {
     const Vector scale = (depth / 2) * d.mu.cwiseInverse();
     const Matrix gain = scale * (albedo / 2) * d.weight.transpose();
     const Matrix loss = Matrix(scale.asDiagonal()) - gain;
     const Matrix inverse = (Matrix::Identity() + loss).inverse();
-    // T = forward + back R, R = back (1 + T)
+
+    // At a face lit with 1: T = forward + back R, R = back (1 + T). Insert T and solve for R.
     const Matrix forward = inverse * (Matrix::Identity() - loss), back = inverse * gain;
     SlabMatrices slab;
     slab.reflect =
@@ -88,6 +91,7 @@ struct AddingDoubling {
     return slab;
   }
 
+  // [PGW93], adding for two equal slabs: light bounces between them, (1 - R R)^-1.
   static void double_slab(SlabMatrices& slab) {
     const Matrix bounce =
         (Matrix::Identity() - slab.reflect * slab.reflect).partialPivLu().solve(slab.transmit);
@@ -99,6 +103,7 @@ struct AddingDoubling {
     const Medium medium = layer.medium();
     const double albedo = medium.reduced_albedo();
     constexpr double thin = 1e-3;
+
     if (std::isfinite(layer.thickness_mm)) {
       const double depth = layer.thickness_mm * medium.sigma_t_reduced_per_mm();
       const int doublings = std::max(0, static_cast<int>(std::ceil(std::log2(depth / thin))));
@@ -106,6 +111,7 @@ struct AddingDoubling {
       for (int i = 0; i < doublings; ++i) double_slab(slab);
       return slab;
     }
+    // A half-space: doubles until nothing passes.
     SlabMatrices slab = thin_slab(d, albedo, thin);
     for (int i = 0; i < 50 && slab.transmit.cwiseAbs().maxCoeff() > 1e-9; ++i) double_slab(slab);
     return slab;
@@ -118,17 +124,19 @@ struct AddingDoubling {
         throw input_error(where, "adding-doubling wants one index for all layers, got {} and {}",
                           layers[0].eta, layer.eta);
     const Directions d = directions_of(layers[0].eta);
-    // From the bottom: `below` reflects what comes down; `through` carries it out of the last face (per unit
-    // arriving at the present top).
+
+    // Adds slabs from the bottom up. `below` reflects what comes down; `through` maps what arrives at the
+    // current top to what arrives at the last face.
     Matrix below = d.surface.asDiagonal(), through = Matrix::Identity();
     for (std::size_t i = layers.size(); i-- > 0;) {
       const SlabMatrices slab = make_slab(d, layers[i]);
-      // arriving at `below`
+      // Light that arrives at `below`, per unit on top of the slab.
       const Matrix bounce = (Matrix::Identity() - slab.reflect * below).partialPivLu().solve(slab.transmit);
       through = (through * bounce).eval();
       below = (slab.reflect + slab.transmit * below * bounce).eval();
     }
-    // Light inside the surface: what entered plus what the surface throws back.
+
+    // Light just below the surface: what entered plus what the surface reflects back.
     Vector entered = Vector::Zero();
     entered[directions - 1] = 1 / (d.mu[directions - 1] * d.weight[directions - 1]);  // unit flux
     const Vector down = (Matrix::Identity() - d.surface.asDiagonal() * below).partialPivLu().solve(entered);
@@ -158,7 +166,7 @@ HFunction solve_h(double albedo) {
   out.h.assign(out.rule.size(), 1.0);
   const double root = std::sqrt(1 - albedo);
 
-  // Iterates Chandrasekhar's 1/H(x) = root + albedo/2 Int_0^1 y H(y) / (x + y) dy.
+  // Iterates 1/H(x) = sqrt(1-a) + a/2 Int_0^1 y H(y) / (x + y) dy, [C60] ch. 5.
   for (int step = 0; step < 20000; ++step) {
     double change = 0;
     std::vector<double> next(out.h.size());
@@ -166,7 +174,7 @@ HFunction solve_h(double albedo) {
       double sum = 0;
       for (std::size_t j = 0; j < out.h.size(); ++j)
         sum += out.rule[j].weight * out.rule[j].x * out.h[j] / (out.rule[i].x + out.rule[j].x);
-      // the mean: plain substitution swings without absorption
+      // the mean of both: plain substitution oscillates without absorption
       next[i] = (1 / (root + albedo / 2 * sum) + out.h[i]) / 2;
       change = std::max(change, std::abs(next[i] - out.h[i]));
     }

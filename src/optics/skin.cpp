@@ -20,7 +20,7 @@ constexpr HaemoglobinRow haemoglobin[] = {
 #include "optics/haemoglobin.inc"
 };
 
-/// Straight lines between samples.
+/// Returns the extinction, linear between samples.
 double extinction(double nm, double HaemoglobinRow::*column) {
   DERMIS_ASSERT(nm >= haemoglobin[0].nm && nm <= std::end(haemoglobin)[-1].nm);
   const double step = haemoglobin[1].nm - haemoglobin[0].nm, position = (nm - haemoglobin[0].nm) / step;
@@ -61,9 +61,14 @@ double skin_scattering_per_mm(double nm) { return 14.74 * std::pow(nm, -0.22) + 
 
 Layers skin_layers(const Skin& skin, double nm) {
   const double base = baseline_per_mm(nm), scattering = skin_scattering_per_mm(nm);
+
+  // [DJ06] eq. 1 to 6, with C_m melanin, beta blend, C_h haemoglobin, gamma oxygenation:
+  //   epidermis sigma_a = C_m (beta eu + (1 - beta) pheo) + (1 - C_m) base,
+  //   dermis    sigma_a = C_h (gamma oxy + (1 - gamma) deoxy) + (1 - C_h) base.
   const double melanin = skin.blend * eumelanin_per_mm(nm) + (1 - skin.blend) * pheomelanin_per_mm(nm);
   const double blood =
       skin.oxygenation * oxyhaemoglobin_per_mm(nm) + (1 - skin.oxygenation) * deoxyhaemoglobin_per_mm(nm);
+
   const Layer epidermis{.sigma_a_per_mm = skin.melanin * melanin + (1 - skin.melanin) * base,
                         .sigma_s_reduced_per_mm = scattering,
                         .eta = skin.eta,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Skin by what colours it: melanin in the epidermis, blood in the dermis.
-// Based on: [DJ06] Donner, Jensen: A Spectral BSSRDF for Shading Human Skin. EGSR 2006
-//           [P98]  Prahl: Tabulated Molar Extinction Coefficient for Hemoglobin in Water. omlc.org, 1998
+// Skin by its chromophores: melanin in the epidermis, blood in the dermis.
+// Based on:
+// [DJ06] Donner, Jensen: A Spectral BSSRDF for Shading Human Skin. EGSR 2006
+// [P98]  Prahl: Tabulated Molar Extinction Coefficient for Hemoglobin in Water. omlc.org, 1998
 #pragma once
 
 #include <string>
@@ -16,35 +17,34 @@ struct Skin {
   double melanin = 0.02;      ///< volume fraction of melanin in the epidermis, 0 to 0.5
   double blend = 0.7;         ///< eumelanin's share of the melanin, 0 (pheomelanin only) to 1
   double haemoglobin = 0.01;  ///< volume fraction of blood in the dermis, 0 to 0.1
-  double oxygenation = 0.75;  ///< part of the haemoglobin that carries oxygen, 0 to 1
+  double oxygenation = 0.75;  ///< fraction of the haemoglobin that carries oxygen, 0 to 1
   /// strength of the surface reflection, 0 (none) to 1 (a clean boundary of index eta)
   double oiliness = 0.3;
   double epidermis_mm = 0.25;  ///< thickness, 0.01 to 2 mm
   double eta = 1.4;            ///< index of both layers, 1 to 2; matched between them
 };
 
-/// Ranges above; InputError with `where` as the place.
+/// Throws InputError (place `where`) for values outside the ranges above.
 void check(const Skin& skin, const std::string& where);
 
-/// Absorption of pure chromophores [1/mm], wavelength 380 to 780 nm (assertion). [DJ06] sec. 3; the
-/// coefficients are per mm although they look like per cm: 72.8 / cm of scattering at 500 nm is what
-/// instruments find.
+/// Return the absorption of pure chromophores [1/mm], wavelength 380 to 780 nm (assertion). [DJ06] sec. 3.
+/// The coefficients are per mm: read so, scattering at 500 nm is 72.8 / cm, which agrees with measurements.
 double eumelanin_per_mm(double nm);    ///< 6.6e10 nm^-3.33
 double pheomelanin_per_mm(double nm);  ///< 2.9e14 nm^-4.75
 double baseline_per_mm(double nm);     ///< 0.0244 + 8.53 exp(-(nm - 154) / 66.2): skin without either
-/// Whole blood, 150 g/L: ln(10) eps 150 / 64500 / 10, eps of [P98] between its samples 2 nm apart.
+/// Whole blood, 150 g/L: ln(10) eps 150 / 64500 / 10, eps of [P98] interpolated between its samples 2 nm
+/// apart.
 double oxyhaemoglobin_per_mm(double nm);
 double deoxyhaemoglobin_per_mm(double nm);
-/// Reduced scattering of the epidermis, 14.74 nm^-0.22 + 2.2e11 nm^-4 [1/mm]; the dermis has half of it.
-/// [DJ06] sec. 3.
+/// Returns the reduced scattering of the epidermis, 14.74 nm^-0.22 + 2.2e11 nm^-4 [1/mm]; the dermis has half
+/// of it. [DJ06] sec. 3.
 double skin_scattering_per_mm(double nm);
 
-/// Both layers at one wavelength: epidermis sigma_a = C_m (beta eu + (1 - beta) pheo) + (1 - C_m) base;
-/// dermis sigma_a = C_h (gamma oxy + (1 - gamma) deoxy) + (1 - C_h) base, a half-space. [DJ06] eq. 1 to 6.
+/// Returns epidermis and dermis (a half-space) at one wavelength. [DJ06] eq. 1 to 6.
 Layers skin_layers(const Skin& skin, double nm);
 
-/// The part of diffuse light from outside that enters: 1 - oiliness * 2 C1(1/eta). [DJ06] sec. 4 scales its
-/// surface term by oiliness.
+/// Returns the fraction of diffuse light from outside that enters: 1 - oiliness * 2 C1(1/eta). [DJ06] sec. 4
+/// scales its surface term by oiliness.
 double entering_part(const Skin& skin);
 
 }  // namespace dermis::optics

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double least_melanin = 5e-4, most_melanin = 0.5, least_blood = 5e-4, most_blood = 0.1;
 
-/// Every `stride`-th sample of the tables: 2, with 8 directions, is enough to compare skins (0.2 dE), 1 to
-/// state a colour.
+/// Integrates every `stride`-th sample of the tables. Stride 1 serves to state a colour; stride 2 with 8
+/// directions serves to compare skins (0.2 dE).
 Rgb integrate(const Skin& skin, std::size_t stride) {
   const auto nm = wavelengths_nm();
   const auto weights = rec709_weights();
@@ -27,7 +27,10 @@ Rgb integrate(const Skin& skin, std::size_t stride) {
   for (std::size_t i = 0; i < nm.size(); i += stride) {
     const Layers layers = skin_layers(skin, nm[i]);
     const double total = (stride == 1 ? adding_doubling(layers) : adding_doubling_coarse(layers)).reflectance;
-    for (int c = 0; c < 3; ++c) sum[c] += weights[i][c] * total, white[c] += weights[i][c];
+    for (int c = 0; c < 3; ++c) {
+      sum[c] += weights[i][c] * total;
+      white[c] += weights[i][c];
+    }
   }
   for (int c = 0; c < 3; ++c) sum[c] /= white[c];
   return sum;
@@ -40,13 +43,13 @@ Lab lab_of(const Skin& skin, std::size_t stride) {
   return lab_from_linear(linear);
 }
 
-/// A point of the search: logarithms of both fractions, since equal steps of them look about equal.
+/// A point of the search, in logarithms of both fractions, whose equal steps look about equal.
 struct Candidate {
   std::array<double, 2> log_fraction{};  // melanin, haemoglobin
   Lab lab;
 };
 
-constexpr std::array<double, 2> log_low{-12.2, -12.2};  // 5e-6: as good as none
+constexpr std::array<double, 2> log_low{-12.2, -12.2};  // 5e-6, practically none
 const std::array<double, 2> log_high{std::log(most_melanin), std::log(most_blood)};
 
 Candidate evaluate(Skin skin, std::array<double, 2> log_fraction, std::size_t stride) {
@@ -58,8 +61,8 @@ Candidate evaluate(Skin skin, std::array<double, 2> log_fraction, std::size_t st
 
 constexpr std::size_t grid_columns = 10, grid_rows = 7;
 
-/// 70 skins over the range, for a start; the last set of fixed parameters is remembered, as colours come in
-/// series.
+/// Returns 70 skins over the range to start from. Keeps the grid of the last fixed parameters, because
+/// colours often come in series.
 std::vector<Candidate> coarse_grid(const Skin& fixed) {
   static std::mutex mutex;
   static std::vector<Candidate> grid;
@@ -85,7 +88,7 @@ std::vector<Candidate> coarse_grid(const Skin& fixed) {
   return grid;
 }
 
-/// One damped Gauss-Newton step of the distance in L*a*b*, slopes by differences.
+/// Returns one damped Gauss-Newton step of the distance in L*a*b*, with slopes by finite differences.
 std::array<double, 2> newton_step(const Lab& wanted, const Skin& fixed, const Candidate& here,
                                   double damping) {
   constexpr double h = 0.02;
@@ -97,8 +100,10 @@ std::array<double, 2> newton_step(const Lab& wanted, const Skin& fixed, const Ca
     const Lab there = evaluate(fixed, at, 2).lab;
     slope[i] = {(there.l - here.lab.l) / side, (there.a - here.lab.a) / side, (there.b - here.lab.b) / side};
   }
+
   const std::array<double, 3> off{wanted.l - here.lab.l, wanted.a - here.lab.a, wanted.b - here.lab.b};
   const auto dot = [](const auto& x, const auto& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; };
+  // Normal equations of two unknowns, by Cramer's rule.
   const double a = dot(slope[0], slope[0]) * (1 + damping) + 1e-9, b = dot(slope[0], slope[1]),
                d = dot(slope[1], slope[1]) * (1 + damping) + 1e-9;
   const double p = dot(slope[0], off), q = dot(slope[1], off), determinant = a * d - b * b;
@@ -106,7 +111,7 @@ std::array<double, 2> newton_step(const Lab& wanted, const Skin& fixed, const Ca
           std::clamp((a * q - b * p) / determinant, -1.0, 1.0)};
 }
 
-/// Damped steps until they no longer pay.
+/// Takes damped steps until the distance hardly falls.
 Candidate descend(const Lab& wanted, const Skin& fixed, Candidate here) {
   double damping = 1e-3;
   for (int step = 0; step < 30 && damping < 1e3; ++step) {
@@ -121,9 +126,9 @@ Candidate descend(const Lab& wanted, const Skin& fixed, Candidate here) {
   return here;
 }
 
-/// The three nearest points of the grid of which no two are neighbours: the colours of skin fold back on
-/// themselves (yellow by little blood, and by much melanin), so the nearest point need not lie in the right
-/// fold.
+/// Returns the three nearest points of the grid of which no two are neighbours. Different skins can have the
+/// same colour (yellow through little blood, or through much melanin), so the nearest point may lead to a
+/// local minimum.
 std::vector<Candidate> starts(std::vector<Candidate> grid, const Lab& wanted) {
   const auto apart = [](const Candidate& a, const Candidate& b) {
     const double melanin = std::log(most_melanin / least_melanin) / (grid_columns - 1),

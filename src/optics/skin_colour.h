@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The colour of spectral skin, and the skin behind a colour.
-// Based on: [DJ06]; [PGW93] for the totals, so that dark skin is as right as light skin (the multipole would
-// be up to 40 % too bright)
+// Computes the colour of spectral skin, and the skin that has a given colour.
+// Based on: [DJ06] for the model; [PGW93] for the totals, which holds for dark skin too (the multipole is up
+// to 40 % too bright there)
 #pragma once
 
 #include <string>
@@ -11,30 +11,31 @@
 
 namespace dermis::optics {
 
-/// Linear Rec.709 of the light that leaves from inside under D65, per unit that entered: the exact totals
-/// (optics/radiative.h) at 81 wavelengths, integrated with the CIE 1931 observer. Some 10 ms. This is what an
-/// albedo map means; what the surface reflects is not in it.
+/// Returns linear Rec.709 under D65 of the light that leaves from inside, per unit that entered: exact totals
+/// (optics/radiative.h) at 81 wavelengths, integrated with the CIE 1931 observer. Takes about 10 ms. This is
+/// what an albedo map holds; surface reflection is not included.
 Rgb skin_reflectance(const Skin& skin);
-/// The same as an instrument sees it without gloss: times entering_part().
+/// Returns skin_reflectance() times entering_part(): the colour that an instrument measures without gloss.
 Rgb skin_colour(const Skin& skin);
 
 /// A skin found for a measured colour.
 struct SkinMatch {
   Skin skin;
-  Lab lab;             ///< of the found skin
-  double delta_e = 0;  ///< CIE76 from what was asked for; large for colours that no skin has
+  Lab lab;             ///< colour of the found skin
+  double delta_e = 0;  ///< CIE76 distance from the wanted colour; large for colours that no skin has
 };
 
-/// Fixed parameters with which measured skin is met best: blend 0.1, epidermis 0.12 mm, else the defaults.
-/// With [DJ06]'s own blend 0.7 and 0.25 mm measured groups are up to 9.3 dE from the model, with these 2.8.
+/// Returns the fixed parameters that fit measured skin best: blend 0.1, epidermis 0.12 mm, else the defaults.
+/// Measured groups are at most 2.8 dE from the model with these, 9.3 dE with [DJ06]'s blend 0.7 and 0.25 mm.
 Skin measured_skin();
 
-/// The melanin and haemoglobin whose skin_colour() is nearest to `wanted` in CIE76; all else from `fixed`. A
-/// coarse grid, then Gauss-Newton from its three best points apart until the distance no longer falls by
-/// 0.001; deterministic, some 0.1 s. InputError: fixed out of range.
+/// Finds the melanin and haemoglobin whose skin_colour() is nearest to `wanted` in CIE76; all else is
+/// `fixed`. A coarse grid, then Gauss-Newton from three of its best points until the distance falls by less
+/// than 0.001; deterministic, about 0.1 s. Throws InputError if `fixed` is out of range.
 SkinMatch nearest_skin(const Lab& wanted, const Skin& fixed = measured_skin());
 
-/// "#c58c85" (sRGB) or "L,a,b" (CIELAB, D65). InputError with `where` otherwise, also for L outside 0..100.
+/// Parses "#c58c85" (sRGB) or "L,a,b" (CIELAB, D65). Throws InputError (place `where`) otherwise, also for L
+/// outside 0..100.
 Lab parse_colour(const std::string& text, const std::string& where);
 
 }  // namespace dermis::optics

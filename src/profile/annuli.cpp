@@ -51,8 +51,8 @@ double Annuli::hankel(double k_per_mm) const {
   double sum = 0;
   for (std::size_t i = 0; i < energies_.size(); ++i) {
     const double r0 = edges_mm_[i], r1 = edges_mm_[i + 1];
-    // For k r << 1 the difference of the J1 cancels; the mean of 1 - (k r)^2 / 4 over the ring is exact
-    // enough there.
+    // Ring i adds E_i 2 [r J1(k r)] / (k (r1^2 - r0^2)), [ ] the difference between its edges. For k r << 1
+    // that difference cancels; there the mean of J0(x) = 1 - x^2/4 over the ring is exact enough.
     const double mean = k * r1 < 1e-3
                             ? 1 - k * k * (r0 * r0 + r1 * r1) / 8
                             : 2 * (r1 * ::j1(k * r1) - r0 * ::j1(k * r0)) / (k * (r1 * r1 - r0 * r0));

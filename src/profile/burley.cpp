@@ -35,6 +35,7 @@ double Burley::at(double radius_mm) const {
 }
 
 double Burley::hankel(double k_per_mm) const {
+  // R^(k) = A/4 [ 1/sqrt(1 + (k d)^2) + 3/sqrt(1 + (3 k d)^2) ].
   const double kd = k_per_mm * shape_mm_;
   return total_ / 4 * (1 / std::hypot(1, kd) + 3 / std::hypot(1, 3 * kd));
 }
@@ -47,6 +48,8 @@ double Burley::within(double radius_mm) const {
 double Burley::quantile(double p) const {
   if (p <= 0) return 0;
   if (p >= 1) return std::numeric_limits<double>::infinity();
+  // within(r) = p A is the cubic y^3 + 3 y = 4 u in y = e^{-r/(3d)}, with u = 1 - p. By Cardano y = z - 1/z,
+  // z^3 = 2 u + sqrt(1 + 4 u^2). Here G = z^6, and 1/y = (y^2 + 3) / (4 u) = (1 + z^2 + z^-2) / (4 u).
   const double u = 1 - p;
   const double cube_root = std::cbrt(1 + 4 * u * (2 * u + std::sqrt(1 + 4 * u * u)));
   return 3 * shape_mm_ * std::log((1 + 1 / cube_root + cube_root) / (4 * u));

@@ -24,7 +24,7 @@ ProfilePtr homogeneous(const optics::Medium& medium, Model model, const MonteCar
   }
 }
 
-/// A channel that sends nothing back has no shape to speak of; `where` and the channel say which.
+/// Throws InputError if a channel reflects nothing: such a profile has no shape.
 void check_reflects(const ModelledProfiles& made, const std::string& where) {
   for (int c = 0; c < 3; ++c)
     if (!(made.profiles[c]->total() > 0))
@@ -72,7 +72,7 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
   ModelledProfiles out;
   out.model = model;
 
-  // Looks for the lowest reduced albedo and the thinnest layer, and where they are.
+  // Finds the lowest reduced albedo, the thinnest layer, and where they are.
   double lowest = 2, thinnest = 1e300;
   std::string place, thin_place;
   for (int c = 0; c < 3; ++c) {

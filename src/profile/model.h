@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From coefficients to three profiles, by the model that was asked for or the one that fits.
+// Makes three profiles from coefficients, by the model asked for or by the one that fits.
 #pragma once
 
 #include <array>
@@ -16,34 +16,37 @@ namespace dermis::profile {
 
 enum class Model { dipole, better, multipole, beam, monte_carlo, automatic };
 
-/// "dipole", "better", "multipole", "beam", "monte-carlo", "auto"; InputError lists them.
+/// Parses "dipole", "better", "multipole", "beam", "monte-carlo" or "auto"; throws InputError (lists them)
+/// otherwise.
 Model parse_model(std::string_view name);
-/// The name that parse_model() takes for it.
+/// Returns the name that parse_model() takes.
 std::string_view model_name(Model model);
-/// All of them, "auto" last.
+/// Returns all names, "auto" last.
 std::vector<std::string_view> model_names();
 
-/// Under this reduced albedo diffusion totals are more than a few per cent off: the dipole's by 4 % at 0.95,
-/// 10 % at 0.9, 37 % at 0.5 (docs/theory.md has the table), and near the source it is off by far more.
+/// Below this reduced albedo the totals of diffusion are more than a few per cent off: the dipole's by 4 % at
+/// 0.95, 10 % at 0.9, 37 % at 0.5 (table in docs/theory.md). Near the source the error is far larger.
 inline constexpr double diffusion_albedo = 0.95;
 
-/// Layers thinner than this many reduced mean free paths are beyond diffusion, too.
+/// Diffusion also fails for layers thinner than this many reduced mean free paths.
 inline constexpr double diffusion_thickness = 2;
 
-/// Three profiles, and what made them.
+/// Three profiles and the model that made them.
 struct ModelledProfiles {
   std::array<ProfilePtr, 3> profiles;
   Model model = Model::dipole;  ///< never automatic
   std::string reason;           ///< why automatic chose it; empty if it was asked for
 };
 
-/// A homogeneous half-space. automatic: the dipole where the reduced albedo of all three channels is at least
-/// diffusion_albedo, else Monte-Carlo. InputError: values out of range.
+/// Makes the profiles of a homogeneous half-space. Model::automatic takes the dipole if the reduced albedo of
+/// all three channels is at least diffusion_albedo, else Monte-Carlo. Throws InputError for values out of
+/// range.
 ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, const MonteCarloOptions& options,
                                const std::string& where);
 
-/// A stack. automatic: the multipole where every layer and channel has that albedo and that thickness, else
-/// Monte-Carlo. InputError: dipole, better and beam know no layers.
+/// Makes the profiles of a stack. Model::automatic takes the multipole if every layer and channel reaches
+/// diffusion_albedo and diffusion_thickness, else Monte-Carlo. Throws InputError for dipole, better and beam,
+/// which have no layers.
 ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, const MonteCarloOptions& options,
                                const std::string& where);
 

@@ -45,7 +45,7 @@ std::vector<PhotonLayer> prepare(const ScatterScene& scene) {
   return layers;
 }
 
-/// Rings from a thousandth of the shortest mean free path to where nothing comes back.
+/// Returns rings from a thousandth of the shortest mean free path to where no light returns.
 std::vector<double> edges_of(const ScatterScene& scene) {
   double shortest = HUGE_VAL, longest = 0;
   for (const ScatterLayer& layer : scene.layers) {
@@ -86,14 +86,15 @@ MonteCarloResult gather(const std::vector<PhotonTally>& tallies, const std::vect
     result.cut += tally.cut / photons;
   }
 
+  // Standard error of each ring from the spread of the batches.
   const double n = static_cast<double>(tallies.size());
-  for (std::size_t i = 0; i < rings; ++i) {  // from the spread of the batches
+  for (std::size_t i = 0; i < rings; ++i) {
     const double mean = reflected[i] * photons / n;
     result.reflected_error.push_back(std::sqrt(std::max(0.0, reflected2[i] - n * mean * mean) / (n - 1) * n) /
                                      photons);
   }
 
-  // Adds the light scattered once, where it is known exactly and was not counted.
+  // Adds the light scattered once where it is known exactly; the tallies have left it out.
   for (std::size_t i = 0; i < rings; ++i) {
     reflected[i] += exact[i];
     result.reflected_total += exact[i];
@@ -121,7 +122,7 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
   parallel_for(batches, [&](std::size_t batch) {
     const std::uint64_t begin = options.photons * batch / batches,
                         end = options.photons * (batch + 1) / batches;
-    PhotonTally tally = tallies[batch];  // a copy of its own: neighbours in memory would slow each other down
+    PhotonTally tally = tallies[batch];  // a copy per thread: neighbours in memory would share cache lines
     for (std::uint64_t photon = begin; photon < end; ++photon)
       trace_photon(layers, scene.light, PhotonRandom(options.seed, photon), tally);
     tallies[batch] = std::move(tally);
@@ -191,20 +192,23 @@ MonteCarloProfile::MonteCarloProfile(const ScatterScene& scene, const MonteCarlo
 
 double MonteCarloProfile::at(double radius_mm) const {
   const auto& edges = result_->reflected.edges_mm();
-  // rings 1 and up; ring 0 reaches to 0
+  // For rings 1 and up; ring 0 begins at 0 and has no centre in log r.
   const auto centre = [&](std::size_t ring) { return std::sqrt(edges[ring] * edges[ring + 1]); };
   const auto density = [&](std::size_t ring) { return result_->reflected.density_per_mm2(ring); };
   const std::size_t last = edges.size() - 2;
   if (radius_mm >= edges.back()) return 0;
-  // 1/r: light scattered once
+
+  // Light scattered once grows like 1/r.
   if (radius_mm <= centre(1)) return density(1) * centre(1) / std::max(radius_mm, 1e-300);
   std::size_t i =
       static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), radius_mm) - edges.begin()) - 1;
   if (radius_mm < centre(i)) --i;
   if (i >= last) return density(last);
+
+  // A straight line in log-log; linear where a ring is empty and has no logarithm.
   const double part = std::log(radius_mm / centre(i)) / std::log(centre(i + 1) / centre(i));
   const double below = density(i), above = density(i + 1);
-  if (below <= 0 || above <= 0) return below + part * (above - below);  // an empty ring has no logarithm
+  if (below <= 0 || above <= 0) return below + part * (above - below);
   return below * std::pow(above / below, part);
 }
 

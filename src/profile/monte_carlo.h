@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Monte-Carlo: photons followed through layers. Slow, noisy and right: the model for dark skin and the judge
-// of all others. Based on: [WJZ95] Wang, Jacques, Zheng: MCML - Monte Carlo modeling of light transport in
-// multi-layered tissues. CMPB 47, 1995
+// Monte-Carlo: photons followed through layers. Slow and noisy, but without the approximations of diffusion:
+// used for dark skin, and as the reference for all other models.
+// Based on:
+// [WJZ95] Wang, Jacques, Zheng: MCML - Monte Carlo modeling of light transport in multi-layered tissues. CMPB
+//         47, 1995
 #pragma once
 
 #include <cstdint>
@@ -18,74 +20,74 @@
 namespace dermis::profile {
 
 struct MonteCarloOptions {
-  std::uint64_t photons = 500'000;  ///< 1,000 to 1e9 a channel
+  std::uint64_t photons = 500'000;  ///< 1,000 to 1e9 per channel
   std::uint64_t seed = 1;
-  /// a folder in which results are kept; empty: only in memory. A damaged entry is made again.
+  /// Folder in which results are kept; empty: only in memory. A damaged entry is computed again.
   std::filesystem::path cache;
-  /// How much of a run is done, above 0 to 1: called after each of its batches, from one thread at a time;
-  /// once, with 1, if the result was kept. It must not throw, and has no part in the result.
+  /// Receives how much of a run is done, above 0 to 1: called after each batch, from one thread at a time;
+  /// called once with 1 if a kept result was found. It must not throw, and does not affect the result.
   std::function<void(double)> progress = {};
 };
 
-/// InputError, place `where`, if photons is out of range.
+/// Throws InputError (place `where`) if photons is out of range.
 void check_photons(std::uint64_t photons, const std::string& where);
 
-/// One layer as photons see it: true scattering with a Henyey-Greenstein phase function, per mm.
+/// A layer for photons: true scattering with a Henyey-Greenstein phase function, per mm.
 struct ScatterLayer {
   optics::Medium medium;
   double thickness_mm = 0;  ///< > 0; infinite only for the last
 };
 
-/// What light meets, from above; air (index 1) on both sides. Each index step, also between layers, reflects
-/// by Fresnel.
+/// The layers from above, with air (index 1) on both sides. Every index step reflects by Fresnel, also
+/// between layers.
 struct ScatterScene {
   std::vector<ScatterLayer> layers;
-  /// a pencil beam, or light from everywhere into one point
+  /// a perpendicular pencil beam, or diffuse light into one point
   enum class Light { perpendicular, diffuse } light = Light::perpendicular;
 };
 
-/// A half-space of the medium (ranges as optics::check wants them, sigma_t > 0) under a perpendicular beam;
+/// Returns a half-space of the medium (sigma_t > 0, passes optics::check) under a perpendicular beam, with
 /// its true sigma_s and g.
 ScatterScene scene_of(const optics::Medium& medium);
-/// Reduced scattering as isotropic scattering (similarity: g = 0, [JMLH01] sec. 2) under a perpendicular
-/// beam.
+/// Returns the layers with their reduced scattering as isotropic scattering (similarity: g = 0, [JMLH01] sec.
+/// 2) under a perpendicular beam.
 ScatterScene scene_of(const optics::Layers& layers);
 
-/// Everything as a part of the flux that entered (multiply by 1 - F for what was sent).
+/// Energies as fractions of the flux that entered (multiply by 1 - F for fractions of the incident flux).
 struct MonteCarloResult {
-  /// By distance from where it entered, 16 rings a decade. reflected: all that leaves upwards, also what only
-  /// a boundary below has turned; transmitted: what leaves downwards after a scattering at least.
+  /// By distance from the point of entry, 16 rings per decade. reflected: all light that leaves upwards,
+  /// including light that only a lower boundary has reflected. transmitted: light that leaves downwards after
+  /// at least one scattering.
   Annuli reflected, transmitted;
   std::vector<double> reflected_error;                        ///< standard error of each ring's energy
   double reflected_total = 0, reflected_total_error = 0;      ///< with standard error
   double transmitted_total = 0, transmitted_total_error = 0;  ///< scattered light only
-  double ballistic = 0;                                       ///< transmitted without a scattering
-  std::vector<double> absorbed;                               ///< by layer, with what was cut
-  /// still on its way after 200,000 scatterings, and given up
+  double ballistic = 0;                                       ///< transmitted without any scattering
+  std::vector<double> absorbed;                               ///< per layer, including `cut`
+  /// carried by photons that were ended after 200,000 scatterings
   double cut = 0;
-  /// 2 pi Int r R^2 dr and the same of R's standard error [1/mm^2], from the radius of 5 % of the light on:
-  /// what is inside, fits even out.
+  /// Integrals over r from the radius that holds 5 % of the light; further in, noise averages out in a fit.
   struct Squares {
     double signal_per_mm2 = 0, error_per_mm2 = 0;
   };
   Squares squares() const;
-  /// Noise as the fits see it: 100 sqrt( Int r error^2 dr / Int r R^2 dr ).
+  /// Returns the noise as a fit sees it: 100 sqrt( Int r error^2 dr / Int r R^2 dr ).
   double noise_percent() const;
 };
 
-/// Follows options.photons photons, in 64 batches that all cores share. Each photon has its own counter-based
-/// random numbers, so equal options give equal bits on any number of threads. Weights instead of absorption,
-/// splitting instead of chance at the outer boundaries, roulette under 1e-3 [WJZ95 sec. 3]. A photon ends
-/// after 200,000 scatterings (only without absorption does it matter: 0.5 % of the light). Results are kept
-/// in memory (the last 64) and in options.cache. InputError: values out of range, photons out of range.
+/// Traces options.photons photons in 64 batches that all cores share. Each photon has its own counter-based
+/// random numbers, so that equal options give equal bits on any number of threads. Absorption reduces
+/// weights, outer boundaries split the weight, weights below 1e-3 play roulette [WJZ95 sec. 3]. A photon ends
+/// after 200,000 scatterings, which matters only without absorption (0.5 % of the light). Results are kept in
+/// memory (the last 64) and in options.cache. Throws InputError for values out of range.
 std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene,
                                                     const MonteCarloOptions& options);
 
-/// Reflected light as a profile: R between ring centres by straight lines in log-log; total, quantiles and R^
-/// from the rings themselves.
+/// Reflected light as a profile. R is interpolated linearly in log-log between ring centres; total, quantiles
+/// and R^ come from the rings themselves.
 class MonteCarloProfile final : public RadialProfile {
  public:
-  /// Follows the photons, or takes a kept result, as monte_carlo() does and with its errors.
+  /// Traces photons or takes a kept result, as monte_carlo() does and with its errors.
   MonteCarloProfile(const ScatterScene& scene, const MonteCarloOptions& options);
 
   double at(double radius_mm) const override;
@@ -97,7 +99,7 @@ class MonteCarloProfile final : public RadialProfile {
   double outer_mm() const override { return result_->reflected.edges_mm().back() / 45; }
   bool has_pole() const override { return true; }
   std::string name() const override { return "Monte-Carlo"; }
-  /// Everything else that the photons told: errors, transmitted and absorbed light.
+  /// All that was counted: errors, transmitted and absorbed light.
   const MonteCarloResult& result() const { return *result_; }
 
  private:

@@ -65,7 +65,8 @@ bool get(std::istream& in, std::vector<double>& values, std::size_t expected) {
   return true;
 }
 
-/// Of the energy that entered. Roulette is right only in the mean, so few photons may bring a little over 1.
+/// Checks a fraction of the energy that entered. Roulette is right only on average, so that few photons may
+/// return slightly more than 1.
 bool is_part(double energy) { return energy >= 0 && energy <= 2; }
 
 std::optional<MonteCarloResult> read(const std::string& key, const std::string& text) {
@@ -82,7 +83,7 @@ std::optional<MonteCarloResult> read(const std::string& key, const std::string& 
   if (!get(in, reflected, rings) || !get(in, r.reflected_error, rings) || !get(in, transmitted, rings))
     return std::nullopt;
 
-  // Rings from the middle outwards, and parts of the light that entered.
+  // Checks that the edges rise from 0 and that energies are fractions of the light that entered.
   if (edges.front() != 0 || edges.back() > largest_mm) return std::nullopt;
   for (std::size_t i = 0; i < rings; ++i)
     if (!(edges[i] < edges[i + 1]) || !is_part(reflected[i]) || !is_part(transmitted[i])) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results of profile/monte_carlo.h, kept in memory and, where a folder is given, in files.
+// Keeps results of profile/monte_carlo.h in memory and, if a folder is given, in files.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@
 
 namespace dermis::profile {
 
-/// Everything a result depends on, exactly (hexadecimal floats), one line; it begins with the version of the
-/// file's layout.
+/// Returns everything that a result depends on, exactly (hexadecimal floats), as one line that begins with
+/// the version of the file layout.
 std::string cache_key(const ScatterScene& scene, const MonteCarloOptions& options);
-/// A kept result, or null. A file that is damaged (its checksum is wrong) or belongs to another key counts as
-/// absent.
+/// Returns a kept result, or null. A file that is damaged (wrong checksum) or belongs to another key counts
+/// as absent.
 std::shared_ptr<const MonteCarloResult> cached(const std::string& key, const std::filesystem::path& folder);
-/// Keeps a result. A folder that cannot be written is a warning: the result is right all the same.
+/// Keeps a result. If the folder cannot be written, it warns and keeps the result in memory only.
 void remember(const std::string& key, const std::filesystem::path& folder,
               const std::shared_ptr<const MonteCarloResult>& result);
 

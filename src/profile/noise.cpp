@@ -11,7 +11,7 @@
 namespace dermis::profile {
 namespace {
 
-/// 2 pi Int r R^2 dr from the radius of 5 % of the light on, by the midpoint rule in log r.
+/// Returns 2 pi Int r R^2 dr from the radius that holds 5 % of the light, by the midpoint rule in log r.
 double signal_per_mm2(const RadialProfile& profile) {
   constexpr int steps = 400;
   const double start = profile.quantile(0.05), step = std::log(60 * profile.outer_mm() / start) / steps;
@@ -28,8 +28,11 @@ double signal_per_mm2(const RadialProfile& profile) {
 std::optional<Sampled> sampled(const RadialProfile& profile) {
   if (const auto* one = dynamic_cast<const MonteCarloProfile*>(&profile))
     return Sampled{.noise_percent = one->result().noise_percent(), .cut = one->result().cut};
+
   const auto* mixed = dynamic_cast<const WeightedProfile*>(&profile);
   if (mixed == nullptr) return std::nullopt;
+
+  // Errors of the wavelengths are independent, so their squares add up with the squares of the weights.
   Sampled all;
   double error_per_mm2 = 0;
   for (const WeightedProfile::Part& part : mixed->parts()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a profile that was sampled can be trusted.
+// How far a profile made by sampling can be trusted.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace dermis::profile {
 
-/// What chance and the end of patience have done to a profile.
+/// The errors of a sampled profile.
 struct Sampled {
-  /// 100 sqrt( Int r error^2 dr / Int r R^2 dr ), from the radius of 5 % of the light on
+  /// 100 sqrt( Int r error^2 dr / Int r R^2 dr ), from the radius that holds 5 % of the light
   double noise_percent = 0;
-  /// part of the light that entered and was still on its way when its photons were given up, 0..1
+  /// fraction 0..1 of the entered light whose photons were ended before it left or was absorbed
   double cut = 0;
 };
 
-/// Of Monte-Carlo, and of spectral skin made of it: there errors of the wavelengths are independent, so their
-/// squares add up with the squares of the weights. Nothing for every other model.
+/// Returns the errors of a Monte-Carlo profile, or of spectral skin made of such profiles; nothing for all
+/// other models.
 std::optional<Sampled> sampled(const RadialProfile& profile);
 
 }  // namespace dermis::profile

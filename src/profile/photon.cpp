@@ -18,7 +18,7 @@ struct Vector {
 constexpr int max_scatterings = 200'000;
 constexpr double roulette_below = 1e-3, roulette_survivors = 0.1;
 
-/// New direction by Henyey-Greenstein [WJZ95] eq. 3.27 to 3.30.
+/// Returns a new direction, sampled from Henyey-Greenstein, [WJZ95] sec. 3.
 Vector scatter(const Vector& d, double g, PhotonRandom& random) {
   const double u = random.next(), phi = 2 * pi * random.next();
   double cosine = 1 - 2 * u;
@@ -26,8 +26,9 @@ Vector scatter(const Vector& d, double g, PhotonRandom& random) {
     const double part = (1 - g * g) / (1 - g + 2 * g * (1 - u));
     cosine = std::clamp((1 + g * g - part * part) / (2 * g), -1.0, 1.0);
   }
+
   const double sine = std::sqrt(1 - cosine * cosine), cp = std::cos(phi), sp = std::sin(phi);
-  if (g == 0) return {sine * cp, sine * sp, cosine};  // isotropic: the old direction does not matter
+  if (g == 0) return {sine * cp, sine * sp, cosine};  // isotropic: independent of the old direction
   const double flat = std::sqrt(std::max(0.0, 1 - d.z * d.z));
   if (flat < 1e-6) return {sine * cp, sine * sp, d.z > 0 ? cosine : -cosine};
   return {sine * (d.x * d.z * cp - d.y * sp) / flat + d.x * cosine,
@@ -43,18 +44,18 @@ struct Photon {
   double reflected = 0, transmitted = 0;
 };
 
-/// Enters from air; what the surface reflects is not counted, so draws are repeated until one enters.
+/// Enters from air. Light that the surface reflects does not count, so draws repeat until one enters.
 void enter(Photon& photon, double eta, ScatterScene::Light light, PhotonRandom& random) {
   if (light == ScatterScene::Light::perpendicular) return;
   double cosine = 1;
-  do cosine = std::sqrt(random.next());  // cosine-weighted: irradiance from everywhere
+  do cosine = std::sqrt(random.next());  // cosine-weighted: diffuse light
   while (random.next() < optics::fresnel(cosine, 1 / eta));
   const double sine = std::sqrt(1 - cosine * cosine) / eta;
   photon.to = {sine, 0, std::sqrt(1 - sine * sine)};
 }
 
-/// At the top or bottom of the present layer: counts what leaves the skin, or goes on in the next layer, or
-/// turns back.
+/// Handles the top or bottom of the current layer: light leaves the skin and is counted, enters the next
+/// layer or is reflected.
 void cross(const std::vector<PhotonLayer>& layers, Photon& photon, PhotonRandom& random, PhotonTally& tally) {
   const bool up = photon.to.z < 0;
   const bool outside = up ? photon.layer == 0 : photon.layer + 1 == layers.size();
@@ -68,7 +69,7 @@ void cross(const std::vector<PhotonLayer>& layers, Photon& photon, PhotonRandom&
     if (!up && photon.scatterings == 0) {
       tally.ballistic += leaving;
     } else if (up && photon.scatterings == 1 && !photon.turned && tally.leave_single_out) {
-      // known exactly
+      // known exactly: single_rings()
     } else {
       (up ? photon.reflected : photon.transmitted) += leaving;
       tally.add(up ? tally.reflected : tally.transmitted, radius2, leaving);
@@ -111,9 +112,10 @@ void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light li
                   PhotonTally& tally) {
   Photon photon;
   enter(photon, layers[0].eta, light, random);
-  double depth_left = -std::log(random.next());  // optical, to the next scattering
+  double depth_left = -std::log(random.next());  // optical depth to the next scattering
   while (photon.weight > 0) {
     const PhotonLayer& layer = layers[photon.layer];
+    // Moves to the next scattering or to the wall of the layer, whichever is nearer.
     const double wall = photon.to.z > 0   ? (layer.bottom_mm - photon.at.z) / photon.to.z
                         : photon.to.z < 0 ? (layer.top_mm - photon.at.z) / photon.to.z
                                           : HUGE_VAL;
@@ -123,7 +125,7 @@ void trace_photon(const std::vector<PhotonLayer>& layers, ScatterScene::Light li
                  photon.at.z + moved * photon.to.z};
 
     if (step >= wall) {
-      // exactly: rounding must not leave it outside
+      // Exactly on the wall: rounding must not leave it outside.
       photon.at.z = photon.to.z > 0 ? layer.bottom_mm : layer.top_mm;
       depth_left -= moved * layer.sigma_t_per_mm;
       cross(layers, photon, random, tally);

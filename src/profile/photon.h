@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One photon's way through the layers; the inner loop of profile/monte_carlo.h.
+// One photon's path through the layers; the inner loop of profile/monte_carlo.h.
 #pragma once
 
 #include <cmath>
@@ -10,14 +10,14 @@
 
 namespace dermis::profile {
 
-/// Counter-based random numbers: number n of photon p depends on (seed, p, n) alone, so threads cannot change
-/// it. The mixer is splitmix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators. OOPSLA
-/// 2014).
+/// Counter-based random numbers: number n of photon p depends only on (seed, p, n), so that results do not
+/// depend on threads. The mixer is splitmix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom Number
+/// Generators. OOPSLA 2014).
 class PhotonRandom {
  public:
   PhotonRandom(std::uint64_t seed, std::uint64_t photon)
       : state_(mix(mix(seed) ^ mix(photon + 0x632BE59BD9B4E019u))) {}
-  /// In (0, 1), both ends excluded.
+  /// Returns a number in (0, 1), both ends excluded.
   double next() {
     state_ += 0x9E3779B97F4A7C15u;
     return (static_cast<double>(mix(state_) >> 11) + 0.5) * 0x1p-53;
@@ -32,22 +32,22 @@ class PhotonRandom {
   std::uint64_t state_;
 };
 
-/// A layer with what the loop needs worked out.
+/// A layer with the values that the loop needs.
 struct PhotonLayer {
   double top_mm, bottom_mm;
   double sigma_t_per_mm, albedo, g, eta;
 };
 
-/// Where a batch of photons is counted. One per batch: no locks.
+/// Counts a batch of photons; one per batch, so that no locks are needed.
 struct PhotonTally {
   explicit PhotonTally(const std::vector<double>& edges_mm, std::size_t layers);
-  /// Adds weight (part of a photon) to the ring that holds the distance sqrt(radius2_mm2) >= 0; past the last
-  /// edge to the last ring.
+  /// Adds weight (a fraction of a photon) to the ring that holds the distance sqrt(radius2_mm2) >= 0;
+  /// distances past the last edge count in the last ring.
   void add(std::vector<double>& rings, double radius2_mm2, double weight) const;
 
-  double log_inner, rings_per_log;  // radius^2 to ring
+  double log_inner, rings_per_log;  // map log of radius^2 to ring
   std::vector<double> reflected, transmitted, absorbed;
-  bool leave_single_out = false;  // what single_rings() knows is not counted
+  bool leave_single_out = false;  // skips the light that single_rings() computes
   double reflected_sum = 0, reflected_sum2 = 0, transmitted_sum = 0, transmitted_sum2 = 0, ballistic = 0,
          cut = 0;
 };

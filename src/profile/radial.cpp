@@ -13,7 +13,8 @@ using std::numbers::pi;
 
 namespace {
 
-/// Energy between two radii, low > 0: two-point Gauss in log r in each smooth piece, r dr = r^2 d(log r).
+/// Returns the energy between two radii, low > 0: two-point Gauss rule in log r on each smooth piece,
+/// r dr = r^2 d(log r).
 double ring_energy(const RadialProfile& profile, double low, double high) {
   double sum = 0;
   const auto add_piece = [&](double from, double to) {
@@ -39,7 +40,7 @@ const Annuli& RadialProfile::annuli() const {
   std::call_once(once_, [this] {
     std::vector<double> edges = log_edges(1e-4 * inner_mm(), 60 * outer_mm(), 46);
     std::vector<double> energies;
-    const double core_mm = edges[1];  // so small that R is either flat or 1/r there
+    const double core_mm = edges[1];  // so small that R is either constant or 1/r there
     energies.push_back((has_pole() ? 2 : 1) * pi * core_mm * core_mm * at(core_mm));
     for (std::size_t i = 1; i + 1 < edges.size(); ++i)
       energies.push_back(ring_energy(*this, edges[i], edges[i + 1]));
@@ -49,15 +50,19 @@ const Annuli& RadialProfile::annuli() const {
 }
 
 double inverse_hankel(const RadialProfile& profile, double radius_mm) {
+  // R(r) = Int_0^inf R^(k) J0(k r) k dk / (2 pi).
   const double k_max = 45 / profile.inner_mm();
   if (radius_mm < profile.inner_mm()) {
-    // J0 turns at most a few times before R^ has died: the trapezoid rule in log k is exponentially accurate.
+    // J0 oscillates at most a few times before R^ vanishes: the trapezoid rule in log k converges
+    // exponentially.
     constexpr double step = 0.02;
     double sum = 0;
     for (double k = 1e-6 / profile.outer_mm(); k < k_max; k *= std::exp(step))
       sum += profile.hankel(k) * ::j0(k * radius_mm) * k * k * step;
     return sum / (2 * pi);
   }
+
+  // With x = k r: Int R^(x/r) x J0(x) dx / (2 pi r^2).
   const auto integrand = [&](double x) {
     return x / radius_mm > k_max ? 0.0 : profile.hankel(x / radius_mm) * x;
   };

@@ -13,10 +13,12 @@ namespace {
 
 using std::numbers::pi;
 
-/// 1 + g^2 + 2 g mu, so that nothing cancels for g near -1: light that came down leaves upwards at cosine mu.
+/// Returns 1 + g^2 + 2 g mu, written so that nothing cancels for g near -1. Light that came down leaves
+/// upwards at cosine mu, so cos(theta) = -mu.
 double turn_of(double g, double mu) { return (1 + g) * (1 + g) - 2 * g * (1 - mu); }
 
-/// What a scattering at depth t with optical depth tau adds to every ring, times `weight`.
+/// Adds to every ring what a scattering at depth t, optical depth tau, sends there, times `weight`: 2 pi Int
+/// p_HG(mu) e^{-tau/mu} (1 - F(mu)) dmu over the directions mu = t / sqrt(t^2 + r^2) of the ring.
 void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, const PhotonLayer& layer,
                double t, double tau, double weight) {
   static const std::vector<optics::Node> rule = optics::gauss_legendre(6, 0, 1);
@@ -30,8 +32,8 @@ void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, 
 
     double sum = 0;
     if (i == 0 && layer.g < -0.5) {
-      // All of a backward lobe may lie here: in s = turn^{-1/2} it is flat, p_HG dmu = (1 - g^2) / (4 pi |g|)
-      // ds
+      // A backward lobe may lie here entirely. It is flat in s = turn^{-1/2}: p_HG dmu = (1 - g^2) / (4 pi
+      // |g|) ds.
       const double lowest = 1 / std::sqrt(turn_of(layer.g, low)), highest = 1 / (1 + layer.g);
       for (const optics::Node& node : rule) {
         const double s = lowest + (highest - lowest) * node.x;
@@ -41,7 +43,7 @@ void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, 
       }
     } else {
       for (const optics::Node& node : rule) {
-        // squares: near the critical angle 1 - F starts like a square root
+        // node.x^2, because 1 - F starts like a square root at the critical angle.
         const double mu = low + (high - low) * node.x * node.x, turn = turn_of(layer.g, mu);
         const double phase = (1 - layer.g) * (1 + layer.g) / (4 * pi * turn * std::sqrt(turn));
         sum += node.weight * (high - low) * 2 * node.x * phase * leaves(mu);
@@ -63,6 +65,7 @@ bool single_is_exact(const std::vector<PhotonLayer>& layers, ScatterScene::Light
 
 std::vector<double> single_rings(const std::vector<PhotonLayer>& layers,
                                  const std::vector<double>& edges_mm) {
+  // Integrates sigma_s e^{-tau(t)} over the depths t of all layers, in log t.
   std::vector<double> rings(edges_mm.size() - 1, 0.0);
   double tau_above = 0;
   for (const PhotonLayer& layer : layers) {

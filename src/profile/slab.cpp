@@ -21,9 +21,15 @@ double flux(double z, double radius, double s) {
 }  // namespace
 
 TwoFlux multipole_sums(double kappa, double l, double d, double z_b0, double z_bd) {
+  // Geometric sums over the images, P = 2 (d + z_b0 + z_bd):
+  //   R^ = 1/2 [ e^{-l kappa} - e^{-(P-l) kappa} - e^{-(P-l-2 z_b0) kappa} + e^{-(l+2 z_b0) kappa} ]
+  //        / (1 - e^{-P kappa})
+  //   T^ = 1/2 [ e^{-(d-l) kappa} - e^{-(P+l-d) kappa} - e^{-(d+l+2 z_b0) kappa} + e^{-(d+2 z_bd-l) kappa} ]
+  //        / (1 - e^{-P kappa})
   const double period = 2 * (d + z_b0 + z_bd);
-  // the limit kappa -> 0
+  // The limit kappa -> 0.
   if (kappa * period < 1e-7) return {1 - 2 * (l + z_b0) / period, 2 * (l + z_b0) / period};
+
   const auto e = [kappa](double z) { return std::exp(-z * kappa); };
   const double all = -std::expm1(-period * kappa);
   return {(e(l) - e(period - l) - e(period - l - 2 * z_b0) + e(l + 2 * z_b0)) / (2 * all),
@@ -37,6 +43,8 @@ Multipole::Multipole(const optics::Layer& layer, double eta_above, double eta_be
   sigma_tr_per_mm_ = medium.sigma_tr_per_mm();
   thickness_mm_ = layer.thickness_mm;
   source_mm_ = l;
+
+  // Extrapolation lengths z_b = 2 A D of the two boundaries.
   above_mm_ = 2 * optics::boundary_factor_classical(layer.eta / eta_above) * diffusion;
   below_mm_ = 2 * optics::boundary_factor_classical(layer.eta / eta_below) * diffusion;
   thin_ = thickness_mm_ < thin_limit(above_mm_ / l, below_mm_ / l) * l;
@@ -45,8 +53,8 @@ Multipole::Multipole(const optics::Layer& layer, double eta_above, double eta_be
 double Multipole::inner_mm() const { return thin_ ? std::min(source_mm_, thickness_mm_ / 2) : source_mm_; }
 
 double Multipole::outer_mm() const {
-  // Where nothing else ends the tail it is a power law without a length: a thousand mean free paths hold 99.9
-  // % of the light.
+  // Without absorption the tail is a power law without a length: a thousand mean free paths hold 99.9 % of
+  // the light.
   const double reach = std::min(sigma_tr_per_mm_ > 0 ? 1 / sigma_tr_per_mm_ : HUGE_VAL, 1000 * source_mm_);
   // Without absorption light leaves through the boundaries: the slowest mode decays over period / (2 pi).
   const double leak = (thickness_mm_ + above_mm_ + below_mm_) / pi;
@@ -114,6 +122,11 @@ double SlabProfile::hankel(double k_per_mm) const {
 }
 
 Spectra add(const Spectra& upper, const Spectra& lower) {
+  // Bounces between the two layers form a geometric series, [DJ05] eq. 15 to 17:
+  //   R12+ = R1+ + T1+ R2+ T1- / (1 - R2+ R1-),  T12+ = T1+ T2+ / (1 - R2+ R1-), and the same from below.
+  // Of a beam, s1 reaches the lower layer unscattered and t1 - s1 as diffuse light. The light that comes up
+  // there is y = (s1 r2 + R2+ (t1 - s1)) / (1 - R2+ R1-), so that
+  //   r12 = r1 + T1- y,  t12 = s1 t2 + T2+ (t1 - s1 + R1- y),  s12 = s1 s2.
   const double bounces = 1 / (1 - lower.reflect_above * upper.reflect_below);
   const double turned = upper.beam.transmit - upper.beam.straight;
   const double up = (upper.beam.straight * lower.beam.reflect + lower.reflect_above * turned) * bounces;
@@ -135,9 +148,11 @@ LayeredProfile::LayeredProfile(const optics::Layers& layers, Side side, const st
                  eta_below = i + 1 == layers.size() ? 1 : layers[i + 1].eta;
     slabs_.emplace_back(layers[i], eta_above, eta_below);
   }
-  // Light from below a thin top layer still passes through it, so the finest structure is that of the finest
-  // layer, and the longest reach that of the farthest-reaching one.
-  inner_mm_ = slabs_[0].inner_mm(), outer_mm_ = slabs_[0].outer_mm();
+  // Light from below a thin top layer still passes through it: the finest detail is that of the finest layer,
+  // and the reach is that of the layer that reaches farthest.
+
+  inner_mm_ = slabs_[0].inner_mm();
+  outer_mm_ = slabs_[0].outer_mm();
   for (const Multipole& slab : slabs_) {
     inner_mm_ = std::min(inner_mm_, slab.inner_mm());
     outer_mm_ = std::max(outer_mm_, slab.outer_mm());

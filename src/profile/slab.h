@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Layers: a slab by many dipoles (multipole), and stacks of slabs by adding, both per spatial frequency,
-// where all sums close. Based on: [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered Translucent
-// Materials. SIGGRAPH 2005
+// Layers: a slab as a sum of many dipoles (multipole), and stacks of slabs by adding. Both work per spatial
+// frequency, where all sums have a closed form.
+// Based on:
+// [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered Translucent Materials. SIGGRAPH 2005
 #pragma once
 
 #include <string>
@@ -11,15 +12,15 @@
 
 namespace dermis::profile {
 
-/// What a layer (or a stack) does at one spatial frequency; dimensionless, 0..1 at k = 0. Diffuse light and a
-/// beam are kept apart because a beam that nothing has turned yet leaves through the far boundary, where
+/// Reflectance and transmittance of a layer or a stack at one spatial frequency; dimensionless, 0..1 at k =
+/// 0. Diffuse light and a beam are kept apart: an unscattered beam leaves through the far boundary, where
 /// diffuse light is mostly reflected back.
 struct Spectra {
   double reflect_above = 0;   ///< R+, diffuse light from above
   double transmit_above = 0;  ///< T+, from above to below
   double reflect_below = 0;   ///< R-
   double transmit_below = 0;  ///< T-
-  /// A perpendicular beam from above: R+, all of T+, and that part of T+ which is a beam still.
+  /// For a perpendicular beam from above: R+, all of T+, and the part of T+ that is still unscattered.
   struct Beam {
     double reflect = 0, transmit = 0, straight = 0;
   } beam;
@@ -29,34 +30,32 @@ struct Spectra {
 struct TwoFlux {
   double reflect, transmit;
 };
-/// The closed sums of Multipole below, over alpha', for light that enters at the side of z_b0; d > l, lengths
-/// and 1/kappa in one unit.
+/// Returns R^ and T^ of a slab over alpha', for light that enters at the side of z_b0; d > l, lengths and
+/// 1/kappa in one unit.
 TwoFlux multipole_sums(double kappa, double l, double d, double z_b0, double z_bd);
 
 /// One layer between two media of index eta_above and eta_below: the multipole of [DJ05] sec. 3, summed in
-/// closed form. With l = 1/sigma_t', z_b = 2 A D at either side, P = 2 (d + z_b0 + z_bd), kappa =
-/// sqrt(sigma_tr^2 + k^2):
-///   R^ = alpha'/2 [ e^{-l kappa} - e^{-(P-l) kappa} - e^{-(P-l-2 z_b0) kappa} + e^{-(l+2 z_b0) kappa} ] / (1
-///   - e^{-P kappa}) T^ = alpha'/2 [ e^{-(d-l) kappa} - e^{-(P+l-d) kappa} - e^{-(d+l+2 z_b0) kappa} +
-///   e^{-(d+2 z_bd-l) kappa} ] / (1 - e^{-P kappa}).
-/// Departure: diffusion has nothing to say of layers of about one mean free path and less. Under thin_limit()
-/// of them R and T come from profile/thin_slab.h instead: a vanishing layer vanishes, energy is kept, and two
-/// such halves are the whole within 0.04 (indices up to 1.6; measured in docs/theory.md).
+/// closed form. Departure: diffusion fails for layers of about one mean free path and less. Under
+/// thin_limit() of them R and T come from profile/thin_slab.h instead: as the thickness goes to 0 so does the
+/// effect of the layer, energy is kept, and two half-slabs added reproduce the full slab within 0.04 (indices
+/// up to 1.6; measured in docs/theory.md).
 class Multipole {
  public:
-  /// layer as optics::check wants it; an infinite thickness makes it the dipole, which transmits nothing.
+  /// Takes a layer that passes optics::check. An infinite thickness makes it the dipole, which transmits
+  /// nothing.
   Multipole(const optics::Layer& layer, double eta_above, double eta_below);
 
-  /// All of it, k >= 0 in 1/mm.
+  /// Returns reflectance and transmittance from both sides, k >= 0 in 1/mm.
   Spectra spectra(double k_per_mm) const;
-  /// Thinner than diffusion can tell: the beam differs from diffuse light, and the images below do not hold.
+  /// True if the slab is too thin for diffusion: the beam differs from diffuse light, and the image sums
+  /// below do not hold.
   bool thin() const { return thin_; }
-  /// About the length [mm] over which the narrowest of R and T changes; the reach of the widest.
+  /// Return about the length [mm] over which the narrowest of R and T changes, and the reach of the widest.
   double inner_mm() const;
   double outer_mm() const;
 
-  /// R(r) and T(r) for a beam from above [1/mm^2], summed image by image until terms fall under 1e-7 of the
-  /// sum; not for thin() slabs.
+  /// Return R(r) and T(r) for a beam from above [1/mm^2], summed image by image until terms fall below 1e-9
+  /// of the sum; not for thin() slabs.
   double reflectance_at(double radius_mm) const;
   double transmittance_at(double radius_mm) const;
 
@@ -73,12 +72,12 @@ class Multipole {
   bool thin_ = false;
 };
 
-/// Light that leaves a slab, above or below, as a profile.
+/// The light that leaves a slab, above or below, as a profile.
 class SlabProfile final : public RadialProfile {
  public:
   enum class Side { reflected, transmitted };
-  /// layer with a thickness > 0 mm that may be infinite; eta_above and eta_below are the indices of what lies
-  /// on its two sides, relative to air as the layer's own, 1 to 3 (1: air).
+  /// Takes a layer of thickness > 0 mm, which may be infinite. eta_above and eta_below are the indices on its
+  /// two sides, relative to air (as is the layer's own), 1 to 3.
   SlabProfile(const optics::Layer& layer, Side side, double eta_above = 1, double eta_below = 1);
 
   double at(double radius_mm) const override;
@@ -95,12 +94,12 @@ class SlabProfile final : public RadialProfile {
   Side side_;
 };
 
-/// Light of a beam that leaves a stack. [DJ05] sec. 4, per frequency, folded from the bottom, see add(). An
-/// index step between layers enters through A only.
+/// The light of a beam that leaves a stack: slabs added per frequency from the bottom, see add(), [DJ05] sec.
+/// 4. An index step between layers enters through A only.
 class LayeredProfile final : public RadialProfile {
  public:
   using Side = SlabProfile::Side;
-  /// layers as optics::check wants them (InputError through it, place `where`), air above and below.
+  /// Takes layers with air above and below; throws InputError (place `where`) if optics::check rejects them.
   LayeredProfile(const optics::Layers& layers, Side side, const std::string& where = "layers");
 
   double at(double radius_mm) const override { return inverse_hankel(*this, radius_mm); }
@@ -110,7 +109,7 @@ class LayeredProfile final : public RadialProfile {
   bool hankel_is_exact() const override { return true; }
   std::string name() const override;
 
-  /// Both sides of the whole stack.
+  /// Returns reflectance and transmittance of the whole stack from both sides.
   Spectra spectra(double k_per_mm) const;
 
  private:
@@ -119,11 +118,7 @@ class LayeredProfile final : public RadialProfile {
   double inner_mm_, outer_mm_;
 };
 
-/// Two layers, `upper` above `lower`, as one. [DJ05] eq. 15 to 17:
-///   R12+ = R1+ + T1+ R2+ T1- / (1 - R2+ R1-),  T12+ = T1+ T2+ / (1 - R2+ R1-), and the same from below.
-/// A beam b reaches the lower layer as s1 of beam and t1 - s1 of diffuse light, and y = (s1 r2 + R2+ (t1 -
-/// s1)) / (1 - R2+ R1-) comes up:
-///   r12 = r1 + T1- y,  t12 = s1 t2 + T2+ (t1 - s1 + R1- y),  s12 = s1 s2.
+/// Returns two layers, `upper` above `lower`, as one. [DJ05] eq. 15 to 17, and the same for a beam.
 Spectra add(const Spectra& upper, const Spectra& lower);
 
 }  // namespace dermis::profile

@@ -19,7 +19,7 @@ constexpr std::size_t samples = spectral_samples;
 
 double sample_nm(std::size_t i) { return first_nm + step_nm * static_cast<double>(i); }
 
-/// The 81 weights of each channel, shared between the neighbouring samples.
+/// Returns the 81 weights of each channel, each shared between the two samples beside it.
 std::vector<optics::Rgb> sample_weights() {
   std::vector<optics::Rgb> weights(samples);
   const auto nm = optics::wavelengths_nm();
@@ -35,7 +35,7 @@ std::vector<optics::Rgb> sample_weights() {
   return weights;
 }
 
-/// A model for skin, and why: diffusion theory wants a high albedo and thick layers, here at every
+/// Returns a model for skin and the reason: diffusion needs a high albedo and thick layers at every
 /// wavelength.
 std::pair<Model, std::string> choose(const optics::Skin& skin) {
   double albedo = 2, albedo_nm = 0, thickness = HUGE_VAL, thickness_nm = 0;
@@ -106,7 +106,7 @@ double WeightedProfile::quantile(double p) const {
 ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const MonteCarloOptions& options,
                                const std::string& where) {
   optics::check(skin, where);
-  // the caller's own number, before it is shared among the wavelengths
+  // The caller's number, before it is shared among the wavelengths.
   check_photons(options.photons, "photons");
   if (model == Model::dipole || model == Model::better || model == Model::beam)
     throw input_error("--model", "'{}' knows no layers; spectral skin takes multipole, monte-carlo or auto",
@@ -126,7 +126,7 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
     const optics::Layers layers = optics::skin_layers(skin, sample_nm(i));
     ProfilePtr one;
     if (out.model == Model::monte_carlo) {
-      each.seed = options.seed * 1000 + i;  // own noise for each wavelength, so that it averages out
+      each.seed = options.seed * 1000 + i;  // independent noise per wavelength averages out
       one = std::make_shared<MonteCarloProfile>(scene_of(layers), each);
     } else {
       one = std::make_shared<LayeredProfile>(layers, LayeredProfile::Side::reflected, where);

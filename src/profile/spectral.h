@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spectral skin as three profiles that are right for its colour.
+// Spectral skin as three profiles, one per colour channel, whose totals are its colour.
 // Based on: [DJ06] Donner, Jensen: A Spectral BSSRDF for Shading Human Skin. EGSR 2006
 #pragma once
 
@@ -12,33 +12,33 @@
 
 namespace dermis::profile {
 
-/// At how many wavelengths the profile of spectral skin is computed, 400 to 700 nm.
+/// Number of wavelengths, 400 to 700 nm, at which profiles are computed.
 inline constexpr std::size_t spectral_samples = 31;
 
-/// Sum_i w_i R_i(r): profiles of single wavelengths as one colour channel sees them. Weights may be negative
-/// (the Rec.709 primaries do not span the spectrum's colours), so R may dip below 0 near the source although
-/// its total does not.
+/// Sum_i w_i R_i(r): one colour channel of profiles of single wavelengths. Weights may be negative (the
+/// Rec.709 primaries do not span all spectral colours), so R may fall below 0 near the source although its
+/// total does not.
 class WeightedProfile final : public RadialProfile {
  public:
   struct Part {
     double weight;
     ProfilePtr profile;
   };
-  /// scaled so that the total is `total` (> 0, else InputError with `where` as the place: the colour is
-  /// outside Rec.709).
+  /// Scales the weights so that the total is `total`. Throws InputError (place `where`) if it is not > 0: the
+  /// colour is outside Rec.709.
   WeightedProfile(std::vector<Part> parts, double total, std::string name, const std::string& where);
 
   double at(double radius_mm) const override;
   double hankel(double k_per_mm) const override;
   double within(double radius_mm) const override;
-  /// By bisection on within().
+  /// Finds the radius by bisection on within().
   double quantile(double p) const override;
   double inner_mm() const override { return inner_mm_; }
   double outer_mm() const override { return outer_mm_; }
   bool hankel_is_exact() const override { return exact_; }
   bool has_pole() const override { return pole_; }
   std::string name() const override { return name_; }
-  /// What it is made of, the weights scaled to the total.
+  /// Returns the parts, with scaled weights.
   const std::vector<Part>& parts() const { return parts_; }
 
  private:
@@ -48,15 +48,16 @@ class WeightedProfile final : public RadialProfile {
   bool exact_ = true, pole_ = false;
 };
 
-/// Integrating the light that skin sends back over the spectrum is linear, at every distance as in total:
-/// R_c(r) = Sum_i w_c(nm_i) R(nm_i, r) with the very weights that make a reflectance spectrum a colour
-/// (optics::rec709_weights). So the integral of each channel's profile *is* that channel of the colour, and
-/// no single wavelength has to stand for "red". R(nm, r) is computed every 10 nm from 400 to 700 nm and
-/// interpolated in between; each channel is then scaled (by a few per cent at most) to the exact total of 81
-/// wavelengths. Models: multipole, monte-carlo, automatic (Monte-Carlo where at some wavelength a layer has a
-/// reduced albedo under diffusion_albedo or the epidermis is thinner than diffusion_thickness, which is all
-/// skin but the palest and thickest). Monte-Carlo shares photons among wavelengths: 1/16 of options.photons
-/// each.
+/// Makes the three profiles. A reflectance spectrum becomes a colour by a weighted sum over wavelengths
+/// (optics::rec709_weights), and the same weights hold at each distance: R_c(r) = Sum_i w_c(nm_i) R(nm_i, r).
+/// So the integral of each channel's profile *is* that channel of the colour, and no single wavelength stands
+/// for "red". R(nm, r) is computed every 10 nm from 400 to 700 nm and interpolated between; each channel is
+/// then scaled (by a few per cent at most) to the exact total of 81 wavelengths.
+///
+/// Models: multipole, monte-carlo, automatic. Automatic takes Monte-Carlo if at some wavelength a layer has a
+/// reduced albedo below diffusion_albedo or the epidermis is thinner than diffusion_thickness, which holds
+/// for all skin but the palest and thickest. Monte-Carlo shares photons among wavelengths: options.photons /
+/// 16 each.
 ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const MonteCarloOptions& options,
                                const std::string& where);
 

@@ -22,7 +22,7 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
-/// As it may stand in a message: one line, and not cut short by a byte 0.
+/// Returns text fit for a message: one line, at most 60 characters, no control characters.
 std::string shown(std::string_view text) {
   std::string out(text.substr(0, 60));
   for (char& c : out)
@@ -64,6 +64,8 @@ Tabulated::Tabulated(std::vector<double> radii_mm, std::vector<double> values_pe
   for (std::size_t i = 0; i < values_.size(); ++i)
     if (!(values_[i] >= 0) || !(radii_mm_[i] >= 0) || (i > 0 && !(radii_mm_[i] > radii_mm_[i - 1])))
       throw input_error(where, "row {}: radii must rise from row to row, and values be >= 0", i);
+  // The disc within the first radius, then 2 pi times the integral of r times each linear piece.
+
   total_ = pi * radii_mm_.front() * radii_mm_.front() * values_.front();
   for (std::size_t i = 0; i + 1 < radii_mm_.size(); ++i) {
     const double r0 = radii_mm_[i], r1 = radii_mm_[i + 1], h = r1 - r0;
@@ -90,7 +92,7 @@ std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& wh
   std::vector<double> radii;
   std::array<std::vector<double>, 3> values;
   bool header = false;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // spreadsheets begin UTF-8 so
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the byte order mark that spreadsheets write
 
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t newline = text.find('\n');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A profile that someone measured or computed elsewhere: R(r) from a table.
+// A profile measured or computed elsewhere: R(r) from a table.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace dermis::profile {
 
-/// Straight lines between the samples; constant below the first radius, 0 past the last.
+/// Linear between samples; constant below the first radius, 0 past the last.
 class Tabulated final : public RadialProfile {
  public:
-  /// radii_mm: >= 0, strictly rising, at least 2; values_per_mm2: as many, >= 0, one at least > 0 (InputError
-  /// otherwise, place `where`).
+  /// Takes at least 2 strictly rising radii >= 0 and as many values >= 0, at least one > 0; throws InputError
+  /// (place `where`) otherwise.
   Tabulated(std::vector<double> radii_mm, std::vector<double> values_per_mm2, const std::string& where);
 
   double at(double radius_mm) const override;
-  /// Exact: the integral of r R over each straight piece.
+  /// Returns the exact integral of the linear pieces.
   double total() const override { return total_; }
   double inner_mm() const override;
   double outer_mm() const override { return radii_mm_.back() / 10; }
@@ -32,11 +32,11 @@ class Tabulated final : public RadialProfile {
   double total_ = 0;
 };
 
-/// CSV with the header line `r_mm,R,G,B`, radii in mm and rising, R in 1/mm^2; at most 100,000 rows below it;
-/// lines that start with # are skipped. InputError names the line: wrong header, not four numbers, negative,
-/// not finite, not rising, fewer than two rows.
+/// Parses CSV: the header line `r_mm,R,G,B`, then at most 100,000 rows with rising radii in mm and R in
+/// 1/mm^2; lines that start with # are skipped. Throws InputError (names the line) for a wrong header, not
+/// four numbers, a value that is negative or not finite, radii that do not rise, fewer than two rows.
 std::array<ProfilePtr, 3> parse_csv(std::string_view text, const std::string& where);
-/// The same from a file of at most 32 MiB, whose name is the place; also InputError if it cannot be read.
+/// Parses a file of at most 32 MiB; throws InputError (place: its name) also if it cannot be read.
 std::array<ProfilePtr, 3> load_csv(const std::filesystem::path& path);
 
 }  // namespace dermis::profile

@@ -8,7 +8,7 @@
 namespace dermis::rays {
 namespace {
 
-// Alpha of the map, bilinear between pixels unless the map says nearest.
+// Returns alpha of the map, bilinear between pixels unless the map is set to nearest.
 double alpha_of(const image::Image8& pixels, const scene::MapRef& map, const glm::dvec2& uv) {
   const glm::dvec2 at = glm::dmat3x2(map.transform) * glm::dvec3(uv, 1);
   if (!std::isfinite(at.x) || !std::isfinite(at.y)) return 0;

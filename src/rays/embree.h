@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Embree 3 and 4 differ in how a query takes its context; nothing else of them that we use does.
+// Hides the one difference between Embree 3 and 4 that matters here: how a query takes its context.
 #pragma once
 
 #if DERMIS_EMBREE_MAJOR >= 4

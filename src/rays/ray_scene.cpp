@@ -15,19 +15,19 @@
 namespace dermis::rays {
 namespace {
 
-// What a number in Embree's scenes stands for: one copy of a primitive.
+// What an Embree geometry number stands for: one copy of a primitive.
 struct Copy {
   std::uint32_t primitive = 0, copy = 0;
 };
 
-// A context that gathers: Embree hands the filter a pointer to the context, which is the first member.
+// A context that gathers hits. Embree passes the filter a pointer to the context, which is the first member.
 struct Gather {
   embree::Context context;
   std::vector<Hit>* hits;
   const std::vector<Copy>* copies;
 };
 
-// Notes each hit and refuses it, so that the search goes on to the end of the ray.
+// Records each hit and rejects it, so that the search continues to the end of the ray.
 void gather_hit(const RTCFilterFunctionNArguments* arguments) {
   const auto* gather = reinterpret_cast<const Gather*>(arguments->context);
   const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
@@ -58,7 +58,7 @@ std::optional<Hit> nearest_in(RTCScene scene, const std::vector<Copy>& copies, c
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(scene, context, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  // Of a copy, geomID counts within its mesh and instID tells which it is.
+  // For a placed copy geomID counts within its mesh, and instID identifies the copy.
   const bool placed = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
   const Copy& copy = copies[placed ? query.hit.instID[0] : query.hit.geomID];
   return Hit{copy.primitive, query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar, copy.copy};
@@ -73,7 +73,7 @@ bool is_skin(const scene::Scene& scene, const scene::Primitive& primitive) {
 struct RayScene::Scenes {
   RTCDevice device = nullptr;
   RTCScene all = nullptr, solid = nullptr, cut_out = nullptr, skin = nullptr, skin_gathered = nullptr;
-  std::vector<Copy> copies;  // by the number of a geometry in all of these
+  std::vector<Copy> copies;  // by geometry number, in all of these scenes
 
   Scenes() : device(rtcNewDevice(nullptr)) {
     if (!device)
@@ -89,22 +89,21 @@ struct RayScene::Scenes {
 
   RTCScene new_scene() const {
     RTCScene scene = rtcNewScene(device);
-    // Robust: rays must not slip through between two triangles. Medium quality splits no triangles, so none
-    // is gathered twice.
+    // Robust: no ray slips between two triangles. Medium quality splits no triangles, so none is gathered
+    // twice.
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
     return scene;
   }
 
-  // As in the shadow maps: blended parts (lashes, brows) would cast the shadow of their whole card, so they
-  // cast none.
+  // As in the shadow maps: blended parts cast no shadow.
   void attach(RTCGeometry g, scene::AlphaMode alpha, std::uint32_t number) const {
     rtcAttachGeometryByID(all, g, number);
     if (alpha == scene::AlphaMode::opaque) rtcAttachGeometryByID(solid, g, number);
     if (alpha == scene::AlphaMode::mask) rtcAttachGeometryByID(cut_out, g, number);
   }
 
-  // One tree over the mesh's triangles, and a matrix for each place where it stands.
+  // Attaches one tree over the triangles of the mesh, and a matrix per placement.
   void attach_placed(RTCGeometry mesh, const scene::Primitive& primitive, scene::AlphaMode alpha,
                      std::uint32_t first_number) const {
     RTCScene triangles = new_scene();
@@ -187,7 +186,7 @@ std::optional<Hit> RayScene::nearest_skin(const Ray& ray) const {
   return nearest_in(scenes_->skin, scenes_->copies, ray);
 }
 
-// What the alpha test leaves: past each triangle that is cut away where the ray meets it.
+// Skips triangles that the alpha test cuts away where the ray meets them.
 std::optional<Hit> RayScene::nearest_cut_out(Ray ray) const {
   while (const std::optional<Hit> hit = nearest_in(scenes_->cut_out, scenes_->copies, ray)) {
     if (!is_cut_away(*scene_, surface_point(*scene_, *hit))) return hit;
@@ -224,7 +223,7 @@ void RayScene::all_skin(const Ray& ray, std::vector<Hit>& hits) const {
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(scenes_->skin_gathered, gather.context, query);
-  // The tree decides the order in which hits come, and threads may have built it differently.
+  // The order of hits depends on the tree, which threads may build differently.
   std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
     return std::tie(a.t_m, a.primitive, a.triangle) < std::tie(b.t_m, b.primitive, b.triangle);
   });

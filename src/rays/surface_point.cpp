@@ -25,7 +25,7 @@ void find_corners(const scene::Scene& scene, const Hit& hit, Corners& corners) {
   corners.c = &p.vertices[index[2]];
   if (p.placements.empty()) return;
 
-  // Weights of a hit count the corners as the mesh has them, so a mirrored copy keeps their order here.
+  // The weights of a hit refer to the corners as the mesh orders them, also for a mirrored copy.
   for (std::size_t k = 0; k < 3; ++k) corners.placed[k] = scene::world_vertex(p, hit.copy, index[k]);
   corners.a = &corners.placed[0];
   corners.b = &corners.placed[1];
@@ -67,8 +67,8 @@ SurfacePoint surface_point(const scene::Scene& scene, const Hit& hit) {
   s.uv = {mix2(a->uv0, b->uv0, c->uv0), mix2(a->uv1, b->uv1, c->uv1)};
   s.colour = w * glm::dvec4(a->colour) + hit.u * glm::dvec4(b->colour) + hit.v * glm::dvec4(c->colour);
 
-  // [H21] A flat triangle with rounded normals shadows itself near the terminator; rays start from the
-  // rounded surface instead.
+  // [H21]: a flat triangle with interpolated normals shadows itself near the terminator, so rays start from
+  // the rounded surface instead.
   const auto lift = [&](const scene::Vertex& v, const glm::dvec3& at) {
     return std::min(0.0, glm::dot(s.position_m - at, glm::dvec3(v.normal))) * glm::dvec3(v.normal);
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point of a surface: what the corners of its triangle hold, interpolated.
+// A point of a surface: the vertex attributes of its triangle, interpolated.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace dermis::rays {
 
 struct SurfacePoint {
   glm::dvec3 position_m{0};
-  glm::dvec3 shadow_origin_m{0};    ///< where rays to the lights start
+  glm::dvec3 shadow_origin_m{0};    ///< start of rays to the lights
   glm::dvec3 normal{0, 0, 1};       ///< interpolated, unit, on the front side
   glm::dvec3 face_normal{0, 0, 1};  ///< of the triangle, unit, on the front side
   glm::dvec4 tangent{1, 0, 0, 1};
