@@ -13,13 +13,12 @@ namespace dermis::api {
 /// InputError: a size over what the device can do, with both numbers.
 void check_device_limits(const RenderSettings& settings, const gpu::DeviceLimits& limits);
 
-/// InputError lists what the technique can show, if settings.show is none of it.
+/// Throws InputError if settings.show is unknown to the technique; lists the names that it knows.
 void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& settings);
 
 /// `counters` as read back from FrameOutputs::counters.
 void fill_counts(Statistics& statistics, const setup::Subject& subject, const RenderSettings& settings,
-                 const setup::FrameSetup& setup, const techniques::FrameOutputs& out,
-                 std::span<const std::byte> counters);
+                 const setup::FrameSetup& setup, std::span<const std::byte> counters);
 
 /// The picture before bloom, linear RGBA.
 std::vector<float> read_before_bloom(frame::Executor& executor, const techniques::FrameOutputs& out);

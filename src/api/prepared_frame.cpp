@@ -15,7 +15,6 @@
 #include "core/warnings.h"
 #include "dermis/cancelled.h"
 #include "frame/executor.h"
-#include "passes/blur/blur.h"
 #include "passes/frame_data.h"
 #include "setup/frame_setup.h"
 
@@ -196,22 +195,10 @@ void PreparedFrame::State::upload() {
                        passes::GpuSceneSettings{shared.mix});
 
   if (environment_light) look_at_the_sky();
-  if (setup.technique->scatters)
-    for (std::size_t i = 0; i < shared.subject.skin.size(); ++i) {
-      const double density = shared.subject.densities[i].largest_texels_per_mm.p95;
-      const auto make = [&](int side) {
-        const int width = passes::gutter_width(setup.plan.skin[i].profile, std::max(density * side, 1e-6));
-        shared.gpu->make_gutters(device(), i, shared.subject.skin[i], static_cast<std::uint32_t>(side),
-                                 width);
-      };
-
-      make(settings.map_size);  // of the stretch map
-      for (const setup::HeadSetup& head : setup.heads)
-        for (std::uint32_t halvings = 0; halvings <= passes::max_halvings; ++halvings)
-          if (head.visible && (halvings == 0 || outputs.work[i][halvings].halved))
-            make(static_cast<int>(passes::halved_side(static_cast<std::uint32_t>(head.map_side),
-                                                      setup.plan.map_size, halvings)));
-    }
+  for (const techniques::GutterSize& size :
+       setup.technique->gutters(setup.plan, setup::sides_of_drawn_heads(setup)))
+    shared.gpu->make_gutters(device(), size.mesh, shared.subject.skin[size.mesh], size.side,
+                             size.width_texels);
 
   shared.upload_ms +=
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -301,7 +288,7 @@ Picture PreparedFrame::picture() {
 
   statistics.timing = s.executor->separate_submissions() ? "submit" : "timestamp";
   if (!s.times.empty()) fill_times(statistics, s.times);
-  api::fill_counts(statistics, s.scene->subject, s.settings, s.setup, s.outputs, s.counters);
+  api::fill_counts(statistics, s.scene->subject, s.settings, s.setup, s.counters);
   statistics.upload_ms = s.scene->upload_ms;
   statistics.pipeline_ms = s.pipeline_ms;
 

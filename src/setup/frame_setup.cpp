@@ -10,9 +10,9 @@
 #include "passes/blur/blur.h"
 #include "passes/final_pass/final_pass.h"
 #include "passes/shadow/fit.h"
-#include "passes/transmission.h"
 #include "scene/framing.h"
 #include "setup/choose.h"
+#include "techniques/memory.h"
 
 namespace dermis::setup {
 namespace {
@@ -88,7 +88,8 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
   part.profile = choose_profile(subject.scene->materials[material], s);
   // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not
   // wrong in width.
-  part.max_texels_per_mm = std::max(subject.densities[number].largest_texels_per_mm.p95 * s.map_size, 1e-6);
+  part.densest_texels_per_mm_of_one = subject.densities[number].largest_texels_per_mm.p95;
+  part.max_texels_per_mm = std::max(part.densest_texels_per_mm_of_one * s.map_size, 1e-6);
   part.off_map = scene::has_chartless(subject.skin[number]);
   fill_coarse(part, subject.densities[number], s.map_size);
   part.mean_texels_per_mm = subject.densities[number].texels_per_mm.mean * s.map_size;
@@ -103,16 +104,8 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
 constexpr double default_squares = 4;
 
 // How many squares of T_max, one per head and skin mesh, the pool of light maps holds.
-double squares_in_budget(const techniques::FrameSettings& plan, const RenderSettings& s,
-                         const DeviceTraits& device) {
-  std::size_t terms = 0;
-  for (const techniques::SkinPart& part : plan.skin) terms = std::max(terms, part.profile.terms.size());
-  const std::size_t joining =
-      plan.translucency && terms > 0 ? passes::transmission_groups(terms).size() - 1 : 0;
-  const double bytes_a_texel =
-      8.0 * static_cast<double>(terms + 2 + joining) + (plan.mask == passes::Mask::depth ? 4 : 0);
-  const double square_mb = bytes_a_texel * s.map_size * s.map_size / 1e6;
-
+double squares_in_budget(std::uint64_t square_bytes, const RenderSettings& s, const DeviceTraits& device) {
+  const double square_mb = static_cast<double>(square_bytes) / 1e6;
   double budget_mb = default_squares * square_mb;
   if (device.memory_bytes > 0)
     budget_mb = std::min(budget_mb, std::max(square_mb, static_cast<double>(device.memory_bytes) / 4e6));
@@ -130,10 +123,14 @@ double squares_in_budget(const techniques::FrameSettings& plan, const RenderSett
 
 // As many heads as the pool holds at a time; of a head with more skin meshes than that, as many meshes. Only
 // the published baseline uses one set of maps for one head after the other.
-void set_up_batches(techniques::FrameSettings& plan, const RenderSettings& s, const DeviceTraits& device) {
+void set_up_batches(FrameSetup& setup, const RenderSettings& s, const DeviceTraits& device) {
+  techniques::FrameSettings& plan = setup.plan;
   plan.heads_per_batch = 1;
-  if (plan.skin.empty()) return;
-  const double squares = squares_in_budget(plan, s, device), meshes = static_cast<double>(plan.skin.size());
+  if (plan.skin.empty() || !setup.technique->has_light_maps) return;
+
+  const techniques::MapMemory memory = techniques::map_memory(*setup.technique, plan);
+  const double squares = squares_in_budget(memory.light_maps, s, device);
+  const auto meshes = static_cast<double>(plan.skin.size());
   if (squares < meshes) {
     plan.meshes_per_batch = std::bit_floor(static_cast<std::uint32_t>(squares));
     return;
@@ -141,7 +138,7 @@ void set_up_batches(techniques::FrameSettings& plan, const RenderSettings& s, co
   if (!plan.optimise.any()) return;
 
   // Their shadow maps come on top; large ones must not drive the heads of a batch out of memory.
-  const double shadow_mb = plan.shadow_layers * static_cast<double>(techniques::shadow_bytes(plan)) / 1e6;
+  const double shadow_mb = static_cast<double>(memory.shadow_maps) / 1e6;
   const double shadowed = device.memory_bytes > 0
                               ? std::max(1.0, static_cast<double>(device.memory_bytes) / 4e6 / shadow_mb)
                               : squares;
@@ -189,7 +186,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
   plan.soft_shadows =
       std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
 
-  if (setup.technique->scatters) {
+  if (setup.technique->has_light_maps) {
     plan.optimise = {.cull = s.cull, .depth = s.depth, .clip = s.clip};
     plan.mask = mask_of(s, device);
     plan.progressive = s.maps == "progressive";
@@ -202,7 +199,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
     plan.skin.push_back(skin_part(subject, i, s));
     setup.gaussians = std::max(setup.gaussians, static_cast<int>(plan.skin.back().profile.terms.size()));
   }
-  if (!setup.technique->scatters) setup.gaussians = 0;
+  if (!setup.technique->uses_profile) setup.gaussians = 0;
 
   // Note whether there is anything beside skin, blended or not.
   for (const scene::Primitive& p : scene.primitives) {
@@ -211,7 +208,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
     (material.alpha_mode == scene::AlphaMode::blend ? plan.has_blended : plan.has_surfaces) = true;
   }
 
-  set_up_batches(plan, s, device);
+  set_up_batches(setup, s, device);
 }
 
 // Light from just outside the picture still arrives: as far as the widest Gaussian reaches.
@@ -228,7 +225,7 @@ void warn_coarse(const Subject& subject, const FrameSetup& setup) {
   const techniques::SkinPart* worst = nullptr;
   for (const techniques::SkinPart& part : setup.plan.skin)
     if (part.coarse && (!worst || part.least_texels_per_mm < worst->least_texels_per_mm)) worst = &part;
-  if (!worst || !setup.technique->scatters) return;
+  if (!worst || !setup.technique->has_light_maps) return;
 
   const auto number = static_cast<std::size_t>(worst - setup.plan.skin.data());
   const double lost_mm =
@@ -238,6 +235,13 @@ void warn_coarse(const Subject& subject, const FrameSetup& setup) {
       "{:.2g} mm do not scatter there. A larger --map-size holds them, or texture coordinates that fill more "
       "of the square",
       subject.scene->name, subject.skin[number].name, worst->least_texels_per_mm, lost_mm);
+}
+
+std::vector<std::uint32_t> sides_of_drawn_heads(const FrameSetup& setup) {
+  std::vector<std::uint32_t> sides;
+  for (const HeadSetup& head : setup.heads)
+    if (head.visible) sides.push_back(static_cast<std::uint32_t>(head.map_side));
+  return sides;
 }
 
 FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceTraits& device,

@@ -42,6 +42,9 @@ struct FrameSetup {
   int lights = 0, suns = 0, gaussians = 0;  ///< suns: those of the lights that surroundings bring
 };
 
+/// T of each head that is drawn, texels.
+std::vector<std::uint32_t> sides_of_drawn_heads(const FrameSetup& setup);
+
 /// `suns`: lights of the surroundings, besides those that the settings choose. InputError: see
 /// check_settings(), frame_camera(); a map budget that holds not even one head.
 FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {},

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "techniques/lambert/lambert.h"
+#include "techniques/screen.h"
 #include "techniques/technique.h"
 #include "techniques/texture_space/texture_space.h"
 
@@ -10,10 +11,20 @@ namespace dermis::techniques {
 namespace {
 
 constexpr std::array all{
-    Technique{"texture-space",
-              "light blurred in the head's texture by a sum of Gaussians (d'Eon et al. 2007)", true,
-              build_texture_space},
-    Technique{"lambert", "the same lights and specular without scattering", false, build_lambert},
+    Technique{.name = "texture-space",
+              .summary = "light blurred in the head's texture by a sum of Gaussians (d'Eon et al. 2007)",
+              .uses_profile = true,
+              .has_light_maps = true,
+              .build = build_texture_space,
+              .report = report_texture_space,
+              .gutters = gutters_of_texture_space},
+    Technique{.name = "lambert",
+              .summary = "the same lights and specular without scattering",
+              .uses_profile = false,
+              .has_light_maps = false,
+              .build = build_lambert,
+              .report = screen_report,
+              .gutters = no_gutters},
 };
 
 }  // namespace

@@ -11,19 +11,39 @@
 #include "passes/tone_map/tone_map.h"
 
 namespace dermis::techniques {
+namespace {
+
+// Side of the maps of what enters the skin (passes::Shadow), texels. Their light goes to light maps, so they
+// need not be finer than those. Within a factor of 1.5 a pass of their own would save neither time nor
+// memory: they are drawn with the shadow maps then, and as large.
+std::uint32_t entering_size(const FrameSettings& s) {
+  return 3 * std::uint64_t{s.map_size} <= 2 * std::uint64_t{s.shadow_size} ? s.map_size : s.shadow_size;
+}
+
+}  // namespace
+
+FrameReport screen_report(const FrameSettings&, std::span<const std::uint32_t> counters,
+                          std::span<const std::uint32_t>) {
+  return {.skin_pixels = counters[counter_skin_pixels], .optimise = {}, .mask = {}, .maps = {}};
+}
+
+std::vector<GutterSize> no_gutters(const FrameSettings&, std::span<const std::uint32_t>) { return {}; }
 
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
                   std::uint32_t mesh) {
-  std::string text = label(what, settings, head);
-  if (settings.skin.size() > 1) text += fmt::format(" part {}", mesh);
-  return text;
+  return label_part(label(what, settings, head), settings, mesh);
+}
+
+std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh) {
+  return settings.skin.size() > 1 ? fmt::format("{} part {}", what, mesh) : std::string(what);
 }
 
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head) {
   return settings.heads > 1 ? fmt::format("{} head {}", what, head) : std::string(what);
 }
 
-Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&plan), settings_(settings) {
+Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings, std::size_t counters)
+    : plan_(&plan), settings_(settings) {
   const gpu::TextureDesc screen{
       .width = settings.width, .height = settings.height, .samples = settings.samples};
   gpu::TextureDesc colour = screen, depth = screen;
@@ -47,7 +67,7 @@ Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings) : plan_(&p
     entering_ = plan.texture("entering maps", entering);
   }
 
-  counters_ = plan.buffer("counters", {.bytes = counter_count(settings.skin.size()) * sizeof(std::uint32_t)});
+  counters_ = plan.buffer("counters", {.bytes = counters * sizeof(std::uint32_t)});
   plan.add<passes::ClearCounters>("clear counters", {counters_});
 }
 
@@ -98,7 +118,10 @@ FrameOutputs Screen::finish() {
   plan_->read_back(out.display);
   plan_->read_back(shadow_);
   for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer)
-    out.shows[fmt::format("shadow:{}", layer)] = shadow_;
+    out.shows[fmt::format("shadow:{}", layer)] = {.map = shadow_, .as = Shown::As::depth, .layer = layer};
+
+  for (const frame::TextureId map : {shadow_, entering_, entering_depth_})
+    if (map.valid()) out.shadow_maps.push_back(map);
   return out;
 }
 

@@ -6,9 +6,13 @@
 
 namespace dermis::techniques {
 
+/// Slots of FrameOutputs::counters that every technique has; its own follow.
+enum ScreenCounter : std::uint32_t { counter_skin_pixels, screen_counters };
+
 class Screen {
  public:
-  Screen(frame::FramePlan& plan, const FrameSettings& settings);
+  /// counters: slots of the frame, at least screen_counters.
+  Screen(frame::FramePlan& plan, const FrameSettings& settings, std::size_t counters = screen_counters);
 
   frame::TextureId colour() const { return colour_; }
   frame::TextureId depth() const { return depth_; }
@@ -20,7 +24,7 @@ class Screen {
 
   void add_shadow(std::uint32_t head);
   void add_surfaces(std::uint32_t head);  ///< opaque, then blended
-  FrameOutputs finish();                  ///< resolve, bloom, tone map
+  FrameOutputs finish();                  ///< resolve, bloom, tone map; shows the shadow maps
 
  private:
   frame::FramePlan* plan_;
@@ -31,10 +35,17 @@ class Screen {
   bool cleared_ = false;
 };
 
+/// Technique::report and Technique::gutters of a technique that has no light maps.
+FrameReport screen_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
+                          std::span<const std::uint32_t> sides);
+std::vector<GutterSize> no_gutters(const FrameSettings& settings, std::span<const std::uint32_t> sides);
+
 /// "shadow" for one head, "shadow head 3" in a crowd; and for one of a head's skin meshes, "irradiance head 3
 /// part 1".
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head);
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
                   std::uint32_t mesh);
+/// "stretch" for one skin mesh, "stretch part 1" for one of several.
+std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh);
 
 }  // namespace dermis::techniques

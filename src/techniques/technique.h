@@ -3,7 +3,6 @@
 /// the only register.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -14,7 +13,6 @@
 #include "frame/plan.h"
 #include "gaussians/sum.h"
 #include "image/tone_map.h"
-#include "passes/downsample/downsample.h"
 #include "passes/light_pool.h"
 
 namespace dermis::techniques {
@@ -24,6 +22,8 @@ struct SkinPart {
   gaussians::SumOfGaussians profile;
   double max_texels_per_mm = 1;   ///< where its unwrap is densest, at the map size of the frame
   double mean_texels_per_mm = 1;  ///< of its unwrap, at the same size
+  /// max_texels_per_mm of a map of one texel
+  double densest_texels_per_mm_of_one = 1;
   /// of a map of one texel, if the skin filled it evenly; and whether parts of it have so few that terms are
   /// lit at the pixel there: passes::coarse_share
   double even_texels_per_mm = 1;
@@ -77,65 +77,59 @@ struct FrameSettings {
   bool operator==(const FrameSettings&) const = default;
 };
 
-/// Side of the maps of what enters the skin (passes::Shadow), texels. Their light goes to light maps, so they
-/// need not be finer than those. Within a factor of 1.5 a pass of their own would save neither time nor
-/// memory: they are drawn with the shadow maps then, and as large.
-inline std::uint32_t entering_size(const FrameSettings& s) {
-  return 3 * std::uint64_t{s.map_size} <= 2 * std::uint64_t{s.shadow_size} ? s.map_size : s.shadow_size;
-}
-/// Of one layer of the shadow maps, with what belongs to it.
-inline std::uint64_t shadow_bytes(const FrameSettings& s) {
-  const std::uint64_t depth = 4 * std::uint64_t{s.shadow_size} * s.shadow_size;
-  const std::uint64_t side = entering_size(s), entering = 4 * side * side;
-  if (!s.translucency || s.all_enters) return depth;
-  return depth + (side < s.shadow_size ? 2 * entering : entering);  // apart, it has depth of its own
-}
-
-/// Slots of FrameOutputs::counters: three of the frame, then for each skin mesh three for each size of its
-/// maps.
-enum Counter : std::uint32_t {
-  counter_skin_pixels,
-  counter_unshaded_reads,
-  counter_transmission_misses,
-  counter_meshes
+/// A map that the settings' `show` can name, and how it becomes a picture.
+struct Shown {
+  enum class As : std::uint8_t {
+    values,        ///< 0 to 1 as they are
+    light,         ///< linear light, displayed as sRGB
+    depth,         ///< grey: near bright, nothing black
+    texel_density  ///< of a stretch map: 0 to 8 texels per mm, from black to white
+  };
+  frame::TextureId map;
+  As as = As::values;
+  std::uint32_t layer = 0;
+  glm::uvec2 origin{0};      ///< of the rectangle that is shown, texels
+  bool used_square = false;  ///< its sides are T of the nearest head; else the whole map is shown
 };
-enum MeshCounter : std::uint32_t {
-  counter_lit_texels,
-  counter_masked_texels,
-  counter_tiles,
-  counter_level_stride
-};
-inline constexpr std::uint32_t counter_mesh_stride = counter_level_stride * (passes::max_halvings + 1);
-inline std::size_t counter_count(std::size_t skin_meshes) {
-  return counter_meshes + counter_mesh_stride * skin_meshes;
-}
-inline std::uint32_t mesh_counter(std::uint32_t mesh, std::uint32_t halvings, MeshCounter which) {
-  return counter_meshes + counter_mesh_stride * mesh + counter_level_stride * halvings + which;
-}
 
 struct FrameOutputs {
   /// RGBA16F, linear, with bloom; alpha = share of the pixel that is skin
   frame::TextureId picture;
-  frame::TextureId before_bloom;                  ///< RGBA16F, as picture
-  frame::TextureId display;                       ///< RGBA8, after the tone map
-  frame::BufferId counters;                       ///< uint[counter_count()]
-  std::map<std::string, frame::TextureId> shows;  ///< what `--show` can show: "irradiance", "blur:0", ...
-  /// of the square of light maps that is shown: the nearest head's, its first skin mesh
-  glm::uvec2 shown_origin{0};
-  /// A skin mesh, by halvings of the map: what runs over its square there.
-  struct LevelWork {
-    std::uint32_t terms = 0;         ///< Gaussians that end there
-    std::uint32_t convolutions = 0;  ///< passes, both axes counted
-    bool halved = false;             ///< the level is made by Downsample
-  };
-  std::vector<std::array<LevelWork, passes::max_halvings + 1>> work;
+  frame::TextureId before_bloom;       ///< RGBA16F, as picture
+  frame::TextureId display;            ///< RGBA8, after the tone map
+  frame::BufferId counters;            ///< uint[]; Technique::report says what they mean
+  std::map<std::string, Shown> shows;  ///< by name: "irradiance", "shadow:0", ...
+  /// That grow with the heads and skin meshes of a batch; techniques/memory.h sums them.
+  std::vector<frame::TextureId> light_maps, shadow_maps;
+};
+
+/// What a frame has computed, for its statistics. docs/measuring.md says what each figure means.
+struct FrameReport {
+  std::uint64_t skin_pixels = 0;
+  std::vector<std::string> optimise;  ///< of cull, depth, clip
+  std::string mask, maps;             ///< empty: there are none
+  bool translucency = false;
+  std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0;
+  std::uint64_t unshaded_reads = 0, transmission_misses = 0;
+};
+
+/// Gutters that a frame reads: of a skin mesh, for light maps of side x side texels.
+struct GutterSize {
+  std::uint32_t mesh = 0, side = 0;
+  int width_texels = 0;
 };
 
 struct Technique {
   std::string_view name;
-  std::string_view summary;  ///< one line
-  bool scatters = true;      ///< uses the profile
+  std::string_view summary;    ///< one line
+  bool uses_profile = true;    ///< light spreads as the material's profile says
+  bool has_light_maps = true;  ///< Optimise, mask, progressive and translucency mean something
   FrameOutputs (*build)(frame::FramePlan& plan, const FrameSettings& settings);
+
+  /// `counters` as read back from FrameOutputs::counters. `sides`: T of each head that is drawn, texels.
+  FrameReport (*report)(const FrameSettings& settings, std::span<const std::uint32_t> counters,
+                        std::span<const std::uint32_t> sides);
+  std::vector<GutterSize> (*gutters)(const FrameSettings& settings, std::span<const std::uint32_t> sides);
 };
 
 std::span<const Technique> techniques();

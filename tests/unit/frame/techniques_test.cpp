@@ -5,6 +5,7 @@
 
 #include "gaussians/known.h"
 #include "hazards.h"
+#include "techniques/memory.h"
 #include "techniques/technique.h"
 
 namespace dermis::frame::test {
@@ -34,7 +35,7 @@ std::vector<Case> cases() {
             s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
             s.has_surfaces = s.has_blended = more;
             s.bloom = more ? 0.05f : 0.0f;
-            s.translucency = more && parts > 0 && technique.scatters;
+            s.translucency = more && parts > 0 && technique.has_light_maps;
             all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique.name, heads,
                                        parts, samples, more ? ", surfaces, bloom" : ""),
                            &technique, std::move(s)});
@@ -112,6 +113,30 @@ std::uint64_t texture_bytes(const FramePlan& plan) {
   std::uint64_t sum = 0;
   for (const TextureNode& texture : plan.textures()) sum += gpu::bytes_of(texture.desc);
   return sum;
+}
+
+// Three heads more in a batch take three times what one is said to take: nothing else grows.
+TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
+  for (const passes::Mask mask : {passes::Mask::alpha, passes::Mask::depth, passes::Mask::tiles})
+    for (const bool more : {false, true}) {
+      techniques::FrameSettings s{
+          .width = 64, .height = 48, .map_size = 256, .shadow_size = 64, .shadow_layers = 3, .heads = 4};
+      s.optimise = {.cull = true, .depth = true, .clip = true};
+      s.mask = mask;
+      s.translucency = s.progressive = more;
+      s.skin.assign(1, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .mean_texels_per_mm = 4});
+
+      const techniques::Technique& technique = techniques::find_technique("texture-space");
+      const auto bytes = [&](std::uint32_t heads_per_batch) {
+        s.heads_per_batch = heads_per_batch;
+        FramePlan plan;
+        technique.build(plan, s);
+        return texture_bytes(plan);
+      };
+      const techniques::MapMemory memory = techniques::map_memory(technique, s);
+      EXPECT_EQ(bytes(4) - bytes(1), 3 * (memory.light_maps + memory.shadow_maps))
+          << "mask " << static_cast<int>(mask) << ", translucency and small maps " << more;
+    }
 }
 
 // Light maps of two parts at a time take the same memory however many parts follow one another.

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/memory.h"
+
+#include "gpu/formats.h"
+
+namespace dermis::techniques {
+
+MapMemory map_memory(const Technique& technique, FrameSettings settings) {
+  settings.heads = settings.heads_per_batch = 1;
+  settings.meshes_per_batch = 1;
+  frame::FramePlan plan;
+  const FrameOutputs outputs = technique.build(plan, settings);
+
+  const auto sum = [&](const std::vector<frame::TextureId>& maps) {
+    std::uint64_t bytes = 0;
+    for (const frame::TextureId map : maps) bytes += gpu::bytes_of(plan.textures()[map.index].desc);
+    return bytes;
+  };
+  return {.light_maps = sum(outputs.light_maps), .shadow_maps = sum(outputs.shadow_maps)};
+}
+
+}  // namespace dermis::techniques

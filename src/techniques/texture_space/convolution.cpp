@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/texture_space/convolution.h"
+
+#include "passes/add_transmitted/add_transmitted.h"
+#include "passes/blur/blur.h"
+#include "passes/downsample/downsample.h"
+#include "passes/gutters/gutters.h"
+#include "passes/transmission.h"
+
+namespace dermis::techniques {
+namespace {
+
+using passes::Gutters;
+using passes::MapSquare;
+
+class Convolution {
+ public:
+  Convolution(frame::FramePlan& plan, const FrameSettings& settings, LightMaps& maps, std::uint32_t mesh,
+              const std::vector<MapSquare>& squares)
+      : plan_(&plan),
+        settings_(&settings),
+        maps_(&maps),
+        mesh_(mesh),
+        full_size_(squares),
+        squares_(squares),
+        level_(&maps.levels().front()),
+        light_(level_->light) {}
+
+  void add() {
+    const SkinPart& part = settings_->skin[mesh_];
+    const std::vector<std::size_t> groups = passes::transmission_groups(part.profile.terms.size());
+    std::size_t term = 0;
+    bool term_ended = false;
+
+    for (const passes::BlurStep& step : passes::blur_steps(part.profile, part.max_texels_per_mm)) {
+      for (std::size_t g = 1; term_ended && settings_->translucency && g < groups.size(); ++g)
+        if (groups[g] == term) add_transmitted(g);
+
+      add_step(step, term);
+      term_ended = step.ends_term;
+      if (term_ended) ++term;
+    }
+  }
+
+ private:
+  // A step between two terms is overwritten by the step that ends the next term: its map serves both.
+  void add_step(const passes::BlurStep& step, std::size_t term) {
+    passes::Blur::Settings blur{.squares = squares_,
+                                .variance_mm2 = step.variance_mm2,
+                                .texel_averaged = step_ == 0,
+                                .mask = mask_of(*settings_)};
+    if (maps_->halvings()[term] != level_->halvings) {
+      blur.halvings_before = level_->halvings;
+      go_on_in_smaller_maps(maps_->level_of(term));
+      blur.squares = squares_;
+    }
+
+    const std::string name = fmt::format("blur {}", step_++);
+    const frame::TextureId stretch = maps_->stretch(mesh_), target = maps_->blurred()[term];
+    plan_->add<passes::Blur>(maps_->name(name + " u", mesh_),
+                             {light_, stretch, level_->scratch, level_->lit, level_->depth_mask}, blur);
+    blur.axis = 1;
+    plan_->add<passes::Blur>(maps_->name(name + " v", mesh_),
+                             {level_->scratch, stretch, target, level_->lit, level_->depth_mask}, blur);
+    plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {target}, {.squares = squares_});
+    light_ = target;
+  }
+
+  void go_on_in_smaller_maps(const Level& level) {
+    std::vector<MapSquare> smaller = on_level(full_size_, level);
+    maps_->add_halved(level, light_, squares_, smaller);
+    squares_ = std::move(smaller);
+    level_ = &level;
+    light_ = level.light;
+  }
+
+  // Light that the terms from here on bring through the body joins what the terms before have spread:
+  // passes/transmission.h.
+  void add_transmitted(std::size_t group) {
+    frame::TextureId through = maps_->transmitted()[group - 1];
+    if (level_->halvings > 0) {
+      const std::string name = at(fmt::format("downsample joining {}", group), *level_);
+      const passes::Downsample::In in{through, maps_->stretch(mesh_),
+                                      maps_->halved_transmitted(group, *level_)};
+      through =
+          plan_->add<passes::Downsample>(maps_->name(name, mesh_), in, {.from = full_size_, .to = squares_})
+              .light;
+    }
+
+    const std::string name = fmt::format("add transmitted {}", group);
+    light_ =
+        plan_->add<passes::AddTransmitted>(maps_->name(name, mesh_), {light_, through}, {.squares = squares_})
+            .light;
+    plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {light_}, {.squares = squares_});
+  }
+
+  frame::FramePlan* plan_;
+  const FrameSettings* settings_;
+  LightMaps* maps_;
+  std::uint32_t mesh_;
+  std::vector<MapSquare> full_size_, squares_;  // squares_: on level_
+  const Level* level_;                          // where the light is that the next step blurs
+  frame::TextureId light_;
+  std::size_t step_ = 0;
+};
+
+}  // namespace
+
+void add_convolution(frame::FramePlan& plan, const FrameSettings& settings, LightMaps& maps,
+                     std::uint32_t mesh, const std::vector<MapSquare>& squares) {
+  Convolution(plan, settings, maps, mesh, squares).add();
+}
+
+}  // namespace dermis::techniques

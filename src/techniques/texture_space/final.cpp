@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/texture_space/final.h"
+
+#include <cmath>
+
+#include "passes/final_pass/final_pass.h"
+#include "techniques/texture_space/counters.h"
+
+namespace dermis::techniques {
+namespace {
+
+std::vector<std::array<float, 3>> weights(const gaussians::SumOfGaussians& profile) {
+  std::vector<std::array<float, 3>> w;
+  for (const gaussians::Gaussian& term : profile.terms)
+    w.push_back({static_cast<float>(term.weight[0]), static_cast<float>(term.weight[1]),
+                 static_cast<float>(term.weight[2])});
+  return w;
+}
+
+std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
+  std::vector<float> sigmas;
+  for (const gaussians::Gaussian& term : profile.terms)
+    sigmas.push_back(static_cast<float>(std::sqrt(term.variance_mm2)));
+  return sigmas;
+}
+
+}  // namespace
+
+void add_final(frame::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
+               const passes::MapSquare& square) {
+  const SkinPart& part = settings.skin[square.mesh];
+  const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
+  const passes::TermsOnMap terms{.sigmas_mm = sigmas_mm(part.profile),
+                                 .even_texels_per_mm = static_cast<float>(part.even_texels_per_mm),
+                                 .largest_side = settings.map_size,
+                                 .coarse = part.coarse};
+
+  plan.add<passes::FinalPass>(label("final", settings, square.instance, square.mesh),
+                              {{maps.blurred().begin(), maps.blurred().begin() + count},
+                               screen.shadow(),
+                               screen.colour(),
+                               screen.depth(),
+                               screen.entering()},
+                              {.square = square,
+                               .samples = settings.samples,
+                               .clear = screen.take_clear(),
+                               .weights = weights(part.profile),
+                               .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
+                               .environment = settings.environment,
+                               .soft_shadows = settings.soft_shadows,
+                               .off_map = part.off_map,
+                               .cut_out = part.cut_out,
+                               .emits = part.emits,
+                               .mixes = settings.optimise.depth,
+                               .terms = terms,
+                               .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
+                               .through = settings.translucency ? std::optional(part.profile) : std::nullopt,
+                               .mm_per_unit = settings.mm_per_unit});
+
+  for (const Level& level : maps.levels())
+    plan.add<passes::UnshadedReads>(
+        label(at("count unshaded reads", level), settings, square.instance, square.mesh),
+        {level.blurred.front(), screen.depth(), screen.counters()},
+        {.square = on_level(square, level),
+         .samples = settings.samples,
+         .cut_out = part.cut_out,
+         .slot = counter_unshaded_reads,
+         .terms = terms});
+}
+
+}  // namespace dermis::techniques

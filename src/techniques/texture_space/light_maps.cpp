@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/texture_space/light_maps.h"
+
+#include <algorithm>
+
+#include "passes/count/count.h"
+#include "passes/depth_mask/depth_mask.h"
+#include "passes/dilate/dilate.h"
+#include "passes/downsample/downsample.h"
+#include "passes/gutters/gutters.h"
+#include "passes/irradiance/irradiance.h"
+#include "passes/stretch/stretch.h"
+#include "passes/tiles/tiles.h"
+#include "passes/transmission.h"
+#include "techniques/texture_space/counters.h"
+
+namespace dermis::techniques {
+
+using passes::Gutters;
+using passes::MapSquare;
+using passes::Mask;
+
+std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings) {
+  std::vector<std::uint32_t> least;
+  for (const SkinPart& part : settings.skin) {
+    std::vector<std::uint32_t> halvings(part.profile.terms.size(), 0);
+    if (settings.progressive)
+      halvings = passes::map_halvings(part.profile, part.mean_texels_per_mm, settings.map_size);
+    for (std::size_t k = 0; k < halvings.size(); ++k) {
+      if (k == least.size()) least.push_back(halvings[k]);
+      least[k] = std::min(least[k], halvings[k]);
+    }
+  }
+  return least;
+}
+
+Mask mask_of(const FrameSettings& settings) {
+  if (is_sparse(settings)) return settings.mask;
+  return settings.mask == Mask::tiles ? Mask::whole : Mask::drawn;
+}
+
+MapSquare on_level(MapSquare square, const Level& level) {
+  square.origin /= 1u << level.halvings;
+  square.halvings = level.halvings;
+  return square;
+}
+
+std::vector<MapSquare> on_level(std::vector<MapSquare> squares, const Level& level) {
+  for (MapSquare& square : squares) square = on_level(square, level);
+  return squares;
+}
+
+std::vector<MapSquare> of_mesh(const std::vector<MapSquare>& all, std::uint32_t mesh) {
+  std::vector<MapSquare> squares;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(squares),
+               [&](const MapSquare& s) { return s.mesh == mesh; });
+  return squares;
+}
+
+std::string at(std::string_view what, const Level& level) {
+  return level.halvings > 0 ? fmt::format("{} 1/{}", what, 1u << level.halvings) : std::string(what);
+}
+
+LightMaps::LightMaps(frame::FramePlan& plan, const FrameSettings& settings, Screen& screen)
+    : plan_(&plan),
+      settings_(&settings),
+      screen_(&screen),
+      pool_(settings),
+      halvings_(halvings_of_terms(settings)) {
+  for (std::size_t k = 0; k < halvings_.size(); ++k) {
+    if (levels_.empty() || levels_.back().halvings != halvings_[k])
+      levels_.push_back(make_level(halvings_[k]));
+    blurred_.push_back(plan.texture(fmt::format("light {}", k), pool_.texture(halvings_[k])));
+    levels_.back().blurred.push_back(blurred_.back());
+  }
+
+  if (settings.translucency)
+    for (std::size_t g = 1; g < passes::transmission_groups(halvings_.size()).size(); ++g)
+      transmitted_.push_back(plan.texture(fmt::format("joining {}", g), pool_.texture(0)));
+
+  // Where the skin meshes of a head take turns, their stretch maps do too, and last no longer than those.
+  const gpu::TextureDesc map{
+      .width = settings.map_size, .height = settings.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
+  const auto lifetime = pool_.splits_heads() ? frame::Lifetime::transient : frame::Lifetime::persistent;
+  for (std::uint32_t mesh = 0; mesh < pool_.meshes_per_batch(); ++mesh)
+    stretch_.push_back(plan.texture(label_part("stretch", settings, mesh), map, lifetime));
+}
+
+Level LightMaps::make_level(std::uint32_t halvings) {
+  const std::uint32_t side = settings_->map_size >> halvings;
+  Level level{.halvings = halvings};
+  const auto name = [&](std::string_view what) { return at(what, level); };
+
+  level.light = plan_->texture(name("irradiance"), pool_.texture(halvings));
+  level.scratch = plan_->texture(name("scratch"), pool_.texture(halvings));
+  if (is_sparse(*settings_))
+    level.border = passes::make_tile_lists(*plan_, name("border"), pool_.squares(), side);
+  if (mask_of(*settings_) == Mask::tiles)
+    level.lit = passes::make_tile_lists(*plan_, name("lit"), pool_.squares(), side);
+  if (mask_of(*settings_) == Mask::depth)
+    level.depth_mask = plan_->texture(name("depth mask"), pool_.texture(halvings, VK_FORMAT_D32_SFLOAT));
+  return level;
+}
+
+const Level& LightMaps::level_of(std::size_t term) const {
+  return *std::find_if(levels_.begin(), levels_.end(),
+                       [&](const Level& level) { return level.halvings == halvings_[term]; });
+}
+
+frame::TextureId LightMaps::halved_transmitted(std::size_t group, const Level& level) {
+  const auto [entry, is_new] = halved_transmitted_.try_emplace({group, level.halvings});
+  if (is_new)
+    entry->second =
+        plan_->texture(at(fmt::format("joining {}", group), level), pool_.texture(level.halvings));
+  return entry->second;
+}
+
+std::vector<frame::TextureId> LightMaps::textures() const {
+  std::vector<frame::TextureId> all = blurred_;
+  all.insert(all.end(), transmitted_.begin(), transmitted_.end());
+  for (const auto& [of, map] : halved_transmitted_) all.push_back(map);
+  for (const Level& level : levels_)
+    for (const frame::TextureId map : {level.light, level.scratch, level.depth_mask})
+      if (map.valid()) all.push_back(map);
+  return all;
+}
+
+std::string LightMaps::name(std::string_view what) const {
+  const bool several = settings_->heads > settings_->heads_per_batch || pool_.splits_heads();
+  return several ? fmt::format("{} batch {}", what, batch_) : std::string(what);
+}
+
+std::string LightMaps::name(std::string_view what, std::uint32_t mesh) const {
+  return name(label_part(what, *settings_, mesh));
+}
+
+void LightMaps::add_stretch(std::uint32_t mesh) {
+  plan_->add<passes::Stretch>(
+      label_part("stretch", *settings_, mesh), {stretch(mesh)},
+      {.mesh = mesh, .every_frame = pool_.splits_heads(), .cut_out = settings_->skin[mesh].cut_out});
+  plan_->add<Gutters>(label_part("stretch gutters", *settings_, mesh), {stretch(mesh)},
+                      {.squares = {{.instance = 0, .mesh = mesh}},
+                       .what = Gutters::What::stretch,
+                       .every_frame = pool_.splits_heads()});
+}
+
+void LightMaps::add_light(const std::vector<MapSquare>& all) {
+  const Level& level = levels_.front();
+  const std::vector<SkinPart>& skin = settings_->skin;
+  passes::Irradiance::Settings irradiance{
+      .squares = all,
+      .cull = settings_->optimise.cull,
+      .environment = settings_->environment,
+      .soft_shadows = settings_->soft_shadows,
+      .clip = settings_->optimise.clip,
+      .cut_out = std::any_of(skin.begin(), skin.end(), [](const SkinPart& part) { return part.cut_out; }),
+      .through = {},
+      .mm_per_unit = settings_->mm_per_unit};
+  if (settings_->translucency)
+    for (const SkinPart& part : skin) irradiance.through.push_back(part.profile);
+
+  plan_->add<passes::Irradiance>(
+      name("irradiance"), {level.light, screen_->shadow(), screen_->entering(), transmitted_}, irradiance);
+  if (settings_->translucency)
+    plan_->add<passes::TransmissionMisses>(name("count transmission misses"),
+                                           {screen_->shadow(), screen_->entering(), screen_->counters()},
+                                           {.irradiance = irradiance, .slot = counter_transmission_misses});
+
+  for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
+    plan_->add<passes::Count>(
+        name("count texels", mesh), {level.light, screen_->counters()},
+        {.slot = mesh_counter(mesh, 0, counter_lit_texels), .squares = of_mesh(all, mesh)});
+  add_masks(level, all);
+}
+
+void LightMaps::add_halved(const Level& level, frame::TextureId light, const std::vector<MapSquare>& from,
+                           const std::vector<MapSquare>& to) {
+  const std::uint32_t mesh = to.front().mesh;
+  plan_->add<passes::Downsample>(name(at("downsample", level), mesh), {light, stretch(mesh), level.light},
+                                 {.from = from, .to = to});
+  add_masks(level, to);
+}
+
+// Prepares a level for blurring: seam gutters, dilation, mask of unlit texels.
+void LightMaps::add_masks(const Level& level, const std::vector<MapSquare>& all) {
+  plan_->add<Gutters>(name(at("irradiance gutters", level)), {level.light}, {.squares = all});
+  if (is_sparse(*settings_)) add_dilation(level, all);
+  add_masked_counts(level, all);
+
+  const Mask mask = mask_of(*settings_);
+  if (mask == Mask::depth)
+    plan_->add<passes::DepthMask>(name(at("depth mask", level)), {level.light, level.depth_mask},
+                                  {.squares = all});
+  if (mask == Mask::tiles) add_tiles(level, all);
+}
+
+void LightMaps::add_dilation(const Level& level, const std::vector<MapSquare>& all) {
+  plan_->add<passes::ClearTiles>(name(at("clear border tiles", level)), {level.border});
+  plan_->add<passes::TileClasses>(name(at("border tile classes", level)), {level.light, level.border}, {all});
+  plan_->add<passes::Tiles>(name(at("border tiles", level)), {level.border, screen_->counters()},
+                            {.squares = all, .what = passes::Tiles::What::border});
+
+  for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
+    if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
+      plan_->add<passes::Dilate>(name(at("dilate", level), mesh), {level.light, stretch(mesh), level.border},
+                                 {squares});
+  if (level.halvings > 0) return;
+
+  for (std::size_t g = 0; g < transmitted_.size(); ++g)
+    for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
+      plan_->add<passes::Dilate>(name(fmt::format("dilate joining {}", g + 1), mesh),
+                                 {transmitted_[g], stretch(mesh), level.border}, {of_mesh(all, mesh)});
+}
+
+void LightMaps::add_masked_counts(const Level& level, const std::vector<MapSquare>& all) {
+  for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
+    if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
+      plan_->add<passes::Count>(name(at("count masked texels", level), mesh),
+                                {level.light, screen_->counters()},
+                                {.slot = mesh_counter(mesh, level.halvings, counter_masked_texels),
+                                 .threshold = 0.5f,
+                                 .absolute = true,
+                                 .squares = squares});
+}
+
+void LightMaps::add_tiles(const Level& level, const std::vector<MapSquare>& all) {
+  std::vector<frame::TextureId> maps = level.blurred;
+  maps.push_back(level.scratch);
+  plan_->add<passes::ClearTiles>(name(at("clear tiles", level)), {level.lit});
+  plan_->add<passes::TileClasses>(name(at("tile classes", level)), {level.light, level.lit}, {all});
+  plan_->add<passes::Tiles>(name(at("tiles", level)), {level.lit, screen_->counters()},
+                            {.squares = all,
+                             .first_slot = mesh_counter(0, level.halvings, counter_tiles),
+                             .slot_stride = counter_mesh_stride});
+  plan_->add<passes::IdleTiles>(name(at("idle tiles", level)), {level.lit, maps}, {.squares = all});
+}
+
+}  // namespace dermis::techniques

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/texture_space/map_pool.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace dermis::techniques {
+
+std::uint32_t MapPool::meshes_per_batch() const {
+  return settings_->meshes_per_batch == 0 ? meshes() : std::min(settings_->meshes_per_batch, meshes());
+}
+
+std::uint32_t MapPool::mesh_batches() const {
+  return meshes() == 0 ? 0 : (meshes() + meshes_per_batch() - 1) / meshes_per_batch();
+}
+
+// Sides of pools for parts of a head are powers of two, whose coordinates do not round: the picture is the
+// same for every budget.
+std::uint32_t MapPool::columns() const {
+  const auto least = static_cast<std::uint32_t>(std::ceil(std::sqrt(squares())));
+  return splits_heads() ? std::bit_ceil(least) : least;
+}
+
+passes::MapSquare MapPool::square(std::uint32_t head, std::uint32_t mesh) const {
+  const std::uint32_t index =
+      head % settings_->heads_per_batch * meshes_per_batch() + mesh % meshes_per_batch();
+  return {.instance = head,
+          .mesh = mesh,
+          .origin = glm::uvec2(index % columns(), index / columns()) * settings_->map_size,
+          .index = index,
+          .largest_side = settings_->map_size};
+}
+
+std::vector<passes::MapSquare> MapPool::squares(std::uint32_t first_head, std::uint32_t heads,
+                                                std::uint32_t first_mesh, std::uint32_t end_mesh) const {
+  std::vector<passes::MapSquare> all;
+  for (std::uint32_t mesh = first_mesh; mesh < end_mesh; ++mesh)
+    for (std::uint32_t head = first_head; head < first_head + heads; ++head)
+      all.push_back(square(head, mesh));
+  return all;
+}
+
+gpu::TextureDesc MapPool::texture(std::uint32_t halvings, VkFormat format) const {
+  const std::uint32_t rows = (squares() + columns() - 1) / columns();
+  const std::uint32_t side = settings_->map_size >> halvings;
+  return {.width = columns() * side, .height = rows * side, .format = format};
+}
+
+}  // namespace dermis::techniques

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+/// Where the skin meshes of a batch of heads lie in the textures that they share: one square each, in rows.
+/// Heads take turns with the pool, and so do the skin meshes of a head that has more of them than it holds.
+#pragma once
+
+#include <vector>
+
+#include "passes/light_pool.h"
+#include "techniques/technique.h"
+
+namespace dermis::techniques {
+
+class MapPool {
+ public:
+  explicit MapPool(const FrameSettings& settings) : settings_(&settings) {}
+
+  std::uint32_t meshes_per_batch() const;
+  std::uint32_t mesh_batches() const;
+  bool splits_heads() const { return mesh_batches() > 1; }
+  /// Of the pool.
+  std::uint32_t squares() const { return settings_->heads_per_batch * meshes_per_batch(); }
+
+  passes::MapSquare square(std::uint32_t head, std::uint32_t mesh) const;
+  /// Of some heads and some skin meshes, mesh by mesh.
+  std::vector<passes::MapSquare> squares(std::uint32_t first_head, std::uint32_t heads,
+                                         std::uint32_t first_mesh, std::uint32_t end_mesh) const;
+  /// A texture that holds all squares at T_max >> halvings.
+  gpu::TextureDesc texture(std::uint32_t halvings, VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) const;
+
+ private:
+  std::uint32_t meshes() const { return static_cast<std::uint32_t>(settings_->skin.size()); }
+  std::uint32_t columns() const;
+
+  const FrameSettings* settings_;
+};
+
+}  // namespace dermis::techniques
