@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint64_t default_limit_mb = 1000;
 constexpr std::array<std::string_view, 3> prefixes{"occlusion", "monte-carlo", "pipelines"};
 constexpr std::string_view unfinished = "unfinished", part_ending = ".part";
-// Another process may still be writing what is younger.
+// Another process may still be writing a younger file.
 constexpr std::chrono::hours part_lifetime{1};
 
 constexpr std::string_view seal_word = "checksum ";
@@ -38,7 +38,7 @@ struct Entry {
   fs::file_time_type used{};
 };
 
-/// Empty: not one of ours.
+/// Returns the kind of a file name; empty if it is not ours.
 std::string_view kind_of(const std::string& name) {
   for (const std::string_view prefix : prefixes) {
     if (!name.starts_with(prefix)) continue;
@@ -49,7 +49,7 @@ std::string_view kind_of(const std::string& name) {
   return {};
 }
 
-// Another process may remove any of them meanwhile: then it is left out.
+// Lists the files of the cache. Skips those that another process removes meanwhile.
 std::vector<Entry> entries_of(const fs::path& folder) {
   std::vector<Entry> entries;
   std::error_code error;
@@ -79,7 +79,7 @@ std::vector<Usage> sum_of(const std::vector<Entry>& entries) {
   return sums;
 }
 
-/// Makes room for `coming` bytes under the name of `file`, which replaces what has that name.
+/// Makes room for `coming` bytes under the name of `file`, whose old content will be replaced.
 void evict(const fs::path& file, std::uint64_t coming, std::uint64_t limit) {
   std::vector<Entry> entries = entries_of(file.parent_path());
   const auto now = fs::file_time_type::clock::now();
@@ -147,7 +147,7 @@ std::optional<std::vector<std::byte>> read(const fs::path& file, std::uint64_t m
     return std::nullopt;
   }
   bytes.resize(body);
-  // The age of a file is that of its last use; where it cannot be noted, that of its making.
+  // Marks the file as used now; if that fails, its age counts from when it was written.
   fs::last_write_time(file, fs::file_time_type::clock::now(), error);
   return bytes;
 }
@@ -159,7 +159,7 @@ void write(const fs::path& file, std::vector<std::byte> bytes, std::uint64_t lim
   bytes.insert(bytes.end(), sealing.begin(), sealing.end());
   if (bytes.size() > limit) return;
 
-  std::error_code ignored;  // if the folder cannot be made, the write says what is wrong
+  std::error_code ignored;  // if the folder cannot be created, the write reports it
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
   evict(file, bytes.size(), limit);
   try {

@@ -22,15 +22,15 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
-/// A device or a pipe. It keeps no half of a file, and must not be replaced by one: as root, /dev/null would
-/// be gone.
+/// Returns whether the path is a device or a pipe. These are written directly: a rename would replace them
+/// (as root, it would remove /dev/null).
 bool is_stream(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-/// Throws what went wrong; the file is left as it is then.
+/// Throws InputError on failure; a partly written file stays.
 void write_bytes(const fs::path& to, std::span<const std::byte> bytes, const fs::path& named) {
   File file(std::fopen(to.c_str(), "wb"));
   if (!file) throw input_error(named.string(), "cannot be written: {}", std::strerror(errno));
@@ -50,7 +50,7 @@ std::vector<std::byte> read_file(const fs::path& path, std::uint64_t limit_bytes
   if (!fs::is_regular_file(status)) throw input_error(path.string(), "is not a regular file");
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) throw input_error(path.string(), "cannot be opened: {}", std::strerror(errno));
-  // Of the file that is open: another may have taken its name meanwhile.
+  // Asks the open file, because another file may have taken its name meanwhile.
   struct stat opened {};
   if (::fstat(::fileno(file.get()), &opened) != 0)
     throw input_error(path.string(), "cannot be read: {}", std::strerror(errno));
@@ -87,7 +87,7 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes) {
   check_writable(path);
   if (is_stream(path)) return write_bytes(path, bytes, path);
 
-  // The process id and a number keep two runs, or two threads, that write the same name apart.
+  // Process id and number separate two runs, or two threads, that write the same name.
   static std::atomic<unsigned> number{0};
   std::error_code ignored;
   fs::path part = path;

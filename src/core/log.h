@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Warnings and notes for a person. They go to stderr, one line each, or to a sink that a test or an engine
+// Warnings and notes for the user. They go to stderr, one line each, or to a sink that a test or an engine
 // sets.
 #pragma once
 
@@ -13,8 +13,8 @@ namespace dermis {
 enum class LogLevel { note, warning };
 using LogSink = std::function<void(LogLevel, const std::string& line)>;
 
-/// Replaces where lines go (default: stderr, "dermis: warning: ..."); an empty sink restores the default.
-/// Returns the former one.
+/// Replaces the sink (default: stderr, "dermis: warning: ..."); an empty one restores the default. Returns
+/// the former sink.
 LogSink set_log_sink(LogSink sink);
 void log_line(LogLevel level, const std::string& line);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors are one line, whatever the keys and names of a file hold that stand in them.
+// Keeps errors to one line, whatever text of a file they quote.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace dermis {
 /// Returns the text with control characters as '?', cut after most_bytes.
 std::string one_line(std::string_view text, std::size_t most_bytes = 2000);
 
-/// Returns what body() returns; an InputError leaves it with one_line() of its message.
+/// Returns what body() returns; replaces the message of an InputError by one_line() of it.
 template <class Body>
 auto with_one_line_errors(const Body& body) {
   try {

@@ -36,7 +36,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   try {
     for (std::size_t t = 1; t < threads; ++t) pool.emplace_back(work);
   } catch (const std::system_error&) {
-    // The system allows no more threads: those that there are do all the work.
+    // The system allows no more threads: the existing ones do all the work.
   }
 
   work();

@@ -13,8 +13,8 @@ constexpr std::size_t shown_names = 3;
 
 struct Kind {
   std::string kind, first_line;
-  std::vector<std::string> names;     // the first of them, each once
-  std::size_t count = 0, others = 0;  // all, and those of other names
+  std::vector<std::string> names;     // the first three, each once
+  std::size_t count = 0, others = 0;  // all warnings, and those with further names
 };
 
 thread_local int groups = 0;

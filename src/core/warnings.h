@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Warnings that many things of one file may share: one line then says what, how many, and the first three
-// names, each once.
+// Groups warnings that many objects of one file share: one line says what, how many, and the first three
+// names.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace dermis {
 
-/// While one lives, warn_of() gathers; when the outermost one ends, each kind of warning becomes one line.
-/// What was gathered is dropped if an exception ends it: a refusal is one line. Of this thread alone.
+/// While one exists, warn_of() collects; when the outermost one ends, each kind of warning becomes one line.
+/// If an exception ends it, the warnings are dropped, so that an error is one line. Applies to the current
+/// thread only.
 class WarningGroup {
  public:
   WarningGroup();
@@ -19,11 +20,11 @@ class WarningGroup {
   WarningGroup& operator=(const WarningGroup&) = delete;
 
  private:
-  int exceptions_;  ///< in flight when it began
+  int exceptions_;  ///< in flight at construction
 };
 
-/// Warns of one thing. `line` is the whole warning for it alone, and said at once where no WarningGroup
-/// lives; `kind` says the same of any number of things, and warnings are grouped by it.
+/// Warns of one object. `line` is the whole warning for this object alone, printed at once if no WarningGroup
+/// exists; `kind` is the text for any number of objects, and groups them.
 void warn_of(const std::string& kind, const std::string& name, const std::string& line);
 
 }  // namespace dermis

@@ -63,15 +63,15 @@ void Collected::row(int y, std::span<float> rgb) {
     ++cleared_;
   }
   if (!average_) return keep(y, rgb);
-  // If the lowest row comes first, sums are kept until the topmost has come.
+  // If the lowest row comes first, sums are kept until the topmost row has come.
   if (y == source_height_ - 1 && source_height_ > 1) from_top_ = rows_ > 0;
   ++rows_;
   average_->add(y, rgb);
   if (from_top_) average_->done_to(y);
 }
 
-// Memory is touched as rows arrive: of a picture that is much larger than its file, the first damaged rows
-// end the reading.
+// Takes memory as rows arrive: if a picture claims to be much larger than its file, the first damaged row
+// ends the reading.
 void Collected::keep(int y, std::span<const float> rgb) {
   const std::size_t end = (static_cast<std::size_t>(y) + 1) * rgb.size();
   if (picture_.values.size() < end) picture_.values.resize(end);
@@ -106,7 +106,7 @@ struct Signature {
 
 using namespace std::string_view_literals;
 
-// "not_read" formats are there to be named in the error: they turn up in glTF files and asset folders.
+// "not_read" formats serve to name them in the error: they occur in glTF files and asset folders.
 constexpr std::array signatures = {
     Signature{Format::png, "PNG", 0, "\x89PNG\r\n\x1a\n"sv},
     Signature{Format::jpeg, "JPEG", 0, "\xff\xd8\xff"sv},
@@ -164,7 +164,7 @@ PictureHeader read_header8(Bytes bytes, const std::string& where, const DecodeLi
 std::uint64_t passing_bytes(const PictureHeader& header, const Shrink& shrink) {
   const std::uint64_t pixels = static_cast<std::uint64_t>(header.width) * header.height;
   if (!header.many_passes) return 0;
-  // A coefficient of two bytes for each value; four floats for each pixel that is kept.
+  // JPEG: two bytes per coefficient. PNG: four floats per pixel that is kept.
   if (header.jpeg) return pixels * 2 * static_cast<unsigned>(header.channels);
   return shrink.halvings == 0 ? 0 : (pixels * 16) >> (2 * std::min(shrink.halvings, 31));
 }
@@ -180,7 +180,7 @@ Image8 decode_image8(Bytes bytes, const std::string& where, const DecodeLimits& 
 ImageF decode_image_f(Bytes bytes, const std::string& where, const DecodeLimits& limits,
                       std::uint64_t most_pixels) {
   const Recognised found = recognise(bytes);
-  // A pixel of linear light takes three times the bytes of one of a display picture.
+  // Linear light takes three times the bytes per pixel of a display picture.
   DecodeLimits linear = limits;
   linear.max_pixels /= 2;
   if (found.format == Format::hdr) return formats::decode_hdr(bytes, where, linear, most_pixels);

@@ -30,7 +30,7 @@ float srgb8_to_linear(std::uint8_t display) {
 }
 
 std::uint8_t linear_to_srgb8(float linear) {
-  // Where the display value steps from i to i + 1: half-way between them on the curve.
+  // The display value steps from i to i + 1 half-way between the two on the curve.
   static const std::array<float, 255> steps = [] {
     std::array<float, 255> t{};
     for (std::size_t i = 0; i < t.size(); ++i) t[i] = srgb_to_linear((static_cast<float>(i) + 0.5f) / 255.0f);
@@ -48,13 +48,14 @@ std::uint16_t float_to_half(float value) {
   // 65520 and above round to infinity
   if (magnitude >= 0x477ff000u) return static_cast<std::uint16_t>(sign | 0x7c00u);
   if (magnitude < 0x38800000u) {
-    // Below 2^-14 a half is a multiple of 2^-24; adding 0.5 to a float leaves just those bits, rounded by the
-    // hardware to even.
+    // Below 2^-14 a half is a multiple of 2^-24. Adding 0.5 to a float leaves exactly those bits, rounded by
+    // the hardware to even.
     const float shifted = std::bit_cast<float>(magnitude) + 0.5f;
     return static_cast<std::uint16_t>(
         sign | (std::bit_cast<std::uint32_t>(shifted) - std::bit_cast<std::uint32_t>(0.5f)));
   }
-  // 13 bits go; adding just under half of the last place, plus one if that place is odd, rounds ties to even.
+  // Drops 13 bits. Adding just under half of the last place, plus one if that place is odd, rounds ties to
+  // even.
   const std::uint32_t rounded = magnitude + 0xfffu + (magnitude >> 13 & 1u);
   return static_cast<std::uint16_t>(sign | (rounded - 0x38000000u) >> 13);
 }

@@ -41,7 +41,7 @@ std::optional<ExposedDifference> compare_exposed(ImageF reference, ImageF test, 
   }
   if (found.pixels == 0) return std::nullopt;
 
-  // Exposes both alike until the reference shows at a mean of 0.25 to 0.5.
+  // Exposes both equally until the reference has a mean display value of 0.25 to 0.5.
   Image8 shown;
   for (int step = 0; step < most_steps; ++step) {
     shown = to_display(reference, tone_map);

@@ -21,14 +21,14 @@ namespace {
 using flip::Filters;
 using flip::Taps;
 
-/// One row of a picture as linear light in 0..1.
+/// Gives one row of a picture as linear light in 0..1.
 using RowSource = std::function<void(int y, flip::Rgb* row)>;
 
-// [ANAMOF20] sec. 4.1.3 and 4.2: exponents, and where the range of colour differences is bent.
+// [ANAMOF20] sec. 4.1.3 and 4.2: exponents, and the knee in the map of colour differences.
 constexpr float colour_exponent = 0.7f, bend_at = 0.4f, bend_to = 0.95f;
 
-/// out[x] = sum over k of taps[k] * in[x + k * step]. step 1 filters along a row, step = the length of a row
-/// along columns.
+/// Computes out[x] = sum over k of taps[k] * in[x + k * step]. step 1 filters along a row; step = row length
+/// filters along columns.
 void filter(const float* in, std::size_t step, const Taps& taps, std::size_t width, float* out) {
   std::fill_n(out, width, 0.0f);
   for (std::size_t k = 0; k < taps.size(); ++k) {
@@ -39,7 +39,7 @@ void filter(const float* in, std::size_t step, const Taps& taps, std::size_t wid
   }
 }
 
-/// Some rows of one picture, filtered along the rows: a plane for each filter.
+/// Rows of one picture, filtered along the rows: one plane per filter.
 struct FilteredRows {
   enum Plane { y, cx, cz_wide, cz_narrow, smooth, edge, point, count };
   std::array<std::vector<float>, count> planes;
@@ -54,7 +54,7 @@ FilteredRows filter_rows(const RowSource& source, const Filters& filters, int fi
   std::vector<float> y(w + 2 * radius), cx(y.size()), cz(y.size());
 
   for (int i = 0; i < rows; ++i) {
-    // Beyond its borders a picture goes on as its last row and column.
+    // Beyond the border the outermost rows and columns repeat.
     source(std::clamp(first + i, 0, height - 1), linear.data());
     for (std::size_t x = 0; x < y.size(); ++x) {
       const flip::Opponent o = flip::opponent(linear[std::min(x > radius ? x - radius : 0, w - 1)]);
@@ -78,10 +78,10 @@ FilteredRows filter_rows(const RowSource& source, const Filters& filters, int fi
   return filtered;
 }
 
-/// One row of one picture, all filters done.
+/// One row of one picture after all filters.
 struct SeenRow {
-  std::vector<float> y, cx, cz_wide, cz_narrow;         // what the eye resolves of the colours
-  std::vector<float> edge_x, edge_y, point_x, point_y;  // and of edges and points
+  std::vector<float> y, cx, cz_wide, cz_narrow;         // colours that the eye resolves
+  std::vector<float> edge_x, edge_y, point_x, point_y;  // edges and points that it resolves
   explicit SeenRow(std::size_t width)
       : y(width),
         cx(width),
@@ -113,8 +113,8 @@ struct SeenRow {
   float point(std::size_t x) const { return std::sqrt(point_x[x] * point_x[x] + point_y[x] * point_y[x]); }
 };
 
-/// [ANAMOF20] sec. 4.1.3: 0 to 1; differences up to bend_at of the greatest possible one take the range up to
-/// bend_to.
+/// Returns the colour difference 0 to 1, [ANAMOF20] sec. 4.1.3: differences up to bend_at of the largest
+/// possible one take the range up to bend_to.
 float colour_difference(const flip::Lab& a, const flip::Lab& b) {
   static const float greatest = std::pow(
       flip::hyab(flip::hunt_lab(flip::Rgb{0, 1, 0}), flip::hunt_lab(flip::Rgb{0, 0, 1})), colour_exponent);
@@ -165,21 +165,22 @@ void check_sizes(const Image& a, const Image& b) {
   DERMIS_ASSERT(a.width >= 1 && a.height >= 1);
 }
 
-// The ACES curve of [ANSA21] (a x^2 + b x) / (c x^2 + d x + e); 0.6 takes back the exposure that is built
-// into the published fit.
+// The ACES curve of [ANSA21] (a x^2 + b x) / (c x^2 + d x + e); the factor 0.6 undoes the exposure in the
+// published fit.
 namespace aces {
 constexpr double a = 0.6 * 0.6 * 2.51, b = 0.6 * 0.03, c = 0.6 * 0.6 * 2.43, d = 0.6 * 0.59, e = 0.14;
 }
 
 float tone_map(float linear) {
   if (!(linear > 0)) return 0;
-  if (linear > 1e6f) return 1;  // the squares below would overflow
+  if (linear > 1e6f) return 1;  // avoids overflow of the squares below
   const double x = linear;
   return static_cast<float>(
       std::min(1.0, (aces::a * x + aces::b) * x / ((aces::c * x + aces::d) * x + aces::e)));
 }
 
-/// [ANSA21] sec. 3.2: from where the brightest to where the median pixel of the reference shows as 0.85.
+/// Chooses exposures, [ANSA21] sec. 3.2: from where the brightest pixel of the reference shows as 0.85 to
+/// where its median pixel does.
 void choose_exposures(const ImageF& reference, HdrFlip& result) {
   constexpr double shown = 0.85, least_share = 0x1p-30;
   // Solves the curve for the input that shows as 0.85.
@@ -191,7 +192,7 @@ void choose_exposures(const ImageF& reference, HdrFlip& result) {
   for (std::size_t i = 0; i < reference.values.size(); i += channels) {
     const float* p = reference.values.data() + i;
     const double luminance = 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
-    luminances.push_back(luminance > 0 ? luminance : 0.0);  // NaN is black too
+    luminances.push_back(luminance > 0 ? luminance : 0.0);  // NaN counts as black
   }
 
   std::sort(luminances.begin(), luminances.end());
@@ -234,7 +235,7 @@ HdrFlip hdr_flip(const ImageF& reference, const ImageF& test) {
   const double step = (result.stop_exposure - result.start_exposure) / (result.exposures - 1);
   for (int i = 0; i < result.exposures; ++i) {
     const float factor = static_cast<float>(std::exp2(result.start_exposure + i * step));
-    // The display's curve and its inverse at the start of FLIP cancel.
+    // The display curve and its inverse at the start of FLIP cancel.
     const auto rows = [factor](const ImageF& picture) {
       return [&picture, factor](int y, flip::Rgb* row) {
         const float* in = picture.at(0, y);

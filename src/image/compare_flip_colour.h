@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colour as FLIP sees it. White is D65; X, Y and Z are divided by those of white, so that white is (1, 1, 1).
+// Colour spaces of FLIP. White is D65; X, Y and Z are divided by those of white, so that white is (1, 1, 1).
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Lab {
 
 using Matrix = std::array<std::array<float, 3>, 3>;
 
-/// sRGB primaries and D65 to X, Y, Z, rows divided by their sums (those are white).
+/// sRGB primaries and D65 to X, Y, Z, rows divided by their sums (the white point).
 constexpr Matrix xyz_of_rgb = [] {
   constexpr std::array<std::array<double, 3>, 3> rows = {
       {{10135552, 8788810, 4435075}, {2613072, 8788810, 887015}, {1425312, 8788810, 70074185}}};
@@ -62,8 +62,8 @@ constexpr Opponent opponent(const Rgb& linear) {
   return {y, x - y, y - z};
 }
 
-/// CIELAB, a and b scaled by lightness (the Hunt effect: dark colours look less colourful). [ANAMOF20]
-/// sec. 4.1.2 and 4.1.3.
+/// Returns CIELAB with a and b scaled by lightness (the Hunt effect: dark colours look less colourful).
+/// [ANAMOF20] sec. 4.1.2 and 4.1.3.
 inline Lab hunt_lab(const Rgb& linear) {
   constexpr float delta = 6.0f / 29.0f;
   const auto curve = [](float t) {
@@ -75,13 +75,13 @@ inline Lab hunt_lab(const Rgb& linear) {
   return {l, 0.01f * l * 500 * (fx - fy), 0.01f * l * 200 * (fy - fz)};
 }
 
-/// After the filters colours may lie outside what a screen shows: clamped there.
+/// Converts a filtered colour, clamped because it may lie outside what a screen shows.
 inline Lab hunt_lab(const Opponent& filtered) {
   const auto [r, g, b] = multiply(rgb_of_xyz, filtered.y + filtered.cx, filtered.y, filtered.y - filtered.cz);
   return hunt_lab(Rgb{std::clamp(r, 0.0f, 1.0f), std::clamp(g, 0.0f, 1.0f), std::clamp(b, 0.0f, 1.0f)});
 }
 
-/// HyAB: city block in lightness, Euclidean in colour, for differences that are not small. [ANAMOF20]
+/// Returns HyAB, a distance for large differences: city block in lightness, Euclidean in colour. [ANAMOF20]
 /// sec. 4.1.3.
 inline float hyab(const Lab& p, const Lab& q) {
   return std::abs(p.l - q.l) + std::sqrt((p.a - q.a) * (p.a - q.a) + (p.b - q.b) * (p.b - q.b));

@@ -21,7 +21,7 @@ constexpr Sensitivity achromatic{1, 0.0047}, red_green{1, 0.0053}, blue_yellow_w
 // [ANAMOF20] sec. 4.2.1: the width of the feature detectors, degrees.
 constexpr double feature_width_deg = 0.082;
 
-/// One factor of the two-dimensional Gaussian: both factors share its amplitude.
+/// Returns one factor of the two-dimensional Gaussian; both factors share its amplitude.
 std::vector<double> factor(const Sensitivity& s, int radius, double pixels_per_degree) {
   std::vector<double> taps;
   for (int i = -radius; i <= radius; ++i) {
@@ -43,7 +43,7 @@ Taps scaled(const std::vector<double>& taps, double by) {
   return out;
 }
 
-/// Positive taps sum to 1, negative ones to -1.
+/// Scales positive taps to the sum 1 and negative ones to -1.
 Taps balanced(const std::vector<double>& taps) {
   double positive = 0, negative = 0;
   for (const double tap : taps) (tap > 0 ? positive : negative) += std::abs(tap);

@@ -13,15 +13,15 @@ namespace dermis::image::formats {
 
 namespace {
 
-constexpr std::uint64_t max_buffer_bytes = std::uint64_t{1} << 29;  // what the library may hold of one chunk
-// The pixels around the data of a cropped picture are black and take no byte of the file, but memory: so many
-// are granted to any file, and beyond that so many for each pixel that it has.
+constexpr std::uint64_t max_buffer_bytes = std::uint64_t{1} << 29;  // that the library may hold for one chunk
+// A cropped picture has black pixels around its data, which take memory but no bytes of the file. Any file
+// may have `free_display_pixels` of them, and beyond that `display_per_data_pixel` per pixel of data.
 constexpr std::uint64_t free_display_pixels = std::uint64_t{1} << 24, display_per_data_pixel = 16;
 constexpr std::size_t max_channels = 1024;
 constexpr std::size_t max_parts = 1024;
 constexpr std::uint32_t flag_tiled = 0x200, flag_deep = 0x800, flag_many_parts = 0x1000;
 
-/// Little-endian values with a position; taking past the end is InputError.
+/// Reads little-endian values; throws InputError past the end.
 class Input {
  public:
   Input(std::string_view bytes, const std::string& where) : bytes_(bytes), where_(where) {}
@@ -42,7 +42,7 @@ class Input {
   }
   std::int32_t i32() { return static_cast<std::int32_t>(u32()); }
   std::uint8_t u8() { return static_cast<std::uint8_t>(take(1)[0]); }
-  /// Up to the next zero byte.
+  /// Reads up to the next zero byte.
   std::string_view text() {
     const std::size_t end = bytes_.substr(0, 256).find('\0');
     const std::string_view taken = take(end == std::string_view::npos ? bytes_.size() + 1 : end);
@@ -60,7 +60,7 @@ struct Box {
   std::int64_t height = 0;
 };
 
-/// Of a box that check_size() has seen.
+/// Returns the pixels of a box that check_size() has accepted.
 std::uint64_t pixels_of(const Box& box) {
   return static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
 }
@@ -71,7 +71,7 @@ struct Part {
   std::optional<Box> tile;
   std::optional<std::uint8_t> compression;
   std::uint64_t pixel_bytes = 0;  // all channels
-  std::uint64_t chunk_count = 0;  // as declared; 0 if not
+  std::uint64_t chunk_count = 0;  // as declared; 0 if not declared
 };
 
 Box read_box(Input& input) {
@@ -114,7 +114,7 @@ void read_attribute(Part& part, std::string_view name, std::string_view type, In
   }
 }
 
-/// One header, up to the empty name that ends it; nothing if it is empty altogether (the end of a list of
+/// Reads one header, up to the empty name that ends it; returns nothing if it is empty (the end of a list of
 /// parts).
 std::optional<Part> read_part(Input& input, const std::string& where) {
   std::string_view name = input.text();
@@ -132,8 +132,8 @@ std::optional<Part> read_part(Input& input, const std::string& where) {
 
 // By compression: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB.
 constexpr std::int64_t lines_per_chunk[] = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
-// How many bytes one byte of the file can become at most. The bounds of PIZ and DWA are ten times what a
-// black picture of 4096 x 4096 pixels reaches (400 and 6,000); the others follow from the method.
+// The most bytes that one byte of the file can become. The bounds of PIZ and DWA are ten times what a black
+// picture of 4096 x 4096 pixels reaches (400 and 6,000); the others follow from the method.
 constexpr std::uint64_t best_ratio[] = {1, 64, 1032, 1032, 4096, 1032 * 4 / 3 + 1, 64, 64, 65536, 65536};
 
 void check_part(const Part& part, bool tiled, Bytes file, const std::string& where,
@@ -169,7 +169,7 @@ void check_part(const Part& part, bool tiled, Bytes file, const std::string& whe
   // Each chunk has an entry of 8 bytes in the table and a header of at least 8.
   const std::uint64_t chunks = std::max(static_cast<std::uint64_t>(across * down), part.chunk_count);
   check_plausible(file, chunks * 16, data.width, data.height, where);
-  // At least one channel has all pixels, of two bytes at least.
+  // At least one channel has all pixels, with at least two bytes each.
   check_plausible(file, data_pixels * 2 / best_ratio[*part.compression], data.width, data.height, where);
 }
 

@@ -50,7 +50,7 @@ Colours choose_channels(const Imf::ChannelList& channels, const std::string& whe
     return channel != nullptr && channel->xSampling == 1 && channel->ySampling == 1;
   };
   if (full("R") && full("G") && full("B")) return Colours::rgb;
-  // Y beside RY and BY is the brightness of a coloured picture.
+  // With RY and BY, Y is the luminance of a coloured picture.
   if (full("Y") && channels.findChannel("RY") == nullptr && channels.findChannel("BY") == nullptr)
     return Colours::grey;
   throw input_error(where,
@@ -87,10 +87,10 @@ void read_rows(Imf::InputFile& file, Colours colours, int y0, int y1, std::vecto
   }
 }
 
-/// The display window, in strips of rows; black where it has no data.
+/// Reads the display window in strips of rows; black where it has no data.
 ImageF read_display_window(Imf::InputFile& file, Colours colours, std::uint64_t most_pixels,
                            const std::string& where) {
-  constexpr int strip_rows = 256;  // the most that any compression packs together
+  constexpr int strip_rows = 256;  // the most rows that any compression packs together
   const Imath::Box2i data = file.header().dataWindow(), display = file.header().displayWindow();
   const int x0 = std::max(data.min.x, display.min.x), x1 = std::min(data.max.x, display.max.x);
   const int y0 = std::max(data.min.y, display.min.y), y1 = std::min(data.max.y, display.max.y);
@@ -104,7 +104,7 @@ ImageF read_display_window(Imf::InputFile& file, Colours colours, std::uint64_t 
     if (y < y0 || y > y1) {
       std::ranges::fill(row, 0.0f);
     } else {
-      // Strips begin where those of the file do.
+      // Strips begin where the strips of the file do.
       const int in_strip = (y - data.min.y) % strip_rows;
       const int first = std::max(y - in_strip, y0);
       if (in_strip == 0 || y == y0)

@@ -37,7 +37,7 @@ class MemoryStream : public Imf::OStream {
   std::size_t at_ = 0;
 };
 
-// A bright finite value stays finite: an infinite one would be read back as black.
+// Keeps bright finite values finite: an infinite one would be read back as black.
 std::uint16_t finite_half(float value) {
   return float_to_half(std::isfinite(value) ? std::clamp(value, -max_half, max_half) : value);
 }
@@ -52,7 +52,7 @@ void write(MemoryStream& stream, const ImageF& picture, Imf::PixelType type, con
   const std::size_t pixel_bytes = channels * value_bytes;
   for (std::size_t c = 0; c < channels; ++c) {
     header.channels().insert(names[c], Imf::Channel(type));
-    // The library takes the same type for reading and writing; it only reads here.
+    // The library uses one type for reading and writing; here it only reads.
     char* first = static_cast<char*>(const_cast<void*>(pixels)) + c * value_bytes;
     source.insert(names[c], Imf::Slice(type, first, pixel_bytes,
                                        pixel_bytes * static_cast<std::size_t>(picture.width)));

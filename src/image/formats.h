@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What codec.cpp calls, one function a format. Each throws InputError and leaves nothing behind.
+// Functions per format for codec.cpp. Each throws InputError and leaves nothing behind.
 #pragma once
 
 #include <cstddef>
@@ -17,17 +17,17 @@ namespace dermis::image::formats {
 
 using Bytes = std::span<const std::byte>;
 
-/// Text from inside a file, fit for a line of an error: control and non-ASCII characters become '?', and it
-/// is cut after 200.
+/// Returns text of a file, fit for an error message: control and non-ASCII characters become '?', cut after
+/// 200.
 std::string printable(std::string_view text);
 
-/// InputError unless 1 <= width, height <= max_side and their product <= max_pixels.
+/// Throws InputError unless 1 <= width, height <= max_side and their product <= max_pixels.
 void check_size(std::int64_t width, std::int64_t height, const DecodeLimits& limits,
                 const std::string& where);
 
-/// InputError if the file is too short to hold its pixels even at the best ratio of its compression: a few
-/// bytes that claim a huge picture are refused before memory for it is taken. least_bytes is what the
-/// smallest file of that size would have.
+/// Throws InputError if the file is too short for its pixels even at the best compression ratio, so that a
+/// few bytes that claim a huge picture are rejected before memory is taken. least_bytes: size of the smallest
+/// such file.
 void check_plausible(Bytes bytes, std::uint64_t least_bytes, std::int64_t width, std::int64_t height,
                      const std::string& where);
 
@@ -40,16 +40,15 @@ ImageF decode_hdr(Bytes bytes, const std::string& where, const DecodeLimits& lim
 ImageF decode_exr(Bytes bytes, const std::string& where, const DecodeLimits& limits,
                   std::uint64_t most_pixels);
 
-/// Collects a linear picture of 3 channels that comes in rows, from the top or from the bottom, and halves it
-/// until it has no more than `most_pixels`. Pixels that are infinite or no numbers become black, and are
-/// counted.
+/// Collects a linear picture of 3 channels row by row, from the top or from the bottom, and downsamples it by
+/// 2 until it has no more than `most_pixels`. Infinite and NaN pixels become black and are counted.
 class Collected {
  public:
   Collected(int width, int height, std::uint64_t most_pixels);
   Collected(const Collected&) = delete;
   Collected& operator=(const Collected&) = delete;
   void row(int y, std::span<float> rgb);
-  /// With a warning if pixels were no numbers, and a note if it was halved.
+  /// Returns the picture; warns if pixels were not finite, and notes if it was downsampled.
   ImageF take(const std::string& where);
 
  private:
@@ -58,7 +57,7 @@ class Collected {
   int source_width_, source_height_;
   std::optional<AreaAverage> average_;
   bool from_top_ = true;
-  int rows_ = 0;  ///< that have come
+  int rows_ = 0;  ///< rows received
   std::size_t cleared_ = 0;
 };
 

@@ -19,7 +19,7 @@ using Rgbe = std::uint8_t[4];
 
 constexpr size_t max_header_bytes = size_t{1} << 16;
 
-/// Bytes with a position; taking past the end is InputError.
+/// Reads bytes; throws InputError past the end.
 class Input {
  public:
   Input(Bytes bytes, const std::string& where) : bytes_(bytes), where_(where) {}
@@ -59,8 +59,8 @@ std::string_view word(std::string_view& text) {
   return first;
 }
 
-// "-Y 512 +X 1024": rows from the top, pixels from the left. The signs mirror; a leading X would mean
-// columns.
+// Parses "-Y 512 +X 1024": rows from the top, pixels from the left. Other signs mirror; a leading X would
+// mean columns and is rejected.
 Layout parse_resolution(std::string_view line, const std::string& where) {
   std::string_view rest = line;
   const auto number = [&](std::string_view text) {
@@ -108,8 +108,8 @@ Layout read_header(Input& input, const std::string& where) {
   return parse_resolution(input.line(), where);
 }
 
-// The old coding: four bytes a pixel; (1, 1, 1, n) repeats the pixel before n times, and following ones count
-// in steps of 256.
+// Reads the old coding: four bytes per pixel. (1, 1, 1, n) repeats the previous pixel n times; further such
+// pixels count in steps of 256.
 void read_old_row(Input& input, const Rgbe& first, std::vector<std::uint8_t>& row, size_t width,
                   const std::string& where) {
   size_t x = 0;
@@ -136,7 +136,7 @@ void read_old_row(Input& input, const Rgbe& first, std::vector<std::uint8_t>& ro
   }
 }
 
-// The new coding: the four components one after the other, each as runs (length > 128) and copies.
+// Reads the new coding: the four components one after the other, each as runs (length > 128) and copies.
 void read_new_row(Input& input, std::vector<std::uint8_t>& row, size_t width, const std::string& where) {
   for (size_t c = 0; c < 4; ++c) {
     for (size_t x = 0; x < width;) {
@@ -165,8 +165,8 @@ void read_row(Input& input, std::vector<std::uint8_t>& row, size_t width, const 
   read_new_row(input, row, width, where);
 }
 
-// Ward's own reader adds 0.5 to each mantissa, the others (and the writers of today's environments) do not;
-// we follow the latter.
+// Ward's reader adds 0.5 to each mantissa. Other readers, and the writers of today's environments, do not;
+// nor do we.
 void to_float(const std::uint8_t* rgbe, float* rgb) {
   const float scale = rgbe[3] == 0 ? 0.0f : std::ldexp(1.0f, rgbe[3] - (128 + 8));
   for (int c = 0; c < 3; ++c) rgb[c] = static_cast<float>(rgbe[c]) * scale;

@@ -8,8 +8,8 @@
 
 namespace dermis::image {
 
-/// 8 bits per channel, always four channels (RGBA); what a colour or data map decodes to. Values are as
-/// stored: no colour conversion.
+/// 8 bits per channel, always four channels (RGBA): a decoded colour or data map. Values are as stored,
+/// without colour conversion.
 struct Image8 {
   int width = 0;
   int height = 0;
@@ -21,7 +21,7 @@ struct Image8 {
   }
 };
 
-/// 32-bit floats, `channels` a pixel (1 to 4); radiance, heights, anything that is not bounded by 1.
+/// 32-bit floats, `channels` per pixel (1 to 4): radiance, heights, anything not bounded by 1.
 struct ImageF {
   int width = 0;
   int height = 0;

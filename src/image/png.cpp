@@ -19,8 +19,8 @@ struct FreeContext {
 };
 using Context = std::unique_ptr<spng_ctx, FreeContext>;
 
-// Ancillary chunks (text, profiles, thumbnails) are of no use here; a file must not make us store many
-// megabytes of them.
+// Limits ancillary chunks (text, profiles, thumbnails), which we do not need: a file must not make us store
+// many megabytes of them.
 constexpr std::size_t chunk_limit_bytes = std::size_t{16} << 20;
 
 void check(int result, const std::string& where) {
@@ -45,11 +45,11 @@ std::uint64_t least_file_bytes(const spng_ihdr& header) {
   return header.height * ((bits + 7) / 8 + 1) / 1032;
 }
 
-/// A reader whose header is checked.
+/// Returns a reader whose header is checked.
 Context open(Bytes bytes, const std::string& where, const DecodeLimits& limits, spng_ihdr& header) {
   Context context(spng_ctx_new(0));
   if (!context) throw std::bad_alloc();
-  // A wrong checksum of an ancillary chunk does not touch the pixels.
+  // A wrong checksum of an ancillary chunk does not affect pixels.
   check(spng_set_crc_action(context.get(), SPNG_CRC_ERROR, SPNG_CRC_DISCARD), where);
   check(spng_set_chunk_limits(context.get(), chunk_limit_bytes, chunk_limit_bytes), where);
   check(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()), where);
@@ -59,10 +59,10 @@ Context open(Bytes bytes, const std::string& where, const DecodeLimits& limits, 
   return context;
 }
 
-// Adam7: where the pixels of each pass lie in a row.
+// Adam7: positions of the pixels of each pass in a row.
 constexpr int pass_first[] = {0, 4, 0, 2, 0, 1, 0}, pass_step[] = {8, 8, 4, 4, 2, 2, 1};
 
-/// Row by row, of an interlaced picture those of one pass after the other: the whole is never in memory.
+/// Decodes row by row, an interlaced picture pass by pass, so that the whole picture is never in memory.
 template <class Sample, class Take>
 void decode_rows(spng_ctx* context, const spng_ihdr& header, int format, const std::string& where,
                  const Take& take) {
@@ -71,7 +71,7 @@ void decode_rows(spng_ctx* context, const spng_ihdr& header, int format, const s
   std::vector<Sample> row(std::size_t{header.width} * 4), pass_row;
   for (int result = SPNG_OK; result != SPNG_EOI;) {
     spng_row_info info{};
-    // The end shows here where the last passes of a small picture are empty.
+    // If the last passes of a small picture are empty, the end shows here.
     result = spng_get_row_info(context, &info);
     if (result == SPNG_EOI) break;
     check(result, where);
@@ -111,7 +111,7 @@ Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& lim
   const bool in_order = header.interlace_method == 0;
 
   if (header.bit_depth == 16) {
-    // libspng would cut the low byte off; we round.
+    // libspng would drop the low byte; we round.
     decode_rows<std::uint16_t>(context.get(), header, SPNG_FMT_RGBA16, where,
                                [&](int y, const std::uint16_t* rgba, int count, int first, int step) {
                                  picture.row16(y, rgba, count, first, step);
@@ -126,10 +126,10 @@ Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& lim
   }
 
   picture.done_to(static_cast<int>(header.height) - 1);
-  // Reads on to the end chunk, so that a file cut after its last pixel is noticed too.
+  // Reads to the end chunk, so that a file cut after its last pixel is detected.
   check(spng_decode_chunks(context.get()), where);
 
-  // The library does not ask for the checksum of the end chunk, which is always the same.
+  // The library does not check the checksum of the end chunk, which is always the same.
   constexpr std::string_view end_chunk("IEND\xae\x42\x60\x82");
   if (std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).rfind(end_chunk) ==
       std::string_view::npos) {

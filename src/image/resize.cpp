@@ -13,7 +13,7 @@ namespace dermis::image {
 
 namespace {
 
-/// A level before it is rounded, see Texel.
+/// A level before rounding, see Texel.
 struct Level {
   int width = 0;
   int height = 0;
@@ -25,8 +25,8 @@ struct Level {
   }
 };
 
-/// Which source pixels one target pixel covers on one axis, with weights that sum to 1. An odd side has
-/// three: halving 5 to 2 means 2.5 each.
+/// The source pixels that one target pixel covers on one axis, with weights that sum to 1. From an odd side
+/// it covers three: halving 5 to 2 means 2.5 each.
 struct Cover {
   int first = 0;
   int count = 0;

@@ -11,8 +11,8 @@ namespace dermis::image {
 
 namespace {
 
-// A texel that alpha hides keeps this much of its weight: too little to bleed, enough that where nothing is
-// visible (or alpha means nothing, as in an opaque material) the average still has the mean colour.
+// An invisible texel keeps this much of its weight: too little to bleed, but enough that the average has the
+// mean colour where nothing is visible (or alpha means nothing, as in an opaque material).
 constexpr float hidden_weight = 1.0f / 1024;
 
 float colour_weight(float alpha) { return hidden_weight + (1 - hidden_weight) * alpha; }
@@ -25,7 +25,7 @@ std::uint8_t nearest8(std::uint16_t value) {
   return static_cast<std::uint8_t>((value * 255u + 32767u) / 65535u);
 }
 
-/// The sRGB curve for 16-bit values, made when it is first needed.
+/// Returns the sRGB curve for 16-bit values, made at the first call.
 const std::vector<float>& linear_of_16_bits() {
   static const std::vector<float> table = [] {
     std::vector<float> made(65536);
@@ -76,8 +76,8 @@ std::vector<AreaAverage::Cover> AreaAverage::covers(int source, int target) {
   DERMIS_ASSERT_LE(target, source);
   std::vector<Cover> all(static_cast<std::size_t>(source));
   for (int i = 0; i < source; ++i) {
-    // In units of 1 / target of a source pixel all limits are whole numbers: the pixel is [i, i + 1) target,
-    // target pixel t is [t, t + 1) source.
+    // In units of 1 / target of a source pixel all limits are whole numbers: source pixel i is [i, i + 1)
+    // target, target pixel t is [t, t + 1) source.
     const std::int64_t begin = std::int64_t{i} * target, end = begin + target;
     Cover& c = all[static_cast<std::size_t>(i)];
     c.first = static_cast<int>(begin / source);

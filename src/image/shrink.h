@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures that are made smaller while they are read, so that the large one is never in memory.
+// Downsamples pictures while they are read, so that the large picture is never in memory.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace dermis::image {
 
-/// A side after `halvings`: rounded down, at least 1.
+/// Returns a side after `halvings`: rounded down, at least 1.
 int halved(int side, int halvings);
 
-/// The exact area average of a picture over a smaller grid: a source pixel that two target pixels share
-/// counts for both, by area. Pixels come in any order, each once; what is done with is handed on row by row.
+/// Exact area average of a picture over a smaller grid: a source pixel that two target pixels share counts
+/// for both, by area. Pixels may come in any order, each once; finished rows are passed on.
 class AreaAverage {
  public:
   using Row = std::function<void(int y, std::span<const float> values)>;  ///< target width * channels
@@ -25,14 +25,14 @@ class AreaAverage {
   };
   AreaAverage(Size source, Size target, int channels, Row finished);
 
-  /// Every `step`th pixel of source row y from `first` on, `channels` values each, as many as there are.
+  /// Adds every `step`th pixel of source row y from `first` on, `channels` values each.
   void add(int y, std::span<const float> values, int first = 0, int step = 1);
-  /// No more comes for source rows up to y: target rows that need none further are handed on, from the top.
+  /// Declares source rows up to y complete: passes on target rows that need no others, from the top.
   void done_to(int y);
 
  private:
-  /// The target pixel that a source pixel begins in, and the shares of its area that fall there and into the
-  /// next, over the area of a target pixel.
+  /// The target pixel in which a source pixel begins, and the shares of its area in this one and the next,
+  /// over the area of a target pixel.
   struct Cover {
     int first = 0;
     std::array<float, 2> share{};
@@ -43,21 +43,21 @@ class AreaAverage {
   std::size_t channels_;
   Row finished_;
   std::vector<Cover> columns_, rows_;
-  std::vector<std::vector<float>> sums_;  ///< by target row; empty: not begun, or handed on
-  std::vector<float> line_;               ///< a source row over the target's columns
-  int next_ = 0;                          ///< target row to hand on
+  std::vector<std::vector<float>> sums_;  ///< by target row; empty: not begun, or passed on
+  std::vector<float> line_;               ///< a source row on the columns of the target
+  int next_ = 0;                          ///< target row to pass on
 };
 
-/// Receives an RGBA picture in rows, of 8 or 16 bits, as a decoder makes them, and keeps it at 1 /
-/// 2^halvings of its size. With `srgb`, colours are averaged in linear light and weighted by alpha (as
-/// mip_chain does), else all four channels are plain data.
+/// Receives an RGBA picture in rows of 8 or 16 bits from a decoder, and keeps it at 1 / 2^halvings of its
+/// size. `srgb`: averages colours in linear light, weighted by alpha (as mip_chain does); else all four
+/// channels are plain data.
 class Shrinking {
  public:
   Shrinking(int width, int height, const Shrink& shrink);
   Shrinking(const Shrinking&) = delete;
   Shrinking& operator=(const Shrinking&) = delete;
 
-  /// Every `step`th pixel of row y from `first` on.
+  /// Adds every `step`th pixel of row y from `first` on.
   void row8(int y, const std::uint8_t* rgba, int count, int first = 0, int step = 1);
   void row16(int y, const std::uint16_t* rgba, int count, int first = 0, int step = 1);
   void done_to(int y);
@@ -70,11 +70,11 @@ class Shrinking {
   std::vector<float> values_;
 };
 
-/// A texel as it is averaged: linear colours times a weight that grows with alpha (srgb), or plain values.
-/// The weight is linear in alpha, so the average of the weights is the weight of the average.
+/// A texel for averaging: linear colours times a weight that grows with alpha (srgb), or plain values. The
+/// weight is linear in alpha, so the average of the weights is the weight of the average.
 using Texel = std::array<float, 4>;
 Texel weighted(const std::uint8_t* rgba, bool srgb);
-/// The 8-bit texel of an average.
+/// Writes the 8-bit texel of an average.
 void round_texel(const float* average, bool srgb, std::uint8_t* rgba);
 
 }  // namespace dermis::image

@@ -39,35 +39,37 @@ float greatest(const Colour& c) { return std::max({c[0], c[1], c[2]}); }
 // [PBRN] K_d: how fast bright colours lose chroma.
 constexpr float desaturation = 0.15f;
 
-// [PBRN] p_n: the greatest channel p > begin after compression, below 1. It leaves `begin` with slope 1.
+// [PBRN] p_n: the largest channel p > begin after compression, below 1. Starts at `begin` with slope 1.
 float compressed_peak(float p, float begin) { return 1 - (1 - begin) * (1 - begin) / (p + 1 - 2 * begin); }
 
-// [PBRN] g: the share of the colour that stays; the rest becomes white.
+// [PBRN] g: the share of the colour that is kept; the rest becomes white.
 float kept_chroma(float p, float p_n) { return 1 / (desaturation * (p - p_n) + 1); }
 
-// [PBRN] Fresnel reflection of an index of 1.5 at normal incidence, which its toe takes away.
+// [PBRN] Fresnel reflectance of index 1.5 at normal incidence, which its toe subtracts.
 constexpr float f90 = 0.04f;
 
 Colour neutral(const Colour& c) {
   constexpr float begin = 0.8f - f90;
 
-  // The toe: light that a shiny surface reflects everywhere.
+  // The toe subtracts light that a glossy surface reflects everywhere.
   const float x = std::min({c[0], c[1], c[2]});
   const float f = x <= 2 * f90 ? x - x * x / (4 * f90) : f90;
   const Colour without = each(c, [&](float v) { return v - f; });
 
-  // The shoulder, and the way to white.
+  // The shoulder and the blend to white.
   const float p = greatest(without);
   if (p <= begin) return without;
   const float p_n = compressed_peak(p, begin), g = kept_chroma(p, p_n);
   return each(without, [&](float v) { return v * (p_n / p) * g + p_n * (1 - g); });
 }
 
-// Departs from [PBRN] in two things.
-// - No toe: taking the same 0.04 from every channel multiplies the chroma of dark skin by up to 1.7. The
-//   shoulder then begins at 0.8, the brightest base colour that [PBRN] promises to keep.
-// - The way to white is taken in cube roots, as CIELAB measures colour. Mixing linear light turns measured
-//   skin by up to 5.1 degrees of CIELAB hue between 0.8 and 16, this by 3.6.
+// Departs from [PBRN] in two ways.
+// - No toe: subtracting 0.04 from every channel multiplies the chroma of dark skin by up to 1.7. The shoulder
+// then begins
+//   at 0.8, the brightest base colour that [PBRN] promises to keep.
+// - Blends to white in cube roots, as CIELAB measures colour. A blend in linear light shifts the CIELAB hue
+// of measured
+//   skin by up to 5.1 degrees between 0.8 and 16, this one by 3.6.
 Colour natural(const Colour& c) {
   constexpr float begin = 0.8f;
   const float p = greatest(c);
@@ -88,7 +90,7 @@ constexpr Matrix rec2020_of_rec709{{{0.62740390f, 0.32928304f, 0.04331307f},
 constexpr Matrix rec709_of_rec2020{{{1.66049100f, -0.58764114f, -0.07284986f},
                                     {-0.12455047f, 1.13289990f, -0.00834942f},
                                     {-0.01815076f, -0.10057890f, 1.11872966f}}};
-// [AgX] the primaries are drawn in before the curve, so that bright colours can reach white, and out again
+// [AgX] moves the primaries inwards before the curve, so that bright colours can reach white, and outwards
 // after it.
 constexpr Matrix agx_inset{{{0.85662715f, 0.09512124f, 0.04825161f},
                             {0.13731897f, 0.76124199f, 0.10143904f},
@@ -97,7 +99,7 @@ constexpr Matrix agx_outset{{{1.12710058f, -0.11060664f, -0.01649394f},
                              {-0.14132976f, 1.15782370f, -0.01649394f},
                              {-0.14132976f, -0.11060664f, 1.25193641f}}};
 
-// [AgX] from 10 stops below a grey of 0.18 to 6.5 above it, along a curve of contrast; a display value.
+// [AgX]: from 10 stops below a grey of 0.18 to 6.5 above it, along a contrast curve to a display value.
 float agx_curve(float light) {
   constexpr float least_ev = -12.47393f, greatest_ev = 4.026069f;
   const float ev = std::clamp(std::log2(std::max(light, 1e-10f)), least_ev, greatest_ev);
@@ -109,7 +111,7 @@ Colour agx(const Colour& c) {
   const Colour inset = multiply(agx_inset, multiply(rec2020_of_rec709, c));
   const Colour shown = multiply(agx_outset, each(inset, agx_curve));
 
-  // The curve ends in display values of a display of gamma 2.2.
+  // The curve gives values for a display of gamma 2.2.
   const Colour light = each(shown, [](float v) { return std::pow(std::max(v, 0.0f), 2.2f); });
   return each(multiply(rec709_of_rec2020, light), [](float v) { return std::clamp(v, 0.0f, 1.0f); });
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Tone maps: from linear light to what a display shows.
-//
+// Tone maps: convert linear light to display values.
+// Based on:
 // [PBRN] Khronos Group: Khronos PBR Neutral Tone Mapper, specification, 2024
-// [AgX] Sobotka: AgX, 2022; the base look with the primaries of Blender 4.0 (Chow: AgX_LUT_Gen, 2023), its
-// curve as the polynomial of Wrensch: Minimal AgX Implementation, 2023
-// [N15] Narkowicz: ACES Filmic Tone Mapping Curve, 2015
+// [AgX]  Sobotka: AgX, 2022; the base look with the primaries of Blender 4.0 (Chow: AgX_LUT_Gen, 2023), its
+// curve as
+//        the polynomial of Wrensch: Minimal AgX Implementation, 2023
+// [N15]  Narkowicz: ACES Filmic Tone Mapping Curve, 2015
 #pragma once
 
 #include <array>
@@ -19,35 +20,35 @@ namespace dermis::image {
 /// R, G and B in the Rec.709 primaries.
 using Colour = std::array<float, 3>;
 
-/// The order is that of the shader (passes/tone_map/tone_map_io.h).
+/// In the order of the shader (passes/tone_map/tone_map_io.h).
 enum class ToneMap : std::uint32_t {
-  /// The default. Leaves every colour alone whose greatest channel is at most 0.8, whatever its hue, and
-  /// compresses what is brighter: a shoulder in which hue stays. See natural().
+  /// The default. Keeps every colour whose largest channel is at most 0.8, and compresses brighter ones with
+  /// a shoulder that keeps hue. See natural().
   natural,
   neutral,  ///< [PBRN], exact, with its toe
   agx,      ///< [AgX]
-  filmic,   ///< [N15], each channel by itself
+  filmic,   ///< [N15], per channel
   srgb,     ///< clamped
-  linear,   ///< clamped, and no sRGB curve
+  linear,   ///< clamped, without sRGB curve
 };
 
-/// In the order of the enumeration; what --tone-map takes.
+/// Returns the names that --tone-map takes, in the order of the enumeration.
 std::span<const std::string_view> tone_map_names();
 std::string_view name_of(ToneMap tone_map);
-/// InputError lists the names when there is none such.
+/// Throws InputError (lists the names) for an unknown name.
 ToneMap find_tone_map(std::string_view name);
 
-/// Tone-mapped light, still linear, each channel 0 to 1. Negative channels and NaN count as 0, channels above
-/// 65504 (the greatest half float) as that.
+/// Returns tone-mapped light, still linear, each channel 0 to 1. Negative channels and NaN count as 0,
+/// channels above 65504 (the largest half float) as 65504.
 Colour tone_mapped(ToneMap tone_map, const Colour& linear);
 
-/// The same as display values, 0 to 1: through the sRGB transfer curve, except `linear`.
+/// Returns display values 0 to 1: tone-mapped light after the sRGB transfer curve (none for `linear`).
 Colour to_display(ToneMap tone_map, const Colour& linear);
-/// The nearest of 256 display values.
+/// Returns the nearest of 256 display values.
 std::array<std::uint8_t, 3> to_display8(ToneMap tone_map, const Colour& linear);
 
-/// A linear picture of 1 to 4 channels as display values; 1 or 2 channels are grey (and alpha), alpha is
-/// clamped and gets no curve.
+/// Converts a linear picture of 1 to 4 channels to display values; 1 or 2 channels are grey (and alpha).
+/// Alpha is clamped only.
 Image8 to_display(const ImageF& linear, ToneMap tone_map);
 
 }  // namespace dermis::image

@@ -25,7 +25,7 @@ rays::Ray camera_ray(const RenderSetup& setup, double px, double py) {
   const glm::dvec3 d(x * tan_half_y, y * tan_half_y, -1);
   ray.origin_m = eye;
   ray.direction = glm::normalize(turn * d);
-  // Turns the near depth into a length along the ray: d is one unit deep.
+  // Converts the near depth to a length along the ray: d is one unit deep.
   ray.t_min_m = camera.znear_m * glm::length(d);
   return ray;
 }

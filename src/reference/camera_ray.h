@@ -7,8 +7,8 @@
 
 namespace dermis::reference {
 
-/// (px, py) in pixels from the upper left corner; width and height as in the setup. Begins at the camera's
-/// near plane.
+/// Returns the ray through (px, py), in pixels from the upper left corner; width and height are those of the
+/// setup. Begins at the near plane of the camera.
 rays::Ray camera_ray(const RenderSetup& setup, double px, double py);
 
 }  // namespace dermis::reference

@@ -20,7 +20,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 40);
 
-/// Sixty-four bits that every byte changes (the mixer of splitmix64 over words).
+/// 64 bits that depend on every byte (the mixer of splitmix64 over words).
 class Hash {
  public:
   void bytes(const void* data, std::size_t size) {

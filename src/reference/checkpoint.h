@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has been gathered, in a file, so that a run that was stopped can go on as if it had not been.
+// Stores samples in a file, so that a stopped run can continue as if it had not stopped.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@
 
 namespace dermis::reference {
 
-/// A number that changes with whatever the samples depend on: triangles, materials, maps, lights, camera,
-/// model, coefficients, seed.
+/// Returns a number that changes with all that the samples depend on: triangles, materials, maps, lights,
+/// camera, model, coefficients, seed.
 std::uint64_t fingerprint(const scene::Scene& scene, const Job& job, std::uint64_t seed);
 
-/// Atomically.
+/// Writes the file atomically.
 void save_checkpoint(const std::filesystem::path& path, const Film& film, std::uint64_t fingerprint);
 
-/// False if there is no such file. InputError: it is damaged, of another version, or of another picture.
+/// Returns false if there is no such file. Throws InputError if it is damaged, of another version, or of
+/// another picture.
 bool load_checkpoint(const std::filesystem::path& path, Film& film, std::uint64_t fingerprint);
 
 }  // namespace dermis::reference

@@ -13,14 +13,14 @@ namespace {
 using std::numbers::pi;
 
 constexpr double reach_in_sigma = 5;
-/// Probes of each kind per sample, spread evenly over terms and radii: most of the noise is in which term was
-/// drawn, and the eye's ray and what is reflected serve all of them.
+/// Probes of each kind per sample, spread evenly over terms and radii: most of the noise comes from which
+/// term was sampled, and the camera ray and reflections serve all probes.
 constexpr int strata = 4;
-// The normal finds nearly everything and is always probed; of the two tangents, which find what stands steep,
-// one is.
+// The normal finds nearly everything and is always probed. One of the two tangents, which find steep parts,
+// is probed.
 constexpr std::array axis_chance{1.0, 0.5, 0.5};
 
-/// With these chances the sum of the channels' variances is least, as long as the terms hardly overlap.
+/// With these probabilities the sum of the channels' variances is smallest, if the terms hardly overlap.
 double importance(const gaussians::Gaussian& g) { return std::hypot(g.weight[0], g.weight[1], g.weight[2]); }
 
 }  // namespace
@@ -49,7 +49,8 @@ glm::dvec3 Diffusion::profile(double radius_mm) const {
   return sum;
 }
 
-// Per mm^2 of skin: each axis sees the point under the projected radius, on a face that it meets at an angle.
+// Returns the density per mm^2 of skin: an axis sees the point at its projected radius, on a face seen at an
+// angle.
 double Diffusion::density(const glm::dvec3& offset_mm, const std::array<glm::dvec3, 3>& axes,
                           const glm::dvec3& face_normal) const {
   const double distance2 = glm::dot(offset_mm, offset_mm);
@@ -66,14 +67,14 @@ double Diffusion::density(const glm::dvec3& offset_mm, const std::array<glm::dve
   return sum;
 }
 
-// The radius of a Gaussian in the plane across the axis, cut off at its reach; the ray is a chord of the ball
-// of that size.
+// Returns a ray: its radius is that of a Gaussian in the plane perpendicular to the axis, cut off at the
+// reach; the ray is a chord of the ball of this reach.
 rays::Ray Diffusion::probe(const rays::SurfacePoint& o, const std::array<glm::dvec3, 3>& axes,
                            std::size_t axis, double pick, double angle) const {
   std::size_t index = 0;
   while (index + 1 < terms_.size() && pick >= terms_[index].chance) pick -= terms_[index++].chance;
   const Term& term = terms_[index];
-  // what is left of the number is as random as the whole
+  // The rest of the number is uniform again.
   const double pick_radius = std::clamp(pick / term.chance, 0.0, 1.0);
   const double within = -std::expm1(-0.5 * reach_in_sigma * reach_in_sigma);
   const double radius_mm = std::sqrt(-2 * term.variance_mm2 * std::log1p(-pick_radius * within));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light that a profile brings to a point of the skin: the integral of R(|x - o|) times the light at x over
-// all of the skin. Based on: [KKCF13] King, Kulla, Conty, Fajardo: BSSRDF Importance Sampling. SIGGRAPH 2013
-// talks
+// all skin. Based on: [KKCF13] King, Kulla, Conty, Fajardo: BSSRDF Importance Sampling. SIGGRAPH 2013 talks
 #pragma once
 
 #include <array>
@@ -15,21 +14,21 @@
 
 namespace dermis::reference {
 
-/// A sum of Gaussians, ready to sample. |x - o| is the straight line between both points, through the body or
-/// across a fold: so the far side of an ear counts, and on a sphere of radius a the weights still sum to 1 -
-/// sum_i w_i exp(-2 a^2 / v_i).
+/// A sum of Gaussians, prepared for sampling. |x - o| is the straight distance between both points, through
+/// the body or across a fold: so the far side of an ear counts, and on a sphere of radius a the weights sum
+/// to 1 - sum_i w_i exp(-2 a^2 / v_i).
 class Diffusion {
  public:
-  /// mm_per_unit: of the scene.
+  /// Takes mm_per_unit of the scene.
   Diffusion(const gaussians::SumOfGaussians& profile, double mm_per_unit);
 
-  /// R(r) per channel, 1/mm^2.
+  /// Returns R(r) per channel, 1/mm^2.
   glm::dvec3 profile(double radius_mm) const;
 
-  /// One sample of the integral of R(|x - o|) light(x) dA. Rays probe the skin along the normal at `o` and
-  /// along one of two tangents; each triangle they meet within five sigma counts, over the sum of the
-  /// densities with which all three axes and all terms would have found it [KKCF13]. Unbiased up to the 4e-6
-  /// of a term's light that lies beyond five sigma. `scratch` is emptied; it only saves memory.
+  /// Returns one sample of the integral of R(|x - o|) light(x) dA. Rays probe the skin along the normal at
+  /// `o` and along one of two tangents. Each triangle that they hit within five sigma counts, divided by the
+  /// sum of the densities with which all three axes and all terms would have found it [KKCF13]. Unbiased
+  /// except for the 4e-6 of a term's light beyond five sigma. `scratch` only saves memory.
   glm::dvec3 sample(const rays::RayScene& rays, const rays::SurfacePoint& o, Random& random,
                     std::vector<rays::Hit>& scratch,
                     const std::function<glm::dvec3(const rays::SurfacePoint&)>& light) const;
@@ -37,7 +36,7 @@ class Diffusion {
  private:
   struct Term {
     double variance_mm2, reach_mm;
-    double chance;   // of being the one that is sampled
+    double chance;   // probability of being sampled
     double density;  // chance / (2 pi v) / (part within reach)
     glm::dvec3 weight;
   };

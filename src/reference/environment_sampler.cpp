@@ -12,8 +12,8 @@ using std::numbers::pi;
 
 constexpr int most_rows = 512;
 
-/// The brightest pixel that a cell or its rim shows, so that no direction that is lit has no chance. Cells
-/// hold pixels i0..i1.
+/// Returns the brightest pixel that a cell or its border shows, so that no lit direction has the density 0.
+/// Cells hold pixels first..last.
 struct Span {
   int first, last;
 };
@@ -55,7 +55,7 @@ EnvironmentSampler::EnvironmentSampler(environment::Environment picture, double 
     for (double& value : cumulative_) value /= sum;
 }
 
-/// Of one cell of the row: between two circles of latitude, cos = 1 - 2 sin^2.
+/// Returns the solid angle of a cell of the row, between two circles of latitude.
 double EnvironmentSampler::solid_angle(int row) const {
   return 2 * pi / columns_ * (std::cos(pi * row / rows_) - std::cos(pi * (row + 1) / rows_));
 }
@@ -78,7 +78,7 @@ glm::dvec3 EnvironmentSampler::draw(Random& random) const {
       cumulative_.size() - 1);
   const int row = static_cast<int>(cell) / columns_, column = static_cast<int>(cell) % columns_;
   const double top = std::cos(pi * row / rows_), bottom = std::cos(pi * (row + 1) / rows_);
-  // as environment::direction_of
+  // The same as environment::direction_of.
   const double y = top + down * (bottom - top), azimuth = ((column + across) / columns_ - 0.5) * 2 * pi;
   const double flat = std::sqrt(std::max(0.0, 1 - y * y));
   const glm::dvec3 d(flat * std::sin(azimuth), y, -flat * std::cos(azimuth));

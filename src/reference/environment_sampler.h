@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A picture of the surroundings as a light: how bright it is in a direction, and directions drawn where it is
-// bright. Based on: [PJH16] Pharr, Jakob, Humphreys: Physically Based Rendering. 3rd edition 2016,
-// sec. 14.2.4 (infinite area lights)
+// A picture of the environment as a light: radiance from a direction, and directions sampled by brightness.
+// Based on: [PJH16] Pharr, Jakob, Humphreys: Physically Based Rendering. 3rd edition 2016, sec. 14.2.4
+// (infinite area lights)
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,16 +14,16 @@ namespace dermis::reference {
 
 class EnvironmentSampler {
  public:
-  /// Radiance is multiplied by intensity >= 0. The picture is turned about +Y by rotation_deg, from the
-  /// head's front (+Z) towards its left (+X).
+  /// Multiplies radiance by intensity >= 0. Turns the picture about +Y by rotation_deg, from the head's front
+  /// (+Z) towards its left (+X).
   EnvironmentSampler(environment::Environment picture, double intensity, double rotation_deg);
 
-  /// What arrives from a unit direction, bilinear between pixels.
+  /// Returns the radiance from a unit direction, bilinear between pixels.
   glm::dvec3 radiance(const glm::dvec3& direction) const;
-  /// A direction, drawn by the brightness of cells of at most 1024 x 512, evenly over the solid angle of
-  /// each. Any where all is black.
+  /// Samples a direction by the brightness of cells (at most 1024 x 512), uniform over the solid angle of
+  /// each; any direction if all is black.
   glm::dvec3 draw(Random& random) const;
-  /// Of draw(), per steradian; 0 where all is black.
+  /// Returns the density of draw() per steradian; 0 if all is black.
   double density(const glm::dvec3& direction) const;
 
   const environment::Environment& picture() const { return picture_; }
@@ -37,7 +37,7 @@ class EnvironmentSampler {
   environment::Environment picture_;
   double intensity_, rotation_rad_;
   int columns_ = 0, rows_ = 0;
-  std::vector<double> cumulative_;  // share of the light in the cells up to and with this one, row by row
+  std::vector<double> cumulative_;  // share of the light in all cells up to this one, row by row
 };
 
 }  // namespace dermis::reference

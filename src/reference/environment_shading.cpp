@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Light from a picture of the surroundings at a point: what is seen of them, and what the body in the way
-// sends on, over any number of bounces. What it sends on is diffuse, by its base colour: under the light of a
-// hemisphere nobody sees that it has spread before. Based on: Veach, Guibas: Optimally Combining Sampling
-// Techniques for Monte Carlo Rendering. SIGGRAPH 1995 (balance heuristic)
+// Light from a picture of the environment at a point: the visible part, and what occluders reflect over any
+// number of bounces. Occluders reflect diffusely by their base colour, without scattering: under the light of
+// a hemisphere nobody sees the difference. Based on: Veach, Guibas: Optimally Combining Sampling Techniques
+// for Monte Carlo Rendering. SIGGRAPH 1995 (balance heuristic)
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr int most_bounces = 64;         // roulette ends nearly all paths long before
-constexpr double most_survivors = 0.95;  // and white caves too
+constexpr double most_survivors = 0.95;  // also in white caves
 
 glm::dvec3 cosine_drawn(const glm::dvec3& n, Random& random) {
   const double r2 = random.next();
@@ -39,7 +39,7 @@ glm::dvec3 Shading::sent_on(const rays::SurfacePoint& s, Random& random, int bou
 
 glm::dvec3 Shading::arriving_from(const rays::SurfacePoint& s, const glm::dvec3& direction, Random& random,
                                   int bounces) const {
-  // where a mapped normal looks into its own slope
+  // The mapped normal sees directions below the surface.
   if (glm::dot(s.normal, direction) <= 0) return sent_on(s, random, bounces + 1);
   const rays::Ray ray = shadow_ray(s, {.to_light = direction});
   const std::optional<rays::Hit> hit = rays_->nearest_solid(ray);
@@ -64,7 +64,7 @@ glm::dvec3 Shading::entering_from_environment(const rays::SurfacePoint& s, const
   }
   const ShadingMaterial& m = materials_[s.material];
   const double open = std::max(occlusion(m, s), 0.002);
-  // What a painted map hides is skin in the same light: the series of its bounces.
+  // What a painted occlusion map hides counts as skin in the same light: the series of its bounces.
   return e / (1 - table_.mean(spec)) * (open / (1.0 - glm::min(albedo(m, s), glm::dvec3(1)) * (1 - open)));
 }
 

@@ -31,7 +31,7 @@ void Film::add(const std::vector<Tracer::Sample>& pass) {
   std::fill(block_.begin(), block_.end(), 0.0);
 }
 
-// Of samples beyond the last whole block the mean is known, their scatter is taken to be that of the others.
+// Samples beyond the last complete block enter the mean; their scatter is taken to be that of the others.
 double Film::variance_of_mean(std::size_t value) const {
   const double blocks = samples_ / samples_a_block, mean = (sums_[value] - block_[value]) / blocks;
   const double of_a_block = std::max(0.0, squares_[value] / blocks - mean * mean) * blocks / (blocks - 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has been gathered so far, and how sure it is.
+// Collects samples and estimates their noise.
 #pragma once
 
 #include <cstddef>
@@ -16,25 +16,25 @@ class Film {
  public:
   Film(int width, int height);
 
-  /// One more sample of every pixel, row by row. Sums are in the order of the samples, whatever threads there
-  /// were.
+  /// Adds one sample of every pixel, row by row. Sums are in the order of the samples, for any number of
+  /// threads.
   void add(const std::vector<Tracer::Sample>& pass);
 
   int width() const { return width_; }
   int height() const { return height_; }
   std::uint32_t samples() const { return samples_; }
 
-  /// Radiance, and the share of skin as alpha.
+  /// Returns radiance, and the share of skin as alpha.
   image::ImageF picture() const;
-  /// The variance of each channel of picture(), from the scatter of the means of blocks of samples, which are
-  /// independent (random.h): (mean of squares - square of mean) / (blocks - 1). Alpha: its own. 0 with fewer
-  /// than two blocks, which say nothing.
+  /// Returns the variance of each channel of picture(), from the scatter of the means of blocks of samples,
+  /// which are independent (random.h): (mean of squares - square of mean) / (blocks - 1). Alpha: its own. 0
+  /// with fewer than two blocks, which say nothing.
   image::ImageF variance() const;
-  /// Mean standard error in per cent of the mean, over skin (pixels at least half skin; over all if there is
-  /// none) and channels. 100 with fewer than two blocks; 0 for a black picture.
+  /// Returns the mean standard error in per cent of the mean, over skin (pixels at least half skin; over all
+  /// pixels if there is none) and channels. 100 with fewer than two blocks; 0 for a black picture.
   double noise_percent() const;
 
-  /// All sums as bytes, exactly; restore() refuses another number of them.
+  /// Returns all sums as bytes, exactly; restore() returns false for another number of bytes.
   std::vector<std::byte> state() const;
   bool restore(std::span<const std::byte> state);
 
@@ -43,9 +43,9 @@ class Film {
 
   int width_, height_;
   std::uint32_t samples_ = 0;
-  std::vector<double> sums_;     // r g b skin, a pixel
-  std::vector<double> squares_;  // of the sums of whole blocks
-  std::vector<double> block_;    // sums of the block that is not whole yet
+  std::vector<double> sums_;     // r g b skin per pixel
+  std::vector<double> squares_;  // squares of the sums of complete blocks
+  std::vector<double> block_;    // sums of the incomplete block
 };
 
 }  // namespace dermis::reference

@@ -19,8 +19,8 @@ void for_each_skin_vertex(const scene::Scene& scene, const Visit& visit) {
       for (const std::uint32_t index : p.indices) visit(glm::dvec3(p.vertices[index].position_m));
 }
 
-/// How far behind the tip the skin lies that is seen from the front at an offset (half breadths); infinity:
-/// nothing is there.
+/// Returns the depth behind the tip of the skin seen from the front at an offset (half breadths); infinity if
+/// there is none.
 double depth_behind(const rays::RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m,
                     const glm::dvec2& offset) {
   const glm::dvec3 above = tip_m + half_breadth_m * glm::dvec3(offset, 1);
@@ -28,8 +28,8 @@ double depth_behind(const rays::RayScene& rays, const glm::dvec3& tip_m, double 
   return hit ? hit->t_m / half_breadth_m - 1 : std::numeric_limits<double>::infinity();
 }
 
-// Cheeks lie 20 mm behind the tip of a nose and more, its root 15; a ball of the head's size falls off by 4
-// mm so far out. Holes are no face either.
+// Cheeks lie 20 mm or more behind the tip of a nose, its root 15 mm; a ball of the head's size falls off by 4
+// mm at this offset. A hole is no face either.
 bool is_nose(const rays::RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m) {
   const auto deep = [&](const glm::dvec2& offset, double least) {
     const double depth = depth_behind(rays, tip_m, half_breadth_m, offset);
@@ -38,7 +38,8 @@ bool is_nose(const rays::RayScene& rays, const glm::dvec3& tip_m, double half_br
   return deep({-0.28, 0}, 0.1) && deep({0.28, 0}, 0.1) && deep({0, 0.45}, 0.07);
 }
 
-/// The way of rays in a cone of 60 degrees around the axis to the nearest skin: `part` of them are no longer.
+/// Returns the length that `part` of the rays in a cone of 60 degrees around the axis do not exceed before
+/// they meet skin.
 double way_m(const rays::RayScene& rays, const rays::SurfacePoint& s, const glm::dvec3& axis, double part) {
   constexpr std::size_t count = 24;
   constexpr double cos_cone = 0.5;
@@ -49,7 +50,7 @@ double way_m(const rays::RayScene& rays, const rays::SurfacePoint& s, const glm:
 
   std::array<double, count> ways{};
   for (std::size_t i = 0; i < count; ++i) {
-    // A spiral by the golden angle, even in solid angle.
+    // A spiral by the golden angle, uniform in solid angle.
     const double cosine = 1 - (1 - cos_cone) * (static_cast<double>(i) + 0.5) / count,
                  sine = std::sqrt(1 - cosine * cosine);
     const double angle = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0));
@@ -78,8 +79,7 @@ std::optional<HeadFrame> HeadFrame::find(const rays::RayScene& rays) {
     if (p.y >= lowest_m && p.z > frame.tip_m_.z) frame.tip_m_ = p;
   });
 
-  // The breadth at the height of the nose and above it: there the ears stand out, and shoulders are far
-  // below.
+  // The breadth at the height of the nose and above: ears stand out there, and shoulders are far below.
   for_each_skin_vertex(scene, [&](const glm::dvec3& p) {
     if (p.y >= frame.tip_m_.y && p.y <= top_m)
       frame.half_breadth_m_ = std::max(frame.half_breadth_m_, std::abs(p.x - frame.tip_m_.x));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the nose and the ears of a head are, from its shape alone.
+// Finds the nose and the ears of a head from its shape alone.
 // Based on: [SSC08] Shapira, Shamir, Cohen-Or: Consistent Mesh Partitioning and Skeletonisation using the
 // Shape Diameter Function. The Visual Computer 24, 2008 (thickness)
 #pragma once
@@ -11,20 +11,21 @@
 
 namespace dermis::reference {
 
-/// A head that stands upright (+Y) and looks along +Z, as glTF and the cameras of this library have it.
-/// Lengths are counted in half the breadth of the head from ear to ear, some 90 mm on an adult: larger and
+/// A head that stands upright (+Y) and looks along +Z, as in glTF and for the cameras of this library. The
+/// unit of length is half the breadth of the head from ear to ear, about 90 mm on an adult: larger and
 /// smaller heads have the same shape.
 class HeadFrame {
  public:
-  /// The tip of the nose is the foremost point of skin in the upper 260 mm (a head is 230 mm high; a chest
-  /// begins below). It counts as one if the skin beside it and above it, at the cheeks and at the root of the
-  /// nose, lies clearly deeper, which tells a face from a ball or a plane. None if it does not.
+  /// Finds a head. The tip of the nose is the foremost point of skin in the upper 260 mm (a head is 230 mm
+  /// high; a chest begins below). It counts if the skin beside it and above it, at the cheeks and at the root
+  /// of the nose, lies clearly deeper, which distinguishes a face from a ball or a plane. Returns nothing
+  /// otherwise.
   static std::optional<HeadFrame> find(const rays::RayScene& rays);
 
-  /// Is the point on the nose: within a cone along its ridge?
+  /// Returns whether the point is on the nose, within a cone along its ridge.
   bool on_nose(const glm::dvec3& position_m) const;
-  /// May the point be on an ear: at the side, as high as the face, well behind the tip of the nose? Ears are
-  /// what is also thin there.
+  /// Returns whether the point may be on an ear: at the side, as high as the face, well behind the tip of the
+  /// nose. Thin parts there are ears.
   bool beside_the_head(const glm::dvec3& position_m) const;
 
   double half_breadth_m() const { return half_breadth_m_; }
@@ -38,13 +39,13 @@ class HeadFrame {
   double half_breadth_m_ = 0;
 };
 
-/// How thick the body is under a point of skin, metres: the median way of 24 rays inwards, in a cone of 60
-/// degrees to each side of the normal, to where they leave [SSC08] (there, a mean after outliers are left
-/// out). Infinity where most rays meet nothing.
+/// Returns the thickness of the body under a point of skin [m]: the median length of 24 rays inwards, in a
+/// cone of 60 degrees around the normal, to where they leave [SSC08] (there, a mean without outliers).
+/// Infinity if most rays meet nothing.
 double thickness_m(const rays::RayScene& rays, const rays::SurfacePoint& s);
 
-/// How near other skin is outside of a point of skin, metres: a quarter of 24 rays outwards, in the same
-/// cone, meet it sooner. Infinity in the open.
+/// Returns the distance [m] to other skin outside of a point of skin: a quarter of 24 rays outwards, in the
+/// same cone, meet skin sooner. Infinity in the open.
 double gap_m(const rays::RayScene& rays, const rays::SurfacePoint& s);
 
 }  // namespace dermis::reference

@@ -44,7 +44,7 @@ Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m,
   const double length = glm::length(towards);
   a.to_light = towards / length;
   a.distance_m *= length;
-  a.irradiance *= length;  // so that all of the disc together has the nominal irradiance where it is faced
+  a.irradiance *= length;  // the whole disc has the nominal irradiance on a surface that faces it
   return a;
 }
 

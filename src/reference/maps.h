@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reading the maps of materials at a point, at full resolution. There are no mip levels: a pixel is the mean
-// of many points, and what is computed from a map (a power of its colour, a highlight on its normals) is not
-// what is computed from the mean of the map.
+// Reads the maps of materials at a point, at full resolution. There are no mip levels: a pixel is the mean of
+// many points, and a function of a map (a power of its colour, a highlight on its normals) differs from the
+// function of its mean.
 #pragma once
 
 #include <array>
@@ -26,8 +26,7 @@ class MapPixels {
   bool srgb_;
 };
 
-/// A map of a material: pixels, and how a point of the surface finds its place in them. Without pixels it is
-/// absent.
+/// A map of a material: pixels, and how to find them from a point of the surface. Absent without pixels.
 struct MapSlot {
   scene::MapRef map;
   std::shared_ptr<const MapPixels> pixels;

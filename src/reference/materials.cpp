@@ -8,7 +8,7 @@
 namespace dermis::reference {
 
 std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::optional<double> mix) {
-  // Reads an image once for each colour space; materials share the pixels.
+  // Reads an image once per colour space; materials share the pixels.
   std::map<std::pair<int, bool>, std::shared_ptr<const MapPixels>> loaded;
   const auto slot = [&](const scene::MapRef& map, bool srgb) {
     MapSlot made{.map = map, .pixels = nullptr};
@@ -35,8 +35,8 @@ std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::o
     made.roughness = slot(m.metallic_roughness_map, false);
 
     if (m.skin) {
-      // glTF's metallic-roughness map serves where the skin names no map of its own: roughness in G, times
-      // the factor.
+      // If the skin names no roughness map of its own, glTF's metallic-roughness map is used: G times the
+      // factor.
       made.roughness.map.channel = 1;
       made.roughness.map.scale = m.roughness;
       if (m.skin_settings.roughness.present()) made.roughness = slot(m.skin_settings.roughness, false);

@@ -9,7 +9,7 @@
 namespace dermis::reference {
 namespace {
 
-// under that the noise is not known well enough to trust
+// Below this the noise estimate is not reliable.
 constexpr std::uint32_t least_samples = 4 * samples_a_block;
 constexpr std::size_t pixels_a_task = 256;
 
@@ -34,7 +34,7 @@ void trace_pass(const Tracer& tracer, std::uint32_t number, const Limits& limits
 
 bool render(const Tracer& tracer, Film& film, const Limits& limits,
             const std::function<void(const Film&)>& after_pass) {
-  using Control = oneapi::tbb::global_control;  // TBB complains of an arena that is larger than it allows
+  using Control = oneapi::tbb::global_control;  // TBB warns about an arena larger than this allows
   std::optional<Control> control;
   if (limits.threads > 0)
     control.emplace(Control::max_allowed_parallelism, static_cast<std::size_t>(limits.threads));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the reference renders: a scene, seen and lit as the real-time techniques see and light it.
+// What the reference renders: a scene, with the camera and lights of the real-time techniques.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,7 +14,7 @@
 
 namespace dermis::reference {
 
-/// bssrdf: the profile, integrated over the surface. volume: light followed through the medium under it.
+/// bssrdf: the profile, integrated over the surface. volume: light traced through the medium below it.
 enum class Model { bssrdf, volume };
 
 struct RenderSetup {
@@ -22,16 +22,16 @@ struct RenderSetup {
   int width = 0, height = 0;  ///< pixels, >= 1
   std::vector<scene::Light> lights;
   double ambient = 0;                                     ///< uniform radiance from everywhere
-  std::shared_ptr<const EnvironmentSampler> environment;  ///< a picture of them instead
+  std::shared_ptr<const EnvironmentSampler> environment;  ///< replaces `ambient`
   double radiance_scale = 1;                              ///< 2^EV
   bool specular = true, white_albedo = false;
-  std::optional<double> mix;  ///< overrides the materials'
+  std::optional<double> mix;  ///< overrides that of the materials
 };
 
 struct Job {
   RenderSetup setup;
   Model model = Model::bssrdf;
-  /// bssrdf: one per material of the scene; those that are not skin may be empty
+  /// bssrdf: one per material of the scene; empty for materials that are not skin
   std::vector<gaussians::SumOfGaussians> profiles;
   optics::RgbMedium medium{};  ///< volume; one g and one eta for all channels
 };

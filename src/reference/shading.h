@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Light at a point and what its surface does with it: the equations of the real-time shaders once more, in
-// double and with shadow rays. Written apart from the shaders on purpose, so that the reference cannot
-// inherit their mistakes.
+// Light at a point and what its surface does with it: the equations of the real-time shaders in double and
+// with shadow rays. Written apart from the shaders on purpose, so that the reference cannot inherit their
+// mistakes.
 #pragma once
 
 #include <vector>
@@ -15,26 +15,26 @@
 
 namespace dermis::reference {
 
-/// A material with its maps ready to read.
+/// A material with its maps prepared for reading.
 struct ShadingMaterial {
   const scene::Material* source = nullptr;
   bool skin = false;
-  double mix_before = 0.5;  ///< part of the albedo, as an exponent, that is applied before the light scatters
+  double mix_before = 0.5;  ///< exponent of the albedo that is applied before light scatters
   MapSlot base_colour, normal, roughness, occlusion, specular, emissive, specular_colour;
 };
 
-/// Where light comes from, unshadowed. glTF's KHR_lights_punctual: inverse square, range window, smooth cone.
+/// Unshadowed light at a point. glTF's KHR_lights_punctual: inverse square, range window, smooth cone.
 struct Arriving {
   glm::dvec3 irradiance{0};  ///< on a surface that faces the light
   glm::dvec3 to_light{0, 0, 1};
   double distance_m = 1e30;
 };
 Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m);
-/// The same from one point of a light that is a disc, which faces the position; all of them send equally
-/// much.
+/// Returns the light from a random point of a light's disc, which faces the position; all points send equal
+/// light.
 Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m, Random& random);
 
-/// From the surface to the light, clear of both; nothing lies on it if t_max_m <= t_min_m.
+/// Returns the ray from the surface to the light, clear of both; it is empty if t_max_m <= t_min_m.
 rays::Ray shadow_ray(const rays::SurfacePoint& s, const Arriving& light);
 
 class Shading {
@@ -45,27 +45,29 @@ class Shading {
   const rays::RayScene& rays() const { return *rays_; }
   const RenderSetup& setup() const { return setup_; }
 
-  /// Irradiance that enters the skin, over all lights and the surroundings, less what the surface reflects.
+  /// Returns the irradiance that enters the skin from all lights and the environment, without what the
+  /// surface reflects.
   glm::dvec3 entering_irradiance(const rays::SurfacePoint& s, Random& random) const;
-  /// What spreads from a point of skin: E albedo^mix / pi. None where the alpha test cuts it away.
+  /// Returns the light that spreads from a point of skin: E albedo^mix / pi; 0 where the alpha test cuts it
+  /// away.
   glm::dvec3 light_in_skin(const rays::SurfacePoint& s, Random& random) const;
-  /// What the surface sends out of itself, radiance.
+  /// Returns the radiance that the surface emits.
   glm::dvec3 emitted(const rays::SurfacePoint& s) const;
-  /// What becomes of light that has spread, on its way to the eye: albedo^(1 - mix) times what the surface
-  /// lets out towards `to_eye`.
+  /// Returns the factor of scattered light on its way to the camera: albedo^(1 - mix) times what the surface
+  /// transmits towards `to_eye`.
   glm::dvec3 leaving_factor(const rays::SurfacePoint& s, const glm::dvec3& to_eye) const;
-  /// What the surface of skin reflects towards the eye.
+  /// Returns what the surface of skin reflects towards the camera.
   glm::dvec3 skin_reflection(const rays::SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const;
 
-  /// What is not skin: glTF metallic-roughness. `normal_side`: +1 seen from the front, -1 from behind.
+  /// Other surfaces: glTF metallic-roughness. `normal_side`: +1 seen from the front, -1 from behind.
   struct Surface {
     glm::dvec3 radiance{0};
-    double alpha = 1;  ///< how much it covers; 0 where it is cut out
+    double alpha = 1;  ///< coverage; 0 where the alpha test cuts it away
   };
   Surface surface(const rays::SurfacePoint& s, double normal_side, const glm::dvec3& to_eye,
                   Random& random) const;
 
-  /// Is something opaque between the point and the light?
+  /// Returns whether something opaque lies between the point and the light.
   bool shadowed(const rays::SurfacePoint& s, const Arriving& light) const;
 
  private:
@@ -75,14 +77,14 @@ class Shading {
                         const glm::dvec3& to_eye) const;
   glm::dvec3 albedo(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
   SkinSpecular skin_specular(const ShadingMaterial& m, const rays::SurfacePoint& s) const;
-  /// Under a picture of the surroundings: what of them enters skin with the mapped normal n, and what its
-  /// lobes reflect. `bounces`: how often the light has been sent on by something in the way, on its path from
-  /// the eye.
+  /// Under a picture of the environment: its light that enters skin with the mapped normal n, and what the
+  /// lobes reflect of it.
   glm::dvec3 entering_from_environment(const rays::SurfacePoint& s, const glm::dvec3& n,
                                        const SkinSpecular& spec, Random& random) const;
   glm::dvec3 reflected_environment(const rays::SurfacePoint& s, const glm::dvec3& n, const SkinSpecular& spec,
                                    const glm::dvec3& to_eye, Random& random) const;
-  /// Radiance that reaches the point from a direction: the surroundings', or what is in the way sends on.
+  /// Returns the radiance that reaches the point from a direction: the environment, or what an occluder
+  /// reflects. `bounces`: occluders on the path from the camera so far.
   glm::dvec3 arriving_from(const rays::SurfacePoint& s, const glm::dvec3& direction, Random& random,
                            int bounces) const;
   glm::dvec3 sent_on(const rays::SurfacePoint& s, Random& random, int bounces) const;
@@ -94,7 +96,7 @@ class Shading {
   ReflectanceTable table_;
 };
 
-/// All materials of a scene with their maps; images are shared.
+/// Returns all materials of a scene with their maps; images are shared.
 std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::optional<double> mix);
 
 }  // namespace dermis::reference

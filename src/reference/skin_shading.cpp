@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-// x^part; both 0 and a black texel stay harmless.
+// Returns albedo^exponent; safe for the exponent 0 and for black texels.
 glm::dvec3 power(const glm::dvec3& albedo, double exponent) {
   if (exponent <= 0) return glm::dvec3(1);
   return glm::pow(glm::max(albedo, glm::dvec3(1e-6)), glm::dvec3(exponent));
@@ -29,14 +29,14 @@ glm::dvec3 Shading::mapped_normal(const ShadingMaterial& m, const rays::SurfaceP
   if (!m.normal.present()) return normal;
   glm::dvec3 t = glm::dvec3(m.normal.read(s.uv)) * 2.0 - 1.0;
   t.x *= m.normal.map.scale, t.y *= m.normal.map.scale;
-  // MikkTSpace: the bitangent is derived at the point, the tangent is used as interpolated.
+  // MikkTSpace: the bitangent is computed per point, the tangent is used as interpolated.
   const glm::dvec3 tangent(s.tangent);
   const glm::dvec3 n = tangent * t.x + glm::cross(normal, tangent) * (s.tangent.w * t.y) + normal * t.z;
   const double length2 = glm::dot(n, n);
   return length2 > 1e-12 ? n / std::sqrt(length2) : normal;
 }
 
-// A mapped normal may face away from the eye at a silhouette; what is seen has a positive cosine.
+// A mapped normal may face away from the camera at a silhouette; a visible point needs a positive cosine.
 glm::dvec3 Shading::eye_normal(const ShadingMaterial& m, const rays::SurfacePoint& s,
                                const glm::dvec3& normal, const glm::dvec3& to_eye) const {
   const glm::dvec3 n = mapped_normal(m, s, normal);
@@ -72,7 +72,7 @@ double Shading::occlusion(const ShadingMaterial& m, const rays::SurfacePoint& s)
   return m.occlusion.present() ? 1 + m.occlusion.map.scale * (m.occlusion.read(s.uv).r - 1) : 1;
 }
 
-// Sum over the lights of E (1 - rho(L)) / (1 - rho_mean), plus the surroundings: what the surface reflects
+// Sum over the lights of E (1 - rho(L)) / (1 - rho_mean), plus the environment: what the surface reflects
 // does not enter.
 glm::dvec3 Shading::entering_irradiance(const rays::SurfacePoint& s, Random& random) const {
   const ShadingMaterial& m = materials_[s.material];
@@ -119,7 +119,7 @@ glm::dvec3 Shading::skin_reflection(const rays::SurfacePoint& s, const glm::dvec
     sum += a.irradiance * (cosine * specular_brdf(spec, n, to_eye, a.to_light));
   }
   if (setup_.environment) return sum + reflected_environment(s, n, spec, to_eye, random);
-  // Uniform surroundings are reflected by the lobes' albedo.
+  // A uniform environment is reflected by the directional albedo of the lobes.
   return sum + glm::dvec3(setup_.ambient * table_.at(spec, glm::dot(n, to_eye)) * occlusion(m, s));
 }
 

@@ -15,7 +15,7 @@ using optics::directional_albedo_columns;
 using optics::directional_albedo_min_m;
 using optics::directional_albedo_rows;
 
-/// Beckmann without 1/pi: exp(-tan^2 / m^2) / (m^2 cos^4).
+/// Returns Beckmann's distribution without 1/pi: exp(-tan^2 / m^2) / (m^2 cos^4).
 double beckmann(double n_h, double m) {
   const double c2 = std::max(n_h * n_h, 1e-6);
   return std::exp(-(1 - c2) / (c2 * m * m)) / (m * m * c2 * c2);
@@ -31,7 +31,7 @@ double kelemen(const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l, do
   return beckmann(std::max(glm::dot(n, h), 0.0), m) * (f0 + (1 - f0) * x) / h2;
 }
 
-/// How often the first lobe is drawn.
+/// Returns the probability of the first lobe.
 double share_of_first(const SkinSpecular& s) {
   const double sum = s.weight[0] + s.weight[1];
   return sum > 0 ? s.weight[0] / sum : 1;
@@ -79,7 +79,7 @@ double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
     const double ry = row - static_cast<double>(r0);
     const std::size_t r1 = std::min<std::size_t>(r0 + 1, directional_albedo_rows - 1);
 
-    // Each entry holds a factor of F0 and what is added to it.
+    // Each entry holds a factor of F0 and an addend.
     const auto rho = [&](std::size_t r, std::size_t c) {
       const std::size_t i = 2 * (r * (directional_albedo_columns + 2) + c);
       return s.f0 * table_[i] + table_[i + 1];

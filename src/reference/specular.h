@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The two lobes that skin reflects with. Based on: [DLE07] GPU Gems 3, ch. 14.3; [KSK01] Kelemen,
-// Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF Model, EG 2001. The lobe carries a factor pi
-// against a normalised Beckmann lobe; rho_s = 0.18 goes with that.
+// The two specular lobes of skin.
+// Based on:
+// [DLE07] GPU Gems 3, ch. 14.3
+// [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF Model, EG 2001. The lobe is
+// pi times a
+//         normalised Beckmann lobe; rho_s = 0.18 goes with that.
 #pragma once
 
 #include <array>
@@ -19,22 +22,22 @@ struct SkinSpecular {
   std::array<double, 2> m{1, 1}, weight{1, 0};
 };
 
-/// f, so that radiance = f * irradiance. All directions unit.
+/// Returns f, so that radiance = f * irradiance. All directions are unit vectors.
 double specular_brdf(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l);
 
-/// A direction l drawn by the lobes: their normals by Beckmann's distribution, mirrored; it may lie beneath
-/// the surface.
+/// Samples a direction l: a lobe's half vector by Beckmann's distribution, mirrored. It may lie below the
+/// surface.
 glm::dvec3 lobe_drawn(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, Random& random);
-/// Of lobe_drawn(), per steradian.
+/// Returns the density of lobe_drawn() per steradian.
 double lobe_density(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l);
 
-/// The part of light that the lobes reflect, tabulated by direction (optics/directional_albedo.h).
+/// The directional albedo of the lobes, tabulated (optics/directional_albedo.h).
 class ReflectanceTable {
  public:
   ReflectanceTable();
-  /// Light from (or to) this direction. At most 0.9: painted maps must not take all of it.
+  /// For light from (or to) this direction. At most 0.9: painted maps must not reflect all of it.
   double at(const SkinSpecular& s, double cosine) const;
-  /// Light from everywhere.
+  /// For diffuse light.
   double mean(const SkinSpecular& s) const;
 
  private:

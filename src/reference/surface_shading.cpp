@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and
-// height-correlated Smith. The uniform surroundings are reflected by the split-sum fit of Karis, "Physically
+// Shades eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and
+// height-correlated Smith. A uniform environment is reflected by the split-sum fit of Karis, "Physically
 // Based Shading on Mobile", 2014.
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ Look look_at(const ShadingMaterial& m, const rays::SurfacePoint& s, const glm::d
   glm::dvec3 tint(source.specular_colour);
   if (m.specular_colour.present()) tint *= glm::dvec3(m.specular_colour.read(s.uv));
 
-  // Yields what a dielectric reflects head-on; tint and strength as in KHR_materials_specular.
+  // Reflectance of a dielectric at normal incidence; tint and strength as in KHR_materials_specular.
   const double r = (source.ior - 1.0) / (source.ior + 1.0);
   const glm::dvec3 dielectric = glm::min(r * r * tint, glm::dvec3(1)) * specular;
 
@@ -65,7 +65,7 @@ glm::dvec3 brdf_times_cosine(const Look& look, bool specular, const glm::dvec3& 
   return sum * n_l;
 }
 
-/// GGX's normals, mirrored about v: a direction, and how likely a direction is, per steradian.
+/// Samples a direction: a half vector by GGX, mirrored about v. Below, its density per steradian.
 glm::dvec3 highlight_drawn(const Look& look, const glm::dvec3& n, const glm::dvec3& v, Random& random) {
   const double u = random.next();
   const glm::dvec3 h =
@@ -79,7 +79,7 @@ double highlight_density(const Look& look, const glm::dvec3& n, const glm::dvec3
   return n_h > 0 && v_h > 0 ? a2 * n_h / (4 * pi * d * d * v_h) : 0;
 }
 
-/// What a picture of the surroundings shows in a surface; `arriving` says what comes from a direction.
+/// Returns the reflection of a picture of the environment; `arriving` gives the radiance from a direction.
 glm::dvec3 mirrored_picture(const Look& look, bool specular, const EnvironmentSampler& sky,
                             const glm::dvec3& n, const glm::dvec3& v, Random& random,
                             const std::function<glm::dvec3(const glm::dvec3&)>& arriving) {

@@ -13,7 +13,7 @@ glm::dvec3 diffuse_total(const optics::RgbMedium& medium) {
   glm::dvec3 total(1);
   for (int c = 0; c < 3; ++c) {
     const optics::Medium& m = medium[static_cast<std::size_t>(c)];
-    if (m.sigma_a_per_mm == 0) continue;  // all of it comes back
+    if (m.sigma_a_per_mm == 0) continue;  // all light returns
     profile::ScatterScene scene = profile::scene_of(m);
     scene.light = profile::ScatterScene::Light::diffuse;
     total[c] = profile::monte_carlo(scene, {.photons = 400'000, .seed = 1, .cache = {}})->reflected_total;
@@ -31,7 +31,7 @@ Tracer::Tracer(const scene::Scene& scene, const Job& job)
 
 glm::dvec3 Tracer::from_the_medium(const rays::SurfacePoint& s, const glm::dvec3& to_eye,
                                    Random& random) const {
-  // The eye's ray enters by Snell's law; by reciprocity that is the way on which light leaves.
+  // The camera ray enters by Snell's law; by reciprocity this is the path on which light leaves.
   const double facing = glm::dot(to_eye, s.face_normal);
   if (facing <= 0) return glm::dvec3(0);
   const glm::dvec3 inside = refracted(-to_eye, s.face_normal, 1 / medium_.eta);
@@ -40,8 +40,8 @@ glm::dvec3 Tracer::from_the_medium(const rays::SurfacePoint& s, const glm::dvec3
   walks_.fetch_add(1, std::memory_order_relaxed);
   if (end.how == WalkEnd::How::lost) lost_.fetch_add(1, std::memory_order_relaxed);
   if (end.how != WalkEnd::How::left) return glm::dvec3(0);
-  // Light enters as through a rough surface, spread over all directions: then its radiance along the walk is
-  // E / pi.
+  // Light enters as through a rough surface, spread over all directions, so its radiance along the walk is E
+  // / pi.
   return end.weight / medium_total_ *
          shading_.light_in_skin(rays::surface_point(rays_.scene(), end.hit), random);
 }
@@ -86,7 +86,7 @@ Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<rays::Hi
       through *= 1 - surface.alpha;
     }
 
-    // Goes on behind this surface, from the next larger float.
+    // Continues behind this surface, at the next larger float.
     ray.t_min_m = std::nextafter(static_cast<float>(hit->t_m), 1e30f);
   }
 

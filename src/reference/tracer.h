@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One sample of one pixel: a ray through the camera, and what the chosen model says of the skin that it
-// meets.
+// Computes one sample of one pixel: a camera ray, and the chosen model for the skin that it hits.
 #pragma once
 
 #include <atomic>
@@ -14,22 +13,22 @@ namespace dermis::reference {
 
 class Tracer {
  public:
-  /// Keeps a reference to the scene. InputError: a medium whose channels differ in g or eta. DeviceError:
-  /// Embree could not start.
+  /// Keeps a reference to the scene. Throws InputError for a medium whose channels differ in g or eta,
+  /// DeviceError if Embree cannot start.
   Tracer(const scene::Scene& scene, const Job& job);
 
   struct Sample {
     glm::dvec3 radiance{0};  ///< times radiance_scale
-    double skin = 0;         ///< share of the ray that ends on skin
+    double skin = 0;         ///< fraction of the ray that ends on skin
   };
-  /// The ray passes through (x, y) + a random point of the pixel. `scratch` only saves memory.
+  /// Returns a sample of pixel (x, y) at a random point of it. `scratch` only saves memory.
   Sample sample(int x, int y, Random& random, std::vector<rays::Hit>& scratch) const;
 
   int width() const { return job_.setup.width; }
   int height() const { return job_.setup.height; }
   const Shading& shading() const { return shading_; }
 
-  /// Walks that began, and those that a hole of the mesh swallowed.
+  /// Number of walks, and of those that left through a hole of the mesh.
   struct WalkCount {
     std::uint64_t all = 0, lost = 0;
   };
@@ -45,12 +44,12 @@ class Tracer {
   Shading shading_;
   std::vector<Diffusion> diffusion_;  // one per material
   WalkMedium medium_;
-  glm::dvec3 medium_total_{1};  // what the medium sends back of diffuse light that entered
+  glm::dvec3 medium_total_{1};  // diffuse total of the medium
   mutable std::atomic<std::uint64_t> walks_{0}, lost_{0};
 };
 
-/// What a half-space of the medium sends back of diffuse light that entered it, per channel, 0 to 1.
-/// Monte-Carlo, 4e5 photons per channel: within 0.2 per cent.
+/// Returns the part of diffuse light that a half-space of the medium returns after it entered, per channel, 0
+/// to 1. Monte-Carlo with 4e5 photons per channel: within 0.2 per cent.
 glm::dvec3 diffuse_total(const optics::RgbMedium& medium);
 
 }  // namespace dermis::reference

@@ -15,10 +15,10 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int max_events = 4'000'000;  // light that total reflection keeps in clear glass for ever
+constexpr int max_events = 4'000'000;  // total reflection can keep light in clear glass for ever
 constexpr double roulette_below = 0.05;
 
-/// Henyey-Greenstein about d.
+/// Returns a direction sampled from Henyey-Greenstein about d.
 glm::dvec3 scattered(const glm::dvec3& d, double g, Random& random) {
   const double u = random.next(), phi = 2 * pi * random.next();
   double cosine = 1 - 2 * u;
@@ -29,8 +29,8 @@ glm::dvec3 scattered(const glm::dvec3& d, double g, Random& random) {
   return around(d, cosine, phi);
 }
 
-/// What the walk carries: throughput over the density of the channel that draws, and the densities of all
-/// three over the same.
+/// The state of a walk: throughput over the density of the channel that samples, and the densities of all
+/// three channels over the same.
 struct Carried {
   glm::dvec3 throughput{1}, density{1};
 
@@ -43,7 +43,7 @@ struct Carried {
   void scatter(const WalkMedium& m, double sigma_hero) {
     throughput *= m.sigma_s / sigma_hero;
     density *= m.sigma_t / sigma_hero;
-    // Thousands of steps in a medium whose channels differ: only the ratio matters.
+    // Avoids overflow after thousands of steps in a medium whose channels differ: only the ratio matters.
     const double most = std::max({density.x, density.y, density.z});
     if (most > 1e50) throughput /= most, density /= most;
   }
@@ -71,7 +71,7 @@ glm::dvec3 refracted(const glm::dvec3& d, const glm::dvec3& n, double n_ratio) {
 WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m,
              const glm::dvec3& direction, Random& random) {
   WalkEnd end;
-  // Draws all free paths by one channel; weight() divides by the mean density of all three.
+  // Samples all free paths by one channel; weight() divides by the mean density of all three.
   const int hero = std::min(2, static_cast<int>(3 * random.next()));
   const double sigma_hero = medium.sigma_t[hero];
   Carried carried;
@@ -83,7 +83,7 @@ WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dv
         rays.nearest_skin({.origin_m = at, .direction = to, .t_min_m = 0, .t_max_m = free_path});
     if (!hit) {
       at += free_path * to;
-      if (!rays.in_skin_box(at)) break;  // out through a hole
+      if (!rays.in_skin_box(at)) break;  // left through a hole
       carried.move(medium, free_path, sigma_hero);
       carried.scatter(medium, sigma_hero);
       to = scattered(to, medium.g, random);
@@ -100,7 +100,7 @@ WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dv
 
     const rays::SurfacePoint s = rays::surface_point(rays.scene(), *hit);
     const double cosine = glm::dot(s.face_normal, to);
-    if (cosine <= 0) break;  // the front of a face: it is outside
+    if (cosine <= 0) break;  // the front of a face: the walk is outside
     carried.move(medium, hit->t_m, sigma_hero);
     const double gap = rays::stand_off_m(s.position_m);
 

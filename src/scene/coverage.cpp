@@ -37,9 +37,9 @@ TexelSpan TexelTriangle::row(int y) const {
     const std::size_t n = (k + 1) % 3;
     const std::int64_t dx = x_[n] - x_[k], dy = y_[n] - y_[k];
 
-    // Edge function at the centre of column c: at_zero + c * step, positive inside. y runs down and the
-    // winding is clockwise to the eye: a left edge goes up, a top edge to the right; only those keep centres
-    // that lie on them.
+    // Edge function at the centre of column c: at_zero + c * step, positive inside. y runs down and triangles
+    // wind clockwise, so a left edge goes up and a top edge to the right; centres on an edge count only for
+    // those.
     const std::int64_t at_zero = dx * (centre_y - y_[k]) - dy * (sub / 2 - x_[k]), step = -dy * sub;
     const std::int64_t least = dy < 0 || (dy == 0 && dx > 0) ? 0 : 1;
 
@@ -52,8 +52,8 @@ TexelSpan TexelTriangle::row(int y) const {
     }
   }
 
-  // A row whose centres lie above a level edge has ended where it began, which may be past the map: the
-  // slanted edges were followed beyond their ends.
+  // In a row above a horizontal edge the slanted edges are followed beyond their ends, so the span may be
+  // empty and lie past the map.
   begin = std::min<std::int64_t>(begin, side_);
   end = std::clamp<std::int64_t>(end, begin, side_);
   return {y, static_cast<int>(begin), static_cast<int>(end)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which texels a triangle of the unwrap covers, by the rule that rasterisers follow.
+// Finds the texels that a triangle of the unwrap covers, by the rule of rasterisers.
 #pragma once
 
 #include <algorithm>
@@ -18,16 +18,16 @@ struct TexelSpan {
 };
 
 /// A triangle in 1/256 texels, the precision to which Vulkan devices snap vertices (subPixelPrecisionBits 8),
-/// counter to the sign of its area if need be: exact edge functions, so triangles that share an edge never
-/// cover a texel twice and never leave one out.
+/// reversed if its area is negative. Edge functions are exact, so triangles that share an edge cover each
+/// texel exactly once.
 class TexelTriangle {
  public:
-  /// Coordinates 0..1 times `side` texels (1 .. 16384).
+  /// Takes coordinates 0..1 on a map of `side` texels (1 .. 16384).
   TexelTriangle(const std::array<glm::vec2, 3>& uv, int side);
 
   int first_row() const { return first_row_; }
   int end_row() const { return end_row_; }
-  /// Texels of the row whose centre lies inside, or on a top or left edge.
+  /// Returns the texels of a row whose centre lies inside, or on a top or left edge.
   TexelSpan row(int y) const;
 
  private:
@@ -45,19 +45,18 @@ void for_each_texel(const std::array<glm::vec2, 3>& uv, int side, const Visit& v
   }
 }
 
-/// Unwrap coordinates of triangle t.
+/// Returns the unwrap coordinates of triangle t.
 std::array<glm::vec2, 3> triangle_uv(const SkinMesh& mesh, std::size_t t);
 
-/// How often the unwrap covers the unit square in all: the sum of its triangles' areas. Over 1 it must
-/// overlap.
+/// Returns the sum of the areas of all triangles on the unit square. Over 1, the unwrap must overlap.
 double uv_area_sum(const SkinMesh& mesh);
 
-/// Of the texels (centres, resolution x resolution) that any triangle covers, the share that more than one
-/// covers. 0 if none is covered. An unwrap that covers the square more than 64 times is not rasterised to the
-/// end: 1.
+/// Returns the share of covered texels (centres, resolution x resolution) that more than one triangle covers;
+/// 0 if none is covered. Returns 1, without rasterising to the end, if the unwrap covers the square more than
+/// 64 times.
 double uv_overlap_fraction(const SkinMesh& mesh, int resolution = 1024);
 
-/// Warns if more than 0.5 % overlap: how much, what will look wrong, what to do. Returns the fraction.
+/// Warns if more than 0.5 % overlap: how much, what will look wrong, how to correct it. Returns the fraction.
 double warn_overlap(const SkinMesh& mesh);
 
 }  // namespace dermis::scene

@@ -31,7 +31,7 @@ Field make_field(int width, int height) {
 }
 
 int wrapped(int i, int n, Wrap wrap) {
-  // Nearly all are inside already, and a remainder costs as much as all that is done with the texel.
+  // Nearly all are inside, and a remainder costs as much as all other work on the texel.
   if (i >= 0 && i < n) return i;
   if (wrap == Wrap::clamp) return std::clamp(i, 0, n - 1);
   const int period = wrap == Wrap::mirror ? 2 * n : n;
@@ -39,13 +39,13 @@ int wrapped(int i, int n, Wrap wrap) {
   return r < n ? r : period - 1 - r;
 }
 
-/// Which source texels one target texel reads, and how much of each.
+/// The source texels that one target texel reads, with weights.
 struct Taps {
   int first = 0;
   std::vector<float> weights;  ///< sum 1
 };
 
-/// A Gaussian around each target centre, in source texels: smoothing and resampling in one.
+/// Returns a Gaussian around each target centre, in source texels: smoothing and resampling in one step.
 std::vector<Taps> gaussian_taps(int source, int target, double sigma) {
   std::vector<Taps> taps(static_cast<std::size_t>(target));
   for (int i = 0; i < target; ++i) {
@@ -69,14 +69,14 @@ struct Target {
   int width, height;
 };
 
-/// The height map in mm at the target's size behind a Gaussian of sigma source texels along each axis.
+/// Returns the height map in mm at the target's size, after a Gaussian of sigma source texels per axis.
 Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s, Target target,
                      const glm::dvec2& sigma) {
   const std::vector<Taps> across = gaussian_taps(heights.width, target.width, sigma.x),
                           down = gaussian_taps(heights.height, target.height, sigma.y);
   Field rows = make_field(target.width, heights.height), result = make_field(target.width, target.height);
   const double mm_per_step = s.displacement_mm / 255;
-  // A row with what its taps reach beyond it: wrapped once per texel instead of once a tap.
+  // Extends a row by what its taps reach beyond it: wraps once per texel instead of once per tap.
   const int first = across.front().first,
             end = across.back().first + static_cast<int>(across.back().weights.size());
   parallel_for(static_cast<std::size_t>(heights.height), [&](std::size_t y) {
@@ -105,7 +105,7 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
   return result;
 }
 
-/// Slopes of the base map at a place of the target: (x / z, y / z), bilinear.
+/// Returns the slopes (x / z, y / z) of the base map at a place, bilinear.
 glm::dvec2 base_slopes(const image::Image8& base, const DisplacementSettings& s, double u, double v) {
   const double x = u * base.width - 0.5, y = v * base.height - 0.5;
   const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
@@ -118,7 +118,7 @@ glm::dvec2 base_slopes(const image::Image8& base, const DisplacementSettings& s,
       n += w * (glm::dvec3(p[0], p[1], p[2]) / 127.5 - 1.0);
     }
   }
-  // Maps hold (128, 128, 255) for straight up: half a step off zero, invisible, but not to be added on. z
+  // Maps store straight up as (128, 128, 255), half a step off zero: invisible, but it must not add up. z
   // stays away from the horizon.
   const auto centred = [](double c) { return std::abs(c) <= 0.5 / 127.5 ? 0.0 : c; };
   return glm::dvec2(centred(n.x), centred(n.y)) * (s.base_scale / std::max(n.z, 0.05));
@@ -132,6 +132,8 @@ std::uint8_t encoded(double component) {
 
 double height_smoothing_texels(double displacement_mm, double mm_per_texel) {
   constexpr double allowed_slope = 0.0087;  // tan 0.5 degrees
+  // Rounding to steps of q mm puts noise of q / sqrt(12) on every height. Its slope after a Gaussian is q /
+  // (sqrt(12) spacing sqrt(8 pi) sigma^2); solved for sigma.
   const double noise_mm = std::abs(displacement_mm) / 255 / std::sqrt(12.0);
   const double sigma2 = noise_mm / (mm_per_texel * std::sqrt(8 * glm::pi<double>()) * allowed_slope);
   return std::clamp(std::sqrt(sigma2), 0.7, 2.0);
@@ -148,7 +150,7 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
   const Target target{std::min(std::max(source.x, other.x), max_normal_map_side),
                       std::min(std::max(source.y, other.y), max_normal_map_side)};
   const glm::dvec2 spacing_mm = settings.mm_per_uv / glm::dvec2(target.width, target.height);
-  // Shrinking needs half a target texel at least, or heights alias.
+  // Downsampling needs at least half a target texel, or heights alias.
   const glm::dvec2 shrink = glm::dvec2(source) / glm::dvec2(target.width, target.height);
   const glm::dvec2 texel_mm = settings.mm_per_uv / glm::dvec2(source);
   const glm::dvec2 sigma(
@@ -169,7 +171,7 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
     for (int x = 0; x < target.width; ++x) {
       const int left = wrapped(x - 1, target.width, settings.wrap_u),
                 right = wrapped(x + 1, target.width, settings.wrap_u);
-      // At a clamped rim both neighbours are one texel apart, not two; at a mirrored one the slope is 0 by
+      // At a clamped border the neighbours are one texel apart, not two; at a mirrored one the slope is 0 by
       // symmetry.
       const double span_x = settings.wrap_u == Wrap::clamp && (x == 0 || x == target.width - 1) ? 1 : 2;
       const double span_y = settings.wrap_v == Wrap::clamp && (y == 0 || y == target.height - 1) ? 1 : 2;

@@ -26,8 +26,8 @@ std::optional<image::Image8> fine_normals(const Scene& scene, std::size_t materi
   settings.wrap_v = map.wrap_v;
   settings.base_scale = m.normal_map.scale;
 
-  // mm per unit of the map's own coordinates: the unwrap's, divided by what the unwrap and the map's
-  // transform do to lengths.
+  // mm per unit of the map's own coordinates: mm per unit of the unwrap, corrected for the scale of the
+  // unwrap and of the map's transform.
   const glm::dvec2 per_unwrap = mean_mm_per_uv(*mesh, scene.mm_per_unit);
   const glm::dvec2 transform(glm::length(map.transform[0]), glm::length(map.transform[1]));
   settings.mm_per_uv = per_unwrap * mesh->unwrap_scale / glm::max(transform, glm::dvec2(1e-6));

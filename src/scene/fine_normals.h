@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Pores without triangles: a skin material's height map, turned into a normal map that holds the material's
-/// own normals too.
+/// Converts a skin material's height map to a normal map that includes the material's own normals.
 #pragma once
 
 #include <optional>
@@ -12,7 +11,8 @@
 
 namespace dermis::scene {
 
-/// None if the material has no height map. The result is read where the height map is read, with scale 1.
+/// Returns the map, to be read where the height map is read, with scale 1; nothing if the material has no
+/// height map.
 std::optional<image::Image8> fine_normals(const Scene& scene, std::size_t material,
                                           const std::vector<SkinMesh>& skin);
 

@@ -18,8 +18,8 @@ void require_sphere(const BoundingSphere& sphere) {
     throw input_error("camera", "the scene is empty: its bounding sphere has radius {} m", sphere.radius_m);
 }
 
-/// Looks from `eye` along -towards, where `towards` points from the target to the eye at this azimuth and
-/// elevation. Built from the angles, so straight above has a defined up.
+/// Returns a camera frame at `eye` that looks from this azimuth and elevation towards the target. Built from
+/// the angles, so that straight above has a defined up.
 glm::mat4 look(const glm::dvec3& eye, double azimuth_deg, double elevation_deg) {
   const double a = azimuth_deg * radians_per_degree;
   const glm::dvec3 back = head_direction(azimuth_deg, elevation_deg);
@@ -40,7 +40,7 @@ Camera camera_at(const BoundingSphere& sphere, double distance_m, double azimuth
       glm::dvec3(sphere.centre_m) + distance_m * head_direction(azimuth_deg, elevation_deg);
   camera.world_from_camera = look(eye, azimuth_deg, elevation_deg);
   camera.fov_y_rad = static_cast<float>(fov_y_deg * radians_per_degree);
-  camera.znear_m = 0.01f * sphere.radius_m;  // reversed depth without a far plane: precision does not suffer
+  camera.znear_m = 0.01f * sphere.radius_m;  // reversed depth without a far plane keeps its precision
   return camera;
 }
 
@@ -51,8 +51,8 @@ Lamp rig_lamp(int index, int count) {
   return {fmt::format("light {}", index + 1), 360.0 * (index - 2) / (count - 3) + 15, 20, glm::dvec3(1)};
 }
 
-/// Half angle of the cone from `from` along `axis` (unit) that holds the ball. A lamp inside the ball sees it
-/// everywhere.
+/// Returns the half angle of the cone from `from` along `axis` (unit) that holds the ball; pi if `from` lies
+/// inside.
 double cone_around(const glm::dvec3& from, const glm::dvec3& axis, const glm::dvec3& centre, double radius) {
   const glm::dvec3 to = centre - from;
   const double distance = glm::length(to);
@@ -60,7 +60,7 @@ double cone_around(const glm::dvec3& from, const glm::dvec3& axis, const glm::dv
   return std::acos(std::clamp(glm::dot(to, axis) / distance, -1.0, 1.0)) + std::asin(radius / distance);
 }
 
-/// See bounding_sphere(); for_each(visit) calls visit(position) for the same points each time.
+/// Implements bounding_sphere(); for_each(visit) calls visit(position) for the same points each time.
 template <class ForEach>
 BoundingSphere sphere_around(const ForEach& for_each) {
   bool any = false;
@@ -118,7 +118,7 @@ Camera framing_camera(const BoundingSphere& sphere, double aspect, double azimut
   require_fov(fov_y_deg);
   if (!(aspect > 0) || !std::isfinite(aspect))
     throw input_error("camera", "aspect must be > 0, got {}", aspect);
-  // A ball at distance d is seen with the half angle asin(R/d): on the picture plane R / sqrt(d^2 - R^2).
+  // A ball at distance d has the half angle asin(R/d), which is R / sqrt(d^2 - R^2) on the picture plane.
   const double half_side = fill * std::tan(0.5 * fov_y_deg * radians_per_degree) * std::min(1.0, aspect);
   const double distance_m = sphere.radius_m * std::sqrt(1 + 1 / (half_side * half_side));
   return camera_at(sphere, distance_m, azimuth_deg, elevation_deg, fov_y_deg);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Based on: [Dan80] Danielsson: Euclidean Distance Mapping. Computer Graphics and Image Processing 14, 1980
-// (sweeps that hand on the nearest feature). Departure: features are segments with exact distances, and
-// sweeps stay in the empty part of the map: the straight way from an empty texel to its nearest border runs
-// through empty texels only, else it would meet a nearer border.
+// (sweeps that pass on the nearest feature). Departure: features are segments with exact distances, and
+// sweeps stay in the empty part of the map. This suffices: the straight line from an empty texel to its
+// nearest border crosses empty texels only, or it would meet a nearer border.
 #include "scene/gutter_map.h"
 
 #include <algorithm>
@@ -58,7 +58,7 @@ GutterMap::GutterMap(const SkinMesh& mesh, const std::vector<BorderEdge>& border
   for (std::uint32_t e = 0; e < borders.size(); ++e) seed(e);
 
   for (std::size_t i = 0; i < texels; ++i) {
-    // Takes texels whose centres lie within 1/256 texel of a border as uncovered; covered ones keep no edge.
+    // Counts texels whose centres lie within 1/256 texel of a border as uncovered; covered ones keep no edge.
     const bool doubtful = edge_[i] != none && distance2_[i] <= 1.0f / (256 * 256);
     if (doubtful) chart_[i] = 0;
     if (chart_[i] != 0) edge_[i] = none;
@@ -67,8 +67,8 @@ GutterMap::GutterMap(const SkinMesh& mesh, const std::vector<BorderEdge>& border
   for (const bool downwards : {true, false, true, false}) sweep(downwards);
 }
 
-/// Keeps the nearer edge; of two equally near (they share an end) the one before which the texel lies more
-/// squarely.
+/// Keeps the nearer edge; of two equally near ones (they share an end) the one whose normal is closer to the
+/// direction of the texel.
 void GutterMap::offer(int x, int y, std::uint32_t edge) {
   const std::size_t i = index(x, y);
   if (edge_[i] == edge) return;
@@ -93,7 +93,7 @@ void GutterMap::offer_from(int x, int y, int from_x, int from_y) {
   if (edge_[from] != none && distance2_[from] <= reach2_) offer(x, y, edge_[from]);
 }
 
-/// Offers the edge to all texels within about 1.5 of it: sweeps start from there.
+/// Offers the edge to all texels within about 1.5 texels, where sweeps start.
 void GutterMap::seed(std::uint32_t edge) {
   constexpr double band = 1.5;
   const BorderEdge& b = borders_[edge];
@@ -104,7 +104,7 @@ void GutterMap::seed(std::uint32_t edge) {
   const int y1 = std::min(side_ - 1, static_cast<int>(std::floor(std::max(b.start.y, end.y) + band - 0.5)));
 
   for (int y = y0; y <= y1; ++y) {
-    double s0 = 0, s1 = 1;  // the part of the edge near this row
+    double s0 = 0, s1 = 1;  // part of the edge near this row
     if (std::abs(b.vector.y) > 1e-9) {
       const double u = (y + 0.5 - band - b.start.y) / b.vector.y,
                    v = (y + 0.5 + band - b.start.y) / b.vector.y;
@@ -152,7 +152,8 @@ std::optional<glm::dvec2> GutterMap::safe_read(const glm::dvec2& p, std::uint16_
   const auto good = [&](int dx, int dy) { return this->chart(x + dx, y + dy) == chart; };
   const bool g00 = good(0, 0), g10 = good(1, 0), g01 = good(0, 1), g11 = good(1, 1);
   if (g00 && g10 && g01 && g11) return p;
-  // Two good neighbours make the segment between their centres safe, since the other two then have weight 0.
+  // If two neighbours are good, the segment between their centres is safe, since the other two have weight 0
+  // there.
   std::optional<glm::dvec2> best;
   const auto consider = [&](bool both, const glm::dvec2& q) {
     if (both && (!best || glm::distance(q, p) < glm::distance(*best, p))) best = q;

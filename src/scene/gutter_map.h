@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two pictures behind the gutters: which chart covers a texel, and which border edge is nearest to one
-// that none covers.
+// The two maps behind the gutters: the chart that covers a texel, and the border edge nearest to an uncovered
+// one.
 #pragma once
 
 #include <cstdint>
@@ -16,37 +16,38 @@ namespace dermis::scene {
 /// An edge of a chart in texels.
 struct BorderEdge {
   std::uint32_t half = 0;  ///< of SkinMesh::indices
-  bool open = false;       ///< nothing at the same place on the other side
+  bool open = false;       ///< has no neighbour at the same place
   glm::dvec2 start{0}, vector{0};
   glm::dvec2 outwards{0};  ///< unit, away from the triangle
 };
 
-/// Half edges across which the unwrap does not go on, of triangles that have area on the map; side = texels.
+/// Returns the half edges across which the unwrap does not continue, of triangles with area on the map; side
+/// = texels.
 std::vector<BorderEdge> border_edges(const SkinMesh& mesh, const Topology& topology, int side);
 
-/// Where on the edge the point nearest to `p` lies: 0 start, 1 end.
+/// Returns where on the edge the point nearest to `p` lies: 0 start, 1 end.
 double nearest_along(const BorderEdge& edge, const glm::dvec2& p);
 
 class GutterMap {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  /// Charts by coverage, minus texels within 1/256 texel of a border; then for the others the nearest edge,
-  /// up to reach_texels.
+  /// Finds charts by coverage, without texels within 1/256 texel of a border; for all others the nearest
+  /// edge, up to reach_texels.
   GutterMap(const SkinMesh& mesh, const std::vector<BorderEdge>& borders, int side, double reach_texels);
 
   int side() const { return side_; }
-  /// 0 = not surely covered. Texels outside the map are not.
+  /// Returns 0 for texels that are not surely covered, and for texels outside the map.
   std::uint16_t chart(int x, int y) const { return inside(x, y) ? chart_[index(x, y)] : std::uint16_t{0}; }
-  /// Index into `borders`, or none. Only for texels with chart 0.
+  /// Returns an index into `borders`, or none. Only for texels with chart 0.
   std::uint32_t edge(int x, int y) const { return edge_[index(x, y)]; }
   double distance(int x, int y) const { return std::sqrt(static_cast<double>(distance2_[index(x, y)])); }
 
-  /// The point nearest to `p` (texels, centres at .5) whose bilinear footprint touches only texels of
-  /// `chart`; none within 6 texels.
+  /// Returns the point nearest to `p` (texels, centres at .5) whose bilinear footprint lies only on texels of
+  /// `chart`; nothing if none is within 6 texels.
   std::optional<glm::dvec2> safe_read(const glm::dvec2& p, std::uint16_t chart) const;
-  /// The centre of the covered texel nearest to `p`, of any chart if `chart` is 0; none within `reach`
-  /// texels.
+  /// Returns the centre of the covered texel nearest to `p`, of any chart if `chart` is 0; nothing if none is
+  /// within `reach` texels.
   std::optional<glm::dvec2> nearest_centre(const glm::dvec2& p, std::uint16_t chart, int reach) const;
 
  private:

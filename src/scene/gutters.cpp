@@ -22,7 +22,7 @@ struct Builder {
   const Walker& walker;
   int width_texels;
 
-  /// Where the skin goes on beyond the border, in texels, and on which chart.
+  /// Returns where the skin continues beyond the border, in texels, and on which chart.
   std::optional<GutterTexel> continued(const BorderEdge& edge, const glm::dvec2& p) const {
     const double along = nearest_along(edge, p), side = map.side();
     const std::optional<MeshPoint> end =

@@ -20,7 +20,7 @@ struct Eigenvalues {
 Eigenvalues eigenvalues(const glm::dvec3& g) {
   const double mean = 0.5 * (g.x + g.z), spread = std::hypot(0.5 * (g.x - g.z), g.y);
   const double large = mean + spread;
-  // det / large instead of mean - spread, which cancels for slivers.
+  // det / large, because mean - spread cancels for slivers.
   return {large > 0 ? (g.x * g.z - g.y * g.y) / large : 0, large};
 }
 
@@ -46,8 +46,8 @@ std::vector<TriangleMetric> triangle_metrics(const SkinMesh& mesh, double mm_per
   return metrics;
 }
 
-/// Slivers carry more noise than stretch: one of them would ruin the mean of its corners, since g grows as 1
-/// / thickness^2.
+/// Drops slivers: they hold more noise than stretch, and g grows as 1 / thickness^2, so one would ruin the
+/// mean at its corners.
 void drop_outliers(std::vector<TriangleMetric>& metrics) {
   std::vector<double> scales;
   for (const TriangleMetric& m : metrics)
@@ -62,8 +62,8 @@ void drop_outliers(std::vector<TriangleMetric>& metrics) {
   }
 }
 
-/// Raises the smaller eigenvalue to large / 300^2 by adding to the diagonal, and scales what no float could
-/// hold the determinant of: maps that are less than 1e-7 mm or more than 1,000 km wide.
+/// Raises the smaller eigenvalue to large / 300^2 by adding to the diagonal, and rescales where a float could
+/// not hold the determinant: maps less than 1e-7 mm or more than 1,000 km wide.
 glm::vec3 well_conditioned(const glm::dvec3& g) {
   constexpr double least = 1e-14, most = 1e18;  // mm^2
   const Eigenvalues e = eigenvalues(g);
@@ -74,7 +74,7 @@ glm::vec3 well_conditioned(const glm::dvec3& g) {
   return glm::vec3((g + glm::dvec3(lift, 0, lift)) * scale);
 }
 
-/// Value below which the fraction `share` of the weight lies; values sorted.
+/// Returns the value below which the fraction `share` of the weight lies; values are sorted.
 double weighted_quantile(const std::vector<std::pair<double, double>>& sorted, double total, double share) {
   double sum = 0;
   for (const auto& [value, weight] : sorted) {
@@ -114,8 +114,7 @@ void compute_metric(SkinMesh& mesh, double mm_per_unit) {
   std::vector<TriangleMetric> metrics = triangle_metrics(mesh, mm_per_unit);
   drop_outliers(metrics);
 
-  // Vertices share their mean if place, coordinates and chart agree. Each vertex belongs to one chart; unused
-  // ones to none.
+  // Vertices share their mean if place, coordinates and chart agree. Each used vertex belongs to one chart.
   const std::vector<std::uint32_t> place = weld_positions(mesh.vertices), coordinate = weld_uv(mesh.unwrap);
   std::vector<glm::dvec3> key;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) key.emplace_back(place[v], coordinate[v], 0);
@@ -131,7 +130,7 @@ void compute_metric(SkinMesh& mesh, double mm_per_unit) {
     sum[weld[mesh.indices[i]]] += weighted;
     all += weighted;
   }
-  // A mesh without any valid triangle still needs a metric; a head of 0.3 m across the map is as good as any.
+  // A mesh without a valid triangle still needs a metric: a head of 0.3 m across the map.
   const glm::dvec3 mean = all.w > 0 ? glm::dvec3(all) / all.w : glm::dvec3(9e4, 0, 9e4);
   mesh.metric.clear();
   mesh.metric.reserve(mesh.vertices.size());

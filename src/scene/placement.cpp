@@ -18,8 +18,8 @@ glm::vec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
 glm::dmat3 normal_matrix(const Placement& placement) {
   const glm::dvec3 x(placement.world_from_mesh[0]), y(placement.world_from_mesh[1]),
       z(placement.world_from_mesh[2]);
-  // Cofactors are |M| M^-T without a division by |M|. The sign of |M| is taken out, so that normals keep
-  // pointing outwards under a mirror.
+  // Cofactors are |M| M^-T without division by |M|. Its sign is removed, so that normals keep pointing
+  // outwards under a mirror.
   glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
   if (placement.mirrored) cofactors = -cofactors;
 

@@ -17,15 +17,15 @@ inline std::size_t copies_of(const Primitive& primitive) {
   return primitive.placements.empty() ? 1 : primitive.placements.size();
 }
 
-/// For normals: the inverse transpose up to a positive factor, its largest entry 1. Sound for flat (singular)
-/// matrices too; zero if nothing is left of the mesh.
+/// Returns the matrix for normals: the inverse transpose up to a positive factor, its largest entry 1. Valid
+/// for flat (singular) matrices; zero if nothing is left of the mesh.
 glm::dmat3 normal_matrix(const Placement& placement);
 
-/// Vertex `vertex` of copy `copy` (below copies_of) in the world. Normal and tangent are unit.
+/// Returns vertex `vertex` of copy `copy` (below copies_of) in the world. Normal and tangent are unit.
 Vertex world_vertex(const Primitive& primitive, std::size_t copy, std::uint32_t vertex);
 glm::vec3 world_position_m(const Primitive& primitive, std::size_t copy, std::uint32_t vertex);
 
-/// The vertices of a triangle of copy `copy`, counter-clockwise in the world.
+/// Returns the vertices of a triangle of copy `copy`, counter-clockwise in the world.
 std::array<std::uint32_t, 3> world_corners(const Primitive& primitive, std::size_t copy,
                                            std::size_t triangle);
 
@@ -36,8 +36,8 @@ void for_each_position(const Primitive& primitive, const Visit& visit) {
     for (std::uint32_t v = 0; v < primitive.vertices.size(); ++v) visit(world_position_m(primitive, copy, v));
 }
 
-/// The same primitives with every copy written out, in the order of their nodes' first appearance: for tests
-/// and tools. Takes memory for each copy.
+/// Returns the primitives with every copy written out, in the order of their nodes' first appearance; for
+/// tests and tools. Takes memory for each copy.
 std::vector<Primitive> written_out(const Scene& scene);
 
 }  // namespace dermis::scene

@@ -31,8 +31,8 @@ Scene skin_scene(std::string name, Primitive primitive) {
   return scene;
 }
 
-/// Two counter-clockwise triangles per cell of a grid whose rows of (n + 1) vertices start at `base` and run
-/// downwards.
+/// Appends two counter-clockwise triangles per cell of a grid whose rows of (n + 1) vertices start at `base`
+/// and run downwards.
 void append_grid(std::vector<std::uint32_t>& indices, std::uint32_t base, int n) {
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
@@ -44,7 +44,7 @@ void append_grid(std::vector<std::uint32_t>& indices, std::uint32_t base, int n)
   }
 }
 
-/// One side of the cube seen from outside: where u and v (down) run. right x up = outwards.
+/// One side of the cube seen from outside: directions of u and v (down). right x up = outwards.
 struct Side {
   glm::ivec3 right, up;
 };
@@ -60,8 +60,8 @@ glm::ivec3 outwards(const Side& s) {
           s.right.x * s.up.y - s.right.y * s.up.x};
 }
 
-/// A lattice point of the cube -n..n, pushed out to the unit sphere. It sees only integers, so sides agree
-/// bit for bit at their edges.
+/// Returns a lattice point of the cube -n..n on the unit sphere. Depends on integers only, so sides agree to
+/// the bit at their edges.
 glm::dvec3 on_sphere(const glm::ivec3& lattice, int n) {
   const auto bend = [n](int i) {
     return std::abs(i) == n ? (i > 0 ? 1.0 : -1.0) : std::tan(0.25 * glm::pi<double>() * i / n);
@@ -102,7 +102,7 @@ Scene ellipsoid(const glm::dvec3& radii_m, int subdivisions, double margin) {
     const glm::dvec2 corner(static_cast<double>(s % 3) / 3 + margin, static_cast<double>(s / 3) / 2 + margin);
     for (int j = 0; j <= n; ++j) {
       for (int i = 0; i <= n; ++i) {
-        // Odd and even lattice points of -n..n in steps of 2, so that any n has its edges at +-n.
+        // Lattice points of -n..n in steps of 2, so that any n has its edges at +-n.
         const glm::ivec3 lattice =
             outwards(sides[s]) * n + sides[s].right * (2 * i - n) - sides[s].up * (2 * j - n);
         const glm::dvec3 unit = on_sphere(lattice, n);

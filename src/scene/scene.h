@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What is rendered: heads and their other parts, maps, lights, cameras. Everything is in the world at rest:
-// nodes as they stand, skins and morph targets applied, mirrored nodes already wound counter-clockwise. Only
-// meshes that several nodes share stay in their own coordinates, with a list of places.
-// Metres, right-handed, +Y up. No Vulkan here.
+// What is rendered: heads and their other parts, maps, lights, cameras. All in the world at rest: nodes as
+// they stand, skins and morph targets applied, mirrored nodes wound counter-clockwise. Only meshes that
+// several nodes share stay in their own coordinates, with a list of placements. Metres, right-handed, +Y up.
+// No Vulkan here.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ namespace dermis::scene {
 struct Vertex {
   glm::vec3 position_m{0};
   glm::vec3 normal{0, 0, 1};  ///< unit
-  /// unit xyz, w = handedness (+1 or -1); belongs to the normal map's transformed coordinates
+  /// unit xyz, w = handedness (+1 or -1); for the normal map's transformed coordinates
   glm::vec4 tangent{1, 0, 0, 1};
   glm::vec2 uv0{0};
   glm::vec2 uv1{0};
@@ -31,8 +31,7 @@ struct Vertex {
 
 enum class Wrap : std::uint8_t { repeat, clamp, mirror };
 
-/// A map of a material: which image, which coordinates, and how they are transformed: uv' = transform * (u,
-/// v, 1).
+/// A map of a material: image, texture coordinates and their transform, uv' = transform * (u, v, 1).
 struct MapRef {
   int image = -1;  ///< index into Scene::images, -1 = none
   int uv_set = 0;  ///< 0 or 1
@@ -41,7 +40,7 @@ struct MapRef {
   Wrap wrap_u = Wrap::repeat;
   Wrap wrap_v = Wrap::repeat;
   bool nearest = false;  ///< magnification filter
-  int channel = 0;       ///< for single-channel maps: which of RGBA
+  int channel = 0;       ///< for single-channel maps: index in RGBA
   float scale = 1;       ///< normal scale, occlusion strength, or factor on the map's value
   bool present() const { return image >= 0; }
 };
@@ -53,9 +52,9 @@ struct SpecularLobe {
   float weight = 1;
 };
 
-/// What `extras.dermis` says of a skin material; defaults: rho_s 0.18, two lobes.
+/// `extras.dermis` of a skin material; defaults: rho_s 0.18, two lobes.
 struct SkinSettings {
-  std::optional<gaussians::SumOfGaussians> profile;  ///< none: the command's default
+  std::optional<gaussians::SumOfGaussians> profile;  ///< none: the default of the command
   /// 0..1, part of the albedo applied before scattering; none: 0.5
   std::optional<float> mix;
   float mix_or_default() const { return mix.value_or(0.5f); }
@@ -70,7 +69,7 @@ struct SkinSettings {
 
 struct Material {
   std::string name;
-  bool skin = false;         ///< not with AlphaMode::blend: the loader makes such skin a surface
+  bool skin = false;         ///< never with AlphaMode::blend: the loader makes such skin a surface
   glm::vec4 base_colour{1};  ///< linear
   MapRef base_colour_map;    ///< sRGB
   float metallic = 1, roughness = 1;
@@ -91,11 +90,11 @@ struct Material {
   SkinSettings skin_settings;  ///< only if skin
 };
 
-/// One of the places where a mesh stands that several nodes share.
+/// One placement of a mesh that several nodes share.
 struct Placement {
-  glm::dmat4x3 world_from_mesh{1};  ///< columns: what becomes of x, y, z and the origin, metres
+  glm::dmat4x3 world_from_mesh{1};  ///< columns: images of x, y, z and the origin, metres
   int node = -1;
-  bool mirrored = false;  ///< turned inside out: triangles wind the other way round
+  bool mirrored = false;  ///< inside out: triangles wind the other way round
 };
 
 /// Triangles of one material of one node, or of several nodes that share them. indices.size() is a multiple
@@ -103,16 +102,16 @@ struct Placement {
 struct Primitive {
   std::string name;  ///< node or mesh name, for messages; of the first node if it is shared
   int material = 0;  ///< index into Scene::materials
-  int node = -1;     ///< which node it came from: skin of one node shares one unwrap (one head)
+  int node = -1;     ///< node it came from; skin of one node shares one unwrap (one head)
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  bool has_uv = false;  ///< TEXCOORD_0 was there
-  /// Empty: it stands once, and its vertices are in the world. Else they are in the mesh's own coordinates,
-  /// and this is where it stands; never of skin, whose metric is in mm. scene/placement.h reads both.
+  bool has_uv = false;  ///< the file has TEXCOORD_0
+  /// Empty: one copy, whose vertices are in the world. Else vertices are in the mesh's own coordinates.
+  /// Always empty for skin, whose metric is in mm. scene/placement.h reads both.
   std::vector<Placement> placements;
 };
 
-/// A map as decoded. Shared: scenes are copied cheaply.
+/// A decoded map. Shared, so that copies of scenes are cheap.
 struct MapImage {
   std::string name;
   std::shared_ptr<const image::Image8> pixels;  ///< never null
@@ -128,12 +127,12 @@ struct Light {
   LightType type = LightType::directional;
   glm::vec3 colour{1};
   glm::vec3 position_m{0};  ///< spot, point
-  /// unit, the way the light travels (directional, spot)
+  /// unit, direction in which light travels (directional, spot)
   glm::vec3 direction{0, 0, -1};
   float range_m = 0;                                     ///< 0 = unlimited
   float inner_cone_rad = 0, outer_cone_rad = 0.785398f;  ///< half angles (spot)
-  /// Of a disc that faces what it lights, for penumbrae; 0 = a point. m; directional: tangent of half the
-  /// angle under which it is seen.
+  /// Radius of a disc that faces the lit point, for penumbrae; 0 = a point. m; directional: tangent of the
+  /// angular radius.
   float radius = 0;
 };
 

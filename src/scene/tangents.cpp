@@ -15,7 +15,7 @@ namespace {
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Made unit without overflow or underflow; zero if that is not possible.
+/// Normalises without overflow or underflow; returns zero if that is not possible.
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
   if (!finite(v)) return glm::dvec3(0);
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -26,7 +26,7 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) {
 
 bool is_zero(const glm::dvec3& v) { return v == glm::dvec3(0); }
 
-/// One triangle as [Mik08] needs it.
+/// The frame of a triangle for [Mik08].
 struct TriangleFrame {
   glm::dvec3 dp_du{0};  ///< unit, zero where coordinates are degenerate
   int handedness = 0;   ///< +1 as painted, -1 mirrored, 0 degenerate
@@ -41,7 +41,7 @@ TriangleFrame triangle_frame(const std::array<glm::dvec3, 3>& p, const std::arra
   const double noise =
       std::numeric_limits<float>::epsilon() * magnitude * std::max(glm::length(d1), glm::length(d2));
   if (!std::isfinite(det) || std::abs(det) <= noise) return {};
-  // A counter-clockwise triangle has its coordinates clockwise when v points down and the picture is not
+  // The coordinates of a counter-clockwise triangle run clockwise if v points down and the picture is not
   // mirrored.
   const int handedness = det < 0 ? 1 : -1;
   const glm::dvec3 dp_du = unit_or_zero((d2.y * e1 - d1.y * e2) * (det < 0 ? -1.0 : 1.0));
@@ -55,8 +55,8 @@ double angle_at(const glm::dvec3& corner, const glm::dvec3& a, const glm::dvec3&
   return std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y));
 }
 
-/// Which vertices MikkTSpace sees as one: equal position, normal and coordinates, bit for bit (only -0 equals
-/// 0).
+/// Returns ids of the vertices that MikkTSpace treats as one: equal position, normal and coordinates, to the
+/// bit (only -0 equals 0).
 std::vector<std::uint32_t> weld_corners(const std::vector<Vertex>& vertices,
                                         const std::vector<glm::dvec2>& uv) {
   std::vector<glm::dvec3> a, b, c;
@@ -72,8 +72,8 @@ std::vector<std::uint32_t> weld_corners(const std::vector<Vertex>& vertices,
   return weld_points(ids, 1.0);
 }
 
-/// Moves the mirrored corners of vertices that are used both ways to copies, so that afterwards every vertex
-/// has one handedness.
+/// Moves the mirrored corners of vertices that are used both ways to copies, so that every vertex has one
+/// handedness.
 void split_mirrored(Primitive& primitive, const std::vector<TriangleFrame>& frames) {
   const std::size_t before = primitive.vertices.size();
   std::vector<std::uint8_t> used(before, 0);  // bit 0: as painted, bit 1: mirrored
@@ -172,7 +172,7 @@ void make_tangents(Primitive& primitive, const glm::mat3x2& normal_map_transform
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const glm::dvec3 n(vertices[v].normal);
     const glm::dvec3 s = sum[weld[v]][vertices[v].tangent.w > 0 ? 0 : 1];
-    // Opposite tangents of equal weight cancel to rounding; what is left has no direction of its own.
+    // Opposite tangents of equal weight cancel; the remaining rounding has no meaningful direction.
     glm::dvec3 t = glm::length(s) > 1e-9 ? unit_or_zero(s - n * glm::dot(n, s)) : glm::dvec3(0);
     if (is_zero(t)) t = any_tangent(n);
     vertices[v].tangent = glm::vec4(glm::vec3(t), vertices[v].tangent.w);

@@ -12,7 +12,7 @@
 namespace dermis::scene {
 namespace {
 
-/// A half edge under the places and coordinates of its ends, lower place first.
+/// A half edge keyed by the places and coordinates of its ends, lower place first.
 struct EdgeEntry {
   std::uint32_t place_a, place_b, uv_a, uv_b, half;
   auto place() const { return std::tie(place_a, place_b); }
@@ -37,8 +37,8 @@ std::vector<EdgeEntry> sorted_edges(const Topology& topology, std::span<const st
   return edges;
 }
 
-/// Pairs the half edges [begin, end) of one place: first neighbours in the order that share coordinates, then
-/// the rest two by two.
+/// Pairs the half edges of one place: first neighbours in the order that share coordinates, then the rest two
+/// by two.
 void pair_edges(std::span<const EdgeEntry> edges, std::vector<std::uint32_t>& mate) {
   const auto join = [&](std::uint32_t a, std::uint32_t b) { mate[a] = b, mate[b] = a; };
   std::uint32_t left = no_edge;
@@ -106,8 +106,8 @@ Topology mesh_topology(std::span<const Vertex> vertices, std::span<const glm::ve
     if (other == no_edge) continue;
     std::uint32_t c = indices[other], d = indices[next_corner(other)];
     const std::uint32_t a = indices[half], b = indices[next_corner(half)];
-    // Equal winding runs the edge the other way round, and then equal signs mean that the triangles lie on
-    // opposite sides of it.
+    // With equal winding the mate runs the other way; then equal signs mean that the triangles lie on
+    // opposite sides.
     const bool reversed = topology.position_id[a] == topology.position_id[d];
     if (reversed) std::swap(c, d);
     if (topology.uv_id[a] != topology.uv_id[c] || topology.uv_id[b] != topology.uv_id[d]) continue;
@@ -123,7 +123,7 @@ std::vector<std::uint32_t> find_charts(const Topology& topology, std::span<const
   for (std::uint32_t half = 0; half < indices.size(); ++half)
     if (topology.continuous[half]) sets.join(half / 3, topology.mate[half] / 3);
 
-  std::vector<std::uint32_t> host(triangles);  // whose chart a triangle takes
+  std::vector<std::uint32_t> host(triangles);  // triangle whose chart each one takes
   const auto flat = [&](std::uint32_t t) {
     return uv_area2(uv[indices[3 * t]], uv[indices[3 * t + 1]], uv[indices[3 * t + 2]]) == 0;
   };

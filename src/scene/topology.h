@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the triangles of a mesh hang together: across edges, and in charts of the unwrap.
+// How the triangles of a mesh are connected: across edges, and in charts of the unwrap.
 #pragma once
 
 #include <cstdint>
@@ -19,22 +19,22 @@ struct Topology {
   std::vector<std::uint32_t> uv_id;        ///< per vertex; equal = same texture coordinates (weld_uv)
   /// per half edge: the half edge of the neighbour at the same place, no_edge at an open border
   std::vector<std::uint32_t> mate;
-  /// per half edge: the unwrap goes on across it (same coordinates, the neighbour on the other side)
+  /// per half edge: the unwrap continues across it (same coordinates, neighbour on the other side)
   std::vector<bool> continuous;
 };
 
-/// indices.size() a multiple of 3, all < vertices.size() == uv.size(). Of more than two triangles at an edge,
-/// those that share coordinates are paired first. O(n log n).
+/// Returns the topology of a mesh: indices.size() is a multiple of 3, all < vertices.size() == uv.size(). Of
+/// more than two triangles at an edge, pairs those first that share coordinates. O(n log n).
 Topology mesh_topology(std::span<const Vertex> vertices, std::span<const glm::vec2> uv,
                        std::span<const std::uint32_t> indices);
 
-/// Twice the signed area of a triangle in texture space; 0 if it is smaller than the rounding of its
+/// Returns twice the signed area of a triangle in texture space; 0 if it is smaller than the rounding of its
 /// coordinates.
 double uv_area2(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c);
 
-/// Chart of each triangle, from 0 in order of first appearance: triangles joined by continuous edges. A
-/// triangle without area in texture space never joins two charts; it goes with the first neighbour that
-/// shares coordinates with it, else it is a chart of its own.
+/// Returns the chart of each triangle, from 0 in order of first appearance: triangles joined by continuous
+/// edges. A triangle without area in texture space never joins two charts: it takes the chart of the first
+/// neighbour that shares coordinates with it, else it is a chart of its own.
 std::vector<std::uint32_t> find_charts(const Topology& topology, std::span<const glm::vec2> uv,
                                        std::span<const std::uint32_t> indices);
 

@@ -9,9 +9,9 @@
 namespace dermis::scene {
 namespace {
 
-// real heads have a dozen; a hostile one must not cost the square of its size
+// Real heads have a dozen; a hostile file must not cost the square of its size.
 constexpr std::size_t most_at_a_place = 64;
-// one degree less than 105 - 90: the eye is not equally far from all vertices
+// One degree less than 105 - 90: the eye is not equally far from all vertices.
 constexpr double cosine_14_degrees = 0.97029573;
 
 bool turned(const SkinMesh& mesh, std::size_t triangle) {
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh) {
       for (std::size_t k = 0; k < 3; ++k)
         at_place[place[mesh.indices[3 * t + k]]].push_back(static_cast<std::uint32_t>(t));
 
-  // Packs: where the list of each triangle begins, then the lists.
+  // Packs: offsets of the list of each triangle, then the lists.
   std::vector<std::uint32_t> packed(triangles + 1), found;
   for (std::size_t t = 0; t < triangles; ++t) {
     packed[t] = static_cast<std::uint32_t>(packed.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangles that may be seen although all around them is not: on coarse meshes a triangle faces elsewhere
-// than its vertices' normals say.
+// Finds triangles that may be visible although all around them are culled: on coarse meshes a triangle may
+// face another way than its vertex normals.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,13 @@ namespace dermis::scene {
 
 inline constexpr std::uint32_t always_kept = 0xffffffffu;
 
-/// For each triangle, those that touch it at a vertex, across seams too, and are turned away from one of
-/// their vertices' normals by more than 14 degrees. Where a triangle is culled only if its vertices' normals
-/// are beyond 105 degrees from the eye and it faces away, no other can be seen beside a culled one. Packed:
-/// the entries of triangle t are [packed[t], packed[t + 1]) of `packed` itself; sorted, none twice. A
-/// triangle that meets more than 64 turned ones at a vertex has the one entry `always_kept` instead.
+/// Returns, for each triangle, the triangles that touch it at a vertex, also across seams, and whose face
+/// normal is more than 14 degrees away from one of their vertex normals. A triangle is culled only if its
+/// vertex normals are more than 105 degrees from the eye and it faces away, so no other triangle can be
+/// visible beside a culled one.
+///
+/// Packed: the entries of triangle t are [packed[t], packed[t + 1]) of `packed` itself; sorted, none twice. A
+/// triangle that meets more than 64 such triangles at a vertex has the one entry `always_kept` instead.
 std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh);
 
 }  // namespace dermis::scene

@@ -20,8 +20,8 @@ void append_primitive(SkinMesh& mesh, const Primitive& primitive) {
                                 primitive.material);
 }
 
-/// Gives triangles that are not on the map vertices of their own, all at one point of it: without area there,
-/// they cover no texel, are no neighbours and have no metric.
+/// Gives triangles that are not on the map vertices of their own, all at one point: without area there they
+/// cover no texel, have no neighbours and no metric.
 void take_off_the_map(SkinMesh& mesh, const std::vector<bool>& on_map) {
   std::vector<bool> shared(mesh.vertices.size(), false);
   for (std::size_t i = 0; i < mesh.indices.size(); ++i)
@@ -59,7 +59,7 @@ void number_charts(std::vector<std::uint32_t>& chart, const std::vector<bool>& o
   }
 }
 
-/// Charts, and one chart per vertex: metric and chart id can then be vertex attributes.
+/// Assigns charts, one per vertex, so that metric and chart id can be vertex attributes.
 void assign_charts(SkinMesh& mesh, const std::vector<bool>& on_map) {
   const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);
   std::vector<std::uint32_t> chart = find_charts(topology, mesh.unwrap, mesh.indices);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The skin of one head, laid out flat: the mesh that texture-space passes draw, its charts, and how mm lie on
-// it. Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 5.2
+// The skin of one head on its unwrap: the mesh that texture-space passes draw, its charts, and its metric in
+// mm. Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 5.2
 // (stretch); here the full metric, since u and v are not orthogonal on real heads.
 #pragma once
 
@@ -18,8 +18,7 @@ inline constexpr int max_chart_id = 2046;
 /// of triangles that the map does not hold
 inline constexpr std::uint16_t no_chart = 0;
 
-/// One head. Every vertex belongs to one chart (vertices between charts are split; copies stand behind the
-/// others).
+/// One head. Every vertex belongs to one chart (vertices between charts are split; copies are at the end).
 struct SkinMesh {
   std::string name;              ///< of the first primitive, for messages
   int node = -1;                 ///< see skin_mesh_number()
@@ -27,65 +26,67 @@ struct SkinMesh {
   /// triangles in the order of the scene's primitives, so each material is a few runs
   std::vector<std::uint32_t> indices;
   std::vector<int> triangle_material;  ///< per triangle, index into Scene::materials
-  /// per vertex, 0..1, v down: where the texture-space passes put it; (0, 0) for triangles without a chart
+  /// per vertex, 0..1, v down: position for texture-space passes; (0, 0) for triangles without a chart
   std::vector<glm::vec2> unwrap;
   /// per vertex: g_uu, g_uv, g_vv in mm^2 per unit of unwrap squared; finite, positive definite
   std::vector<glm::vec3> metric;
   /// per triangle, 1 .. max_chart_id; with more charts the ids start again from 1. no_chart: the triangle has
-  /// no texture coordinates, none with area, or a stray's (unwrap_fit.h). It covers nothing of the map and is
-  /// lit at the pixel.
+  /// no texture coordinates, none with area, or those of a stray (unwrap_fit.h). It covers nothing of the map
+  /// and is lit per pixel.
   std::vector<std::uint16_t> triangle_chart;
-  int charts = 0;  ///< how many there are
+  int charts = 0;  ///< number of charts
   /// unwrap = uv0 * scale + offset for triangles with a chart: see fit_unwrap()
   glm::dvec2 unwrap_scale{1}, unwrap_offset{0};
-  /// what was done to the raw coordinates; empty if nothing
+  /// what fit_unwrap() did to the raw coordinates; empty if nothing
   std::string unwrap_note;
 };
 
-/// Which skin mesh a primitive of skin belongs to: SkinMesh::node. Skin without texture coordinates has no
-/// place on a map, so all of a material is one mesh, with a negative number, however many nodes it comes
-/// from.
+/// Returns the skin mesh that a primitive of skin belongs to: SkinMesh::node. Skin without texture
+/// coordinates has no place on a map, so all of a material is one mesh with a negative number, from however
+/// many nodes.
 inline int skin_mesh_number(const Primitive& primitive) {
   return primitive.has_uv ? primitive.node : -2 - primitive.material;
 }
 
-/// One mesh per node that carries skin, in order of first appearance, all skin primitives of the node joined.
-/// Raw coordinates are fitted into 0..1 where need be, and triangles that cannot lie there are left without a
-/// chart: fit_unwrap(). Primitives without triangles are left out. Metric: see triangle_metric.
+/// Returns one mesh per node with skin, in order of first appearance, all skin primitives of the node joined.
+/// Fits raw coordinates into 0..1 where needed; triangles that cannot lie there have no chart, see
+/// fit_unwrap(). Skips primitives without triangles. Metric: see triangle_metric.
 std::vector<SkinMesh> skin_meshes(const Scene& scene);
 
-/// Whether some triangle of the mesh has no chart.
+/// Returns whether a triangle of the mesh has no chart.
 bool has_chartless(const SkinMesh& mesh);
 
-/// g = J^T J with J = dP/d(u,v) in mm: (g_uu, g_uv, g_vv). Zero if the triangle has no area in texture space
-/// or in the world.
+/// Returns g = J^T J with J = dP/d(u,v) in mm: (g_uu, g_uv, g_vv). Zero if the triangle has no area in
+/// texture space or in the world.
 glm::dvec3 triangle_metric(const glm::dvec3& a_mm, const glm::dvec3& b_mm, const glm::dvec3& c_mm,
                            const glm::vec2& uv_a, const glm::vec2& uv_b, const glm::vec2& uv_c);
 
-/// Fills mesh.metric from positions and unwrap: triangle metrics averaged at each vertex with their area in
-/// texture space as weight, within a chart only. Triangles stretched beyond 1/1000 .. 32 times the mesh's
-/// median length scale are left out; vertices that keep none get the mean of the mesh. The ratio of lengths
-/// is limited to 300 so that floats hold the determinant.
+/// Fills mesh.metric from positions and unwrap: averages triangle metrics at each vertex, weighted by area in
+/// texture space, within a chart only. Leaves out triangles stretched beyond 1/1000 .. 32 times the mesh's
+/// median length scale; vertices without any other get the mean of the mesh. Limits the ratio of lengths to
+/// 300, so that floats hold the determinant.
 void compute_metric(SkinMesh& mesh, double mm_per_unit);
 
-/// (a, b, c) with g^-1 = L L^T, L = [[a, 0], [b, c]]: what one mm isotropic becomes in texture coordinates,
-/// as two successive directions: (a, b) slanted, then (0, c) along v. g must be positive definite.
+/// Returns (a, b, c) with g^-1 = L L^T, L = [[a, 0], [b, c]]: the image of one isotropic mm in texture
+/// coordinates, as two successive directions: (a, b) slanted, then (0, c) along v. g must be positive
+/// definite.
 glm::dvec3 inverse_metric_cholesky(const glm::dvec3& g);
 
-/// Over the skin's area: each value counts with the mm^2 it holds for.
+/// Statistics over the skin's area, weighted by mm^2.
 struct DensityStats {
   double mean = 0, p05 = 0, p50 = 0, p95 = 0, max = 0;
 };
 
 struct UnwrapDensity {
-  /// for T = 1 (multiply by the map's side): geometric mean of both directions, det(g)^(-1/4)
+  /// for a map of one texel (multiply by the map's side): geometric mean of both directions, det(g)^(-1/4)
   DensityStats texels_per_mm;
-  /// for T = 1: along the direction in which texels lie densest, 1 / sqrt(smallest eigenvalue of g)
+  /// for a map of one texel: in the direction with the densest texels, 1 / sqrt(smallest eigenvalue of g)
   DensityStats largest_texels_per_mm;
   double area_mm2 = 0;  ///< all triangles
 };
 
-/// Of the triangles as they are, not of the averaged metric. All zero for a mesh without valid triangles.
+/// Returns the density of the triangles themselves, not of the averaged metric. All zero for a mesh without
+/// valid triangles.
 UnwrapDensity unwrap_density(const SkinMesh& mesh, double mm_per_unit);
 
 }  // namespace dermis::scene

@@ -11,14 +11,15 @@
 namespace dermis::scene {
 namespace {
 
-constexpr double least_fill = 0.25;  // of the square's area; under it the coordinates are fitted
+constexpr double least_fill = 0.25;  // of the square's area; below it the coordinates are fitted
 constexpr double most_uneven = 2;    // texels per mm along one axis over those along the other
-constexpr double rim = 1.5;    // how far beside the others no triangle is a stray, in sides of their box
-constexpr double flat = 1e-5;  // a triangle's height over its longest side
+constexpr double rim =
+    1.5;  // distance from the others within which no triangle is a stray, in sides of their box
+constexpr double flat = 1e-5;                // a triangle's height over its longest side
 constexpr double flat_share_to_tell = 0.01;  // of the skin's area
 
-/// How much of the skin may be left off the map on one side of an axis, and how many times larger the rest
-/// must become for it.
+/// The share of the skin that may be left off the map on one side of an axis, and how many times larger the
+/// rest must then become.
 struct Trade {
   double share, gain;
 };
@@ -30,7 +31,7 @@ struct Interval {
   void add(double a, double b) { low = std::min(low, a), high = std::max(high, b); }
 };
 
-/// What a triangle covers of one axis, and its area on the skin.
+/// The extent of a triangle on one axis, and its area on the skin.
 struct Extent {
   double low, high, area;
 };
@@ -58,7 +59,7 @@ Interval without_strays(const std::vector<Extent>& extents) {
     const Interval most{end_without(extents, trade.share, false), end_without(extents, trade.share, true)};
     if (!(most.size() > 0)) continue;
 
-    // Those at the rim of the others are no strays.
+    // Triangles beside the others are no strays.
     const double around = rim * most.size();
     Interval kept;
     for (const Extent& e : extents)
@@ -75,7 +76,7 @@ struct RawTriangle {
   bool valid = false;  ///< has area in texture space
 };
 
-/// Whether a triangle that has width on the skin has hardly any in texture space.
+/// Returns whether a triangle with width on the skin has hardly any in texture space.
 bool flattened(const std::array<glm::vec2, 3>& uv, const std::array<glm::dvec3, 3>& p) {
   double longest_uv2 = 0, longest2 = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -116,8 +117,7 @@ Extent extent_of(const RawTriangle& triangle, glm::length_t axis) {
   return {std::min({a, b, c}), std::max({a, b, c}), triangle.area};
 }
 
-/// Returns how many mm of skin a unit of each axis is: the geometric mean over the skin, up to one constant
-/// for both.
+/// Returns mm of skin per unit of each axis: the geometric mean over the skin, up to one constant for both.
 glm::dvec2 mean_lengths(const std::vector<RawTriangle>& triangles) {
   glm::dvec2 logarithms(0);
   double area = 0;
@@ -149,7 +149,7 @@ Fit shrunk(const std::array<Interval, 2>& box) {
   return fit;
 }
 
-/// Returns the fit that fills the square with the box, as evenly as `most_uneven` says.
+/// Returns the fit that fills the square with the box, as far as `most_uneven` allows.
 Fit grown(const std::array<Interval, 2>& box, const glm::dvec2& mm_per_unit, const Fit& before) {
   const glm::dvec2 size(box[0].size(), box[1].size());
   const glm::dvec2 largest = (1 - 2 * fit_margin) / size;
@@ -182,8 +182,8 @@ void tell_of_fit(SkinMesh& mesh, const std::array<Interval, 2>& box, const Fit& 
     mesh.unwrap_note =
         fmt::format("texture coordinates span u {:.4g} to {:.4g}, v {:.4g} to {:.4g}: scaled to fit 0..1",
                     box[0].low, box[0].high, box[1].low, box[1].high);
-    // A rounding error outside costs nothing; a second tile costs sharpness, and tiles that were meant to
-    // coincide now lie side by side.
+    // A rounding error outside costs nothing; a second tile costs resolution, and tiles meant to coincide now
+    // lie side by side.
     if (std::min(fit.scale.x, fit.scale.y) < 0.999)
       warn_of(
           "skin: texture coordinates lie outside 0..1 and are scaled to fit; maps hold fewer texels per mm",
@@ -195,7 +195,7 @@ void tell_of_fit(SkinMesh& mesh, const std::array<Interval, 2>& box, const Fit& 
   }
 }
 
-/// What a person should know of the triangles that the map does not hold.
+/// Warns about triangles that the map does not hold.
 void tell_of_lost(const SkinMesh& mesh, const std::vector<RawTriangle>& triangles, std::size_t strays) {
   if (strays > 0)
     warn_of(
@@ -207,7 +207,7 @@ void tell_of_lost(const SkinMesh& mesh, const std::vector<RawTriangle>& triangle
                     mesh.name, strays, triangles.size()));
 
   double area = 0, lost = 0;
-  bool any = false;  // missing coordinates are all zero, and the loader has warned of them
+  bool any = false;  // missing coordinates are all zero; the loader has warned of them
   for (const RawTriangle& t : triangles) {
     area += t.area;
     if (!t.valid) lost += t.area;

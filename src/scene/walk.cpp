@@ -12,8 +12,8 @@ std::uint32_t next_corner(std::uint32_t half) { return half % 3 == 2 ? half - 2 
 double cross2(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 glm::dvec2 right_of(const glm::dvec2& d) { return {d.y, -d.x}; }
 
-/// Triangles without area are laid out 1e-9 of their longest side thick: lines then pass through them like
-/// through any other.
+/// Returns a triangle in its plane. One without area becomes 1e-9 of its longest side thick, so that lines
+/// can cross it.
 std::array<glm::dvec2, 3> laid_flat(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 e1 = b - a, e2 = c - a;
   const double thin =
@@ -59,7 +59,7 @@ std::optional<MeshPoint> Walker::leave(std::uint32_t half, double along, const g
   return state ? straight(*state) : std::nullopt;
 }
 
-/// Into the neighbour: the component along the edge stays, the one outwards becomes one inwards.
+/// Enters the neighbour: keeps the component along the edge, turns the outward component inwards.
 std::optional<Walker::State> Walker::cross(std::uint32_t half, double along, const glm::dvec2& vector) const {
   const std::uint32_t other = topology_.mate[half];
   if (other == no_edge) return std::nullopt;
@@ -69,22 +69,21 @@ std::optional<Walker::State> Walker::cross(std::uint32_t half, double along, con
   const glm::dvec2 start = to[other % 3], end = to[next_corner(other) % 3];
   const glm::dvec2 other_edge = glm::normalize(end - start);
   const bool reversed = place(half) != place(other);
-  // Rounding, or a texel centre a hair inside its own triangle: the way never turns back.
+  // The line never turns back: rounding, or a texel centre just inside its own triangle, could make this
+  // negative.
   const double outwards = std::max(0.0, glm::dot(vector, right_of(edge)));
   const glm::dvec2 turned =
       other_edge * glm::dot(vector, edge) * (reversed ? -1.0 : 1.0) - right_of(other_edge) * outwards;
   return State{other / 3, glm::mix(start, end, reversed ? 1 - along : along), turned, 1u << other % 3};
 }
 
-/// Around the vertex at one end of the edge, outwards, until the triangle is reached in which the vector
-/// lies.
+/// Turns around the vertex at one end of the edge, outwards, to the triangle in which the vector lies.
 std::optional<Walker::State> Walker::turn(std::uint32_t half, bool at_end, const glm::dvec2& vector) const {
   const Flat& from = flat_[half / 3];
   const glm::dvec2 a = from[half % 3], b = from[next_corner(half) % 3];
   const glm::dvec2 edge = at_end ? a - b : b - a;
 
-  // The triangle lies to the left of a -> b: seen from b outwards is counter-clockwise, seen from a
-  // clockwise.
+  // The triangle lies to the left of a -> b: outwards is counter-clockwise around b, and clockwise around a.
   double angle = std::atan2(cross2(edge, vector), glm::dot(edge, vector)) * (at_end ? 1 : -1);
   if (angle < 0) angle += 2 * glm::pi<double>();
   const std::uint32_t vertex = place(at_end ? next_corner(half) : half);
@@ -110,7 +109,7 @@ std::optional<Walker::State> Walker::turn(std::uint32_t half, bool at_end, const
       return State{other / 3, flat[corner % 3], turned, 1u << other % 3 | 1u << side_on % 3};
     }
 
-    // Goes on to the next triangle around the vertex.
+    // The next triangle around the vertex.
     angle -= inner;
     half = side_on;
   }
@@ -120,7 +119,7 @@ std::optional<Walker::State> Walker::turn(std::uint32_t half, bool at_end, const
 std::optional<MeshPoint> Walker::straight(State state) const {
   for (int step = 0; step < 1000; ++step) {
     const Flat& flat = flat_[state.triangle];
-    double nearest = 1;  // of the remaining vector, where it leaves the triangle
+    double nearest = 1;  // fraction of the remaining vector at which it leaves the triangle
     std::uint32_t exit = no_edge;
 
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -136,7 +135,7 @@ std::optional<MeshPoint> Walker::straight(State state) const {
     }
     if (exit == no_edge) return MeshPoint{state.triangle, barycentric(flat, state.at + state.vector)};
 
-    // Crosses the edge with what is left of the vector.
+    // Crosses the edge with the rest of the vector.
     const glm::dvec2 start = flat[exit % 3], edge = flat[next_corner(exit) % 3] - start;
     const double along = std::clamp(
         glm::dot(state.at + nearest * state.vector - start, edge) / glm::dot(edge, edge), 0.0, 1.0);

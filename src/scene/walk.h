@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Straight lines on a triangle mesh: unfolding across edges and around vertices.
+// Follows straight lines on a triangle mesh: unfolds across edges and around vertices.
 // Based on: [PS06] Polthier, Schmies: Straightest Geodesics on Polyhedral Surfaces. SIGGRAPH 2006 courses
-// (here: one of the two sides' angle is given by where the line starts, so a vertex is only ever left, never
-// crossed).
+// (here the line always starts at a given angle to one side, so it only leaves vertices and never crosses
+// them).
 #pragma once
 
 #include <array>
@@ -21,17 +21,17 @@ struct MeshPoint {
   glm::dvec3 barycentric{1, 0, 0};  ///< 0..1, sum 1
 };
 
-/// A mesh ready to walk on. Holds references: topology and indices must outlive it. Walking is const and may
-/// run on many threads.
+/// A mesh prepared for lines. Holds references: topology and indices must outlive it. Const functions may run
+/// on many threads.
 class Walker {
  public:
   Walker(const Topology& topology, std::span<const Vertex> vertices, std::span<const glm::vec2> uv,
          std::span<const std::uint32_t> indices);
 
   /// Leaves a triangle through its half edge at the point `along` (0 = start, 1 = end; exactly 0 or 1 turns
-  /// around that vertex) and goes on straight by `uv_vector`, texture coordinates of that triangle turned
-  /// into lengths by its plane. The way runs over neighbours at the same place, whatever their coordinates.
-  /// None where the way meets an open border, or does not end within 1,000 triangles.
+  /// around that vertex) and goes straight on by `uv_vector`, given in texture coordinates of that triangle
+  /// and converted to lengths in its plane. The line crosses to neighbours at the same place, whatever their
+  /// coordinates. Returns nothing if it meets an open border or does not end within 1,000 triangles.
   std::optional<MeshPoint> leave(std::uint32_t half, double along, const glm::dvec2& uv_vector) const;
 
  private:
@@ -39,7 +39,7 @@ class Walker {
   struct State {
     std::uint32_t triangle;
     glm::dvec2 at, vector;  ///< in the triangle's plane
-    unsigned closed_edges;  ///< bit k: the way does not leave through edge k (it has just come in there)
+    unsigned closed_edges;  ///< bit k: the line does not leave through edge k, where it came in
   };
 
   std::uint32_t place(std::uint32_t half) const { return topology_.position_id[indices_[half]]; }

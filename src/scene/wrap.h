@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a texture coordinate falls in a picture.
+// Maps texture coordinates to pixels.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace dermis::scene {
 
-/// The pixel that stands for pixel `i` of a side of `size` pixels, 0 .. size - 1.
+/// Returns the pixel 0 .. size - 1 that stands for pixel `i`.
 inline int wrapped(int i, int size, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
   const int period = wrap == Wrap::mirror ? 2 * size : size;
@@ -18,8 +18,8 @@ inline int wrapped(int i, int size, Wrap wrap) {
   return i < size ? i : period - 1 - i;
 }
 
-/// The whole part, and into `rest` what is left, 0..1; coordinates beyond what an int holds (hostile files)
-/// are brought back first, which a repeat cannot notice.
+/// Returns the whole part, and writes the rest, 0..1. Coordinates beyond the range of int (hostile files)
+/// become 0.
 inline int split(double x, double& rest) {
   const double whole = std::floor(x);
   rest = x - whole;

@@ -20,7 +20,7 @@ Component_ load(const std::byte* from) {
   return value;
 }
 
-/// glTF 2.0, 3.6.2.2: c / 127 and c / 255 and so on; the most negative number is -1 like its neighbour.
+/// glTF 2.0, 3.6.2.2: c / 127, c / 255 and so on; the most negative number becomes -1.
 template <class Component_>
 float normalized_value(Component_ value) {
   return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<Component_>::max()),
@@ -99,7 +99,7 @@ std::span<const std::byte> Bytes::buffer_bytes(const Buffer& buffer, std::size_t
 }
 
 std::span<const std::byte> Bytes::part(int buffer, std::uint64_t offset, std::uint64_t length) const {
-  // Ranges were checked against byteLength, which bytes have unless there are none at all.
+  // Ranges were checked against byteLength; only a buffer without any bytes can be shorter.
   if (buffers_[buffer].empty())
     throw input_error(document_.file, "buffers[{}]: is used, but has neither a uri nor a binary chunk",
                       buffer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes behind a document: buffers from chunk, data uris and files, bufferViews (meshopt undone),
+// Reads the bytes of a document: buffers from chunk, data uris and files, bufferViews (after meshopt),
 // accessors as floats or integers.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace dermis::scene::gltf {
 
-/// The encoded bytes of an image, which lie in a buffer of the file or are held here.
+/// The encoded bytes of an image, in a buffer of the file or owned.
 class EncodedImage {
  public:
   explicit EncodedImage(std::span<const std::byte> in_buffer) : bytes_(in_buffer) {}
@@ -28,20 +28,20 @@ class EncodedImage {
 
 class Bytes {
  public:
-  /// Reads every buffer. InputError: a file is missing or shorter than its byteLength says, 4 GiB in all.
-  /// Both arguments must outlive this.
+  /// Reads every buffer. Throws InputError if a file is missing or shorter than its byteLength, or all exceed
+  /// 4 GiB. Both arguments must outlive this.
   Bytes(const Document& document, const Container& container);
 
-  /// The bytes of a bufferView, decompressed if need be; valid as long as this.
+  /// Returns the bytes of a bufferView, decompressed if necessary; valid as long as this.
   std::span<const std::byte> view(int index);
-  /// All elements of an accessor, `components()` numbers each, normalised integers as glTF says, sparse
-  /// values in place. Finite or not.
+  /// Returns all elements of an accessor, `components()` numbers each, normalised integers converted, sparse
+  /// values inserted. They may be infinite or NaN.
   std::vector<float> floats(int accessor);
-  /// The same for an accessor of unsigned integers with one component.
+  /// Returns the same for an accessor of unsigned integers with one component.
   std::vector<std::uint32_t> integers(int accessor);
-  /// An image from its bufferView, data uri or file; what lies in no buffer is read anew at each call, so
-  /// that many large pictures are not in memory together. Valid as long as this. May be called by several
-  /// threads once it was called for the same image.
+  /// Returns an image from its bufferView, data uri or file. Images outside buffers are read again at each
+  /// call, so that many large pictures are not in memory together. Valid as long as this. Several threads may
+  /// call it after one call for the same image.
   EncodedImage image(int index);
 
  private:
@@ -58,11 +58,11 @@ class Bytes {
   std::vector<Shared> embedded_;
   std::map<std::filesystem::path, Shared> files_;        ///< many buffers may share one file
   std::map<int, std::vector<std::byte>> decompressed_;   ///< by bufferView
-  std::uint64_t budget_bytes_ = std::uint64_t{4} << 30;  ///< what may still be read
+  std::uint64_t budget_bytes_ = std::uint64_t{4} << 30;  ///< remaining bytes that may be read
 };
 
-/// Undoes EXT_meshopt_compression. InputError (where): damaged, or a size that the compressed bytes cannot
-/// hold.
+/// Decodes EXT_meshopt_compression. Throws InputError (place `where`) for damaged data or a size that the
+/// compressed bytes cannot hold.
 std::vector<std::byte> decode_meshopt(const MeshoptView& view, std::span<const std::byte> compressed,
                                       const std::string& where);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The outermost layer: which of the two forms a file has, and the chunks of a .glb.
+// Opens a file: text or .glb, and the chunks of a .glb.
 #include <cstring>
 
 #include "core/file.h"
@@ -23,7 +23,7 @@ std::string_view as_text(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The part of the file that its header claims.
+/// Returns the part of the file that its header claims.
 std::span<const std::byte> checked_extent(const std::string& file, std::span<const std::byte> all) {
   if (all.size() < header_bytes) throw input_error(file, "the .glb header is cut off: {} bytes", all.size());
   const std::uint32_t version = u32_at(all, 4);
@@ -62,7 +62,7 @@ void split_chunks(const std::string& file, Container& container) {
       if (number != 1)
         throw input_error(file, "the binary chunk must be the second, is number {}", number + 1);
       container.binary = data;
-    }  // chunks of other types are for extensions: skipped, as the specification asks
+    }  // the specification asks to skip chunks of other types
   }
 }
 

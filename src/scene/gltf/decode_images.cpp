@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pictures of a file: headers first, then as large as the budget allows.
+// Decodes the pictures of a file: headers first, then as large as the budget allows.
 #include <algorithm>
 #include <condition_variable>
 #include <map>
@@ -18,10 +18,10 @@ namespace dermis::scene::gltf {
 
 namespace {
 
-// What decoders may hold at a time beside the pictures that they make.
+// The most that decoders may hold at a time beside the pictures that they return.
 constexpr std::uint64_t passing_limit_bytes = 1'000'000'000;
 
-/// Every map of a material and whether it holds colours, so that no list of them has to be kept twice.
+/// Calls body(map, colour) for every map of a material; the only list of them.
 template <class Body>
 void for_each_map(Material& m, const Body& body) {
   for (MapRef* map : {&m.base_colour_map, &m.emissive_map, &m.specular_colour_map})
@@ -34,12 +34,12 @@ void for_each_map(Material& m, const Body& body) {
 
 /// One use of a picture of the file.
 struct Use {
-  int source = 0;  ///< of Document::images
+  int source = 0;  ///< index into Document::images
   bool colour = false;
   image::PictureHeader header;
   std::uint64_t encoded_bytes = 0;
   int halvings = 0;
-  int image = -1;  ///< of Scene::images
+  int image = -1;  ///< index into Scene::images
 
   std::pair<int, bool> key() const { return {source, colour}; }
   int width() const { return image::halved(header.width, halvings); }
@@ -54,7 +54,7 @@ std::string place_of(const Document& document, int source) {
   return fmt::format("{}: image '{}'", document.file, printable(document.images[source].name.substr(0, 120)));
 }
 
-/// Each pair of a picture and what it is used as, once, in the order of the file.
+/// Returns each pair of a picture and its use (colour or data) once, in the order of the file.
 std::vector<Use> uses_of(Scene& scene) {
   std::map<std::pair<int, bool>, bool> found;
   for (Material& m : scene.materials)
@@ -64,7 +64,7 @@ std::vector<Use> uses_of(Scene& scene) {
   return uses;
 }
 
-/// Halves the largest map, of equal ones the first, until all are within the budget.
+/// Halves the largest map (the first of equal ones) until all are within the budget.
 void fit(const Document& document, std::uint64_t budget_bytes, std::vector<Use>& uses) {
   std::uint64_t wanted = 0;
   std::priority_queue<std::pair<std::uint64_t, std::size_t>> largest;  // bytes, uses from the end
@@ -99,7 +99,7 @@ void fit(const Document& document, std::uint64_t budget_bytes, std::vector<Use>&
          wanted / 1'000'000, budget_bytes / 1'000'000, fmt::join(lines, "; "));
 }
 
-/// Lets threads in as long as what they hold together is within the limit; one alone always.
+/// Admits threads while the bytes that they hold together are within the limit; always admits one alone.
 class Gate {
  public:
   void enter(std::uint64_t bytes) {
@@ -119,7 +119,7 @@ class Gate {
   std::uint64_t held_ = 0;
 };
 
-/// Its share of the gate, given back whatever happens.
+/// Holds a share of the gate and returns it at the end of its scope.
 class Pass {
  public:
   Pass(Gate& gate, std::uint64_t bytes) : gate_(gate), bytes_(bytes) { gate_.enter(bytes_); }
@@ -150,7 +150,7 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
   }
   fit(document, limits.budget_bytes, uses);
 
-  // A picture of full size serves as colour and as data; of a halved one the averages differ.
+  // A picture of full size serves both as colour and as data; averages of a halved one differ.
   std::vector<const Use*> decoded;
   for (Use& use : uses) {
     const bool same = !decoded.empty() && decoded.back()->source == use.source &&

@@ -10,7 +10,7 @@ namespace dermis::scene::gltf {
 
 namespace {
 
-/// What a file may require of us. (Required or not, each is read wherever it stands.)
+/// Extensions that a file may require. (Required or not, each is read wherever it occurs.)
 constexpr std::array<std::string_view, 9> supported_extensions{
     "EXT_meshopt_compression", "KHR_draco_mesh_compression",
     "KHR_lights_punctual",     "KHR_materials_emissive_strength",
@@ -43,7 +43,7 @@ std::vector<std::string> names_in(const Value& root, const char* key) {
   return names;
 }
 
-/// What all objects of all collections have in common: `name` is a string, `extensions` holds objects.
+/// Checks what all objects have in common: `name` is a string, `extensions` holds objects.
 void check_common(const Value& object) {
   if (const auto name = object.find("name")) name->text();
   const auto extensions = object.find("extensions");

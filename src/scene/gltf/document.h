@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A glTF file after reading: plain structs whose references are resolved and in range (-1 = none). No vertex
-// data has been touched yet.
+// A glTF file after reading: plain structs whose references are resolved and in range (-1 = none). Vertex
+// data is not read yet.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace dermis::scene::gltf {
 
-/// The file's bytes taken apart: the JSON text and, of a .glb, its binary chunk. Both point into `bytes`.
+/// The parts of a file: the JSON text and, of a .glb, its binary chunk. Both point into `bytes`.
 struct Container {
   std::vector<std::byte> bytes;
   std::string_view json;

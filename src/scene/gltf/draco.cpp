@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// KHR_draco_mesh_compression. The library checks its input but takes memory for what the header claims, so
-// the header is held against the primitive's accessors first.
+// KHR_draco_mesh_compression. The library checks its input but takes as much memory as the header claims, so
+// the header is compared with the primitive's accessors first.
 #include <cstring>
 
-// The library's headers do not keep our warnings.
+// The library's headers do not pass our warnings.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpedantic"
 #pragma GCC diagnostic ignored "-Wshadow"
@@ -19,9 +19,9 @@ namespace dermis::scene::gltf {
 
 namespace {
 
-struct Damaged {};  // the header reader's way out
+struct Damaged {};  // thrown by the header reader
 
-/// Draco bitstream specification, sections 2 and 3: what the header and the connectivity header claim.
+/// Reads what the header and the connectivity header claim; Draco bitstream specification, sections 2 and 3.
 class HeaderReader {
  public:
   explicit HeaderReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -107,7 +107,7 @@ std::vector<float> read_attribute(const draco::Mesh& mesh, std::uint32_t id, con
     throw input_error(where, "Draco attribute {} has {} components, the accessor {}", id,
                       static_cast<int>(stored->num_components()), components);
 
-  // Our own reading of "normalized": the accessor's word counts, not the one in the compressed data.
+  // We use the accessor's "normalized", not the one in the compressed data.
   draco::GeometryAttribute attribute = *stored;
   attribute.set_normalized(accessor.normalized);
   std::vector<float> out(std::size_t{mesh.num_points()} * components);

@@ -27,7 +27,7 @@ std::string quoted_names(const std::vector<MaterialSource>& materials) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// The rotation of a node without its scale, looking along -Z.
+/// Returns the rotation of a node without its scale; it looks along -Z.
 glm::dmat3 rotation_of(const glm::dmat4& world) {
   const glm::dvec3 z(world[2]), y(world[1]);
   const glm::dvec3 back = glm::length(z) > 0 ? glm::normalize(z) : glm::dvec3(0, 0, 1);
@@ -55,8 +55,8 @@ Light place_light(Light light, const Node& node, const glm::dmat4& world, double
   light.position_m = glm::vec3(world[3]);
   light.direction = glm::vec3(-rotation_of(world)[2]);
   light.range_m *= scale;
-  // The distance in colour / d^2 is scaled, so the intensity is too: a change of units must not change how
-  // bright the head is.
+  // The distance in colour / d^2 is scaled, and so must be the intensity: a change of units must not change
+  // the brightness of the head.
   if (light.type != LightType::directional) light.colour *= scale * scale, light.radius *= scale;
   return light;
 }
@@ -75,7 +75,7 @@ std::vector<MaterialSource> used_materials(const Document& document, MaterialNum
 
   std::vector<MaterialSource> used;
   for (auto& [source, target] : numbers.of) {
-    if (source < 0) continue;  // the default material goes last, so that the file's keep their order
+    if (source < 0) continue;  // the default material is last, so that the others keep the file's order
     target = static_cast<int>(used.size());
     used.push_back(document.materials[source]);
   }
@@ -88,7 +88,7 @@ std::vector<MaterialSource> used_materials(const Document& document, MaterialNum
 
 namespace {
 
-/// Light that spreads has no place in what is blended over something else: such skin is drawn as lashes are.
+/// Makes blended skin a surface, as lashes are: light cannot spread in what is blended over something else.
 void make_blended_skin_surface(const Document& document, std::vector<MaterialSource>& materials) {
   std::vector<MaterialSource> blended;
   for (MaterialSource& m : materials) {
@@ -114,7 +114,7 @@ void choose_skin(const Document& document, const std::string& skin_material,
       any |= m.material.skin;
     }
   };
-  // A material that says "skin": false stays what it is under every rule but --skin.
+  // A material with "skin": false is skin only by --skin.
   const auto may_be = [](const MaterialSource& m) { return m.says_skin.value_or(true); };
 
   if (!skin_material.empty()) {
@@ -124,7 +124,7 @@ void choose_skin(const Document& document, const std::string& skin_material,
                         quoted_names(materials));
   }
 
-  // Asks in turn: what the file says, what the names say, the only material there is.
+  // In this order: what the file says, what the names say, the only material.
   if (!any) choose([](const MaterialSource& m) { return m.says_skin.value_or(false); });
   if (!any) choose([&](const MaterialSource& m) { return may_be(m) && says_skin(m.material.name); });
   if (!any && materials.size() == 1) choose(may_be);

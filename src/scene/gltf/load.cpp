@@ -22,7 +22,8 @@ constexpr float least_height_m = 0.10f, most_height_m = 0.60f;
 
 void complete_surface(Primitive& primitive, const Material& material, bool file_tangents) {
   make_missing_normals(primitive);
-  // Fine normals of a displacement map use the tangents too; with both, the normal map rules.
+  // Fine normals of a displacement map use the tangents too; if there are both, the normal map's coordinates
+  // count.
   const MapRef& normal = material.normal_map;
   const MapRef& map = normal.present() ? normal : material.skin_settings.displacement;
   if (file_tangents && map.transform == MapRef{}.transform) return;
@@ -98,7 +99,7 @@ Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
   try {
     return load(path, options);
   } catch (const InputError& error) {
-    // Names and uris of the file stand in messages; whatever they hold, an error is one line.
+    // Messages quote names and uris of the file; an error must stay one line.
     throw InputError("", printable(error.what(), longest_message));
   } catch (const std::filesystem::filesystem_error& error) {
     throw input_error(path.string(), "{}", printable(error.what(), longest_message));

@@ -16,7 +16,7 @@ std::uint64_t claimed_corners(const Document& document, const MeshPrimitive& pri
   return claimed_vertices(document, primitive);
 }
 
-/// Strips and fans as single triangles, all wound alike (glTF 2.0, 3.7.2.1).
+/// Converts strips and fans to single triangles, all with equal winding (glTF 2.0, 3.7.2.1).
 std::vector<std::uint32_t> as_triangles(std::vector<std::uint32_t> corners, int mode) {
   if (mode == mode_triangles) {
     corners.resize(corners.size() / 3 * 3);
@@ -48,7 +48,7 @@ void check_finite(const Document& document, const MeshPrimitive& primitive, cons
                         i / components);
 }
 
-/// The vertices that some triangle uses, in their order; empty if all are. Indices are renumbered.
+/// Returns the vertices that triangles use, in their order; empty if all are used. Renumbers the indices.
 std::vector<std::uint32_t> drop_unused(std::vector<std::uint32_t>& indices, std::size_t vertices) {
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> number(vertices, unused);
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> drop_unused(std::vector<std::uint32_t>& indices, std:
   return kept;
 }
 
-/// Where a primitive's attributes come from: Draco data for those it names, accessors for the rest.
+/// Reads a primitive's attributes: from Draco data those that it names, from accessors the rest.
 class Source {
  public:
   Source(const Document& document, Bytes& bytes, const MeshPrimitive& primitive)
@@ -101,7 +101,7 @@ class Source {
   DracoMesh draco_;
 };
 
-/// COLOR_0 may come without alpha.
+/// Adds alpha 1: COLOR_0 may lack alpha.
 std::vector<float> with_alpha(const std::vector<float>& rgb) {
   std::vector<float> rgba;
   rgba.reserve(rgb.size() / 3 * 4);
@@ -141,7 +141,7 @@ LocalMesh read_mesh(const Document& document, Bytes& bytes, const MeshPrimitive&
 
   mesh.indices = source.corners();
   check_indices(document, primitive, mesh.indices, vertices);
-  // Draco data holds single triangles whatever the mode says.
+  // Draco data holds single triangles, whatever the mode says.
   mesh.indices = as_triangles(std::move(mesh.indices), primitive.draco ? mode_triangles : primitive.mode);
   mesh.original = drop_unused(mesh.indices, vertices);
   mesh.vertices = mesh.original.empty() && !mesh.indices.empty() ? vertices : mesh.original.size();

@@ -7,7 +7,7 @@ namespace dermis::scene::gltf {
 
 namespace {
 
-// The densest that the codec can be: 16 equal bytes take 2 bits. Anything beyond is a lie about the size.
+// The highest density of the codec: 2 bits for 16 equal bytes. A larger size is false.
 constexpr std::uint64_t max_expansion = 256, free_bytes = 65536;
 
 int decode(const MeshoptView& v, std::span<const std::byte> compressed, std::byte* out) {

@@ -60,11 +60,11 @@ void warn_of_missing_uv(const Document& document, const Primitive& primitive, bo
 
 void leave_out_maps_without_uv(const Document& document, const Placed& placed, Scene& scene) {
   const std::vector<Material> whole = scene.materials;
-  std::vector<std::uint8_t> used(whole.size(), 0);  // as they are in the scene now
+  std::vector<std::uint8_t> used(whole.size(), 0);  // materials used unchanged
   std::map<std::pair<int, std::array<bool, 2>>, int> without;
 
-  // Those that keep all their maps come first, so that a material which nobody can use whole is changed and
-  // its pictures are not read.
+  // Handles primitives that keep all maps first, so that a material that none can use unchanged is changed in
+  // place and its pictures are not read.
   for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
     const auto number = static_cast<std::size_t>(scene.primitives[i].material);
     if (!has_map_without_uv(whole[number], placed.has_uv[i])) used[number] = 1;

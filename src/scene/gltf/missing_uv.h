@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Maps whose texture coordinates a mesh lacks. glTF calls such a file an error; as other viewers do, the maps
-// are left out for that mesh.
+// Handles maps whose texture coordinates a mesh lacks. glTF calls such a file an error; as other viewers do,
+// we leave out these maps for that mesh.
 #pragma once
 
 #include "scene/gltf/document.h"
@@ -8,9 +8,9 @@
 
 namespace dermis::scene::gltf {
 
-/// Gives each primitive that lacks coordinates which a map of its material is read with a copy of the
-/// material without such maps: light map, picture and reference then agree. Materials are changed, or
-/// appended to `scene`. Warns, once for each kind.
+/// Gives each primitive that lacks coordinates for a map of its material a copy of the material without such
+/// maps, so that light map, picture and reference agree. Changes materials or appends to them. Warns, once
+/// per kind.
 void leave_out_maps_without_uv(const Document& document, const Placed& placed, Scene& scene);
 
 }  // namespace dermis::scene::gltf

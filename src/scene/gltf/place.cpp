@@ -12,14 +12,14 @@ namespace dermis::scene::gltf {
 
 namespace {
 
-// far beyond any head; keeps squares and sums of float positions finite
+// Far beyond any head; keeps squares and sums of float positions finite.
 constexpr double largest_position_m = 1e6;
 constexpr float largest_uv = 1e5f;  // more repeats of a map than any picture shows
-// limit on work: vertices times active morph targets, per vertex limit
+// Limit on work: vertices times active morph targets, per vertex limit.
 constexpr std::uint64_t morph_passes = 2;
-constexpr std::size_t most_skin_nodes = 1024;  // half a minute for a frame on a software driver
+constexpr std::size_t most_skin_nodes = 1024;  // half a minute per frame on a software driver
 
-/// The local mesh with the node's morph targets applied (glTF 2.0, 3.7.2.2).
+/// Applies the node's morph targets to the local mesh (glTF 2.0, 3.7.2.2).
 void apply_morphs(Bytes& bytes, const MeshPrimitive& primitive, const std::vector<double>& weights,
                   LocalMesh& mesh) {
   for (std::size_t t = 0; t < primitive.targets.size() && t < weights.size(); ++t) {
@@ -38,7 +38,7 @@ void apply_morphs(Bytes& bytes, const MeshPrimitive& primitive, const std::vecto
   }
 }
 
-/// Whether the file's tangents can be used as placed: next to normals, with a direction, with a handedness.
+/// Returns whether the file's tangents are usable: with normals, a direction and a handedness.
 bool usable_tangents(const LocalMesh& mesh, const std::vector<Vertex>& placed) {
   if (mesh.tangents.empty() || mesh.normals.empty()) return false;
   for (std::size_t i = 0; i < placed.size(); ++i) {
@@ -49,7 +49,7 @@ bool usable_tangents(const LocalMesh& mesh, const std::vector<Vertex>& placed) {
   return true;
 }
 
-/// Unit, or zero where there is no direction: make_missing_normals fills those in.
+/// Normalises; returns zero if there is no direction, which make_missing_normals fills in.
 glm::vec3 unit_or_zero(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 1e-30 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0);
@@ -92,7 +92,7 @@ void check_coordinates(const Document& document, const MeshPrimitive& primitive,
                         primitive.place, uv.x, uv.y, i);
 }
 
-/// All of a primitive but its vertices.
+/// Returns a primitive without its vertices.
 Primitive without_vertices(const Document& document, const LocalMesh& mesh, int material, int node) {
   Primitive out;
   const std::string& name = document.nodes[node].name;
@@ -117,7 +117,7 @@ Primitive place(const Document& document, const MeshPrimitive& source, const Loc
     check_coordinates(document, source, out.vertices[i], i);
   }
 
-  if (mirrored * 2 > mesh.vertices)  // a mirrored mesh is turned inside out: wind it back
+  if (mirrored * 2 > mesh.vertices)  // a mirrored mesh is inside out: restores the winding
     for (std::size_t i = 0; i + 2 < out.indices.size(); i += 3)
       std::swap(out.indices[i + 1], out.indices[i + 2]);
   return out;
@@ -125,13 +125,13 @@ Primitive place(const Document& document, const MeshPrimitive& source, const Loc
 
 /// A mesh that stays in its own coordinates.
 struct SharedMesh {
-  std::size_t primitive = 0;  ///< of Placed::primitives
-  glm::dvec3 middle{0};       ///< was taken off its positions
-  glm::dvec3 half{0};         ///< of its box around the middle
+  std::size_t primitive = 0;  ///< index into Placed::primitives
+  glm::dvec3 middle{0};       ///< subtracted from its positions
+  glm::dvec3 half{0};         ///< half size of its box around the middle
 };
 
-/// Adds a primitive without placements. Positions far from the mesh's own origin are moved there, because the
-/// device transforms with floats.
+/// Adds a primitive without placements. Moves positions that are far from the mesh's own origin to it,
+/// because the device transforms with floats.
 SharedMesh share(const Document& document, const MeshPrimitive& source, const LocalMesh& mesh, int material,
                  int node, Placed& placed) {
   constexpr double far = 4;  // half sides of its box
@@ -165,7 +165,7 @@ void add_placement(const Document& document, const MeshPrimitive& source, const 
   placement.node = node;
   placement.mirrored = frame.mirrored;
 
-  // Its box as the world sees it: only where that is too far out are vertices looked at one by one.
+  // Checks the box in the world, and single vertices only if the box is too far out.
   glm::dvec3 reach = glm::abs(placement.world_from_mesh[3]);
   for (glm::length_t axis = 0; axis < 3; ++axis)
     reach += glm::abs(placement.world_from_mesh[axis]) * shared.half[axis];
@@ -174,7 +174,7 @@ void add_placement(const Document& document, const MeshPrimitive& source, const 
     check_position(document, source, world_position_m(primitive, primitive.placements.size() - 1, i), i);
 }
 
-/// Whether a node moves nothing but the whole mesh.
+/// Returns whether a node only transforms the whole mesh.
 bool is_rigid(const Node& node, const std::vector<double>& weights) {
   return node.skin < 0 && std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; });
 }
@@ -182,7 +182,7 @@ bool is_rigid(const Node& node, const std::vector<double>& weights) {
 }  // namespace
 
 std::vector<int> shown_nodes(const Document& document) {
-  std::vector<int> nodes = document.roots;  // a tree: nothing comes twice
+  std::vector<int> nodes = document.roots;  // a tree: no node occurs twice
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const std::vector<int>& children = document.nodes[nodes[i]].children;
     nodes.insert(nodes.end(), children.begin(), children.end());
@@ -272,7 +272,7 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
   for (const int n : nodes)
     if (document.nodes[n].mesh >= 0) ++users[document.nodes[n].mesh];
 
-  std::map<const MeshPrimitive*, LocalMesh> read;  // once, placed often
+  std::map<const MeshPrimitive*, LocalMesh> read;  // read once, placed often
   std::map<const MeshPrimitive*, SharedMesh> shared;
   JointMatrices joints(document, bytes, world);
   Placed placed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene at rest: meshes put where their nodes, skins and morph targets have them, as one list of
+// Builds the scene at rest: applies nodes, skins and morph targets to meshes and returns one list of
 // primitives. Nodes that share a rigid mesh share its primitives.
 #pragma once
 
@@ -11,23 +11,23 @@
 
 namespace dermis::scene::gltf {
 
-/// World matrices of all nodes as they stand, unit scale included.
+/// Returns the world matrices of all nodes, with unit scale.
 std::vector<glm::dmat4> world_matrices(const Document& document, double unit_scale);
 
-/// The nodes of the shown scene, parents first.
+/// Returns the nodes of the shown scene, parents first.
 std::vector<int> shown_nodes(const Document& document);
 
-/// Materials of the document that shown primitives use, renumbered.
+/// Numbers of the materials that shown primitives use.
 struct MaterialNumbers {
   std::map<int, int> of;   ///< index into Document::materials (-1 = none) -> index into Scene::materials
   std::vector<bool> skin;  ///< by the new number
 };
 
 /// The drawable primitives of the shown scene; Primitive::material is a new number. A rigid mesh that several
-/// nodes share becomes one primitive with placements, unless it is skin: light spreads by mm, so each node
-/// has its own. Normals that are missing stay zero; `file_tangents` says of each primitive whether its
-/// tangents are the file's and usable, `has_uv` which sets of texture coordinates it has. InputError: data,
-/// "no triangles to draw".
+/// nodes share is one primitive with placements, unless it is skin: light spreads by mm, so each node has its
+/// own. Missing normals stay zero; `file_tangents` says per primitive whether the tangents of the file are
+/// usable, `has_uv` which sets of texture coordinates exist. Throws InputError for faulty data and "no
+/// triangles to draw".
 struct Placed {
   std::vector<Primitive> primitives;
   std::vector<bool> file_tangents;
@@ -36,11 +36,11 @@ struct Placed {
 Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumbers& materials,
                     const LoadOptions& options);
 
-/// Holds what the file claims against the limits, before any of it is read. InputError: over a limit, or no
-/// triangles.
+/// Compares what the file claims with the limits before any of it is read. Throws InputError if a limit is
+/// exceeded or there are no triangles.
 void check_limits(const Document& document, const LoadOptions& options);
 
-/// InputError: more nodes of skin with texture coordinates than can be lit, each by itself.
+/// Throws InputError if there are more nodes of skin with texture coordinates than can be lit separately.
 void check_skin_nodes(const Document& document, const MaterialNumbers& materials);
 
 }  // namespace dermis::scene::gltf

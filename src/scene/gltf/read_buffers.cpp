@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// buffers, bufferViews and accessors: every range is checked against what holds it, so that reading cannot
-// leave it later.
+// Reads buffers, bufferViews and accessors; checks every range against what holds it, so that no later read
+// can leave it.
 #include <algorithm>
 
 #include "scene/gltf/document.h"
@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::uint64_t min_stride = 4, max_stride = 252;
 
-// An accessor without bytes of its own (sparse over nothing, or Draco) costs the file nothing, so what it may
-// claim is held against the size of all buffers: the densest Draco data we know of holds some 20 indices a
-// byte. Below the floor it takes no memory worth a word.
+// An accessor without bytes of its own (sparse over nothing, or Draco) costs the file nothing, so what it
+// claims is compared with the size of all buffers: the densest Draco data that we know holds about 20 indices
+// per byte. Below the floor the memory does not matter.
 constexpr std::uint64_t max_zero_elements = 1u << 24, free_zero_elements = 1u << 16,
                         zero_elements_per_byte = 64;
 
@@ -146,7 +146,7 @@ void read_shape(Accessor& accessor, const Value& value) {
   value.fail("must be SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4, is '{}'", name.substr(0, 40));
 }
 
-/// `count` elements of `bytes` each, `stride` apart, must lie in the view.
+/// Throws unless `count` elements of `bytes` each, `stride` apart, lie in the view.
 void check_elements(const Value& where, const BufferView& view, std::uint64_t offset, std::uint64_t count,
                     std::uint64_t bytes, std::uint64_t stride) {
   const std::uint64_t extent = (count - 1) * stride + bytes;  // count < 2^48, stride < 2^8: no overflow
@@ -236,12 +236,12 @@ const char* name_of(Component component) {
 
 std::uint64_t column_bytes(const Accessor& accessor) {
   const std::uint64_t bytes = accessor.rows * size_of(accessor.component);
-  // columns of matrices start at multiples of four
+  // Columns of matrices start at multiples of four.
   return accessor.columns == 1 ? bytes : (bytes + 3) / 4 * 4;
 }
 
 std::uint64_t element_bytes(const Accessor& accessor) {
-  // The last column's padding need not be there.
+  // The padding of the last column may be missing.
   return (accessor.columns - 1) * column_bytes(accessor) + accessor.rows * size_of(accessor.component);
 }
 

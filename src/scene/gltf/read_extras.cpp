@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// extras.dermis of a material: what glTF has no word for. Strict, because a mistyped key would silently
-// render other skin.
+// Reads extras.dermis of a material: what glTF cannot express. Strict, because a mistyped key would silently
+// render different skin.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -13,8 +13,8 @@ namespace dermis::scene::gltf {
 
 namespace {
 
-/// A texture's number, which then uses the coordinates of the colour map (skin maps share one unwrap), or a
-/// textureInfo object.
+/// Reads the number of a texture, which then uses the coordinates of the colour map (skin maps share one
+/// unwrap), or a textureInfo object.
 MapRef read_map(const Document& document, const Value& texture, const MapRef& shared) {
   if (texture.is_object()) return read_texture_info(document, texture);
   const std::uint64_t number = texture.count();

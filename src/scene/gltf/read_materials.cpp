@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// images, samplers, textures and materials with the extensions we know.
+// Reads images, samplers, textures and materials with their extensions.
 #include <cmath>
 
 #include "core/warnings.h"
@@ -52,8 +52,8 @@ glm::mat3x2 read_texture_transform(const Value& value) {
   const double rotation = value.number_or("rotation", 0);
   const double su = scale.empty() ? 1 : scale[0], sv = scale.empty() ? 1 : scale[1];
   const double c = std::cos(rotation), s = std::sin(rotation);
-  // The extension's text turns counter-clockwise in a picture whose v points down; its GLSL excerpt has the
-  // sine's signs the other way round. Its test model, three.js and the Khronos viewer agree on these.
+  // The text of the extension rotates counter-clockwise in a picture whose v points down; its GLSL excerpt
+  // has the signs of the sine reversed. Its test model, three.js and the Khronos viewer agree with these.
   return {glm::vec2(su * c, -su * s), glm::vec2(sv * s, sv * c),
           offset.empty() ? glm::vec2(0) : glm::vec2(offset[0], offset[1])};
 }
@@ -89,7 +89,7 @@ void read_metallic_roughness(const Document& document, const Value& value, Mater
 }
 
 void read_material_extensions(const Document& document, const Value& value, MaterialSource& source) {
-  constexpr float largest = 1e6f;  // radiance that half floats will not hold in any case
+  constexpr float largest = 1e6f;  // radiance beyond any half float
   Material& material = source.material;
 
   if (const auto strength = value.extension("KHR_materials_emissive_strength"))
@@ -98,7 +98,7 @@ void read_material_extensions(const Document& document, const Value& value, Mate
   if (const auto ior = value.extension("KHR_materials_ior")) {
     source.has_ior = true;
     material.ior = factor(*ior, "ior", 1.5, 100);
-    // 0 is the extension's way of saying "Fresnel of 1 everywhere", as an infinite index has it
+    // 0 means "Fresnel of 1 everywhere", as for an infinite index.
     if (material.ior == 0) material.ior = 100;
     if (material.ior < 1) ior->fail("ior must be 0 or at least 1, is {}", material.ior);
   }
@@ -191,7 +191,7 @@ void read_textures(Document& document, const Value& root) {
   root.for_each("textures", [&](const Value& value) {
     const int sampler = value.index_or_none("sampler", samplers.size(), "sampler");
     Texture texture = sampler >= 0 ? samplers[sampler] : Texture{};
-    // KTX2 and WebP pictures of an extension are not read: the plain source beside them is, if there is one.
+    // KTX2 and WebP pictures of an extension are not read, but the plain source beside them is.
     texture.image = value.index_or_none("source", document.images.size(), "image");
     document.textures.push_back(texture);
   });

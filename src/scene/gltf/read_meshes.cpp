@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// meshes: which accessors a primitive uses, and that their formats and counts fit together.
+// Reads meshes: the accessors of each primitive; checks that their formats and counts agree.
 #include <algorithm>
 
 #include "scene/gltf/document.h"
@@ -39,7 +39,7 @@ struct Rule {
   int least, most;  ///< components
 };
 
-/// What glTF (and KHR_mesh_quantization) allow for an attribute we read; none: we do not read it.
+/// Returns what glTF (and KHR_mesh_quantization) allow for an attribute; nothing if we do not read it.
 std::optional<Rule> rule_for(const std::string& semantic, bool quantized) {
   if (semantic == "POSITION") return Rule{quantized ? quantized_any : floats, 3, 3};
   if (semantic == "NORMAL") return Rule{quantized ? quantized_vectors : floats, 3, 3};
@@ -102,7 +102,7 @@ Attributes read_target(const Document& document, const Value& value, const MeshP
   for (const auto& [semantic, index] : target) {
     const std::optional<Rule> rule = target_rule(semantic, document.quantized);
     const auto base = primitive.attributes.find(semantic);
-    // texture coordinates and colours may be morphed too; nothing we draw at rest needs them
+    // Morphed texture coordinates and colours are ignored.
     if (!rule) continue;
     if (base == primitive.attributes.end())
       value.fail("morphs {}, which the primitive does not have", semantic);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nodes, skins and scenes: one tree, no loops.
+// Reads nodes, skins and scenes; checks that they form a tree.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -74,7 +74,7 @@ void link_parents(Document& document) {
         throw input_error(document.file, "{}: has two parents, nodes {} and {}", node.place, node.parent, i);
       node.parent = static_cast<int>(i);
     }
-  // Every node has at most one parent now, so walking up either ends at a root or runs in a circle.
+  // Every node has at most one parent here, so the way up either ends at a root or is a loop.
   for (const Node& node : document.nodes) {
     int steps = 0;
     for (int up = node.parent; up >= 0; up = document.nodes[up].parent)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cameras, lights, and the animations' references (a scene at rest needs no more of them).
+// Reads cameras and lights, and checks references of animations (a scene at rest needs no more of them).
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double largest = std::numeric_limits<float>::max();
 
-/// A number over 0.
+/// Returns a number above 0.
 float positive(const Value& value, const char* key) {
   const double number = value.at(key).number();
   if (!(number > 0)) value.at(key).fail("must be over 0, is {}", number);
@@ -66,7 +66,7 @@ void read_spot(const Value& value, Light& light) {
                light.outer_cone_rad);
 }
 
-// extras.dermis: what KHR_lights_punctual has no word for. Strict, as that of materials is.
+// Reads extras.dermis: what KHR_lights_punctual cannot express. Strict, as for materials.
 void read_extras(const Value& value, Light& light) {
   const std::optional<Value> extras = value.find("extras");
   if (!extras || !extras->is_object() || !extras->has("dermis")) return;

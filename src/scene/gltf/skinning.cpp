@@ -8,8 +8,8 @@ namespace dermis::scene::gltf {
 namespace {
 
 Frame frame_of(const glm::dmat4& matrix) {
-  // Cofactors: |M| M^-T without dividing by |M|; its sign is taken out so that normals keep pointing outwards
-  // under a mirror.
+  // Cofactors are |M| M^-T without division by |M|. Its sign is removed, so that normals keep pointing
+  // outwards under a mirror.
   const glm::dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
   const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
   const bool mirrored = glm::dot(x, cofactors[0]) < 0;
@@ -60,8 +60,8 @@ Frame Frames::at(const LocalMesh& mesh, std::size_t i) const {
       blended += weight * joints_[static_cast<std::size_t>(mesh.joints[set][k])];
       sum += weight;
     }
-  // Weights that do not sum to 1 would pull the vertex towards the origin; without any weight the node itself
-  // carries it.
+  // Weights that do not sum to 1 would pull the vertex towards the origin. A vertex without weight follows
+  // the node.
   if (!(sum > 1e-6)) return rigid_;
   return frame_of(blended / sum);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the vertices of one node get into the world: by the node's matrix, or by its skin's joints as they
-// stand.
+// Transforms the vertices of one node to the world: by the node's matrix, or by the joints of its skin.
 #pragma once
 
 #include "scene/gltf/mesh.h"
@@ -9,18 +8,19 @@ namespace dermis::scene::gltf {
 
 struct Frame {
   glm::dmat4 matrix{1};
-  /// inverse transpose up to a positive factor; sound for flat (singular) matrices too
+  /// inverse transpose up to a positive factor; valid for flat (singular) matrices
   glm::dmat3 normal_matrix{1};
   bool mirrored = false;
 };
 
-/// The joints' matrices (world from bind pose), computed once a skin however many nodes hang on it.
+/// The joints' matrices (world from bind pose), computed once per skin for all its nodes.
 class JointMatrices {
  public:
-  /// `world` as of world_matrices. All arguments must outlive this.
+  /// Takes `world` from world_matrices. All arguments must outlive this.
   JointMatrices(const Document& document, Bytes& bytes, const std::vector<glm::dmat4>& world)
       : document_(document), bytes_(bytes), world_(world) {}
-  /// Of a node's skin, empty if it has none. InputError: an inverse bind matrix that is not finite.
+  /// Returns the matrices of a node's skin, empty if it has none. Throws InputError for an inverse bind
+  /// matrix that is not finite.
   const std::vector<glm::dmat4>& of(int node);
 
  private:
@@ -32,13 +32,13 @@ class JointMatrices {
 
 class Frames {
  public:
-  /// `joints` of JointMatrices; must outlive this.
+  /// Takes `joints` from JointMatrices; they must outlive this.
   Frames(const Document& document, const glm::dmat4& node_world, const std::vector<glm::dmat4>& joints);
 
-  /// InputError: a joint number beyond the skin's joints.
+  /// Throws InputError for a joint number beyond the skin's joints.
   void check_joints(const LocalMesh& mesh, const MeshPrimitive& primitive) const;
   const Frame& of_node() const { return rigid_; }  ///< without its skin
-  /// Of vertex i of a mesh whose joints were checked.
+  /// Returns the frame of vertex i of a mesh whose joints were checked.
   Frame at(const LocalMesh& mesh, std::size_t i) const;
 
  private:

@@ -21,7 +21,7 @@ constexpr std::array<std::uint8_t, 256> base64_values() {
   return values;
 }
 
-/// None if it is not base64 with its padding (which may be missing altogether).
+/// Returns nothing unless the text is base64 with its padding (which may be missing entirely).
 std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
   static constexpr auto values = base64_values();
   while (!text.empty() && text.back() == '=' && text.size() % 4 != 1) text.remove_suffix(1);
@@ -52,7 +52,7 @@ int hex_value(char c) {
   return -1;
 }
 
-/// None if a % is not followed by two digits, or if the result holds a zero byte.
+/// Returns nothing if a % is not followed by two digits, or if the result holds a zero byte.
 std::optional<std::string> decode_percent(const std::string& text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a uri of a glTF file stands for: embedded bytes or a file beside the scene.
+// Resolves uris of a glTF file: embedded bytes or a file beside the scene.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace dermis::scene::gltf {
 
-/// The bytes of a "data:...;base64,..." uri; none if it is not a data uri. InputError (where) if it is not
-/// well-formed base64.
+/// Returns the bytes of a "data:...;base64,..." uri; nothing if it is not a data uri. Throws InputError
+/// (place `where`) if it is not well-formed base64.
 std::optional<std::vector<std::byte>> data_uri(std::string_view uri, const std::string& where);
 
-/// The file that a relative uri names: percent-decoded, or as it stands if only that exists. InputError
-/// (where): a scheme (http:, C:), an absolute path, an empty name.
+/// Returns the file that a relative uri names: percent-decoded, or unchanged if only that exists. Throws
+/// InputError (place `where`) for a scheme (http:, C:), an absolute path, an empty name.
 std::filesystem::path uri_path(const std::filesystem::path& folder, const std::string& uri,
                                const std::string& where);
 
