@@ -134,12 +134,12 @@ void fill_counts(Statistics& st, const setup::Subject& subject, const RenderSett
     st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;
 }
 
-std::vector<float> read_before_bloom(frame::Executor& executor, const techniques::FrameOutputs& out) {
+std::vector<float> read_before_bloom(frame::GraphExecutor& executor, const techniques::FrameOutputs& out) {
   return floats_of_halves(gpu::read_back(executor.device(), executor.resources().texture(out.before_bloom),
                                          executor.layout_of(out.before_bloom)));
 }
 
-void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out,
+void read_picture(Picture& picture, frame::GraphExecutor& executor, const techniques::FrameOutputs& out,
                   const RenderSettings& settings, const setup::FrameSetup& setup) {
   const auto read = [&](frame::TextureId id, std::uint32_t layer) {
     return gpu::read_back(executor.device(), executor.resources().texture(id), executor.layout_of(id), layer);

@@ -21,10 +21,10 @@ void fill_counts(Statistics& statistics, const setup::Subject& subject, const Re
                  const setup::FrameSetup& setup, std::span<const std::byte> counters);
 
 /// The picture before bloom, linear RGBA.
-std::vector<float> read_before_bloom(frame::Executor& executor, const techniques::FrameOutputs& out);
+std::vector<float> read_before_bloom(frame::GraphExecutor& executor, const techniques::FrameOutputs& out);
 
 /// The picture, or the map that settings.show names, which check_show() has accepted.
-void read_picture(Picture& picture, frame::Executor& executor, const techniques::FrameOutputs& out,
+void read_picture(Picture& picture, frame::GraphExecutor& executor, const techniques::FrameOutputs& out,
                   const RenderSettings& settings, const setup::FrameSetup& setup);
 
 }  // namespace dermis::api

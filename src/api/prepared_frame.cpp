@@ -27,10 +27,10 @@ double median(std::vector<double> values) {
   return n == 0 ? 0 : n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-frame::FrameData frame_data(gpu::Device& device, const setup::FrameSetup& setup,
-                            const passes::GpuScene& scene) {
+passes::FrameData frame_data(gpu::Device& device, const setup::FrameSetup& setup,
+                             const passes::GpuScene& scene) {
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  frame::FrameData data;
+  passes::FrameData data;
   data.scene = &scene;
   data.eye_m = setup.camera.eye_m;
   data.eye = setup.camera.scene_camera.orthographic ? glm::vec4(-setup.camera.direction, 0)
@@ -40,7 +40,7 @@ frame::FrameData frame_data(gpu::Device& device, const setup::FrameSetup& setup,
       gpu::make_buffer(device, "frame", std::span(&setup.frame, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
 
   for (const setup::HeadSetup& head : setup.heads) {
-    frame::Instance instance;
+    passes::Instance instance;
     instance.offset_m = head.offset_m;
     instance.map_side = static_cast<std::uint32_t>(head.map_side);
     instance.visible = head.visible;
@@ -83,8 +83,8 @@ struct PreparedFrame::State {
   setup::SkyOnSkin sky;
   setup::FrameSetup setup;
   techniques::FrameOutputs outputs;
-  std::optional<frame::Executor> executor;
-  frame::FrameData data;
+  std::optional<frame::Executor<passes::FrameData>> executor;
+  passes::FrameData data;
   std::vector<frame::FrameTime> times;  ///< since the last change
   std::vector<std::byte> counters;      ///< of this view; empty: not counted yet
   double pipeline_ms = 0;
@@ -173,12 +173,12 @@ std::optional<double> PreparedFrame::State::measure_exposure() {
 }
 
 void PreparedFrame::State::plan(const RenderSettings& wanted, const setup::FrameSetup& next) {
-  frame::FramePlan made;
+  passes::FramePlan made;
   const techniques::FrameOutputs made_outputs = next.technique->build(made, next.plan);
   api::check_show(made_outputs, wanted);
   executor.reset();  // its memory first: two frames may not fit
   const double before = renderer->library.creation_ms();
-  executor.emplace(renderer->library, std::move(made));
+  executor.emplace(renderer->library, made);
   pipeline_ms = renderer->library.creation_ms() - before;
   renderer->library.save_cache();
   outputs = made_outputs;

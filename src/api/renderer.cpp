@@ -64,7 +64,7 @@ std::string describe_plan(const Scene& scene, const RenderSettings& settings, bo
     suns = setup::lights_of(
         environment::split_sources(environment::from_name_or_file(settings.environment)).sources, settings);
   const setup::FrameSetup setup = setup::set_up(setup::examine(scene.shared()), settings, {}, suns);
-  frame::FramePlan plan;
+  passes::FramePlan plan;
   setup.technique->build(plan, setup.plan);
   return dot ? frame::print_dot(plan) : frame::print_text(plan);
 }

@@ -60,18 +60,18 @@ AccessRow scope_of(const Use& use, PassKind kind) {
 
 }  // namespace
 
-std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool full) {
-  const std::size_t texture_count = plan.textures().size();
-  std::vector<State> states(texture_count + plan.buffers().size());
+std::vector<std::vector<Barrier>> derive_barriers(const FrameGraph& graph, bool full) {
+  const std::size_t texture_count = graph.textures().size();
+  std::vector<State> states(texture_count + graph.buffers().size());
   std::vector<std::vector<Barrier>> result;
 
   // Two walks: the first finds how a frame leaves each resource, the second starts from there.
   for (int walk = 0; walk < 2; ++walk) {
-    result.assign(plan.passes().size(), {});
+    result.assign(graph.passes().size(), {});
     std::vector<bool> seen(states.size());
 
-    for (std::size_t p = 0; p < plan.passes().size(); ++p) {
-      const PassNode& pass = plan.passes()[p];
+    for (std::size_t p = 0; p < graph.passes().size(); ++p) {
+      const PassNode& pass = graph.passes()[p];
       if (pass.only_in_full_frames && !full) continue;
       for (const Use& use : pass.uses) {
         const std::size_t slot = use.is_texture ? use.index : texture_count + use.index;
@@ -83,7 +83,7 @@ std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool fu
         // A texture needs one even where it is in its layout already: in the first frame it is in none.
         const bool opens = first && use.is_texture;
         if (opens || needs_barrier(state, scope)) {
-          const bool discard = opens && plan.textures()[use.index].lifetime == Lifetime::transient;
+          const bool discard = opens && graph.textures()[use.index].lifetime == Lifetime::transient;
           result[p].push_back(make_barrier(use, state, scope, first, discard));
           if (opens || state.layout != scope.layout)
             state = {.write_stages = scope.stages, .layout = scope.layout};
@@ -96,9 +96,9 @@ std::vector<std::vector<Barrier>> derive_barriers(const FramePlan& plan, bool fu
   return result;
 }
 
-VkImageLayout final_layout(const FramePlan& plan, TextureId id, bool full) {
+VkImageLayout final_layout(const FrameGraph& graph, TextureId id, bool full) {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
-  for (const PassNode& pass : plan.passes())
+  for (const PassNode& pass : graph.passes())
     for (const Use& use : pass.uses)
       if ((full || !pass.only_in_full_frames) && use.is_texture && use.index == id.index)
         layout = row_of(use.access).layout;

@@ -4,21 +4,19 @@
 #include <chrono>
 
 namespace dermis::frame {
-Executor::Executor(gpu::PipelineLibrary& library, FramePlan plan)
+GraphExecutor::GraphExecutor(gpu::PipelineLibrary& library, const FrameGraph& graph)
     : library_(&library),
-      plan_(std::move(plan)),
-      barriers_{derive_barriers(plan_, false), derive_barriers(plan_, true)},
-      layouts_(plan_.textures().size(), VK_IMAGE_LAYOUT_UNDEFINED),
+      graph_(graph),
+      barriers_{derive_barriers(graph, false), derive_barriers(graph, true)},
+      layouts_(graph.textures().size(), VK_IMAGE_LAYOUT_UNDEFINED),
       separate_(library.device().limits().software || !library.device().limits().timestamps) {
-  for (const TextureNode& node : plan_.textures())
+  for (const TextureNode& node : graph.textures())
     resources_.textures_.emplace_back(library.device(), node.name, node.desc);
-  for (const BufferNode& node : plan_.buffers())
+  for (const BufferNode& node : graph.buffers())
     resources_.buffers_.emplace_back(library.device(), node.name, node.desc);
-  for (const PassNode& pass : plan_.passes())
-    if (pass.prepare) pass.prepare(library);
 }
 
-VkImageMemoryBarrier2 Executor::image_barrier(const Barrier& b) {
+VkImageMemoryBarrier2 GraphExecutor::image_barrier(const Barrier& b) {
   const gpu::Texture& texture = resources_.textures_[b.index];
   // How the frame before left a texture depends on whether that one counted.
   const bool keeps = b.first_use && b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED;
@@ -35,11 +33,11 @@ VkImageMemoryBarrier2 Executor::image_barrier(const Barrier& b) {
   return barrier;
 }
 
-void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& frame, bool full) {
+void GraphExecutor::record_barriers(gpu::Cmd& cmd, std::size_t pass, bool full) {
   std::vector<VkImageMemoryBarrier2> images;
   // on one queue a barrier of a buffer says no more than one of all memory
   std::vector<VkMemoryBarrier2> buffers;
-  for (const Barrier& b : barriers_[full ? 1 : 0][index])
+  for (const Barrier& b : barriers_[full ? 1 : 0][pass])
     if (b.is_texture)
       images.push_back(image_barrier(b));
     else
@@ -51,49 +49,51 @@ void Executor::record_pass(gpu::Cmd& cmd, std::size_t index, const FrameData& fr
                  .pMemoryBarriers = buffers.data(),
                  .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
                  .pImageMemoryBarriers = images.data()});
-  plan_.passes()[index].record(cmd, resources_, frame);
 }
 
-void Executor::record(VkCommandBuffer commands, const FrameData& frame, gpu::Timer* timer, bool full) {
+void GraphExecutor::record(VkCommandBuffer commands, const RecordPass& record_pass, gpu::Timer* timer,
+                           bool full) {
   gpu::Cmd cmd(device(), commands);
   if (timer) timer->reset(commands);
-  for (std::size_t p = 0; p < plan_.passes().size(); ++p) {
-    if (plan_.passes()[p].only_in_full_frames && !full) continue;
-    const std::string& name = plan_.passes()[p].name;
+  for (std::size_t p = 0; p < graph_.passes().size(); ++p) {
+    if (graph_.passes()[p].only_in_full_frames && !full) continue;
+    const std::string& name = graph_.passes()[p].name;
     device().begin_label(commands, name);
     if (timer) timer->begin(commands, name);
-    record_pass(cmd, p, frame, full);
+    record_barriers(cmd, p, full);
+    record_pass(cmd, p);
     if (timer) timer->end(commands);
     device().end_label(commands);
   }
 }
 
-void Executor::poison() {
+void GraphExecutor::poison() {
   for (std::size_t i = 0; i < resources_.textures_.size(); ++i) {
     const bool lasts =
-        plan_.textures()[i].lifetime == Lifetime::persistent && layouts_[i] != VK_IMAGE_LAYOUT_UNDEFINED;
+        graph_.textures()[i].lifetime == Lifetime::persistent && layouts_[i] != VK_IMAGE_LAYOUT_UNDEFINED;
     if (!lasts && resources_.textures_[i].desc().samples == 1) gpu::poison(device(), resources_.textures_[i]);
   }
 }
 
-FrameTime Executor::run(const FrameData& frame) {
+FrameTime GraphExecutor::run(const RecordPass& record_pass) {
   using namespace std::chrono;
   FrameTime time;
 
   if (separate_) {
-    for (std::size_t p = 0; p < plan_.passes().size(); ++p) {
-      if (plan_.passes()[p].only_in_full_frames) continue;
+    for (std::size_t p = 0; p < graph_.passes().size(); ++p) {
+      if (graph_.passes()[p].only_in_full_frames) continue;
       const auto start = steady_clock::now();
       device().run([&](VkCommandBuffer commands) {
         gpu::Cmd cmd(device(), commands);
-        record_pass(cmd, p, frame, false);
+        record_barriers(cmd, p, false);
+        record_pass(cmd, p);
       });
       time.passes.push_back(
-          {plan_.passes()[p].name, duration<double, std::milli>(steady_clock::now() - start).count()});
+          {graph_.passes()[p].name, duration<double, std::milli>(steady_clock::now() - start).count()});
     }
   } else {
-    gpu::Timer timer(device(), static_cast<std::uint32_t>(plan_.passes().size()) + 1);
-    device().run([&](VkCommandBuffer commands) { record(commands, frame, &timer); });
+    gpu::Timer timer(device(), static_cast<std::uint32_t>(graph_.passes().size()) + 1);
+    device().run([&](VkCommandBuffer commands) { record(commands, record_pass, &timer, false); });
     time.passes = timer.read();
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 #include "gpu/formats.h"
 
 namespace dermis::frame {
@@ -27,33 +27,34 @@ std::string size_of(const gpu::TextureDesc& desc) {
 
 }  // namespace
 
-std::string print_text(const FramePlan& plan) {
+std::string print_text(const FrameGraph& graph) {
   std::string text = "passes\n";
-  for (const PassNode& pass : plan.passes()) {
+  for (const PassNode& pass : graph.passes()) {
     text += fmt::format("  {:<28} {:<8}", pass.name, name_of(pass.kind));
     for (const Use& use : pass.uses)
-      text += fmt::format(" {} '{}';", row_of(use.access).verb,
-                          use.is_texture ? plan.textures()[use.index].name : plan.buffers()[use.index].name);
+      text +=
+          fmt::format(" {} '{}';", row_of(use.access).verb,
+                      use.is_texture ? graph.textures()[use.index].name : graph.buffers()[use.index].name);
     text += '\n';
   }
 
   text += "textures\n";
-  for (const TextureNode& t : plan.textures())
+  for (const TextureNode& t : graph.textures())
     text += fmt::format("  {:<28} {:<20} {:<10} {:>9.2f} MB {}\n", t.name, size_of(t.desc),
                         gpu::format_name(t.desc.format), static_cast<double>(gpu::bytes_of(t.desc)) / 1e6,
                         t.lifetime == Lifetime::persistent ? "persistent" : "transient");
 
-  if (!plan.buffers().empty()) text += "buffers\n";
-  for (const BufferNode& b : plan.buffers())
+  if (!graph.buffers().empty()) text += "buffers\n";
+  for (const BufferNode& b : graph.buffers())
     text += fmt::format("  {:<28} {:>9} bytes {}\n", b.name, b.desc.bytes,
                         b.lifetime == Lifetime::persistent ? "persistent" : "transient");
   return text;
 }
 
-std::string print_dot(const FramePlan& plan) {
+std::string print_dot(const FrameGraph& graph) {
   std::string text = "digraph frame {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n";
-  for (std::size_t p = 0; p < plan.passes().size(); ++p) {
-    const PassNode& pass = plan.passes()[p];
+  for (std::size_t p = 0; p < graph.passes().size(); ++p) {
+    const PassNode& pass = graph.passes()[p];
     text += fmt::format("  p{} [shape=box, style=filled, fillcolor=\"#f2d6c9\", label=\"{}\"];\n", p,
                         escaped(pass.name));
     for (const Use& use : pass.uses) {
@@ -63,15 +64,15 @@ std::string print_dot(const FramePlan& plan) {
     }
   }
 
-  for (std::size_t t = 0; t < plan.textures().size(); ++t) {
-    const TextureNode& node = plan.textures()[t];
+  for (std::size_t t = 0; t < graph.textures().size(); ++t) {
+    const TextureNode& node = graph.textures()[t];
     text += fmt::format("  t{} [shape=ellipse, label=\"{}\\n{} {}\"];\n", t, escaped(node.name),
                         size_of(node.desc), gpu::format_name(node.desc.format));
   }
 
-  for (std::size_t b = 0; b < plan.buffers().size(); ++b)
+  for (std::size_t b = 0; b < graph.buffers().size(); ++b)
     text += fmt::format("  b{} [shape=ellipse, style=dashed, label=\"{}\\n{} bytes\"];\n", b,
-                        escaped(plan.buffers()[b].name), plan.buffers()[b].desc.bytes);
+                        escaped(graph.buffers()[b].name), graph.buffers()[b].desc.bytes);
   return text + "}\n";
 }
 

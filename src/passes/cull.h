@@ -9,8 +9,7 @@
 
 namespace dermis::passes {
 
-inline io::CullIo cull_io(const frame::FrameData& frame, const frame::Instance& instance,
-                          const GpuMaterial& material) {
+inline io::CullIo cull_io(const FrameData& frame, const Instance& instance, const GpuMaterial& material) {
   io::CullIo io{.offset_m = instance.offset_m,
                 .can_cull = material.double_sided ? 0u : 1u,
                 .eye = frame.eye,

@@ -12,7 +12,7 @@
 #include "gpu/resources.h"
 #include "passes/gpu_scene.h"
 
-namespace dermis::frame {
+namespace dermis::passes {
 
 /// One head in the frame: the scene once more, moved. Shadow maps are fitted to each.
 struct Instance {
@@ -33,7 +33,7 @@ struct SkyMaps {
 };
 
 struct FrameData {
-  const passes::GpuScene* scene = nullptr;
+  const GpuScene* scene = nullptr;
   gpu::Buffer frame_io;  ///< FrameIo
   glm::vec3 eye_m{0};
   /// eye_m, w = 1; for an orthographic camera the unit direction towards it, w = 0
@@ -45,4 +45,6 @@ struct FrameData {
   std::vector<Instance> instances;
 };
 
-}  // namespace dermis::frame
+using FramePlan = frame::FramePlan<FrameData>;
+
+}  // namespace dermis::passes

@@ -8,7 +8,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 #include "passes/frame_data.h"
 
 namespace dermis::passes {
@@ -31,17 +31,17 @@ struct MapSquare {
   std::uint32_t largest_side = 0;  ///< T_max; needed where halvings > 0
 };
 
-inline const frame::Instance& instance_of(const frame::FrameData& frame, const MapSquare& square) {
+inline const Instance& instance_of(const FrameData& frame, const MapSquare& square) {
   return frame.instances[square.instance];
 }
 
 /// Texels of a side that are used.
-inline std::uint32_t side_of(const frame::FrameData& frame, const MapSquare& square) {
+inline std::uint32_t side_of(const FrameData& frame, const MapSquare& square) {
   const std::uint32_t side = instance_of(frame, square).map_side;
   return square.halvings == 0 ? side : halved_side(side, square.largest_side, square.halvings);
 }
 
-inline VkRect2D used_area(const frame::FrameData& frame, const MapSquare& square) {
+inline VkRect2D used_area(const FrameData& frame, const MapSquare& square) {
   const std::uint32_t side = side_of(frame, square);
   return {{static_cast<std::int32_t>(square.origin.x), static_cast<std::int32_t>(square.origin.y)},
           {side, side}};

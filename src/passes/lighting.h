@@ -15,7 +15,7 @@ class LightingSamplers {
         table_(library.sampler({.filter = gpu::Filter::linear})),
         sky_(library.sampler({.filter = gpu::Filter::linear, .u = gpu::Address::repeat})) {}
 
-  void offer(Bindings& bindings, const frame::FrameData& frame, const frame::Instance& instance,
+  void offer(Bindings& bindings, const FrameData& frame, const Instance& instance,
              const gpu::Texture& shadow) const {
     bindings.add("Frame", frame.frame_io)
         .add("Lights", instance.lights)
@@ -26,10 +26,10 @@ class LightingSamplers {
              gpu::SampledBinding{frame.environment ? frame.environment : &frame.scene->white(), sky_});
   }
   /// What skin mesh `number` sees of the surroundings.
-  void offer_sky(Bindings& bindings, const frame::FrameData& frame, std::size_t number) const {
+  void offer_sky(Bindings& bindings, const FrameData& frame, std::size_t number) const {
     const GpuMesh& mesh = frame.scene->skin[number];
     const gpu::Texture& white = frame.scene->white();
-    const frame::SkyMaps* sky = number < frame.sky.size() ? &frame.sky[number] : nullptr;
+    const SkyMaps* sky = number < frame.sky.size() ? &frame.sky[number] : nullptr;
     bindings.add("bent_normal", gpu::SampledBinding{mesh.bent_normal ? &mesh.bent_normal : &white, table_})
         .add("sky_direct", gpu::SampledBinding{sky ? &sky->direct : &white, table_})
         .add("sky_bounced", gpu::SampledBinding{sky ? &sky->bounced : &white, table_});

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 
 namespace dermis::passes {
 
@@ -21,7 +21,7 @@ struct TileLists {
   frame::BufferId arguments;  ///< TileArgumentsIo[], one a square
   std::uint32_t room = 0;     ///< entries a square
 };
-TileLists make_tile_lists(frame::FramePlan& plan, const std::string& name, std::uint32_t squares,
+TileLists make_tile_lists(frame::FrameGraph& graph, const std::string& name, std::uint32_t squares,
                           std::uint32_t largest_side);
 
 }  // namespace dermis::passes

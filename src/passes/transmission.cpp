@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/assert.h"
-#include "frame/executor.h"
 
 namespace dermis::passes {
 

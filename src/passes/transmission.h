@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "frame/plan.h"
+#include "frame/resources.h"
 #include "gaussians/sum.h"
 #include "passes/bindings.h"
 #include "shared/transmission_io.h"

@@ -37,7 +37,7 @@ bool is_current(const EnvironmentLight& environment_light, const std::string& na
 struct SkyOnSkin {
   std::shared_ptr<const EnvironmentLight> of;  ///< none: no maps
   double rotation_deg = 0;
-  std::vector<frame::SkyMaps> maps;
+  std::vector<passes::SkyMaps> maps;
 };
 
 /// `seen`: one per skin mesh. Some 15 ms per mesh: product of harmonics on the processor.

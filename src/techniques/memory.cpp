@@ -8,7 +8,7 @@ namespace dermis::techniques {
 MapMemory map_memory(const Technique& technique, FrameSettings settings) {
   settings.heads = settings.heads_per_batch = 1;
   settings.meshes_per_batch = 1;
-  frame::FramePlan plan;
+  passes::FramePlan plan;
   const FrameOutputs outputs = technique.build(plan, settings);
 
   const auto sum = [&](const std::vector<frame::TextureId>& maps) {

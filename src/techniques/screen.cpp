@@ -42,7 +42,7 @@ std::string label(std::string_view what, const FrameSettings& settings, std::uin
   return settings.heads > 1 ? fmt::format("{} head {}", what, head) : std::string(what);
 }
 
-Screen::Screen(frame::FramePlan& plan, const FrameSettings& settings, std::size_t counters)
+Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters)
     : plan_(&plan), settings_(settings) {
   const gpu::TextureDesc screen{
       .width = settings.width, .height = settings.height, .samples = settings.samples};

@@ -12,7 +12,7 @@ enum ScreenCounter : std::uint32_t { counter_skin_pixels, screen_counters };
 class Screen {
  public:
   /// counters: slots of the frame, at least screen_counters.
-  Screen(frame::FramePlan& plan, const FrameSettings& settings, std::size_t counters = screen_counters);
+  Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters = screen_counters);
 
   frame::TextureId colour() const { return colour_; }
   frame::TextureId depth() const { return depth_; }
@@ -27,7 +27,7 @@ class Screen {
   FrameOutputs finish();                  ///< resolve, bloom, tone map; shows the shadow maps
 
  private:
-  frame::FramePlan* plan_;
+  passes::FramePlan* plan_;
   FrameSettings settings_;
   frame::TextureId colour_, depth_, shadow_, entering_;
   frame::TextureId entering_depth_;  // valid if what enters is drawn apart from the shadow maps

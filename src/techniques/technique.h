@@ -10,9 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 #include "gaussians/sum.h"
 #include "image/tone_map.h"
+#include "passes/frame_data.h"
 #include "passes/light_pool.h"
 
 namespace dermis::techniques {
@@ -45,7 +46,7 @@ struct Optimise {
   bool operator==(const Optimise&) const = default;
 };
 
-/// The structure of a frame: a change makes a new plan. What changes per frame is frame::FrameData.
+/// The structure of a frame: a change makes a new plan. What changes per frame is passes::FrameData.
 struct FrameSettings {
   std::uint32_t width = 1280, height = 720;
   std::uint32_t samples = 4;         ///< 1 or 4
@@ -124,7 +125,7 @@ struct Technique {
   std::string_view summary;    ///< one line
   bool uses_profile = true;    ///< light spreads as the material's profile says
   bool has_light_maps = true;  ///< Optimise, mask, progressive and translucency mean something
-  FrameOutputs (*build)(frame::FramePlan& plan, const FrameSettings& settings);
+  FrameOutputs (*build)(passes::FramePlan& plan, const FrameSettings& settings);
 
   /// `counters` as read back from FrameOutputs::counters. `sides`: T of each head that is drawn, texels.
   FrameReport (*report)(const FrameSettings& settings, std::span<const std::uint32_t> counters,

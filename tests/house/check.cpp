@@ -109,6 +109,29 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
+/// "  namespace dermis::gpu {" -> "dermis::gpu"; nothing for other lines and for namespaces without a name.
+std::optional<std::string> opened_namespace(std::string_view line) {
+  if (line.starts_with("inline ")) line.remove_prefix(7);
+  constexpr std::string_view word = "namespace ";
+  if (!line.starts_with(word) || line.find('=') != std::string_view::npos) return std::nullopt;
+  line = line.substr(word.size());
+  const std::string name(line.substr(0, line.find_first_of(" {")));
+  return name.empty() ? std::nullopt : std::optional(name);
+}
+
+std::string judge_namespace(const std::string& name, const std::string& room,
+                            const std::set<std::string>& rooms) {
+  // In `dermis` itself stand what the library offers to others, and core, whose names all rooms use bare.
+  const bool in_dermis = room == "api" || room == "core";
+  const bool qualified = name == "dermis" || name.starts_with("dermis::");
+  if (name == "dermis") return in_dermis ? "" : fmt::format("'dermis' itself is for api and core");
+
+  std::string first = qualified ? name.substr(std::string_view("dermis::").size()) : name;
+  first = first.substr(0, first.find("::"));
+  if (first == room || (!rooms.contains(first) && (in_dermis || !qualified))) return {};
+  return fmt::format("'{}' in the room '{}'", name, room);
+}
+
 bool has_spdx(const SourceFile& file) {
   const std::size_t line = !file.lines.empty() && file.lines[0].starts_with("#!") ? 1 : 0;
   const std::string text =
@@ -274,6 +297,28 @@ Violations check_words(const std::vector<SourceFile>& tree) {
               fmt::format("{}:{}: the word '{}' does not belong here", file.path, i + 1, word));
       }
     }
+  }
+  return violations;
+}
+
+Violations check_namespaces(const std::vector<SourceFile>& tree) {
+  const std::set<std::string> rooms = rooms_of(tree);
+  Violations violations;
+  for (const SourceFile& file : tree) {
+    const auto room = room_of(file.path);
+    // What C++ and GLSL both read opens its namespace, dermis::io, by a macro.
+    const bool both_read = room == "shared" || file.path.ends_with("_io.h");
+    if (!room || !is_code(file.path) || is_shader(file.path) || both_read) continue;
+
+    bool opens_own = false;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const auto name = opened_namespace(file.lines[i]);
+      if (!name) continue;
+      opens_own = opens_own || name->starts_with("dermis");
+      if (const std::string broken = judge_namespace(*name, *room, rooms); !broken.empty())
+        violations.push_back(fmt::format("{}:{}: {}", file.path, i + 1, broken));
+    }
+    if (!opens_own) violations.push_back(fmt::format("{}: no namespace dermis::{}", file.path, *room));
   }
   return violations;
 }

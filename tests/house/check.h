@@ -60,6 +60,11 @@ Violations check_rules(const Rules& rules);
 /// identifier or of a comment, plurals too).
 Violations check_words(const std::vector<SourceFile>& tree);
 
+/// A file of src/ROOM/ opens dermis::ROOM, or a namespace below it, and never that of another room.
+/// Exceptions: api and core may open `dermis` itself and what is below it and no room's; headers for both
+/// languages (shared/ and *_io.h) open dermis::io by a macro.
+Violations check_namespaces(const std::vector<SourceFile>& tree);
+
 /// The SPDX line is the first of every source file (the second where a "#!" line has to be first).
 Violations check_licence(const std::vector<SourceFile>& tree);
 

@@ -156,6 +156,30 @@ TEST(HouseCheck, FindsWordsAboutSkin) {
   EXPECT_EQ(violations[1], "src/gpu/a.h:2: the word 'skin' does not belong here");
 }
 
+TEST(HouseCheck, FindsANamespaceOfAnotherRoom) {
+  MadeUpTree tree;
+  tree.add("src/frame/plan.h", "namespace dermis::frame {\nnamespace {\n")
+      .add("src/frame/part/a.cpp", "namespace dermis::frame::part {\n")
+      .add("src/passes/blur/blur_io.h", "DERMIS_IO_BEGIN\n")
+      .add("src/core/cache.h", "namespace dermis {\nnamespace dermis::cache {\n")
+      .add("src/api/a.cpp", "namespace fs = std::filesystem;\nnamespace dermis {\nnamespace api {\n")
+      .add("apps/a.cpp", "namespace cli {\n");
+  EXPECT_EQ(house::check_namespaces(tree.read()), house::Violations{});
+
+  tree.add("src/passes/data.h", "\nnamespace dermis::frame {\n");
+  EXPECT_TRUE(one_about(house::check_namespaces(tree.read()),
+                        "src/passes/data.h:2: 'dermis::frame' in the room 'passes'"));
+  tree.add("src/passes/data.h", "namespace dermis::frames {\n");
+  EXPECT_TRUE(one_about(house::check_namespaces(tree.read()), "'dermis::frames' in the room 'passes'"));
+  tree.add("src/passes/data.h", "namespace dermis {\nnamespace passes {\n");
+  EXPECT_TRUE(one_about(house::check_namespaces(tree.read()), "'dermis' itself is for api and core"));
+  tree.add("src/passes/data.h", "int a;\n");
+  EXPECT_TRUE(one_about(house::check_namespaces(tree.read()), "data.h: no namespace dermis::passes"));
+  tree.add("src/passes/data.h", "inline namespace dermis::passes {\n")
+      .add("src/api/a.cpp", "namespace dermis {\nnamespace core {\n");
+  EXPECT_TRUE(one_about(house::check_namespaces(tree.read()), "src/api/a.cpp:2: 'core' in the room 'api'"));
+}
+
 TEST(HouseCheck, FindsAMissingLicence) {
   const std::string spdx = std::string("SPDX-License-Identifier: ") + "MIT\n";
   MadeUpTree tree;

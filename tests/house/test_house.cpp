@@ -68,6 +68,8 @@ TEST(House, ArchitectureShowsTheDependencies) {
 
 TEST(House, GpuAndFrameKnowNothingOfSkin) { expect_none(house::check_words(tree())); }
 
+TEST(House, NamespacesAreRooms) { expect_none(house::check_namespaces(tree())); }
+
 TEST(House, EveryFileNamesItsLicence) { expect_none(house::check_licence(tree())); }
 
 TEST(House, NoPathOfAMachine) { expect_none(house::check_machine_paths(tree())); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/add_transmitted/add_transmitted.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/add_transmitted/add_transmitted_io.h"
 #include "passes/bindings.h"
 
@@ -20,8 +20,7 @@ void AddTransmitted::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void AddTransmitted::record(gpu::Cmd& cmd, const frame::Resources& resources,
-                            const frame::FrameData& frame) const {
+void AddTransmitted::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
       .add("light", resources.sampled(in_.light, sampler_))
       .add("through", gpu::StorageImageBinding{&resources.texture(in_.through)})

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/bindings.h"
 #include "passes/bloom/bloom_io.h"
 
@@ -37,7 +37,7 @@ void BloomStep::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::linear});
 }
 
-void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
+void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
   const gpu::Texture& target = resources.texture(target_);
   const auto or_picture = [&](frame::TextureId id) {
     return resources.sampled(id.valid() ? id : in_.picture, sampler_);
@@ -57,7 +57,7 @@ void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const f
   cmd.dispatch_over(*pipeline_, target.desc().width, target.desc().height);
 }
 
-frame::TextureId add_bloom(frame::FramePlan& plan, frame::TextureId picture, float amount) {
+frame::TextureId add_bloom(FramePlan& plan, frame::TextureId picture, float amount) {
   using Mode = BloomStep::Mode;
   // half-size pixels
   const float d = static_cast<float>(plan.textures()[picture.index].desc.height) / 12 / 2;

@@ -4,7 +4,7 @@
 /// 0.2094. Blurred at half size.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 #include "passes/frame_data.h"
 
 namespace dermis::passes {
@@ -28,7 +28,7 @@ class BloomStep {
   explicit BloomStep(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   Settings settings_;
@@ -39,6 +39,6 @@ class BloomStep {
 };
 
 /// amount 0..1 of the picture's light; the filter's radius d is a twelfth of the picture's height.
-frame::TextureId add_bloom(frame::FramePlan& plan, frame::TextureId picture, float amount);
+frame::TextureId add_bloom(FramePlan& plan, frame::TextureId picture, float amount);
 
 }  // namespace dermis::passes

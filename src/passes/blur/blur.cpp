@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/bindings.h"
 #include "passes/blur/blur_io.h"
 #include "passes/blur/kernels.h"
@@ -60,14 +60,14 @@ void Blur::draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area)
 
 // What averaging r x r texels into one has already added to the variance, in texels of the smaller map: that
 // of r points, one r-th apart.
-float Blur::averaged_texels2(const frame::FrameData& frame, const MapSquare& square) const {
+float Blur::averaged_texels2(const FrameData& frame, const MapSquare& square) const {
   MapSquare before = square;
   before.halvings = settings_.halvings_before.value_or(square.halvings);
   const float r = static_cast<float>(side_of(frame, before)) / static_cast<float>(side_of(frame, square));
   return (1 - 1 / (r * r)) / 12;
 }
 
-void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings bindings;
   bindings.add("light_in", resources.sampled(in_.light, sampler_))
       .add("stretch", resources.sampled(in_.stretch, sampler_))

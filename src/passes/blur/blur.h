@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 #include "gaussians/sum.h"
 #include "passes/light_pool.h"
 #include "passes/tile_lists.h"
@@ -39,12 +39,12 @@ class Blur {
   explicit Blur(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   bool drawn() const { return settings_.mask != Mask::whole && settings_.mask != Mask::tiles; }
   void draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const;
-  float averaged_texels2(const frame::FrameData& frame, const MapSquare& square) const;
+  float averaged_texels2(const FrameData& frame, const MapSquare& square) const;
   Settings settings_;
   In in_;
   const gpu::Pipeline* pipeline_ = nullptr;

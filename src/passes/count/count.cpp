@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/count/count.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/bindings.h"
 #include "passes/count/count_io.h"
 
@@ -21,7 +21,7 @@ void Count::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::Texture& picture = resources.texture(in_.picture);
   Bindings()
       .add("picture", resources.sampled(in_.picture, sampler_))
@@ -48,7 +48,7 @@ ClearCounters::Out ClearCounters::declare(frame::Declare& d, const In& in) {
   return {};
 }
 
-void ClearCounters::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
+void ClearCounters::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
   cmd.fill(resources.buffer(in_.counters), 0);
 }
 

@@ -23,7 +23,7 @@ class Count {
   explicit Count(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   Settings settings_;
@@ -42,7 +42,7 @@ class ClearCounters {
   explicit ClearCounters(const Settings&) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary&) {}
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   In in_;

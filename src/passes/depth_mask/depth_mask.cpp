@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/depth_mask/depth_mask.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/bindings.h"
 
 namespace dermis::passes {
@@ -24,8 +24,7 @@ void DepthMask::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void DepthMask::record(gpu::Cmd& cmd, const frame::Resources& resources,
-                       const frame::FrameData& frame) const {
+void DepthMask::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings().add("light", resources.sampled(in_.light, sampler_)).bind(cmd, *pipeline_);
   const gpu::DepthTarget depth{.texture = &resources.texture(in_.mask), .clear = 0.0f};
   for (const MapSquare& square : settings_.squares) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/dilate/dilate.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/bindings.h"
 #include "passes/dilate/dilate_io.h"
 #include "shared/tiles_io.h"
@@ -24,7 +24,7 @@ void Dilate::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void Dilate::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void Dilate::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
       .add("light", gpu::StorageImageBinding{&resources.texture(in_.light)})
       .add("stretch", resources.sampled(in_.stretch, sampler_))

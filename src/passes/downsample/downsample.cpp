@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/bindings.h"
 #include "passes/downsample/downsample_io.h"
 
@@ -24,8 +24,7 @@ void Downsample::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void Downsample::record(gpu::Cmd& cmd, const frame::Resources& resources,
-                        const frame::FrameData& frame) const {
+void Downsample::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
       .add("light_in", resources.sampled(in_.light, sampler_))
       .add("stretch", resources.sampled(in_.stretch, sampler_))

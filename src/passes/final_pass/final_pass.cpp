@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/final_pass/final_pass_io.h"
 
 namespace dermis::passes {
@@ -106,11 +106,10 @@ void FinalPass::prepare(gpu::PipelineLibrary& library) {
   light_sampler_ = library.sampler({.filter = gpu::Filter::linear});
 }
 
-void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources,
-                       const frame::FrameData& frame) const {
+void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::Texture& colour = resources.texture(in_.colour);
   const GpuMesh& mesh = frame.scene->skin[settings_.square.mesh];
-  const frame::Instance& instance = instance_of(frame, settings_.square);
+  const Instance& instance = instance_of(frame, settings_.square);
   if (!instance.visible && !settings_.clear) return;
 
   gpu::ColourTarget colour_target{.texture = &colour};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/final_pass/final_pass.h"
 #include "passes/final_pass/final_pass_io.h"
 
@@ -31,9 +31,8 @@ void UnshadedReads::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources,
-                           const frame::FrameData& frame) const {
-  const frame::Instance& instance = instance_of(frame, settings_.square);
+void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  const Instance& instance = instance_of(frame, settings_.square);
   if (!instance.visible) return;
   const GpuMesh& mesh = frame.scene->skin[settings_.square.mesh];
   const gpu::Texture& depth = resources.texture(in_.depth);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/gutters/gutters.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/bindings.h"
 #include "shared/gutters_io.h"
 
@@ -32,7 +32,7 @@ void Gutters::refresh(gpu::Cmd& cmd, const gpu::Texture& target, const GpuMesh& 
   cmd.dispatch_over(*pipeline_, found->second.count, 1);
 }
 
-void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::Texture& target = resources.texture(in_.target);
   for (const MapSquare& square : settings_.squares) {
     const GpuMesh& mesh = frame.scene->skin[square.mesh];

@@ -24,7 +24,7 @@ class Gutters {
   explicit Gutters(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   void refresh(gpu::Cmd& cmd, const gpu::Texture& target, const GpuMesh& mesh, glm::uvec2 origin,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/irradiance/irradiance.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/cull.h"
 
 namespace dermis::passes {
@@ -49,8 +49,7 @@ void Irradiance::prepare(gpu::PipelineLibrary& library) {
   }
 }
 
-void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources,
-                        const frame::FrameData& frame) const {
+void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   std::vector<gpu::ColourTarget> targets;
   const auto add_target = [&](frame::TextureId id) {
     targets.push_back({.texture = &resources.texture(id), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}});
@@ -61,7 +60,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources,
   const bool through = !settings_.through.empty();
   for (const MapSquare& square : settings_.squares) {
     const GpuMesh& mesh = frame.scene->skin[square.mesh];
-    const frame::Instance& instance = instance_of(frame, square);
+    const Instance& instance = instance_of(frame, square);
     if (!instance.visible) continue;
 
     cmd.begin_rendering_area(targets, {}, used_area(frame, square), true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/cull.h"
 #include "passes/irradiance/irradiance.h"
 
@@ -33,10 +33,10 @@ void TransmissionMisses::prepare(gpu::PipelineLibrary& library) {
 }
 
 void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources,
-                                const frame::FrameData& frame) const {
+                                const FrameData& frame) const {
   for (const MapSquare& square : settings_.irradiance.squares) {
     const GpuMesh& mesh = frame.scene->skin[square.mesh];
-    const frame::Instance& instance = instance_of(frame, square);
+    const Instance& instance = instance_of(frame, square);
     if (!instance.visible) continue;
 
     cmd.begin_rendering_area({}, {}, used_area(frame, square), true);

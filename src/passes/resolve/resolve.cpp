@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/resolve/resolve.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 
 namespace dermis::passes {
 
@@ -17,7 +17,7 @@ Resolve::Out Resolve::declare(frame::Declare& d, const In& in) {
   return {target_};
 }
 
-void Resolve::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
+void Resolve::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
   const gpu::Texture& picture = resources.texture(in_.picture);
   const gpu::ColourTarget target{.texture = &picture, .resolve = &resources.texture(target_)};
   cmd.begin_rendering(std::span(&target, 1), {}, {picture.desc().width, picture.desc().height});

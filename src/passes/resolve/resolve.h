@@ -2,7 +2,7 @@
 /// Averages the samples of a multisampled target.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 #include "passes/frame_data.h"
 
 namespace dermis::passes {
@@ -19,7 +19,7 @@ class Resolve {
   explicit Resolve(const Settings&) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary&) {}
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   In in_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/shadow/shadow.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 
 namespace dermis::passes {
 Shadow::Out Shadow::declare(frame::Declare& d, const In& in) {
@@ -41,16 +41,15 @@ bool Shadow::casts(const GpuMaterial& material, bool cut_out) {
   return material.alpha_mode == (cut_out ? scene::AlphaMode::mask : scene::AlphaMode::opaque);
 }
 
-void Shadow::bind(gpu::Cmd& cmd, const frame::FrameData& frame, Bindings bindings,
-                  const GpuMaterial& material, const gpu::Pipeline& pipeline, const io::ShadowIo& io) const {
+void Shadow::bind(gpu::Cmd& cmd, const FrameData& frame, Bindings bindings, const GpuMaterial& material,
+                  const gpu::Pipeline& pipeline, const io::ShadowIo& io) const {
   material.offer(bindings);
   bindings.add("Frame", frame.frame_io);
   bindings.bind(cmd, pipeline);
   cmd.push(pipeline, io);
 }
 
-void Shadow::draw_skin(gpu::Cmd& cmd, const frame::FrameData& frame, bool cut_out,
-                       const io::ShadowIo& io) const {
+void Shadow::draw_skin(gpu::Cmd& cmd, const FrameData& frame, bool cut_out, const io::ShadowIo& io) const {
   for (const GpuMesh& mesh : frame.scene->skin)
     for (const GpuDraw& draw : mesh.draws) {
       const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
@@ -63,7 +62,7 @@ void Shadow::draw_skin(gpu::Cmd& cmd, const frame::FrameData& frame, bool cut_ou
     }
 }
 
-void Shadow::draw_surfaces(gpu::Cmd& cmd, const frame::FrameData& frame, bool cut_out,
+void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, bool cut_out,
                            const io::ShadowIo& io) const {
   const GpuSurfaces& surfaces = frame.scene->surfaces;
   for (const GpuSurfaces::Group& group : surfaces.groups) {
@@ -77,9 +76,9 @@ void Shadow::draw_surfaces(gpu::Cmd& cmd, const frame::FrameData& frame, bool cu
   }
 }
 
-void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::Texture& shadow = resources.texture(in_.shadow);
-  const frame::Instance& instance = frame.instances[settings_.instance];
+  const Instance& instance = frame.instances[settings_.instance];
   if (!instance.visible) return;
 
   for (std::uint32_t layer = 0; layer < settings_.layers; ++layer) {

@@ -4,7 +4,7 @@
 /// [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, 2003.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 #include "passes/frame_data.h"
 #include "passes/shadow/shadow_io.h"
 
@@ -31,17 +31,16 @@ class Shadow {
   explicit Shadow(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   Settings settings_;
   In in_;
   static bool casts(const GpuMaterial& material, bool cut_out);
-  void bind(gpu::Cmd& cmd, const frame::FrameData& frame, Bindings bindings, const GpuMaterial& material,
+  void bind(gpu::Cmd& cmd, const FrameData& frame, Bindings bindings, const GpuMaterial& material,
             const gpu::Pipeline& pipeline, const io::ShadowIo& io) const;
-  void draw_skin(gpu::Cmd& cmd, const frame::FrameData& frame, bool cut_out, const io::ShadowIo& io) const;
-  void draw_surfaces(gpu::Cmd& cmd, const frame::FrameData& frame, bool cut_out,
-                     const io::ShadowIo& io) const;
+  void draw_skin(gpu::Cmd& cmd, const FrameData& frame, bool cut_out, const io::ShadowIo& io) const;
+  void draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, bool cut_out, const io::ShadowIo& io) const;
   const gpu::Pipeline* pipelines_[2][2][2] = {};  // [skin][cut out][mixed]
 };
 

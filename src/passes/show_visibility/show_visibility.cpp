@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/show_visibility/show_visibility.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/bindings.h"
 #include "passes/cull.h"
 
@@ -26,10 +26,9 @@ void ShowVisibility::prepare(gpu::PipelineLibrary& library) {
                                                .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
 }
 
-void ShowVisibility::record(gpu::Cmd& cmd, const frame::Resources& resources,
-                            const frame::FrameData& frame) const {
+void ShowVisibility::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const GpuMesh& mesh = frame.scene->skin[settings_.square.mesh];
-  const frame::Instance& instance = instance_of(frame, settings_.square);
+  const Instance& instance = instance_of(frame, settings_.square);
   const gpu::ColourTarget colour{.texture = &resources.texture(in_.picture),
                                  .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
   cmd.begin_rendering(std::span(&colour, 1), {}, {instance.map_side, instance.map_side}, true);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/stretch/stretch.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 
 namespace dermis::passes {
 
@@ -22,7 +22,7 @@ void Stretch::prepare(gpu::PipelineLibrary& library) {
                                                .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
 }
 
-void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::Texture& target = resources.texture(in_.stretch);
   const GpuMesh& mesh = frame.scene->skin[settings_.mesh];
   const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};

@@ -4,7 +4,7 @@
 /// real unwraps are sheared.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 #include "passes/frame_data.h"
 
 namespace dermis::passes {
@@ -29,7 +29,7 @@ class Stretch {
   explicit Stretch(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   Settings settings_;

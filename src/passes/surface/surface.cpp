@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/surface/surface_io.h"
 
 namespace dermis::passes {
@@ -35,9 +35,9 @@ void Surface::prepare(gpu::PipelineLibrary& library) {
   samplers_ = LightingSamplers(library);
 }
 
-void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::Texture& colour = resources.texture(in_.colour);
-  const frame::Instance& instance = frame.instances[settings_.instance];
+  const Instance& instance = frame.instances[settings_.instance];
   if (!instance.visible && !settings_.clear) return;
   gpu::ColourTarget colour_target{.texture = &colour};
   gpu::DepthTarget depth_target{.texture = &resources.texture(in_.depth)};
@@ -50,8 +50,8 @@ void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const fra
   cmd.end_rendering();
 }
 
-void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
-                   const frame::Instance& instance, std::uint32_t page, int material_number) const {
+void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                   const Instance& instance, std::uint32_t page, int material_number) const {
   const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(material_number)];
   const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
   Bindings bindings;
@@ -62,8 +62,8 @@ void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const frame
   cmd.push(pipeline, io::SurfaceIo{.offset_m = instance.offset_m});
 }
 
-void Surface::draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
-                          const frame::Instance& instance) const {
+void Surface::draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                          const Instance& instance) const {
   for (const GpuSurfaces::Group& group : frame.scene->surfaces.groups) {
     bind(cmd, resources, frame, instance, group.page, group.material);
     for (const GpuSurfaces::Draw& draw : group.draws)
@@ -71,8 +71,8 @@ void Surface::draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, cons
   }
 }
 
-void Surface::draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
-                           const frame::Instance& instance) const {
+void Surface::draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                           const Instance& instance) const {
   std::vector<const GpuSurfaces::Blended*> parts;
   for (const GpuSurfaces::Blended& part : frame.scene->surfaces.blended) parts.push_back(&part);
   const auto distance = [&](const GpuSurfaces::Blended* part) {

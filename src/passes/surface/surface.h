@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 #include "passes/frame_data.h"
 #include "passes/lighting.h"
 
@@ -30,15 +30,15 @@ class Surface {
   explicit Surface(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  void bind(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
-            const frame::Instance& instance, std::uint32_t page, int material_number) const;
-  void draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
-                   const frame::Instance& instance) const;
-  void draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame,
-                    const frame::Instance& instance) const;
+  void bind(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+            const Instance& instance, std::uint32_t page, int material_number) const;
+  void draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                   const Instance& instance) const;
+  void draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                    const Instance& instance) const;
 
   Settings settings_;
   In in_;

@@ -3,14 +3,14 @@
 
 #include <cstddef>
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/bindings.h"
 #include "shared/tiles_io.h"
 
 namespace dermis::passes {
 namespace {
 
-io::TilesIo tiles_io(const frame::FrameData& frame, const MapSquare& square, const TileLists& lists) {
+io::TilesIo tiles_io(const FrameData& frame, const MapSquare& square, const TileLists& lists) {
   const std::uint32_t side = side_of(frame, square);
   return {.origin = square.origin,
           .side = side,
@@ -38,7 +38,7 @@ ClearTiles::Out ClearTiles::declare(frame::Declare& d, const In& in) {
   return {};
 }
 
-void ClearTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
+void ClearTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
   cmd.fill(resources.buffer(in_.lists.counts), 0);
   cmd.fill(resources.buffer(in_.lists.arguments), 0);
 }
@@ -56,8 +56,7 @@ void TileClasses::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void TileClasses::record(gpu::Cmd& cmd, const frame::Resources& resources,
-                         const frame::FrameData& frame) const {
+void TileClasses::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
       .add("light", resources.sampled(in_.light, sampler_))
       .add("TileClasses", resources.buffer(in_.lists.classes))
@@ -79,7 +78,7 @@ Tiles::Out Tiles::declare(frame::Declare& d, const In& in) {
 
 void Tiles::prepare(gpu::PipelineLibrary& library) { pipeline_ = &library.compute("tiles.comp"); }
 
-void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
       .add("TileClasses", resources.buffer(in_.lists.classes))
       .add("Tiles", resources.buffer(in_.lists.tiles))
@@ -108,8 +107,7 @@ IdleTiles::Out IdleTiles::declare(frame::Declare& d, const In& in) {
 
 void IdleTiles::prepare(gpu::PipelineLibrary& library) { pipeline_ = &library.compute("idle_tiles.comp"); }
 
-void IdleTiles::record(gpu::Cmd& cmd, const frame::Resources& resources,
-                       const frame::FrameData& frame) const {
+void IdleTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::Buffer& arguments = resources.buffer(in_.lists.arguments);
 
   for (const frame::TextureId map : in_.maps) {

@@ -20,7 +20,7 @@ class ClearTiles {
   explicit ClearTiles(const Settings&) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary&) {}
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   In in_;
@@ -40,7 +40,7 @@ class TileClasses {
   explicit TileClasses(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   Settings settings_;
@@ -69,7 +69,7 @@ class Tiles {
   explicit Tiles(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   Settings settings_;
@@ -91,7 +91,7 @@ class IdleTiles {
   explicit IdleTiles(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   Settings settings_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/tone_map/tone_map.h"
 
-#include "frame/executor.h"
+#include "frame/resources.h"
 #include "passes/bindings.h"
 #include "passes/tone_map/tone_map_io.h"
 
@@ -33,7 +33,7 @@ void ToneMap::prepare(gpu::PipelineLibrary& library) {
   sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
-void ToneMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData&) const {
+void ToneMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
   const gpu::Texture& display = resources.texture(display_);
   Bindings()
       .add("picture", resources.sampled(in_.picture, sampler_))

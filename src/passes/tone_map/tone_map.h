@@ -2,7 +2,7 @@
 /// The tone map: from linear radiance to eight bits for a display.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/graph.h"
 #include "image/tone_map.h"
 #include "passes/frame_data.h"
 
@@ -22,7 +22,7 @@ class ToneMap {
   explicit ToneMap(const Settings& settings) : settings_(settings) {}
   Out declare(frame::Declare& d, const In& in);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const;
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   Settings settings_;

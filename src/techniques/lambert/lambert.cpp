@@ -6,7 +6,7 @@
 
 namespace dermis::techniques {
 
-FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings) {
+FrameOutputs build_lambert(passes::FramePlan& plan, const FrameSettings& settings) {
   Screen screen(plan, settings);
 
   for (std::uint32_t head = 0; head < settings.heads; ++head) {

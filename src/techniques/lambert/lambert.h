@@ -6,6 +6,6 @@
 
 namespace dermis::techniques {
 
-FrameOutputs build_lambert(frame::FramePlan& plan, const FrameSettings& settings);
+FrameOutputs build_lambert(passes::FramePlan& plan, const FrameSettings& settings);
 
 }  // namespace dermis::techniques

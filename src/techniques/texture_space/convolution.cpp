@@ -15,7 +15,7 @@ using passes::MapSquare;
 
 class Convolution {
  public:
-  Convolution(frame::FramePlan& plan, const FrameSettings& settings, LightMaps& maps, std::uint32_t mesh,
+  Convolution(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps, std::uint32_t mesh,
               const std::vector<MapSquare>& squares)
       : plan_(&plan),
         settings_(&settings),
@@ -94,7 +94,7 @@ class Convolution {
     plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {light_}, {.squares = squares_});
   }
 
-  frame::FramePlan* plan_;
+  passes::FramePlan* plan_;
   const FrameSettings* settings_;
   LightMaps* maps_;
   std::uint32_t mesh_;
@@ -106,7 +106,7 @@ class Convolution {
 
 }  // namespace
 
-void add_convolution(frame::FramePlan& plan, const FrameSettings& settings, LightMaps& maps,
+void add_convolution(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps,
                      std::uint32_t mesh, const std::vector<MapSquare>& squares) {
   Convolution(plan, settings, maps, mesh, squares).add();
 }

@@ -10,7 +10,7 @@ namespace dermis::techniques {
 
 /// Gaussians compose: blurring a blurred map adds variances, so each term starts from the one before, narrow
 /// to wide. Seams are refreshed after each step. `squares`: of `mesh`, on maps of T_max.
-void add_convolution(frame::FramePlan& plan, const FrameSettings& settings, LightMaps& maps,
+void add_convolution(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps,
                      std::uint32_t mesh, const std::vector<passes::MapSquare>& squares);
 
 }  // namespace dermis::techniques

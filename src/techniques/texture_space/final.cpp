@@ -26,7 +26,7 @@ std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
 
 }  // namespace
 
-void add_final(frame::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
+void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
                const passes::MapSquare& square) {
   const SkinPart& part = settings.skin[square.mesh];
   const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());

@@ -8,7 +8,7 @@ namespace dermis::techniques {
 
 /// The sum of the blurred maps times the albedo, plus what the surface reflects, on the screen; and counts
 /// the texels that are read without having been lit.
-void add_final(frame::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
+void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
                const passes::MapSquare& square);
 
 }  // namespace dermis::techniques

@@ -61,7 +61,7 @@ std::string at(std::string_view what, const Level& level) {
   return level.halvings > 0 ? fmt::format("{} 1/{}", what, 1u << level.halvings) : std::string(what);
 }
 
-LightMaps::LightMaps(frame::FramePlan& plan, const FrameSettings& settings, Screen& screen)
+LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen)
     : plan_(&plan),
       settings_(&settings),
       screen_(&screen),

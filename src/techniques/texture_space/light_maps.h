@@ -42,7 +42,7 @@ std::vector<passes::MapSquare> of_mesh(const std::vector<passes::MapSquare>& all
 class LightMaps {
  public:
   /// Makes the maps. Needs at least one skin mesh; plan, settings and screen outlive this.
-  LightMaps(frame::FramePlan& plan, const FrameSettings& settings, Screen& screen);
+  LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen);
 
   /// The passes that follow are of the next batch of skin meshes: their names say so.
   void begin_batch() { ++batch_; }
@@ -79,7 +79,7 @@ class LightMaps {
   void add_masked_counts(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_tiles(const Level& level, const std::vector<passes::MapSquare>& all);
 
-  frame::FramePlan* plan_;
+  passes::FramePlan* plan_;
   const FrameSettings* settings_;
   Screen* screen_;
   MapPool pool_;

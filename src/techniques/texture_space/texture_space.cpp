@@ -17,7 +17,7 @@ namespace {
 using passes::MapSquare;
 
 // What is lit in the nearest head's first skin mesh.
-frame::TextureId add_visibility(frame::FramePlan& plan, const FrameSettings& s, const MapPool& pool) {
+frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s, const MapPool& pool) {
   const gpu::TextureDesc map{
       .width = s.map_size, .height = s.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   const frame::TextureId visibility = plan.texture("visibility", map, frame::Lifetime::persistent);
@@ -30,7 +30,7 @@ frame::TextureId add_visibility(frame::FramePlan& plan, const FrameSettings& s, 
 }
 
 // Squares of the nearest head's first skin mesh, and its unwrap.
-void add_shows(FrameOutputs& out, frame::FramePlan& plan, const FrameSettings& s, const LightMaps& maps) {
+void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& s, const LightMaps& maps) {
   const auto light = [&](frame::TextureId map) {
     const glm::uvec2 origin = maps.pool().square(s.heads - 1, 0).origin;
     return Shown{.map = map, .as = Shown::As::light, .origin = origin, .used_square = true};
@@ -49,7 +49,7 @@ void add_shows(FrameOutputs& out, frame::FramePlan& plan, const FrameSettings& s
 }  // namespace
 
 // The steps of the table in docs/techniques.md, in its order.
-FrameOutputs build_texture_space(frame::FramePlan& plan, const FrameSettings& s) {
+FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s) {
   const auto meshes = static_cast<std::uint32_t>(s.skin.size());
   Screen screen(plan, s, counter_count(meshes));
   std::optional<LightMaps> maps;

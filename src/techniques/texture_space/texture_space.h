@@ -7,7 +7,7 @@
 
 namespace dermis::techniques {
 
-FrameOutputs build_texture_space(frame::FramePlan& plan, const FrameSettings& settings);
+FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& settings);
 
 /// See Technique.
 FrameReport report_texture_space(const FrameSettings& settings, std::span<const std::uint32_t> counters,

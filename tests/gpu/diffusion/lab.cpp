@@ -47,7 +47,7 @@ class Paint {
                                    .fragment = "paint.frag",
                                    .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
   }
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const frame::FrameData& frame) const {
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const passes::FrameData& frame) const {
     const gpu::Texture& target = resources.texture(in_.light);
     const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
     cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
@@ -85,10 +85,10 @@ Bench* bench() {
   return instance.get();
 }
 
-Map read(const frame::Executor& executor, frame::TextureId id) {
+Map read(const frame::GraphExecutor& executor, frame::TextureId id) {
   const gpu::Texture& texture = executor.resources().texture(id);
   const std::vector<std::byte> bytes =
-      gpu::read_back(executor.device(), texture, frame::final_layout(executor.plan(), id, false));
+      gpu::read_back(executor.device(), texture, frame::final_layout(executor.graph(), id, false));
   Map map{static_cast<int>(texture.desc().width), std::vector<float>(bytes.size() / 2)};
   for (std::size_t i = 0; i < map.rgba.size(); ++i) {
     std::uint16_t half = 0;
@@ -115,7 +115,7 @@ Result run(const Experiment& e) {
     gpu_scene.make_gutters(bench()->device, 0, skin[0], static_cast<std::uint32_t>(e.map_size),
                            passes::gutter_width(profile, density));
 
-  frame::FramePlan plan;
+  passes::FramePlan plan;
   const auto side = static_cast<std::uint32_t>(e.map_size);
   const gpu::TextureDesc desc{.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   using passes::Gutters;
@@ -143,11 +143,11 @@ Result run(const Experiment& e) {
     light = target;
     first = false;
   }
-  frame::FrameData data;
+  passes::FrameData data;
   data.scene = &gpu_scene;
   data.instances.resize(1);
   data.instances[0].map_side = side;
-  frame::Executor executor(bench()->library, std::move(plan));
+  frame::Executor executor(bench()->library, plan);
   executor.run_full(data);
   Result result{.painted = read(executor, painted), .levels = {}};
   for (const frame::TextureId id : levels) result.levels.push_back(read(executor, id));

@@ -45,14 +45,14 @@ std::string join(const std::vector<std::string>& lines) {
   return text;
 }
 
-void expect_clean(const FramePlan& plan) {
+void expect_clean(const FrameGraph& plan) {
   for (const bool counting : {false, true})
     EXPECT_EQ(join(hazards(plan, derive_barriers(plan, counting), counting)), "") << "counting " << counting;
 }
 
 // A plan of two passes, the second of which must wait for the first exactly as both say.
 template <class Id>
-void expect_pair(FramePlan& plan, Id id, const Way& first, const Way& second) {
+void expect_pair(Plan& plan, Id id, const Way& first, const Way& second) {
   SCOPED_TRACE(std::string(first.name) + ", then " + second.name);
   constexpr bool is_texture = std::is_same_v<Id, TextureId>;
   add(plan, "first", first.kind, {{first.access, id}});
@@ -81,11 +81,11 @@ template <std::size_t W, std::size_t R>
 void expect_all_pairs(const gpu::TextureDesc& desc, const Way (&writers)[W], const Way (&readers)[R]) {
   for (const Way& writer : writers) {
     for (const Way& reader : readers) {
-      FramePlan plan;
+      Plan plan;
       expect_pair(plan, plan.texture("texture", desc), writer, reader);
     }
     for (const Way& again : writers) {
-      FramePlan plan;
+      Plan plan;
       expect_pair(plan, plan.texture("texture", desc), writer, again);
     }
   }
@@ -97,11 +97,11 @@ TEST(Barriers, DepthWrittenThenUsed) { expect_all_pairs(small_depth, depth_write
 TEST(Barriers, BufferWrittenThenUsed) {
   for (const Way& writer : buffer_writers) {
     for (const Way& reader : buffer_readers) {
-      FramePlan plan;
+      Plan plan;
       expect_pair(plan, plan.buffer("buffer", small_buffer), writer, reader);
     }
     for (const Way& again : buffer_writers) {
-      FramePlan plan;
+      Plan plan;
       expect_pair(plan, plan.buffer("buffer", small_buffer), writer, again);
     }
   }
@@ -109,7 +109,7 @@ TEST(Barriers, BufferWrittenThenUsed) {
 
 // One pair in plain figures, so that a mistake shared by all the tables shows.
 TEST(Barriers, ColourThenSampledByComputeInFigures) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map);
   add(plan, "draw", PassKind::raster, {{Access::colour_target, map}});
   add(plan, "blur", PassKind::compute, {{Access::sampled, map}});
@@ -125,7 +125,7 @@ TEST(Barriers, ColourThenSampledByComputeInFigures) {
 }
 
 TEST(Barriers, ReadAgainInTheSameStageNeedsNone) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map);
   add(plan, "draw", PassKind::raster, {{Access::colour_target, map}});
   add(plan, "read", PassKind::compute, {{Access::sampled, map}});
@@ -135,7 +135,7 @@ TEST(Barriers, ReadAgainInTheSameStageNeedsNone) {
 }
 
 TEST(Barriers, ReadInANewStageWaitsForTheWrite) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map);
   const BufferId list = plan.buffer("list", small_buffer);
 
@@ -160,7 +160,7 @@ TEST(Barriers, ReadInANewStageWaitsForTheWrite) {
 
 // A layout change rewrites the image: what could read it before cannot any more.
 TEST(Barriers, ReadersAfterALayoutChangeWaitForIt) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map);
   add(plan, "draw", PassKind::raster, {{Access::colour_target, map}});
   add(plan, "image in compute", PassKind::compute, {{Access::storage_read, map}});
@@ -174,7 +174,7 @@ TEST(Barriers, ReadersAfterALayoutChangeWaitForIt) {
 }
 
 TEST(Barriers, WriteAfterReadsWaitsForAllOfThem) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map);
   add(plan, "draw", PassKind::raster, {{Access::colour_target, map}});
   add(plan, "compute", PassKind::compute, {{Access::sampled, map}});
@@ -191,7 +191,7 @@ TEST(Barriers, WriteAfterReadsWaitsForAllOfThem) {
 }
 
 TEST(Barriers, TransientContentsAreDiscardedAndWaitForTheLastFrame) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map);
   add(plan, "draw", PassKind::raster, {{Access::colour_target, map}});
   add(plan, "read", PassKind::compute, {{Access::sampled, map}});
@@ -206,7 +206,7 @@ TEST(Barriers, TransientContentsAreDiscardedAndWaitForTheLastFrame) {
 }
 
 TEST(Barriers, PersistentContentsKeepTheirLayoutFromFrameToFrame) {
-  FramePlan plan;
+  Plan plan;
   const TextureId history = plan.texture("history", small_map, Lifetime::persistent);
   add(plan, "read", PassKind::compute, {{Access::sampled, history}});
   add(plan, "draw", PassKind::raster, {{Access::colour_target, history}});
@@ -222,7 +222,7 @@ TEST(Barriers, PersistentContentsKeepTheirLayoutFromFrameToFrame) {
 // A frame that ends as it begins has nothing to change, except in the very first frame, when the image has no
 // layout yet.
 TEST(Barriers, PersistentContentsThatEndAsTheyBeginGetALayoutInTheFirstFrame) {
-  FramePlan plan;
+  Plan plan;
   const TextureId history = plan.texture("history", small_map, Lifetime::persistent);
   const TextureId table = plan.texture("table", small_map, Lifetime::persistent);
   add(plan, "read", PassKind::compute, {{Access::sampled, history}, {Access::sampled, table}});
@@ -235,7 +235,7 @@ TEST(Barriers, PersistentContentsThatEndAsTheyBeginGetALayoutInTheFirstFrame) {
 }
 
 TEST(Barriers, PersistentBufferWaitsForTheFrameBefore) {
-  FramePlan plan;
+  Plan plan;
   const BufferId sum = plan.buffer("sum", small_buffer, Lifetime::persistent);
   add(plan, "read", PassKind::compute, {{Access::storage_read, sum}});
   add(plan, "write", PassKind::copy, {{Access::copy_target, sum}});
@@ -247,7 +247,7 @@ TEST(Barriers, PersistentBufferWaitsForTheFrameBefore) {
 }
 
 TEST(Barriers, OnlyReadBuffersNeedNone) {
-  FramePlan plan;
+  Plan plan;
   const BufferId table = plan.buffer("table", small_buffer, Lifetime::persistent);
   add(plan, "compute", PassKind::compute, {{Access::storage_read, table}});
   add(plan, "raster", PassKind::raster, {{Access::storage_read, table}});
@@ -256,7 +256,7 @@ TEST(Barriers, OnlyReadBuffersNeedNone) {
 }
 
 TEST(Barriers, PassesThatOnlyCountAreLeftOutOfOtherFrames) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map);
   const BufferId counter = plan.buffer("counter", small_buffer);
   add(plan, "clear", PassKind::copy, {{Access::copy_target, counter}}, true);
@@ -275,7 +275,7 @@ TEST(Barriers, PassesThatOnlyCountAreLeftOutOfOtherFrames) {
 }
 
 TEST(Barriers, FinalLayoutIsThatOfTheLastUseThatTakesPart) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map), unused = plan.texture("unused", small_map);
   add(plan, "draw", PassKind::raster, {{Access::colour_target, map}});
   add(plan, "count", PassKind::compute, {{Access::sampled, map}}, true);
@@ -285,7 +285,7 @@ TEST(Barriers, FinalLayoutIsThatOfTheLastUseThatTakesPart) {
 }
 
 TEST(Plan, UsageIsCollectedFromTheAccesses) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map);
   const BufferId list = plan.buffer("list", small_buffer);
   add(plan, "write", PassKind::compute, {{Access::storage_write, map}, {Access::storage_write, list}});
@@ -300,7 +300,7 @@ TEST(Plan, UsageIsCollectedFromTheAccesses) {
 }
 
 TEST(Plan, TheSameUseTwiceIsOneUse) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map);
   add(plan, "read", PassKind::compute, {{Access::sampled, map}, {Access::sampled, map}});
   EXPECT_EQ(plan.passes().front().uses.size(), 1u);
@@ -308,7 +308,7 @@ TEST(Plan, TheSameUseTwiceIsOneUse) {
 
 // Two accesses would need two layouts at the same time, and order within a pass.
 TEST(PlanDeathTest, AResourceHasOneAccessInAPass) {
-  FramePlan plan;
+  Plan plan;
   const TextureId map = plan.texture("map", small_map);
   const BufferId list = plan.buffer("list", small_buffer);
   EXPECT_DEATH(add(plan, "both", PassKind::compute, {{Access::sampled, map}, {Access::storage_write, map}}),
@@ -319,7 +319,7 @@ TEST(PlanDeathTest, AResourceHasOneAccessInAPass) {
 }
 
 TEST(PlanDeathTest, AHandleOfNoPlanIsCaught) {
-  FramePlan plan;
+  Plan plan;
   EXPECT_DEATH(add(plan, "stray", PassKind::compute, {{Access::sampled, TextureId{}}}),
                "internal error: .*4294967295 vs 0");
   EXPECT_DEATH(add(plan, "stray", PassKind::compute, {{Access::storage_read, BufferId{}}}),

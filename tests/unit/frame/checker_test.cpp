@@ -41,7 +41,7 @@ class Checker : public testing::Test {
     EXPECT_NE(all.find(what), std::string::npos) << what << " is not among:\n" << all;
   }
 
-  FramePlan plan_;
+  Plan plan_;
   TextureId map_;
   std::vector<std::vector<Barrier>> sound_;
 };

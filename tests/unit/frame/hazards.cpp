@@ -73,7 +73,7 @@ void carry(const Barrier& b, const Event& event, Trace& t) {
 // One resource through two frames.
 class Walk {
  public:
-  Walk(const FramePlan& plan, bool is_texture, std::uint32_t index, std::vector<std::string>& found)
+  Walk(const FrameGraph& plan, bool is_texture, std::uint32_t index, std::vector<std::string>& found)
       : plan_(&plan), is_texture_(is_texture), index_(index), found_(&found) {}
 
   void run(const std::vector<std::vector<Barrier>>& barriers, bool counting) {
@@ -170,7 +170,7 @@ class Walk {
       report("does not see what was written by " + writer);
   }
 
-  const FramePlan* plan_;
+  const FrameGraph* plan_;
   bool is_texture_;
   std::uint32_t index_;
   std::vector<std::string>* found_;
@@ -229,7 +229,7 @@ Demand demand_of(Access access, PassKind kind, bool is_texture) {
   return d;
 }
 
-std::vector<std::string> hazards(const FramePlan& plan, const std::vector<std::vector<Barrier>>& barriers,
+std::vector<std::string> hazards(const FrameGraph& plan, const std::vector<std::vector<Barrier>>& barriers,
                                  bool counting) {
   std::vector<std::string> found;
   if (barriers.size() != plan.passes().size()) return {"there is not one list of barriers a pass"};

@@ -24,7 +24,7 @@ Demand demand_of(Access access, PassKind kind, bool is_texture);
 /// frame, pass and resource. Found: uses that are not ordered, writes that are not made available or visible,
 /// wrong layouts, contents lost, and barriers that the specification forbids or that stand before a pass
 /// which does not touch the resource.
-std::vector<std::string> hazards(const FramePlan& plan, const std::vector<std::vector<Barrier>>& barriers,
+std::vector<std::string> hazards(const FrameGraph& plan, const std::vector<std::vector<Barrier>>& barriers,
                                  bool counting = true);
 
 }  // namespace dermis::frame::test

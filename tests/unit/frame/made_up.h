@@ -10,6 +10,9 @@
 
 namespace dermis::frame::test {
 
+struct Nothing {};  // of a frame: these passes record nothing
+using Plan = FramePlan<Nothing>;
+
 struct Touch {
   Access access{};
   std::variant<TextureId, BufferId> what;
@@ -27,12 +30,12 @@ struct MadeUp {
   explicit MadeUp(Settings s) : settings(std::move(s)) {}
   Out declare(Declare& d, const In&) const;
   void prepare(gpu::PipelineLibrary&) {}
-  void record(gpu::Cmd&, const Resources&, const FrameData&) const {}
+  void record(gpu::Cmd&, const Resources&, const Nothing&) const {}
 
   Settings settings;
 };
 
-inline void add(FramePlan& plan, const std::string& name, PassKind kind, std::vector<Touch> touches,
+inline void add(Plan& plan, const std::string& name, PassKind kind, std::vector<Touch> touches,
                 bool only_in_full_frames = false) {
   plan.add<MadeUp>(name, {}, {kind, std::move(touches), only_in_full_frames});
 }

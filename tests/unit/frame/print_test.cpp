@@ -10,8 +10,8 @@ void expect_has(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << part << " is not in:\n" << text;
 }
 
-FramePlan example() {
-  FramePlan plan;
+Plan example() {
+  Plan plan;
   const TextureId map = plan.texture("light", small_map);
   gpu::TextureDesc shadow = small_depth;
   shadow.layers = 2;
@@ -51,10 +51,10 @@ TEST(PrintText, HasALinePerPassAndResource) {
             "list 64 bytes persistent\n");
 }
 
-TEST(PrintText, AnEmptyPlanHasTitlesOnly) { EXPECT_EQ(print_text(FramePlan()), "passes\ntextures\n"); }
+TEST(PrintText, AnEmptyPlanHasTitlesOnly) { EXPECT_EQ(print_text(Plan()), "passes\ntextures\n"); }
 
 TEST(PrintText, SaysMegabytes) {
-  FramePlan plan;
+  Plan plan;
   plan.texture("map", {.width = 1024, .height = 1024, .format = VK_FORMAT_R16G16B16A16_SFLOAT});
   expect_has(print_text(plan), " 8.39 MB ");
 }
@@ -72,7 +72,7 @@ TEST(PrintDot, ArrowsGoWithTheData) {
 }
 
 TEST(PrintDot, NamesWithQuotesStayInTheirQuotes) {
-  FramePlan plan;
+  Plan plan;
   plan.texture("a \"map\" \\ here", small_map);
   expect_has(print_dot(plan), "label=\"a \\\"map\\\" \\\\ here\\n8x8");
 }

@@ -73,7 +73,7 @@ std::string first_of(const std::vector<std::string>& lines) {
 
 TEST(TechniqueFrames, HaveNoHazard) {
   for (const Case& c : cases()) {
-    FramePlan plan;
+    passes::FramePlan plan;
     c.technique->build(plan, c.settings);
     EXPECT_GE(plan.passes().size(), 3u) << c.name;
     for (const bool counting : {false, true})
@@ -87,7 +87,7 @@ TEST(TechniqueFrames, HaveNoHazard) {
 TEST(TechniqueFrames, HaveNoBarrierTooMany) {
   std::size_t removed = 0;
   for (const Case& c : cases()) {
-    FramePlan plan;
+    passes::FramePlan plan;
     c.technique->build(plan, c.settings);
 
     for (const bool counting : {false, true}) {
@@ -109,7 +109,7 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
   EXPECT_GT(removed, 500u);
 }
 
-std::uint64_t texture_bytes(const FramePlan& plan) {
+std::uint64_t texture_bytes(const FrameGraph& plan) {
   std::uint64_t sum = 0;
   for (const TextureNode& texture : plan.textures()) sum += gpu::bytes_of(texture.desc);
   return sum;
@@ -129,7 +129,7 @@ TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
       const techniques::Technique& technique = techniques::find_technique("texture-space");
       const auto bytes = [&](std::uint32_t heads_per_batch) {
         s.heads_per_batch = heads_per_batch;
-        FramePlan plan;
+        passes::FramePlan plan;
         technique.build(plan, s);
         return texture_bytes(plan);
       };
@@ -150,7 +150,7 @@ TEST(TechniqueFrames, PartsTakeTurnsWithTheirMaps) {
       s.progressive = progressive;
       s.skin.assign(parts,
                     {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .mean_texels_per_mm = 4});
-      FramePlan plan;
+      passes::FramePlan plan;
       techniques::find_technique("texture-space").build(plan, s);
       return plan;
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/plan.h"
+#include "frame/graph.h"
 
 #include <iterator>
 
@@ -31,41 +31,41 @@ const AccessRow& row_of(Access access) {
   return rows[static_cast<std::size_t>(access)];
 }
 
-TextureId FramePlan::texture(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime) {
+TextureId FrameGraph::texture(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime) {
   textures_.push_back({std::move(name), desc, lifetime});
   return {static_cast<std::uint32_t>(textures_.size() - 1)};
 }
 
-BufferId FramePlan::buffer(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime) {
+BufferId FrameGraph::buffer(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime) {
   buffers_.push_back({std::move(name), desc, lifetime});
   return {static_cast<std::uint32_t>(buffers_.size() - 1)};
 }
 
-void FramePlan::read_back(TextureId id) {
+void FrameGraph::read_back(TextureId id) {
   DERMIS_ASSERT_LT(id.index, textures_.size());
   textures_[id.index].desc.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
 }
 
 TextureId Declare::create(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime) {
-  return plan_->texture(std::move(name), desc, lifetime);
+  return graph_->texture(std::move(name), desc, lifetime);
 }
 
 BufferId Declare::create(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime) {
-  return plan_->buffer(std::move(name), desc, lifetime);
+  return graph_->buffer(std::move(name), desc, lifetime);
 }
 
 const gpu::TextureDesc& Declare::desc(TextureId id) const {
-  DERMIS_ASSERT_LT(id.index, plan_->textures_.size());
-  return plan_->textures_[id.index].desc;
+  DERMIS_ASSERT_LT(id.index, graph_->textures_.size());
+  return graph_->textures_[id.index].desc;
 }
 
 void Declare::use(const Use& use) {
-  DERMIS_ASSERT_LT(use.index, use.is_texture ? plan_->textures_.size() : plan_->buffers_.size());
+  DERMIS_ASSERT_LT(use.index, use.is_texture ? graph_->textures_.size() : graph_->buffers_.size());
   const AccessRow& row = row_of(use.access);
   if (use.is_texture)
-    plan_->textures_[use.index].desc.usage |= row.texture_usage;
+    graph_->textures_[use.index].desc.usage |= row.texture_usage;
   else
-    plan_->buffers_[use.index].desc.usage |= row.buffer_usage;
+    graph_->buffers_[use.index].desc.usage |= row.buffer_usage;
   // A resource stands once in a pass: two accesses would need two layouts at the same time.
   for (const Use& other : pass_->uses)
     if (other.is_texture == use.is_texture && other.index == use.index) {

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// A frame as data: which pass reads and writes what, in call order. Declaring does no GPU work and needs no
+// device; a graph can be printed and its barriers tested anywhere. frame/plan.h adds how its passes record.
+#pragma once
+
+#include <volk.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/assert.h"
+#include "gpu/resources.h"
+
+namespace dermis::frame {
+
+template <class Kind>
+struct Id {
+  std::uint32_t index = ~0u;
+  bool valid() const { return index != ~0u; }
+  bool operator==(const Id&) const = default;
+};
+using TextureId = Id<gpu::Texture>;
+using BufferId = Id<gpu::Buffer>;
+
+/// How a pass touches a resource. Each stands for one set of stages, access flags and (for textures) one
+/// layout: see row_of().
+enum class Access : std::uint8_t {
+  sampled,        ///< texture read through a sampler
+  storage_read,   ///< storage buffer or image, read only
+  storage_write,  ///< storage buffer or image, written or read and written
+  colour_target,  ///< rendered to, cleared or loaded
+  depth_target,   ///< tested and written
+  copy_source,
+  copy_target,
+  indirect_arguments,  ///< buffer
+};
+
+/// What Vulkan calls an access, and what a printed plan does.
+struct AccessRow {
+  std::string_view verb;             ///< "samples"
+  VkPipelineStageFlags2 stages = 0;  ///< 0: the shader stages of the pass
+  VkAccessFlags2 read = 0, written = 0;
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  VkImageUsageFlags texture_usage = 0;
+  VkBufferUsageFlags buffer_usage = 0;
+};
+const AccessRow& row_of(Access access);
+inline bool writes(Access access) { return row_of(access).written != 0; }
+
+enum class PassKind : std::uint8_t { compute, raster, copy };
+/// transient: contents are lost after the frame. persistent: kept from frame to frame (undefined in the
+/// first).
+enum class Lifetime : std::uint8_t { transient, persistent };
+
+template <class Desc>
+struct Node {
+  std::string name;
+  Desc desc;  ///< usage is collected from the accesses
+  Lifetime lifetime = Lifetime::transient;
+};
+using TextureNode = Node<gpu::TextureDesc>;
+using BufferNode = Node<gpu::BufferDesc>;
+
+struct Use {
+  bool is_texture = true;
+  std::uint32_t index = 0;  ///< of the texture or buffer
+  Access access{};
+};
+
+struct PassNode {
+  std::string name;  ///< timer, debug label, row of the statistics
+  PassKind kind{};
+  std::vector<Use> uses;
+  bool only_in_full_frames = false;  ///< what lasts, and work for the statistics
+};
+
+class FrameGraph;
+
+/// What a pass sees while it declares: it creates its outputs and states each use. The order of calls does
+/// not matter within a pass.
+class Declare {
+ public:
+  Declare(FrameGraph& graph, PassNode& pass) : graph_(&graph), pass_(&pass) {}
+  void kind(PassKind kind) { pass_->kind = kind; }
+  /// Left out of timed frames: what is made once and lasts (in persistent resources), and work for the
+  /// statistics.
+  void only_in_full_frames() { pass_->only_in_full_frames = true; }
+
+  TextureId create(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
+  BufferId create(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);
+  const gpu::TextureDesc& desc(TextureId id) const;
+
+  // auto: TextureId or BufferId
+  void read(auto id) { use(id, Access::storage_read); }
+  void write(auto id) { use(id, Access::storage_write); }
+  void copy_from(auto id) { use(id, Access::copy_source); }
+  void copy_to(auto id) { use(id, Access::copy_target); }
+  void sample(TextureId id) { use(id, Access::sampled); }
+  void colour(TextureId id) { use(id, Access::colour_target); }
+  void depth(TextureId id) { use(id, Access::depth_target); }
+  void indirect(BufferId id) { use(id, Access::indirect_arguments); }
+
+ private:
+  void use(TextureId id, Access access) { use({.is_texture = true, .index = id.index, .access = access}); }
+  void use(BufferId id, Access access) { use({.is_texture = false, .index = id.index, .access = access}); }
+  void use(const Use& use);
+  FrameGraph* graph_;
+  PassNode* pass_;
+};
+
+/// Passes in order, with the resources that connect them.
+class FrameGraph {
+ public:
+  /// A resource that no pass creates before its first use (a persistent target, a read-back buffer).
+  TextureId texture(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
+  BufferId buffer(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);
+
+  /// The contents are copied out after the frame (gpu::read_back with final_layout()).
+  void read_back(TextureId id);
+
+  const std::vector<TextureNode>& textures() const { return textures_; }
+  const std::vector<BufferNode>& buffers() const { return buffers_; }
+  const std::vector<PassNode>& passes() const { return passes_; }
+
+ protected:
+  void add_pass(PassNode pass) { passes_.push_back(std::move(pass)); }
+
+ private:
+  friend class Declare;
+  std::vector<TextureNode> textures_;
+  std::vector<BufferNode> buffers_;
+  std::vector<PassNode> passes_;
+};
+
+/// One line per pass with what it reads and writes, then the resources with sizes.
+std::string print_text(const FrameGraph& graph);
+/// Graphviz.
+std::string print_dot(const FrameGraph& graph);
+
+}  // namespace dermis::frame
