@@ -173,7 +173,7 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
 
   command.add_option("--model", source.model, "dipole, better, multipole, beam, monte-carlo or auto")
       ->capture_default_str();
-  add_count(command, "--photons", source.monte_carlo.photons, "Monte-Carlo: photons a channel, 1000 to 1e9",
+  add_count(command, "--photons", source.monte_carlo.photons, "Monte-Carlo: photons per channel, 1000 to 1e9",
             "1,000 to 1e9");
   add_count(command, "--seed", source.monte_carlo.seed, "Monte-Carlo: equal seeds give equal bits",
             "0 to 2^64 - 1");

@@ -60,7 +60,7 @@ void run(ReferenceArguments& a, int& exit_status) {
 
   out.picture.save(a.output);
   if (!a.variance.empty()) out.save_variance(a.variance);
-  fmt::print("{}, {}x{}, {} samples a pixel, noise {:.3f} %\n{:.1f} s, {:.1f} s of processor time\n",
+  fmt::print("{}, {}x{}, {} samples per pixel, noise {:.3f} %\n{:.1f} s, {:.1f} s of processor time\n",
              a.reference.model, out.picture.width, out.picture.height, out.samples, out.noise_percent,
              seconds, cpu_seconds);
   if (out.lost_percent > 0)

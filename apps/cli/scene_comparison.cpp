@@ -268,7 +268,7 @@ void check(const SceneComparisonSettings& s) {
     throw input_error("--exposure", "auto cannot know how {} was exposed; give the number", s.reference_file);
   const std::int64_t side = std::max(s.render.width, s.render.height);
   if (s.supersample * side > 65536)
-    throw input_error("", "--supersample {} makes pictures of {} pixels a side, more than 65536",
+    throw input_error("", "--supersample {} makes pictures of {} pixels per side, more than 65536",
                       s.supersample, s.supersample * side);
 }
 

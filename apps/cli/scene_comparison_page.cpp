@@ -56,7 +56,7 @@ std::string title_of(const PictureRegion& r) {
 
 std::string reference_line(const SceneComparison& c) {
   if (!c.reference_file.empty()) return fmt::format("reference: {}", c.reference_file);
-  return fmt::format("reference: {}, {} samples a pixel, noise {:.3f} %, {:.1f} s", c.model, c.samples,
+  return fmt::format("reference: {}, {} samples per pixel, noise {:.3f} %, {:.1f} s", c.model, c.samples,
                      c.noise_percent, c.reference_seconds);
 }
 

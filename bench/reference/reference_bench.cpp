@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
     const dermis::ReferencePicture out = dermis::render_reference(scene, settings, reference);
     const double cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
 
-    std::printf("%s, %s, %dx%d: noise %.3f %% after %d samples a pixel\n", scene.name().c_str(),
+    std::printf("%s, %s, %dx%d: noise %.3f %% after %d samples per pixel\n", scene.name().c_str(),
                 reference.model.c_str(), settings.width, settings.height, out.noise_percent, out.samples);
     std::printf("loading %.1f s, rendering %.1f s, %.1f s of processor time, %u cores\n", load_s,
                 seconds(start), cpu_s, std::thread::hardware_concurrency());

@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
     settings.height = 360;
 
     dermis::Renderer renderer;
-    std::printf("%s, %d x %d, least of %d rounds; ms a light\n", scene.name().c_str(), settings.width,
+    std::printf("%s, %d x %d, least of %d rounds; ms per light\n", scene.name().c_str(), settings.width,
                 settings.height, rounds);
     std::printf("maps  shadows     with  without  ratio\n");
 

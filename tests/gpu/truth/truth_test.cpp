@@ -50,7 +50,7 @@ class Truth {
     reference_ = three_channels(picture.picture.linear_rgba, settings_.width, settings_.height, 1);
     variance_ = three_channels(picture.variance_rgba, settings_.width, settings_.height, 1);
     regions_ = picture_regions(scene_, settings_);
-    std::printf("reference: %d samples a pixel, noise %.2f %%\n", picture.samples, picture.noise_percent);
+    std::printf("reference: %d samples per pixel, noise %.2f %%\n", picture.samples, picture.noise_percent);
   }
 
   const image::ImageF& reference() const { return reference_; }
