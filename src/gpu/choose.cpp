@@ -17,8 +17,8 @@ struct Need {
   const char* name;
 };
 
-// The one list behind RequiredFeatures and behind the check of a device. Beside each, who needs it if that is
-// not plain.
+// The only list of features, for RequiredFeatures and for the check of a device. Comments name the use where
+// it is not obvious.
 using F10 = VkPhysicalDeviceFeatures;
 constexpr Need<F10> needs10[] = {
     {&F10::shaderClipDistance, "shaderClipDistance"},
@@ -36,9 +36,9 @@ using F13 = VkPhysicalDeviceVulkan13Features;
 constexpr Need<F13> needs13[] = {
     {&F13::dynamicRendering, "dynamicRendering"},
     {&F13::synchronization2, "synchronization2"},
-    // workgroup sizes by specialisation constant
+    // For workgroup sizes by specialisation constant.
     {&F13::maintenance4, "maintenance4"},
-    // what `discard` may compile to
+    // `discard` may compile to these two.
     {&F13::shaderDemoteToHelperInvocation, "shaderDemoteToHelperInvocation"},
     {&F13::shaderTerminateInvocation, "shaderTerminateInvocation"},
 };
@@ -51,7 +51,7 @@ constexpr FormatNeed needed_formats[] = {
          VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_FILTER_LINEAR_BIT,
      "half-float images that are drawn to, blended, stored to and filtered"},
     {VK_FORMAT_D32_SFLOAT,
-     // Filtering is not asked for: the software driver does not claim it for depth, and Vulkan asks for it
+     // Filtering is not required: the software driver does not claim it for depth, and Vulkan requires it
      // only without comparison.
      VK_FORMAT_FEATURE_2_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_BIT |
          VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_DEPTH_COMPARISON_BIT,
@@ -202,7 +202,7 @@ std::vector<std::string> missing_of(const DeviceFacts& facts) {
         fmt::format("needs Vulkan 1.3, has {}: update the driver", version_text(facts.api_version)));
 
   compare(facts.features, needs10, missing);
-  if (api) {  // an older driver leaves these structures empty, and saying so for each would hide the reason
+  if (api) {  // an older driver leaves these structures empty; a message for each would hide the reason
     compare(facts.features12, needs12, missing);
     compare(facts.features13, needs13, missing);
   }

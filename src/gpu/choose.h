@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What we need of a physical device, held against what it has. The comparison is pure, so that it is tested
-// without such devices.
+// Compares a physical device with our requirements. The comparison needs no device, so that it can be tested
+// anywhere.
 #pragma once
 
 #include <volk.h>
@@ -32,11 +32,11 @@ struct DeviceFacts {
   VkPhysicalDeviceVulkan13Features features13{};
   std::vector<std::string> extensions;
   bool graphics_and_compute_queue = false;
-  std::vector<VkFormatFeatureFlags2> formats;  ///< for each of format_needs()
+  std::vector<VkFormatFeatureFlags2> formats;  ///< one per entry of format_needs()
   VkSampleCountFlags colour_samples = 0, depth_samples = 0;
 };
 
-/// One sentence for each requirement that is not met.
+/// Returns one sentence per requirement that is not met.
 std::vector<std::string> missing_of(const DeviceFacts& facts);
 
 struct Candidate {
@@ -47,17 +47,19 @@ struct Candidate {
   bool anisotropy = false;
   DeviceSummary summary;
 };
-/// The queue family is the given one, or else the first that serves.
+/// Examines a device; uses the given queue family, or else the first suitable one.
 Candidate examine(const InstanceTable& table, VkPhysicalDevice device,
                   std::optional<std::uint32_t> family = std::nullopt);
 
-/// Usable before unusable; then discrete, integrated, virtual, software, other; else in the driver's order.
+/// Sorts usable before unusable devices; then discrete, integrated, virtual, software, other; then in the
+/// driver's order.
 void sort_best_first(std::vector<Candidate>& candidates);
 
-/// DeviceError: none there, none such (lists them), or the one chosen lacks something (says what).
+/// Returns the selected device. Throws DeviceError: no device; no match (lists devices); a missing
+/// requirement (names it).
 const Candidate& choose(std::span<const Candidate> sorted, const std::string& select);
 
-/// What to say when Vulkan finds no device at all.
+/// Returns the message for the case that Vulkan finds no device.
 std::string no_driver_message();
 
 }  // namespace dermis::gpu

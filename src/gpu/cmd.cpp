@@ -9,7 +9,7 @@
 namespace dermis::gpu {
 namespace {
 
-/// What one binding becomes; the arrays that the writes point into.
+/// The descriptor writes, and the arrays that they point into.
 struct Writes {
   std::vector<VkDescriptorImageInfo> images;
   std::vector<VkDescriptorBufferInfo> buffers;
@@ -114,7 +114,7 @@ void Cmd::bind(const Pipeline& pipeline, std::span<const Binding> bindings) {
   const auto& vk = device_->vk();
   vk.vkCmdBindPipeline(handle_, pipeline.bind_point, pipeline.handle);
   Writes out;
-  out.images.reserve(bindings.size());  // the writes point into these
+  out.images.reserve(bindings.size());  // never reallocated: the writes point into these
   out.buffers.reserve(bindings.size());
   std::size_t next = 0;
   for (const BindingSlot& slot : pipeline.interface.bindings)
@@ -210,7 +210,7 @@ void Cmd::draw_indexed(const Buffer& indices, std::uint32_t count, std::uint32_t
 
 void Cmd::draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint32_t draws) {
   DERMIS_ASSERT_LE(offset + std::uint64_t{draws} * sizeof(VkDrawIndirectCommand), arguments.desc().bytes);
-  // One call each: several draws in one call is an optional feature.
+  // One call per draw: several draws per call are an optional feature.
   for (std::uint32_t i = 0; i < draws; ++i)
     device_->vk().vkCmdDrawIndirect(handle_, arguments.handle(), offset + i * sizeof(VkDrawIndirectCommand),
                                     1, sizeof(VkDrawIndirectCommand));

@@ -33,7 +33,7 @@ struct BufferBinding {
 };
 using Binding = std::variant<SampledBinding, StorageImageBinding, BufferBinding>;
 
-/// Layouts in which targets (and what they resolve to) must be when rendering begins.
+/// Required layouts of targets (and of what they resolve to) when rendering begins.
 inline constexpr VkImageLayout colour_target_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 inline constexpr VkImageLayout depth_target_layout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
 
@@ -41,7 +41,7 @@ struct ColourTarget {
   const Texture* texture = nullptr;
   std::uint32_t layer = 0;
   std::optional<std::array<float, 4>> clear = std::nullopt;  ///< none: load
-  const Texture* resolve = nullptr;                          ///< average of samples, written at the end
+  const Texture* resolve = nullptr;                          ///< mean of the samples, written at the end
 };
 struct DepthTarget {
   const Texture* texture = nullptr;
@@ -56,25 +56,26 @@ class Cmd {
   VkCommandBuffer handle() const { return handle_; }
   Device& device() const { return *device_; }
 
-  /// asserts number and kind against reflection
+  /// Binds resources; asserts number and kind against reflection.
   void bind(const Pipeline& pipeline, std::span<const Binding> bindings);
   template <class Push>
   void push(const Pipeline& pipeline, const Push& values) {
     push_bytes(pipeline, std::as_bytes(std::span(&values, 1)));
   }
-  /// asserts the size against reflection
+  /// Pushes constants; asserts the size against reflection.
   void push_bytes(const Pipeline& pipeline, std::span<const std::byte> values);
   void dispatch(std::uint32_t groups_x, std::uint32_t groups_y, std::uint32_t groups_z = 1);
   void dispatch_over(const Pipeline& pipeline, std::uint32_t threads_x, std::uint32_t threads_y,
                      std::uint32_t threads_z = 1);  ///< rounds up to workgroups
   void dispatch_indirect(const Buffer& arguments, std::uint64_t offset);
 
-  /// Full-target viewport with +Y up (negative height) unless y_down; set_viewport changes it.
+  /// Begins rendering with a viewport over the full target, +Y up (negative height) unless y_down;
+  /// set_viewport changes it.
   void begin_rendering(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth,
                        VkExtent2D extent, bool y_down = false) {
     begin_rendering_area(colour, depth, {{0, 0}, extent}, y_down);
   }
-  /// Only this part of the targets is cleared, loaded and drawn to; the viewport is the area.
+  /// Clears, loads and draws only this part of the targets; the viewport is the area.
   void begin_rendering_area(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth,
                             VkRect2D area, bool y_down = false);
   void set_viewport(VkRect2D area, bool y_down);  ///< viewport and scissor
@@ -85,7 +86,7 @@ class Cmd {
   void draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint32_t draws);
 
   void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
-  /// mip 0, tightly packed; from in TRANSFER_SRC layout
+  /// Copies mip 0, tightly packed; `from` must be in TRANSFER_SRC layout.
   void copy(const Texture& from, const Buffer& to, std::uint32_t layer = 0);
   void fill(const Buffer& to, std::uint32_t value);
   void clear(const Texture& to, std::array<float, 4> colour);  ///< in TRANSFER_DST layout

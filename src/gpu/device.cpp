@@ -45,7 +45,7 @@ void check(VkResult result, std::string_view what) {
 
 struct Device::State {
   bool external = false;
-  std::unique_ptr<Instance> instance;  ///< ours; null with an engine's
+  std::unique_ptr<Instance> instance;  ///< ours; null for an engine's device
   InstanceTable instance_table{};
   VolkDeviceTable vk{};
   VkPhysicalDevice physical = VK_NULL_HANDLE;
@@ -79,7 +79,7 @@ struct Device::State {
   std::uint64_t completed() const;
   void recycle_commands();
   void free_up_to(std::uint64_t serial);
-  /// All work recorded so far is done once this serial is reached.
+  /// Returns the serial at which all work recorded so far is done.
   std::uint64_t recorded() const { return submitted + recording; }
 };
 
@@ -91,7 +91,7 @@ Device::State::~State() {
     info.semaphoreCount = 1;
     info.pSemaphores = &timeline;
     info.pValues = &submitted;
-    // On a lost device this fails at once, and then nothing is in use any more.
+    // Fails at once on a lost device, where nothing is in use any more.
     vk.vkWaitSemaphores(device, &info, std::numeric_limits<std::uint64_t>::max());
   }
   free_up_to(std::numeric_limits<std::uint64_t>::max());
@@ -193,7 +193,7 @@ void Device::State::recycle_commands() {
 }
 
 void Device::State::free_up_to(std::uint64_t serial) {
-  // Freeing one object may retire another, so the list is taken out first.
+  // Freeing one object may retire another, so the list is moved out first.
   std::vector<Retired> due;
   std::erase_if(retired, [&](Retired& entry) {
     if (entry.serial > serial) return false;
@@ -360,7 +360,7 @@ void Device::collect() {
 
 void Device::retire(std::function<void()> free) {
   State& s = *state_;
-  // Of an engine's command buffers we know nothing until collect(); of ours, the timeline tells.
+  // An engine's command buffers are unknown until collect(); for ours the timeline says what has completed.
   std::uint64_t now = 0;
   const bool known = !s.external && s.vk.vkGetSemaphoreCounterValue(s.device, s.timeline, &now) == VK_SUCCESS;
   if (known && now >= s.recorded()) return free();

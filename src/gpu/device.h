@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Vulkan 1.3 device, ours or an engine's. Nothing here owns more than it made: an external device keeps its
-// instance, queue and function pointers; ours are per device (a VolkDeviceTable), never global.
+// A Vulkan 1.3 device, ours or an engine's. Owns only what it created: an external device keeps its instance,
+// queue and function pointers. Our function pointers are per device (a VolkDeviceTable), never global.
 #pragma once
 
 #include <volk.h>
@@ -18,7 +18,7 @@
 
 namespace dermis::gpu {
 
-/// What this library needs of a device, published so that an engine can create one that serves. Chain
+/// Features that this library requires, published so that an engine can create a suitable device. Chain
 /// `features` into VkDeviceCreateInfo. Not copyable: the structures point at each other.
 struct RequiredFeatures {
   RequiredFeatures();
@@ -32,16 +32,16 @@ struct RequiredFeatures {
   VkPhysicalDeviceVulkan13Features features13{};  ///< dynamicRendering, synchronization2
 };
 
-/// One physical device as `dermis info` shows it.
+/// A physical device as `dermis info` shows it.
 struct DeviceSummary {
   std::string name, driver, type;    ///< type: discrete, integrated, virtual, software, other
   std::string api;                   ///< "1.3.230"
   std::uint64_t memory_bytes = 0;    ///< largest device-local heap
-  std::vector<std::string> missing;  ///< one sentence for each requirement it does not meet; empty = usable
+  std::vector<std::string> missing;  ///< one sentence per requirement that is not met; empty = usable
 };
 
-/// All devices, best first (discrete, integrated, virtual, software; unusable ones last). Empty if there is
-/// no driver or no loader.
+/// Returns all devices, best first (discrete, integrated, virtual, software; unusable ones last). Empty
+/// without driver or loader.
 std::vector<DeviceSummary> list_devices();
 
 struct DeviceLimits {
@@ -49,15 +49,15 @@ struct DeviceLimits {
   std::uint32_t max_array_layers = 0;
   std::uint64_t max_buffer_bytes = 0;
   std::uint64_t max_storage_buffer_bytes = 0;
-  std::array<std::uint32_t, 3> max_workgroups{};  ///< of one dispatch, per axis
+  std::array<std::uint32_t, 3> max_workgroups{};  ///< per dispatch and axis
   std::uint32_t max_workgroup_threads = 0;
   float max_anisotropy = 1;  ///< 1: none
   std::uint32_t max_push_bytes = 0;
   std::uint32_t max_clip_distances = 0;
   float timestamp_period_ns = 1;
-  std::uint64_t timestamp_mask = 0;  ///< bits that count; 0: none
+  std::uint64_t timestamp_mask = 0;  ///< valid bits; 0: none
   bool timestamps = false;
-  bool software = false;  ///< timestamps between raster passes cannot be trusted there
+  bool software = false;  ///< timestamps between raster passes are not reliable there
 };
 
 class Buffer;
@@ -66,17 +66,16 @@ struct BufferDesc;
 struct TextureDesc;
 class MemoryPool;
 
-/// Device, queue, memory, and the list of objects waiting for the GPU. One thread records and submits at a
-/// time.
+/// Device, queue, memory, and the objects that wait for the GPU. One thread at a time records and submits.
 class Device {
  public:
   struct Options {
-    /// best, an index of list_devices(), or a part of a name (case-insensitive)
+    /// "best", an index of list_devices(), or a part of a name (case-insensitive)
     std::string select = "best";
     /// validation layer with synchronization validation; messages are counted and kept
     bool validate = false;
   };
-  /// An engine's device. It must have been made with RequiredFeatures. All handles outlive this object.
+  /// An engine's device, created with RequiredFeatures. All handles must outlive this object.
   struct External {
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
     VkInstance instance = VK_NULL_HANDLE;
@@ -84,24 +83,25 @@ class Device {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
-    /// made with this feature too; optional, without it samplers are isotropic
+    /// created with this feature too; without it samplers are isotropic
     bool sampler_anisotropy = false;
   };
 
-  /// DeviceError: no driver, no such device (lists them), a requirement is missing (says which), validation
+  /// Throws DeviceError: no driver; no match (lists devices); a missing requirement (names it); validation
   /// layer not installed.
   explicit Device(const Options& options);
   explicit Device(const External& external);
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
-  ~Device();  ///< waits for what was submitted here
+  ~Device();  ///< waits for all submissions of this object
 
   VkDevice handle() const;
   const VolkDeviceTable& vk() const;
   const DeviceSummary& summary() const;
   const DeviceLimits& limits() const;
   bool format_supports(VkFormat format, VkFormatFeatureFlags features) const;  ///< optimal tiling
-  /// Sizes and sample counts that a 2D image may have; none: this format cannot be used so.
+  /// Returns the sizes and sample counts of 2D images of this format and usage; nothing if they are not
+  /// supported.
   std::optional<VkImageFormatProperties> image_format_properties(VkFormat format,
                                                                  VkImageUsageFlags usage) const;
   const VkPhysicalDeviceProperties& properties() const;
@@ -110,27 +110,27 @@ class Device {
   VkCommandBuffer begin();
   /// Ends and submits it; returns the serial that wait() takes.
   std::uint64_t submit(VkCommandBuffer commands);
-  /// Gives back commands that will not be submitted (recording them failed).
+  /// Frees commands that will not be submitted (recording them failed).
   void discard(VkCommandBuffer commands);
   void wait(std::uint64_t serial);  ///< DeviceError if the device is lost
-  /// begin, record, submit, wait.
+  /// Begins, records, submits and waits.
   void run(const std::function<void(VkCommandBuffer)>& record);
 
-  /// With an external queue: tells that everything recorded so far has completed, so that retired objects are
-  /// freed.
+  /// For an external queue: declares that everything recorded so far has completed, so that retired objects
+  /// are freed.
   void collect();
-  /// Frees something once all work recorded so far has completed (now, if nothing is in flight).
+  /// Calls `free` once all work recorded so far has completed (now, if nothing is in flight).
   void retire(std::function<void()> free);
 
   MemoryPool& memory();
-  std::uint64_t image_bytes() const;  ///< now allocated for textures
+  std::uint64_t image_bytes() const;  ///< currently allocated for textures
   std::uint64_t buffer_bytes() const;
   std::uint64_t peak_bytes() const;
 
-  /// What the validation layer said since the start (errors and warnings), in order. Empty if not validating.
+  /// Returns the messages of the validation layer (errors and warnings), in order. Empty if not validating.
   const std::vector<std::string>& validation_messages() const;
 
-  /// nothing if debug utils are off
+  /// These do nothing without debug utils.
   void set_name(VkObjectType type, std::uint64_t handle, const std::string& name) const;
   void begin_label(VkCommandBuffer commands, const std::string& name) const;
   void end_label(VkCommandBuffer commands) const;

@@ -8,7 +8,7 @@
 
 namespace dermis::gpu {
 
-/// Bytes of one texel (one sample). Asserts that the format is one we know.
+/// Returns the bytes per texel (of one sample). Asserts that the format is known.
 std::uint32_t texel_bytes(VkFormat format);
 const char* format_name(VkFormat format);  ///< "R8G8B8A8_SRGB"; "unknown format"
 

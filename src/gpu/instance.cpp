@@ -45,7 +45,7 @@ VkBool32 Instance::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                               VkDebugUtilsMessageTypeFlagsEXT type,
                               const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
   const std::string_view id = data->pMessageIdName ? data->pMessageIdName : "";
-  // The loader reports drivers that it could not open here; that is no fault of ours.
+  // The loader reports here drivers that it could not open, which is not our fault.
   if (id == "Loader Message") return VK_FALSE;
   const bool error = (severity & VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT) != 0;
   if (!error && (type & VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT) == 0) return VK_FALSE;
@@ -128,7 +128,7 @@ Instance::Instance(bool validate, const std::string& library) {
   const VkResult result = table_.create_messenger(handle_, &info, nullptr, &messenger_);
   if (result == VK_SUCCESS) return;
 
-  // No destructor runs after a constructor that throws.
+  // The destructor does not run after a constructor that throws.
   table_.destroy_instance(handle_, nullptr);
   check(result, "vkCreateDebugUtilsMessengerEXT");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A VkInstance of our own, with the validation layer if asked for. Never used with an engine's device.
+// Our own VkInstance, with the validation layer on request. Not used with an engine's device.
 #pragma once
 
 #include <volk.h>
@@ -15,7 +15,7 @@ namespace dermis::gpu {
 
 class Instance {
  public:
-  /// DeviceError, one line that says what to install: no loader, no driver, no validation layer.
+  /// Throws DeviceError (one line that says what to install): no loader, no driver, no validation layer.
   explicit Instance(bool validate, const std::string& library = loader_library);
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Function pointers, per instance and per device. Nothing global is filled: an engine in the same process
-// keeps its own.
+// Function pointers per instance and per device. Fills no global ones: an engine in the same process keeps
+// its own.
 #pragma once
 
 #include <volk.h>
@@ -11,12 +11,12 @@ namespace dermis::gpu {
 
 inline constexpr const char* loader_library = "libvulkan.so.1";
 
-/// Opens the Vulkan loader; null if it is not installed. It stays open for the life of the process: drivers
-/// do not survive unloading.
+/// Opens the Vulkan loader; returns null if it is not installed. It stays open for the life of the process,
+/// because drivers do not survive unloading.
 PFN_vkGetInstanceProcAddr open_loader(const std::string& library = loader_library);
 
-/// What we call on an instance and its physical devices. The debug functions are null if VK_EXT_debug_utils
-/// is not enabled.
+/// Functions of an instance and its physical devices. The debug functions are null if VK_EXT_debug_utils is
+/// not enabled.
 struct InstanceTable {
   PFN_vkDestroyInstance destroy_instance;
   PFN_vkEnumeratePhysicalDevices enumerate_physical_devices;

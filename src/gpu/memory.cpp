@@ -16,7 +16,7 @@ struct MemoryPool::Block {
   std::byte* mapped = nullptr;
   bool image = false;
   bool dedicated = false;
-  std::map<std::uint64_t, std::uint64_t> free;  ///< offset -> bytes; neighbours are always merged
+  std::map<std::uint64_t, std::uint64_t> free;  ///< offset -> bytes; adjacent ranges are merged
   bool is_empty() const { return free.size() == 1 && free.begin()->second == bytes; }
 };
 
@@ -58,7 +58,7 @@ std::vector<std::uint32_t> MemoryPool::types_for(std::uint32_t allowed, BufferPl
   constexpr VkMemoryPropertyFlags coherent =
       VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 
-  // Staging stays out of device memory, of which only a part may be visible; reading uncached memory is slow.
+  // Staging avoids device memory, of which only a part may be visible; reading uncached memory is slow.
   struct Wish {
     VkMemoryPropertyFlags with, without;
   };
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> MemoryPool::types_for(std::uint32_t allowed, BufferPl
       break;
   }
 
-  // Takes the first wish that some type grants, with its types in the driver's order.
+  // Takes the first wish that a type fulfils, with its types in the driver's order.
   for (const Wish& wish : wishes) {
     std::vector<std::uint32_t> types;
     for (std::uint32_t i = 0; i < properties_.memoryTypeCount; ++i) {
@@ -161,7 +161,7 @@ MemoryPool::Allocation* MemoryPool::try_allocate(const Request& request,
       if (Allocation* made = place_in(*block, request)) return made;
     }
     Block* block = new_block(request, type, dedicated ? bytes : usual, dedicated);
-    // A full heap may still have room for this one resource.
+    // A heap without room for a block may have room for this one resource.
     if (!block && !dedicated) block = new_block(request, type, bytes, true);
     if (block) return place_in(*block, request);
   }
@@ -225,7 +225,7 @@ void MemoryPool::free(Allocation* allocation) {
   DERMIS_ASSERT(allocation != nullptr);
   Block& block = *allocation->block;
 
-  // Joins the range with the free ones beside it.
+  // Merges the range with adjacent free ones.
   auto [at, inserted] = block.free.emplace(allocation->offset, allocation->bytes);
   DERMIS_ASSERT(inserted);
   if (const auto next = std::next(at); next != block.free.end() && at->first + at->second == next->first) {
@@ -245,7 +245,7 @@ void MemoryPool::free(Allocation* allocation) {
   delete allocation;
   if (!block.is_empty()) return;
 
-  // One empty block of a kind is kept: staging buffers come and go.
+  // Keeps one empty block per kind, for staging buffers.
   const bool another = std::ranges::any_of(blocks_, [&](const auto& other) {
     return other.get() != &block && !other->dedicated && other->type == block.type &&
            other->image == block.image && other->is_empty();

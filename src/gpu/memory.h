@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Device memory by blocks: each block serves one memory type and one kind of resource (linear or optimal), so
-// that neighbours never share a page of bufferImageGranularity. Large resources get memory of their own. One
-// thread at a time.
+// Allocates device memory in blocks. Each block serves one memory type and one kind of resource (linear or
+// optimal), so that neighbours never share a page of bufferImageGranularity. Large resources get their own
+// memory. One thread at a time.
 #pragma once
 
 #include <volk.h>
@@ -25,7 +25,7 @@ class MemoryPool {
   struct Block;
   struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
-    std::uint64_t offset = 0;  ///< of the resource in the memory
+    std::uint64_t offset = 0;  ///< of the resource
     std::uint64_t bytes = 0;
     std::byte* mapped = nullptr;  ///< upload and readback only
     bool image = false;
@@ -36,10 +36,10 @@ class MemoryPool {
              std::uint64_t max_allocation_bytes);
   MemoryPool(const MemoryPool&) = delete;
   MemoryPool& operator=(const MemoryPool&) = delete;
-  ~MemoryPool();  ///< asserts that everything was freed
+  ~MemoryPool();  ///< asserts that all was freed
 
-  /// Memory for a buffer or an image; binding it is the caller's. DeviceError: does not fit (says how much
-  /// was needed, and the heap).
+  /// Return memory for a buffer or an image; the caller binds it. Throw DeviceError if it does not fit (names
+  /// the size and the heap).
   Allocation* allocate_buffer(const std::string& name, VkBuffer buffer, BufferPlace place);
   Allocation* allocate_image(const std::string& name, VkImage image);
   void free(Allocation* allocation);
@@ -48,7 +48,7 @@ class MemoryPool {
   std::uint64_t image_bytes() const { return image_bytes_; }
   std::uint64_t buffer_bytes() const { return buffer_bytes_; }
   std::uint64_t peak_bytes() const { return peak_bytes_; }  ///< largest sum of the two so far
-  std::uint64_t reserved_bytes() const;                     ///< taken from the driver now
+  std::uint64_t reserved_bytes() const;                     ///< currently allocated from the driver
 
  private:
   struct Request;
@@ -59,7 +59,7 @@ class MemoryPool {
   std::vector<std::uint32_t> types_for(std::uint32_t allowed, BufferPlace place) const;
   void map(Block& block);
   void release(Block* block);
-  bool release_empty();  ///< true if there was one
+  bool release_empty();  ///< returns whether there was one
 
   const VolkDeviceTable* vk_;
   VkDevice device_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The file that keeps driver code between runs. Drivers check their own header only, and crash on what
-// follows if it is damaged; so the file is one of core/cache.h, with a checksum, and a header of ours comes
-// first, with the identity of the device and driver.
+// Stores driver code in a file between runs. Drivers check only their own header, and crash on damaged data
+// behind it. So the file is one of core/cache.h, with a checksum, and begins with our own header that
+// identifies device and driver.
 #pragma once
 
 #include <volk.h>
@@ -13,12 +13,12 @@
 
 namespace dermis::gpu {
 
-/// The driver's bytes; empty if the file is missing, damaged or from another device or driver. A damaged
-/// file is a note. Never throws.
+/// Returns the driver's bytes; empty if the file is missing, damaged (with a note) or from another device or
+/// driver. Never throws.
 std::vector<std::byte> load_pipeline_cache(const std::filesystem::path& file,
                                            const VkPhysicalDeviceProperties& properties);
 
-/// Writes it whole or not at all, making the last folder or two of the path if need be. Failing is a warning.
+/// Writes the file completely or not at all; creates up to two missing folders of the path. Warns on failure.
 void save_pipeline_cache(const std::filesystem::path& file, const VkPhysicalDeviceProperties& properties,
                          std::span<const std::byte> bytes);
 

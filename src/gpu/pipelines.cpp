@@ -32,8 +32,8 @@ std::string text_of(const Constants& constants) {
   return text;
 }
 
-/// One shader with the constants that it declares, ready for a pipeline. Must not move: the structures point
-/// at each other.
+/// One shader with its specialisation constants, ready for a pipeline. Must not move: the structures point at
+/// each other.
 class Stage {
  public:
   Stage(Device& device, VkShaderStageFlagBits stage, const std::string& name,
@@ -192,7 +192,7 @@ FixedFunctions::FixedFunctions(const GraphicsDesc& desc) {
   samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.samples);
   samples.alphaToCoverageEnable = desc.alpha_to_coverage;
   depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
-  // Vulkan writes depth only where it tests it.
+  // Vulkan writes depth only if the depth test is on.
   depth.depthTestEnable = desc.depth_test || desc.depth_write;
   depth.depthWriteEnable = desc.depth_write;
   depth.depthCompareOp = desc.depth_test ? desc.depth_compare : VK_COMPARE_OP_ALWAYS;
@@ -231,7 +231,7 @@ VkSamplerAddressMode address_of(Address address) {
 }  // namespace
 
 struct PipelineLibrary::State {
-  /// A pipeline with what it owns beside its handle.
+  /// A pipeline and the objects that it owns.
   struct Entry {
     Pipeline pipeline;
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
@@ -240,7 +240,7 @@ struct PipelineLibrary::State {
   ShaderSource shaders;
   std::filesystem::path cache_file;
   VkPipelineCache cache = VK_NULL_HANDLE;
-  std::vector<std::byte> loaded;  ///< what the cache file held
+  std::vector<std::byte> loaded;  ///< content of the cache file
   std::map<std::string, std::unique_ptr<Entry>> entries;
   std::vector<std::pair<SamplerDesc, VkSampler>> samplers;
   double creation_ms = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pipelines from SPIR-V. Bindings, push-constant size, workgroup size and specialisation constants are read
-// from the shader; the host says only what it must. Descriptor set 0, pushed at record time
-// (VK_KHR_push_descriptor).
+// from the shader. Descriptor set 0, pushed at record time (VK_KHR_push_descriptor).
 #pragma once
 
 #include <volk.h>
@@ -37,9 +36,9 @@ struct BindingSlot {
   std::string name;
 };
 
-/// What reflection finds in one or two stages together.
+/// The interface of one or two stages together, by reflection.
 struct ShaderInterface {
-  std::vector<BindingSlot> bindings;  ///< by binding number
+  std::vector<BindingSlot> bindings;  ///< sorted by binding number
   std::uint32_t push_bytes = 0;
   std::array<std::uint32_t, 3> workgroup{1, 1, 1};  ///< in a Pipeline: with its constants applied
   static constexpr std::uint32_t fixed = 0xffffffff;
@@ -50,22 +49,22 @@ struct ShaderInterface {
 };
 ShaderInterface reflect(std::span<const std::uint32_t> spirv, const std::string& name);
 
-/// Named specialisation constants; a name that the shader does not declare is our bug (assertion). bool and
-/// int are given as 32 bits.
+/// Named specialisation constants, bool and int as 32 bits. A name that the shader does not declare is our
+/// bug (assertion).
 using Constants = std::vector<std::pair<std::string, std::uint32_t>>;
 
 enum class Blend : std::uint8_t { none, over };  ///< over: premultiplied alpha
 enum class Cull : std::uint8_t { none, back, front };
 
 struct GraphicsDesc {
-  std::string vertex;    ///< shader names; vertices are pulled from storage buffers
+  std::string vertex;    ///< shader names; vertices are read from storage buffers
   std::string fragment;  ///< empty: depth only
-  Constants constants;   ///< for both stages; each stage takes those that it declares
+  Constants constants;   ///< for both stages; each takes those that it declares
   std::vector<VkFormat> colour_formats;
   VkFormat depth_format = VK_FORMAT_UNDEFINED;
   std::uint32_t samples = 1;
   Blend blend = Blend::none;
-  Cull cull = Cull::none;  ///< front = counter-clockwise as seen (viewport with negative height, as glTF)
+  Cull cull = Cull::none;  ///< front = counter-clockwise (viewport with negative height, as glTF)
   bool depth_test = false, depth_write = false;
   VkCompareOp depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;  ///< reversed Z
   bool depth_clamp = false;
@@ -83,12 +82,12 @@ class Pipeline {
   std::string name;
 };
 
-/// SPIR-V by name ("blur.comp"); empty span when there is none.
+/// Returns SPIR-V by name ("blur.comp"); an empty span if there is none.
 using ShaderSource = std::function<std::span<const std::uint32_t>(std::string_view name)>;
 
-/// Makes each pipeline once and keeps it. With a cache file, driver code is kept between runs; a file that is
-/// missing, damaged or from another driver is ignored and rewritten (atomically) by save_cache(); failing to
-/// write it is a warning, never an error.
+/// Makes each pipeline once and keeps it. With a cache file, driver code is kept between runs. save_cache()
+/// replaces a file that is missing, damaged or from another driver (atomically); if it cannot be written, it
+/// warns.
 class PipelineLibrary {
  public:
   PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file = {});
@@ -96,12 +95,12 @@ class PipelineLibrary {
   PipelineLibrary& operator=(const PipelineLibrary&) = delete;
   ~PipelineLibrary();
 
-  /// References stay valid as long as the library.
+  /// References are valid as long as the library.
   const Pipeline& compute(const std::string& shader, const Constants& constants = {});
   const Pipeline& graphics(const GraphicsDesc& desc);
   VkSampler sampler(const SamplerDesc& desc);
   void save_cache() const;
-  double creation_ms() const;  ///< time spent in making pipelines so far
+  double creation_ms() const;  ///< time spent on pipelines so far
   Device& device();
 
  private:
@@ -109,7 +108,8 @@ class PipelineLibrary {
   std::unique_ptr<State> state_;
 };
 
-/// $XDG_CACHE_HOME or ~/.cache, then dermis/pipelines.bin; empty if neither is set.
+/// Returns $XDG_CACHE_HOME/dermis/pipelines.bin or  /.cache/dermis/pipelines.bin; empty if neither variable
+/// is set.
 std::filesystem::path default_pipeline_cache();
 
 }  // namespace dermis::gpu

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A buffer without a lifetime of its own, for staging: it is destroyed by hand as soon as its one submission
-// has completed, which an engine's device would otherwise put off until collect().
+// A buffer for staging, destroyed by hand as soon as its one submission has completed. On an engine's device,
+// retire() would keep it until collect().
 #pragma once
 
 #include <string>

@@ -9,7 +9,7 @@
 namespace dermis::gpu {
 namespace {
 
-/// Shaders are compiled with this library, so whatever is wrong with one is our bug.
+/// Reports a faulty shader. Shaders are compiled with this library, so it is our bug.
 [[noreturn]] void bad_shader(const std::string& name, const std::string& what) {
   assertion_failed("shader can be reflected", fmt::format("{}: {}", name, what), __FILE__, __LINE__);
 }
@@ -69,7 +69,8 @@ class Reflection {
       const auto decoration = [&](SpvDecoration d) {
         return spvc_compiler_get_decoration(compiler_, resource.id, d);
       };
-      // A buffer block's own name is its type's; the variable's says more where it has one.
+      // The name of a buffer block is that of its type; the name of the variable is more specific, if there
+      // is one.
       const std::string variable = spvc_compiler_get_name(compiler_, resource.id);
       const std::string name = variable.empty() ? resource.name : variable;
       if (decoration(SpvDecorationDescriptorSet) != 0)
@@ -93,11 +94,11 @@ class Reflection {
     need(spvc_compiler_get_specialization_constants(compiler_, &constants, &count));
     for (std::size_t i = 0; i < count; ++i) {
       const std::string name = spvc_compiler_get_name(compiler_, constants[i].id);
-      // the size of a workgroup: glslc makes one without a name for each use, beside the one declared
+      // The size of a workgroup: glslc adds a constant without a name for each use of the declared one.
       if (name.empty()) continue;
       spvc_constant handle = spvc_compiler_get_constant_handle(compiler_, constants[i].id);
       spvc_type type = spvc_compiler_get_type_handle(compiler_, spvc_constant_get_type(handle));
-      // A bool's width is 1 here; in the data that Vulkan takes it is 32 bits like the others.
+      // A bool has the width 1 here, but 32 bits in the data for Vulkan.
       if (spvc_type_get_basetype(type) != SPVC_BASETYPE_BOOLEAN && spvc_type_get_bit_width(type) != 32)
         bad_shader(name_, fmt::format("specialisation constant '{}' is not of 32 bits", name));
       result.constants.emplace_back(name, constants[i].constant_id);
@@ -125,8 +126,8 @@ class Reflection {
     return spvc_constant_get_scalar_u32(spvc_compiler_get_constant_handle(compiler_, id), 0, 0);
   }
 
-  /// A workgroup's size has a default of its own (local_size_x), apart from that of the named constant with
-  /// the same id.
+  /// Checks that the default of a workgroup's size (local_size_x) equals that of the named constant with the
+  /// same id; SPIR-V stores them separately.
   void check_default(std::uint32_t constant_id, std::uint32_t size) const {
     const spvc_specialization_constant* constants = nullptr;
     std::size_t count = 0;

@@ -24,8 +24,8 @@ std::uint64_t as_number(Handle handle) {
   return reinterpret_cast<std::uint64_t>(handle);
 }
 
-/// What is asked of vkCreateImage. Transfer is always allowed for plain textures: uploads, read-backs and
-/// clears need it.
+/// Returns the arguments of vkCreateImage. Plain textures always allow transfers, for uploads, read-backs and
+/// clears.
 VkImageCreateInfo image_info(const TextureDesc& desc) {
   VkImageCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
@@ -55,7 +55,7 @@ void check_texture_limits(const Device& device, const std::string& name, const T
     throw device_error("'{}' would have {} layers; {} allows {}", name, desc.layers, device.summary().name,
                        limits.max_array_layers);
 
-  // Asks what the format allows for these uses: it may be less than the limits of the device.
+  // A format may allow less for these uses than the limits of the device.
   const std::optional<VkImageFormatProperties> can = device.image_format_properties(desc.format, usage);
   if (!can)
     throw device_error("'{}' needs {} images for the uses {:#x}, which {} does not have", name,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Move-only buffers and textures. The name given at creation serves debug label, validation message and
-// memory report. Destructors hand the object to Device::retire, so it lives as long as the GPU needs it.
+// Move-only buffers and textures. The name is used for the debug label, validation messages and the memory
+// report. Destructors pass the object to Device::retire, so it lives as long as the GPU needs it.
 #pragma once
 
 #include <volk.h>
@@ -28,7 +28,7 @@ struct BufferDesc {
 class Buffer {
  public:
   Buffer() = default;
-  /// DeviceError: no memory (says how much was needed)
+  /// Throws DeviceError if memory does not suffice (names the size).
   Buffer(Device& device, std::string name, const BufferDesc& desc);
   Buffer(Buffer&&) noexcept;
   Buffer& operator=(Buffer&&) noexcept;
@@ -65,7 +65,7 @@ VkImageAspectFlags aspect_of(VkFormat format);
 class Texture {
  public:
   Texture() = default;
-  /// DeviceError: over the device's limit, no memory
+  /// Throws DeviceError if over a limit of the device, or if memory does not suffice.
   Texture(Device& device, std::string name, const TextureDesc& desc);
   Texture(Texture&&) noexcept;
   Texture& operator=(Texture&&) noexcept;
@@ -88,20 +88,21 @@ class Texture {
   void* allocation_ = nullptr;
 };
 
-/// Fills a buffer or texture from host memory through a staging buffer; waits until done. Texture data: mips
-/// one after the other, each tightly packed (layers inside); the texture ends in SHADER_READ_ONLY_OPTIMAL.
+/// Fill a buffer or texture from host memory through a staging buffer, and wait until done. Texture data:
+/// mips one after the other, each tightly packed (layers inside); the texture ends in
+/// SHADER_READ_ONLY_OPTIMAL.
 void upload(Device& device, const Buffer& to, std::span<const std::byte> bytes);
 void upload(Device& device, const Texture& to, std::span<const std::byte> bytes);
-/// Mip 0, one layer, tightly packed. The texture must be in `layout` and returns to it.
+/// Returns mip 0 of one layer, tightly packed. The texture must be in `layout` and returns to it.
 std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLayout layout,
                                  std::uint32_t layer = 0);
 std::vector<std::byte> read_back(Device& device, const Buffer& from);
 
-/// For tests: fills a texture of one sample with what a driver might leave there and no reader may use: not a
-/// number where the format has it (halfway in a depth); waits until done. Its layout is undefined afterwards.
+/// For tests: fills a texture of one sample with values that a driver might leave and no reader may use: NaN
+/// if the format has it (0.5 in a depth). Waits until done. The layout is undefined afterwards.
 void poison(Device& device, const Texture& texture);
 
-/// A device buffer filled with the bytes of `data`.
+/// Returns a device buffer filled with `data`.
 template <class T>
 Buffer make_buffer(Device& device, std::string name, std::span<const T> data, VkBufferUsageFlags usage) {
   Buffer buffer(device, std::move(name),
@@ -113,10 +114,10 @@ Buffer make_buffer(Device& device, std::string name, std::span<const T> data, Vk
 enum class Filter : std::uint8_t { nearest, linear };
 enum class Address : std::uint8_t { repeat, clamp, mirror };
 struct SamplerDesc {
-  Filter filter = Filter::linear;  ///< mip filter is the same
+  Filter filter = Filter::linear;  ///< also for mip levels
   Address u = Address::clamp, v = Address::clamp;
   bool compare_greater = false;  ///< reversed-Z shadow comparison (GREATER_OR_EQUAL)
-  float max_anisotropy = 1;      ///< clamped to what the device has
+  float max_anisotropy = 1;      ///< clamped to the device's limit
   bool operator==(const SamplerDesc&) const = default;
 };
 

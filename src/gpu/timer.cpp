@@ -16,7 +16,7 @@ struct Timer::State {
   std::uint32_t queries = 0;
   std::uint32_t next = 0;
   std::vector<Scope> scopes;
-  std::vector<std::size_t> open;  ///< scopes begun and not ended, outermost first
+  std::vector<std::size_t> open;  ///< open scopes, outermost first
 
   std::uint32_t stamp(VkCommandBuffer commands) {
     DERMIS_ASSERT_LT(next, queries);
@@ -73,7 +73,7 @@ std::vector<Timing> Timer::read() const {
           "vkGetQueryPoolResults (read() comes after the work has completed)");
   }
   const double ms_per_tick = s.device->limits().timestamp_period_ns * 1e-6;
-  const std::uint64_t mask = s.device->limits().timestamp_mask;  // a counter of fewer bits wraps round
+  const std::uint64_t mask = s.device->limits().timestamp_mask;  // a counter of fewer bits wraps around
   for (const State::Scope& scope : s.scopes)
     timings.push_back(
         {scope.name, static_cast<double>((ticks[scope.last] - ticks[scope.first]) & mask) * ms_per_tick});

@@ -17,8 +17,8 @@ struct Timing {
   double ms = 0;
 };
 
-/// Records pairs of timestamps into command buffers; read() after the work has completed. Scopes with the
-/// same name stay separate.
+/// Records pairs of timestamps into command buffers; call read() after the work has completed. Scopes with
+/// equal names stay separate.
 class Timer {
  public:
   Timer(Device& device, std::uint32_t max_scopes);

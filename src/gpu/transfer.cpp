@@ -13,7 +13,7 @@
 namespace dermis::gpu {
 namespace {
 
-/// Host memory for one transfer that is waited for.
+/// Host memory for one transfer, which is waited for.
 class Staging {
  public:
   Staging(Device& device, const std::string& name, std::uint64_t bytes, BufferPlace place)
@@ -30,8 +30,7 @@ class Staging {
   RawBuffer raw_;
 };
 
-/// Before and after a transfer everything may use what was transferred: these run once, outside of frames, so
-/// they may be coarse.
+/// A full barrier before and after a transfer. Transfers run once, outside of frames, so it may be coarse.
 void barrier(const Device& device, VkCommandBuffer commands, const Texture* texture, VkImageLayout from,
              VkImageLayout to) {
   VkMemoryBarrier2 all{};
