@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The alpha test of skin. Maps are read as they are, without levels of detail: light map, stretch map,
-// picture and reference then agree about what is there. A constant, so that skin that is not cut out pays
-// nothing for it. Needs: scene_io.h, `material`, map_base_colour.
+// The alpha test of skin. Reads maps at full resolution, so that light map, stretch map, picture and
+// reference agree. A specialisation constant, so that skin without alpha test pays nothing. Needs:
+// scene_io.h, `material`, map_base_colour.
 layout(constant_id = 11) const bool cut_out = false;
 
 vec2 alpha_uv(vec4 uv) {
@@ -10,7 +10,7 @@ vec2 alpha_uv(vec4 uv) {
   return map.u_axis * own.x + map.v_axis * own.y + map.offset;
 }
 
-// uv: both sets.
+// uv: both sets of texture coordinates.
 bool is_cut(vec4 uv, vec4 colour) {
   return material.base_colour.a * colour.a * textureLod(map_base_colour, alpha_uv(uv), 0.0).a <
          material.alpha_cutoff;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Light from everywhere: uniform, or from a picture of the surroundings (src/environment). Needs `frame`, pi.
+// Light of the environment: uniform, or from a picture (src/environment). Needs `frame`, pi.
 layout(constant_id = 7) const bool environment = false;  // a picture; else frame.ambient
 layout(binding = 26) uniform sampler2D
-    environment_map;  // equirectangular, a lobe twice as wide each mip: environment/environment.h
+    environment_map;  // equirectangular, a lobe twice as wide per mip level: environment/environment.h
 
-// The surroundings are turned about +Y, so directions are turned back.
+// The environment is turned about +Y, so directions are turned back.
 vec3 environment_frame(vec3 d) {
   return vec3(d.x * frame.environment_cos - d.z * frame.environment_sin, d.y,
               d.x * frame.environment_sin + d.z * frame.environment_cos);
 }
 
-// Of an unoccluded surface.
+// Returns the irradiance of an unoccluded surface.
 vec3 surroundings_irradiance(vec3 normal) {
   if (!environment) return frame.ambient * pi;
   const vec3 n = environment_frame(normal);
@@ -24,7 +24,7 @@ vec3 surroundings_irradiance(vec3 normal) {
   return max(e, vec3(0.0));
 }
 
-// Averaged over a Beckmann lobe of slope m around the direction.
+// Returns the radiance averaged over a Beckmann lobe of slope m around the direction.
 vec3 surroundings_radiance(vec3 direction, float m) {
   if (!environment) return frame.ambient;
   const vec3 d = environment_frame(direction);
@@ -33,9 +33,9 @@ vec3 surroundings_radiance(vec3 direction, float m) {
   return textureLod(environment_map, at, level).rgb * frame.environment_intensity;
 }
 
-// What of a lobe about `towards`, of slope m, lies in the cone in which the sky is seen: about `sky`, as wide
-// as the share `open` of a hemisphere. Two cones, as [J16] Jimenez, Wu, Pesce, Jarabo: Practical Real-Time
-// Strategies for Accurate Indirect Occlusion, SIGGRAPH 2016.
+// Returns the part of a lobe of slope m about `towards` that lies in the cone of visible sky: about `sky`, as
+// wide as the share `open` of a hemisphere. Two cones, as in [J16] Jimenez, Wu, Pesce, Jarabo: Practical
+// Real-Time Strategies for Accurate Indirect Occlusion, SIGGRAPH 2016.
 float sky_in_lobe(vec3 sky, float open, vec3 towards, float m) {
   const float cone = asin(sqrt(clamp(open, 0.0, 1.0))), lobe = 1.4 * atan(max(m, 0.01));
   const float between = acos(clamp(dot(sky, towards), -1.0, 1.0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light that arrives at a point, with its shadow. Needs: buffers `lights` (LightIo[]), `shadow_matrices`
-// (mat4[]), sampler2DArray `shadow_depths`, read as it is.
+// (mat4[]), and sampler2DArray `shadow_depths` without comparison.
 
 struct Arriving {
   vec3 irradiance;  // on a surface that faces the light, unshadowed
@@ -38,7 +38,7 @@ Arriving arriving_light(LightIo light, vec3 p) {
   return a;
 }
 
-// Which of the six layers of an omnidirectional map a direction falls on: +x -x +y -y +z -z.
+// Returns the layer of an omnidirectional map for a direction: +x -x +y -y +z -z.
 uint cube_face(vec3 d) {
   const vec3 a = abs(d);
   if (a.x >= a.y && a.x >= a.z) return d.x > 0.0 ? 0u : 1u;
@@ -46,18 +46,18 @@ uint cube_face(vec3 d) {
   return d.z > 0.0 ? 4u : 5u;
 }
 
-// The layer of a light's map that holds p.
+// Returns the layer of a light's map that holds p.
 uint shadow_layer_of(LightIo light, vec3 p) {
   return light.shadow_layer + (light.shadow_layers == 6u ? cube_face(p - light.position_m) : 0u);
 }
 
-// Side of a texel of a light's map where its light arrives.
+// Returns the side of a texel of a light's map at the distance of the point.
 float shadow_texel_m(LightIo light, Arriving a) {
   return light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
 }
 
-// p moved off its surface: so many texels along the normal where light grazes it, fewer where it is faced,
-// and one towards the light.
+// Shadow bias: returns p moved along the normal, by an offset that grows with the grazing angle up to
+// `texels`, plus one texel towards the light.
 vec3 off_the_surface(vec3 p, vec3 n_geometric, Arriving a, float texel_m, float texels) {
   const float cosine = dot(n_geometric, a.to_light), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
   return p + n_geometric * (texels * texel_m * sine) + a.to_light * texel_m;
@@ -65,16 +65,16 @@ vec3 off_the_surface(vec3 p, vec3 n_geometric, Arriving a, float texel_m, float 
 
 #include "shaders/soft_shadow.glsl"
 
-// What a light's map holds around the place of a point.
+// The texels of a light's map around a point.
 struct MapLook {
   mat4 from_world;
   vec4 clip;     // of the point
-  vec2 uv;       // its place in the map
-  vec2 between;  // its place between the middle four texels, 0..1
-  vec4 z[4];     // depths of 4 x 4 texels around: [x + 2 y] is a block of two by two, in the order of
+  vec2 uv;       // its position in the map
+  vec2 between;  // its position between the middle four texels, 0..1
+  vec4 z[4];     // depths of the 4 x 4 texels around: [x + 2 y] is a block of two by two, in the order of
                  // textureGather: (0,1) (1,1) (1,0) (0,0)
   float layer;
-  bool inside;  // else the map says nothing of the point, and z holds nothing
+  bool inside;  // false: the point is outside the map, and z is not set
 };
 
 MapLook look_into_map(LightIo light, vec3 p) {
@@ -94,8 +94,8 @@ MapLook look_into_map(LightIo light, vec3 p) {
   return m;
 }
 
-// The share of a tent over 3 x 3 bilinear comparisons that is not beyond the point, as weights of 4 x 4
-// comparisons.
+// Returns the share of a tent over 3 x 3 bilinear comparisons that is not beyond the point, as weights of 4 x
+// 4 comparisons.
 float share_not_beyond(MapLook m) {
   const vec2 f = m.between;
   const vec4 x = vec4(1.0 - f.x, 2.0 - f.x, 1.0 + f.x, f.x) * 0.25,
@@ -108,9 +108,9 @@ float share_not_beyond(MapLook m) {
   return sum;
 }
 
-// How much of the light arrives at p, 0..1, by a look from beside it: percentage-closer filtering with tent
-// weights, a stable soft edge about three texels wide. Gathers cost less than comparisons by the sampler, of
-// which it took nine.
+// Returns the share of the light that arrives at p, 0..1, from the texels around it: percentage-closer
+// filtering with tent weights, a stable soft edge about three texels wide. Gathers cost less than the nine
+// comparisons of a comparison sampler.
 float share_lit(LightIo light, Arriving a, vec3 p, vec3 n_geometric, MapLook m) {
   const float lit = share_not_beyond(m);
   if (soft_shadows && light.radius > 0.0)
@@ -118,8 +118,8 @@ float share_lit(LightIo light, Arriving a, vec3 p, vec3 n_geometric, MapLook m) 
   return lit;
 }
 
-// The receiver is moved along its geometric normal by the filter's radius (so a plane never shadows itself,
-// whatever its slope) and a texel towards the light.
+// Moves the receiver along its geometric normal by the radius of the filter (so that a plane never shadows
+// itself, at any slope) and one texel towards the light.
 float shadow_at(LightIo light, Arriving a, vec3 p, vec3 n_geometric) {
   if (light.shadow_layers == 0u) return 1.0;
   const vec3 q =

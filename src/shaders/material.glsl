@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour
+// Reads a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour
 // ... (scene_io.h).
 #include "shaders/switches.glsl"
 
@@ -20,7 +20,7 @@ vec3 mapped_normal(MapIo map, sampler2D normal_map, ShadingPoint s) {
   if (!is_present(map)) return s.normal;
   vec3 t = texture(normal_map, map_uv(map, s)).xyz * 2.0 - 1.0;
   t.xy *= map.scale;
-  // MikkTSpace: the bitangent is derived at the pixel and the tangent frame is used as interpolated.
+  // MikkTSpace: the bitangent is computed per pixel, and the tangent frame is used as interpolated.
   const vec3 bitangent = cross(s.normal, s.tangent.xyz) * s.tangent.w;
   const vec3 n = s.tangent.xyz * t.x + bitangent * t.y + s.normal * t.z;
   const float length2 = dot(n, n);

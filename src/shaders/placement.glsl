@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices of meshes that may stand in several places: the instance's number is that of its place. Needs
+// Vertices of meshes with placements: the number of the instance is that of its placement. Needs
 // vertex_pull.glsl.
 #include "shared/placement_io.h"
 layout(binding = 31, scalar) readonly buffer Placements { PlacementIo placements[]; };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a point of skin is made of, and the light that enters there: shared by the map in texture space and by
-// direct shading per pixel, so that both show the same skin. Uniform, not storage, buffers: some software
+// Material of a point of skin and the light that enters there: shared by the pass in texture space and by
+// direct shading per pixel, so that both show the same skin. Buffers are uniform, not storage: some software
 // devices read zeros from storage in helper invocations, which breaks texture derivatives.
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
@@ -17,7 +17,7 @@ layout(binding = 27) uniform sampler2D bent_normal;  // over the unwrap: environ
 layout(binding = 29) uniform sampler2D sky_direct;   // likewise: environment::SkyLight
 layout(binding = 30) uniform sampler2D sky_bounced;
 layout(constant_id = 13) const
-    bool off_map = false;  // the unwrap does not hold the point: nothing is known of what it sees of the sky
+    bool off_map = false;  // the point is not on the unwrap: its occlusion is not known
 
 #include "shaders/specular.glsl"
 #include "shaders/lights.glsl"
@@ -32,8 +32,8 @@ vec3 skin_albedo(ShadingPoint s) {
   return max(albedo, vec3(0.0));
 }
 
-// x^mix: [DLE07] sec. 3.4 splits the albedo before and after the scattering; mix 0.5 is an absorbing sheet
-// crossed twice.
+// Returns albedo^exponent. [DLE07] sec. 3.4 splits the albedo before and after scattering; mix 0.5 is an
+// absorbing sheet crossed twice.
 vec3 albedo_power(vec3 albedo, float exponent) {
   if (exponent <= float(nothing())) return vec3(1.0);
   return pow(max(albedo, vec3(1e-6)), vec3(exponent));
@@ -61,9 +61,9 @@ float skin_occlusion(ShadingPoint s) {
   return is_present(map) ? 1.0 + map.scale * (texture(map_occlusion, map_uv(map, s)).r - 1.0) : 1.0;
 }
 
-// Irradiance that enters the skin, sum over the lights. What the surface reflects does not enter; dividing by
-// the mean over all directions here, where the light enters, keeps a white furnace white with maps that vary:
-// (1-rho(L)) (1-rho(V)) / (1-rho_mean).
+// Returns the irradiance that enters the skin, summed over the lights, without what the surface reflects. The
+// division by its mean over all directions here, where light enters, keeps a white furnace white also with
+// maps that vary: (1-rho(L)) (1-rho(V)) / (1-rho_mean).
 vec3 entering_irradiance(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
   const float kept_mean = 1.0 - specular_albedo_mean(directional_albedo, spec);
   vec3 e = vec3(0.0);
@@ -78,23 +78,23 @@ vec3 entering_irradiance(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular 
   return e / kept_mean;
 }
 
-const float least_open = 0.002;  // white skin in a hole without a way out has no answer
+const float least_open = 0.002;  // lower bound: white skin in a closed hole has no solution
 
-// The share of the sky that a point sees.
+// Returns the visible share of the sky.
 float skin_open(ShadingPoint s, vec2 unwrap) {
   return environment && !off_map ? clamp(textureLod(bent_normal, unwrap, 0.0).w, least_open, 1.0) *
                                        max(skin_occlusion(s), least_open)
                                  : skin_occlusion(s);
 }
 
-// Irradiance that enters from the surroundings; what is reflected and what the mean takes off cancel. Under a
-// picture of them, what hides the sky sends on what it has of it, over any number of bounces, as white skin
-// in white surroundings stays white. What a painted map hides is lit as the point itself is: a geometric
-// series of the albedo. Based on: Stewart, Langer: Toward Accurate Recovery of Shape from Shading Under
-// Diffuse Lighting, PAMI 19(9), 1997.
+// Returns the irradiance that enters from the environment; its reflected part and the division by the mean
+// cancel. Under a picture, occluders reflect their own light over any number of bounces, as white skin in a
+// white environment stays white. What a painted map occludes is lit as the point itself: a geometric series
+// of the albedo. Based on: Stewart, Langer: Toward Accurate Recovery of Shape from Shading Under Diffuse
+// Lighting, PAMI 19(9), 1997.
 vec3 entering_surroundings(ShadingPoint s, vec3 n, vec2 unwrap) {
   if (!environment || off_map) return surroundings_irradiance(n) * skin_occlusion(s);
-  // The maps know the normal of the mesh; a mapped one faces another part of the sky.
+  // The maps hold the normal of the mesh; a mapped normal faces another part of the sky.
   const vec4 seen = textureLod(bent_normal, unwrap, 0.0), bounced = textureLod(sky_bounced, unwrap, 0.0);
   const vec3 mapped = surroundings_irradiance(normalize(n + seen.xyz)),
              unmapped = surroundings_irradiance(normalize(s.normal + seen.xyz));

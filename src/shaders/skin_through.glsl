@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The light that enters at a point of the skin, and that which comes to it through the body, in one loop over
-// the lights. Follows skin_point.glsl.
+// Light that enters at a point of the skin, and transmitted light that arrives there, in one loop over the
+// lights. Follows skin_point.glsl.
 #include "shared/transmission_io.h"
 layout(binding = 23) uniform sampler2DArray entering_maps;
 layout(binding = 24, scalar) uniform Transmission { TransmissionIo transmission; };
@@ -9,13 +9,12 @@ layout(constant_id = 8) const int through_terms = 6;
 
 struct EnteringAndThrough {
   vec3 entering;                     // irradiance, as entering_irradiance()
-  vec3 through[TRANSMISSION_TERMS];  // for each Gaussian: irradiance of the far side, times its albedo^mix
+  vec3 through[TRANSMISSION_TERMS];  // per Gaussian: irradiance of the far side, times its albedo^mix
                                      // and the Gaussian's slab factor
 };
 
-// Where the surface faces a light it is lit by it, or lies in a shadow that the light may have reached by
-// air: none of it comes through the body. Where it faces away none of that light enters. So no light is
-// counted twice.
+// Where the surface faces a light it is lit by it, or lies in a shadow that the light may have passed through
+// air: nothing is transmitted. Where it faces away none of that light enters. So no light counts twice.
 EnteringAndThrough entering_and_through(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
   const float kept_mean = 1.0 - specular_albedo_mean(directional_albedo, spec);
   EnteringAndThrough r;
@@ -40,7 +39,7 @@ EnteringAndThrough entering_and_through(ShadingPoint s, vec3 n, vec3 n_geometric
           a.irradiance *
           (cosine_lit * read.lit * (1.0 - specular_albedo(directional_albedo, spec, cosine_lit)) / kept_mean);
 
-    // A light that has not quite set comes half over the horizon and half through the body.
+    // While a light sets, its transmitted light fades in.
     const float set = tangent > 0.0 ? min(-cosine_here / tangent, 1.0) : 1.0;
     add_slab_factors(read, cosine_here,
                      kept * read.entering * (faces ? 0.0 : set * nearer_factor(light, a, read)), r.through);
@@ -48,7 +47,7 @@ EnteringAndThrough entering_and_through(ShadingPoint s, vec3 n, vec3 n_geometric
   return r;
 }
 
-// What of it joins the light map before the terms of a group: passes/transmission.h.
+// Returns the part that joins the light map before the terms of a group: passes/transmission.h.
 vec3 joining(EnteringAndThrough r, int group) {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < through_terms; ++i)

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Penumbrae of lights that are discs, which face the point that they light. The map is back-projected onto
-// the light: what lies at a distance towards it, beside the ray to its middle, hides one point of the disc.
-// In each of a few directions the points that are hidden are gathered as bits, so that what lies behind each
-// other is not counted twice. Based on: [GBP06] Guennebaud, Barthe, Paulin: Real-time Soft Shadow Mapping by
-// Backprojection, EGSR 2006 (samples of the map are small plates in space); [TLG23] Therrien, Levesque,
-// Gilet: Screen Space Indirect Lighting with Visibility Bitmask, The Visual Computer 2023. Needs:
-// sampler2DArray `shadow_depths`.
+// Penumbrae of lights that are discs, which face the lit point. The map is back-projected onto the light: an
+// occluder at a distance towards the light, beside the ray to its centre, hides one point of the disc. In
+// each of a few directions hidden points are collected as bits, so that occluders behind each other do not
+// count twice. Based on: [GBP06] Guennebaud, Barthe, Paulin: Real-time Soft Shadow Mapping by Backprojection,
+// EGSR 2006 (samples of the map are small plates in space); [TLG23] Therrien, Levesque, Gilet: Screen Space
+// Indirect Lighting with Visibility Bitmask, The Visual Computer 2023. Needs: sampler2DArray `shadow_depths`.
 layout(constant_id = 10) const bool soft_shadows = false;
 
 const int soft_directions = 8, soft_steps = 10;
-const float solid_m =
-    0.006;  // what the map shows goes on beneath for at least so much: noses, lips, rims of ears
+const float solid_m = 0.006;  // occluders are at least this thick: noses, lips, rims of ears
 
-// How metres along the light show in a map: depth of a point at `clip`, moved by m towards the light, is
+// Converts metres along the light to depth: the depth of a point at `clip`, moved by m towards the light, is
 // (clip.z + m zw.x) / (clip.w + m zw.y).
 struct MapRay {
   vec4 clip;
@@ -22,9 +20,9 @@ float way_of(MapRay ray, float depth) {
   return (depth * ray.clip.w - ray.clip.z) / (ray.zw.x - depth * ray.zw.y);
 }
 
-// Of the plane through the point with this normal: depth a unit of texture coordinates. A plane stays a plane
-// under projection, so two directions in it are enough. Where light grazes it the plane is turned towards the
-// light, else its depth would run away.
+// Returns the slope of the plane through the point with this normal: depth per unit of texture coordinates. A
+// plane stays a plane under projection, so two directions in it suffice. At grazing angles the plane is
+// turned towards the light, else its slope would diverge.
 vec2 depth_slope(mat4 from_world, vec4 clip, vec3 n, vec3 to_light) {
   n = normalize(n + max(0.1 - dot(n, to_light), 0.0) * to_light);
   const vec3 t = normalize(cross(n, abs(n.x) < 0.8 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0))),
@@ -34,21 +32,22 @@ vec2 depth_slope(mat4 from_world, vec4 clip, vec3 n, vec3 to_light) {
   return 2.0 * vec2(dt.z * db.y - db.z * dt.y, db.z * dt.x - dt.z * db.x) / (dt.x * db.y - db.x * dt.y);
 }
 
-// Texels of the map within which something `way_m` nearer to the light takes part of it away.
+// Returns the radius, in texels of the map, within which something `way_m` nearer to the light hides part of
+// it.
 float penumbra_texels(LightIo light, Arriving a, float way_m) {
   const float per_m = light.radius / light.shadow_texel;
   if (light.type == LIGHT_DIRECTIONAL) return per_m * way_m;
   return per_m * way_m / (a.distance_m * max(a.distance_m - way_m, 0.01 * a.distance_m));
 }
 
-// Tangent of half the angle under which a light is seen.
+// Returns the tangent of the angular radius of a light.
 float light_tangent(LightIo light, Arriving a) {
   if (!soft_shadows) return 0.0;
   return light.type == LIGHT_DIRECTIONAL ? light.radius : light.radius / a.distance_m;
 }
 
-// Mean over the light of its cosine where that is positive: c + t s y over the unit disc, s the sine. The
-// light sets over an angle, not at once.
+// Returns the mean over the light of its cosine where that is positive: c + t s y over the unit disc, with s
+// the sine. The light sets over an angle, not at once.
 float light_cosine(float c, float tangent) {
   if (!soft_shadows) return max(c, 0.0);
   tangent *= sqrt(max(1.0 - c * c, 0.0));
@@ -58,37 +57,37 @@ float light_cosine(float c, float tangent) {
   return tangent * (x * (0.5 + (x * root + asin(x)) / 3.14159265) + 0.21220659 * root * root * root);
 }
 
-// Bits of a direction: 32 rings of the disc, all of one area. Those between two distances from its middle.
+// Returns the bits of a direction, 32 rings of the disc of equal area, between two distances from its centre.
 uint rings(float from, float to) {
   const uint first = uint(clamp(from * from, 0.0, 1.0) * 32.0 + 0.5),
              last = uint(clamp(to * to, 0.0, 1.0) * 32.0 + 0.5);
   return last <= first ? 0u : (0xFFFFFFFFu >> (32u - (last - first))) << first;
 }
 
-// The share of what light_cosine() has that arrives at p, which lies in that layer; `hard`: that of a light
-// that is a point. Directions are turned by an angle that belongs to the texel of the shadow map: what they
-// get wrong stays where it is when the eye moves.
+// Returns the share of light_cosine() that arrives at p in this layer; `hard` is that of a point light.
+// Directions are rotated by an angle fixed to the texel of the shadow map, so that errors do not move with
+// the camera.
 float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geometric, float layer,
                   float hard) {
   const float texel_m = shadow_texel_m(light, a);
   const float cosine = dot(n_geometric, a.to_light), tangent = light_tangent(light, a),
               sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
 
-  // Clear of the surface, which is not quite the plane of its normal.
+  // Starts clear of the surface, which is not exactly the plane of its normal.
   const vec4 clip = from_world * vec4(off_the_surface(p, n_geometric, a, texel_m, 1.5), 1.0);
   if (clip.w <= 0.0) return hard;
 
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), uv = clip.xy / clip.w * 0.5 + 0.5;
   const MapRay ray = MapRay(clip, (from_world * vec4(a.to_light, 0.0)).zw);
-  const vec2 slope = depth_slope(from_world, clip, n_geometric, a.to_light) / size;  // a texel
+  const vec2 slope = depth_slope(from_world, clip, n_geometric, a.to_light) / size;  // per texel
   const float depth = clip.z / clip.w, steepness = length(slope);
   const float horizon = tangent * sine / max(steepness, 1e-15);
 
   const vec2 here = uv * size;
   const vec2 noise =
       fract(52.9829189 * fract(floor(here) * mat2(0.06711056, 0.00583715, 0.00583715, 0.07711056)));
-  // Of the nearest thing that a map can hold, but no more than half of it: maps of lights inside the scene
-  // begin close to those.
+  // The penumbra of the nearest possible occluder, at most half the map: maps of lights inside the scene
+  // begin close to them.
   const float reach = clamp(penumbra_texels(light, a, way_of(ray, 1.0)), 0.0, 0.5 * size.x);
 
   float whole = 0.0, lit = 0.0, widest = 0.0;
@@ -101,16 +100,16 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geo
     float r = 0.0;
 
     for (int k = 0; k < soft_steps; ++k) {
-      // Steps are wider further out: what is near hides with what lies near the ray.
+      // Steps grow outwards: near occluders hide the light with texels near the ray.
       const float t = (float(k) + jitter) / float(soft_steps), t_next = t + 1.0 / float(soft_steps),
                   next = reach * t_next * t_next * t_next;
       const vec2 at = floor(here + direction * (0.5 * (r + next))) + 0.5;
       const float way_m = way_of(ray, textureLod(shadow_depths, vec3(at / size, layer), 0.0).x);
       const float plane_m = max(way_of(ray, max(depth + dot(slope, at - here), 0.0)), 0.0);
       const bool known = all(greaterThan(at, vec2(0.0))) &&
-                         all(lessThan(at, size));  // six maps around a light end at their edges
+                         all(lessThan(at, size));  // six maps around a light end at their borders
       if (known && way_m > plane_m + texel_m * (0.3 + 0.02 * next)) {
-        // A plate from r to next.
+        // An occluding plate from r to next.
         const float penumbra = max(penumbra_texels(light, a, way_m), 1.5);
         hidden |= rings(r / penumbra, next / max(penumbra_texels(light, a, way_m - solid_m), 1e-3));
         widest = max(widest, penumbra);
@@ -118,7 +117,7 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geo
       r = next;
     }
 
-    // The light's rings count by their cosine.
+    // Rings of the light count by their cosine.
     const float across = -horizon * rise;
     for (int g = 0; g < 4; ++g) {
       const float weight = max(cosine + across * sqrt((float(g) + 0.5) / 4.0), 0.0);
@@ -127,8 +126,8 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geo
     }
   }
 
-  // Contacts closer than the map resolves are seen by its filter; not near the horizon, where that sees the
-  // surface itself.
+  // Contacts closer than the resolution of the map are left to its filter, but not near the horizon, where
+  // the filter sees the surface itself.
   if (widest <= 1.5) return mix(1.0, hard, smoothstep(0.5 * tangent, tangent, cosine));
   return lit / max(whole, 1e-6);
 }

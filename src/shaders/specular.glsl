@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Specular of skin. Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin, EGSR 2007
-// (GPU Gems 3, ch. 14.3); [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF
-// Model, EG 2001. The lobe carries a factor pi against a normalised Beckmann lobe, so rho_s = 0.18 is an
-// energy scale of 0.565; as a BRDF it multiplies irradiance directly, and the directional albedo, rho_s * rho
-// is then exactly what it reflects.
+// Specular reflection of skin. Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin,
+// EGSR 2007 (GPU Gems 3, ch. 14.3); [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte
+// BRDF Model, EG 2001. The lobe is pi times a normalised Beckmann lobe, so rho_s = 0.18 is an energy scale of
+// 0.565. As a BRDF it multiplies irradiance directly, and the directional albedo, rho_s * rho, is exactly
+// what it reflects.
 
 const float pi = 3.14159265358979;
 
-// Beckmann distribution without 1/pi: exp(-tan^2/m^2) / (m^2 cos^4).
+// Returns Beckmann's distribution without 1/pi: exp(-tan^2/m^2) / (m^2 cos^4).
 float beckmann(float n_h, float m) {
   const float c2 = max(n_h * n_h, 1e-6);
   return exp(-(1.0 - c2) / (c2 * m * m)) / (m * m * c2 * c2);
@@ -29,7 +29,7 @@ float f0_of_ior(float ior) {
 }
 
 // rho(cos, m) = int f cos dw = f0 * table.x + table.y. Rows are m (0.05 to 1), columns cos (0 to 1), the last
-// column the cosine-weighted mean over cos. See optics/directional_albedo.h.
+// column holds the cosine-weighted mean over cos. See optics/directional_albedo.h.
 const int directional_albedo_columns = 64;
 const int directional_albedo_rows = 32;
 const float directional_albedo_min_m = 0.05;
@@ -70,8 +70,8 @@ struct SkinSpecular {
 float specular_brdf(SkinSpecular s, vec3 n, vec3 v, vec3 l) {
   return s.rho_s * (s.weight.x * kelemen(n, v, l, s.m.x, s.f0) + s.weight.y * kelemen(n, v, l, s.m.y, s.f0));
 }
-// What of the light from (or to) this direction the surface reflects; the clamp keeps painted maps from
-// taking all of it.
+// Returns the part of light from (or to) this direction that the surface reflects; clamped, so that painted
+// maps cannot reflect all of it.
 float specular_albedo(sampler2D table, SkinSpecular s, float cosine) {
   return min(s.rho_s * (s.weight.x * directional_albedo_lookup(table, cosine, s.m.x, s.f0) +
                         s.weight.y * directional_albedo_lookup(table, cosine, s.m.y, s.f0)),

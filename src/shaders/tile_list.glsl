@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a tile stands in a list, and which entry a workgroup of an indirect dispatch takes.
+// Packs tiles for a list, and finds the entry of a workgroup of an indirect dispatch.
 #include "shared/tiles_io.h"
 uvec2 tiles_across(uint side) {
   return (uvec2(side) + uvec2(TILE_WIDTH, TILE_HEIGHT) - 1u) / uvec2(TILE_WIDTH, TILE_HEIGHT);

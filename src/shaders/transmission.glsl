@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: MIT
-// One look into a light's map for both of its uses: how much of the light arrives where the surface faces it,
-// and where and how the light has entered that comes through the body to a surface that faces away.
-// Translucent shadow maps; docs/techniques.md says why it is so. Based on: [SD03] Dachsbacher, Stamminger:
-// Translucent Shadow Maps, EGSR 2003 (what enters is a part of the shadow map, and is gathered in the light's
-// view); [DLE07] GPU Gems 3, ch. 14.5 (thickness with the normals' correction). Needs: lights.glsl,
-// entering_maps (sampler2DArray of the same layers), `transmission`, through_terms.
+// One read of a light's map for both of its uses: the share of the light that arrives where the surface faces
+// it, and, for a surface that faces away, where and how transmitted light has entered. Translucent shadow
+// maps; docs/techniques.md explains the design. Based on: [SD03] Dachsbacher, Stamminger: Translucent Shadow
+// Maps, EGSR 2003 (entering light is part of the shadow map, and is gathered in the light's view); [DLE07]
+// GPU Gems 3, ch. 14.5 (thickness with the normals' correction). Needs: lights.glsl, entering_maps
+// (sampler2DArray of the same layers), `transmission`, through_terms.
 
 const int last_term = through_terms - 1,
-          term_before = through_terms > 1 ? through_terms - 2 : 0;  // both gather around the ray of light
+          term_before = through_terms > 1 ? through_terms - 2 : 0;  // both use rays around the ray of light
 
-layout(constant_id = 15) const bool entering_stored = true;  // else all light enters, wherever something is
+layout(constant_id = 15) const bool entering_stored = true;  // else all light enters at any surface
 
 struct LightRead {
   float lit;      // 0..1, where the surface faces the light: as shadow_at()
   vec3 entering;  // albedo^mix of the skin at the lit point; 0 where the first thing that light meets is no
                   // skin
-  float cosine;   // of the light there
+  float cosine;   // of the light, there
   float facing;   // 0..1: how far the lit point faces away from here
-  float way_m;    // from there to here, along the light
-  // The same ways along rays beside, two sigma of the last term but one and of the last away; no light: far.
+  float way_m;    // distance from there to here, along the light
+  // The same along parallel rays, two sigma of the last but one and of the last term away; no light: far.
   vec4 way_near_m, way_wide_m;
-  bool inside;  // the place lies in the map
-  bool shaded;  // what enters was stored wherever something is
+  bool inside;  // the position lies in the map
+  bool shaded;  // entering light was stored wherever there is a surface
 };
 
-// A plane stays a plane under projection, so differences of depth between the texels around give the surface
-// there, in the world, without the map's inverse.
+// Finds the surface at the lit point, in the world and without the inverse of the map's matrix: a plane stays
+// a plane under projection, so differences of depth between neighbouring texels give it.
 void find_lit_point(inout LightRead r, MapLook m, MapRay ray, vec3 to_light, vec3 n_geometric) {
   const float z00 = m.z[0].y, z10 = m.z[1].x, z01 = m.z[2].z, z11 = m.z[3].w;
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), f = m.between;
@@ -40,7 +40,8 @@ void find_lit_point(inout LightRead r, MapLook m, MapRay ray, vec3 to_light, vec
   r.facing = clamp(-dot(plane, n_geometric) * scale, 0.0, 1.0);
 }
 
-// Of four rays beside, `side` and its quarter turns away, texels. Where nothing is no light enters.
+// Returns the distances along four parallel rays, `side` and its quarter turns away, in texels. Where there
+// is no surface no light enters.
 vec4 ways_beside(MapRay ray, MapLook m, vec2 side) {
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy);
   vec4 way_m;
@@ -56,7 +57,8 @@ vec4 ways_beside(MapRay ray, MapLook m, vec2 side) {
 LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float cosine_here) {
   LightRead r = LightRead(1.0, vec3(0.0), 0.0, 0.0, 0.0, vec4(0.0), vec4(0.0), false, false);
   if (light.shadow_layers == 0u) return r;
-  // Moved as in shadow_at() where the surface faces the light; what lies behind is measured from where it is.
+  // Moved as in shadow_at() where the surface faces the light; distances behind are measured from the point
+  // itself.
   const float texel_m = shadow_texel_m(light, a);
   const vec3 q = cosine_here > 0.0 ? off_the_surface(p, n_geometric, a, texel_m, 2.5) : p;
   const MapLook m = look_into_map(light, q);
@@ -67,7 +69,7 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   const MapRay ray = MapRay(m.clip, (m.from_world * vec4(a.to_light, 0.0)).zw);
   find_lit_point(r, m, ray, a.to_light, n_geometric);
 
-  // Rays of the two terms lie on a cross and on its diagonals.
+  // The rays of the two terms form a cross and its diagonals.
   const float near = transmission.two_sigma_m[term_before] / texel_m;
   const float wide = sqrt(0.5) * transmission.two_sigma_m[last_term] / texel_m;
   r.way_near_m = ways_beside(ray, m, vec2(near, 0.0));
@@ -76,34 +78,33 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   r.entering = vec3(max(max(m.z[0].y, m.z[1].x), max(m.z[2].z, m.z[3].w)) > 0.0 ? 1.0 : 0.0);
   r.shaded = true;
   if (!entering_stored) return r;
-  // Where something is too thin to show in a map of what enters that is smaller than the depths, all light
-  // enters.
+  // All light enters at parts too thin for the map of entering light, which is smaller than the depth map.
   const vec4 stored = textureLod(entering_maps, vec3(m.uv, m.layer), 0.0);
   if (stored.a > 1e-3) r.entering = (stored.rgb / stored.a) * (stored.rgb / stored.a);
   r.shaded = stored.a > 0.0 || m.z[0].y == 0.0;
   return r;
 }
 
-// What a light that is not far away sends to the lit point, relative to here.
+// Returns the irradiance of a near light at the lit point, relative to here.
 float nearer_factor(LightIo light, Arriving a, LightRead r) {
   if (light.type == LIGHT_DIRECTIONAL) return 1.0;
   const float ratio = a.distance_m / max(a.distance_m - r.way_m, 0.01 * a.distance_m);
   return ratio * ratio;
 }
 
-// For each Gaussian, of light that crosses the map's plane: how much of it arrives. cosine_here < 0.
+// Adds, per Gaussian, the part of the light crossing the map's plane that arrives. cosine_here < 0.
 //
-// Light from everywhere on the lit side to a point is, for a Gaussian of variance v, the mean of exp(-z^2 /
-// 2v) over rays of the light that pass within a Gaussian of the same variance, z the way along each: exact on
-// any lit surface. The wide terms, which see round a corner, take that mean over five rays (a rule exact to
+// For a Gaussian of variance v, all the light of the lit side that reaches a point is the mean of exp(-z^2 /
+// 2v) over rays of the light within a Gaussian of the same variance, with z the distance along each: exact on
+// any lit surface. The wide terms, which reach around corners, take that mean over five rays (a rule exact to
 // the third degree). Narrow ones take the lit side for a plane, and so do wide ones where both sides are
 // parallel: then the mean is known.
 //
-// Near an edge the blur over the surface brings light round that these means hold as well. It hardly does
-// where the lit point faces away from here; where it does not, the share that is new grows with the angle to
-// the light. The figures were fitted to the reference.
+// Near an edge the blur over the surface already brings light to where these means hold too. It hardly does
+// where the lit point faces away from here; elsewhere the share that is not yet counted grows with the angle
+// to the light. The figures are fitted to the reference.
 void add_slab_factors(LightRead r, float cosine_here, vec3 light, inout vec3 through[TRANSMISSION_TERMS]) {
-  // [DLE07]: thickness counts between sides that face away from each other, elsewhere the way of the light.
+  // [DLE07]: thickness between sides that face away from each other, elsewhere the distance along the light.
   const float d_m = r.way_m * mix(1.0, -cosine_here, r.facing);
   const float d2 = d_m * d_m, plane = smoothstep(0.97, 1.0, r.facing);
   const vec3 narrow = light * (r.cosine * r.facing);

@@ -3,10 +3,10 @@
 #define DERMIS_SHARED_CULL_IO_H
 #include "shared/types.h"
 DERMIS_IO_BEGIN
-// What of a head is seen: see cull.glsl.
+// Inputs of the visibility test of a head: see cull.glsl.
 struct CullIo {
   vec3 offset_m;   // of this head
-  uint can_cull;   // 0: both sides of this material are seen
+  uint can_cull;   // 0: both sides of this material are visible
   vec4 eye;        // position, w = 1; orthographic: direction towards it, w = 0
   vec4 planes[5];  // dot(xyz, position) + w < 0 is outside
   float map_side;  // of its light maps, texels

@@ -2,15 +2,15 @@
 #ifndef DERMIS_SHARED_GUTTERS_IO_H
 #define DERMIS_SHARED_GUTTERS_IO_H
 #include "shared/types.h"
-// Alpha of texels beside an open border: no chart, but light for bilinear reads.
+// Alpha of texels beside an open border: no chart, light for bilinear reads only.
 #define BORDER_ALPHA 4096.0
 DERMIS_IO_BEGIN
-// A texel beside a chart, and where its light is found.
+// A texel beside a chart, and the source of its light.
 struct GutterIo {
   uint texel;   // x | y << 16
   uint own;     // the nearest texel of the chart it extends: x | y << 16
   vec2 source;  // texels, centres at + 0.5
-  uint chart;   // 0: an open border, the light is there for bilinear reads only
+  uint chart;   // 0: an open border, light for bilinear reads only
 };
 struct GuttersIo {
   uint count;

@@ -50,7 +50,7 @@ struct MaterialIo {
   float alpha_cutoff;
   vec3 specular_colour;
   uint flags;
-  float mix_before;  // part of the albedo (as an exponent) that is applied before the light scatters
+  float mix_before;  // exponent of the albedo that is applied before light scatters
   float rho_s;       // scale of the specular of skin
   float lobe_factor_0, lobe_weight_0;
   float lobe_factor_1, lobe_weight_1;
@@ -66,13 +66,13 @@ struct LightIo {
   uint type;
   vec3 position_m;
   float range_m;   // 0 = unlimited
-  vec3 direction;  // the way the light travels
+  vec3 direction;  // direction in which light travels
   float cos_inner;
   float cos_outer;
   uint shadow_layer;   // first layer in the shadow map
   uint shadow_layers;  // 0 = casts none, 1, or 6 for a point light inside the scene
   float shadow_texel;  // side of a shadow texel: m (directional) or m per m of distance
-  float radius;        // of the light: m; directional: tangent of half the angle under which it is seen
+  float radius;        // of the light: m; directional: tangent of its angular radius
 };
 
 struct FrameIo {
@@ -86,7 +86,7 @@ struct FrameIo {
   uint specular_on;
   uint white_albedo;  // tests: every albedo is 1
   float environment_intensity;
-  float environment_cos, environment_sin;  // of the angle by which the surroundings are turned about +Y
+  float environment_cos, environment_sin;  // of the angle by which the environment is turned about +Y
   vec3 environment_irradiance[9];          // environment::Irradiance times the intensity
 };
 

@@ -32,7 +32,7 @@ struct IdleIo {
   uvec2 origin;
   uint side;
   uint square;
-  uint last_tile;  // in the list; idle tiles run backwards from here
+  uint last_tile;  // in the list; idle tiles are stored backwards from here
 };
 DERMIS_IO_END
 #endif

@@ -5,13 +5,13 @@
 DERMIS_IO_BEGIN
 #define TRANSMISSION_TERMS 8   // of a profile, at most
 #define TRANSMISSION_GROUPS 3  // of terms that share a map of transmitted light, at most
-// How the light that comes through the body is shared out: see passes/transmission.h.
+// Distribution of transmitted light over the groups: see passes/transmission.h.
 struct TransmissionIo {
   float falloff_per_m2[TRANSMISSION_TERMS];  // 1 / (2 v)
   float two_sigma_m[TRANSMISSION_TERMS];
   uint group[TRANSMISSION_TERMS];          // of each term
   vec3 group_weight[TRANSMISSION_GROUPS];  // sum of its terms'
-  // of the light of each term in what joins at each group
+  // part of the light of each term that joins at each group
   vec3 share[TRANSMISSION_GROUPS * TRANSMISSION_TERMS];
 };
 DERMIS_IO_END
