@@ -89,6 +89,7 @@ struct PreparedFrame::State {
   std::vector<std::byte> counters;      ///< of this view; empty: not counted yet
   double pipeline_ms = 0;
   bool ready = false;                 ///< false: set() has thrown half way
+  bool changed = true;                ///< `data`, since the last frame
   std::optional<double> exposure_ev;  ///< given or chosen; none: it was to be chosen, and no skin is lit
 
   gpu::Device& device() { return renderer->device; }
@@ -98,7 +99,7 @@ struct PreparedFrame::State {
   void make_data();
   std::optional<double> measure_exposure();
   void look_at_the_sky();
-  void run_full();
+  void draw(bool with_statistics);
   void count();
 };
 
@@ -150,6 +151,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
 
 void PreparedFrame::State::make_data() {
   data = frame_data(device(), setup, *scene->gpu);
+  changed = true;
   if (!environment_light) return;
   data.environment = &environment_light->map;
   data.sky = sky.maps;
@@ -164,7 +166,7 @@ std::optional<double> PreparedFrame::State::measure_exposure() {
   const std::optional<double> ev = api::choose_exposure([&](double tried_ev) {
     setup.frame.radiance_scale = static_cast<float>(std::exp2(tried_ev));
     make_data();
-    run_full();
+    draw(false);
     return api::mean_skin_luminance(api::read_before_bloom(*executor, outputs));
   });
 
@@ -232,9 +234,10 @@ void PreparedFrame::State::look_at_the_sky() {
     sky = setup::sky_on_skin(device(), environment_light, rotation_deg, shared.bent_normal);
 }
 
-void PreparedFrame::State::run_full() {
+void PreparedFrame::State::draw(bool with_statistics) {
   if (renderer->options.poison) executor->poison();
-  executor->run_full(data);
+  executor->draw(data, {.changed = changed, .statistics = with_statistics});
+  changed = false;
 }
 
 // The first frame of a view warms up (the first use of a pipeline compiles on software devices), makes what
@@ -243,7 +246,7 @@ void PreparedFrame::State::count() {
   if (!ready)
     throw Cancelled(source.name() + ": the frame was stopped while it was prepared; set() prepares it again");
   if (!counters.empty()) return;
-  run_full();
+  draw(true);
   counters = gpu::read_back(device(), executor->resources().buffer(outputs.counters));
 }
 

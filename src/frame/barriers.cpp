@@ -60,7 +60,7 @@ AccessRow scope_of(const Use& use, PassKind kind) {
 
 }  // namespace
 
-std::vector<std::vector<Barrier>> derive_barriers(const FrameGraph& graph, bool full) {
+std::vector<std::vector<Barrier>> derive_barriers(const FrameGraph& graph, const FrameKind& kind) {
   const std::size_t texture_count = graph.textures().size();
   std::vector<State> states(texture_count + graph.buffers().size());
   std::vector<std::vector<Barrier>> result;
@@ -72,7 +72,7 @@ std::vector<std::vector<Barrier>> derive_barriers(const FrameGraph& graph, bool 
 
     for (std::size_t p = 0; p < graph.passes().size(); ++p) {
       const PassNode& pass = graph.passes()[p];
-      if (pass.only_in_full_frames && !full) continue;
+      if (!kind.has(pass.runs)) continue;
       for (const Use& use : pass.uses) {
         const std::size_t slot = use.is_texture ? use.index : texture_count + use.index;
         State& state = states[slot];
@@ -96,12 +96,11 @@ std::vector<std::vector<Barrier>> derive_barriers(const FrameGraph& graph, bool 
   return result;
 }
 
-VkImageLayout final_layout(const FrameGraph& graph, TextureId id, bool full) {
+VkImageLayout final_layout(const FrameGraph& graph, TextureId id, const FrameKind& kind) {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   for (const PassNode& pass : graph.passes())
     for (const Use& use : pass.uses)
-      if ((full || !pass.only_in_full_frames) && use.is_texture && use.index == id.index)
-        layout = row_of(use.access).layout;
+      if (kind.has(pass.runs) && use.is_texture && use.index == id.index) layout = row_of(use.access).layout;
   return layout;
 }
 

@@ -21,11 +21,12 @@ struct Barrier {
 /// barriers[p] stand before pass p. The graph is taken as repeated frame after frame on one queue, so the
 /// first use of a resource waits for its last use of the frame before (transient contents are discarded: old
 /// layout undefined; persistent ones keep their layout, and whoever records replaces the old layout of a
-/// first use by the one that the texture is really in: undefined in the first frame). A full frame has all
-/// passes; in the others the lists of those that stand only in full frames are empty.
-std::vector<std::vector<Barrier>> derive_barriers(const FrameGraph& graph, bool full = true);
+/// first use by the one that the texture is really in: undefined in the first frame). The lists of passes
+/// that a frame of this kind does not have are empty.
+std::vector<std::vector<Barrier>> derive_barriers(const FrameGraph& graph,
+                                                  const FrameKind& kind = whole_frame);
 
 /// The layout in which a texture is left by the last pass that uses it; undefined if none does.
-VkImageLayout final_layout(const FrameGraph& graph, TextureId id, bool full = true);
+VkImageLayout final_layout(const FrameGraph& graph, TextureId id, const FrameKind& kind = whole_frame);
 
 }  // namespace dermis::frame

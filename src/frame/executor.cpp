@@ -2,12 +2,12 @@
 #include "frame/executor.h"
 
 #include <chrono>
+#include <utility>
 
 namespace dermis::frame {
 GraphExecutor::GraphExecutor(gpu::PipelineLibrary& library, const FrameGraph& graph)
     : library_(&library),
       graph_(graph),
-      barriers_{derive_barriers(graph, false), derive_barriers(graph, true)},
       layouts_(graph.textures().size(), VK_IMAGE_LAYOUT_UNDEFINED),
       separate_(library.device().limits().software || !library.device().limits().timestamps) {
   for (const TextureNode& node : graph.textures())
@@ -18,7 +18,7 @@ GraphExecutor::GraphExecutor(gpu::PipelineLibrary& library, const FrameGraph& gr
 
 VkImageMemoryBarrier2 GraphExecutor::image_barrier(const Barrier& b) {
   const gpu::Texture& texture = resources_.textures_[b.index];
-  // How the frame before left a texture depends on whether that one counted.
+  // How the frame before left a texture depends on the kind of that one.
   const bool keeps = b.first_use && b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED;
   const VkImageLayout old_layout = keeps ? layouts_[b.index] : b.old_layout;
   layouts_[b.index] = b.new_layout;
@@ -33,11 +33,17 @@ VkImageMemoryBarrier2 GraphExecutor::image_barrier(const Barrier& b) {
   return barrier;
 }
 
-void GraphExecutor::record_barriers(gpu::Cmd& cmd, std::size_t pass, bool full) {
+const GraphExecutor::Barriers& GraphExecutor::barriers_of(const FrameKind& kind) {
+  const auto [entry, is_new] = barriers_.try_emplace(kind);
+  if (is_new) entry->second = derive_barriers(graph_, kind);
+  return entry->second;
+}
+
+void GraphExecutor::record_barriers(gpu::Cmd& cmd, const std::vector<Barrier>& barriers) {
   std::vector<VkImageMemoryBarrier2> images;
   // on one queue a barrier of a buffer says no more than one of all memory
   std::vector<VkMemoryBarrier2> buffers;
-  for (const Barrier& b : barriers_[full ? 1 : 0][pass])
+  for (const Barrier& b : barriers)
     if (b.is_texture)
       images.push_back(image_barrier(b));
     else
@@ -51,16 +57,18 @@ void GraphExecutor::record_barriers(gpu::Cmd& cmd, std::size_t pass, bool full) 
                  .pImageMemoryBarriers = images.data()});
 }
 
-void GraphExecutor::record(VkCommandBuffer commands, const RecordPass& record_pass, gpu::Timer* timer,
-                           bool full) {
+void GraphExecutor::record(VkCommandBuffer commands, const RecordPass& record_pass, FrameKind kind,
+                           gpu::Timer* timer) {
+  kind.first = kind.first || std::exchange(first_, false);
+  const Barriers& barriers = barriers_of(kind);
   gpu::Cmd cmd(device(), commands);
   if (timer) timer->reset(commands);
   for (std::size_t p = 0; p < graph_.passes().size(); ++p) {
-    if (graph_.passes()[p].only_in_full_frames && !full) continue;
+    if (!kind.has(graph_.passes()[p].runs)) continue;
     const std::string& name = graph_.passes()[p].name;
     device().begin_label(commands, name);
     if (timer) timer->begin(commands, name);
-    record_barriers(cmd, p, full);
+    record_barriers(cmd, barriers[p]);
     record_pass(cmd, p);
     if (timer) timer->end(commands);
     device().end_label(commands);
@@ -80,12 +88,14 @@ FrameTime GraphExecutor::run(const RecordPass& record_pass) {
   FrameTime time;
 
   if (separate_) {
+    const FrameKind kind{.first = std::exchange(first_, false)};
+    const Barriers& barriers = barriers_of(kind);
     for (std::size_t p = 0; p < graph_.passes().size(); ++p) {
-      if (graph_.passes()[p].only_in_full_frames) continue;
+      if (!kind.has(graph_.passes()[p].runs)) continue;
       const auto start = steady_clock::now();
       device().run([&](VkCommandBuffer commands) {
         gpu::Cmd cmd(device(), commands);
-        record_barriers(cmd, p, false);
+        record_barriers(cmd, barriers[p]);
         record_pass(cmd, p);
       });
       time.passes.push_back(
@@ -93,7 +103,7 @@ FrameTime GraphExecutor::run(const RecordPass& record_pass) {
     }
   } else {
     gpu::Timer timer(device(), static_cast<std::uint32_t>(graph_.passes().size()) + 1);
-    device().run([&](VkCommandBuffer commands) { record(commands, record_pass, &timer, false); });
+    device().run([&](VkCommandBuffer commands) { record(commands, record_pass, {}, &timer); });
     time.passes = timer.read();
   }
 

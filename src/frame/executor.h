@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "frame/barriers.h"
@@ -41,18 +42,22 @@ class GraphExecutor {
   using RecordPass = std::function<void(gpu::Cmd&, std::size_t pass)>;
 
   GraphExecutor(gpu::PipelineLibrary& library, const FrameGraph& graph);
-  void record(VkCommandBuffer commands, const RecordPass& record_pass, gpu::Timer* timer, bool full);
+  void record(VkCommandBuffer commands, const RecordPass& record_pass, FrameKind kind, gpu::Timer* timer);
   FrameTime run(const RecordPass& record_pass);
 
  private:
+  using Barriers = std::vector<std::vector<Barrier>>;  // by pass
+
   VkImageMemoryBarrier2 image_barrier(const Barrier& b);
-  void record_barriers(gpu::Cmd& cmd, std::size_t pass, bool full);
+  const Barriers& barriers_of(const FrameKind& kind);
+  void record_barriers(gpu::Cmd& cmd, const std::vector<Barrier>& barriers);
 
   gpu::PipelineLibrary* library_;
   FrameGraph graph_;
-  std::vector<std::vector<Barrier>> barriers_[2];  // of frames that are not full, and of full ones
+  std::map<FrameKind, Barriers> barriers_;  // of the kinds recorded so far
   Resources resources_;
   std::vector<VkImageLayout> layouts_;  // that each texture was left in
+  bool first_ = true;                   // no frame has been recorded
   bool separate_ = false;
 };
 
@@ -65,21 +70,21 @@ class Executor : public GraphExecutor {
     for (const auto& step : steps_) step.prepare(library);
   }
 
-  /// Records one frame with a debug label and (if timer) a time stamp pair around each pass; a full frame
-  /// with the passes that stand only there. The first frame must be full. The barriers take each frame for
-  /// one like itself: between a full one and one that is not, wait for the device.
-  void record(VkCommandBuffer commands, const Context& context, gpu::Timer* timer = nullptr,
-              bool full = false) {
-    GraphExecutor::record(commands, recording(context), timer, full);
+  /// Records one frame with a debug label and (if timer) a time stamp pair around each pass. The first frame
+  /// has the passes that run once, whatever `kind` says. The barriers take each frame for one like itself:
+  /// between two of different kinds, wait for the device.
+  void record(VkCommandBuffer commands, const Context& context, const FrameKind& kind = {},
+              gpu::Timer* timer = nullptr) {
+    GraphExecutor::record(commands, recording(context), kind, timer);
   }
 
   /// Records, submits and waits, timing each pass. Where time stamps between passes cannot be trusted
   /// (software devices), each pass is its own submission and is timed on the host: see
   /// separate_submissions().
   FrameTime run(const Context& context) { return GraphExecutor::run(recording(context)); }
-  /// A full frame, untimed.
-  void run_full(const Context& context) {
-    device().run([&](VkCommandBuffer commands) { record(commands, context, nullptr, true); });
+  /// Records, submits and waits, untimed.
+  void draw(const Context& context, const FrameKind& kind) {
+    device().run([&](VkCommandBuffer commands) { record(commands, context, kind); });
   }
 
  private:

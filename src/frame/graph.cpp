@@ -75,4 +75,14 @@ void Declare::use(const Use& use) {
   pass_->uses.push_back(use);
 }
 
+bool FrameKind::has(Runs runs) const {
+  switch (runs) {
+    case Runs::every_frame: return true;
+    case Runs::once: return first;
+    case Runs::when_changed: return first || changed;
+    case Runs::for_statistics: return statistics;
+  }
+  return true;
+}
+
 }  // namespace dermis::frame

@@ -70,11 +70,29 @@ struct Use {
   Access access{};
 };
 
+/// When a pass runs.
+enum class Runs : std::uint8_t {
+  every_frame,
+  once,           ///< makes what lasts as long as the memory of the frame
+  when_changed,   ///< makes what lasts until what it is made from changes
+  for_statistics  ///< counts; no picture depends on it
+};
+
+/// Which passes a frame has beside those of every frame.
+struct FrameKind {
+  bool first = false;       ///< with its memory: those that run once
+  bool changed = false;     ///< what persistent contents are made from: those that run when_changed
+  bool statistics = false;  ///< those that run for_statistics
+  bool has(Runs runs) const;
+  auto operator<=>(const FrameKind&) const = default;
+};
+inline constexpr FrameKind whole_frame{.first = true, .changed = true, .statistics = true};
+
 struct PassNode {
   std::string name;  ///< timer, debug label, row of the statistics
   PassKind kind{};
   std::vector<Use> uses;
-  bool only_in_full_frames = false;  ///< what lasts, and work for the statistics
+  Runs runs = Runs::every_frame;
 };
 
 class FrameGraph;
@@ -85,9 +103,8 @@ class Declare {
  public:
   Declare(FrameGraph& graph, PassNode& pass) : graph_(&graph), pass_(&pass) {}
   void kind(PassKind kind) { pass_->kind = kind; }
-  /// Left out of timed frames: what is made once and lasts (in persistent resources), and work for the
-  /// statistics.
-  void only_in_full_frames() { pass_->only_in_full_frames = true; }
+  /// Every frame unless a pass says otherwise.
+  void runs(Runs runs) { pass_->runs = runs; }
 
   TextureId create(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
   BufferId create(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);

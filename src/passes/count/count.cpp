@@ -9,7 +9,7 @@ namespace dermis::passes {
 
 Count::Out Count::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::compute);
-  d.only_in_full_frames();
+  d.runs(frame::Runs::for_statistics);
   in_ = in;
   d.sample(in.picture);
   d.write(in.counters);
@@ -42,7 +42,7 @@ void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
 
 ClearCounters::Out ClearCounters::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::copy);
-  d.only_in_full_frames();
+  d.runs(frame::Runs::for_statistics);
   in_ = in;
   d.copy_to(in.counters);
   return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Counters of work done, for the statistics: how many texels of a map (or pixels of a picture) have at least
-/// a given alpha. Not part of a timed frame: recorded only in full frames.
+/// a given alpha. Runs for statistics.
 #pragma once
 
 #include "passes/light_pool.h"

@@ -98,7 +98,7 @@ class FinalPass {
 };
 
 /// Counts, over the fragments of the final pass that are seen, those whose bilinear read weighs a texel that
-/// was never lit. Stands right behind FinalPass with the same square; only in full frames.
+/// was never lit. Stands right behind FinalPass with the same square; runs for statistics.
 class UnshadedReads {
  public:
   struct Settings {

@@ -7,7 +7,7 @@ namespace dermis::passes {
 
 UnshadedReads::Out UnshadedReads::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::raster);
-  d.only_in_full_frames();
+  d.runs(frame::Runs::for_statistics);
   in_ = in;
   d.sample(in.light);
   d.depth(in.depth);

@@ -10,7 +10,7 @@ namespace dermis::passes {
 Gutters::Out Gutters::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::compute);
   in_ = in;
-  if (!settings_.every_frame) d.only_in_full_frames();
+  d.runs(settings_.runs);
   d.write(in.target);
   return {in.target};
 }

@@ -13,7 +13,7 @@ class Gutters {
     /// stretch: one, at the origin, of the texture's size whatever the instance's T
     std::vector<MapSquare> squares;
     What what = What::light;
-    bool every_frame = true;  ///< false: of what lasts, only in full frames
+    frame::Runs runs = frame::Runs::every_frame;  ///< once: of a map that lasts
   };
   struct In {
     frame::TextureId target;  ///< RGBA16F pool, changed in place

@@ -55,7 +55,7 @@ class Irradiance {
 
 /// Counts, over the texels that Irradiance shades, the looks through the body that found nothing to read: see
 /// transmission_misses.frag. Stands behind Irradiance with the same settings, of which `through` is not
-/// empty; only in full frames.
+/// empty; runs for statistics.
 class TransmissionMisses {
  public:
   struct Settings {

@@ -7,7 +7,7 @@ namespace dermis::passes {
 
 TransmissionMisses::Out TransmissionMisses::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::raster);
-  d.only_in_full_frames();
+  d.runs(frame::Runs::for_statistics);
   in_ = in;
   d.sample(in.shadow);
   if (in.entering.valid()) d.sample(in.entering);

@@ -9,7 +9,7 @@ namespace dermis::passes {
 
 ShowVisibility::Out ShowVisibility::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::raster);
-  d.only_in_full_frames();
+  d.runs(frame::Runs::when_changed);
   in_ = in;
   d.colour(in.picture);
   return {};

@@ -7,7 +7,7 @@ namespace dermis::passes {
 
 Stretch::Out Stretch::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::raster);
-  if (!settings_.every_frame) d.only_in_full_frames();  // a rigid mesh keeps its metric
+  d.runs(settings_.runs);
   in_ = in;
   d.colour(in.stretch);
   return {in.stretch};

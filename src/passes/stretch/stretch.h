@@ -14,12 +14,12 @@ class Stretch {
   struct Settings {
     std::uint32_t mesh = 0;
     /// Skin meshes take turns with the map, so it is made again in each frame; else it lasts.
-    bool every_frame = false;
-    bool cut_out = false;  ///< some of its skin is: what is cut away belongs to no chart
+    frame::Runs runs = frame::Runs::once;  ///< a rigid mesh keeps its metric
+    bool cut_out = false;                  ///< some of its skin is: what is cut away belongs to no chart
   };
   struct In {
     frame::TextureId
-        /// RGBA16F, T_max x T_max, persistent unless every_frame: (a, b, c) of the Cholesky factor per metre,
+        /// RGBA16F, T_max x T_max, persistent if it is made once: (a, b, c) of the Cholesky factor per metre,
         /// chart number (0 = no skin)
         stretch;
   };

@@ -135,13 +135,12 @@ std::string LightMaps::name(std::string_view what, std::uint32_t mesh) const {
 }
 
 void LightMaps::add_stretch(std::uint32_t mesh) {
-  plan_->add<passes::Stretch>(
-      label_part("stretch", *settings_, mesh), {stretch(mesh)},
-      {.mesh = mesh, .every_frame = pool_.splits_heads(), .cut_out = settings_->skin[mesh].cut_out});
-  plan_->add<Gutters>(label_part("stretch gutters", *settings_, mesh), {stretch(mesh)},
-                      {.squares = {{.instance = 0, .mesh = mesh}},
-                       .what = Gutters::What::stretch,
-                       .every_frame = pool_.splits_heads()});
+  const frame::Runs runs = pool_.splits_heads() ? frame::Runs::every_frame : frame::Runs::once;
+  plan_->add<passes::Stretch>(label_part("stretch", *settings_, mesh), {stretch(mesh)},
+                              {.mesh = mesh, .runs = runs, .cut_out = settings_->skin[mesh].cut_out});
+  plan_->add<Gutters>(
+      label_part("stretch gutters", *settings_, mesh), {stretch(mesh)},
+      {.squares = {{.instance = 0, .mesh = mesh}}, .what = Gutters::What::stretch, .runs = runs});
 }
 
 void LightMaps::add_light(const std::vector<MapSquare>& all) {

@@ -88,7 +88,7 @@ Bench* bench() {
 Map read(const frame::GraphExecutor& executor, frame::TextureId id) {
   const gpu::Texture& texture = executor.resources().texture(id);
   const std::vector<std::byte> bytes =
-      gpu::read_back(executor.device(), texture, frame::final_layout(executor.graph(), id, false));
+      gpu::read_back(executor.device(), texture, frame::final_layout(executor.graph(), id, {}));
   Map map{static_cast<int>(texture.desc().width), std::vector<float>(bytes.size() / 2)};
   for (std::size_t i = 0; i < map.rgba.size(); ++i) {
     std::uint16_t half = 0;
@@ -148,7 +148,7 @@ Result run(const Experiment& e) {
   data.instances.resize(1);
   data.instances[0].map_side = side;
   frame::Executor executor(bench()->library, plan);
-  executor.run_full(data);
+  executor.draw(data, frame::whole_frame);
   Result result{.painted = read(executor, painted), .levels = {}};
   for (const frame::TextureId id : levels) result.levels.push_back(read(executor, id));
   return result;

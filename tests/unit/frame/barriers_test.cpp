@@ -46,8 +46,8 @@ std::string join(const std::vector<std::string>& lines) {
 }
 
 void expect_clean(const FrameGraph& plan) {
-  for (const bool counting : {false, true})
-    EXPECT_EQ(join(hazards(plan, derive_barriers(plan, counting), counting)), "") << "counting " << counting;
+  for (const FrameKind& kind : frame_kinds)
+    EXPECT_EQ(join(hazards(plan, derive_barriers(plan, kind), kind)), "") << name_of(kind);
 }
 
 // A plan of two passes, the second of which must wait for the first exactly as both say.
@@ -259,11 +259,12 @@ TEST(Barriers, PassesThatOnlyCountAreLeftOutOfOtherFrames) {
   Plan plan;
   const TextureId map = plan.texture("map", small_map);
   const BufferId counter = plan.buffer("counter", small_buffer);
-  add(plan, "clear", PassKind::copy, {{Access::copy_target, counter}}, true);
+  add(plan, "clear", PassKind::copy, {{Access::copy_target, counter}}, Runs::for_statistics);
   add(plan, "draw", PassKind::raster, {{Access::colour_target, map}});
-  add(plan, "count", PassKind::compute, {{Access::sampled, map}, {Access::storage_write, counter}}, true);
+  add(plan, "count", PassKind::compute, {{Access::sampled, map}, {Access::storage_write, counter}},
+      Runs::for_statistics);
   add(plan, "write", PassKind::compute, {{Access::storage_write, map}});
-  const auto with = derive_barriers(plan, true), without = derive_barriers(plan, false);
+  const auto with = derive_barriers(plan), without = derive_barriers(plan, {});
   EXPECT_EQ(with[2].size(), 2u);
   EXPECT_TRUE(without[0].empty());
   EXPECT_TRUE(without[2].empty());
@@ -274,13 +275,41 @@ TEST(Barriers, PassesThatOnlyCountAreLeftOutOfOtherFrames) {
   expect_clean(plan);
 }
 
+TEST(Barriers, AFrameHasWhatItsKindSays) {
+  constexpr FrameKind plain{}, first{.first = true}, changed{.changed = true}, counting{.statistics = true};
+  for (const FrameKind& kind : frame_kinds) EXPECT_TRUE(kind.has(Runs::every_frame));
+
+  EXPECT_FALSE(plain.has(Runs::once) || plain.has(Runs::when_changed) || plain.has(Runs::for_statistics));
+  EXPECT_TRUE(first.has(Runs::once) && first.has(Runs::when_changed)) << "nothing has been made before";
+  EXPECT_FALSE(first.has(Runs::for_statistics));
+  EXPECT_TRUE(changed.has(Runs::when_changed));
+  EXPECT_FALSE(changed.has(Runs::once) || changed.has(Runs::for_statistics));
+  EXPECT_TRUE(counting.has(Runs::for_statistics));
+  EXPECT_FALSE(counting.has(Runs::once) || counting.has(Runs::when_changed));
+}
+
+// What is made once stays as the first frame has left it: the others find it in that layout.
+TEST(Barriers, WhatIsMadeOnceIsWrittenInTheFirstFrameOnly) {
+  Plan plan;
+  const TextureId metric = plan.texture("metric", small_map, Lifetime::persistent);
+  add(plan, "make", PassKind::raster, {{Access::colour_target, metric}}, Runs::once);
+  add(plan, "use", PassKind::compute, {{Access::sampled, metric}});
+
+  const auto later = derive_barriers(plan, {});
+  EXPECT_TRUE(later[0].empty());
+  ASSERT_EQ(later[1].size(), 1u);
+  EXPECT_EQ(later[1].front().old_layout, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL) << "contents are kept";
+  EXPECT_EQ(derive_barriers(plan, {.first = true})[0].size(), 1u);
+  expect_clean(plan);
+}
+
 TEST(Barriers, FinalLayoutIsThatOfTheLastUseThatTakesPart) {
   Plan plan;
   const TextureId map = plan.texture("map", small_map), unused = plan.texture("unused", small_map);
   add(plan, "draw", PassKind::raster, {{Access::colour_target, map}});
-  add(plan, "count", PassKind::compute, {{Access::sampled, map}}, true);
-  EXPECT_EQ(final_layout(plan, map, true), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-  EXPECT_EQ(final_layout(plan, map, false), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+  add(plan, "count", PassKind::compute, {{Access::sampled, map}}, Runs::for_statistics);
+  EXPECT_EQ(final_layout(plan, map), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  EXPECT_EQ(final_layout(plan, map, {}), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
   EXPECT_EQ(final_layout(plan, unused), VK_IMAGE_LAYOUT_UNDEFINED);
 }
 

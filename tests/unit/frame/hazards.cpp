@@ -76,12 +76,12 @@ class Walk {
   Walk(const FrameGraph& plan, bool is_texture, std::uint32_t index, std::vector<std::string>& found)
       : plan_(&plan), is_texture_(is_texture), index_(index), found_(&found) {}
 
-  void run(const std::vector<std::vector<Barrier>>& barriers, bool counting) {
+  void run(const std::vector<std::vector<Barrier>>& barriers, const FrameKind& kind) {
     for (frame_ = 0; frame_ < 2; ++frame_) {
       used_in_frame_ = false;
       for (std::size_t p = 0; p < plan_->passes().size(); ++p) {
         const PassNode& pass = plan_->passes()[p];
-        if (pass.only_in_full_frames && !counting) continue;
+        if (!kind.has(pass.runs)) continue;
         pass_ = &pass;
         const auto use = std::ranges::find_if(
             pass.uses, [&](const Use& u) { return u.is_texture == is_texture_ && u.index == index_; });
@@ -229,17 +229,23 @@ Demand demand_of(Access access, PassKind kind, bool is_texture) {
   return d;
 }
 
+std::string name_of(const FrameKind& kind) {
+  std::string name = "a frame";
+  if (kind.first) name += ", the first";
+  if (kind.changed) name += ", of changed inputs";
+  if (kind.statistics) name += ", with statistics";
+  return name;
+}
+
 std::vector<std::string> hazards(const FrameGraph& plan, const std::vector<std::vector<Barrier>>& barriers,
-                                 bool counting) {
+                                 const FrameKind& kind) {
   std::vector<std::string> found;
   if (barriers.size() != plan.passes().size()) return {"there is not one list of barriers a pass"};
   for (std::size_t p = 0; p < barriers.size(); ++p)
-    if (plan.passes()[p].only_in_full_frames && !counting && !barriers[p].empty())
+    if (!kind.has(plan.passes()[p].runs) && !barriers[p].empty())
       found.push_back(fmt::format("pass '{}' is left out but has barriers", plan.passes()[p].name));
-  for (std::uint32_t t = 0; t < plan.textures().size(); ++t)
-    Walk(plan, true, t, found).run(barriers, counting);
-  for (std::uint32_t b = 0; b < plan.buffers().size(); ++b)
-    Walk(plan, false, b, found).run(barriers, counting);
+  for (std::uint32_t t = 0; t < plan.textures().size(); ++t) Walk(plan, true, t, found).run(barriers, kind);
+  for (std::uint32_t b = 0; b < plan.buffers().size(); ++b) Walk(plan, false, b, found).run(barriers, kind);
   return found;
 }
 

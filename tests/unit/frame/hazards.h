@@ -4,6 +4,7 @@
 // stated anew after the Vulkan specification, so that a mistake there is not believed here.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,16 @@ struct Demand {
 };
 Demand demand_of(Access access, PassKind kind, bool is_texture);
 
+/// The kinds of frames that differ in what they have.
+inline constexpr std::array frame_kinds{FrameKind{}, FrameKind{.changed = true},
+                                        FrameKind{.statistics = true}, FrameKind{.first = true}, whole_frame};
+std::string name_of(const FrameKind& kind);
+
 /// Runs the plan twice on one queue, from undefined images on, without waiting in between. Each line names
 /// frame, pass and resource. Found: uses that are not ordered, writes that are not made available or visible,
 /// wrong layouts, contents lost, and barriers that the specification forbids or that stand before a pass
 /// which does not touch the resource.
 std::vector<std::string> hazards(const FrameGraph& plan, const std::vector<std::vector<Barrier>>& barriers,
-                                 bool counting = true);
+                                 const FrameKind& kind = whole_frame);
 
 }  // namespace dermis::frame::test

@@ -34,7 +34,7 @@ void touch(Declare& d, Access access, BufferId id) {
 
 MadeUp::Out MadeUp::declare(Declare& d, const In&) const {
   d.kind(settings.kind);
-  if (settings.only_in_full_frames) d.only_in_full_frames();
+  d.runs(settings.runs);
   for (const Touch& t : settings.touches) std::visit([&](auto id) { touch(d, t.access, id); }, t.what);
   return {};
 }

@@ -22,7 +22,7 @@ struct MadeUp {
   struct Settings {
     PassKind kind = PassKind::compute;
     std::vector<Touch> touches;
-    bool only_in_full_frames = false;
+    Runs runs = Runs::every_frame;
   };
   struct In {};
   struct Out {};
@@ -36,8 +36,8 @@ struct MadeUp {
 };
 
 inline void add(Plan& plan, const std::string& name, PassKind kind, std::vector<Touch> touches,
-                bool only_in_full_frames = false) {
-  plan.add<MadeUp>(name, {}, {kind, std::move(touches), only_in_full_frames});
+                Runs runs = Runs::every_frame) {
+  plan.add<MadeUp>(name, {}, {kind, std::move(touches), runs});
 }
 
 inline constexpr gpu::TextureDesc small_map{.width = 8, .height = 8, .format = VK_FORMAT_R16G16B16A16_SFLOAT};

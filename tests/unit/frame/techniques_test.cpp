@@ -76,9 +76,9 @@ TEST(TechniqueFrames, HaveNoHazard) {
     passes::FramePlan plan;
     c.technique->build(plan, c.settings);
     EXPECT_GE(plan.passes().size(), 3u) << c.name;
-    for (const bool counting : {false, true})
-      EXPECT_EQ(first_of(hazards(plan, derive_barriers(plan, counting), counting)), "")
-          << c.name << ", counting " << counting;
+    for (const FrameKind& kind : frame_kinds)
+      EXPECT_EQ(first_of(hazards(plan, derive_barriers(plan, kind), kind)), "")
+          << c.name << ", " << name_of(kind);
   }
 }
 
@@ -90,18 +90,18 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
     passes::FramePlan plan;
     c.technique->build(plan, c.settings);
 
-    for (const bool counting : {false, true}) {
-      const auto barriers = derive_barriers(plan, counting);
+    for (const FrameKind& kind : {FrameKind{}, whole_frame}) {
+      const auto barriers = derive_barriers(plan, kind);
       for (std::size_t p = 0; p < barriers.size(); ++p)
         for (std::size_t k = 0; k < barriers[p].size(); ++k, ++removed) {
           auto fewer = barriers;
           fewer[p].erase(fewer[p].begin() + static_cast<std::ptrdiff_t>(k));
 
           const Barrier& b = barriers[p][k];
-          EXPECT_FALSE(hazards(plan, fewer, counting).empty())
+          EXPECT_FALSE(hazards(plan, fewer, kind).empty())
               << c.name << ": nothing is missed without the barrier of '"
               << (b.is_texture ? plan.textures()[b.index].name : plan.buffers()[b.index].name) << "' before '"
-              << plan.passes()[p].name << "', counting " << counting;
+              << plan.passes()[p].name << "', " << name_of(kind);
         }
     }
   }
