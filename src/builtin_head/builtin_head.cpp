@@ -12,7 +12,7 @@ namespace {
 
 constexpr int columns = 120, rows = 108;  // 25,920 triangles
 
-// From the sculptor's coordinates (eyes at 0) to a bust whose middle is the origin, in metres.
+// Converts the sculptor's coordinates (eyes at 0) to metres, with the centre of the bust at the origin.
 vec3 to_world_m(const vec3& p_mm) {
   constexpr float middle_mm = 0.5f * (Sculpture::crown_mm + Sculpture::cut_mm);
   return 0.001f * vec3(p_mm.x, p_mm.y - middle_mm, p_mm.z);

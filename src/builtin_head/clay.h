@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The sculptor's tools of the built-in head: soft unions, a few volumes, and brush strokes that raise or
-// press the surface. All lengths are millimetres; a field is negative inside and grows by about one per
-// millimetre outwards.
+// Tools to sculpt the built-in head: soft unions, a few volumes, and brush strokes that raise or press the
+// surface. All lengths are millimetres; a field is negative inside and grows by about one per millimetre
+// outwards.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,16 @@ namespace dermis::builtin_head {
 using glm::vec2;
 using glm::vec3;
 
-/// Union with a fillet about `k` wide (quadratic polynomial: smooth, local, exact outside the fillet).
+/// Returns the union with a fillet about `k` wide (quadratic polynomial: smooth, local, exact outside the
+/// fillet).
 inline float soft_min(float a, float b, float k_mm) {
   const float h = std::max(k_mm - std::abs(a - b), 0.0f) / k_mm;
   return std::min(a, b) - h * h * k_mm * 0.25f;
 }
 inline float soft_max(float a, float b, float k_mm) { return -soft_min(-a, -b, k_mm); }
 
-/// 1 at the centre, 0 from distance 1 on, twice differentiable; `d2` is the squared distance in units of the
-/// radius.
+/// Returns 1 at the centre and 0 from distance 1 on, twice differentiable; `d2` is the squared distance in
+/// units of the radius.
 inline float falloff(float d2) {
   const float w = std::max(1.0f - d2, 0.0f);
   return w * w * w;
@@ -33,7 +34,7 @@ inline float smooth_step(float from, float to, float x) {
   return t * t * (3.0f - 2.0f * t);
 }
 
-/// Approximate distance to an ellipsoid about the origin.
+/// Returns the approximate distance to an ellipsoid about the origin.
 inline float ellipsoid(const vec3& p, const vec3& radii_mm) {
   const vec3 q = p / radii_mm;
   const float k0 = glm::length(q);
@@ -72,7 +73,7 @@ struct Knot {
 class Tube {
  public:
   explicit Tube(const std::vector<Knot>& knots, int steps = 5);
-  /// Distance to the tube's skin; `far_mm` or more when p is outside the tube's box by that much.
+  /// Returns the distance to the tube's surface; `far_mm` or more if p is that far outside the tube's box.
   float operator()(const vec3& p, float far_mm = 12.0f) const;
 
  private:
@@ -87,15 +88,15 @@ class Stroke {
   struct Brush {
     float radius_mm = 1;
     float amount_mm = 0;       ///< > 0 raises, < 0 presses
-    float fade_start = 0.25f;  ///< part of the length over which the stroke comes in
-    float fade_end = 0.25f;    ///< and goes out
+    float fade_start = 0.25f;  ///< part of the length over which the stroke fades in
+    float fade_end = 0.25f;    ///< and fades out
     /// distances are measured in x and y only (features on the face), else in space
     bool frontal = true;
   };
   Stroke(const std::vector<vec3>& points, const Brush& brush, int steps = 6);
   float operator()(const vec3& p) const;
-  /// Distance to the curve [mm] and how far along it (0..1) the nearest point lies; the distance is 1e3 if it
-  /// is over reach_mm.
+  /// Returns the distance to the curve [mm], and the position of the nearest point along it (0..1); the
+  /// distance is 1e3 if it is over reach_mm.
   vec2 nearest(const vec3& p, float reach_mm) const;
 
  private:
@@ -104,7 +105,7 @@ class Stroke {
   vec3 low_{0}, high_{0};
 };
 
-/// Curve through the points (centripetal enough for our evenly spaced points: uniform Catmull-Rom), `steps`
+/// Returns a curve through the points (uniform Catmull-Rom, which suffices for evenly spaced points), `steps`
 /// pieces per span.
 std::vector<vec3> smooth_curve(const std::vector<vec3>& points, int steps);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float widest_mm = 0.5f;  // reach of a hair around its middle, edge included
 
-// Numbers for hair `n` of a kind: the same on every run.
+// Random numbers for hair `n` of a kind: the same on every run.
 struct Dice {
   int n, kind;
   float operator()(int which) const { return unit(lattice_hash(n, which, kind, 911)); }
@@ -111,7 +111,7 @@ void Hairs::sort_into_buckets() {
     }
   }
 
-  // Packs the lists: bucket k has order_[start_[k]] up to order_[start_[k + 1]].
+  // Packs the lists: bucket k is order_[start_[k]] up to order_[start_[k + 1]].
   start_.push_back(0);
   for (const auto& list : lists) {
     order_.insert(order_.end(), list.begin(), list.end());
@@ -130,7 +130,7 @@ float Hairs::coverage(const vec2& at, float softness_mm) const {
     const vec2 ab = piece.to - piece.from, ap = at - piece.from;
     const float t = std::clamp(glm::dot(ap, ab) / glm::dot(ab, ab), 0.0f, 1.0f);
     const float half = 0.5f * glm::mix(piece.width_from_mm, piece.width_to_mm, t);
-    // A hair thinner than a texel keeps its weight: it is drawn one texel wide and fainter.
+    // A hair thinner than a texel keeps its weight: it is drawn one texel wide, but fainter.
     const float edge = std::max(half, 0.5f * softness_mm), strength = half / edge;
     bare *= 1 - 0.9f * strength *
                     (1 - smooth_step(edge - 0.5f * softness_mm, edge + 0.5f * softness_mm,

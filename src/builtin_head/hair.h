@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Painted hairs of brows and lashes: strokes seen from the front, looked up by place.
+// Painted hairs of brows and lashes: strokes seen from the front, looked up by position.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace dermis::builtin_head {
 class Hairs {
  public:
   Hairs();
-  /// How much of the skin at (x, y) is covered, 0..1; `softness_mm` is the width of an edge.
+  /// Returns how much of the skin at (x, y) is covered, 0..1; `softness_mm` is the width of an edge.
   float coverage(const vec2& at_mm, float softness_mm) const;
 
  private:

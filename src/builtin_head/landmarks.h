@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves that both the sculptor and the painter follow, on the left half of the symmetric face. Millimetres.
+// Curves that sculptor and painter share, on the left half of the symmetric face. Millimetres.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace dermis::builtin_head {
 
-// The line on which the lids meet: from the inner to the outer corner, lowest outside its middle.
+// The line on which the lids meet: from the inner to the outer corner, lowest beyond its middle.
 inline const std::vector<vec3> lash_line = {{16.2f, -3.4f, 74}, {20.5f, -5.6f, 77}, {26, -7.4f, 80},
                                             {32.5f, -8.0f, 80}, {39, -6.6f, 77},    {44.5f, -3.8f, 73},
                                             {48.2f, -1.4f, 69}};

@@ -9,8 +9,8 @@
 namespace dermis::builtin_head {
 namespace {
 
-// The net refined on the sculpture with all its creases: what the normal map adds to the mesh. Small maps
-// have about a texel for each of its points; a point is the dearest thing of the whole head.
+// The net refined on the sculpture with all its creases: the detail that the normal map adds to the mesh.
+// Small maps have about one texel per point; points are the most expensive part of the whole head.
 struct FineNet {
   int per_cell = 4;
   int stride = 0;
@@ -43,7 +43,7 @@ FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net, int m
       vec3 p = flat;
       bust.project(p, Detail::fine, 0.35f, 1);
       vec3 g = bust.project(p, Detail::fine, 0.25f, 1);
-      // A crease may be steep, but a normal that looks into the mesh would only be a stray sample.
+      // A crease may be steep, but a normal that points into the mesh is a stray sample.
       const float facing = glm::dot(g, glm::normalize(side));
       if (!(facing > 0.12f)) {
         g = glm::normalize(g + (0.15f - facing) * glm::normalize(side));
@@ -59,7 +59,7 @@ FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net, int m
   return fine;
 }
 
-// A texel's place on the net.
+// The position of a texel on the net.
 struct Place {
   float x = 0, y = 0;  // in cells
 };
@@ -123,7 +123,8 @@ class Baker {
 
 std::uint8_t to_byte(float x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
-// Linear to sRGB through a table fine enough for 8 bits: a power per texel would cost as much as the noise.
+// Converts linear to sRGB by a table fine enough for 8 bits: a power per texel would cost as much as the
+// noise.
 std::uint8_t to_srgb(float linear) {
   static const auto table = [] {
     std::array<std::uint8_t, 4096> t{};
@@ -156,9 +157,10 @@ void Baker::paint_row(int y, Maps& maps) {
   }
 }
 
-// Gradient of the relief along the surface: the metric of the map takes differences of texels to mm.
+// Returns the gradient of the relief along the surface: the metric of the map converts differences of texels
+// to mm.
 vec3 Baker::surface_slope(int x, int y) const {
-  // One-sided at the borders of the chart, where the neighbour repeats the border.
+  // One-sided at the borders of the chart, whose neighbours repeat the border.
   const int low = static_cast<int>(std::ceil(chart_margin * static_cast<float>(size_))),
             high = size_ - 1 - low;
   const int xc = std::clamp(x, low, high), yc = std::clamp(y, low, high);
@@ -173,7 +175,7 @@ vec3 Baker::surface_slope(int x, int y) const {
   return ((hx * g - hy * f) * px + (hy * e - hx * f) * py) / det;
 }
 
-// Tangent, bitangent, normal as a renderer interpolates them over the triangle.
+// Returns tangent, bitangent and normal as a renderer interpolates them over the triangle.
 glm::mat3 Baker::mesh_frame(const Place& at) const {
   const int i = std::min(static_cast<int>(at.x), net_.columns - 1),
             j = std::min(static_cast<int>(at.y), net_.rows - 1);

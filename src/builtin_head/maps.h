@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The four maps of the built-in head, baked from the sculpture and the painter.
+// The maps of the built-in head, baked from the sculpture and the painter.
 #pragma once
 
 #include "builtin_head/skin.h"
@@ -9,11 +9,11 @@
 
 namespace dermis::builtin_head {
 
-/// Where the chart lies in the unit square: a margin all around, so that filtering and blurring never meet
-/// the border of the map.
+/// Margin of the chart in the unit square, so that filtering and blurring never reach the border of the map.
 inline constexpr float chart_margin = 1.0f / 64.0f;
 
-/// u to the right, v down; node (i, j) of the net. Columns grow to the left side of the head, rows upwards.
+/// Returns the texture coordinates of node (i, j) of the net, u to the right, v down. Columns grow to the
+/// left side of the head, rows upwards.
 inline vec2 chart_uv(const Net& net, float i, float j) {
   const float inner = 1.0f - 2.0f * chart_margin;
   return {chart_margin + inner * i / static_cast<float>(net.columns),
@@ -26,8 +26,8 @@ struct Maps {
   image::Image8 reflection;  ///< R: specular intensity, G: roughness
 };
 
-/// `mesh` holds the net's nodes row by row (Net::index), with normals and tangents. Texels beyond the chart
-/// repeat its border.
+/// Bakes the maps. `mesh` holds the net's nodes row by row (Net::index), with normals and tangents. Texels
+/// beyond the chart repeat its border.
 Maps bake(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int map_size);
 
 }  // namespace dermis::builtin_head

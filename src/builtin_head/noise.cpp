@@ -19,8 +19,8 @@ int floor_int(float x) {
   return i - (x < static_cast<float>(i) ? 1 : 0);
 }
 
-// The twelve edges of a cube as gradients (Perlin's improved noise), four of them twice. A table: branches on
-// a hash cannot be foretold.
+// The twelve edges of a cube as gradients (Perlin's improved noise), four of them twice. A table, because
+// branches on a hash cannot be predicted.
 constexpr float edges[16][3] = {{1, 1, 0},  {-1, 1, 0},  {1, -1, 0}, {-1, -1, 0}, {1, 0, 1},  {-1, 0, 1},
                                 {1, 0, -1}, {-1, 0, -1}, {0, 1, 1},  {0, -1, 1},  {0, 1, -1}, {0, -1, -1},
                                 {1, 1, 0},  {-1, 1, 0},  {0, -1, 1}, {0, -1, -1}};

@@ -31,8 +31,8 @@ float Sculpture::uncut(const vec3& p, Detail detail) const {
 vec3 Sculpture::project(vec3& p, Detail detail, float step_mm, int steps) const {
   vec3 g(0, 0, 1);
   for (int i = 0; i < steps; ++i) {
-    // Gradient from the corners of a tetrahedron; their mean is the field at its centre, so that one step
-    // costs four samples.
+    // Gradient from the corners of a tetrahedron; their mean is the field at its centre, so one step costs
+    // four samples.
     const float h = step_mm;
     const float a = field(p + vec3(h, -h, -h), detail), b = field(p + vec3(-h, -h, h), detail);
     const float c = field(p + vec3(-h, h, -h), detail), d = field(p + vec3(h, h, h), detail);

@@ -8,8 +8,8 @@
 
 namespace dermis::builtin_head {
 
-/// blunt: no hollows, so that a coarse net can be drawn over it. form: what a mesh of 25,000 triangles can
-/// carry. fine: adds creases narrower than its triangles, for the normal map.
+/// blunt: without hollows, so that a coarse net can be drawn over it. form: detail that a mesh of 25,000
+/// triangles can show. fine: adds creases narrower than its triangles, for the normal map.
 enum class Detail { blunt, form, fine };
 
 /// Brow, orbits, closed eyes, nose, lips, cheeks and chin. Works on the mirrored half (x >= 0, rounded at 0).
@@ -59,9 +59,10 @@ class Sculpture {
   static constexpr float crown_mm = 115;
   static constexpr float cut_mm = -185;  ///< height of the plane that closes the bust below
   float field(const vec3& p, Detail detail) const;
-  /// The same as if shoulders went on below the cut.
+  /// Returns the same with shoulders that continue below the cut.
   float uncut(const vec3& p, Detail detail) const;
-  /// Onto the surface along the gradient, `steps` Newton steps; returns the unit normal of the last one.
+  /// Moves p onto the surface along the gradient, `steps` Newton steps; returns the unit normal of the last
+  /// one.
   vec3 project(vec3& p, Detail detail, float step_mm, int steps) const;
   const Frame& ear_frame() const { return ear_.frame(); }
 
@@ -72,9 +73,10 @@ class Sculpture {
   Neck neck_;
 };
 
-/// The small asymmetry every face has: moves a point of the bust to where it would be on the symmetric one.
+/// Returns the point of the symmetric bust for a point of the bust, which has the small asymmetry of every
+/// face.
 vec3 to_symmetric(const vec3& p);
-/// |x| without its crease.
+/// Returns |x| without its crease.
 inline float mirrored(float x) { return std::sqrt(x * x + 0.36f); }
 
 }  // namespace dermis::builtin_head

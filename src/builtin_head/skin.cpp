@@ -7,8 +7,8 @@
 namespace dermis::builtin_head {
 namespace {
 
-// Optical densities of one unit more of melanin and of blood (red, green, blue): melanin falls steadily from
-// blue to red, haemoglobin takes green and blue and hardly any red.
+// Optical densities of one more unit of melanin and of blood (red, green, blue): melanin falls steadily from
+// blue to red, haemoglobin absorbs green and blue and hardly any red.
 const vec3 melanin_density(0.22f, 0.40f, 0.62f);
 const vec3 blood_density(0.06f, 0.62f, 0.46f);
 const vec3 base_albedo(0.60f, 0.385f, 0.275f);  // a light to medium complexion, linear
@@ -18,7 +18,7 @@ float bell(const vec3& p, const vec3& centre, const vec3& radii) {
   return std::exp(-glm::dot(q, q));
 }
 
-// y of a curve over x (its points run outwards).
+// Returns y of a curve at x (its points run outwards).
 float height_at(const std::vector<vec3>& curve, float x) {
   std::size_t i = 0;
   while (i + 2 < curve.size() && curve[i + 1].x < x) ++i;
@@ -124,7 +124,7 @@ vec3 Skin::tint(const vec3& p, const Region& r) const {
                  (1 - smooth_step(0.4f * radius, radius * 1.3f, c.nearest));
   }
 
-  // Lets both pigments absorb by Beer's law.
+  // Both pigments absorb by Beer's law.
   vec3 albedo = base_albedo * glm::exp(-melanin * melanin_density - blood * blood_density);
   // Thin skin over veins; a shaven beard and a shaven scalp: hair in the skin looks blue-grey through it.
   albedo *= glm::mix(vec3(1), vec3(0.88f, 0.86f, 0.92f), r.under_eye * 0.8f);

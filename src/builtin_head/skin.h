@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The painter: what the skin of the bust looks like at a point of its surface.
+// The painter: the look of the skin at a point of the bust's surface.
 #pragma once
 
 #include "builtin_head/hair.h"
@@ -13,15 +13,15 @@ struct SkinPoint {
   float roughness = 0.5f;  ///< glTF roughness (m = roughness^2)
 };
 
-/// Where a point lies on the face; all 0..1 unless said otherwise. Varies over millimetres, so it is worked
-/// out on a net and blended.
+/// The position of a point on the face; all 0..1 unless said otherwise. Varies over millimetres, so it is
+/// computed on a net and interpolated.
 struct Region {
   vec3 symmetric{0};  ///< mm; x keeps its sign (left is positive), the painter takes |x|
   float lips = 0, cheek = 0, nose_tip = 0, nose = 0, ear = 0, forehead = 0, t_zone = 0;
   float under_eye = 0, upper_lid = 0, beard = 0, scalp = 0, neck = 0, crow = 0, chin = 0;
   float complexion = 0;  ///< about -1..1: broad unevenness of the colour
 };
-/// a (1 - t) + b t in every part.
+/// Returns a (1 - t) + b t for every member.
 Region blend(const Region& a, const Region& b, float t);
 
 class Skin {
@@ -29,7 +29,7 @@ class Skin {
   explicit Skin(const Sculpture& bust);
   Region region(const vec3& p_mm) const;
   SkinPoint paint(const vec3& p_mm, const Region& where) const;
-  /// Height of pores and fine lines over the sculpted surface, mm.
+  /// Returns the height of pores and fine lines over the sculpted surface, mm.
   float relief_mm(const vec3& p_mm, const Region& where) const;
 
  private:

@@ -81,7 +81,7 @@ const std::vector<vec3> landmarks = {
     {72, 35, -52},
     {55, 35, -78},
     {28, 35, -94},
-    // brow and temple {10, 16, 94}, {20, 17, 92.5f}, {30, 18, 89.5f}, {40, 18, 84.5f}, {49, 15, 76.5f},
+    // brow and temple
     {55, 9, 67},
     {60, 16, 48},
     {65, 14, 27},
@@ -90,8 +90,7 @@ const std::vector<vec3> landmarks = {
     {72, 12, -52},
     {56, 12, -78},
     {30, 12, -94},
-    // orbit (eyeballs come later) and cheekbone {12, 0, 79}, {20, 0, 75.5f}, {32, 1, 75}, {42, 0, 73.5f},
-    // {50, -1, 68.5f},
+    // orbit (eyeballs are added later) and cheekbone
     {57, -2, 58},
     {64, -3, 40},
     {70, -4, 18},
@@ -172,8 +171,8 @@ const std::vector<vec3> landmarks = {
     {30, -98, 2},
     {18, -103, -6}};
 
-// How far the surface may miss a landmark to stay smooth; adds to the diagonal of the interpolation (bending
-// units).
+// Allows the surface to miss a landmark in order to stay smooth; added to the diagonal of the interpolation
+// (bending units).
 constexpr double stiffness = 2e-5;
 
 struct Interpolant {

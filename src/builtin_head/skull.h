@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mass of the head without neck, nose, lips, lids and ears: the smoothest star-shaped surface through a
+// The volume of the head without neck, nose, lips, lids and ears: the smoothest star-shaped surface through a
 // list of landmarks.
 #pragma once
 
@@ -10,13 +10,13 @@
 
 namespace dermis::builtin_head {
 
-/// r(direction) about a centre: a cubic radial basis function interpolates the landmarks' radii over the
-/// sphere of directions (the least bending of all interpolants in space), and a cube map of it makes it
+/// r(direction) about a centre: a cubic radial basis function interpolates the radii of the landmarks over
+/// the sphere of directions (the least bending of all interpolants in space); a cube map of it makes it
 /// cheap.
 class Skull {
  public:
   Skull();
-  /// Signed, in mm; close to the distance near the surface.
+  /// Returns a signed value in mm, close to the distance near the surface.
   float operator()(const vec3& p) const;
 
  private:

@@ -13,7 +13,7 @@ constexpr int rim_part = 27;
 const vec3 seam_end(0, 113, 18);
 constexpr float rim_mm = Sculpture::cut_mm + 1.5f;
 
-// Pull of the threads: where it is high the net is drawn together.
+// Returns the pull of the threads: where it is high the net contracts.
 float pull(const vec3& p, const Frame& ear) {
   const auto near = [&](const vec3& c, const vec3& r) {
     const vec3 q = (p - c) / r;
@@ -25,7 +25,7 @@ float pull(const vec3& p, const Frame& ear) {
   w += 2.6f * near({31, -1, 78}, {23, 17, 30}) + 1.1f * near({0, -69, 97}, {31, 16, 30}) +
        2.0f * near({0, -38, 108}, {23, 20, 34}) + 0.45f * near({50, -30, 66}, {26, 30, 34});
   w += 1.2f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
-  // Averaging thins the net on a sharp ridge, so the rim of the ear pulls more.
+  // Averaging makes the net sparse on a sharp ridge, so the rim of the ear pulls more.
   const vec3 local = ear.to_local(m);
   const float ring = (glm::length(vec2(local.x - 1.5f, local.y - 1.0f) / vec2(18.0f, 31.0f)) - 1.0f) / 0.16f,
               level = (local.z - 3.0f) / 6.0f;
@@ -34,12 +34,12 @@ float pull(const vec3& p, const Frame& ear) {
   return w * w;
 }
 
-// Square to disc (elliptical grid map), disc to a hemisphere of equal area, longitudes doubled: the whole
-// sphere, cut behind.
+// Maps the square to a disc (elliptical grid map), the disc to a hemisphere of equal area, and doubles
+// longitudes: the whole sphere, cut at the back.
 vec3 sphere_direction(float s, float t) {
   const float x = s * std::sqrt(1.0f - 0.5f * t * t), y = t * std::sqrt(1.0f - 0.5f * s * s);
   const float r = std::min(std::sqrt(x * x + y * y), 1.0f);
-  // of the angle from the front of the hemisphere: 2 asin(r / sqrt 2)
+  // Sine of the angle from the front of the hemisphere, 2 asin(r / sqrt 2).
   const float sine = r * std::sqrt(2.0f - r * r);
   const float k = r > 1e-6f ? sine / r : std::sqrt(2.0f);
   const vec3 h(x * k, y * k, 1.0f - r * r);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A square net drawn over the bust: its left and right sides meet along the back of the head, its upper side
-// is folded in two over the crown and its lower side under the cut. So one chart without overlap, one seam,
-// and no pole where triangles would shrink to needles.
+// is folded in two over the crown and its lower side under the cut. This gives one chart without overlap, one
+// seam, and no pole where triangles would become needles.
 #pragma once
 
 #include "builtin_head/sculpture.h"
@@ -15,12 +15,11 @@ struct Net {
   std::vector<vec3> normal;  ///< unit, of the form
 
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * (columns + 1) + i; }
-  /// The node that lies at (i, j) when one walks over the sides: any i, j up to one width beyond.
+  /// Returns the node at (i, j) across the sides: any i, j up to one width beyond.
   std::size_t folded(int i, int j) const;
 };
 
-/// Draws the net: spread evenly (denser where the face needs it), lying on the form. The same bits on every
-/// run.
+/// Draws the net: evenly spaced (denser where the face needs it), on the form. The same bits on every run.
 Net wrap(const Sculpture& bust, int columns, int rows);
 
 }  // namespace dermis::builtin_head
