@@ -8,12 +8,15 @@
 #include <string_view>
 
 #include "gaussians/sum.h"
+#include "json/value.h"
 
 namespace dermis::gaussians {
 
 /// Terms are sorted narrow to wide. InputError: a key that is not known (lists the known ones), a variance <=
 /// 0, equal variances, a negative weight, weights that do not sum to 1 within 1e-3 per channel (unless
 /// normalise: they are divided by their sum), 0 or more than 8 terms.
+SumOfGaussians read_json(const json::Value& profile, bool normalise = false);
+/// The same from a text, whose place is `where`.
 SumOfGaussians parse_json(std::string_view text, const std::string& where, bool normalise = false);
 /// The same from a file of at most 1 MiB, whose name is the place; also InputError if it cannot be read.
 SumOfGaussians load_json(const std::filesystem::path& path, bool normalise = false);

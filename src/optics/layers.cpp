@@ -2,54 +2,49 @@
 #include "optics/layers.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <set>
+#include <limits>
 
 #include "core/error.h"
-#include "core/file.h"
 #include "core/one_line.h"
+#include "json/document.h"
 
 namespace dermis::optics {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr double largest_mm = 1e6;  // a kilometre of skin: numbers stay far from overflow
+constexpr json::Limits limits{.depth = 3, .values = 10'000};
 
-double number(const Json& value, const std::string& where) {
-  if (!value.is_number()) throw input_error(where, "expected a number, got {}", value.type_name());
-  return value.get<double>() + 0.0;  // -0 becomes 0: its inverse must not be -inf
+double number(const json::Value& value) {
+  constexpr double any = std::numeric_limits<double>::max();
+  return value.number(-any, any) + 0.0;  // -0 becomes 0: its inverse must not be -inf
 }
 
-Rgb triple(const Json& value, const std::string& where) {
-  if (value.is_number()) return {number(value, where), number(value, where), number(value, where)};
-  if (!value.is_array() || value.size() != 3) throw input_error(where, "expected a number or [R, G, B]");
-  return {number(value[0], where), number(value[1], where), number(value[2], where)};
+Rgb triple(const json::Value& value) {
+  if (value.is_number()) return {number(value), number(value), number(value)};
+  if (!value.is_array() || value.array_size(0) != 3) value.fail("must be a number or [R, G, B]");
+  return {number(value.element(0)), number(value.element(1)), number(value.element(2))};
 }
 
-RgbLayer parse_layer(const Json& json, const std::string& where) {
-  if (!json.is_object()) throw input_error(where, "expected an object, got {}", json.type_name());
-
+RgbLayer read_layer(const json::Value& value) {
+  value.only_keys({"sigma_a_per_mm", "sigma_s_reduced_per_mm", "eta", "thickness_mm"});
   RgbLayer layer;
-  for (const auto& [key, value] : json.items()) {
-    const std::string place = where + "." + key;
-    if (key == "sigma_a_per_mm")
-      layer.sigma_a_per_mm = triple(value, place);
-    else if (key == "sigma_s_reduced_per_mm")
-      layer.sigma_s_reduced_per_mm = triple(value, place);
-    else if (key == "eta")
-      layer.eta = number(value, place);
-    else if (key == "thickness_mm") {
-      if (!value.is_null()) layer.thickness_mm = number(value, place);
-    } else {
-      throw input_error(
-          where, "unknown key '{}'; known: sigma_a_per_mm, sigma_s_reduced_per_mm, eta, thickness_mm", key);
-    }
-  }
-
-  for (const char* key : {"sigma_a_per_mm", "sigma_s_reduced_per_mm"})
-    if (!json.contains(key)) throw input_error(where, "'{}' is missing", key);
+  layer.sigma_a_per_mm = triple(value.at("sigma_a_per_mm"));
+  layer.sigma_s_reduced_per_mm = triple(value.at("sigma_s_reduced_per_mm"));
+  if (const auto eta = value.find("eta")) layer.eta = number(*eta);
+  const auto thickness = value.find("thickness_mm");
+  if (thickness && !thickness->is_null()) layer.thickness_mm = number(*thickness);
   return layer;
+}
+
+RgbLayers read_layers(const json::Value& list) {
+  const std::size_t size = list.array_size(0);
+  if (size < 1 || size > max_layers) list.fail("1 to {} layers, got {}", max_layers, size);
+
+  RgbLayers layers;
+  for (std::size_t i = 0; i < size; ++i)
+    layers.push_back(read_layer(list.element(i).called(fmt::format("layer {}", i))));
+  for (int c = 0; c < 3; ++c) check(channel(layers, c), list.file());
+  return layers;
 }
 
 }  // namespace
@@ -83,43 +78,12 @@ void check(const Layers& layers, const std::string& where) {
   }
 }
 
-namespace {
-
-RgbLayers parse(std::string_view json, const std::string& where) {
-  Json document;
-  try {
-    std::set<std::string> keys;
-    document = Json::parse(json, [&](int, Json::parse_event_t event, Json& parsed) {
-      if (event == Json::parse_event_t::object_start) keys.clear();
-      if (event == Json::parse_event_t::key && !keys.insert(parsed.get<std::string>()).second)
-        throw input_error(where, "'{}' is given twice in one layer", parsed.get<std::string>());
-      return true;
-    });
-  } catch (const Json::parse_error& error) {
-    throw input_error(where, "not JSON (byte {})", error.byte);
-  } catch (const Json::exception&) { throw input_error(where, "a number is too large"); }
-
-  if (!document.is_array())
-    throw input_error(where, "expected a list of layers, got {}", document.type_name());
-  if (document.empty() || document.size() > max_layers)
-    throw input_error(where, "1 to {} layers, got {}", max_layers, document.size());
-
-  RgbLayers layers;
-  for (std::size_t i = 0; i < document.size(); ++i)
-    layers.push_back(parse_layer(document[i], fmt::format("{}: layer {}", where, i)));
-  for (int c = 0; c < 3; ++c) check(channel(layers, c), where);
-  return layers;
-}
-
-}  // namespace
-
-RgbLayers parse_layers(std::string_view json, const std::string& where) {
-  return with_one_line_errors([&] { return parse(json, where); });
+RgbLayers parse_layers(std::string_view text, const std::string& where) {
+  return with_one_line_errors([&] { return read_layers(json::Document(text, where, limits).root()); });
 }
 
 RgbLayers load_layers(const std::filesystem::path& path) {
-  const auto bytes = read_file(path, 1 << 20);
-  return parse_layers({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
+  return with_one_line_errors([&] { return read_layers(json::load(path, 1 << 20, limits).root()); });
 }
 
 }  // namespace dermis::optics

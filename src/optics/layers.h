@@ -50,7 +50,7 @@ void check(const Layers& layers, const std::string& where);
 /// are a number or [R,G,B]; eta defaults to 1.4; thickness_mm may be missing or null in the last layer, which
 /// is then a half-space. Throws InputError for an unknown key (lists the known ones), a missing key, a wrong
 /// type, a value out of range.
-RgbLayers parse_layers(std::string_view json, const std::string& where);
+RgbLayers parse_layers(std::string_view text, const std::string& where);
 /// Parses a file; throws InputError (place: its name) also if it cannot be read.
 RgbLayers load_layers(const std::filesystem::path& path);
 

@@ -258,7 +258,7 @@ TEST_F(CompareResults, WhatCannotBeCompared) {
                  "other.json: the scene is other.glb");
   expect_refused(run({"bench", "--compare", a, (folder() / "none.json").string()}),
                  "none.json: no such file");
-  expect_refused(run({"bench", "--compare", a, file("text.json", "no")}), "text.json: is no JSON");
+  expect_refused(run({"bench", "--compare", a, file("text.json", "no")}), "text.json: is not valid JSON");
   expect_refused(run({"bench", "--compare", a, file("empty.json", "{}")}), "empty.json: has no 'commit'");
   expect_refused(run({"bench", "--compare", a, a, "--json", a}), "needs a name of its own");
   expect_refused(run({"bench", "--compare", a, a, "--html", (folder() / "x.html").string()}),

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/one_line.h"
 #include "core/parallel.h"
 #include "image/codec.h"
 #include "image/shrink.h"
@@ -51,7 +52,7 @@ struct Use {
 };
 
 std::string place_of(const Document& document, int source) {
-  return fmt::format("{}: image '{}'", document.file, printable(document.images[source].name.substr(0, 120)));
+  return fmt::format("{}: image '{}'", document.file, one_line(document.images[source].name, 80));
 }
 
 /// Returns each pair of a picture and its use (colour or data) once, in the order of the file.
@@ -90,7 +91,7 @@ void fit(const Document& document, std::uint64_t budget_bytes, std::vector<Use>&
   for (const Use& use : uses) {
     if (use.halvings == 0 || ++halved > named) continue;
     const std::string& name = document.images[use.source].name;
-    lines.push_back(fmt::format("'{}' is {} x {} pixels, read as {} x {}", printable(name.substr(0, 120)),
+    lines.push_back(fmt::format("'{}' is {} x {} pixels, read as {} x {}", one_line(name, 80),
                                 use.header.width, use.header.height, use.width(), use.height()));
   }
   if (halved > named) lines.push_back(fmt::format("and {} more", halved - named));

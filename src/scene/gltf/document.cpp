@@ -48,7 +48,7 @@ void check_common(const Value& object) {
   if (const auto name = object.find("name")) name->text();
   const auto extensions = object.find("extensions");
   if (!extensions) return;
-  for (const std::string& key : extensions->keys()) extensions->at(key.c_str()).object();
+  for (const std::string& key : extensions->keys()) extensions->at(key).object();
 }
 
 void check_collections(const Value& root) {

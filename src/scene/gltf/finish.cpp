@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/one_line.h"
 #include "core/warnings.h"
 
 namespace dermis::scene::gltf {
@@ -22,7 +23,8 @@ bool says_skin(const std::string& name) {
 
 std::string quoted_names(const std::vector<MaterialSource>& materials) {
   std::vector<std::string> names;
-  for (const MaterialSource& m : materials) names.push_back(fmt::format("'{}'", printable(m.material.name)));
+  for (const MaterialSource& m : materials)
+    names.push_back(fmt::format("'{}'", one_line(m.material.name, 80)));
   if (names.size() > 20) names.resize(20);
   return fmt::format("{}", fmt::join(names, ", "));
 }

@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "core/one_line.h"
 #include "core/warnings.h"
 #include "scene/gltf/finish.h"
 #include "scene/gltf/missing_uv.h"
@@ -55,7 +56,7 @@ void warn_of_size(const Document& document, const Scene& scene) {
 
 Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   const Container container = open_container(path);
-  const JsonText json(container.json, path.string());
+  const json::Document json = parse(container.json, path.string());
   const Document document = read_document(json.root(), container, path);
   Bytes bytes(document, container);
   check_limits(document, options);
@@ -93,16 +94,15 @@ Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
     throw input_error("--unit-scale", "must be over 0 and at most 1e6, got {}", options.unit_scale);
   if (!(options.texture_budget_mb >= 1 && options.texture_budget_mb <= 1e6))
     throw input_error("--texture-budget", "must be 1 to 1e6 MB, got {}", options.texture_budget_mb);
-  constexpr std::size_t longest_message = 2000;
   const auto too_large = [&] { return input_error(path.string(), "needs more memory than there is"); };
   const WarningGroup group;
   try {
     return load(path, options);
   } catch (const InputError& error) {
     // Messages quote names and uris of the file; an error must stay one line.
-    throw InputError("", printable(error.what(), longest_message));
+    throw InputError("", one_line(error.what()));
   } catch (const std::filesystem::filesystem_error& error) {
-    throw input_error(path.string(), "{}", printable(error.what(), longest_message));
+    throw input_error(path.string(), "{}", one_line(error.what()));
   } catch (const std::bad_alloc&) { throw too_large(); } catch (const std::length_error&) {
     throw too_large();
   }

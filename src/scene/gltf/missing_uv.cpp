@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/one_line.h"
 #include "core/warnings.h"
 
 namespace dermis::scene::gltf {
@@ -51,7 +52,7 @@ void warn_of_missing_uv(const Document& document, const Primitive& primitive, bo
                     : !lost_maps
                         ? "no texture coordinates, so skin is lit without scattering"
                         : "no texture coordinates, so skin is lit without scattering, its maps left out";
-  const std::string name = printable(primitive.name);
+  const std::string name = one_line(primitive.name, 80);
   warn_of(fmt::format("{}: {}", document.file, why), name,
           fmt::format("{}: '{}': {}", document.file, name, why));
 }

@@ -97,7 +97,7 @@ BufferView read_view(const Document& document, const Value& value) {
     value.fail("byteStride {} is more than byteLength {}", view.stride, view.length);
   check_within(value, view.offset, view.length, document.buffers[view.buffer].byte_length, "buffer");
 
-  if (const std::optional<Value> meshopt = value.extension("EXT_meshopt_compression")) {
+  if (const std::optional<Value> meshopt = extension(value, "EXT_meshopt_compression")) {
     view.meshopt = read_meshopt(document, *meshopt);
     if (view.meshopt->count > max_count / view.meshopt->stride ||
         view.meshopt->count * view.meshopt->stride != view.length)
@@ -254,7 +254,7 @@ void read_buffers(Document& document, const Value& root, bool has_binary) {
     Buffer buffer;
     buffer.byte_length = value.at("byteLength").count(1);
     if (const std::optional<Value> uri = value.find("uri")) buffer.uri = uri->text();
-    const std::optional<Value> meshopt = value.extension("EXT_meshopt_compression");
+    const std::optional<Value> meshopt = extension(value, "EXT_meshopt_compression");
     buffer.fallback = meshopt && meshopt->boolean_or("fallback", false) && !buffer.uri;
     // A buffer without bytes is legal as long as nothing is read from it.
     buffer.is_chunk = document.buffers.empty() && has_binary && !buffer.uri && !buffer.fallback;

@@ -3,7 +3,6 @@
 // render different skin.
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "gaussians/json.h"
 #include "gaussians/known.h"
@@ -46,8 +45,7 @@ MapRef read_channel_map(const Document& document, const Value& value, const MapR
 }
 
 gaussians::SumOfGaussians read_profile(const Document& document, const Value& value) {
-  if (value.is_object())
-    return gaussians::parse_json(value.json().dump(), fmt::format("{}: {}", document.file, value.place()));
+  if (value.is_object()) return gaussians::read_json(value);
   const std::string& name = value.text();
   const std::vector<std::string_view> known = gaussians::known_names();
   if (std::find(known.begin(), known.end(), name) != known.end()) return gaussians::known(name);

@@ -92,10 +92,10 @@ void read_material_extensions(const Document& document, const Value& value, Mate
   constexpr float largest = 1e6f;  // radiance beyond any half float
   Material& material = source.material;
 
-  if (const auto strength = value.extension("KHR_materials_emissive_strength"))
+  if (const auto strength = extension(value, "KHR_materials_emissive_strength"))
     material.emissive *= factor(*strength, "emissiveStrength", 1, largest);
 
-  if (const auto ior = value.extension("KHR_materials_ior")) {
+  if (const auto ior = extension(value, "KHR_materials_ior")) {
     source.has_ior = true;
     material.ior = factor(*ior, "ior", 1.5, 100);
     // 0 means "Fresnel of 1 everywhere", as for an infinite index.
@@ -103,7 +103,7 @@ void read_material_extensions(const Document& document, const Value& value, Mate
     if (material.ior < 1) ior->fail("ior must be 0 or at least 1, is {}", material.ior);
   }
 
-  if (const auto specular = value.extension("KHR_materials_specular")) {
+  if (const auto specular = extension(value, "KHR_materials_specular")) {
     material.specular = factor(*specular, "specularFactor", 1);
     material.specular_map = map_member(document, *specular, "specularTexture");
     material.specular_map.channel = 3;
@@ -111,7 +111,7 @@ void read_material_extensions(const Document& document, const Value& value, Mate
     material.specular_colour_map = map_member(document, *specular, "specularColorTexture");
   }
 
-  material.unlit = value.extension("KHR_materials_unlit").has_value();
+  material.unlit = extension(value, "KHR_materials_unlit").has_value();
 }
 
 AlphaMode read_alpha_mode(const Value& value) {
@@ -168,7 +168,7 @@ MapRef read_texture_info(const Document& document, const Value& info, const char
   MapRef map = map_of_texture(document, info.index("index", document.textures.size(), "texture"), info);
   std::uint64_t set = info.count_or("texCoord", 0, 0, 1000);
   if (scale_key != nullptr) map.scale = static_cast<float>(info.number_or(scale_key, 1));
-  if (const auto transform = info.extension("KHR_texture_transform")) {
+  if (const auto transform = extension(info, "KHR_texture_transform")) {
     map.transform = read_texture_transform(*transform);
     set = transform->count_or("texCoord", set, 0, 1000);
   }

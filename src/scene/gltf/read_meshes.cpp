@@ -120,8 +120,7 @@ DracoData read_draco(const Document& document, const Value& value, const MeshPri
   draco.view = value.index("bufferView", document.views.size(), "bufferView");
   const Value attributes = value.at("attributes");
   for (const std::string& semantic : attributes.keys()) {
-    draco.attributes[semantic] =
-        static_cast<std::uint32_t>(attributes.at(semantic.c_str()).count(0, 0xFFFFFFFF));
+    draco.attributes[semantic] = static_cast<std::uint32_t>(attributes.at(semantic).count(0, 0xFFFFFFFF));
     if (!primitive.attributes.contains(semantic))
       attributes.fail("{} is not an attribute of the primitive", semantic.substr(0, 40));
   }
@@ -151,7 +150,7 @@ MeshPrimitive read_primitive(const Document& document, const Value& value) {
   if (attributes.keys().empty()) attributes.fail("is empty");
   primitive.attributes = read_attributes(document, attributes);
   check_attributes(document, value, primitive);
-  if (const auto draco = value.extension("KHR_draco_mesh_compression"))
+  if (const auto draco = extension(value, "KHR_draco_mesh_compression"))
     primitive.draco = read_draco(document, *draco, primitive);
   check_indices(document, value, primitive);
   value.for_each("targets", [&](const Value& target) {

@@ -47,7 +47,7 @@ Node read_node(const Document& document, const Value& value, std::size_t nodes, 
   node.mesh = value.index_or_none("mesh", document.meshes.size(), "mesh");
   node.skin = value.index_or_none("skin", skins, "skin");
   node.camera = value.index_or_none("camera", document.cameras.size(), "camera");
-  if (const auto light = value.extension("KHR_lights_punctual"))
+  if (const auto light = extension(value, "KHR_lights_punctual"))
     node.light = light->index("light", document.lights.size(), "light");
   node.children = value.indices("children", nodes, "node");
   node.weights = value.numbers("weights", 0);

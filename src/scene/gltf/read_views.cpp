@@ -133,9 +133,9 @@ void read_cameras(Document& document, const Value& root) {
 }
 
 void read_lights(Document& document, const Value& root) {
-  if (const auto extension = root.extension("KHR_lights_punctual"))
-    extension->for_each("lights",
-                        [&](const Value& value) { document.lights.push_back(read_light(document, value)); });
+  if (const auto lights = extension(root, "KHR_lights_punctual"))
+    lights->for_each("lights",
+                     [&](const Value& value) { document.lights.push_back(read_light(document, value)); });
 }
 
 void check_animations(const Document& document, const Value& root) {

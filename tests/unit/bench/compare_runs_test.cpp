@@ -138,25 +138,25 @@ TEST_F(CompareRuns, WhatIsNoResultIsRefusedWithItsPlace) {
     }
   };
 
-  refuse("{", "is no JSON");
+  refuse("{", "is not valid JSON");
   refuse("[]", "has no 'commit'");
   refuse("{}", "has no 'commit'");
-  refuse(std::string(100000, '['), "is no JSON");
+  refuse(std::string(100000, '['), "nested deeper");
 
   const auto broken = [&](const std::string& pointer, const json& value, const std::string& says) {
     json j = made_up();
     j[json::json_pointer(pointer)] = value;
     refuse(j.dump(), says);
   };
-  broken("/cells", 5, "cells: expected a list");
-  broken("/cells/1/heads", "two", "cells[1].heads: expected a number");
-  broken("/cells/1/heads", 1e300, "cells[1].heads: expected a number");
-  broken("/cells/0/variants", json::array(), "cells[0].variants: expected an object");
+  broken("/cells", 5, "cells: must be an array");
+  broken("/cells/1/heads", "two", "cells[1].heads: must be an integer");
+  broken("/cells/1/heads", 1e300, "cells[1].heads: must be 1 to 1000000");
+  broken("/cells/0/variants", json::array(), "cells[0].variants: must be an object");
   broken("/cells/0/variants/cull/rounds_ms", json::array(),
-         "cells[0].variants.cull.rounds_ms: expected 1 to");
-  broken("/cells/0/variants/cull/rounds_ms/2", -1, "rounds_ms[2]: expected a number from 0");
-  broken("/cells/0/variants/cull/rounds_ms/2", nullptr, "rounds_ms[2]: expected a number");
-  broken("/cells/0/variants/cull/passes/0/name", 1, "passes[0].name: expected text");
+         "cells[0].variants.cull.rounds_ms: must have 1 to");
+  broken("/cells/0/variants/cull/rounds_ms/2", -1, "rounds_ms[2]: must be 0 to");
+  broken("/cells/0/variants/cull/rounds_ms/2", nullptr, "rounds_ms[2]: must be a number");
+  broken("/cells/0/variants/cull/passes/0/name", 1, "passes[0].name: must be a string");
 
   json twice = made_up();
   twice["cells"][1] = twice["cells"][0];

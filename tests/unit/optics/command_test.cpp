@@ -162,7 +162,7 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
 
   std::ofstream(path("layers.json")) << R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"depth_mm":1}])";
   EXPECT_NE(
-      message_of({"--layers", path("layers.json")}).find("unknown key 'depth_mm'; known: sigma_a_per_mm"),
+      message_of({"--layers", path("layers.json")}).find("unknown key 'depth_mm'; known are: sigma_a_per_mm"),
       std::string::npos);
   std::ofstream(path("unsorted.csv")) << "r_mm,R,G,B\n1,1,1,1\n0.5,1,1,1\n";
   EXPECT_NE(message_of({"--csv", path("unsorted.csv")}).find("line 3: radii must rise"), std::string::npos);

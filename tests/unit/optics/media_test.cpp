@@ -163,13 +163,14 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
   EXPECT_NE(parse("[]").find("1 to 32 layers, got 0"), std::string::npos);
   // One line, whatever a key holds.
   EXPECT_NE(parse(R"([{"a\nb":1}])").find("unknown key 'a?b'"), std::string::npos);
-  EXPECT_NE(parse("{").find("not JSON"), std::string::npos);
-  EXPECT_NE(parse("{}").find("expected a list"), std::string::npos);
-  EXPECT_NE(parse(R"([{"sigma_a":1}])").find("layer 0: unknown key 'sigma_a'; known: sigma_a_per_mm"),
+  EXPECT_NE(parse("{").find("not valid JSON"), std::string::npos);
+  EXPECT_NE(parse("{}").find("must be an array"), std::string::npos);
+  EXPECT_NE(parse(R"([{"sigma_a":1}])").find("layer 0: unknown key 'sigma_a'; known are: sigma_a_per_mm"),
             std::string::npos);
   EXPECT_NE(parse(R"([{"eta":1.3,"eta":1.4}])").find("'eta' is given twice"), std::string::npos);
-  EXPECT_NE(parse(R"([{"eta":1e999}])").find("skin.json: a number is too large"), std::string::npos);
-  EXPECT_NE(parse(std::string(100'000, '[').c_str()).find("not JSON"), std::string::npos);
+  EXPECT_NE(parse(R"([{"eta":1e999}])").find("skin.json: is not valid JSON: number overflow"),
+            std::string::npos);
+  EXPECT_NE(parse(std::string(100'000, '[').c_str()).find("nested deeper than 3 levels"), std::string::npos);
 
   EXPECT_NE(parse(R"([{"sigma_a_per_mm":1}])").find("'sigma_s_reduced_per_mm' is missing"),
             std::string::npos);
@@ -179,7 +180,8 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
                 .find("only the last"),
             std::string::npos);
 
-  EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":"x"}])").find("expected a number"),
+  EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":"x"}])")
+                .find("layer 0.sigma_s_reduced_per_mm: must be a number or [R, G, B]"),
             std::string::npos);
   EXPECT_NE(parse(R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"thickness_mm":-1}])")
                 .find("thickness_mm must be above 0"),
