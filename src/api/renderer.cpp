@@ -48,7 +48,7 @@ Picture Renderer::render(const Scene& scene, const RenderSettings& settings) {
 
 std::vector<std::string> technique_names() {
   std::vector<std::string> names;
-  for (const techniques::Technique& t : techniques::techniques()) names.emplace_back(t.name);
+  for (const techniques::Technique* t : techniques::techniques()) names.emplace_back(t->name);
   return names;
 }
 

@@ -133,7 +133,8 @@ struct Technique {
   std::vector<GutterSize> (*gutters)(const FrameSettings& settings, std::span<const std::uint32_t> sides);
 };
 
-std::span<const Technique> techniques();
+/// In the order in which users see them; the first is the default.
+std::span<const Technique* const> techniques();
 /// InputError lists the names when there is none such.
 const Technique& find_technique(std::string_view name);
 

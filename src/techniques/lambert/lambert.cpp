@@ -5,8 +5,9 @@
 #include "techniques/screen.h"
 
 namespace dermis::techniques {
+namespace {
 
-FrameOutputs build_lambert(passes::FramePlan& plan, const FrameSettings& settings) {
+FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
   Screen screen(plan, settings);
 
   for (std::uint32_t head = 0; head < settings.heads; ++head) {
@@ -30,5 +31,15 @@ FrameOutputs build_lambert(passes::FramePlan& plan, const FrameSettings& setting
 
   return screen.finish();
 }
+
+}  // namespace
+
+constinit const Technique lambert{.name = "lambert",
+                                  .summary = "the same lights and specular without scattering",
+                                  .uses_profile = false,
+                                  .has_light_maps = false,
+                                  .build = build,
+                                  .report = screen_report,
+                                  .gutters = no_gutters};
 
 }  // namespace dermis::techniques

@@ -6,6 +6,6 @@
 
 namespace dermis::techniques {
 
-FrameOutputs build_lambert(passes::FramePlan& plan, const FrameSettings& settings);
+extern const Technique lambert;
 
 }  // namespace dermis::techniques

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// From what a frame in texture space has counted to the figures of its statistics.
+#include "techniques/texture_space/report.h"
+
 #include <array>
 
 #include "passes/blur/blur.h"
 #include "shared/tiles_io.h"
 #include "techniques/texture_space/counters.h"
 #include "techniques/texture_space/light_maps.h"
-#include "techniques/texture_space/texture_space.h"
 
 namespace dermis::techniques {
 namespace {
@@ -118,7 +118,7 @@ std::string name_of(passes::Mask mask) {
 
 }  // namespace
 
-FrameReport report_texture_space(const FrameSettings& settings, std::span<const std::uint32_t> counters,
+FrameReport texture_space_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
                                  std::span<const std::uint32_t> sides) {
   DERMIS_ASSERT_EQ(counters.size(), counter_count(settings.skin.size()));
   const Figures figures(settings, counters, sides);
@@ -136,8 +136,8 @@ FrameReport report_texture_space(const FrameSettings& settings, std::span<const 
   return report;
 }
 
-std::vector<GutterSize> gutters_of_texture_space(const FrameSettings& settings,
-                                                 std::span<const std::uint32_t> sides) {
+std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
+                                              std::span<const std::uint32_t> sides) {
   const std::vector<std::uint32_t> halvings = halvings_of_terms(settings);
   std::vector<GutterSize> sizes;
 

@@ -10,6 +10,7 @@
 #include "techniques/texture_space/counters.h"
 #include "techniques/texture_space/final.h"
 #include "techniques/texture_space/light_maps.h"
+#include "techniques/texture_space/report.h"
 
 namespace dermis::techniques {
 namespace {
@@ -46,10 +47,8 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
   for (const auto& [name, shown] : out.shows) plan.read_back(shown.map);
 }
 
-}  // namespace
-
 // The steps of the table in docs/techniques.md, in its order.
-FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s) {
+FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
   const auto meshes = static_cast<std::uint32_t>(s.skin.size());
   Screen screen(plan, s, counter_count(meshes));
   std::optional<LightMaps> maps;
@@ -92,5 +91,16 @@ FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s
   add_shows(out, plan, s, *maps);
   return out;
 }
+
+}  // namespace
+
+constinit const Technique texture_space{
+    .name = "texture-space",
+    .summary = "light blurred in the head's texture by a sum of Gaussians (d'Eon et al. 2007)",
+    .uses_profile = true,
+    .has_light_maps = true,
+    .build = build,
+    .report = texture_space_report,
+    .gutters = texture_space_gutters};
 
 }  // namespace dermis::techniques

@@ -7,12 +7,6 @@
 
 namespace dermis::techniques {
 
-FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& settings);
-
-/// See Technique.
-FrameReport report_texture_space(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                                 std::span<const std::uint32_t> sides);
-std::vector<GutterSize> gutters_of_texture_space(const FrameSettings& settings,
-                                                 std::span<const std::uint32_t> sides);
+extern const Technique texture_space;
 
 }  // namespace dermis::techniques

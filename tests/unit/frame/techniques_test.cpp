@@ -20,7 +20,7 @@ struct Case {
 std::vector<Case> cases() {
   std::vector<Case> all;
 
-  for (const techniques::Technique& technique : techniques::techniques())
+  for (const techniques::Technique* technique : techniques::techniques())
     for (const std::uint32_t heads : {1u, 2u})
       for (const std::size_t parts : {0u, 1u, 2u})
         for (const std::uint32_t samples : {1u, 4u})
@@ -35,10 +35,10 @@ std::vector<Case> cases() {
             s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
             s.has_surfaces = s.has_blended = more;
             s.bloom = more ? 0.05f : 0.0f;
-            s.translucency = more && parts > 0 && technique.has_light_maps;
-            all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique.name, heads,
+            s.translucency = more && parts > 0 && technique->has_light_maps;
+            all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique->name, heads,
                                        parts, samples, more ? ", surfaces, bloom" : ""),
-                           &technique, std::move(s)});
+                           technique, std::move(s)});
           }
 
   // Take three heads two at a time, with each mask.
