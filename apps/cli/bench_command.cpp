@@ -37,9 +37,9 @@ struct BenchArguments : SceneArguments {
 void scale_down(BenchArguments& a, const CLI::App& command) {
   const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
   RenderSettings& s = a.settings;
-  if (!given("--size")) s.width = 360, s.height = 225;
-  if (!given("--map-size")) s.map_size = 384;
-  if (!given("--shadow-size")) s.shadow_size = 384;
+  if (!given("--size")) s.output.width = 360, s.output.height = 225;
+  if (!given("--map-size")) s.quality.map_size = 384;
+  if (!given("--shadow-size")) s.quality.shadow_size = 384;
   if (!given("--heads")) a.heads = {1, 4};
   if (!given("--distances")) a.distances = {2.5, 10, 50};
   if (!given("--rounds")) a.rounds = 3;
@@ -74,10 +74,10 @@ void check(const BenchArguments& a, const bench::Task& task) {
   if (a.frames_mb && !(*a.frames_mb >= 0 && *a.frames_mb <= 1e9))
     throw input_error("", "--frames-memory must be 0 to 1e+09 MB, got {}", *a.frames_mb);
   const RenderSettings& s = a.settings;
-  if (std::max(s.width, s.height) > largest_side / std::max(a.picture_samples, 1))
+  if (std::max(s.output.width, s.output.height) > largest_side / std::max(a.picture_samples, 1))
     throw input_error(
         "", "--picture-samples {} of {}x{} pixels is a picture of more than {} pixels' width or height",
-        a.picture_samples, s.width, s.height, largest_side);
+        a.picture_samples, s.output.width, s.output.height, largest_side);
   check_files(a);
 }
 
@@ -130,8 +130,8 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   if (a.quick) scale_down(a, command);
 
   // The two lights of the rig are a default, which --light replaces.
-  if (!a.settings.placed_lights.empty() && command.get_option("--lights")->count() == 0)
-    a.settings.lights.reset();
+  if (!a.settings.lighting.placed_lights.empty() && command.get_option("--lights")->count() == 0)
+    a.settings.lighting.rig_lights.reset();
   sort_list("--heads", a.heads);
   sort_list("--distances", a.distances);
   bench::Task task = task_of(a);
@@ -175,11 +175,11 @@ void add_bench_command(CLI::App& app, int& exit_status) {
                                          "the optimisations, next to the published speed-ups");
 
   auto a = std::make_shared<BenchArguments>();
-  a->settings.width = 1920;
-  a->settings.height = 1200;
-  a->settings.lights = 2;
-  a->settings.profile = "skin";
-  a->settings.translucency = false;  // [JG08] sec. 7: their test has none
+  a->settings.output.width = 1920;
+  a->settings.output.height = 1200;
+  a->settings.lighting.rig_lights = 2;
+  a->settings.skin.profile = "skin";
+  a->settings.skin.translucency = false;  // [JG08] sec. 7: their test has none
   add_scene_arguments(*command, *a, SceneUse::bench);
 
   // Of the paper's test, whatever the scene brings along.

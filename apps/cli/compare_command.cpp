@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "image/codec.h"
+#include "settings/names.h"
 
 namespace dermis::cli {
 namespace {
@@ -72,8 +73,8 @@ void compare_linear(const CompareArguments& arguments, std::span<const std::byte
     if (negative != values.end()) throw input_error(name, "holds {}; variances are 0 or more", *negative);
   }
 
-  const image::ToneMap tone_map = image::find_tone_map(arguments.settings.tone_map);
-  compared.tone_map = arguments.settings.tone_map;
+  const ToneMap tone_map = arguments.settings.output.tone_map;
+  compared.tone_map = name_of(tone_map);
   compared.found = image::compare(a, b, tone_map, variances, compared.region);
   compared.shown_a = image::to_display(a, tone_map);
   compared.shown_b = image::to_display(b, tone_map);
@@ -135,15 +136,14 @@ void run(const CompareArguments& arguments) {
   if (!arguments.scene.empty() && two) throw CLI::ExcludesError("--scene", "A and B");
   if (arguments.variances.size() > 2)
     throw CLI::ArgumentMismatch::AtMost("--z", 2, arguments.variances.size());
-  image::find_tone_map(arguments.settings.tone_map);
   check_outputs(arguments);
   arguments.scene.empty() ? compare_two(arguments) : compare_techniques(arguments);
 }
 
 // Everything that belongs to a scene says so when there is none.
 void add_scene_options(CLI::App& command, CompareArguments& a) {
-  a.settings.width = a.settings.height = 512;
-  a.settings.bloom = 0;  // the reference has none
+  a.settings.output.width = a.settings.output.height = 512;
+  a.settings.output.bloom = 0;  // the reference has none
 
   const std::vector<CLI::Option*> before = command.get_options();
   add_scene_arguments(command, a, SceneUse::comparison);
@@ -165,7 +165,7 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
           "--supersample", s.supersample,
           "errors are of pictures this many times as wide and as high, averaged; times stay those of --size")
       ->group(group);
-  command.add_option("--frames", a.settings.frames, "timed frames after one warm-up")->group(group);
+  command.add_option("--frames", a.settings.output.frames, "timed frames after one warm-up")->group(group);
   command.add_option("--device", s.device, "best, an index or a part of a name of `dermis info`")
       ->group(group);
 

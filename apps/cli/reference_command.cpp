@@ -110,7 +110,7 @@ void add_reference_command(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand(
       "reference", "ground truth on the processor: the same scene without the approximations of real time");
   auto a = std::make_shared<ReferenceArguments>();
-  a->settings.width = a->settings.height = 512;
+  a->settings.output.width = a->settings.output.height = 512;
   add_scene_arguments(*command, *a, SceneUse::reference);
   command->add_option("-o,--output", a->output, "picture to write: .exr (linear) or .png (display values)")
       ->required();

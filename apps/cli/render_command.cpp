@@ -43,7 +43,7 @@ Picture rendered(Renderer& renderer, const Scene& scene, const RenderSettings& s
   }();
   if (interrupted_flag()) throw Cancelled("stopped before the first frame");
 
-  for (int i = 0; i < settings.frames; ++i) frame.draw();
+  for (int i = 0; i < settings.output.frames; ++i) frame.draw();
   return frame.picture();
 }
 
@@ -94,8 +94,8 @@ void add_render_command(CLI::App& app, int& exit_status) {
                    "picture to write: .png (display values) or .exr (linear)")
       ->required();
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output");
-  command->add_option("--frames", arguments->settings.frames, "timed frames after one warm-up");
-  command->add_option("--show", arguments->settings.show,
+  command->add_option("--frames", arguments->settings.output.frames, "timed frames after one warm-up");
+  command->add_option("--show", arguments->settings.output.show,
                       "picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K");
   command->add_option("--device", arguments->device, "best, an index or a part of a name of `dermis info`");
   command->add_flag("--validate", arguments->validate,

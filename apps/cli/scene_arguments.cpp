@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "settings/names.h"
 
 namespace dermis::cli {
 namespace {
@@ -16,9 +17,9 @@ namespace {
 // renderer.
 bool parse_size(const std::string& text, RenderSettings& settings) {
   const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, settings.width);
+  const auto width = std::from_chars(text.data(), end, settings.output.width);
   if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return false;
-  const auto height = std::from_chars(width.ptr + 1, end, settings.height);
+  const auto height = std::from_chars(width.ptr + 1, end, settings.output.height);
   return height.ec == std::errc() && height.ptr == end;
 }
 
@@ -63,6 +64,17 @@ void add_switch(CLI::App& command, const std::string& name, bool& value, const s
       ->group("Light");
 }
 
+// `value` is the enumeration or an optional one. An empty `default_name` says nothing of a default.
+template <class Enum, class Value>
+CLI::Option* add_named(CLI::App& command, const std::string& name, Value& value, const std::string& help,
+                       std::string_view default_name) {
+  return command
+      .add_option_function<std::string>(
+          name, [&value, name](const std::string& text) { value = find_name<Enum>(name, text); }, help)
+      ->type_name("TEXT")
+      ->default_str(std::string(default_name));
+}
+
 // cull,depth,clip in any order, or all, or none.
 bool parse_optimise(const std::vector<std::string>& names, RenderSettings& s) {
   bool cull = false, depth = false, clip = false;
@@ -79,7 +91,7 @@ bool parse_optimise(const std::vector<std::string>& names, RenderSettings& s) {
     else if (name != "none" || !alone)
       return false;
   }
-  s.cull = cull, s.depth = depth, s.clip = clip;
+  s.quality.cull = cull, s.quality.depth = depth, s.quality.clip = clip;
   return true;
 }
 
@@ -103,37 +115,37 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
       ->default_str("all")
       ->group(group);
 
-  command
-      .add_option("--maps", s.maps,
-                  "full: one map of full size a Gaussian; progressive: half the size, a quarter, an eighth "
-                  "where the light is smooth by then")
+  add_named<LightMaps>(
+      command, "--maps", s.quality.maps,
+      "full: one map of full size a Gaussian; progressive: half the size, a quarter, an eighth "
+      "where the light is smooth by then",
+      name_of(s.quality.maps))
       ->group(group);
-  command
-      .add_option(
-          "--mask", s.mask,
-          "how convolutions skip unlit texels: alpha, depth, tiles (default: fastest on this kind of device)")
+  add_named<BlurMask>(
+      command, "--mask", s.quality.mask,
+      "how convolutions skip unlit texels: alpha, depth, tiles (default: fastest on this kind of device)", "")
       ->group(group);
 
   command
-      .add_option("--d-ref", s.d_ref,
+      .add_option("--d-ref", s.quality.d_ref,
                   "distance, in radii, up to which light maps have their full size (default: where a texel "
                   "is as large as a pixel)")
       ->group(group);
   command
-      .add_option("--clip-margin", s.clip_margin_mm,
+      .add_option("--clip-margin", s.quality.clip_margin_mm,
                   "skin this far outside the picture is still lit, mm (default: the profile's reach, 3 sigma "
                   "of its widest Gaussian)")
       ->group(group);
 
   command
       .add_option(
-          "--map-budget", s.map_budget_mb,
+          "--map-budget", s.quality.map_budget_mb,
           "memory for light maps, MB; skin that does not fit together goes in batches (default: four maps of "
           "full size, at most a quarter of the device's)")
       ->group(group);
   command
       .add_option(
-          "--skip-unseen-heads", s.skip_unseen_heads,
+          "--skip-unseen-heads", s.quality.skip_unseen_heads,
           "leave out heads wholly outside the picture: true, false (default: true if anything is optimised)")
       ->group(group);
 }
@@ -141,13 +153,13 @@ void add_optimise_options(CLI::App& command, RenderSettings& s) {
 void add_environment_options(CLI::App& command, RenderSettings& s) {
   const char* group = "Light";
   command
-      .add_option("--environment", s.environment,
+      .add_option("--environment", s.lighting.environment,
                   "light from all around: an equirectangular .hdr or .exr, or 'studio' (default: --ambient)")
       ->group(group);
-  command.add_option("--environment-intensity", s.environment_intensity, "multiplies its radiance")
+  command.add_option("--environment-intensity", s.lighting.environment_intensity, "multiplies its radiance")
       ->group(group);
   command
-      .add_option("--environment-rotation", s.environment_rotation_deg,
+      .add_option("--environment-rotation", s.lighting.environment_rotation_deg,
                   "degrees about the vertical, from the head's front towards its left")
       ->group(group);
 }
@@ -157,30 +169,32 @@ void add_real_time_options(CLI::App& command, RenderSettings& s, SceneUse use) {
     std::string names;
     for (const std::string& name : technique_names()) names += (names.empty() ? "" : ", ") + name;
     command.add_option("--technique", s.technique, names)->group("Technique");
-    command.add_option("--heads", s.heads, "heads in a row, 1.6 radii apart")->group("Camera");
+    command.add_option("--heads", s.camera.heads, "heads in a row, 1.6 radii apart")->group("Camera");
   }
   if (use != SceneUse::comparison)  // the reference has none
-    command.add_option("--bloom", s.bloom, "share of the light that is spread over the picture, 0 to 1")
+    command
+        .add_option("--bloom", s.output.bloom, "share of the light that is spread over the picture, 0 to 1")
         ->group("Camera");
-  command.add_option("--map-size", s.map_size, "side of the light maps, texels")->group("Technique");
-  command.add_option("--shadow-size", s.shadow_size, "side of a shadow map, texels")->group("Technique");
+  command.add_option("--map-size", s.quality.map_size, "side of the light maps, texels")->group("Technique");
+  command.add_option("--shadow-size", s.quality.shadow_size, "side of a shadow map, texels")
+      ->group("Technique");
   command
-      .add_option(use == SceneUse::comparison ? "--msaa" : "--samples", s.samples,
+      .add_option(use == SceneUse::comparison ? "--msaa" : "--samples", s.quality.samples,
                   "anti-aliasing, 1 or 4 samples a pixel")
       ->group("Technique");
 }
 
 void add_profile_options(CLI::App& command, RenderSettings& s) {
   command
-      .add_option("--profile", s.profile,
+      .add_option("--profile", s.skin.profile,
                   "diffusion profile: a published name or a JSON file (default: the material's, else the "
                   "published six Gaussians)")
       ->group("Technique");
-  command.add_flag("--normalise", s.normalise_profile, "divide a profile's weights by their sum")
+  command.add_flag("--normalise", s.skin.normalise_profile, "divide a profile's weights by their sum")
       ->group("Technique");
   command
       .add_option(
-          "--mix", s.mix,
+          "--mix", s.skin.mix,
           "part of the albedo applied before the light scatters, 0 to 1 (default: the material's, else 0.5)")
       ->group("Technique");
 }
@@ -195,22 +209,22 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
           },
           "picture, pixels")
       ->type_name("WxH")
-      ->default_str(fmt::format("{}x{}", s.width, s.height))
+      ->default_str(fmt::format("{}x{}", s.output.width, s.output.height))
       ->group("Camera");
 
   command
-      .add_option("--camera", s.camera,
+      .add_option("--camera", s.camera.name,
                   "a camera of the scene (default: its first, else the head is framed from the front)")
       ->group("Camera");
   command
-      .add_option("--fov", s.fov_deg,
+      .add_option("--fov", s.camera.fov_deg,
                   "vertical field of view, degrees (default: the camera's, 20 when framing)")
       ->group("Camera");
   command
       .add_option_function<std::vector<double>>(
           "--orbit",
           [&s](const std::vector<double>& angles) {
-            s.orbit_deg = {angles[0], angles[1]};
+            s.camera.orbit_deg = {angles[0], angles[1]};
           },
           "turn the framing camera: azimuth towards the head's left, elevation; degrees")
       ->delimiter(',')
@@ -219,22 +233,22 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
       ->default_str("0,0")
       ->group("Camera");
   command
-      .add_option("--distance", s.distance,
+      .add_option("--distance", s.camera.distance,
                   "the eye stands this far from the middle head, in radii of its bounding sphere")
       ->group("Camera");
 
   command
       .add_option_function<std::string>(
-          "--exposure", [&s](const std::string& text) { s.exposure_ev = parse_exposure(text); },
+          "--exposure", [&s](const std::string& text) { s.output.exposure_ev = parse_exposure(text); },
           "radiance is multiplied by 2^EV; auto: by the light on the skin, so that white skin would show 0.5 "
           "on average")
       ->type_name("EV|auto")
       ->default_str("0")
       ->group("Camera");
-  command
-      .add_option("--tone-map", s.tone_map,
-                  fmt::format("how display values (PNG, PSNR, FLIP) come from light: {}",
-                              fmt::join(tone_map_names(), ", ")))
+  add_named<ToneMap>(command, "--tone-map", s.output.tone_map,
+                     fmt::format("how display values (PNG, PSNR, FLIP) come from light: {}",
+                                 fmt::join(names_of<ToneMap>, ", ")),
+                     name_of(s.output.tone_map))
       ->group("Camera");
 
   command
@@ -246,7 +260,7 @@ void add_view_options(CLI::App& command, RenderSettings& s) {
 
 void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
   command
-      .add_option("--lights", s.lights,
+      .add_option("--lights", s.lighting.rig_lights,
                   "this many lights of the rig (key, fill, rim, further ones) instead of the scene's "
                   "(default: the scene's, else 2)")
       ->group("Light");
@@ -254,7 +268,7 @@ void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
       .add_option_function<std::vector<std::string>>(
           "--light",
           [&s](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) s.placed_lights.push_back(parse_light(text));
+            for (const std::string& text : texts) s.lighting.placed_lights.push_back(parse_light(text));
           },
           "one white spot instead of the scene's lights, 4 radii from the head's centre: azimuth from its "
           "front towards its left, "
@@ -266,18 +280,21 @@ void add_light_options(CLI::App& command, RenderSettings& s, SceneUse use) {
       ->group("Light");
 
   command
-      .add_option("--light-radius", s.light_radius_m,
+      .add_option("--light-radius", s.lighting.light_radius_m,
                   "lights are discs of this radius, m, and cast soft shadows; directional ones as if 4 radii "
                   "away (default: the scene's, "
                   "else points)")
       ->group("Light");
-  command.add_option("--ambient", s.ambient, "uniform radiance from everywhere (1 shows white Lambert as 1)")
+  command
+      .add_option("--ambient", s.lighting.ambient,
+                  "uniform radiance from everywhere (1 shows white Lambert as 1)")
       ->group("Light");
 
-  add_switch(command, "--specular", s.specular, "reflection at the surface: on, off");
+  add_switch(command, "--specular", s.lighting.specular, "reflection at the surface: on, off");
   if (use == SceneUse::real_time || use == SceneUse::bench)
-    add_switch(command, "--translucency", s.translucency, "light also comes through the body: on, off");
-  add_switch(command, "--albedo", s.white_albedo, "map, or white: every albedo is 1", "white", "map");
+    add_switch(command, "--translucency", s.skin.translucency, "light also comes through the body: on, off");
+  add_switch(command, "--albedo", s.lighting.white_albedo, "map, or white: every albedo is 1", "white",
+             "map");
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "image/metrics.h"
 #include "image/resize.h"
 #include "image/tone_map.h"
+#include "settings/names.h"
 #include "setup/choose.h"
 
 namespace dermis::cli {
@@ -114,14 +115,14 @@ class Run {
   Run(const Scene& scene, const SceneComparisonSettings& settings)
       : scene_(scene),
         settings_(settings),
-        tone_map_(image::find_tone_map(settings.render.tone_map)),
+        tone_map_(settings.render.output.tone_map),
         renderer_({.device = settings.device,
                    .validate = false,
                    .stop = settings.stop,
                    .progress = settings.progress}) {
     all_.scene = scene.name();
-    all_.tone_map = settings.render.tone_map;
-    all_.width = settings.render.width, all_.height = settings.render.height;
+    all_.tone_map = name_of(settings.render.output.tone_map);
+    all_.width = settings.render.output.width, all_.height = settings.render.output.height;
     all_.supersample = settings.supersample;
   }
 
@@ -152,12 +153,12 @@ class Run {
 
   // One for all pictures, the reference too.
   void choose_exposure() {
-    if (!settings_.render.exposure_ev) {
+    if (!settings_.render.output.exposure_ev) {
       RenderSettings one = settings_.render;
       one.technique = "texture-space";
-      settings_.render.exposure_ev = renderer_.prepare(scene_, one).picture().statistics.exposure_ev;
+      settings_.render.output.exposure_ev = renderer_.prepare(scene_, one).picture().statistics.exposure_ev;
     }
-    all_.exposure_ev = *settings_.render.exposure_ev;
+    all_.exposure_ev = *settings_.render.output.exposure_ev;
   }
 
   void render_truth() {
@@ -211,15 +212,17 @@ class Run {
                       {"all", true, true, true}};
       for (const auto& on : switches) {
         RenderSettings one = s;
-        one.cull = on.cull, one.depth = on.depth, one.clip = on.clip;
+        one.quality.cull = on.cull, one.quality.depth = on.depth, one.quality.clip = on.clip;
         // the first row
-        if (std::tie(one.cull, one.depth, one.clip) == std::tie(s.cull, s.depth, s.clip)) continue;
+        if (std::tie(one.quality.cull, one.quality.depth, one.quality.clip) ==
+            std::tie(s.quality.cull, s.quality.depth, s.quality.clip))
+          continue;
         add(fmt::format("{}, --optimise {}", name, on.name), scene_, one);
       }
     }
     if (first.gaussians == 1) return;
     const Scene one = with_one_gaussian(scene_, s);
-    s.profile.clear();
+    s.skin.profile.clear();
     add(name + ", one Gaussian", one, s);
   }
 
@@ -233,9 +236,9 @@ class Run {
     Picture picture = renderer_.render(scene, s);
     row.statistics = picture.statistics;
     if (all_.supersample > 1) {
-      s.width *= all_.supersample, s.height *= all_.supersample;
-      s.samples = 1, s.frames = 1;
-      if (!s.d_ref && picture.statistics.d_ref > 0) s.d_ref = picture.statistics.d_ref;
+      s.output.width *= all_.supersample, s.output.height *= all_.supersample;
+      s.quality.samples = 1, s.output.frames = 1;
+      if (!s.quality.d_ref && picture.statistics.d_ref > 0) s.quality.d_ref = picture.statistics.d_ref;
       picture = renderer_.render(scene, s);
     }
     const image::ImageF linear = image::downsample_box(
@@ -248,7 +251,7 @@ class Run {
 
   const Scene& scene_;
   SceneComparisonSettings settings_;
-  image::ToneMap tone_map_;
+  ToneMap tone_map_;
   Renderer renderer_;
   SceneComparison all_;
   Truth truth_;
@@ -260,13 +263,13 @@ void check(const SceneComparisonSettings& s) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw input_error("", "--techniques '{}' is not known; there are: all, {}", name,
                         fmt::join(known, ", "));
-  if (s.render.samples != 1 && s.render.samples != 4)
-    throw input_error("", "--msaa must be 1 or 4, got {}", s.render.samples);
+  if (s.render.quality.samples != 1 && s.render.quality.samples != 4)
+    throw input_error("", "--msaa must be 1 or 4, got {}", s.render.quality.samples);
   if (s.supersample < 1 || s.supersample > 16)
     throw input_error("", "--supersample must be 1 to 16, got {}", s.supersample);
-  if (!s.render.exposure_ev && !s.reference_file.empty())
+  if (!s.render.output.exposure_ev && !s.reference_file.empty())
     throw input_error("--exposure", "auto cannot know how {} was exposed; give the number", s.reference_file);
-  const std::int64_t side = std::max(s.render.width, s.render.height);
+  const std::int64_t side = std::max(s.render.output.width, s.render.output.height);
   if (s.supersample * side > 65536)
     throw input_error("", "--supersample {} makes pictures of {} pixels per side, more than 65536",
                       s.supersample, s.supersample * side);

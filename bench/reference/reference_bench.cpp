@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
     const double load_s = seconds(load_start);
 
     dermis::RenderSettings settings;
-    settings.width = settings.height = argc > 4 ? std::atoi(argv[4]) : 512;
+    settings.output.width = settings.output.height = argc > 4 ? std::atoi(argv[4]) : 512;
     dermis::ReferenceSettings reference;
     reference.noise_percent = argc > 2 ? std::atof(argv[2]) : 2;
     reference.model = argc > 3 ? argv[3] : "bssrdf";
@@ -35,7 +35,8 @@ int main(int argc, char** argv) {
     const double cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
 
     std::printf("%s, %s, %dx%d: noise %.3f %% after %d samples per pixel\n", scene.name().c_str(),
-                reference.model.c_str(), settings.width, settings.height, out.noise_percent, out.samples);
+                reference.model.c_str(), settings.output.width, settings.output.height, out.noise_percent,
+                out.samples);
     std::printf("loading %.1f s, rendering %.1f s, %.1f s of processor time, %u cores\n", load_s,
                 seconds(start), cpu_s, std::thread::hardware_concurrency());
   } catch (const std::exception& error) {

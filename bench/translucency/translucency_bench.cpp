@@ -35,10 +35,10 @@ Cost cost_of_a_light(dermis::Renderer& renderer, const dermis::Scene& scene, der
                      int rounds) {
   std::array<Cost, light_counts.size()> least;
   for (std::size_t i = 0; i < least.size(); ++i) {
-    settings.lights = light_counts[i];
-    settings.translucency = true;
+    settings.lighting.rig_lights = light_counts[i];
+    settings.skin.translucency = true;
     dermis::PreparedFrame with = renderer.prepare(scene, settings);
-    settings.translucency = false;
+    settings.skin.translucency = false;
     dermis::PreparedFrame without = renderer.prepare(scene, settings);
     with.draw();
     without.draw();
@@ -61,19 +61,19 @@ int main(int argc, char** argv) {
     const dermis::Scene scene = argc > 1 ? dermis::Scene::load(argv[1]) : dermis::Scene::built_in();
     const int rounds = argc > 2 ? std::max(std::atoi(argv[2]), 1) : 9;
     dermis::RenderSettings settings;
-    settings.width = 640;
-    settings.height = 360;
+    settings.output.width = 640;
+    settings.output.height = 360;
 
     dermis::Renderer renderer;
-    std::printf("%s, %d x %d, least of %d rounds; ms per light\n", scene.name().c_str(), settings.width,
-                settings.height, rounds);
+    std::printf("%s, %d x %d, least of %d rounds; ms per light\n", scene.name().c_str(),
+                settings.output.width, settings.output.height, rounds);
     std::printf("maps  shadows     with  without  ratio\n");
 
     for (const int map_size : map_sizes)
       for (const int shadow_size : shadow_sizes) {
         if (argc > 4 && (std::atoi(argv[3]) != map_size || std::atoi(argv[4]) != shadow_size)) continue;
-        settings.map_size = map_size;
-        settings.shadow_size = shadow_size;
+        settings.quality.map_size = map_size;
+        settings.quality.shadow_size = shadow_size;
         const Cost cost = cost_of_a_light(renderer, scene, settings, rounds);
         std::printf("%4d     %4d  %7.2f  %7.2f  %5.3f\n", map_size, shadow_size, cost.with_ms,
                     cost.without_ms, cost.with_ms / cost.without_ms);

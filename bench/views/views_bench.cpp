@@ -28,13 +28,13 @@ using Json = nlohmann::ordered_json;
 constexpr int super = 4;  // samples per pixel, along each axis
 
 RenderSettings without(RenderSettings s) {
-  s.cull = s.depth = s.clip = false;
+  s.quality.cull = s.quality.depth = s.quality.clip = false;
   return s;
 }
 
 image::ImageF super_sampled(PreparedFrame& frame, RenderSettings s, double d_ref) {
-  s.width *= super, s.height *= super;
-  s.samples = 1, s.bloom = 0, s.d_ref = d_ref;
+  s.output.width *= super, s.output.height *= super;
+  s.quality.samples = 1, s.output.bloom = 0, s.quality.d_ref = d_ref;
   frame.set(s);
   Picture fine = frame.picture();
   return image::downsample_box(
@@ -45,11 +45,11 @@ image::ImageF super_sampled(PreparedFrame& frame, RenderSettings s, double d_ref
 Json sweep(Renderer& renderer, const std::string& path) {
   const Scene scene = Scene::load(path);
   RenderSettings s;
-  s.width = 192;
-  s.height = 120;
-  s.map_size = 512;
-  s.shadow_size = 512;
-  s.lights = 2;
+  s.output.width = 192;
+  s.output.height = 120;
+  s.quality.map_size = 512;
+  s.quality.shadow_size = 512;
+  s.lighting.rig_lights = 2;
 
   PreparedFrame optimised = renderer.prepare(scene, s), baseline = renderer.prepare(scene, without(s));
   Json views = Json::array();
@@ -57,14 +57,13 @@ Json sweep(Renderer& renderer, const std::string& path) {
   std::uint64_t unshaded = 0;
 
   for (int k = 0; k < 64; ++k) {
-    s.orbit_deg = {22.5 * (k % 16), -30.0 + 30 * (k / 16)};
+    s.camera.orbit_deg = {22.5 * (k % 16), -30.0 + 30 * (k / 16)};
     optimised.set(s);
     const Statistics st = optimised.picture().statistics;
-    const auto d =
-        image::compare_exposed(super_sampled(baseline, without(s), st.d_ref),
-                               super_sampled(optimised, s, st.d_ref), image::find_tone_map(s.tone_map));
+    const auto d = image::compare_exposed(super_sampled(baseline, without(s), st.d_ref),
+                                          super_sampled(optimised, s, st.d_ref), s.output.tone_map);
 
-    Json view = {{"orbit_deg", s.orbit_deg}, {"unshaded_reads", st.unshaded_reads}};
+    Json view = {{"orbit_deg", s.camera.orbit_deg}, {"unshaded_reads", st.unshaded_reads}};
     unshaded += st.unshaded_reads;
     if (d) {
       view["psnr_db"] = d->psnr_db;
@@ -79,8 +78,8 @@ Json sweep(Renderer& renderer, const std::string& path) {
   }
 
   return {{"scene", std::filesystem::path(path).filename()},
-          {"size", {s.width, s.height}},
-          {"map_size", s.map_size},
+          {"size", {s.output.width, s.output.height}},
+          {"map_size", s.quality.map_size},
           {"least_psnr_db", least_psnr},
           {"largest_flip_mean", largest_flip},
           {"unshaded_reads", unshaded},
@@ -90,12 +89,12 @@ Json sweep(Renderer& renderer, const std::string& path) {
 Json dolly(Renderer& renderer, const std::string& path) {
   const Scene scene = Scene::load(path);
   RenderSettings s;
-  s.width = 480;
-  s.height = 300;
-  s.map_size = 512;
-  s.shadow_size = 512;
-  s.lights = 2;
-  s.bloom = 0;
+  s.output.width = 480;
+  s.output.height = 300;
+  s.quality.map_size = 512;
+  s.quality.shadow_size = 512;
+  s.lighting.rig_lights = 2;
+  s.output.bloom = 0;
 
   PreparedFrame frames[2] = {renderer.prepare(scene, without(s)), renderer.prepare(scene, s)};
   std::vector<std::uint8_t> last[2];
@@ -104,7 +103,7 @@ Json dolly(Renderer& renderer, const std::string& path) {
   double worst = 0;
 
   for (int i = 0; i < 200; ++i) {
-    s.distance = 2.5 * std::pow(40, i / 199.0);
+    s.camera.distance = 2.5 * std::pow(40, i / 199.0);
     frames[0].set(without(s));
     frames[1].set(s);
     const Picture pictures[2] = {frames[0].picture(), frames[1].picture()};
@@ -124,7 +123,7 @@ Json dolly(Renderer& renderer, const std::string& path) {
                 std::abs(int{pictures[which].display_rgba[4 * p + c]} - int{last[which][4 * p + c]});
       }
       for (std::size_t which = 0; which < 2; ++which) changes[which].push_back(change[which] / values);
-      distances.push_back(*s.distance);
+      distances.push_back(*s.camera.distance);
       worst = std::max(worst, change[1] / change[0]);
       std::fprintf(stderr, "dolly %d: %.3f %.3f\n", i, change[0] / values, change[1] / values);
     }
@@ -134,8 +133,8 @@ Json dolly(Renderer& renderer, const std::string& path) {
   }
 
   return {{"scene", std::filesystem::path(path).filename()},
-          {"size", {s.width, s.height}},
-          {"map_size", s.map_size},
+          {"size", {s.output.width, s.output.height}},
+          {"map_size", s.quality.map_size},
           {"largest_ratio", worst},
           {"distance", distances},
           {"mean_change_baseline", changes[0]},
@@ -164,10 +163,10 @@ int main(int argc, char** argv) {
 
     // Render a tiny picture: its statistics name the device.
     RenderSettings tiny;
-    tiny.width = tiny.height = 8;
-    tiny.map_size = tiny.shadow_size = 32;
+    tiny.output.width = tiny.output.height = 8;
+    tiny.quality.map_size = tiny.quality.shadow_size = 32;
     const Statistics st = renderer.render(Scene::built_in(), tiny).statistics;
-    result["tone_map"] = tiny.tone_map;
+    result["tone_map"] = tiny.output.tone_map;
     result["device"] = st.device;
     result["driver"] = st.driver;
 

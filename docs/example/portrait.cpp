@@ -15,12 +15,12 @@ int main(int argc, char** argv) {
     const dermis::Scene scene = argc > 2 ? dermis::Scene::load(argv[2]) : dermis::Scene::built_in();
 
     dermis::RenderSettings settings;
-    settings.width = 160;  // pixels
-    settings.height = 180;
+    settings.output.width = 160;  // pixels
+    settings.output.height = 180;
     // texels of a side of the maps in which light spreads; 2048 for a face that fills the screen
-    settings.map_size = 256;
-    settings.shadow_size = 256;
-    settings.orbit_deg = {20, 5};
+    settings.quality.map_size = 256;
+    settings.quality.shadow_size = 256;
+    settings.camera.orbit_deg = {20, 5};
 
     // One renderer serves any number of scenes and pictures: it keeps the device and its pipelines.
     dermis::Renderer renderer;

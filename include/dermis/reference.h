@@ -2,8 +2,9 @@
 /// Ground truth on the CPU: the same scene, camera, lights and coefficients as the renderer's, without its
 /// approximations. No device.
 ///
-///   dermis::ReferencePicture truth = dermis::render_reference(scene, {.width = 512, .height = 512},
-///   {.samples = 256}); truth.picture.save("truth.exr");
+///   const dermis::RenderSettings settings{.output = {.width = 512, .height = 512}};
+///   dermis::ReferencePicture truth = dermis::render_reference(scene, settings, {.samples = 256});
+///   truth.picture.save("truth.exr");
 ///
 /// Two models (docs/theory.md, "Ground truth"): "bssrdf" integrates the very profile that the real-time
 /// techniques blur, over the surface, so a difference is the error of their method; "volume" follows light
@@ -59,10 +60,10 @@ struct ReferencePicture {
   void save_variance(const std::filesystem::path& path) const;
 };
 
-/// Of RenderSettings, what concerns the real-time techniques alone (technique, map_size, shadow_size,
-/// samples, bloom, frames, show) is not used, and heads must be 1. InputError: a setting out of range, an
-/// unknown name, a checkpoint of another picture, a medium that is not known. DeviceError: too little memory
-/// for the triangles.
+/// Of RenderSettings, what concerns the real-time techniques alone (technique, quality, skin.translucency,
+/// output.bloom, output.frames, output.show) is not used, and camera.heads must be 1. InputError: a setting
+/// out of range, an unknown name, a checkpoint of another picture, a medium that is not known. DeviceError:
+/// too little memory for the triangles.
 ReferencePicture render_reference(const Scene& scene, const RenderSettings& settings,
                                   const ReferenceSettings& reference = {});
 

@@ -3,7 +3,7 @@
 ///
 ///   const dermis::Scene scene = dermis::Scene::load("head.glb");
 ///   dermis::Renderer renderer;
-///   const dermis::Picture picture = renderer.render(scene, {.width = 960, .height = 1080});
+///   const dermis::Picture picture = renderer.render(scene, {.output = {.width = 960, .height = 1080}});
 ///   picture.save("head.png");
 #pragma once
 
@@ -20,80 +20,9 @@
 #include "dermis/cancelled.h"
 #include "dermis/error.h"
 #include "dermis/scene.h"
+#include "dermis/settings.h"
 
 namespace dermis {
-
-/// A white lamp as those of the rig: a spot 4 radii from the centre of the head's bounding sphere, aimed at
-/// it, its cone just around the sphere.
-struct PlacedLight {
-  double azimuth_deg = 0;    ///< from the head's front (0) towards its left (90)
-  double elevation_deg = 0;  ///< -90 (below) to 90 (above)
-  /// at that centre, on a surface that faces the lamp; pi on white Lambert shows 1
-  double irradiance = 3;
-};
-
-/// What to render. Angles in degrees, distances in radii of the head's bounding sphere, radiance relative
-/// (white Lambert under irradiance pi shows 1).
-struct RenderSettings {
-  std::string technique = "texture-space";  ///< a name of technique_names()
-  int width = 1280, height = 720;           ///< pixels, 1 to the device's limit
-  /// T_max: texels of a side of the light maps, 32 to the device's limit
-  int map_size = 2048;
-  int shadow_size = 2048;  ///< texels
-  int samples = 4;         ///< anti-aliasing, 1 or 4
-
-  // What is not computed because it is not seen; [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin,
-  // CEIG 2008, sec. 3 to 5.
-  bool cull = true;   ///< skin that faces away from the eye
-  bool depth = true;  ///< light maps only as large as the head's distance needs
-  bool clip = true;   ///< skin outside the picture and a margin
-  /// alpha, depth, tiles: how convolutions skip unlit texels; none: fastest on the kind of device
-  std::optional<std::string> mask;
-  /// full: a Gaussian each at T_max; progressive: those of smooth light on half, a quarter, an eighth
-  std::string maps = "full";
-  /// distance, in sphere radii, up to which maps have their full size; none: a texel per pixel
-  std::optional<double> d_ref;
-  std::optional<double> clip_margin_mm;  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma
-  /// for light maps, 1e6 bytes; none: four skin meshes at T_max, at most a quarter of the device's memory
-  std::optional<double> map_budget_mb;
-  std::optional<bool> skip_unseen_heads;  ///< heads wholly outside the picture; none: if anything above is on
-
-  std::string camera;             ///< name; empty: the scene's first, else framing
-  std::optional<double> fov_deg;  ///< vertical; none: the camera's, 20 when framing
-  /// the paper's test: from the eye to the middle head, in sphere radii
-  std::optional<double> distance;
-  int heads = 1;                          ///< in a row, 1.6 radii apart
-  std::array<double, 2> orbit_deg{0, 0};  ///< azimuth, elevation of the framing camera
-  /// that many of the rig instead of the scene's; none: the scene's, else 2
-  std::optional<int> lights;
-  /// m, of discs that cast soft shadows, see docs/techniques.md; none: the scene's, else points
-  std::optional<double> light_radius_m;
-  double ambient = 0.05;  ///< uniform radiance from everywhere, where there is no environment
-  std::string
-      environment;  ///< surroundings: .hdr or .exr (equirectangular), "studio" (built in); empty: uniform
-  double environment_intensity = 1;     ///< multiplies their radiance
-  double environment_rotation_deg = 0;  ///< about the vertical, from the head's front towards its left
-  /// published name or file; empty: the material's, else the published six Gaussians
-  std::string profile;
-  bool normalise_profile = false;  ///< divide the weights of a profile file by their sum
-  /// part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
-  std::optional<double> mix;
-  bool specular = true;
-  bool white_albedo = false;  ///< every albedo is 1
-  bool translucency = true;   ///< light also comes through the body: ears lit from behind glow
-  double bloom = 0.05;        ///< 0 to 1
-  /// radiance is multiplied by 2^EV; none: chosen by the light on the skin, so that white skin would show 0.5
-  /// on average (docs/techniques.md); Statistics say what it is
-  std::optional<double> exposure_ev = 0.0;
-  /// natural, neutral, agx, filmic, srgb, linear: what a display shows; see docs/techniques.md
-  std::string tone_map = "natural";
-  int frames = 1;  ///< timed frames after one warm-up, >= 1
-  /// picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K
-  std::string show = "picture";
-
-  /// Instead of the scene's lights, at most 64; then `lights` must be none.
-  std::vector<PlacedLight> placed_lights{};
-};
 
 struct PassStatistics {
   std::string name;
@@ -221,7 +150,7 @@ class PreparedFrame {
 
 std::vector<std::string> technique_names();
 
-/// What RenderSettings::tone_map may be; the first is the default.
+/// In the order of ToneMap.
 std::vector<std::string> tone_map_names();
 
 /// The frame that render() would run, as text or in Graphviz's dot language. Needs no device.

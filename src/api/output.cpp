@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "image/colour.h"
+#include "settings/names.h"
 
 namespace dermis::api {
 namespace {
@@ -85,31 +86,32 @@ void check_device_limits(const RenderSettings& s, const gpu::DeviceLimits& limit
       throw input_error("", "--{} {} is over what this device can do: {}", name, value,
                         limits.max_image_side);
   };
-  check("size", std::max(s.width, s.height));
-  check("map-size", s.map_size);
-  check("shadow-size", s.shadow_size);
+  check("size", std::max(s.output.width, s.output.height));
+  check("map-size", s.quality.map_size);
+  check("shadow-size", s.quality.shadow_size);
 }
 
 void check_show(const techniques::FrameOutputs& out, const RenderSettings& settings) {
-  if (settings.show == "picture" || out.shows.count(settings.show)) return;
+  if (settings.output.show == "picture" || out.shows.count(settings.output.show)) return;
   std::string names = "picture";
   for (const auto& [name, shown] : out.shows) names += ", " + name;
-  throw input_error("", "--show '{}' is not known to this technique; there are: {}", settings.show, names);
+  throw input_error("", "--show '{}' is not known to this technique; there are: {}", settings.output.show,
+                    names);
 }
 
 void fill_counts(Statistics& st, const setup::Subject& subject, const RenderSettings& settings,
                  const setup::FrameSetup& setup, std::span<const std::byte> counters) {
   st.technique = setup.technique->name;
-  st.width = settings.width;
-  st.height = settings.height;
-  st.map_size = settings.map_size;
-  st.heads = settings.heads;
+  st.width = settings.output.width;
+  st.height = settings.output.height;
+  st.map_size = settings.quality.map_size;
+  st.heads = settings.camera.heads;
   st.lights = setup.lights;
   st.environment_lights = setup.suns;
   st.gaussians = setup.gaussians;
-  st.distance = settings.distance;
+  st.distance = settings.camera.distance;
   st.d_ref = setup.camera.d_ref;
-  st.tone_map = settings.tone_map;
+  st.tone_map = name_of(settings.output.tone_map);
   for (const scene::Material& m : subject.scene->materials)
     if (m.skin) st.skin_materials.push_back(m.name);
 
@@ -145,9 +147,9 @@ void read_picture(Picture& picture, frame::GraphExecutor& executor, const techni
     return gpu::read_back(executor.device(), executor.resources().texture(id), executor.layout_of(id), layer);
   };
 
-  if (settings.show == "picture") {
-    picture.width = settings.width;
-    picture.height = settings.height;
+  if (settings.output.show == "picture") {
+    picture.width = settings.output.width;
+    picture.height = settings.output.height;
     picture.linear_rgba = floats_of_halves(read(out.picture, 0));
     const std::vector<std::byte> display = read(out.display, 0);
     picture.display_rgba.resize(display.size());
@@ -155,7 +157,7 @@ void read_picture(Picture& picture, frame::GraphExecutor& executor, const techni
     return;
   }
 
-  const auto found = out.shows.find(settings.show);
+  const auto found = out.shows.find(settings.output.show);
   DERMIS_ASSERT_EQ(found != out.shows.end(), true);
   const techniques::Shown& shown = found->second;
   const gpu::TextureDesc& desc = executor.resources().texture(shown.map).desc();

@@ -139,7 +139,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   settings = wanted;
   upload();
 
-  exposure_ev = wanted.exposure_ev;
+  exposure_ev = wanted.output.exposure_ev;
   if (!exposure_ev) exposure_ev = measure_exposure();
   if (!exposure_ev) warn("{}: no lit skin in the picture, so --exposure auto is 0 EV", source.name());
   setup.frame.radiance_scale = static_cast<float>(std::exp2(exposure_ev.value_or(0)));
@@ -228,7 +228,7 @@ void PreparedFrame::State::look_at_the_sky() {
     shared.bent_normal.push_back(std::move(seen));
   }
 
-  const double rotation_deg = settings.environment_rotation_deg;
+  const double rotation_deg = settings.lighting.environment_rotation_deg;
   if (sky.of != environment_light || sky.rotation_deg != rotation_deg ||
       sky.maps.size() != shared.bent_normal.size())
     sky = setup::sky_on_skin(device(), environment_light, rotation_deg, shared.bent_normal);
@@ -304,7 +304,7 @@ Picture PreparedFrame::picture() {
   statistics.peak_bytes = s.device().peak_bytes();
 
   statistics.exposure_ev = s.exposure_ev.value_or(0);
-  if (!s.settings.exposure_ev && s.exposure_ev)
+  if (!s.settings.output.exposure_ev && s.exposure_ev)
     statistics.skin_mean = api::mean_skin_luminance(api::read_before_bloom(*s.executor, s.outputs));
 
   api::read_picture(picture, *s.executor, s.outputs, s.settings, s.setup);

@@ -97,9 +97,10 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
   reference::Job job;
   job.model = model_of(r.model);
   job.setup = setup::reference_setup(scene, s);
-  if (!s.environment.empty())
+  if (!s.lighting.environment.empty())
     job.setup.environment = std::make_shared<const reference::EnvironmentSampler>(
-        environment::from_name_or_file(s.environment), s.environment_intensity, s.environment_rotation_deg);
+        environment::from_name_or_file(s.lighting.environment), s.lighting.environment_intensity,
+        s.lighting.environment_rotation_deg);
 
   job.profiles.resize(scene.materials.size());
   for (const scene::SkinMesh& mesh : skin) {
@@ -125,7 +126,7 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
   return job;
 }
 
-Picture picture_of(const reference::Film& film, image::ToneMap tone_map) {
+Picture picture_of(const reference::Film& film, ToneMap tone_map) {
   image::ImageF linear = film.picture();
   Picture picture;
   picture.width = picture.statistics.width = linear.width;
@@ -168,14 +169,14 @@ class Watch {
 
 ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
   check(r);
-  if (!s.exposure_ev)
+  if (!s.output.exposure_ev)
     throw input_error("",
                       "--exposure auto is of the renderer; give the reference the number that `dermis render "
                       "--exposure auto` prints");
 
-  const image::ToneMap tone_map = image::find_tone_map(s.tone_map);
+  const ToneMap tone_map = s.output.tone_map;
   const reference::Job job = set_up(scene.data(), s, r);
-  reference::Film film(s.width, s.height);
+  reference::Film film(s.output.width, s.output.height);
   const std::uint64_t fingerprint =
       r.checkpoint.empty() ? 0 : reference::fingerprint(scene.data(), job, r.seed);
   if (r.resume && !r.checkpoint.empty() && !load_checkpoint(r.checkpoint, film, fingerprint))

@@ -3,6 +3,7 @@
 
 #include "api/renderer_state.h"
 #include "passes/shaders.h"
+#include "settings/names.h"
 #include "setup/frame_setup.h"
 
 namespace dermis {
@@ -15,7 +16,7 @@ Renderer::State::State(const Options& wanted)
 std::shared_ptr<api::SharedScene> Renderer::State::shared(const Scene& scene,
                                                           const RenderSettings& settings) {
   const std::optional<float> mix =
-      settings.mix ? std::optional(static_cast<float>(*settings.mix)) : std::nullopt;
+      settings.skin.mix ? std::optional(static_cast<float>(*settings.skin.mix)) : std::nullopt;
   if (last_scene && last_scene->subject.scene == scene.shared() && last_scene->mix == mix) return last_scene;
   auto made = std::make_shared<api::SharedScene>();
   made->subject = setup::examine(scene.shared());
@@ -25,10 +26,11 @@ std::shared_ptr<api::SharedScene> Renderer::State::shared(const Scene& scene,
 
 std::shared_ptr<const setup::EnvironmentLight> Renderer::State::environment_light(
     const RenderSettings& settings) {
-  if (settings.environment.empty()) return nullptr;
-  if (last_environment && setup::is_current(*last_environment, settings.environment)) return last_environment;
+  if (settings.lighting.environment.empty()) return nullptr;
+  if (last_environment && setup::is_current(*last_environment, settings.lighting.environment))
+    return last_environment;
   return last_environment = std::make_shared<const setup::EnvironmentLight>(
-             setup::environment_light(device, settings.environment));
+             setup::environment_light(device, settings.lighting.environment));
 }
 
 Renderer::Renderer(const Options& options) : state_(std::make_shared<State>(options)) {}
@@ -42,7 +44,7 @@ std::vector<std::string> Renderer::validation_messages() const {
 
 Picture Renderer::render(const Scene& scene, const RenderSettings& settings) {
   PreparedFrame frame = prepare(scene, settings);
-  for (int i = 0; i < settings.frames; ++i) frame.draw();
+  for (int i = 0; i < settings.output.frames; ++i) frame.draw();
   return frame.picture();
 }
 
@@ -52,17 +54,15 @@ std::vector<std::string> technique_names() {
   return names;
 }
 
-std::vector<std::string> tone_map_names() {
-  const std::span<const std::string_view> names = image::tone_map_names();
-  return {names.begin(), names.end()};
-}
+std::vector<std::string> tone_map_names() { return {names_of<ToneMap>.begin(), names_of<ToneMap>.end()}; }
 
 std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot) {
   setup::check_settings(settings);
   std::vector<scene::Light> suns;
-  if (!settings.environment.empty())
+  if (!settings.lighting.environment.empty())
     suns = setup::lights_of(
-        environment::split_sources(environment::from_name_or_file(settings.environment)).sources, settings);
+        environment::split_sources(environment::from_name_or_file(settings.lighting.environment)).sources,
+        settings);
   const setup::FrameSetup setup = setup::set_up(setup::examine(scene.shared()), settings, {}, suns);
   passes::FramePlan plan;
   setup.technique->build(plan, setup.plan);

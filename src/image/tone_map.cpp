@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "image/tone_map.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/assert.h"
-#include "core/error.h"
 #include "core/parallel.h"
 #include "image/colour.h"
 
 namespace dermis::image {
 namespace {
-
-constexpr std::array<std::string_view, 6> names{"natural", "neutral", "agx", "filmic", "srgb", "linear"};
 
 using Matrix = std::array<Colour, 3>;  // rows
 
@@ -120,17 +115,6 @@ Colour agx(const Colour& c) {
 float narkowicz(float x) { return clamp_to_one(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f)); }
 
 }  // namespace
-
-std::span<const std::string_view> tone_map_names() { return names; }
-
-std::string_view name_of(ToneMap tone_map) { return names.at(static_cast<std::size_t>(tone_map)); }
-
-ToneMap find_tone_map(std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw input_error("", "--tone-map '{}' is not known; there are: {}", name, fmt::join(names, ", "));
-  return static_cast<ToneMap>(found - names.begin());
-}
 
 Colour tone_mapped(ToneMap tone_map, const Colour& linear) {
   const Colour light = each(linear, light_of);

@@ -10,33 +10,14 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
-#include <string_view>
 
+#include "dermis/settings.h"
 #include "image/image.h"
 
 namespace dermis::image {
 
 /// R, G and B in the Rec.709 primaries.
 using Colour = std::array<float, 3>;
-
-/// In the order of the shader (passes/tone_map/tone_map_io.h).
-enum class ToneMap : std::uint32_t {
-  /// The default. Keeps every colour whose largest channel is at most 0.8, and compresses brighter ones with
-  /// a shoulder that keeps hue. See natural().
-  natural,
-  neutral,  ///< [PBRN], exact, with its toe
-  agx,      ///< [AgX]
-  filmic,   ///< [N15], per channel
-  srgb,     ///< clamped
-  linear,   ///< clamped, without sRGB curve
-};
-
-/// Returns the names that --tone-map takes, in the order of the enumeration.
-std::span<const std::string_view> tone_map_names();
-std::string_view name_of(ToneMap tone_map);
-/// Throws InputError (lists the names) for an unknown name.
-ToneMap find_tone_map(std::string_view name);
 
 /// Returns tone-mapped light, still linear, each channel 0 to 1. Negative channels and NaN count as 0,
 /// channels above 65504 (the largest half float) as 65504.

@@ -53,7 +53,7 @@ struct SpecularLobe {
 };
 
 /// `extras.dermis` of a skin material; defaults: rho_s 0.18, two lobes.
-struct SkinSettings {
+struct SkinMaterial {
   std::optional<gaussians::SumOfGaussians> profile;  ///< none: the default of the command
   /// 0..1, part of the albedo applied before scattering; none: 0.5
   std::optional<float> mix;
@@ -87,7 +87,7 @@ struct Material {
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   bool unlit = false;
-  SkinSettings skin_settings;  ///< only if skin
+  SkinMaterial skin_settings;  ///< only if skin
 };
 
 /// One placement of a mesh that several nodes share.

@@ -15,15 +15,15 @@ namespace {
 std::vector<scene::Light> lights_of(const scene::Scene& scene, const RenderSettings& s,
                                     const scene::BoundingSphere& sphere,
                                     const std::vector<glm::vec3>& head_offsets_m) {
-  if (!s.placed_lights.empty()) {
+  if (!s.lighting.placed_lights.empty()) {
     std::vector<scene::Lamp> lamps;
-    for (const PlacedLight& light : s.placed_lights)
+    for (const PlacedLight& light : s.lighting.placed_lights)
       lamps.push_back({fmt::format("light {}", lamps.size() + 1), light.azimuth_deg, light.elevation_deg,
                        glm::dvec3(light.irradiance)});
     return scene::light_rig(sphere, lamps, head_offsets_m);
   }
-  if (!s.lights && !scene.lights.empty()) return scene.lights;
-  const int count = s.lights.value_or(2);
+  if (!s.lighting.rig_lights && !scene.lights.empty()) return scene.lights;
+  const int count = s.lighting.rig_lights.value_or(2);
   return count == 0 ? std::vector<scene::Light>{} : scene::light_rig(sphere, count, head_offsets_m);
 }
 
@@ -31,46 +31,46 @@ std::vector<scene::Light> lights_of(const scene::Scene& scene, const RenderSetti
 
 scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s,
                             const scene::BoundingSphere& sphere) {
-  const double aspect = static_cast<double>(s.width) / s.height;
-  const double fov = s.fov_deg.value_or(20);
-  if (s.distance) return scene::distance_camera(sphere, *s.distance, fov);
+  const double aspect = static_cast<double>(s.output.width) / s.output.height;
+  const double fov = s.camera.fov_deg.value_or(20);
+  if (s.camera.distance) return scene::distance_camera(sphere, *s.camera.distance, fov);
 
   const auto with_fov = [&](scene::Camera camera) {
-    if (s.fov_deg) camera.fov_y_rad = static_cast<float>(fov * std::numbers::pi / 180);
+    if (s.camera.fov_deg) camera.fov_y_rad = static_cast<float>(fov * std::numbers::pi / 180);
     return camera;
   };
 
-  if (!s.camera.empty()) {
+  if (!s.camera.name.empty()) {
     std::string names;
     for (const scene::Camera& camera : scene.cameras) {
-      if (camera.name == s.camera) return with_fov(camera);
+      if (camera.name == s.camera.name) return with_fov(camera);
       names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
     }
-    throw input_error("", "--camera '{}' is not in {}; {}", s.camera, scene.name,
+    throw input_error("", "--camera '{}' is not in {}; {}", s.camera.name, scene.name,
                       names.empty() ? "it has no cameras" : "there are: " + names);
   }
 
-  const bool orbits = s.orbit_deg != std::array<double, 2>{0, 0};
-  if (!scene.cameras.empty() && !orbits && s.heads == 1) return with_fov(scene.cameras.front());
-  return scene::framing_camera(sphere, aspect, s.orbit_deg[0], s.orbit_deg[1], fov);
+  const bool orbits = s.camera.orbit_deg != std::array<double, 2>{0, 0};
+  if (!scene.cameras.empty() && !orbits && s.camera.heads == 1) return with_fov(scene.cameras.front());
+  return scene::framing_camera(sphere, aspect, s.camera.orbit_deg[0], s.camera.orbit_deg[1], fov);
 }
 
 std::vector<scene::Light> choose_lights(const scene::Scene& scene, const RenderSettings& s,
                                         const scene::BoundingSphere& sphere,
                                         const std::vector<glm::vec3>& head_offsets_m) {
   std::vector<scene::Light> lights = lights_of(scene, s, sphere, head_offsets_m);
-  if (s.light_radius_m)
+  if (s.lighting.light_radius_m)
     for (scene::Light& light : lights) {
       // A directional light as if it stood where the rig does.
       const double distance =
           light.type == scene::LightType::directional ? scene::rig_distance_radii * sphere.radius_m : 1;
-      light.radius = static_cast<float>(*s.light_radius_m / distance);
+      light.radius = static_cast<float>(*s.lighting.light_radius_m / distance);
     }
   return lights;
 }
 
 gaussians::SumOfGaussians choose_profile(const scene::Material& material, const RenderSettings& s) {
-  if (!s.profile.empty()) return gaussians::from_name_or_file(s.profile, s.normalise_profile);
+  if (!s.skin.profile.empty()) return gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile);
   return material.skin_settings.profile.value_or(gaussians::skin_six());
 }
 

@@ -87,7 +87,7 @@ SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLigh
 
 std::vector<scene::Light> lights_of(const std::vector<environment::Source>& sources,
                                     const RenderSettings& settings) {
-  const double angle = settings.environment_rotation_deg * std::numbers::pi / 180;
+  const double angle = settings.lighting.environment_rotation_deg * std::numbers::pi / 180;
   const double c = std::cos(angle), s = std::sin(angle);
   std::vector<scene::Light> lights;
   for (const environment::Source& source : sources) {
@@ -95,7 +95,7 @@ std::vector<scene::Light> lights_of(const std::vector<environment::Source>& sour
     scene::Light light;
     light.name = fmt::format("sun {}", lights.size() + 1);
     light.type = scene::LightType::directional;
-    light.colour = glm::vec3(source.irradiance * settings.environment_intensity);
+    light.colour = glm::vec3(source.irradiance * settings.lighting.environment_intensity);
     light.direction = -glm::vec3(d.x * c + d.z * s, d.y, -d.x * s + d.z * c);
     light.radius = static_cast<float>(source.tangent);
     lights.push_back(light);
@@ -105,13 +105,13 @@ std::vector<scene::Light> lights_of(const std::vector<environment::Source>& sour
 
 void fill_environment(io::FrameIo& frame, const EnvironmentLight& environment_light,
                       const RenderSettings& settings) {
-  const double angle = settings.environment_rotation_deg * std::numbers::pi / 180;
-  frame.environment_intensity = static_cast<float>(settings.environment_intensity);
+  const double angle = settings.lighting.environment_rotation_deg * std::numbers::pi / 180;
+  frame.environment_intensity = static_cast<float>(settings.lighting.environment_intensity);
   frame.environment_cos = static_cast<float>(std::cos(angle));
   frame.environment_sin = static_cast<float>(std::sin(angle));
   for (std::size_t k = 0; k < environment_light.irradiance.size(); ++k)
     frame.environment_irradiance[k] =
-        glm::vec3(environment_light.irradiance[k] * settings.environment_intensity);
+        glm::vec3(environment_light.irradiance[k] * settings.lighting.environment_intensity);
 }
 
 }  // namespace dermis::setup

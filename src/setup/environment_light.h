@@ -18,7 +18,7 @@
 namespace dermis::setup {
 
 struct EnvironmentLight {
-  std::string name;                          ///< RenderSettings::environment
+  std::string name;                          ///< LightingSettings::environment
   std::filesystem::file_time_type written;   ///< of the file when it was read
   std::vector<environment::Source> sources;  ///< suns: they light as lamps do, and the rest has none of them
   environment::Irradiance irradiance;        ///< of the rest

@@ -34,7 +34,7 @@ glm::mat4 projection(const scene::Camera& camera, double aspect) {
 // The mean density of the first skin mesh that has texture coordinates, at T_max; 0 if none has.
 double texels_per_mm(const Subject& subject, const RenderSettings& s) {
   for (const scene::UnwrapDensity& density : subject.densities)
-    if (density.texels_per_mm.mean > 0) return density.texels_per_mm.mean * s.map_size;
+    if (density.texels_per_mm.mean > 0) return density.texels_per_mm.mean * s.quality.map_size;
   return 0;
 }
 
@@ -43,7 +43,7 @@ double reference_distance(const Subject& subject, const RenderSettings& s, doubl
   const double density = texels_per_mm(subject, s);
   if (density <= 0) return 0;
   // pixels per mm at distance d (mm) = (height / 2) / (d tan(fov / 2)).
-  const double d_mm = s.height / 2.0 / (density * std::tan(fov_y_rad / 2));
+  const double d_mm = s.output.height / 2.0 / (density * std::tan(fov_y_rad / 2));
   return d_mm / (subject.sphere.radius_m * subject.scene->mm_per_unit);
 }
 
@@ -64,20 +64,22 @@ FrameCamera frame_camera(const Subject& subject, const RenderSettings& s) {
   camera.scene_camera = choose_camera(*subject.scene, s, subject.sphere);
   camera.eye_m = glm::vec3(camera.scene_camera.world_from_camera[3]);
   camera.direction = -glm::normalize(glm::vec3(camera.scene_camera.world_from_camera[2]));
-  camera.clip_from_world = projection(camera.scene_camera, static_cast<double>(s.width) / s.height) *
-                           glm::inverse(camera.scene_camera.world_from_camera);
+  camera.clip_from_world =
+      projection(camera.scene_camera, static_cast<double>(s.output.width) / s.output.height) *
+      glm::inverse(camera.scene_camera.world_from_camera);
   camera.planes = planes_of(camera.clip_from_world);
   if (!camera.scene_camera.orthographic)
-    camera.d_ref = s.d_ref.value_or(reference_distance(subject, s, camera.scene_camera.fov_y_rad));
+    camera.d_ref = s.quality.d_ref.value_or(reference_distance(subject, s, camera.scene_camera.fov_y_rad));
   return camera;
 }
 
 int map_side(const Subject& subject, const RenderSettings& s, const FrameCamera& camera,
              const glm::vec3& offset_m) {
-  if (!s.depth || subject.skin.empty()) return s.map_size;
+  if (!s.quality.depth || subject.skin.empty()) return s.quality.map_size;
   double needed = 1;  // of T_max
   if (camera.scene_camera.orthographic) {
-    const double pixels_per_mm = s.height / (2.0 * camera.scene_camera.ymag_m * subject.scene->mm_per_unit);
+    const double pixels_per_mm =
+        s.output.height / (2.0 * camera.scene_camera.ymag_m * subject.scene->mm_per_unit);
     needed = pixels_per_mm / texels_per_mm(subject, s);
   } else {
     const glm::vec3 nearest =
@@ -85,8 +87,8 @@ int map_side(const Subject& subject, const RenderSettings& s, const FrameCamera&
     const double d = glm::distance(camera.eye_m, nearest) / subject.sphere.radius_m;
     needed = d > 0 ? camera.d_ref / d : 1;
   }
-  const double steps = std::ceil(std::min(needed, 1.0) * s.map_size / side_step);
-  return std::min(s.map_size, side_step * std::max(1, static_cast<int>(steps)));
+  const double steps = std::ceil(std::min(needed, 1.0) * s.quality.map_size / side_step);
+  return std::min(s.quality.map_size, side_step * std::max(1, static_cast<int>(steps)));
 }
 
 bool in_view(const Subject& subject, const FrameCamera& camera, const glm::vec3& offset_m) {

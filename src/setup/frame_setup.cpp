@@ -39,14 +39,14 @@ io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, st
 std::vector<HeadSetup> set_up_heads(const Subject& subject, const RenderSettings& s,
                                     const FrameCamera& camera, const std::vector<scene::Light>& lights) {
   std::vector<HeadSetup> heads;
-  const bool skip = s.skip_unseen_heads.value_or(s.cull || s.depth || s.clip);
+  const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
-  for (const glm::vec3& offset : scene::head_row_offsets(s.heads, subject.sphere.radius_m)) {
+  for (const glm::vec3& offset : scene::head_row_offsets(s.camera.heads, subject.sphere.radius_m)) {
     HeadSetup head{
         .number = static_cast<int>(heads.size()), .offset_m = offset, .lights = {}, .shadow_from_world = {}};
     for (const scene::Light& light : lights) {
       const passes::ShadowFit fit = passes::fit_shadow(
-          light, {subject.casters.centre_m + offset, subject.casters.radius_m}, s.shadow_size);
+          light, {subject.casters.centre_m + offset, subject.casters.radius_m}, s.quality.shadow_size);
       head.lights.push_back(light_io(light, fit, head.shadow_from_world.size()));
       head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(),
                                     fit.shadow_from_world.end());
@@ -89,10 +89,10 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
   // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not
   // wrong in width.
   part.densest_texels_per_mm_of_one = subject.densities[number].largest_texels_per_mm.p95;
-  part.max_texels_per_mm = std::max(part.densest_texels_per_mm_of_one * s.map_size, 1e-6);
+  part.max_texels_per_mm = std::max(part.densest_texels_per_mm_of_one * s.quality.map_size, 1e-6);
   part.off_map = scene::has_chartless(subject.skin[number]);
-  fill_coarse(part, subject.densities[number], s.map_size);
-  part.mean_texels_per_mm = subject.densities[number].texels_per_mm.mean * s.map_size;
+  fill_coarse(part, subject.densities[number], s.quality.map_size);
+  part.mean_texels_per_mm = subject.densities[number].texels_per_mm.mean * s.quality.map_size;
   for (const int index : subject.skin[number].triangle_material) {
     const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];
     part.cut_out = part.cut_out || of_triangle.alpha_mode == scene::AlphaMode::mask;
@@ -109,15 +109,16 @@ double squares_in_budget(std::uint64_t square_bytes, const RenderSettings& s, co
   double budget_mb = default_squares * square_mb;
   if (device.memory_bytes > 0)
     budget_mb = std::min(budget_mb, std::max(square_mb, static_cast<double>(device.memory_bytes) / 4e6));
-  if (s.map_budget_mb) budget_mb = *s.map_budget_mb;
+  if (s.quality.map_budget_mb) budget_mb = *s.quality.map_budget_mb;
   if (budget_mb < square_mb)
     throw input_error(
         "",
         "--map-budget {} MB does not hold the light maps of one head: at --map-size {} they take {:.0f} MB",
-        budget_mb, s.map_size, std::ceil(square_mb));
+        budget_mb, s.quality.map_size, std::ceil(square_mb));
 
   // As many rows and columns of squares as a texture of this device can have.
-  const double rows = std::max<double>(1, device.max_image_side / static_cast<std::uint32_t>(s.map_size));
+  const double rows =
+      std::max<double>(1, device.max_image_side / static_cast<std::uint32_t>(s.quality.map_size));
   return std::clamp(std::floor(budget_mb / square_mb * (1 + 1e-12)), 1.0, rows * rows);
 }
 
@@ -149,10 +150,13 @@ void set_up_batches(FrameSetup& setup, const RenderSettings& s, const DeviceTrai
 // From a measurement on each kind of device, docs/measuring.md; never from one at run time, or frames would
 // not be bit-equal.
 passes::Mask mask_of(const RenderSettings& s, const DeviceTraits& device) {
-  if (!s.mask) return device.software ? passes::Mask::depth : passes::Mask::tiles;
-  return *s.mask == "alpha"   ? passes::Mask::alpha
-         : *s.mask == "depth" ? passes::Mask::depth
-                              : passes::Mask::tiles;
+  if (!s.quality.mask) return device.software ? passes::Mask::depth : passes::Mask::tiles;
+  switch (*s.quality.mask) {
+    case BlurMask::alpha: return passes::Mask::alpha;
+    case BlurMask::depth: return passes::Mask::depth;
+    case BlurMask::tiles: break;
+  }
+  return passes::Mask::tiles;
 }
 
 // Whether light enters whole wherever it falls on something: skin whose whole albedo acts after scattering.
@@ -162,7 +166,7 @@ bool all_enters(const scene::Scene& scene, const RenderSettings& s) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(p.material)];
     if (material.alpha_mode == scene::AlphaMode::blend) return true;
     const auto of_material = static_cast<double>(material.skin_settings.mix_or_default());
-    return material.skin && s.mix.value_or(of_material) == 0;
+    return material.skin && s.skin.mix.value_or(of_material) == 0;
   });
 }
 
@@ -171,26 +175,26 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
   const scene::Scene& scene = *subject.scene;
   techniques::FrameSettings& plan = setup.plan;
 
-  plan.width = static_cast<std::uint32_t>(s.width);
-  plan.height = static_cast<std::uint32_t>(s.height);
-  plan.samples = static_cast<std::uint32_t>(s.samples);
-  plan.map_size = static_cast<std::uint32_t>(s.map_size);
-  plan.shadow_size = static_cast<std::uint32_t>(s.shadow_size);
-  plan.heads = static_cast<std::uint32_t>(s.heads);
+  plan.width = static_cast<std::uint32_t>(s.output.width);
+  plan.height = static_cast<std::uint32_t>(s.output.height);
+  plan.samples = static_cast<std::uint32_t>(s.quality.samples);
+  plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
+  plan.shadow_size = static_cast<std::uint32_t>(s.quality.shadow_size);
+  plan.heads = static_cast<std::uint32_t>(s.camera.heads);
   plan.shadow_layers =
       static_cast<std::uint32_t>(std::max<std::size_t>(setup.heads.front().shadow_from_world.size(), 1));
-  plan.bloom = static_cast<float>(s.bloom);
-  plan.tone_map = image::find_tone_map(s.tone_map);
-  plan.visibility = s.show == "visibility";
-  plan.environment = !s.environment.empty();
+  plan.bloom = static_cast<float>(s.output.bloom);
+  plan.tone_map = s.output.tone_map;
+  plan.visibility = s.output.show == "visibility";
+  plan.environment = !s.lighting.environment.empty();
   plan.soft_shadows =
       std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
 
   if (setup.technique->has_light_maps) {
-    plan.optimise = {.cull = s.cull, .depth = s.depth, .clip = s.clip};
+    plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
     plan.mask = mask_of(s, device);
-    plan.progressive = s.maps == "progressive";
-    plan.translucency = s.translucency && !subject.skin.empty() && setup.lights > 0;
+    plan.progressive = s.quality.maps == LightMaps::progressive;
+    plan.translucency = s.skin.translucency && !subject.skin.empty() && setup.lights > 0;
     plan.all_enters = all_enters(scene, s);
     plan.mm_per_unit = scene.mm_per_unit;
   }
@@ -216,7 +220,7 @@ double clip_margin_m(const FrameSetup& setup, const Subject& subject, const Rend
   double reach_mm = 0;
   for (const techniques::SkinPart& part : setup.plan.skin)
     reach_mm = std::max(reach_mm, 3 * std::sqrt(part.profile.max_variance_mm2()));
-  return s.clip_margin_mm.value_or(reach_mm) / subject.scene->mm_per_unit;
+  return s.quality.clip_margin_mm.value_or(reach_mm) / subject.scene->mm_per_unit;
 }
 
 }  // namespace
@@ -251,7 +255,7 @@ FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceT
   setup.technique = &techniques::find_technique(s.technique);
   setup.camera = frame_camera(subject, s);
 
-  const std::vector<glm::vec3> offsets = scene::head_row_offsets(s.heads, subject.sphere.radius_m);
+  const std::vector<glm::vec3> offsets = scene::head_row_offsets(s.camera.heads, subject.sphere.radius_m);
   std::vector<scene::Light> lights = choose_lights(*subject.scene, s, subject.sphere, offsets);
   lights.insert(lights.end(), suns.begin(), suns.end());
   setup.lights = static_cast<int>(lights.size());
@@ -264,13 +268,13 @@ FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceT
   io::FrameIo& frame = setup.frame;
   frame.clip_from_world = setup.camera.clip_from_world;
   frame.eye_m = setup.camera.eye_m;
-  frame.radiance_scale = static_cast<float>(std::exp2(s.exposure_ev.value_or(0)));
+  frame.radiance_scale = static_cast<float>(std::exp2(s.output.exposure_ev.value_or(0)));
   frame.view_direction = setup.camera.direction;
   frame.orthographic = setup.camera.scene_camera.orthographic ? 1 : 0;
-  frame.ambient = glm::vec3(static_cast<float>(s.ambient));
+  frame.ambient = glm::vec3(static_cast<float>(s.lighting.ambient));
   frame.light_count = static_cast<std::uint32_t>(lights.size());
-  frame.specular_on = s.specular ? 1 : 0;
-  frame.white_albedo = s.white_albedo ? 1 : 0;
+  frame.specular_on = s.lighting.specular ? 1 : 0;
+  frame.white_albedo = s.lighting.white_albedo ? 1 : 0;
   return setup;
 }
 

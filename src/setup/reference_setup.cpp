@@ -12,21 +12,22 @@ namespace dermis::setup {
 
 reference::RenderSetup reference_setup(const scene::Scene& scene, const RenderSettings& s) {
   check_settings(s);
-  if (s.heads != 1) throw input_error("", "--heads must be 1 for the reference, got {}", s.heads);
-  if (static_cast<std::int64_t>(s.width) * s.height > std::int64_t{1} << 26)
+  if (s.camera.heads != 1)
+    throw input_error("", "--heads must be 1 for the reference, got {}", s.camera.heads);
+  if (static_cast<std::int64_t>(s.output.width) * s.output.height > std::int64_t{1} << 26)
     throw input_error("", "--size {}x{} has more than {} pixels, too many for the sums of the reference",
-                      s.width, s.height, 1 << 26);
+                      s.output.width, s.output.height, 1 << 26);
   const scene::BoundingSphere sphere = scene::skin_sphere(scene);
   if (!(sphere.radius_m > 0))
     throw input_error(scene.name, "has nothing to see: all its triangles lie at one point");
   reference::RenderSetup setup;
   setup.camera = choose_camera(scene, s, sphere);
-  setup.width = s.width, setup.height = s.height;
+  setup.width = s.output.width, setup.height = s.output.height;
   setup.lights = choose_lights(scene, s, sphere, scene::head_row_offsets(1, sphere.radius_m));
-  setup.ambient = s.ambient;
-  setup.radiance_scale = std::exp2(s.exposure_ev.value_or(0));
-  setup.specular = s.specular, setup.white_albedo = s.white_albedo;
-  setup.mix = s.mix;
+  setup.ambient = s.lighting.ambient;
+  setup.radiance_scale = std::exp2(s.output.exposure_ev.value_or(0));
+  setup.specular = s.lighting.specular, setup.white_albedo = s.lighting.white_albedo;
+  setup.mix = s.skin.mix;
   return setup;
 }
 

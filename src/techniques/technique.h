@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "dermis/settings.h"
 #include "frame/graph.h"
 #include "gaussians/sum.h"
-#include "image/tone_map.h"
 #include "passes/frame_data.h"
 #include "passes/light_pool.h"
 
@@ -74,7 +74,7 @@ struct FrameSettings {
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
   bool soft_shadows = false;  ///< some light has a radius
   float bloom = 0;            ///< 0..1
-  image::ToneMap tone_map = image::ToneMap::natural;
+  ToneMap tone_map = ToneMap::natural;
   bool operator==(const FrameSettings&) const = default;
 };
 

@@ -121,10 +121,11 @@ std::optional<std::string> opened_namespace(std::string_view line) {
 
 std::string judge_namespace(const std::string& name, const std::string& room,
                             const std::set<std::string>& rooms) {
-  // In `dermis` itself stand what the library offers to others, and core, whose names all rooms use bare.
-  const bool in_dermis = room == "api" || room == "core";
+  // In `dermis` itself stand what the library offers to others, what it says of its settings, and core, whose
+  // names all rooms use bare.
+  const bool in_dermis = room == "api" || room == "core" || room == "settings";
   const bool qualified = name == "dermis" || name.starts_with("dermis::");
-  if (name == "dermis") return in_dermis ? "" : fmt::format("'dermis' itself is for api and core");
+  if (name == "dermis") return in_dermis ? "" : fmt::format("'dermis' itself is for api, core and settings");
 
   std::string first = qualified ? name.substr(std::string_view("dermis::").size()) : name;
   first = first.substr(0, first.find("::"));

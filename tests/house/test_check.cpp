@@ -172,7 +172,8 @@ TEST(HouseCheck, FindsANamespaceOfAnotherRoom) {
   tree.add("src/passes/data.h", "namespace dermis::frames {\n");
   EXPECT_TRUE(one_about(house::check_namespaces(tree.read()), "'dermis::frames' in the room 'passes'"));
   tree.add("src/passes/data.h", "namespace dermis {\nnamespace passes {\n");
-  EXPECT_TRUE(one_about(house::check_namespaces(tree.read()), "'dermis' itself is for api and core"));
+  EXPECT_TRUE(
+      one_about(house::check_namespaces(tree.read()), "'dermis' itself is for api, core and settings"));
   tree.add("src/passes/data.h", "int a;\n");
   EXPECT_TRUE(one_about(house::check_namespaces(tree.read()), "data.h: no namespace dermis::passes"));
   tree.add("src/passes/data.h", "inline namespace dermis::passes {\n")

@@ -185,8 +185,8 @@ std::vector<Place> places_of(const Task& task) {
 
 RenderSettings settings_at(const Task& task, const Place& place) {
   RenderSettings s = task.settings;
-  s.heads = place.heads;
-  s.distance = place.distance;
+  s.camera.heads = place.heads;
+  s.camera.distance = place.distance;
   return s;
 }
 

@@ -38,9 +38,10 @@ std::string facts(const Run& run) {
       {"device",
        fmt::format("{}, {}, Vulkan {}, {} processor cores", run.device, run.driver, run.api, run.cores)},
       {"scene", run.scene},
-      {"picture", fmt::format("{} x {} pixels, {} samples per pixel", s.width, s.height, s.samples)},
-      {"maps", fmt::format("light {0} x {0}, shadows {1} x {1} texels; {2} lights, {3} Gaussians", s.map_size,
-                           s.shadow_size, run.lights, run.gaussians)},
+      {"picture", fmt::format("{} x {} pixels, {} samples per pixel", s.output.width, s.output.height,
+                              s.quality.samples)},
+      {"maps", fmt::format("light {0} x {0}, shadows {1} x {1} texels; {2} lights, {3} Gaussians",
+                           s.quality.map_size, s.quality.shadow_size, run.lights, run.gaussians)},
       {"times", fmt::format("medians of {} rounds \u00b1 half of the way from the least to the greatest; a "
                             "round draws every column once; {}",
                             run.rounds,

@@ -17,10 +17,10 @@ constexpr int room = 12;         // around the skin
 
 image::ImageF super_sampled(Renderer& renderer, const Scene& scene, RenderSettings s, double d_ref,
                             int samples) {
-  s.width *= samples, s.height *= samples;
-  s.samples = 1;
-  s.bloom = 0;
-  s.d_ref = d_ref;
+  s.output.width *= samples, s.output.height *= samples;
+  s.quality.samples = 1;
+  s.output.bloom = 0;
+  s.quality.d_ref = d_ref;
   Picture fine = renderer.prepare(scene, s).picture();
   return image::downsample_box(
       {.width = fine.width, .height = fine.height, .channels = 4, .values = std::move(fine.linear_rgba)},
@@ -77,7 +77,7 @@ image::Image8 whole(const Picture& picture, int widest) {
 }
 
 Picture show(Renderer& renderer, const Scene& scene, RenderSettings s, const std::string& what) {
-  s.show = what;
+  s.output.show = what;
   return renderer.prepare(scene, s).picture();
 }
 
@@ -91,7 +91,7 @@ std::optional<PictureDifference> picture_difference(Renderer& renderer, const Sc
   image::ImageF a = super_sampled(renderer, scene, baseline, d_ref, samples);
   image::ImageF b = super_sampled(renderer, scene, optimised, d_ref, samples);
   const std::optional<image::ExposedDifference> found =
-      image::compare_exposed(std::move(a), std::move(b), image::find_tone_map(baseline.tone_map));
+      image::compare_exposed(std::move(a), std::move(b), baseline.output.tone_map);
   if (!found) return std::nullopt;
   return PictureDifference{
       .psnr_db = found->psnr_db, .flip_mean = found->flip_mean, .pixels = found->pixels, .samples = samples};
@@ -107,8 +107,8 @@ CellPictures cut_to_skin(const Picture& baseline, const Picture& optimised) {
 
 MapPictures map_pictures(Renderer& renderer, const Scene& scene, const RenderSettings& baseline,
                          const RenderSettings& optimised) {
-  return {.heads = optimised.heads,
-          .distance = optimised.distance.value_or(0),
+  return {.heads = optimised.camera.heads,
+          .distance = optimised.camera.distance.value_or(0),
           .irradiance = whole(show(renderer, scene, baseline, "irradiance"), map_side),
           .visibility = whole(show(renderer, scene, optimised, "visibility"), map_side),
           .picture = whole(show(renderer, scene, optimised, "picture"), page_width)};

@@ -9,6 +9,7 @@
 
 #include "cli/bench/paper.h"
 #include "core/assert.h"
+#include "settings/names.h"
 
 namespace dermis::cli::bench {
 namespace {
@@ -38,7 +39,7 @@ ordered_json variant_json(const Measured& m) {
           {"optimise", m.counts.optimise},
           {"maps", m.counts.maps.empty() ? ordered_json(nullptr) : ordered_json(m.counts.maps)},
           {"mask", m.counts.mask.empty() ? ordered_json(nullptr) : ordered_json(m.counts.mask)},
-          {"skip_unseen_heads", or_null(m.variant.settings.skip_unseen_heads)},
+          {"skip_unseen_heads", or_null(m.variant.settings.quality.skip_unseen_heads)},
           {"ms", {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}}},
           {"rounds_ms", m.rounds_ms},
           {"passes", passes}};
@@ -71,34 +72,34 @@ ordered_json cell_json(const Cell& cell) {
 ordered_json settings_json(const Run& run) {
   const RenderSettings& s = run.settings;
   ordered_json placed = ordered_json::array();
-  for (const PlacedLight& light : s.placed_lights)
+  for (const PlacedLight& light : s.lighting.placed_lights)
     placed.push_back({light.azimuth_deg, light.elevation_deg, light.irradiance});
 
-  return {{"size", {s.width, s.height}},
-          {"map_size", s.map_size},
-          {"shadow_size", s.shadow_size},
-          {"samples", s.samples},
+  return {{"size", {s.output.width, s.output.height}},
+          {"map_size", s.quality.map_size},
+          {"shadow_size", s.quality.shadow_size},
+          {"samples", s.quality.samples},
           {"lights", run.lights},
           {"gaussians", run.gaussians},
           {"placed_lights", placed},
-          {"environment", s.environment},
-          {"environment_intensity", s.environment_intensity},
-          {"environment_rotation_deg", s.environment_rotation_deg},
-          {"maps", s.maps},
-          {"mask", or_null(s.mask)},
-          {"d_ref", or_null(s.d_ref)},
-          {"clip_margin_mm", or_null(s.clip_margin_mm)},
-          {"map_budget_mb", or_null(s.map_budget_mb)},
-          {"fov_deg", or_null(s.fov_deg)},
-          {"profile", s.profile},
-          {"mix", or_null(s.mix)},
-          {"light_radius_m", or_null(s.light_radius_m)},
-          {"ambient", s.ambient},
-          {"specular", s.specular},
-          {"translucency", s.translucency},
-          {"white_albedo", s.white_albedo},
-          {"bloom", s.bloom},
-          {"tone_map", s.tone_map}};
+          {"environment", s.lighting.environment},
+          {"environment_intensity", s.lighting.environment_intensity},
+          {"environment_rotation_deg", s.lighting.environment_rotation_deg},
+          {"maps", name_of(s.quality.maps)},
+          {"mask", s.quality.mask ? ordered_json(name_of(*s.quality.mask)) : ordered_json(nullptr)},
+          {"d_ref", or_null(s.quality.d_ref)},
+          {"clip_margin_mm", or_null(s.quality.clip_margin_mm)},
+          {"map_budget_mb", or_null(s.quality.map_budget_mb)},
+          {"fov_deg", or_null(s.camera.fov_deg)},
+          {"profile", s.skin.profile},
+          {"mix", or_null(s.skin.mix)},
+          {"light_radius_m", or_null(s.lighting.light_radius_m)},
+          {"ambient", s.lighting.ambient},
+          {"specular", s.lighting.specular},
+          {"translucency", s.skin.translucency},
+          {"white_albedo", s.lighting.white_albedo},
+          {"bloom", s.output.bloom},
+          {"tone_map", name_of(s.output.tone_map)}};
 }
 
 }  // namespace
@@ -129,7 +130,8 @@ std::string run_json(const Run& run) {
 }
 
 std::string difference_meaning(const Run& run) {
-  return fmt::format("all against the baseline, of display values (tone map {})", run.settings.tone_map);
+  return fmt::format("all against the baseline, of display values (tone map {})",
+                     name_of(run.settings.output.tone_map));
 }
 
 std::vector<int> heads_of(const std::vector<Cell>& cells) {

@@ -33,8 +33,8 @@ std::string table_head(const Run& run) {
   std::string text = fmt::format(
       "{} ({}, Vulkan {})\n{}: {}x{} pixels, maps of {}, shadow maps of {}, {} samples, {} lights, {} "
       "Gaussians\n",
-      run.device, run.driver, run.api, run.scene, s.width, s.height, s.map_size, s.shadow_size, s.samples,
-      run.lights, run.gaussians);
+      run.device, run.driver, run.api, run.scene, s.output.width, s.output.height, s.quality.map_size,
+      s.quality.shadow_size, s.quality.samples, run.lights, run.gaussians);
   text += fmt::format("frames in ms, medians of {} rounds\n\n", run.rounds) +
           fmt::format(fmt::runtime(cell_format), "heads", "distance");
   for (const Variant& variant : variants_of(s))

@@ -5,25 +5,25 @@ namespace dermis::cli::bench {
 namespace {
 
 RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
-  s.cull = cull, s.depth = depth, s.clip = clip;
-  s.skip_unseen_heads = true;
+  s.quality.cull = cull, s.quality.depth = depth, s.quality.clip = clip;
+  s.quality.skip_unseen_heads = true;
   return s;
 }
 
 RenderSettings every_head(RenderSettings s) {
   s = with(s, false, false, false);
-  s.skip_unseen_heads = false;
+  s.quality.skip_unseen_heads = false;
   return s;
 }
 
 RenderSettings at_edge(RenderSettings s) {
   s = with(s, true, true, true);
-  s.clip_margin_mm = 0;
+  s.quality.clip_margin_mm = 0;
   return s;
 }
 
 RenderSettings progressive(RenderSettings s) {
-  s.maps = "progressive";
+  s.quality.maps = LightMaps::progressive;
   return s;
 }
 
@@ -47,10 +47,10 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
       {optimised_key, "all", "cull, depth and clip", with(common, true, true, true)},
   };
 
-  if (common.clip_margin_mm != 0.0)
+  if (common.quality.clip_margin_mm != 0.0)
     all.push_back({at_edge_key, "margin 0", "all, clipped at the edge of the picture as in the paper",
                    at_edge(common)});
-  if (common.maps == "full") {
+  if (common.quality.maps == LightMaps::full) {
     all.push_back({progressive_key, "prog maps",
                    "the baseline, every head, with progressive maps: wide Gaussians on smaller ones",
                    progressive(every_head(common))});

@@ -7,12 +7,12 @@
 
 namespace dermis::passes {
 
-static_assert(static_cast<std::uint32_t>(image::ToneMap::natural) == TONE_MAP_NATURAL);
-static_assert(static_cast<std::uint32_t>(image::ToneMap::neutral) == TONE_MAP_NEUTRAL);
-static_assert(static_cast<std::uint32_t>(image::ToneMap::agx) == TONE_MAP_AGX);
-static_assert(static_cast<std::uint32_t>(image::ToneMap::filmic) == TONE_MAP_FILMIC);
-static_assert(static_cast<std::uint32_t>(image::ToneMap::srgb) == TONE_MAP_SRGB);
-static_assert(static_cast<std::uint32_t>(image::ToneMap::linear) == TONE_MAP_LINEAR);
+static_assert(static_cast<std::uint32_t>(dermis::ToneMap::natural) == TONE_MAP_NATURAL);
+static_assert(static_cast<std::uint32_t>(dermis::ToneMap::neutral) == TONE_MAP_NEUTRAL);
+static_assert(static_cast<std::uint32_t>(dermis::ToneMap::agx) == TONE_MAP_AGX);
+static_assert(static_cast<std::uint32_t>(dermis::ToneMap::filmic) == TONE_MAP_FILMIC);
+static_assert(static_cast<std::uint32_t>(dermis::ToneMap::srgb) == TONE_MAP_SRGB);
+static_assert(static_cast<std::uint32_t>(dermis::ToneMap::linear) == TONE_MAP_LINEAR);
 
 ToneMap::Out ToneMap::declare(frame::Declare& d, const In& in) {
   d.kind(frame::PassKind::compute);

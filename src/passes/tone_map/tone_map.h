@@ -2,8 +2,8 @@
 /// The tone map: from linear radiance to eight bits for a display.
 #pragma once
 
+#include "dermis/settings.h"
 #include "frame/graph.h"
-#include "image/tone_map.h"
 #include "passes/frame_data.h"
 
 namespace dermis::passes {
@@ -11,7 +11,7 @@ namespace dermis::passes {
 class ToneMap {
  public:
   struct Settings {
-    image::ToneMap tone_map = image::ToneMap::natural;
+    dermis::ToneMap tone_map = dermis::ToneMap::natural;
   };
   struct In {
     frame::TextureId picture;  ///< RGBA16F, one sample

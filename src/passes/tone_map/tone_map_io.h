@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef DERMIS_PASSES_TONE_MAP_IO_H
 #define DERMIS_PASSES_TONE_MAP_IO_H
-// The values of specialisation constant `tone_map`: those of image::ToneMap.
+// The values of specialisation constant `tone_map`: those of dermis::ToneMap.
 #define TONE_MAP_NATURAL 0u
 #define TONE_MAP_NEUTRAL 1u
 #define TONE_MAP_AGX 2u

@@ -18,8 +18,8 @@ constexpr std::array maps_of_material{&Material::base_colour_map,    &Material::
                                       &Material::normal_map,         &Material::occlusion_map,
                                       &Material::emissive_map,       &Material::specular_map,
                                       &Material::specular_colour_map};
-constexpr std::array maps_of_skin{&SkinSettings::specular, &SkinSettings::roughness,
-                                  &SkinSettings::displacement};
+constexpr std::array maps_of_skin{&SkinMaterial::specular, &SkinMaterial::roughness,
+                                  &SkinMaterial::displacement};
 
 template <class MaterialOrConst, class Visit>
 void for_each_map(MaterialOrConst& material, const Visit& visit) {

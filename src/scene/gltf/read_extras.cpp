@@ -79,7 +79,7 @@ std::vector<SpecularLobe> read_lobes(const Value& value) {
 }
 
 void read_displacement(const Document& document, const Value& value, const MapRef& shared,
-                       SkinSettings& into) {
+                       SkinMaterial& into) {
   value.only_keys({"texture", "mm", "middle"});
   into.displacement = read_map(document, value.at("texture"), shared);
   value.at("mm");
@@ -92,7 +92,7 @@ void read_displacement(const Document& document, const Value& value, const MapRe
 void read_dermis_extras(const Document& document, const Value& extras, const MapRef& shared,
                         MaterialSource& into) {
   extras.object().only_keys({"skin", "profile", "mix", "specular", "roughness", "displacement", "lobes"});
-  SkinSettings& skin = into.material.skin_settings;
+  SkinMaterial& skin = into.material.skin_settings;
   into.says_skin = extras.boolean_or("skin", true);
   if (const auto profile = extras.find("profile")) skin.profile = read_profile(document, *profile);
   if (extras.has("mix")) skin.mix = static_cast<float>(extras.number_or("mix", 0, 0, 1));

@@ -40,11 +40,11 @@ Agreement compare(const Picture& reference, const Picture& rendered) {
 
 RenderSettings settings() {
   RenderSettings s;
-  s.width = s.height = 192;
-  s.lights = 3;
-  s.map_size = 1024;
-  s.shadow_size = 4096;
-  s.bloom = 0;
+  s.output.width = s.output.height = 192;
+  s.lighting.rig_lights = 3;
+  s.quality.map_size = 1024;
+  s.quality.shadow_size = 4096;
+  s.output.bloom = 0;
   return s;
 }
 
@@ -55,8 +55,8 @@ Agreement agreement(const std::string& technique, RenderSettings s, int samples)
   const ReferencePicture reference = render_reference(head, s, {.samples = samples});
   const Agreement a = compare(reference.picture, renderer.render(head, s));
   std::printf("%s, specular %s: ratio %.4f %.4f %.4f, typical difference %.4f over %d pixels\n",
-              technique.c_str(), s.specular ? "on" : "off", a.ratio[0], a.ratio[1], a.ratio[2], a.typical,
-              a.pixels);
+              technique.c_str(), s.lighting.specular ? "on" : "off", a.ratio[0], a.ratio[1], a.ratio[2],
+              a.typical, a.pixels);
   return a;
 }
 
@@ -69,12 +69,12 @@ TEST(Agreement, DirectLight) {
 
   for (const bool specular : {false, true}) {
     RenderSettings s = settings();
-    s.profile = narrow.string();
-    s.specular = specular;
+    s.skin.profile = narrow.string();
+    s.lighting.specular = specular;
     // Software drivers approximate the sRGB curve (0.3 % in dark colours); and where a pixel holds many
     // texels of the normal map, filtered normals are not what the mean of their light is.
-    s.white_albedo = true;
-    s.width = s.height = 512;
+    s.lighting.white_albedo = true;
+    s.output.width = s.output.height = 512;
 
     const Agreement a = agreement("lambert", s, 8);
     EXPECT_GT(a.pixels, 5000);

@@ -12,6 +12,7 @@
 #include "image/tone_map.h"
 #include "passes/bindings.h"
 #include "passes/shaders.h"
+#include "settings/names.h"
 
 namespace dermis {
 namespace {
@@ -79,8 +80,8 @@ TEST(ToneMapAgreement, DeviceAndProcessorAreOneStepApartAtMost) {
                               .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
   gpu::upload(device, picture, std::as_bytes(std::span(halves)));
 
-  for (const std::string_view name : image::tone_map_names()) {
-    const image::ToneMap tone_map = image::find_tone_map(name);
+  for (const std::string_view name : names_of<ToneMap>) {
+    const ToneMap tone_map = find_name<ToneMap>("tone map", name);
     const gpu::Texture display(device, "display",
                                {.width = width,
                                 .height = height,

@@ -179,7 +179,7 @@ Picture read_off(const Scene& scene, const RenderSettings& settings, const Pictu
   constexpr int reach_px = 6;
   const Pixels pixels(scene, settings);
   const glm::ivec2 size(pixels.width(), pixels.height());
-  const glm::dvec2 off(-texels / settings.map_size, 0);
+  const glm::dvec2 off(-texels / settings.quality.map_size, 0);
 
   const auto nearest = [&](const glm::ivec2& p) {
     const glm::dvec2 wanted = pixels.at(p).uv + off;

@@ -30,14 +30,14 @@ constexpr View behind{"behind", 200, 10}, above{"above", 160, 55};
 // light seen from the front.
 RenderSettings key_light(const View& view) {
   RenderSettings s;
-  s.width = s.height = 288;
-  s.samples = 1;
-  s.map_size = s.shadow_size = 512;
-  s.orbit_deg = {view.azimuth_deg, view.elevation_deg};
-  s.placed_lights = {{.azimuth_deg = view.azimuth_deg + 45, .elevation_deg = 35}};
-  s.ambient = s.bloom = 0;
-  s.specular = false;
-  s.white_albedo = true;
+  s.output.width = s.output.height = 288;
+  s.quality.samples = 1;
+  s.quality.map_size = s.quality.shadow_size = 512;
+  s.camera.orbit_deg = {view.azimuth_deg, view.elevation_deg};
+  s.lighting.placed_lights = {{.azimuth_deg = view.azimuth_deg + 45, .elevation_deg = 35}};
+  s.lighting.ambient = s.output.bloom = 0;
+  s.lighting.specular = false;
+  s.lighting.white_albedo = true;
   return s;
 }
 
@@ -88,7 +88,7 @@ std::size_t expect_no_seam(const Scene& scene, const std::string& name) {
 // scattering, which shows the same colours.
 void expect_no_seam_in_colour(const Scene& scene, const std::string& name) {
   RenderSettings s = key_light(behind);
-  s.white_albedo = false;
+  s.lighting.white_albedo = false;
   const Crossings crossings = find_crossings(scene, s);
   const Excess excess = seam_excess(crossings, renderer().render(scene, s), unscattered(scene, s));
   print(name + ", its own colour", crossings, excess);

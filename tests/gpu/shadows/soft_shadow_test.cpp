@@ -47,12 +47,12 @@ scene::Camera from_above(float half_height_m, const glm::vec3& position_m) {
 RenderSettings plain(int width, int height) {
   RenderSettings s;
   s.technique = "lambert";
-  s.width = width, s.height = height;
-  s.samples = 1;
-  s.shadow_size = 2048;
-  s.ambient = s.bloom = 0;
-  s.specular = false;
-  s.white_albedo = true;
+  s.output.width = width, s.output.height = height;
+  s.quality.samples = 1;
+  s.quality.shadow_size = 2048;
+  s.lighting.ambient = s.output.bloom = 0;
+  s.lighting.specular = false;
+  s.lighting.white_albedo = true;
   return s;
 }
 
@@ -166,11 +166,11 @@ class SoftScan : public testing::Test {
       GTEST_SKIP() << "the scan is not there; ./run fetch-assets brings it";
     static const Scene opened = Scene::load(heads / "lee-perry-smith.gltf");
     scan = &opened;
-    settings.width = 160, settings.height = 180;
-    settings.map_size = 1024, settings.shadow_size = 1024;
-    settings.bloom = 0;
-    settings.placed_lights = {{.azimuth_deg = 70, .elevation_deg = 35}};
-    settings.light_radius_m = 0.2;
+    settings.output.width = 160, settings.output.height = 180;
+    settings.quality.map_size = 1024, settings.quality.shadow_size = 1024;
+    settings.output.bloom = 0;
+    settings.lighting.placed_lights = {{.azimuth_deg = 70, .elevation_deg = 35}};
+    settings.lighting.light_radius_m = 0.2;
   }
   const Scene* scan = nullptr;
   RenderSettings settings;
@@ -183,24 +183,22 @@ image::ImageF linear(Picture picture) {
           .values = std::move(picture.linear_rgba)};
 }
 
-image::Image8 shown(const Picture& picture) {
-  return image::to_display(linear(picture), image::ToneMap::filmic);
-}
+image::Image8 shown(const Picture& picture) { return image::to_display(linear(picture), ToneMap::filmic); }
 
 image::Image8 super_sampled(const Scene& scene, RenderSettings s) {
   constexpr int times = 4;
-  s.width *= times, s.height *= times, s.samples = 1;
+  s.output.width *= times, s.output.height *= times, s.quality.samples = 1;
   return image::to_display(image::downsample_box(linear(renderer().render(scene, s)), times),
-                           image::ToneMap::filmic);
+                           ToneMap::filmic);
 }
 
 // Nearer to the truth than the hard shadows are by far.
 TEST_F(SoftScan, IsThatOfTheReference) {
   const Picture reference = render_reference(*scan, settings, {.samples = 64}).picture;
   const image::Image8 truth = shown(reference), soft = super_sampled(*scan, settings);
-  settings.light_radius_m = 0.0;
+  settings.lighting.light_radius_m = 0.0;
   const image::Image8 hard = super_sampled(*scan, settings);
-  std::vector<std::uint8_t> skin(static_cast<std::size_t>(settings.width * settings.height));
+  std::vector<std::uint8_t> skin(static_cast<std::size_t>(settings.output.width * settings.output.height));
   for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = reference.linear_rgba[4 * i + 3] > 0.5f;
   const double soft_db = image::psnr_db(truth, soft, skin), hard_db = image::psnr_db(truth, hard, skin);
   const double soft_flip = image::mean_flip(truth, soft, skin),
@@ -214,20 +212,20 @@ TEST_F(SoftScan, IsThatOfTheReference) {
 
 // The pattern of rays belongs to the light: the eye may move.
 TEST_F(SoftScan, StaysWhereItIs) {
-  settings.cull = settings.depth = settings.clip = false;
-  settings.show = "irradiance";
+  settings.quality.cull = settings.quality.depth = settings.quality.clip = false;
+  settings.output.show = "irradiance";
   const Picture one = renderer().render(*scan, settings);
-  settings.orbit_deg = {25, 10};
+  settings.camera.orbit_deg = {25, 10};
   const Picture other = renderer().render(*scan, settings);
   EXPECT_EQ(one.display_rgba, other.display_rgba);
 }
 
 TEST_F(SoftScan, OptimisedIsTheSame) {
-  settings.width *= 4, settings.height *= 4, settings.samples = 1;
+  settings.output.width *= 4, settings.output.height *= 4, settings.quality.samples = 1;
   const Picture optimised = renderer().render(*scan, settings);
-  settings.cull = settings.depth = settings.clip = false;
+  settings.quality.cull = settings.quality.depth = settings.quality.clip = false;
   const Picture whole = renderer().render(*scan, settings);
-  std::vector<std::uint8_t> skin(static_cast<std::size_t>(settings.width * settings.height));
+  std::vector<std::uint8_t> skin(static_cast<std::size_t>(settings.output.width * settings.output.height));
   for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = whole.linear_rgba[4 * i + 3] > 0;
   EXPECT_GE(image::psnr_db(shown(whole), shown(optimised), skin), 40);
   EXPECT_EQ(optimised.statistics.unshaded_reads, 0u);

@@ -60,8 +60,8 @@ Scene striped_sphere() {
 
 RenderSettings settings_of(const std::string& technique, bool optimised) {
   RenderSettings s = small_settings(technique);
-  s.bloom = 0;
-  s.cull = s.depth = s.clip = optimised;
+  s.output.bloom = 0;
+  s.quality.cull = s.quality.depth = s.quality.clip = optimised;
   return s;
 }
 
@@ -75,8 +75,8 @@ TEST_P(CutOut, WhiteFurnace) {
     for (const bool strips : {false, true}) {
       SCOPED_TRACE(std::string(strips ? "strips" : "half a plane") + (optimised ? ", optimised" : ""));
       RenderSettings s = settings_of(GetParam(), optimised);
-      s.ambient = 1, s.lights = 0, s.specular = false;
-      s.map_size = strips ? 96 : 192;
+      s.lighting.ambient = 1, s.lighting.rig_lights = 0, s.lighting.specular = false;
+      s.quality.map_size = strips ? 96 : 192;
       const Picture picture = renderer().render(strips ? striped_sphere() : wrap(half_plane()), s);
       const SkinRange skin = skin_range(picture);
       EXPECT_GT(skin.pixels, 500u);
@@ -110,9 +110,9 @@ TEST_P(CutOut, EmissionIsAddedAsItIs) {
     if (mapped) skin.emissive_map = skin.base_colour_map;  // white where the skin is
 
     RenderSettings s = settings_of(GetParam(), true);
-    s.lights = 0;
-    s.ambient = 0;
-    s.exposure_ev = 1;
+    s.lighting.rig_lights = 0;
+    s.lighting.ambient = 0;
+    s.output.exposure_ev = 1;
     const Picture picture = renderer().render(wrap(made), s);
 
     for (int y = 0; y < 128; ++y)
@@ -122,7 +122,7 @@ TEST_P(CutOut, EmissionIsAddedAsItIs) {
                     x < 64 ? 2 * skin.emissive[c] : 0.0f)
               << x << " " << y;
 
-    s.width = s.height = 8;
+    s.output.width = s.output.height = 8;
     const Picture truth = render_reference(wrap(made), s, {.samples = 2}).picture;
     for (int i = 0; i < 64; ++i)
       for (int c = 0; c < 3; ++c)
@@ -148,8 +148,8 @@ TEST_P(CutOut, ValidationIsSilent) {
   scene::Scene made = half_plane(61);
   made.materials.front().emissive = glm::vec3(1);
   RenderSettings s = settings_of(GetParam(), true);
-  s.width = s.height = 32, s.map_size = 64;
-  if (GetParam() != "lambert") s.show = "visibility";
+  s.output.width = s.output.height = 32, s.quality.map_size = 64;
+  if (GetParam() != "lambert") s.output.show = "visibility";
   validated->render(wrap(made), s);
   for (const std::string& message : validated->validation_messages()) ADD_FAILURE() << message;
 }
@@ -167,14 +167,14 @@ TEST(CutOutMaps, LightAndShadowEndAtTheCut) {
   scene::Scene made = half_plane(256);
   made.lights.push_back({.name = "sun", .colour = glm::vec3(pi)});
   RenderSettings s = settings_of("texture-space", false);
-  s.show = "irradiance";
+  s.output.show = "irradiance";
   const Picture light = renderer().render(wrap(made), s);
   ASSERT_EQ(light.width, 256);
   EXPECT_EQ(lit_share(light, 0, 128, 1), 1);
   EXPECT_EQ(lit_share(light, 132, 250, 0), 0);
   EXPECT_EQ(lit_share(light, 132, 250, 3), 0);
 
-  s.show = "shadow:0";
+  s.output.show = "shadow:0";
   const double half = lit_share(renderer().render(wrap(made), s), 0, 256, 0);
   made.materials.front().alpha_mode = scene::AlphaMode::opaque;
   const double all = lit_share(renderer().render(wrap(made), s), 0, 256, 0);
@@ -199,9 +199,9 @@ TEST(CutOutMaps, WhatIsCutAwayIsNotBlurred) {
                              .position_m = {0, 0, 0.02f}});
 
   RenderSettings s = settings_of("texture-space", true);
-  s.ambient = 0;
-  s.specular = false;
-  s.translucency = false;
+  s.lighting.ambient = 0;
+  s.lighting.specular = false;
+  s.skin.translucency = false;
   const Picture cut = renderer().render(wrap(made), s), ends = renderer().render(wrap(narrow), s);
 
   for (int y = 0; y < 128; ++y)
@@ -235,12 +235,12 @@ TEST(CutOutMaps, IsThatOfTheReference) {
   made.cameras.push_back(from_above(size_m / 2));
 
   RenderSettings s = settings_of("texture-space", true);
-  s.width = s.height = 64;
-  s.map_size = 512;
-  s.shadow_size = 1024;
-  s.ambient = 0;
-  s.specular = false;
-  s.translucency = false;
+  s.output.width = s.output.height = 64;
+  s.quality.map_size = 512;
+  s.quality.shadow_size = 1024;
+  s.lighting.ambient = 0;
+  s.lighting.specular = false;
+  s.skin.translucency = false;
   const Picture picture = renderer().render(wrap(made), s),
                 truth = render_reference(wrap(made), s, {.samples = 64}).picture;
 

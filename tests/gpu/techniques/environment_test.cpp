@@ -21,8 +21,8 @@ std::string white_surroundings() {
 
 RenderSettings lit_by_studio(const std::string& technique) {
   RenderSettings s = small_settings(technique);
-  s.lights = 0;
-  s.environment = "studio";
+  s.lighting.rig_lights = 0;
+  s.lighting.environment = "studio";
   return s;
 }
 
@@ -42,8 +42,8 @@ TEST_P(EveryHeadInSurroundings, IsWhiteInAWhiteFurnace) {
     for (const bool specular : {false, true}) {
       SCOPED_TRACE(technique + (specular ? " with specular" : ""));
       RenderSettings s = furnace_settings(technique, specular);
-      s.ambient = 0;
-      s.environment = white_surroundings();
+      s.lighting.ambient = 0;
+      s.lighting.environment = white_surroundings();
       const SkinRange skin = skin_range(renderer().render(head.open(), s));
       EXPECT_GT(skin.pixels, 1000u);
       EXPECT_GE(skin.low, 0.99);
@@ -58,10 +58,10 @@ TEST_P(EveryTechniqueInSurroundings, TurningThemTurnsTheLight) {
   std::array<double, 3> first{}, mean{};
 
   for (int k = 0; k < 8; ++k) {
-    s.environment_rotation_deg = 45.0 * k;
-    s.orbit_deg = {45.0 * k, 0};
+    s.lighting.environment_rotation_deg = 45.0 * k;
+    s.camera.orbit_deg = {45.0 * k, 0};
     const std::array<double, 3> turned = sum(renderer().render(ball, s));
-    s.orbit_deg = {0, 0};
+    s.camera.orbit_deg = {0, 0};
     const std::array<double, 3> still = sum(renderer().render(ball, s));
 
     for (std::size_t c = 0; c < 3; ++c) {
@@ -73,7 +73,7 @@ TEST_P(EveryTechniqueInSurroundings, TurningThemTurnsTheLight) {
   }
 
   // A full turn gives each side its share: as much as from a sky without sides.
-  s.environment_rotation_deg = 360;
+  s.lighting.environment_rotation_deg = 360;
   const std::array<double, 3> whole = sum(renderer().render(ball, s));
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_NEAR(whole[c], first[c], 1e-4 * first[c]);
@@ -84,11 +84,11 @@ TEST_P(EveryTechniqueInSurroundings, TurningThemTurnsTheLight) {
 TEST_P(EveryTechniqueInSurroundings, IntensityIsLinearAndZeroIsBlack) {
   const Scene ball = sphere(0.1);
   RenderSettings s = lit_by_studio(GetParam());
-  s.bloom = 0;
+  s.output.bloom = 0;
   const std::array<double, 3> one = sum(renderer().render(ball, s));
-  s.environment_intensity = 2;
+  s.lighting.environment_intensity = 2;
   const std::array<double, 3> two = sum(renderer().render(ball, s));
-  s.environment_intensity = 0;
+  s.lighting.environment_intensity = 0;
   const std::array<double, 3> none = sum(renderer().render(ball, s));
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_GT(one[c], 0);
@@ -110,9 +110,9 @@ TEST(Surroundings, WhatIsOptimisedDoesNotShow) {
   if (!found->missing.empty()) GTEST_SKIP() << found->missing;
   const Scene scan = found->open();
   RenderSettings s = lit_by_studio("texture-space");
-  s.orbit_deg = {30, 10};
+  s.camera.orbit_deg = {30, 10};
   const Picture all = renderer().render(scan, s);
-  s.cull = s.depth = s.clip = false;
+  s.quality.cull = s.quality.depth = s.quality.clip = false;
   const Picture none = renderer().render(scan, s);
   EXPECT_EQ(all.statistics.unshaded_reads, 0u);
   EXPECT_LT(all.statistics.launched, none.statistics.launched);
@@ -134,7 +134,7 @@ TEST(Surroundings, UnknownOnesAreRefusedAndNothingChanges) {
   RenderSettings s = small_settings("texture-space");
   PreparedFrame frame = renderer().prepare(sphere(0.1), s);
   const std::vector<float> before = frame.picture().linear_rgba;
-  s.environment = "moon";
+  s.lighting.environment = "moon";
   EXPECT_THROW(frame.set(s), InputError);
   EXPECT_EQ(frame.picture().linear_rgba, before);
 }
@@ -145,13 +145,13 @@ TEST(Environment, AFrameStoppedWhileItIsPreparedIsNotDrawn) {
   Renderer own({.device = "best", .validate = false, .stop = &stop, .progress = {}});
   const Scene scene(std::make_shared<const scene::Scene>(scene::sphere(0.0713, 6)));
   RenderSettings s = small_settings("texture-space");
-  s.width = s.height = 32;
-  s.map_size = 32;
+  s.output.width = s.output.height = 32;
+  s.quality.map_size = 32;
   PreparedFrame frame = own.prepare(scene, s);
 
   stop = true;
   RenderSettings lit = s;
-  lit.environment = "studio";
+  lit.lighting.environment = "studio";
   EXPECT_THROW(frame.set(lit), Cancelled);
   EXPECT_THROW(frame.draw(), Cancelled);
 

@@ -11,11 +11,11 @@ namespace {
 
 RenderSettings chosen() {
   RenderSettings s = small_settings("texture-space");
-  s.width = s.height = 64;
-  s.map_size = s.shadow_size = 128;
-  s.exposure_ev.reset();
-  s.placed_lights = {{.azimuth_deg = 40, .elevation_deg = 30, .irradiance = 3}};
-  s.lights.reset();
+  s.output.width = s.output.height = 64;
+  s.quality.map_size = s.quality.shadow_size = 128;
+  s.output.exposure_ev.reset();
+  s.lighting.placed_lights = {{.azimuth_deg = 40, .elevation_deg = 30, .irradiance = 3}};
+  s.lighting.rig_lights.reset();
   return s;
 }
 
@@ -30,7 +30,7 @@ TEST(ChosenExposure, IsTheSameEveryTimeAndGivenAgainTheSamePicture) {
   EXPECT_EQ(one.linear_rgba, two.linear_rgba);
   ASSERT_TRUE(one.statistics.skin_mean.has_value());
 
-  s.exposure_ev = one.statistics.exposure_ev;
+  s.output.exposure_ev = one.statistics.exposure_ev;
   const Picture given = picture_of(s);
   EXPECT_EQ(one.linear_rgba, given.linear_rgba);
   EXPECT_EQ(one.display_rgba, given.display_rgba);
@@ -40,9 +40,9 @@ TEST(ChosenExposure, IsTheSameEveryTimeAndGivenAgainTheSamePicture) {
 // The stated value: white skin without reflections would show 0.5 on average.
 TEST(ChosenExposure, BringsTheLightOnTheSkinToTheStatedValue) {
   RenderSettings s = chosen();
-  s.exposure_ev = picture_of(s).statistics.exposure_ev;
-  s.bloom = 0;
-  s.white_albedo = true, s.specular = false;
+  s.output.exposure_ev = picture_of(s).statistics.exposure_ev;
+  s.output.bloom = 0;
+  s.lighting.white_albedo = true, s.lighting.specular = false;
   const std::optional<double> mean = api::mean_skin_luminance(picture_of(s).linear_rgba);
   ASSERT_TRUE(mean.has_value());
   EXPECT_NEAR(*mean, api::exposed_light, 0.005);
@@ -53,20 +53,20 @@ TEST(ChosenExposure, IsOfTheLightAlone) {
   const Statistics st = picture_of(s).statistics;
 
   RenderSettings other = s;
-  other.white_albedo = true, other.specular = false;
+  other.lighting.white_albedo = true, other.lighting.specular = false;
   const Statistics white = picture_of(other).statistics;
   EXPECT_EQ(white.exposure_ev, st.exposure_ev) << "whatever the skin";
   EXPECT_GT(*white.skin_mean, *st.skin_mean);
 
   other = s;
-  other.bloom = 1;
+  other.output.bloom = 1;
   EXPECT_EQ(picture_of(other).statistics.exposure_ev, st.exposure_ev) << "whatever the bloom";
 
   // Light beyond what half floats hold is as many stops.
   for (const int stops : {-20, 18}) {
     other = s;
-    other.placed_lights[0].irradiance = std::ldexp(3.0, stops);
-    other.ambient = std::ldexp(s.ambient, stops);
+    other.lighting.placed_lights[0].irradiance = std::ldexp(3.0, stops);
+    other.lighting.ambient = std::ldexp(s.lighting.ambient, stops);
     const Statistics changed = picture_of(other).statistics;
     EXPECT_NEAR(changed.exposure_ev, st.exposure_ev - stops, 0.011);
     EXPECT_NEAR(*changed.skin_mean / *st.skin_mean, 1, 0.01);
@@ -76,8 +76,8 @@ TEST(ChosenExposure, IsOfTheLightAlone) {
 TEST(ChosenExposure, WithoutLitSkinIsNone) {
   testing::internal::CaptureStderr();
   RenderSettings s = chosen();
-  s.placed_lights.clear();
-  s.lights = 0, s.ambient = 0;
+  s.lighting.placed_lights.clear();
+  s.lighting.rig_lights = 0, s.lighting.ambient = 0;
   const Statistics dark = picture_of(s).statistics;
   EXPECT_EQ(dark.exposure_ev, 0);
   EXPECT_FALSE(dark.skin_mean.has_value());
@@ -91,11 +91,11 @@ TEST(ChosenExposure, FollowsTheSettingsOfAPreparedFrame) {
   RenderSettings s = chosen();
   PreparedFrame frame = renderer().prepare(head(), s);
   const double ev = frame.picture().statistics.exposure_ev;
-  s.exposure_ev = 1.5;
+  s.output.exposure_ev = 1.5;
   frame.set(s);
   EXPECT_EQ(frame.picture().statistics.exposure_ev, 1.5);
-  s.exposure_ev.reset();
-  s.placed_lights[0].irradiance *= 4, s.ambient *= 4;
+  s.output.exposure_ev.reset();
+  s.lighting.placed_lights[0].irradiance *= 4, s.lighting.ambient *= 4;
   frame.set(s);
   EXPECT_NEAR(frame.picture().statistics.exposure_ev, ev - 2, 0.011);
 }

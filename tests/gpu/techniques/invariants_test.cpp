@@ -19,8 +19,8 @@ INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechnique, testing::ValuesIn(technique
 
 TEST_P(EveryTechnique, NoLightIsBlack) {
   RenderSettings s = small_settings(GetParam());
-  s.lights = 0;
-  s.ambient = 0;
+  s.lighting.rig_lights = 0;
+  s.lighting.ambient = 0;
   const Picture picture = renderer().render(sphere(head_radius_m), s);
   ASSERT_EQ(picture.linear_rgba.size(), 4u * 128 * 128);
   EXPECT_GT(skin_range(picture).pixels, 5000u);
@@ -80,19 +80,19 @@ TEST_P(EveryTechnique, ThePictureDoesNotDependOnTheNumberOfFrames) {
   RenderSettings s = small_settings(GetParam());
   const Scene head = sphere(head_radius_m);
   const Picture first = renderer().render(head, s);
-  s.frames = 3;
+  s.output.frames = 3;
   expect_equal_bits(first, renderer().render(head, s));
 }
 
 TEST_P(EveryTechnique, HalvingTheMapKeepsTheMeanColour) {
   RenderSettings s = small_settings(GetParam());
-  s.bloom = 0;
+  s.output.bloom = 0;
   for (const char* name : {"sphere", "built-in head"}) {
     SCOPED_TRACE(name);
     const Scene head = subject(name).open();
-    s.map_size = 512;
+    s.quality.map_size = 512;
     const SkinRange fine = skin_range(renderer().render(head, s));
-    s.map_size = 256;
+    s.quality.map_size = 256;
     const SkinRange coarse = skin_range(renderer().render(head, s));
     EXPECT_EQ(fine.pixels, coarse.pixels);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -107,8 +107,8 @@ TEST_P(EveryTechnique, HalvingTheMapKeepsTheMeanColour) {
 TEST_P(EveryTechnique, ScatteringKeepsTheLight) {
   const auto render = [](const std::string& technique) {
     RenderSettings s = small_settings(technique);
-    s.ambient = 0;
-    s.bloom = 0;
+    s.lighting.ambient = 0;
+    s.output.bloom = 0;
     return sum(renderer().render(sphere_lit_from_the_camera(head_radius_m), s));
   };
   const std::array<double, 3> without = render("lambert"), with = render(GetParam());
@@ -122,7 +122,7 @@ TEST_P(EveryTechnique, ValidationIsSilent) {
   Renderer* const validated = validated_renderer();
   if (!validated) GTEST_SKIP() << "the validation layers are not installed";
   RenderSettings s = small_settings(GetParam());
-  s.heads = 2;
+  s.camera.heads = 2;
   validated->render(subject("built-in head").open(), s);
   if (const Subject& other = subject("MakeHuman"); other.missing.empty())
     validated->render(other.open(), small_settings(GetParam()));

@@ -61,9 +61,9 @@ std::size_t different_pixels(const Picture& a, const Picture& b, double toleranc
 
 RenderSettings tiny_settings() {
   RenderSettings s = small_settings("texture-space");
-  s.width = s.height = 96;
-  s.map_size = 64;
-  s.bloom = 0;
+  s.output.width = s.output.height = 96;
+  s.quality.map_size = 64;
+  s.output.bloom = 0;
   return s;
 }
 
@@ -116,10 +116,10 @@ void expect_alike(const Picture& a, const Picture& b) {
 
 TEST(Nodes, SkinOfManyNodesIsDrawnInBatchesUnderTheBudget) {
   RenderSettings s = tiny_settings();
-  s.width = s.height = 64;
-  s.map_size = 32;
-  s.translucency = false;
-  s.map_budget_mb = 0.8;  // eight squares
+  s.output.width = s.output.height = 64;
+  s.quality.map_size = 32;
+  s.skin.translucency = false;
+  s.quality.map_budget_mb = 0.8;  // eight squares
   const Statistics st = renderer().render(wrap(skin_balls(65)), s).statistics;
   EXPECT_GT(st.skin_pixels, 500u);
   EXPECT_EQ(st.unshaded_reads, 0u);
@@ -127,7 +127,7 @@ TEST(Nodes, SkinOfManyNodesIsDrawnInBatchesUnderTheBudget) {
   const auto images = [&](int nodes, double budget_mb) {
     Renderer fresh;
     RenderSettings other = s;
-    other.map_budget_mb = budget_mb;
+    other.quality.map_budget_mb = budget_mb;
     return fresh.render(wrap(skin_balls(nodes)), other).statistics.image_bytes;
   };
   EXPECT_LT(images(10, 0.8), images(10, 8));
@@ -142,8 +142,8 @@ std::size_t heap_bytes() {
 // shaders/switches.glsl. Materials without maps leave it the most to compile for.
 TEST(Nodes, FramesAndNodesLeaveNothingBehind) {
   RenderSettings s = tiny_settings();
-  s.width = s.height = 48;
-  s.map_size = 32;
+  s.output.width = s.output.height = 48;
+  s.quality.map_size = 32;
   PreparedFrame frame = renderer().prepare(wrap(skin_balls(8)), s);
   frame.draw();
   frame.draw();
@@ -155,11 +155,11 @@ TEST(Nodes, FramesAndNodesLeaveNothingBehind) {
 
 TEST(Nodes, HeadsOfManySkinNodesKeepTheirPlaces) {
   RenderSettings s = tiny_settings();
-  s.heads = 2;
+  s.camera.heads = 2;
   const Scene scene = wrap(skin_balls(3));
-  s.map_budget_mb = 0.8;  // two squares: fewer than a head has
+  s.quality.map_budget_mb = 0.8;  // two squares: fewer than a head has
   const Picture some = renderer().render(scene, s);
-  s.map_budget_mb = 24;
+  s.quality.map_budget_mb = 24;
   expect_alike(some, renderer().render(scene, s));
 }
 

@@ -6,6 +6,7 @@
 #include "gpu/techniques/support.h"
 #include "scene/coverage.h"
 #include "scene/framing.h"
+#include "settings/names.h"
 
 namespace dermis::tests {
 namespace {
@@ -14,8 +15,8 @@ constexpr int side = 512;
 
 RenderSettings settings_with(bool cull, bool depth, bool clip) {
   RenderSettings s = small_settings("texture-space");
-  s.map_size = side;
-  s.cull = cull, s.depth = depth, s.clip = clip;
+  s.quality.map_size = side;
+  s.quality.cull = cull, s.quality.depth = depth, s.quality.clip = clip;
   return s;
 }
 
@@ -70,7 +71,7 @@ class OnTheScan : public testing::Test {
 
 TEST_F(OnTheScan, CullLeavesWhatTheRuleLeaves) {
   RenderSettings s = settings_with(true, false, false);
-  s.orbit_deg = {0.001, 0};  // the framing camera instead of the scene's
+  s.camera.orbit_deg = {0.001, 0};  // the framing camera instead of the scene's
   const glm::dvec3 eye(scene::framing_camera(sphere, 1, 0.001, 0).world_from_camera[3]);
   const std::size_t expected =
       count_texels(*mesh, [&](std::size_t t, const glm::dvec3&) { return !culled(*mesh, t, eye); });
@@ -85,9 +86,9 @@ TEST_F(OnTheScan, CullLeavesWhatTheRuleLeaves) {
 TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
   for (const double margin_mm : {0.0, 8.0}) {
     RenderSettings s = settings_with(false, false, true);
-    s.width = 192;
-    s.distance = 2.5;
-    s.clip_margin_mm = margin_mm;
+    s.output.width = 192;
+    s.camera.distance = 2.5;
+    s.quality.clip_margin_mm = margin_mm;
 
     const glm::dmat4 camera_from_world =
         glm::inverse(glm::dmat4(scene::distance_camera(sphere, 2.5, 20).world_from_camera));
@@ -122,7 +123,7 @@ TEST_F(OnTheScan, DepthTakesTheMapThatTheNearestPointNeeds) {
   PreparedFrame frame = renderer().prepare(*scan, settings_with(false, true, false));
   for (const double distance : {2.5, 5.0, 10.0, 20.0, 50.0, 100.0}) {
     RenderSettings s = settings_with(false, true, false);
-    s.distance = distance;
+    s.camera.distance = distance;
     frame.set(s);
     const Statistics st = frame.picture().statistics;
 
@@ -145,13 +146,13 @@ TEST_F(OnTheScan, DepthTakesTheMapThatTheNearestPointNeeds) {
 
 TEST_F(OnTheScan, AllMasksMakeTheSamePicture) {
   RenderSettings s = settings_with(true, true, true);
-  s.orbit_deg = {50, 10};
+  s.camera.orbit_deg = {50, 10};
   std::vector<Picture> pictures;
-  for (const char* mask : {"alpha", "depth", "tiles"}) {
-    s.mask = mask;
+  for (const BlurMask mask : {BlurMask::alpha, BlurMask::depth, BlurMask::tiles}) {
+    s.quality.mask = mask;
     pictures.push_back(renderer().render(*scan, s));
-    EXPECT_EQ(pictures.back().statistics.mask, mask);
-    EXPECT_EQ(pictures.back().linear_rgba, pictures.front().linear_rgba) << mask;
+    EXPECT_EQ(pictures.back().statistics.mask, name_of(mask));
+    EXPECT_EQ(pictures.back().linear_rgba, pictures.front().linear_rgba) << name_of(mask);
     EXPECT_EQ(pictures.back().statistics.irradiance_texels, pictures.front().statistics.irradiance_texels);
   }
   // What is not seen is not even launched, but for the alpha test.

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "gpu/techniques/support.h"
+#include "settings/names.h"
 
 namespace dermis::tests {
 namespace {
@@ -23,12 +24,12 @@ class Progressive : public testing::Test {
       "weights": [[0.2, 0.3, 0.4], [0.2, 0.2, 0.2], [0.2, 0.2, 0.1],
         [0.1, 0.1, 0.1], [0.1, 0.1, 0.1], [0.2, 0.1, 0.1]]})";
     full = small_settings("texture-space");
-    full.width = 192, full.height = 240;
-    full.map_size = 512;
-    full.profile = path;
-    full.cull = full.depth = full.clip = false;
+    full.output.width = 192, full.output.height = 240;
+    full.quality.map_size = 512;
+    full.skin.profile = path;
+    full.quality.cull = full.quality.depth = full.quality.clip = false;
     progressive = full;
-    progressive.maps = "progressive";
+    progressive.quality.maps = LightMaps::progressive;
   }
   const Scene* scan = nullptr;
   RenderSettings full, progressive;
@@ -66,9 +67,9 @@ TEST_F(Progressive, TheSamePictureFromLessWork) {
 
 TEST_F(Progressive, WhiteStaysWhite) {
   RenderSettings s = furnace_settings("texture-space", false);
-  s.profile = full.profile, s.map_size = 512, s.maps = "progressive";
+  s.skin.profile = full.skin.profile, s.quality.map_size = 512, s.quality.maps = LightMaps::progressive;
   for (const double distance : {3.0, 12.0}) {
-    s.distance = distance;
+    s.camera.distance = distance;
     const SkinRange skin = skin_range(renderer().render(*scan, s));
     EXPECT_GT(skin.pixels, 100u);
     EXPECT_GE(skin.low, 0.995) << distance;
@@ -79,9 +80,9 @@ TEST_F(Progressive, WhiteStaysWhite) {
 TEST_F(Progressive, OptimisedItReadsNothingUnlit) {
   for (const std::array<double, 2> orbit : {std::array<double, 2>{0, 0}, {90, 10}, {200, -30}}) {
     RenderSettings s = progressive;
-    s.orbit_deg = orbit;
+    s.camera.orbit_deg = orbit;
     const Picture all = renderer().render(*scan, s);
-    s.cull = s.depth = s.clip = true;
+    s.quality.cull = s.quality.depth = s.quality.clip = true;
     const Picture optimised = renderer().render(*scan, s);
     EXPECT_EQ(optimised.statistics.unshaded_reads, 0u);
     EXPECT_LT(optimised.statistics.launched, all.statistics.launched);
@@ -91,27 +92,27 @@ TEST_F(Progressive, OptimisedItReadsNothingUnlit) {
 }
 
 TEST_F(Progressive, AllMasksMakeTheSamePicture) {
-  progressive.cull = progressive.clip = true;
-  progressive.orbit_deg = {40, 0};
-  progressive.mask = "tiles";
+  progressive.quality.cull = progressive.quality.clip = true;
+  progressive.camera.orbit_deg = {40, 0};
+  progressive.quality.mask = BlurMask::tiles;
   const Picture tiles = renderer().render(*scan, progressive);
-  for (const char* mask : {"alpha", "depth"}) {
-    progressive.mask = mask;
-    EXPECT_EQ(renderer().render(*scan, progressive).linear_rgba, tiles.linear_rgba) << mask;
+  for (const BlurMask mask : {BlurMask::alpha, BlurMask::depth}) {
+    progressive.quality.mask = mask;
+    EXPECT_EQ(renderer().render(*scan, progressive).linear_rgba, tiles.linear_rgba) << name_of(mask);
   }
 }
 
 // The maps of a far head halve less often than a near head's.
 TEST_F(Progressive, AFarHeadKeepsItsPicture) {
-  full.depth = progressive.depth = true;
-  full.distance = progressive.distance = 12;
+  full.quality.depth = progressive.quality.depth = true;
+  full.camera.distance = progressive.camera.distance = 12;
   const Difference d = difference(renderer().render(*scan, full), renderer().render(*scan, progressive));
   EXPECT_LE(d.largest, 14);
   EXPECT_LT(d.mean, 0.15);
 }
 
 TEST_F(Progressive, AnUnknownKindIsRefused) {
-  progressive.maps = "pyramid";
+  progressive.quality.maps = static_cast<LightMaps>(names_of<LightMaps>.size());
   EXPECT_THROW(renderer().render(*scan, progressive), InputError);
 }
 

@@ -6,6 +6,7 @@
 
 #include "gpu/techniques/support.h"
 #include "scene/primitives.h"
+#include "settings/names.h"
 
 namespace dermis::tests {
 namespace {
@@ -57,8 +58,8 @@ void expect_nothing_stale(const Scene& scene, RenderSettings s) {
   PreparedFrame clean = renderer().prepare(scene, s), stale = poisoned_renderer().prepare(scene, s);
   for (const auto& [distance, heads] : {std::pair(2.0, 1), {6.0, 1}, {3.0, 3}}) {
     SCOPED_TRACE(std::to_string(heads) + " heads from " + std::to_string(distance));
-    s.distance = distance;
-    s.heads = heads;
+    s.camera.distance = distance;
+    s.camera.heads = heads;
     clean.set(s), stale.set(s);
     expect_equal_bits(clean.picture(), stale.picture());
   }
@@ -66,8 +67,8 @@ void expect_nothing_stale(const Scene& scene, RenderSettings s) {
 
 RenderSettings stale_settings(const std::string& technique) {
   RenderSettings s = small_settings(technique);
-  s.width = s.height = 40;
-  s.map_size = s.shadow_size = 64;
+  s.output.width = s.output.height = 40;
+  s.quality.map_size = s.quality.shadow_size = 64;
   return s;
 }
 
@@ -88,12 +89,12 @@ TEST_P(Stale, TexelsShowInNoPicture) {
 TEST(StaleTexels, ShowWhateverIsLeftOut) {
   const Scene whole = wrap(plane_and_ball()), holes = wrap(with_holes());
   for (int set = 0; set < 8; ++set)
-    for (const char* mask : {"alpha", "depth", "tiles"}) {
+    for (const BlurMask mask : {BlurMask::alpha, BlurMask::depth, BlurMask::tiles}) {
       RenderSettings s = stale_settings("texture-space");
-      s.cull = (set & 1) != 0, s.depth = (set & 2) != 0, s.clip = (set & 4) != 0;
-      s.mask = mask;
-      SCOPED_TRACE(std::string(mask) + (s.cull ? " cull" : "") + (s.depth ? " depth" : "") +
-                   (s.clip ? " clip" : ""));
+      s.quality.cull = (set & 1) != 0, s.quality.depth = (set & 2) != 0, s.quality.clip = (set & 4) != 0;
+      s.quality.mask = mask;
+      SCOPED_TRACE(std::string(name_of(mask)) + (s.quality.cull ? " cull" : "") +
+                   (s.quality.depth ? " depth" : "") + (s.quality.clip ? " clip" : ""));
       expect_nothing_stale(set % 2 == 0 ? whole : holes, s);
     }
 }
@@ -102,14 +103,14 @@ TEST(StaleTexels, ShowWhateverIsLeftOut) {
 TEST(StaleTexels, ShowInNoOtherKindOfMap) {
   const Scene whole = wrap(plane_and_ball());
   RenderSettings s = stale_settings("texture-space");
-  s.maps = "progressive";
-  s.map_size = 256;
+  s.quality.maps = LightMaps::progressive;
+  s.quality.map_size = 256;
   {
     SCOPED_TRACE("progressive");
     expect_nothing_stale(whole, s);
   }
   s = stale_settings("texture-space");
-  s.translucency = false;
+  s.skin.translucency = false;
   SCOPED_TRACE("opaque");
   expect_nothing_stale(whole, s);
 }

@@ -11,10 +11,10 @@ namespace {
 
 Statistics statistics_of(const std::string& technique, int map_size = 256, int heads = 1, int frames = 1) {
   RenderSettings s = small_settings(technique);
-  s.map_size = map_size;
-  s.heads = heads;
-  s.frames = frames;
-  s.cull = s.depth = s.clip = false;
+  s.quality.map_size = map_size;
+  s.camera.heads = heads;
+  s.output.frames = frames;
+  s.quality.cull = s.quality.depth = s.quality.clip = false;
   return renderer().render(sphere(0.1), s).statistics;
 }
 
@@ -123,7 +123,7 @@ TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
 
 TEST(FrameStatistics, DistanceIsReportedWhenUsed) {
   RenderSettings s = small_settings("lambert");
-  s.distance = 5;
+  s.camera.distance = 5;
   EXPECT_EQ(nlohmann::json::parse(renderer().render(sphere(0.1), s).statistics.json()).at("distance"), 5.0);
 }
 

@@ -69,18 +69,18 @@ Renderer* validated_renderer() {
 RenderSettings small_settings(const std::string& technique) {
   RenderSettings s;
   s.technique = technique;
-  s.width = s.height = 128;
-  s.map_size = s.shadow_size = 256;
+  s.output.width = s.output.height = 128;
+  s.quality.map_size = s.quality.shadow_size = 256;
   return s;
 }
 
 RenderSettings furnace_settings(const std::string& technique, bool specular) {
   RenderSettings s = small_settings(technique);
-  s.ambient = 1;
-  s.lights = 0;
-  s.white_albedo = true;
-  s.specular = specular;
-  s.bloom = 0;
+  s.lighting.ambient = 1;
+  s.lighting.rig_lights = 0;
+  s.lighting.white_albedo = true;
+  s.lighting.specular = specular;
+  s.output.bloom = 0;
   return s;
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr int super = 3;  // samples per pixel, along each axis
 
 RenderSettings without(RenderSettings s) {
-  s.cull = s.depth = s.clip = false;
+  s.quality.cull = s.quality.depth = s.quality.clip = false;
   return s;
 }
 
@@ -27,10 +27,10 @@ Scene scan() { return subject("scan").open(); }
 
 // The mean of super x super samples per pixel; light maps as for the picture at its own size.
 image::ImageF super_sampled(PreparedFrame& frame, RenderSettings s, double d_ref) {
-  s.width *= super, s.height *= super;
-  s.samples = 1;
-  s.bloom = 0;
-  s.d_ref = d_ref;
+  s.output.width *= super, s.output.height *= super;
+  s.quality.samples = 1;
+  s.output.bloom = 0;
+  s.quality.d_ref = d_ref;
   frame.set(s);
   Picture fine = frame.picture();
   return image::downsample_box(
@@ -51,9 +51,8 @@ void expect_same_picture(PreparedFrame& optimised, PreparedFrame& baseline, cons
   optimised.set(s);
   const Statistics st = optimised.picture().statistics;
   EXPECT_EQ(st.unshaded_reads, 0u);
-  const auto d =
-      image::compare_exposed(super_sampled(baseline, without(s), st.d_ref),
-                             super_sampled(optimised, s, st.d_ref), image::find_tone_map(s.tone_map));
+  const auto d = image::compare_exposed(super_sampled(baseline, without(s), st.d_ref),
+                                        super_sampled(optimised, s, st.d_ref), s.output.tone_map);
   ASSERT_TRUE(d.has_value()) << "no skin";
   EXPECT_GE(d->psnr_db, 40);
   EXPECT_LE(d->flip_mean, 0.02);
@@ -64,8 +63,8 @@ void expect_same_picture(PreparedFrame& optimised, PreparedFrame& baseline, cons
 
 RenderSettings small_view() {
   RenderSettings s = small_settings("texture-space");
-  s.width = 144, s.height = 90;
-  s.map_size = 512, s.shadow_size = 512;
+  s.output.width = 144, s.output.height = 90;
+  s.quality.map_size = 512, s.quality.shadow_size = 512;
   return s;
 }
 
@@ -75,9 +74,10 @@ TEST_F(Views, FromAllSides) {
   const double elevations[] = {0, 30, -20};
   for (int k = 0; k < 12; ++k) {
     RenderSettings s = small_view();
-    s.orbit_deg = {30.0 * k + 1, elevations[k % 3]};
-    expect_same_picture(optimised, baseline, s,
-                        fmt::format("azimuth {}, elevation {}", s.orbit_deg[0], s.orbit_deg[1]));
+    s.camera.orbit_deg = {30.0 * k + 1, elevations[k % 3]};
+    expect_same_picture(
+        optimised, baseline, s,
+        fmt::format("azimuth {}, elevation {}", s.camera.orbit_deg[0], s.camera.orbit_deg[1]));
   }
 }
 
@@ -86,8 +86,8 @@ TEST_F(Views, NearAndFarAndInARow) {
                 baseline = renderer().prepare(scan(), without(small_view()));
   for (const auto& [distance, heads] : {std::pair(2.5, 1), {5.0, 1}, {5.0, 4}, {20.0, 1}, {50.0, 6}}) {
     RenderSettings s = small_view();
-    s.distance = distance;
-    s.heads = heads;
+    s.camera.distance = distance;
+    s.camera.heads = heads;
     expect_same_picture(optimised, baseline, s, fmt::format("{} heads at {} radii", heads, distance));
   }
 }
@@ -95,11 +95,11 @@ TEST_F(Views, NearAndFarAndInARow) {
 // Maps change their size on the way: that must not show as jumps.
 TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
   RenderSettings s = small_view();
-  s.width = 320;
-  s.height = 200;
-  s.map_size = 352;  // texels per pixel about as in the paper's test
-  s.shadow_size = 512;
-  s.bloom = 0;
+  s.output.width = 320;
+  s.output.height = 200;
+  s.quality.map_size = 352;  // texels per pixel about as in the paper's test
+  s.quality.shadow_size = 512;
+  s.output.bloom = 0;
   PreparedFrame optimised = renderer().prepare(scan(), s), baseline = renderer().prepare(scan(), without(s));
 
   // Of 200 steps from 2.5 to 100 radii those in which maps shrink to a third.
@@ -109,7 +109,7 @@ TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
   std::vector<float> last_alpha;
   double worst = 0;
   for (int i = 0; i < steps; ++i) {
-    s.distance = 5 * std::pow(step, i);
+    s.camera.distance = 5 * std::pow(step, i);
     baseline.set(without(s));
     optimised.set(s);
     const Picture a = baseline.picture(), b = optimised.picture();
@@ -123,7 +123,7 @@ TEST_F(Views, ADollyIsAsSteadyAsTheBaseline) {
         ++values;
       }
       EXPECT_LE(change[1], 2 * change[0])
-          << "from " << *s.distance << " radii on, over " << values << " values";
+          << "from " << *s.camera.distance << " radii on, over " << values << " values";
       worst = std::max(worst, change[1] / change[0]);
     }
 
@@ -157,11 +157,11 @@ TEST(CoarseHeads, EveryReadFindsLight) {
       GTEST_SKIP() << file.filename() << " is not there; set DERMIS_ASSET_CACHE to the folder that holds it";
 
     RenderSettings s;
-    s.width = 192;
-    s.height = 120;
-    s.map_size = s.shadow_size = 512;
-    s.lights = 2;
-    s.orbit_deg = orbit_deg;
+    s.output.width = 192;
+    s.output.height = 120;
+    s.quality.map_size = s.quality.shadow_size = 512;
+    s.lighting.rig_lights = 2;
+    s.camera.orbit_deg = orbit_deg;
     EXPECT_EQ(renderer().render(Scene::load(file), s).statistics.unshaded_reads, 0u)
         << name << " " << orbit_deg[0] << " " << orbit_deg[1];
   }
@@ -171,8 +171,8 @@ TEST(CoarseHeads, EveryReadFindsLight) {
 TEST(Memory, DoesNotGrowWithTheNumberOfHeads) {
   const auto images = [](int heads) {
     RenderSettings s = small_settings("texture-space");
-    s.heads = heads;
-    s.distance = 20;
+    s.camera.heads = heads;
+    s.camera.distance = 20;
     Renderer fresh;
     const Statistics st = fresh.render(sphere(0.1), s).statistics;
     return std::pair(st.image_bytes, st.peak_bytes);
@@ -184,15 +184,15 @@ TEST(Memory, DoesNotGrowWithTheNumberOfHeads) {
 
 TEST(Memory, ABudgetSetsHowManyHeadsGoTogether) {
   RenderSettings s = small_settings("texture-space");
-  s.heads = 5;
-  s.distance = 20;
+  s.camera.heads = 5;
+  s.camera.distance = 20;
   const Picture four = renderer().render(sphere(0.1), s);
-  s.map_budget_mb = 6;  // one head at 256 takes 5.5 MB
+  s.quality.map_budget_mb = 6;  // one head at 256 takes 5.5 MB
   const Picture single = renderer().render(sphere(0.1), s);
   EXPECT_LT(single.statistics.image_bytes, four.statistics.image_bytes);
   EXPECT_EQ(single.linear_rgba, four.linear_rgba);
   EXPECT_GT(single.statistics.passes.size(), four.statistics.passes.size());
-  s.map_budget_mb = 1;
+  s.quality.map_budget_mb = 1;
   EXPECT_THROW(renderer().render(sphere(0.1), s), InputError);
 }
 

@@ -36,18 +36,18 @@ constexpr int side = 128;
 
 RenderSettings ear_settings() {
   RenderSettings s;
-  s.width = s.height = side;
-  s.map_size = 1024;
-  s.shadow_size = 2048;  // 0.3 mm per texel: the scan has shoulders
-  s.camera = "ear";
-  s.bloom = 0;
+  s.output.width = s.output.height = side;
+  s.quality.map_size = 1024;
+  s.quality.shadow_size = 2048;  // 0.3 mm per texel: the scan has shoulders
+  s.camera.name = "ear";
+  s.output.bloom = 0;
   return s;
 }
 
 image::Image8 shown(const Picture& picture) {
   return image::to_display(
       {.width = picture.width, .height = picture.height, .channels = 4, .values = picture.linear_rgba},
-      image::ToneMap::filmic);
+      ToneMap::filmic);
 }
 
 // The front of the ear: a polygon inside its outline.
@@ -75,7 +75,7 @@ TEST_F(Ear, GlowsAsTheReferenceDoes) {
   RenderSettings s = ear_settings();
   const Picture truth = render_reference(*scan, s, {.samples = 256}).picture;
   const Picture on = renderer().render(*scan, s);
-  s.translucency = false;
+  s.skin.translucency = false;
   const Picture off = renderer().render(*scan, s);
 
   const std::vector<std::uint8_t> region = ear_region();
@@ -101,10 +101,10 @@ TEST_F(Ear, GlowsAsTheReferenceDoes) {
 
 TEST_F(Ear, EveryLitPointIsThere) {
   RenderSettings s = ear_settings();
-  s.lights = 4;
+  s.lighting.rig_lights = 4;
   for (const double azimuth : {1.0, 60.0, 120.0, 180.0, 240.0}) {
-    s.camera.clear();
-    s.orbit_deg = {azimuth, 10};
+    s.camera.name.clear();
+    s.camera.orbit_deg = {azimuth, 10};
     const Statistics st = renderer().render(*scan, s).statistics;
     EXPECT_EQ(st.transmission_misses, 0u) << azimuth;
     EXPECT_EQ(st.unshaded_reads, 0u) << azimuth;
@@ -116,13 +116,14 @@ TEST_F(Ear, EveryLitPointIsThere) {
 TEST_F(Ear, TheOptimisationsAreNotMissed) {
   for (const double azimuth : {0.0, 330.0}) {  // 0: the scene's camera
     RenderSettings s = ear_settings();
-    if (azimuth != 0) s.camera.clear(), s.orbit_deg = {azimuth, 0};
-    s.width = s.height = 4 * side;
-    s.samples = 1;
+    if (azimuth != 0) s.camera.name.clear(), s.camera.orbit_deg = {azimuth, 0};
+    s.output.width = s.output.height = 4 * side;
+    s.quality.samples = 1;
     const Picture optimised = renderer().render(*scan, s);
-    s.cull = s.depth = s.clip = false;
+    s.quality.cull = s.quality.depth = s.quality.clip = false;
     const Picture whole = renderer().render(*scan, s);
-    std::vector<std::uint8_t> skin(static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height));
+    std::vector<std::uint8_t> skin(static_cast<std::size_t>(s.output.width) *
+                                   static_cast<std::size_t>(s.output.height));
     for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = whole.linear_rgba[4 * i + 3] > 0;
     const double psnr = image::psnr_db(shown(whole), shown(optimised), skin),
                  flip = image::mean_flip(shown(whole), shown(optimised), skin);
@@ -143,10 +144,10 @@ bool draws(const Picture& picture, const std::string& pass) {
 // texel by texel. A share that is hardly above none draws that map, and the same picture.
 TEST_F(Ear, WhereAllLightEntersNoMapSaysSo) {
   RenderSettings s = ear_settings();
-  s.map_size = 512;
-  s.mix = 0;
+  s.quality.map_size = 512;
+  s.skin.mix = 0;
   const Picture without_map = renderer().render(*scan, s);
-  s.mix = 1e-7;
+  s.skin.mix = 1e-7;
   const Picture with_map = renderer().render(*scan, s);
 
   EXPECT_FALSE(draws(without_map, "entering"));

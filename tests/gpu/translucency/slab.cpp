@@ -68,13 +68,13 @@ scene::Light point_behind(const glm::vec3& intensity) {
 
 RenderSettings slab_settings() {
   RenderSettings s;
-  s.width = s.height = 8;
-  s.samples = 1;
-  s.map_size = s.shadow_size = 512;
-  s.ambient = 0;
-  s.bloom = 0;
-  s.specular = false;
-  s.white_albedo = true;
+  s.output.width = s.output.height = 8;
+  s.quality.samples = 1;
+  s.quality.map_size = s.quality.shadow_size = 512;
+  s.lighting.ambient = 0;
+  s.output.bloom = 0;
+  s.lighting.specular = false;
+  s.lighting.white_albedo = true;
   return s;
 }
 

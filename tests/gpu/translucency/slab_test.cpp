@@ -115,11 +115,11 @@ TEST(Slab, LightsAddUp) {
 
 TEST(Slab, SwitchedOffItIsDark) {
   RenderSettings s = slab_settings();
-  s.translucency = false;
+  s.skin.translucency = false;
   const Picture off = renderer().render(lit_slab(0.5, lit(4, 0.5).lights), s);
   EXPECT_FALSE(off.statistics.translucency);
   for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(middle(off)[c], 0);
-  s.translucency = true;
+  s.skin.translucency = true;
   EXPECT_TRUE(renderer().render(lit_slab(0.5, lit(1, 0.5).lights), s).statistics.translucency);
   s.technique = "lambert";
   const Picture lambert = renderer().render(lit_slab(0.5, lit(1, 0.5).lights), s);
@@ -145,8 +145,8 @@ TEST(Slab, TheColourOfTheLitSideActs) {
   scene::Scene scene = slab(1);
   scene.lights = {from_behind({2, 2, 2})};
   RenderSettings s = slab_settings();
-  s.white_albedo = false;
-  s.mix = 1;
+  s.lighting.white_albedo = false;
+  s.skin.mix = 1;
   const auto white = middle(renderer().render(wrap(scene), s));
   // The back's vertices stand behind those of the front.
   auto& vertices = scene.primitives.front().vertices;
@@ -181,8 +181,8 @@ TEST(Slab, AnyNumberOfTerms) {
     std::fclose(file);
 
     RenderSettings s = slab_settings();
-    s.profile = path.string();
-    s.normalise_profile = true;
+    s.skin.profile = path.string();
+    s.skin.normalise_profile = true;
     const auto seen = middle(renderer().render(lit_slab(0.5, {from_behind({2, 2, 2})}), s));
     EXPECT_NEAR(seen[0] * pi / 2, wanted, 0.02 * wanted) << terms << " terms";
     std::filesystem::remove(path);

@@ -47,8 +47,9 @@ class Truth {
   Truth(Scene scene, const RenderSettings& settings, int samples)
       : scene_(std::move(scene)), settings_(settings) {
     const ReferencePicture picture = render_reference(scene_, settings_, {.samples = samples});
-    reference_ = three_channels(picture.picture.linear_rgba, settings_.width, settings_.height, 1);
-    variance_ = three_channels(picture.variance_rgba, settings_.width, settings_.height, 1);
+    reference_ =
+        three_channels(picture.picture.linear_rgba, settings_.output.width, settings_.output.height, 1);
+    variance_ = three_channels(picture.variance_rgba, settings_.output.width, settings_.output.height, 1);
     regions_ = picture_regions(scene_, settings_);
     std::printf("reference: %d samples per pixel, noise %.2f %%\n", picture.samples, picture.noise_percent);
   }
@@ -59,16 +60,17 @@ class Truth {
     static Renderer renderer;
     RenderSettings s = settings_;
     s.technique = technique;
-    s.cull = s.depth = s.clip = optimised;
-    s.width *= fine, s.height *= fine;
-    s.samples = 1;
-    return three_channels(renderer.render(scene_, s).linear_rgba, settings_.width, settings_.height, fine);
+    s.quality.cull = s.quality.depth = s.quality.clip = optimised;
+    s.output.width *= fine, s.output.height *= fine;
+    s.quality.samples = 1;
+    return three_channels(renderer.render(scene_, s).linear_rgba, settings_.output.width,
+                          settings_.output.height, fine);
   }
 
   /// FLIP of what a display shows, mean over skin.
   double shown_flip(const std::string& technique) const {
     const auto shown = [](const image::ImageF& linear) {
-      return image::to_display(linear, image::ToneMap::natural);
+      return image::to_display(linear, ToneMap::natural);
     };
     const image::ImageF map = image::flip_map(shown(reference_), shown(rendered(technique, true)));
     const double flip = image::summarise_flip(map, regions_.front().mask).mean;
@@ -109,11 +111,11 @@ class Truth {
 // One lamp from the side. Shadow maps are fine: their filter must not be what is measured.
 RenderSettings small(int width, int height) {
   RenderSettings s;
-  s.width = width, s.height = height;
-  s.map_size = 1024;
-  s.shadow_size = 8192;
-  s.bloom = 0;
-  s.placed_lights = {{.azimuth_deg = 90, .elevation_deg = 10}};
+  s.output.width = width, s.output.height = height;
+  s.quality.map_size = 1024;
+  s.quality.shadow_size = 8192;
+  s.output.bloom = 0;
+  s.lighting.placed_lights = {{.azimuth_deg = 90, .elevation_deg = 10}};
   return s;
 }
 
@@ -149,9 +151,9 @@ TEST(Truth, TheBuiltInHeadDoesNotDriftAway) {
 // measured.
 TEST(Truth, TheBuiltInHeadInAStudio) {
   RenderSettings s = small(96, 96);
-  s.placed_lights.clear();
-  s.lights = 0;
-  s.environment = "studio";
+  s.lighting.placed_lights.clear();
+  s.lighting.rig_lights = 0;
+  s.lighting.environment = "studio";
   const Truth truth(built_in_head(), s, 128);
   auto scattered = truth.errors("texture-space", true);
   EXPECT_LT(scattered["skin"].flip, 0.07);
@@ -188,11 +190,11 @@ std::string sky_with_sun(int pixels, double azimuth_deg, double elevation_deg, b
 // ring: black and blue blotches.
 TEST(Truth, ASunIsNoWorseThanAStudio) {
   RenderSettings s = small(40, 40);
-  s.map_size = 512;
-  s.shadow_size = 2048;
-  s.placed_lights.clear();
-  s.lights = 0;
-  s.environment = "studio";
+  s.quality.map_size = 512;
+  s.quality.shadow_size = 2048;
+  s.lighting.placed_lights.clear();
+  s.lighting.rig_lights = 0;
+  s.lighting.environment = "studio";
   const Scene& head = built_in_head();
   const double studio = Truth(head, s, 64).shown_flip("texture-space");
 
@@ -203,9 +205,9 @@ TEST(Truth, ASunIsNoWorseThanAStudio) {
   } cells[] = {{1, 90, 35, false}, {4, 180, 10, false}, {16, 45, 65, false}, {4, -120, 35, true}};
   for (const auto& cell : cells) {
     SCOPED_TRACE(testing::Message() << cell.pixels << " pixels at " << cell.azimuth_deg << " degrees");
-    s.environment = sky_with_sun(cell.pixels, cell.azimuth_deg, cell.elevation_deg, cell.window);
+    s.lighting.environment = sky_with_sun(cell.pixels, cell.azimuth_deg, cell.elevation_deg, cell.window);
     // A pixel of the sun brings an irradiance of some 14, the sky of 1: white shows as white.
-    s.exposure_ev = -std::log2((14 * cell.pixels + 1) / 3.14);
+    s.output.exposure_ev = -std::log2((14 * cell.pixels + 1) / 3.14);
     EXPECT_LT(Truth(head, s, 64).shown_flip("texture-space"), studio);
   }
 }
@@ -240,22 +242,22 @@ Scene knife_edge() {
 // each column of a quarter of a millimetre, where the narrowest Gaussians are smaller than a texel (17 a mm).
 TEST(Truth, AKnifeEdge) {
   RenderSettings s = small(48, 16);
-  s.placed_lights.clear();
-  s.ambient = 0;
-  s.specular = false;
-  s.white_albedo = true;
+  s.lighting.placed_lights.clear();
+  s.lighting.ambient = 0;
+  s.lighting.specular = false;
+  s.lighting.white_albedo = true;
 
   const Scene scene = knife_edge();
   const Truth truth(scene, s, 1024);
   const image::ImageF picture = truth.rendered("texture-space", false), &reference = truth.reference();
 
   double mean = 0, worst = 0;
-  for (int x = 0; x < s.width; ++x)
+  for (int x = 0; x < s.output.width; ++x)
     for (int c = 0; c < 3; ++c) {
       double difference = 0;
-      for (int y = 0; y < s.height; ++y)
-        difference += (double(picture.at(x, y)[c]) - reference.at(x, y)[c]) / s.height;
-      mean += std::abs(difference) / (3 * s.width);
+      for (int y = 0; y < s.output.height; ++y)
+        difference += (double(picture.at(x, y)[c]) - reference.at(x, y)[c]) / s.output.height;
+      mean += std::abs(difference) / (3 * s.output.width);
       worst = std::max(worst, std::abs(difference));
     }
 

@@ -45,11 +45,11 @@ struct Quiet {
 std::optional<std::uint64_t> unshaded_reads(const fs::path& file) {
   try {
     RenderSettings s = tiny_settings(32, 64);
-    s.lights = 1;
+    s.lighting.rig_lights = 1;
     PreparedFrame frame = renderer().prepare(Scene::load(file), s);
     std::uint64_t reads = 0;
     for (const auto& orbit_deg : {std::array{0.001, 0.0}, {100.0, 30.0}, {215.0, -30.0}}) {
-      s.orbit_deg = orbit_deg;
+      s.camera.orbit_deg = orbit_deg;
       frame.set(s);
       reads += frame.picture().statistics.unshaded_reads;
     }

@@ -12,7 +12,7 @@ namespace {
 void move_maps(scene::Material& m, const glm::dmat2& factor, const glm::dvec2& offset) {
   if (glm::determinant(factor) == 0) return;
   const glm::dmat2 inverse = glm::inverse(factor);
-  scene::SkinSettings& s = m.skin_settings;
+  scene::SkinMaterial& s = m.skin_settings;
   for (scene::MapRef* map : {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map,
                              &s.specular, &s.roughness, &s.displacement}) {
     const glm::dmat3x2 before(map->transform);
@@ -33,10 +33,10 @@ Renderer& renderer() {
 
 RenderSettings tiny_settings(int side, int map_size) {
   RenderSettings s;
-  s.width = s.height = side;
-  s.map_size = map_size;
-  s.shadow_size = 64;
-  s.bloom = 0;
+  s.output.width = s.output.height = side;
+  s.quality.map_size = map_size;
+  s.quality.shadow_size = 64;
+  s.output.bloom = 0;
   return s;
 }
 

@@ -15,9 +15,9 @@ namespace {
 Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
 
 RenderSettings furnace(RenderSettings s) {
-  s.ambient = 1;
-  s.lights = 0;
-  s.white_albedo = true;
+  s.lighting.ambient = 1;
+  s.lighting.rig_lights = 0;
+  s.lighting.white_albedo = true;
   return s;
 }
 
@@ -46,7 +46,7 @@ TEST(Unwraps, EachReadFindsLight) {
     RenderSettings s = tiny_settings(40, 64);
     PreparedFrame frame = renderer().prepare(wrap(made.scene), s);
     for (const auto& orbit_deg : {std::array{0.0, 0.0}, {75.0, 20.0}, {200.0, -40.0}}) {
-      s.orbit_deg = orbit_deg;
+      s.camera.orbit_deg = orbit_deg;
       frame.set(s);
       const Picture picture = frame.picture();
       EXPECT_EQ(picture.statistics.unshaded_reads, 0u) << orbit_deg[0] << ", " << orbit_deg[1];
@@ -85,7 +85,7 @@ TEST(Unwraps, SkinWithoutCoordinatesIsLitAtThePixel) {
   scene::Scene sphere = moved(scene::sphere(0.1, 10), glm::dmat2(0));
   sphere.primitives[0].has_uv = false;
   RenderSettings s = tiny_settings(96, 64);
-  s.translucency = false;
+  s.skin.translucency = false;
   const Picture scattered = renderer().render(wrap(sphere), s);
   s.technique = "lambert";
   const Picture plain = renderer().render(wrap(sphere), s);

@@ -14,8 +14,8 @@ Measured measured(const Variant& variant, double ms) {
               {.name = "tone map", .ms = ms / 4, .calls = 1}};
   m.counts.technique = variant.settings.technique;
   m.counts.irradiance_texels = 100, m.counts.convolved_texels = 600, m.counts.launched = 1300;
-  m.counts.used_size =
-      std::vector<int>(static_cast<std::size_t>(variant.settings.heads), variant.settings.depth ? 64 : 128);
+  m.counts.used_size = std::vector<int>(static_cast<std::size_t>(variant.settings.camera.heads),
+                                        variant.settings.quality.depth ? 64 : 128);
   return m;
 }
 
@@ -44,8 +44,8 @@ Run made_up_run() {
   for (const int heads : {1, 3})
     for (const double distance : {2.5, 7.0}) {
       RenderSettings s = run.settings;
-      s.heads = heads;
-      s.distance = distance;
+      s.camera.heads = heads;
+      s.camera.distance = distance;
       Cell cell{.heads = heads, .distance = distance, .measured = {}, .difference = {}};
 
       // Let each variant take 4 ms less than the one before; the optimised one always takes 20 ms.

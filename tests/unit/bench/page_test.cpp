@@ -25,35 +25,36 @@ std::size_t count(const std::string& text, std::string_view part) {
 
 TEST(Variants, DifferInNothingButWhatTheyAreFor) {
   RenderSettings s;
-  s.map_size = 777;
-  s.heads = 5;
-  s.lights = 3;
+  s.quality.map_size = 777;
+  s.camera.heads = 5;
+  s.lighting.rig_lights = 3;
 
   for (const Variant& v : variants_of(s)) {
     SCOPED_TRACE(v.key);
-    EXPECT_EQ(v.settings.map_size, 777);
-    EXPECT_EQ(v.settings.heads, 5);
-    EXPECT_EQ(v.settings.lights, 3);
-    EXPECT_EQ(v.settings.samples, s.samples);
+    EXPECT_EQ(v.settings.quality.map_size, 777);
+    EXPECT_EQ(v.settings.camera.heads, 5);
+    EXPECT_EQ(v.settings.lighting.rig_lights, 3);
+    EXPECT_EQ(v.settings.quality.samples, s.quality.samples);
     EXPECT_EQ(v.settings.technique, v.key == floor_key ? "lambert" : "texture-space");
-    EXPECT_EQ(v.settings.skip_unseen_heads, v.key != baseline_key && v.key != progressive_key);
+    EXPECT_EQ(v.settings.quality.skip_unseen_heads, v.key != baseline_key && v.key != progressive_key);
 
     const bool all = v.key == optimised_key || v.key == at_edge_key || v.key == optimised_progressive_key;
-    EXPECT_EQ(v.settings.maps,
-              v.key == progressive_key || v.key == optimised_progressive_key ? "progressive" : "full");
-    EXPECT_EQ(v.settings.cull, all || v.key == "cull");
-    EXPECT_EQ(v.settings.depth, all || v.key == "depth");
-    EXPECT_EQ(v.settings.clip, all || v.key == "clip");
-    EXPECT_EQ(v.settings.clip_margin_mm, v.key == at_edge_key ? std::optional(0.0) : std::nullopt);
+    EXPECT_EQ(v.settings.quality.maps, v.key == progressive_key || v.key == optimised_progressive_key
+                                           ? LightMaps::progressive
+                                           : LightMaps::full);
+    EXPECT_EQ(v.settings.quality.cull, all || v.key == "cull");
+    EXPECT_EQ(v.settings.quality.depth, all || v.key == "depth");
+    EXPECT_EQ(v.settings.quality.clip, all || v.key == "clip");
+    EXPECT_EQ(v.settings.quality.clip_margin_mm, v.key == at_edge_key ? std::optional(0.0) : std::nullopt);
   }
 
   EXPECT_EQ(variants_of(s).size(), 10u);
-  s.clip_margin_mm = 0;
+  s.quality.clip_margin_mm = 0;
   EXPECT_EQ(variants_of(s).size(), 9u) << "all is at the edge already";
 
-  s.maps = "progressive";
+  s.quality.maps = LightMaps::progressive;
   EXPECT_EQ(variants_of(s).size(), 7u) << "all are progressive already";
-  for (const Variant& v : variants_of(s)) EXPECT_EQ(v.settings.maps, "progressive");
+  for (const Variant& v : variants_of(s)) EXPECT_EQ(v.settings.quality.maps, LightMaps::progressive);
 }
 
 // Other programs read these; more may be added.

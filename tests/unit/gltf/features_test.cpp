@@ -350,7 +350,7 @@ TEST(GltfMaterial, SkinRule) {
 }
 
 TEST(GltfMaterial, DermisExtrasAreReadInFull) {
-  const SkinSettings s = with_material(Json::parse(R"({"extras": {"dermis": {"skin": true, "mix": 0.25,
+  const SkinMaterial s = with_material(Json::parse(R"({"extras": {"dermis": {"skin": true, "mix": 0.25,
     "profile": {"name": "mine", "variances_mm2": [0.5, 2], "weights": [[0.5, 0.25, 1], [0.5, 0.75, 0]]},
     "specular": {"texture": 0, "channel": 1, "scale": 2},
     "roughness": {"texture": {"index": 0, "texCoord": 1}},

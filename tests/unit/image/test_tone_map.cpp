@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "image/colour.h"
 #include "image/tone_map.h"
+#include "settings/names.h"
 #include "unit/optics/measured_skin.h"
 
 namespace dermis::image {
@@ -200,9 +201,9 @@ TEST(ToneMap, IsContinuousAndRises) {
 }
 
 TEST(ToneMap, Names) {
-  for (const ToneMap tone_map : all) EXPECT_EQ(find_tone_map(name_of(tone_map)), tone_map);
+  for (const ToneMap tone_map : all) EXPECT_EQ(find_name<ToneMap>("tone map", name_of(tone_map)), tone_map);
   try {
-    find_tone_map("sepia");
+    find_name<ToneMap>("tone map", "sepia");
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("natural, neutral, agx, filmic, srgb, linear"),

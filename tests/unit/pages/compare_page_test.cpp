@@ -34,9 +34,9 @@ Compared linear_pair() {
   c.region = image::Region(600);
   c.region[5] = 1;
   const image::ImageF variance = flat(0.01f);
-  c.found = image::compare(flat(0.5f), flat(1), image::ToneMap::filmic, std::span(&variance, 1), c.region);
-  c.shown_a = image::to_display(flat(0.5f), image::ToneMap::filmic);
-  c.shown_b = image::to_display(flat(1), image::ToneMap::filmic);
+  c.found = image::compare(flat(0.5f), flat(1), ToneMap::filmic, std::span(&variance, 1), c.region);
+  c.shown_a = image::to_display(flat(0.5f), ToneMap::filmic);
+  c.shown_b = image::to_display(flat(1), ToneMap::filmic);
   return c;
 }
 

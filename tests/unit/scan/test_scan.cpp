@@ -57,7 +57,7 @@ TEST_F(Scan, FacesTheViewer) {
 }
 
 TEST_F(Scan, ReadsItsMapsTheRightWayUp) {
-  const SkinSettings& settings = skin().skin_settings;
+  const SkinMaterial& settings = skin().skin_settings;
   for (const MapRef* map :
        {&skin().base_colour_map, &skin().normal_map, &settings.specular, &settings.displacement}) {
     ASSERT_TRUE(map->present());

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+/// What to render: the settings of Renderer and, for the most part, of the reference. Each structure has
+/// defaults, so that a program names what differs:
+///
+///   renderer.render(scene, {.camera = {.fov_deg = 30}, .output = {.width = 960, .height = 1080}});
+///
+/// Angles in degrees, distances in radii of the head's bounding sphere, radiance relative (white Lambert
+/// under irradiance pi shows 1).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dermis {
+
+struct CameraSettings {
+  std::string name{};               ///< of the scene; empty: the scene's first, else framing
+  std::optional<double> fov_deg{};  ///< vertical; none: the camera's, 20 when framing
+  /// the paper's test: from the eye to the middle head, in sphere radii
+  std::optional<double> distance{};
+  std::array<double, 2> orbit_deg{0, 0};  ///< azimuth, elevation of the framing camera
+  int heads = 1;                          ///< in a row, 1.6 radii apart
+};
+
+/// A white lamp as those of the rig: a spot 4 radii from the centre of the head's bounding sphere, aimed at
+/// it, its cone just around the sphere.
+struct PlacedLight {
+  double azimuth_deg = 0;    ///< from the head's front (0) towards its left (90)
+  double elevation_deg = 0;  ///< -90 (below) to 90 (above)
+  /// at that centre, on a surface that faces the lamp; pi on white Lambert shows 1
+  double irradiance = 3;
+};
+
+struct LightingSettings {
+  /// that many of the rig instead of the scene's; none: the scene's, else 2
+  std::optional<int> rig_lights{};
+  /// instead of the scene's lights, at most 64; then `rig_lights` must be none
+  std::vector<PlacedLight> placed_lights{};
+  /// m, of discs that cast soft shadows, see docs/techniques.md; none: the scene's, else points
+  std::optional<double> light_radius_m{};
+  double ambient = 0.05;  ///< uniform radiance from everywhere, where there is no environment
+  /// surroundings: .hdr or .exr (equirectangular), "studio" (built in); empty: uniform
+  std::string environment{};
+  double environment_intensity = 1;     ///< multiplies their radiance
+  double environment_rotation_deg = 0;  ///< about the vertical, from the head's front towards its left
+  bool specular = true;                 ///< reflection at every surface
+  bool white_albedo = false;            ///< every albedo is 1
+};
+
+/// Instead of what the scene's materials say.
+struct SkinSettings {
+  /// published name or file; empty: the material's, else the published six Gaussians
+  std::string profile{};
+  bool normalise_profile = false;  ///< divide the weights of a profile file by their sum
+  /// part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
+  std::optional<double> mix{};
+  bool translucency = true;  ///< light also comes through the body: ears lit from behind glow
+};
+
+/// How convolutions skip unlit texels.
+enum class BlurMask : std::uint8_t {
+  alpha,  ///< drawn, and an unlit texel ends before its samples
+  depth,  ///< drawn, and the depth test rejects it
+  tiles   ///< computed, only for tiles that hold light
+};
+
+/// The sizes of the light maps.
+enum class LightMaps : std::uint8_t {
+  full,        ///< one of full size per Gaussian
+  progressive  ///< half the size, a quarter, an eighth where the light is smooth by then
+};
+
+/// Details against time and memory; what is not computed because it is not seen.
+/// [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 to 5.
+struct QualitySettings {
+  /// T_max: texels of a side of the light maps, 32 to the device's limit
+  int map_size = 2048;
+  int shadow_size = 2048;  ///< texels
+  int samples = 4;         ///< anti-aliasing, 1 or 4 per pixel
+
+  bool cull = true;                         ///< leave out skin that faces away from the eye
+  bool depth = true;                        ///< light maps only as large as the head's distance needs
+  bool clip = true;                         ///< leave out skin outside the picture and a margin
+  std::optional<bool> skip_unseen_heads{};  ///< heads wholly outside the picture; none: if any of these is on
+
+  std::optional<BlurMask> mask{};  ///< none: fastest on the kind of device
+  LightMaps maps = LightMaps::full;
+  /// distance, in sphere radii, up to which maps have their full size; none: a texel per pixel
+  std::optional<double> d_ref{};
+  std::optional<double> clip_margin_mm{};  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma
+  /// for light maps, 1e6 bytes; none: four skin meshes at T_max, at most a quarter of the device's memory
+  std::optional<double> map_budget_mb{};
+};
+
+/// From linear light to what a display shows; see docs/techniques.md. The order is that of the shader.
+enum class ToneMap : std::uint8_t {
+  /// Leaves every colour alone whose greatest channel is at most 0.8, whatever its hue, and compresses what
+  /// is brighter: a shoulder in which hue stays.
+  natural,
+  neutral,  ///< Khronos PBR Neutral, exact, with its toe
+  agx,      ///< AgX
+  filmic,   ///< ACES fit, each channel by itself
+  srgb,     ///< clamped
+  linear    ///< clamped, and no sRGB curve
+};
+
+struct OutputSettings {
+  int width = 1280, height = 720;  ///< pixels, 1 to the device's limit
+  /// radiance is multiplied by 2^EV; none: chosen by the light on the skin, so that white skin would show 0.5
+  /// on average (docs/techniques.md); Statistics say what it is
+  std::optional<double> exposure_ev = 0.0;
+  ToneMap tone_map = ToneMap::natural;
+  double bloom = 0.05;  ///< share of the light that is spread over the picture, 0 to 1
+  int frames = 1;       ///< timed frames after one warm-up, >= 1
+  /// picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K
+  std::string show = "picture";
+};
+
+struct RenderSettings {
+  std::string technique = "texture-space";  ///< a name of technique_names()
+  CameraSettings camera{};
+  LightingSettings lighting{};
+  SkinSettings skin{};
+  QualitySettings quality{};
+  OutputSettings output{};
+};
+
+}  // namespace dermis

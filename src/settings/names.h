@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The names that the command line and JSON have for values of settings.
+#pragma once
+
+#include "core/names.h"
+#include "dermis/settings.h"
+
+namespace dermis {
+
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<BlurMask>{"alpha", "depth", "tiles"};
+
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<LightMaps>{"full", "progressive"};
+
+template <>
+inline constexpr std::array<std::string_view, 6> names_of<ToneMap>{"natural", "neutral", "agx",
+                                                                   "filmic",  "srgb",    "linear"};
+
+}  // namespace dermis
