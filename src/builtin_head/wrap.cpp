@@ -146,8 +146,8 @@ vec3 facing(const Net& net, int i, int j) {
   return length > 1e-6f ? n / length : vec3(0);  // zero where the net is folded
 }
 
-// Where the threads pull node (i, j). A longer thread pulls harder than in proportion, which keeps the net
-// dense on nose and ears.
+// Returns where the threads pull node (i, j). A longer thread pulls harder than in proportion, which keeps
+// the net dense on nose and ears.
 vec3 balance(const Net& net, const std::vector<float>& weight, int i, int j) {
   const std::size_t self = net.index(i, j);
   vec3 sum(0);
@@ -216,7 +216,7 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
         if (f < -2.0f) p += side * std::min(-f, 4.0f);
         const vec3 before = p;
         const vec3 n = bust.project(p, detail, eps_mm, 1);
-        // Where the net has folded or slipped to the other side it is let off the surface until it is smooth
+        // Where the net has folded or slipped to the other side, it may leave the surface until it is smooth
         // again.
         if (round + 3 < rounds && glm::dot(n, side) < 0.25f)
           p = glm::mix(before, balance(net, weight, i, j), 0.7f);

@@ -4,7 +4,7 @@
 #include <cstdio>
 // jpeglib.h needs stdio.h before it and does not include it.
 #include <jpeglib.h>
-// After jpeglib.h: the message codes.
+// Message codes, after jpeglib.h.
 #include <jerror.h>
 
 #include "core/error.h"
@@ -15,13 +15,13 @@ namespace dermis::image::formats {
 
 namespace {
 
-// A progressive file may repeat scans without end, each of them a pass over the whole picture; no encoder
-// writes more than a dozen.
+// A progressive file may repeat scans without end, each a pass over the whole picture; encoders write at most
+// a dozen.
 constexpr int max_scans = 200;
 constexpr std::uint64_t max_coefficient_bytes = 1'000'000'000;
 
-/// The library reports errors by calling back; the callback jumps to `escape`, so no object with a destructor
-/// may live in the functions that set it.
+/// The library reports errors by a callback, which jumps to `escape`. So the functions that set it may hold
+/// no object with a destructor.
 struct Reader {
   jpeg_decompress_struct info{};
   jpeg_error_mgr errors{};
@@ -46,7 +46,7 @@ Reader& reader_of(j_common_ptr info) { return *static_cast<Reader*>(info->client
   std::longjmp(reader.escape, 1);
 }
 
-// The library invents grey pixels where data is missing or broken and only warns. We refuse such files.
+// Rejects files with missing or broken data, for which the library only warns and makes up grey pixels.
 void on_message(j_common_ptr info, int level) {
   if (level >= 0) return;  // traces
   Reader& reader = reader_of(info);
@@ -101,7 +101,7 @@ bool read_pixels(Reader& reader, unsigned char* rgba, Shrinking& picture) {
   throw input_error(where, "JPEG is {}: {}", reader.truncated ? "truncated" : "damaged", reader.message);
 }
 
-/// The header into `reader`, checked.
+/// Reads the header into `reader` and checks it.
 void open(Reader& reader, Bytes bytes, const std::string& where, const DecodeLimits& limits) {
   if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()))
     refuse(reader, where);
@@ -116,7 +116,8 @@ void open(Reader& reader, Bytes bytes, const std::string& where, const DecodeLim
   }
 }
 
-/// What the library holds of a picture that comes in many passes: every coefficient, two bytes each.
+/// Returns the memory that the library needs for a picture in several passes: every coefficient, two bytes
+/// each.
 std::uint64_t coefficient_bytes(const Reader& reader) {
   if (!jpeg_has_multiple_scans(const_cast<jpeg_decompress_struct*>(&reader.info))) return 0;
   std::uint64_t blocks = 0;

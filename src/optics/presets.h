@@ -39,9 +39,9 @@ RgbLayers donner_jensen_skin();
 
 /// Returns the names of all presets, layered ones last, for listings and errors.
 std::vector<std::string_view> preset_names();
-/// A homogeneous material by name, or nullptr.
+/// Returns a homogeneous material by name, or nullptr.
 const Material* find_material(std::string_view name);
-/// InputError that lists preset_names().
+/// Throws InputError that lists preset_names().
 [[noreturn]] void unknown_preset(std::string_view name);
 
 }  // namespace dermis::optics

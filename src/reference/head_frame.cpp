@@ -29,7 +29,7 @@ double depth_behind(const rays::RayScene& rays, const glm::dvec3& tip_m, double 
 }
 
 // Cheeks lie 20 mm or more behind the tip of a nose, its root 15 mm; a ball of the head's size falls off by 4
-// mm at this offset. A hole is no face either.
+// mm at this offset. Holes are excluded, too.
 bool is_nose(const rays::RayScene& rays, const glm::dvec3& tip_m, double half_breadth_m) {
   const auto deep = [&](const glm::dvec2& offset, double least) {
     const double depth = depth_behind(rays, tip_m, half_breadth_m, offset);

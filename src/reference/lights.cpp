@@ -57,8 +57,8 @@ rays::Ray shadow_ray(const rays::SurfacePoint& s, const Arriving& light) {
           .t_max_m = light.distance_m - 2 * gap};
 }
 
-// Everything opaque casts a shadow, from either side of its triangles; what is cut out casts what is left of
-// it.
+// Everything opaque casts a shadow, from either side of its triangles; cut-out parts cast that of what the
+// alpha test leaves.
 bool Shading::shadowed(const rays::SurfacePoint& s, const Arriving& light) const {
   const rays::Ray ray = shadow_ray(s, light);
   if (ray.t_max_m <= ray.t_min_m) return false;

@@ -12,7 +12,7 @@
 
 namespace dermis::scene {
 
-/// How often the primitive stands in the world; at least 1.
+/// Returns the number of copies of the primitive in the world; at least 1.
 inline std::size_t copies_of(const Primitive& primitive) {
   return primitive.placements.empty() ? 1 : primitive.placements.size();
 }
