@@ -57,7 +57,9 @@ Grid rasterise(const scene::SkinMesh& mesh, int side) {
 // Returns two numbers in 0..1 that differ from texel to texel, so that the noise has no pattern.
 glm::dvec2 shift_of(std::uint32_t x, std::uint32_t y) {
   std::uint32_t h = x * 0x9E3779B1u ^ (y * 0x85EBCA77u + 0x165667B1u);
-  h = (h ^ h >> 15) * 0x2C1B3C6Du, h = (h ^ h >> 12) * 0x297A2D39u, h ^= h >> 15;
+  h = (h ^ h >> 15) * 0x2C1B3C6Du;
+  h = (h ^ h >> 12) * 0x297A2D39u;
+  h ^= h >> 15;
   return glm::dvec2(h & 0xFFFFu, h >> 16) / 65536.0;
 }
 

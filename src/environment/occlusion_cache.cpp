@@ -37,21 +37,35 @@ constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31;
 // Adds all that decides the alpha test of a primitive.
 void add_alpha(Hash& hash, const scene::Scene& scene, const scene::Primitive& primitive,
                const scene::Material& material) {
-  hash.add(material.alpha_cutoff), hash.add(material.base_colour.a);
-  for (const scene::Vertex& v : primitive.vertices) hash.add(v.uv0), hash.add(v.uv1), hash.add(v.colour.a);
+  hash.add(material.alpha_cutoff);
+  hash.add(material.base_colour.a);
+  for (const scene::Vertex& v : primitive.vertices) {
+    hash.add(v.uv0);
+    hash.add(v.uv1);
+    hash.add(v.colour.a);
+  }
   const scene::MapRef& map = material.base_colour_map;
   if (!map.present()) return;
-  hash.add(map.uv_set), hash.add(map.transform), hash.add(map.wrap_u), hash.add(map.wrap_v);
+  hash.add(map.uv_set);
+  hash.add(map.transform);
+  hash.add(map.wrap_u);
+  hash.add(map.wrap_v);
   hash.add(map.nearest);
   const image::Image8& pixels = *scene.images[static_cast<std::size_t>(map.image)].pixels;
-  hash.add(pixels.width), hash.add(pixels.height);
+  hash.add(pixels.width);
+  hash.add(pixels.height);
   for (std::size_t i = 3; i < pixels.rgba.size(); i += 4) hash.add(pixels.rgba[i]);
 }
 
 Hash hash_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const OcclusionSettings& settings) {
   Hash hash;
-  hash.add(version), hash.add(settings.side), hash.add(settings.rays);
-  for (const scene::Vertex& v : mesh.vertices) hash.add(v.position_m), hash.add(v.normal);
+  hash.add(version);
+  hash.add(settings.side);
+  hash.add(settings.rays);
+  for (const scene::Vertex& v : mesh.vertices) {
+    hash.add(v.position_m);
+    hash.add(v.normal);
+  }
   hash.add(std::span<const glm::vec2>(mesh.unwrap));
   hash.add(std::span<const std::uint32_t>(mesh.indices));
   hash.add(std::span<const std::uint16_t>(mesh.triangle_chart));
@@ -76,7 +90,8 @@ struct Header {
 std::vector<std::byte> write(const Occlusion& occlusion, const Hash& hash) {
   Header header;
   header.side = static_cast<std::uint32_t>(occlusion.side);
-  header.hash[0] = hash.state()[0], header.hash[1] = hash.state()[1];
+  header.hash[0] = hash.state()[0];
+  header.hash[1] = hash.state()[1];
   const std::size_t values = occlusion.values.size() * 2, transfer = occlusion.transfer.size() * 2,
                     bounced = occlusion.bounced.size() * 2;
   std::vector<std::byte> bytes(sizeof header + values + transfer + bounced);

@@ -137,7 +137,9 @@ Spread spread_of(const std::vector<Piece>& pieces, const glm::dvec3& middle) {
     spread.vv += weight * (v * v + piece.variance);
     total += weight;
   }
-  spread.uu /= total, spread.uv /= total, spread.vv /= total;
+  spread.uu /= total;
+  spread.uv /= total;
+  spread.vv /= total;
   return spread;
 }
 

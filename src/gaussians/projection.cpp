@@ -118,7 +118,9 @@ Rows broken_rows(const RadialProfile& profile) {
     rest += add_cell(rows, profile, low, high);
     low = high;
   }
-  rows.x.push_back(0), rows.weight.push_back(0), rows.value.push_back(std::sqrt(rest));
+  rows.x.push_back(0);
+  rows.weight.push_back(0);
+  rows.value.push_back(std::sqrt(rest));
   return rows;
 }
 

@@ -14,8 +14,10 @@ constexpr int most_steps = 40;  // up to a factor of 7e5 either way
 double mean_over(const Image8& picture, const std::vector<std::uint8_t>& mask) {
   double sum = 0, values = 0;
   for (std::size_t i = 0; i < mask.size(); ++i)
-    if (mask[i])
-      sum += picture.rgba[4 * i] + picture.rgba[4 * i + 1] + picture.rgba[4 * i + 2], values += 3 * 255.0;
+    if (mask[i]) {
+      sum += picture.rgba[4 * i] + picture.rgba[4 * i + 1] + picture.rgba[4 * i + 2];
+      values += 3 * 255.0;
+    }
   return sum / values;
 }
 

@@ -41,7 +41,10 @@ std::span<const Material> jensen_materials() { return materials; }
 RgbLayers donner_jensen_skin() {
   constexpr double per_mm = 0.1;  // from 1/cm
   const auto layer = [](Rgb sigma_a, Rgb sigma_s, double thickness_mm) {
-    for (int c = 0; c < 3; ++c) sigma_a[c] *= per_mm, sigma_s[c] *= per_mm;
+    for (int c = 0; c < 3; ++c) {
+      sigma_a[c] *= per_mm;
+      sigma_s[c] *= per_mm;
+    }
     return RgbLayer{.sigma_a_per_mm = sigma_a,
                     .sigma_s_reduced_per_mm = sigma_s,
                     .eta = 1.4,

@@ -61,8 +61,10 @@ struct AddingDoubling {
     const auto inner = gauss_legendre(half_count, 0, critical);
     const auto outer = radau_to_one<half_count>(critical);
     for (int i = 0; i < half_count; ++i) {
-      d.mu[i] = inner[i].x, d.weight[i] = inner[i].weight;
-      d.mu[directions - 1 - i] = outer[i].x, d.weight[directions - 1 - i] = outer[i].weight;
+      d.mu[i] = inner[i].x;
+      d.weight[i] = inner[i].weight;
+      d.mu[directions - 1 - i] = outer[i].x;
+      d.weight[directions - 1 - i] = outer[i].weight;
     }
     for (int i = 0; i < directions; ++i) d.surface[i] = eta == 1 ? 0 : fresnel(d.mu[i], eta);
     return d;

@@ -42,9 +42,15 @@ std::pair<Model, std::string> choose(const optics::Skin& skin) {
   for (std::size_t i = 0; i < samples; ++i)
     for (const optics::Layer& layer : optics::skin_layers(skin, sample_nm(i))) {
       const optics::Medium medium = layer.medium();
-      if (medium.reduced_albedo() < albedo) albedo = medium.reduced_albedo(), albedo_nm = sample_nm(i);
+      if (medium.reduced_albedo() < albedo) {
+        albedo = medium.reduced_albedo();
+        albedo_nm = sample_nm(i);
+      }
       const double optical = layer.thickness_mm * medium.sigma_t_reduced_per_mm();
-      if (optical < thickness) thickness = optical, thickness_nm = sample_nm(i);
+      if (optical < thickness) {
+        thickness = optical;
+        thickness_nm = sample_nm(i);
+      }
     }
   if (albedo >= diffusion_albedo && thickness < diffusion_thickness)
     return {Model::monte_carlo, fmt::format("model chosen: the epidermis measures {:.2f} mean free paths ({} "

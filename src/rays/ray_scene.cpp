@@ -39,9 +39,11 @@ void gather_hit(const RTCFilterFunctionNArguments* arguments) {
 
 RTCRay embree_ray(const Ray& ray) {
   RTCRay r{};
-  r.org_x = static_cast<float>(ray.origin_m.x), r.org_y = static_cast<float>(ray.origin_m.y),
+  r.org_x = static_cast<float>(ray.origin_m.x);
+  r.org_y = static_cast<float>(ray.origin_m.y);
   r.org_z = static_cast<float>(ray.origin_m.z);
-  r.dir_x = static_cast<float>(ray.direction.x), r.dir_y = static_cast<float>(ray.direction.y),
+  r.dir_x = static_cast<float>(ray.direction.x);
+  r.dir_y = static_cast<float>(ray.direction.y);
   r.dir_z = static_cast<float>(ray.direction.z);
   r.tnear = static_cast<float>(ray.t_min_m);
   r.tfar = static_cast<float>(std::min(ray.t_max_m, 1e30));
@@ -159,7 +161,8 @@ RayScene::RayScene(const scene::Scene& scene) : scene_(&scene), scenes_(std::mak
     if (is_skin(scene, primitive)) {
       for (const std::uint32_t index : primitive.indices) {
         const glm::dvec3 p(primitive.vertices[index].position_m);
-        low_m_ = glm::min(low_m_, p), high_m_ = glm::max(high_m_, p);
+        low_m_ = glm::min(low_m_, p);
+        high_m_ = glm::max(high_m_, p);
       }
       rtcAttachGeometryByID(scenes_->skin, g, number);
       RTCGeometry gathered = scenes_->geometry(primitive);

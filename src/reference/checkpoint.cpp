@@ -52,7 +52,13 @@ class Hash {
   }
   void add(const std::string& text) { bytes(text.data(), text.size()); }
   void add(const scene::MapRef& m) {
-    add(m.image), add(m.uv_set), add(m.wrap_u), add(m.wrap_v), add(m.nearest), add(m.channel), add(m.scale);
+    add(m.image);
+    add(m.uv_set);
+    add(m.wrap_u);
+    add(m.wrap_v);
+    add(m.nearest);
+    add(m.channel);
+    add(m.scale);
     for (glm::length_t i = 0; i < 3; ++i) add(m.transform[i]);
   }
   std::uint64_t value() const { return state_; }
@@ -62,23 +68,36 @@ class Hash {
 };
 
 void add_material(Hash& h, const scene::Material& m) {
-  h.add(m.skin), h.add(m.base_colour), h.add(m.metallic), h.add(m.roughness), h.add(m.emissive), h.add(m.ior),
-      h.add(m.specular);
-  h.add(m.specular_colour), h.add(m.alpha_mode), h.add(m.alpha_cutoff), h.add(m.double_sided), h.add(m.unlit);
+  h.add(m.skin);
+  h.add(m.base_colour);
+  h.add(m.metallic);
+  h.add(m.roughness);
+  h.add(m.emissive);
+  h.add(m.ior);
+  h.add(m.specular);
+  h.add(m.specular_colour);
+  h.add(m.alpha_mode);
+  h.add(m.alpha_cutoff);
+  h.add(m.double_sided);
+  h.add(m.unlit);
   for (const scene::MapRef* map :
        {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.emissive_map,
         &m.specular_map, &m.specular_colour_map, &m.skin_settings.specular, &m.skin_settings.roughness,
         &m.skin_settings.displacement})
     h.add(*map);
-  h.add(m.skin_settings.mix.value_or(-1.0f)), h.add(m.skin_settings.displacement_mm);
-  for (const scene::SpecularLobe& lobe : m.skin_settings.lobes)
-    h.add(lobe.roughness_factor), h.add(lobe.weight);
+  h.add(m.skin_settings.mix.value_or(-1.0f));
+  h.add(m.skin_settings.displacement_mm);
+  for (const scene::SpecularLobe& lobe : m.skin_settings.lobes) {
+    h.add(lobe.roughness_factor);
+    h.add(lobe.weight);
+  }
 }
 
 void add_scene(Hash& h, const scene::Scene& scene) {
   h.add(scene.mm_per_unit);
   for (const scene::Primitive& p : scene.primitives) {
-    h.add(p.material), h.add(p.has_uv);
+    h.add(p.material);
+    h.add(p.has_uv);
     h.bytes(p.vertices.data(), p.vertices.size() * sizeof(scene::Vertex));
     h.bytes(p.indices.data(), p.indices.size() * sizeof(std::uint32_t));
     for (const scene::Placement& placement : p.placements)
@@ -86,7 +105,8 @@ void add_scene(Hash& h, const scene::Scene& scene) {
   }
   for (const scene::Material& m : scene.materials) add_material(h, m);
   for (const scene::MapImage& image : scene.images) {
-    h.add(image.pixels->width), h.add(image.pixels->height);
+    h.add(image.pixels->width);
+    h.add(image.pixels->height);
     h.bytes(image.pixels->rgba.data(), image.pixels->rgba.size());
   }
 }
@@ -94,19 +114,33 @@ void add_scene(Hash& h, const scene::Scene& scene) {
 void add_setup(Hash& h, const RenderSetup& setup) {
   const scene::Camera& camera = setup.camera;
   for (glm::length_t i = 0; i < 4; ++i) h.add(camera.world_from_camera[i]);
-  h.add(camera.fov_y_rad), h.add(camera.znear_m), h.add(camera.orthographic), h.add(camera.ymag_m);
-  h.add(setup.width), h.add(setup.height), h.add(setup.ambient), h.add(setup.radiance_scale),
-      h.add(setup.specular), h.add(setup.white_albedo);
+  h.add(camera.fov_y_rad);
+  h.add(camera.znear_m);
+  h.add(camera.orthographic);
+  h.add(camera.ymag_m);
+  h.add(setup.width);
+  h.add(setup.height);
+  h.add(setup.ambient);
+  h.add(setup.radiance_scale);
+  h.add(setup.specular);
+  h.add(setup.white_albedo);
   h.add(setup.mix.value_or(-1));
   if (setup.environment) {
     const image::ImageF& picture = setup.environment->picture().radiance;
-    h.add(setup.environment->intensity()), h.add(setup.environment->rotation_rad()), h.add(picture.width);
+    h.add(setup.environment->intensity());
+    h.add(setup.environment->rotation_rad());
+    h.add(picture.width);
     h.bytes(picture.values.data(), picture.values.size() * sizeof(float));
   }
   for (const scene::Light& light : setup.lights) {
-    h.add(light.type), h.add(light.colour), h.add(light.position_m), h.add(light.direction),
-        h.add(light.range_m);
-    h.add(light.inner_cone_rad), h.add(light.outer_cone_rad), h.add(light.radius);
+    h.add(light.type);
+    h.add(light.colour);
+    h.add(light.position_m);
+    h.add(light.direction);
+    h.add(light.range_m);
+    h.add(light.inner_cone_rad);
+    h.add(light.outer_cone_rad);
+    h.add(light.radius);
   }
 }
 
@@ -116,7 +150,8 @@ std::uint64_t fingerprint(const scene::Scene& scene, const Job& job, std::uint64
   Hash h;
   add_scene(h, scene);
   add_setup(h, job.setup);
-  h.add(job.model), h.add(seed);
+  h.add(job.model);
+  h.add(seed);
   for (const gaussians::SumOfGaussians& profile : job.profiles) {
     h.word(profile.terms.size());
     for (const gaussians::Gaussian& g : profile.terms) {
@@ -124,8 +159,12 @@ std::uint64_t fingerprint(const scene::Scene& scene, const Job& job, std::uint64
       for (const double w : g.weight) h.add(w);
     }
   }
-  for (const optics::Medium& m : job.medium)
-    h.add(m.sigma_a_per_mm), h.add(m.sigma_s_per_mm), h.add(m.g), h.add(m.eta);
+  for (const optics::Medium& m : job.medium) {
+    h.add(m.sigma_a_per_mm);
+    h.add(m.sigma_s_per_mm);
+    h.add(m.g);
+    h.add(m.eta);
+  }
   return h.value();
 }
 

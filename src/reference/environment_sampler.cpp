@@ -42,7 +42,8 @@ EnvironmentSampler::EnvironmentSampler(environment::Environment picture, double 
                                        double rotation_deg)
     : picture_(std::move(picture)), intensity_(intensity), rotation_rad_(rotation_deg * pi / 180) {
   const image::ImageF& pixels = picture_.radiance;
-  rows_ = std::min(pixels.height, most_rows), columns_ = std::min(pixels.width, 2 * most_rows);
+  rows_ = std::min(pixels.height, most_rows);
+  columns_ = std::min(pixels.width, 2 * most_rows);
   cumulative_.reserve(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_));
   double sum = 0;
   for (int y = 0; y < rows_; ++y)

@@ -47,7 +47,8 @@ glm::dvec3 Shading::arriving_from(const rays::SurfacePoint& s, const glm::dvec3&
   rays::SurfacePoint other = rays::surface_point(rays_->scene(), *hit);
   if (glm::dot(other.face_normal, direction) > 0) {
     if (!materials_[other.material].source->double_sided) return glm::dvec3(0);  // the inside of a body
-    other.normal *= -1, other.face_normal *= -1;
+    other.normal *= -1;
+    other.face_normal *= -1;
   }
   return sent_on(other, random, bounces + 1);
 }

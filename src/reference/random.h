@@ -36,11 +36,24 @@ class Random {
   /// Returns a permutation of i that depends on `p`, [K13] listing 3 for a power of two.
   static std::uint32_t permuted(std::uint32_t i, std::uint32_t p) {
     constexpr std::uint32_t w = samples_a_block - 1;
-    i ^= p, i *= 0xe170893du, i ^= p >> 16, i ^= (i & w) >> 4, i ^= p >> 8, i *= 0x0929eb3fu, i ^= p >> 23,
-        i ^= (i & w) >> 1;
-    i *= 1 | p >> 27, i *= 0x6935fa69u, i ^= (i & w) >> 11, i *= 0x74dcb303u, i ^= (i & w) >> 2,
-        i *= 0x9e501cc3u, i ^= (i & w) >> 2;
-    i *= 0xc860a3dfu, i &= w, i ^= i >> 5;
+    i ^= p;
+    i *= 0xe170893du;
+    i ^= p >> 16;
+    i ^= (i & w) >> 4;
+    i ^= p >> 8;
+    i *= 0x0929eb3fu;
+    i ^= p >> 23;
+    i ^= (i & w) >> 1;
+    i *= 1 | p >> 27;
+    i *= 0x6935fa69u;
+    i ^= (i & w) >> 11;
+    i *= 0x74dcb303u;
+    i ^= (i & w) >> 2;
+    i *= 0x9e501cc3u;
+    i ^= (i & w) >> 2;
+    i *= 0xc860a3dfu;
+    i &= w;
+    i ^= i >> 5;
     return (i + p) & w;
   }
 

@@ -28,7 +28,8 @@ glm::dvec3 Shading::mapped_normal(const ShadingMaterial& m, const rays::SurfaceP
                                   const glm::dvec3& normal) const {
   if (!m.normal.present()) return normal;
   glm::dvec3 t = glm::dvec3(m.normal.read(s.uv)) * 2.0 - 1.0;
-  t.x *= m.normal.map.scale, t.y *= m.normal.map.scale;
+  t.x *= m.normal.map.scale;
+  t.y *= m.normal.map.scale;
   // MikkTSpace: the bitangent is computed per point, the tangent is used as interpolated.
   const glm::dvec3 tangent(s.tangent);
   const glm::dvec3 n = tangent * t.x + glm::cross(normal, tangent) * (s.tangent.w * t.y) + normal * t.z;

@@ -45,7 +45,10 @@ struct Carried {
     density *= m.sigma_t / sigma_hero;
     // Avoids overflow after thousands of steps in a medium whose channels differ: only the ratio matters.
     const double most = std::max({density.x, density.y, density.z});
-    if (most > 1e50) throughput /= most, density /= most;
+    if (most > 1e50) {
+      throughput /= most;
+      density /= most;
+    }
   }
 };
 

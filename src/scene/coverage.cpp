@@ -20,7 +20,8 @@ TexelTriangle::TexelTriangle(const std::array<glm::vec2, 3>& uv, int side) : sid
   for (std::size_t k = 0; k < 3; ++k) {
     const glm::dvec2 p =
         glm::clamp(glm::dvec2(uv[k]), glm::dvec2(-1), glm::dvec2(2)) * (static_cast<double>(side) * sub);
-    x_[k] = std::llround(p.x), y_[k] = std::llround(p.y);
+    x_[k] = std::llround(p.x);
+    y_[k] = std::llround(p.y);
   }
   const std::int64_t area2 = (x_[1] - x_[0]) * (y_[2] - y_[0]) - (x_[2] - x_[0]) * (y_[1] - y_[0]);
   if (area2 == 0) return;

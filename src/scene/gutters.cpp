@@ -36,7 +36,8 @@ struct Builder {
     if (!source) return std::nullopt;
     GutterTexel texel;
     texel.chart = mesh.triangle_chart[edge.half / 3];
-    texel.source_x = static_cast<float>(source->x), texel.source_y = static_cast<float>(source->y);
+    texel.source_x = static_cast<float>(source->x);
+    texel.source_y = static_cast<float>(source->y);
     return texel;
   }
 
@@ -52,7 +53,10 @@ struct Builder {
       const std::optional<glm::dvec2> centre = map.nearest_centre(p, 0, 4);
       if (centre) made = GutterTexel{0, 0, 0, static_cast<float>(centre->x), static_cast<float>(centre->y)};
     }
-    if (made) made->x = static_cast<std::uint16_t>(x), made->y = static_cast<std::uint16_t>(y);
+    if (made) {
+      made->x = static_cast<std::uint16_t>(x);
+      made->y = static_cast<std::uint16_t>(y);
+    }
     return made;
   }
 };

@@ -88,7 +88,10 @@ DensityStats density_stats(std::vector<std::pair<double, double>> value_and_weig
   if (value_and_weight.empty()) return {};
   std::sort(value_and_weight.begin(), value_and_weight.end());
   double total = 0, sum = 0;
-  for (const auto& [value, weight] : value_and_weight) total += weight, sum += value * weight;
+  for (const auto& [value, weight] : value_and_weight) {
+    total += weight;
+    sum += value * weight;
+  }
   return {sum / total, weighted_quantile(value_and_weight, total, 0.05),
           weighted_quantile(value_and_weight, total, 0.5), weighted_quantile(value_and_weight, total, 0.95),
           value_and_weight.back().first};

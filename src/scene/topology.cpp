@@ -65,7 +65,8 @@ struct UnionFind {
     return i;
   }
   void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
+    a = find(a);
+    b = find(b);
     parent[std::max(a, b)] = std::min(a, b);
   }
 };

@@ -14,8 +14,10 @@ using Cell = std::array<std::int64_t, 3>;
 struct CellHash {
   std::size_t operator()(const Cell& cell) const {
     std::uint64_t h = 0x9e3779b97f4a7c15u;
-    for (const std::int64_t c : cell)
-      h = (h ^ static_cast<std::uint64_t>(c)) * 0xff51afd7ed558ccdu, h ^= h >> 32;
+    for (const std::int64_t c : cell) {
+      h = (h ^ static_cast<std::uint64_t>(c)) * 0xff51afd7ed558ccdu;
+      h ^= h >> 32;
+    }
     return static_cast<std::size_t>(h);
   }
 };

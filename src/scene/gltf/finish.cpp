@@ -59,7 +59,10 @@ Light place_light(Light light, const Node& node, const glm::dmat4& world, double
   light.range_m *= scale;
   // The distance in colour / d^2 is scaled, and so must be the intensity: a change of units must not change
   // the brightness of the head.
-  if (light.type != LightType::directional) light.colour *= scale * scale, light.radius *= scale;
+  if (light.type != LightType::directional) {
+    light.colour *= scale * scale;
+    light.radius *= scale;
+  }
   return light;
 }
 
