@@ -180,7 +180,7 @@ void add_real_time_options(CLI::App& command, RenderSettings& s, SceneUse use) {
       ->group("Technique");
   command
       .add_option(use == SceneUse::comparison ? "--msaa" : "--samples", s.quality.samples,
-                  "anti-aliasing, 1 or 4 samples a pixel")
+                  "anti-aliasing, 1 or 4 samples per pixel")
       ->group("Technique");
 }
 

@@ -49,7 +49,7 @@ void check_texture_limits(const Device& device, const std::string& name, const T
 
   const DeviceLimits& limits = device.limits();
   if (desc.width > limits.max_image_side || desc.height > limits.max_image_side)
-    throw device_error("'{}' would be {}x{} texels; {} allows {} a side", name, desc.width, desc.height,
+    throw device_error("'{}' would be {}x{} texels; {} allows {} per side", name, desc.width, desc.height,
                        device.summary().name, limits.max_image_side);
   if (desc.layers > limits.max_array_layers)
     throw device_error("'{}' would have {} layers; {} allows {}", name, desc.layers, device.summary().name,

@@ -27,7 +27,7 @@ void check_size(std::int64_t width, std::int64_t height, const DecodeLimits& lim
                 const std::string& where) {
   if (width < 1 || height < 1) throw input_error(where, "has no pixels ({} x {})", width, height);
   if (width > limits.max_side || height > limits.max_side) {
-    throw input_error(where, "is {} x {} pixels, the limit is {} a side", width, height, limits.max_side);
+    throw input_error(where, "is {} x {} pixels, the limit is {} per side", width, height, limits.max_side);
   }
   if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > limits.max_pixels) {
     throw input_error(where, "is {} x {} pixels, the limit is {} in all", width, height, limits.max_pixels);

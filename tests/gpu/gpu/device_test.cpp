@@ -92,7 +92,7 @@ TEST_F(Devices, RefuseWhatIsTooLarge) {
                 .find("'map' would be 100000x8 texels"),
             std::string::npos);
   EXPECT_NE(texture({.width = 8, .height = side + 1, .format = VK_FORMAT_R8_UNORM, .usage = sampled})
-                .find("a side"),
+                .find("per side"),
             std::string::npos);
   EXPECT_NE(
       texture({.width = 8, .height = 8, .layers = 1u << 20, .format = VK_FORMAT_R8_UNORM, .usage = sampled})

@@ -152,7 +152,7 @@ long peak_kib() {
 
 TEST(Hostile, HugeSizesAreRefusedBeforeMemoryIsTaken) {
   const long before_kib = peak_kib();
-  const std::string side = "is 30000 x 4 pixels, the limit is 16384 a side";
+  const std::string side = "is 30000 x 4 pixels, the limit is 16384 per side";
   EXPECT_EQ(error_of8(png_that_claims(30000, 4)), "map: " + side);
   EXPECT_EQ(error_of8(jpeg_that_claims(30000, 4)), "map: " + side);
   EXPECT_EQ(error_of_f(exr_that_claims(30000, 4)), "sky: " + side);
@@ -215,7 +215,7 @@ TEST(Hostile, APictureThatItsFileCouldJustHoldIsNotTakenAtItsWord) {
 TEST(Hostile, LimitsOfTheCaller) {
   const Bytes png = make_png({.width = 20, .height = 10, .palette_rgba = {}}, noise(800, 1));
   EXPECT_EQ(error_of8(png, {.max_side = 20}), "no error");
-  EXPECT_EQ(error_of8(png, {.max_side = 19}), "map: is 20 x 10 pixels, the limit is 19 a side");
+  EXPECT_EQ(error_of8(png, {.max_side = 19}), "map: is 20 x 10 pixels, the limit is 19 per side");
   EXPECT_EQ(error_of8(png, {.max_side = 100, .max_pixels = 199}),
             "map: is 20 x 10 pixels, the limit is 199 in all");
 }
