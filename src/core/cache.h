@@ -17,7 +17,7 @@
 
 namespace dermis::cache {
 
-/// Returns $XDG_CACHE_HOME/dermis or  /.cache/dermis; empty if neither variable is set, then nothing is kept.
+/// Returns $XDG_CACHE_HOME/dermis or ~/.cache/dermis; empty if neither variable is set, then nothing is kept.
 std::filesystem::path default_folder();
 
 /// Returns the most bytes that a folder may hold: $DERMIS_CACHE_LIMIT (MB, 1e6 bytes), else 1000 MB.

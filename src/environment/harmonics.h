@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Light from all directions as real spherical harmonics up to order 5, about +Y, so that turning the
-/// environment is cheap. Based on: [SKS02] Sloan, Kautz, Snyder: Precomputed Radiance Transfer for Real-Time
-/// Rendering in Dynamic, Low-Frequency
-///         Lighting Environments. SIGGRAPH 2002
+/// environment is cheap.
+/// Based on:
+/// [SKS02] Sloan, Kautz, Snyder: Precomputed Radiance Transfer for Real-Time Rendering in Dynamic,
+///         Low-Frequency Lighting Environments. SIGGRAPH 2002
 /// [RH01]  Ramamoorthi, Hanrahan: An Efficient Representation for Irradiance Environment Maps. SIGGRAPH 2001
 /// [S08]   Sloan: Stupid Spherical Harmonics Tricks. GDC 2008
 #pragma once

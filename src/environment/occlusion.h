@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// What each point of the skin sees of the sky: visibility, bent normal, and transfer of light from there.
 /// Darkens nostrils, eye sockets and the fold behind an ear, and the side of a nose that faces away from a
-/// window. Based on: Landis: Production-Ready Global Illumination. SIGGRAPH 2002 course 16 (bent normals)
+/// window.
+/// Based on:
+/// [L02]   Landis: Production-Ready Global Illumination. SIGGRAPH 2002 course 16 (bent normals)
 /// [SKS02] Sloan, Kautz, Snyder: Precomputed Radiance Transfer. SIGGRAPH 2002 (shadowed and interreflected
 ///         diffuse transfer)
 #pragma once

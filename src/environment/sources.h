@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Takes suns, bulbs and windows out of a picture of the environment: regions so bright and so narrow that
-/// they cast shadows and that harmonics of order 5 would ring. They become lights of their own. Based on:
-/// Salembier, Oliveras, Garrido: Antiextensive Connected Operators for Image and Sequence Processing. IEEE
-/// Transactions on Image Processing 7(4), 1998 (the tree of level sets)
+/// they cast shadows and that harmonics of order 5 would ring. They become lights of their own.
+/// Based on: Salembier, Oliveras, Garrido: Antiextensive Connected Operators for Image and Sequence
+///           Processing. IEEE Transactions on Image Processing 7(4), 1998 (the tree of level sets)
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cheapest diffusion: a single blur.
-// Based on: [BL03] Borshukov, Lewis: Realistic human face rendering for The Matrix Reloaded. SIGGRAPH 2003
-// sketches
+// Based on: [BL03] Borshukov, Lewis: Realistic human face rendering for "The Matrix Reloaded".
+//           SIGGRAPH 2003 sketches
 #pragma once
 
 #include "gaussians/sum.h"

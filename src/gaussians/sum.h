@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A diffusion profile as a sum of Gaussians, the form that the GPU can blur.
 //   R(r) = sum_i w_i G(v_i, r),  G(v, r) = exp(-r^2 / (2 v)) / (2 pi v)   [1/mm^2]
-// Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 4; [JG08] eq.
-// 2
+// Based on:
+// [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin. EGSR 2007, sec. 4
+// [JG08]  Jimenez, Gutierrez: Faster Rendering of Human Skin. CEIG 2008, eq. 2
 #pragma once
 
 #include <array>

@@ -108,7 +108,7 @@ class PipelineLibrary {
   std::unique_ptr<State> state_;
 };
 
-/// Returns $XDG_CACHE_HOME/dermis/pipelines.bin or  /.cache/dermis/pipelines.bin; empty if neither variable
+/// Returns $XDG_CACHE_HOME/dermis/pipelines.bin or ~/.cache/dermis/pipelines.bin; empty if neither variable
 /// is set.
 std::filesystem::path default_pipeline_cache();
 

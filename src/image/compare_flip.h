@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // FLIP: how large the difference between two pictures looks to an observer who flips between them, per pixel,
 // 0 (none) to 1. Values agree with the authors' implementation to about 1e-5, for their viewing conditions:
-// 0.7 m from a screen 0.7 m wide with 3840 pixels. Based on: [ANAMOF20] Andersson, Nilsson, Akenine-Moller,
-// Oskarsson, Astrom, Fairchild: FLIP: A Difference Evaluator for
-//            Alternating Images. HPG 2020
+// 0.7 m from a screen 0.7 m wide with 3840 pixels.
+// Based on:
+// [ANAMOF20] Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom, Fairchild: FLIP: A Difference Evaluator
+//            for Alternating Images. HPG 2020
 // [ANSA21]   Andersson, Nilsson, Shirley, Akenine-Moller: Visualizing Errors in Rendered High Dynamic Range
-// Images.
-//            Eurographics 2021
+//            Images. Eurographics 2021
 #pragma once
 
 #include <cstdint>

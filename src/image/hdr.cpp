@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Radiance pictures (.hdr): a text header, then rows of RGBE pixels, plain or run-length coded in the old or
-// the new way. Based on: Ward: Real Pixels. Graphics Gems II, 1991; the format description of Radiance
-// (doc/filefmts, "Picture File Format").
+// the new way.
+// Based on: Ward: Real Pixels. Graphics Gems II, 1991; the format description of Radiance (doc/filefmts,
+//           "Picture File Format")
 #include <charconv>
 #include <cmath>
 #include <string_view>

@@ -60,11 +60,9 @@ Colour neutral(const Colour& c) {
 
 // Departs from [PBRN] in two ways.
 // - No toe: subtracting 0.04 from every channel multiplies the chroma of dark skin by up to 1.7. The shoulder
-// then begins
-//   at 0.8, the brightest base colour that [PBRN] promises to keep.
+//   then begins at 0.8, the brightest base colour that [PBRN] promises to keep.
 // - Blends to white in cube roots, as CIELAB measures colour. A blend in linear light shifts the CIELAB hue
-// of measured
-//   skin by up to 5.1 degrees between 0.8 and 16, this one by 3.6.
+//   of measured skin by up to 5.1 degrees between 0.8 and 16, this one by 3.6.
 Colour natural(const Colour& c) {
   constexpr float begin = 0.8f;
   const float p = greatest(c);

@@ -3,8 +3,7 @@
 // Based on:
 // [PBRN] Khronos Group: Khronos PBR Neutral Tone Mapper, specification, 2024
 // [AgX]  Sobotka: AgX, 2022; the base look with the primaries of Blender 4.0 (Chow: AgX_LUT_Gen, 2023), its
-// curve as
-//        the polynomial of Wrensch: Minimal AgX Implementation, 2023
+//        curve as the polynomial of Wrensch: Minimal AgX Implementation, 2023
 // [N15]  Narkowicz: ACES Filmic Tone Mapping Curve, 2015
 #pragma once
 

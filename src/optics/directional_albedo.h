@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// Directional albedo of the specular lobe, tabulated: rho(cos, m) = int f cos dw with rho_s factored out.
 /// Based on:
-/// [DLE07] GPU Gems 3, ch. 14.3.2. Its 80 x 80 sum is 1 to 3 % low and fails at grazing angles for small m;
-/// here
-///         half vectors are sampled from the distribution itself, so that all samples have equal weight.
+/// [DLE07] GPU Gems 3, ch. 14.3.2
 /// [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF Model. Eurographics 2001
+///
+/// Departs from [DLE07]: its 80 x 80 sum is 1 to 3 % low and fails at grazing angles for small m. Here half
+/// vectors are sampled from the distribution itself, so that all samples have equal weight.
 #pragma once
 
 #include <vector>

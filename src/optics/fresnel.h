@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Reflection at a smooth boundary, and its means over diffuse light. Indices are relative: n =
-// n_incident_side / n_other_side, so n > 1 is light inside skin that meets air. Based on: [JMLH01] sec. 2.1
-// (polynomial of Egan and Hilgeman) [DI11]   d'Eon, Irving: A Quantized-Diffusion Model. SIGGRAPH 2011
-// (moments)
+// Reflection at a smooth boundary, and its means over diffuse light. Indices are relative:
+// n = n_incident_side / n_other_side, so n > 1 is light inside skin that meets air.
+// Based on:
+// [JMLH01] sec. 2.1 (polynomial of Egan and Hilgeman)
+// [DI11]   d'Eon, Irving: A Quantized-Diffusion Model. SIGGRAPH 2011 (moments)
 #pragma once
 
 namespace dermis::optics {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Skin as a stack of layers, from the surface down. Air lies above, and below a last layer of finite
-// thickness. Based on: [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered Translucent Materials.
-// SIGGRAPH 2005
+// thickness.
+// Based on: [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered Translucent Materials. SIGGRAPH 2005
 #pragma once
 
 #include <filesystem>

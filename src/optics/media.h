@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Scattering media: coefficients per mm and what follows from them, for one wavelength or one colour channel.
 // Based on:
-// [JMLH01] Jensen, Marschner, Levoy, Hanrahan: A Practical Model for Subsurface Light Transport. SIGGRAPH
-// 2001 [CB15]   Christensen, Burley: Approximate Reflectance Profiles for Efficient Subsurface Scattering.
-// 2015 (two
-//          meanings of a "radius")
+// [JMLH01] Jensen, Marschner, Levoy, Hanrahan: A Practical Model for Subsurface Light Transport.
+//          SIGGRAPH 2001
+// [CB15]   Christensen, Burley: Approximate Reflectance Profiles for Efficient Subsurface Scattering.
+//          Pixar TM 15-04, 2015 (two meanings of a "radius")
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Quadrature for integrals without a closed form.
-// Based on: [O05] Ogata: A Numerical Integration Formula Based on the Bessel Functions. Publ. RIMS 41, 2005,
-// eq. 5.2
+// Based on: [O05] Ogata: A Numerical Integration Formula Based on the Bessel Functions.
+//           Publ. RIMS 41, 2005, eq. 5.2
 #pragma once
 
 #include <functional>

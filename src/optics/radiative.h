@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Exact total reflectance and transmittance of plane layers: solves the transport equation instead of
-// approximating it. Says how much light returns, not where. Based on: [PGW93] Prahl, van Gemert, Welch:
-// Determining the optical properties of turbid media by using the adding-doubling
-//         method. Appl. Opt. 32, 1993
+// approximating it. Says how much light returns, not where.
+// Based on:
+// [PGW93] Prahl, van Gemert, Welch: Determining the optical properties of turbid media by using the
+//         adding-doubling method. Appl. Opt. 32, 1993
 // [C60]   Chandrasekhar: Radiative Transfer. Dover 1960, ch. 5
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Normalised diffusion: a curve fitted to Monte-Carlo results, which several engines use.
 // Based on:
-// [CB15] Christensen, Burley: Approximate Reflectance Profiles for Efficient Subsurface Scattering. Pixar TM
-//        15-04, 2015
+// [CB15] Christensen, Burley: Approximate Reflectance Profiles for Efficient Subsurface Scattering.
+//        Pixar TM 15-04, 2015
 #pragma once
 
 #include <string>

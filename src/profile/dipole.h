@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Profiles of a homogeneous half-space by a pair of sources: the real one below the surface, its mirror image
-// above.
+// Profiles of a homogeneous half-space by a pair of point sources: the real one below the surface, its mirror
+// image above.
 // Based on:
-// [JMLH01] Jensen, Marschner, Levoy, Hanrahan: A Practical Model for Subsurface Light Transport. SIGGRAPH
-// 2001 [DI11]   d'Eon, Irving: A Quantized-Diffusion Model for Rendering Translucent Materials. SIGGRAPH 2011
+// [JMLH01] Jensen, Marschner, Levoy, Hanrahan: A Practical Model for Subsurface Light Transport.
+//          SIGGRAPH 2001
+// [DI11]   d'Eon, Irving: A Quantized-Diffusion Model for Rendering Translucent Materials. SIGGRAPH 2011
 // [DE12]   d'Eon: A Better Dipole. 2012
 #pragma once
 

@@ -2,8 +2,8 @@
 // Monte-Carlo: photons followed through layers. Slow and noisy, but without the approximations of diffusion:
 // used for dark skin, and as the reference for all other models.
 // Based on:
-// [WJZ95] Wang, Jacques, Zheng: MCML - Monte Carlo modeling of light transport in multi-layered tissues. CMPB
-//         47, 1995
+// [WJZ95] Wang, Jacques, Zheng: MCML - Monte Carlo modeling of light transport in multi-layered tissues.
+//         CMPB 47, 1995
 #pragma once
 
 #include <cstdint>

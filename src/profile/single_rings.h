@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The part of a Monte-Carlo result that needs no sampling: light of a perpendicular beam that leaves after
-// one scattering. Based on: [HCJ13] eq. 9, per ring instead of per radius, and through layers
+// one scattering.
+// Based on: [HCJ13] eq. 9 (see profile/beam.h), per ring instead of per radius, and through layers
 #pragma once
 
 #include <vector>

@@ -2,11 +2,10 @@
 // Slabs too thin for diffusion: two fluxes, up and down, through a core that is cut from a thicker slab, with
 // mirrors as boundaries. Lengths here are in mean free paths, k in inverse mean free paths.
 // Based on:
-// [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered Translucent Materials. SIGGRAPH 2005 (the thicker
-//        slab)
-// [K48]  Kubelka: New Contributions to the Optics of Intensely Light-Scattering Materials. J. Opt. Soc. Am.
-// 38,
-//        1948
+// [DJ05] Donner, Jensen: Light Diffusion in Multi-Layered Translucent Materials. SIGGRAPH 2005
+//        (the thicker slab)
+// [K48]  Kubelka: New Contributions to the Optics of Intensely Light-Scattering Materials.
+//        J. Opt. Soc. Am. 38, 1948
 #pragma once
 
 #include "profile/slab.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Light that a profile brings to a point of the skin: the integral of R(|x - o|) times the light at x over
-// all skin. Based on: [KKCF13] King, Kulla, Conty, Fajardo: BSSRDF Importance Sampling. SIGGRAPH 2013 talks
+// all skin.
+// Based on: [KKCF13] King, Kulla, Conty, Fajardo: BSSRDF Importance Sampling. SIGGRAPH 2013 talks
 #pragma once
 
 #include <array>

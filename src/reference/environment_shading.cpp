@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Light from a picture of the environment at a point: the visible part, and what occluders reflect over any
 // number of bounces. Occluders reflect diffusely by their base colour, without scattering: under the light of
-// a hemisphere nobody sees the difference. Based on: Veach, Guibas: Optimally Combining Sampling Techniques
-// for Monte Carlo Rendering. SIGGRAPH 1995 (balance heuristic)
+// a hemisphere nobody sees the difference.
+// Based on: Veach, Guibas: Optimally Combining Sampling Techniques for Monte Carlo Rendering. SIGGRAPH 1995
+//           (balance heuristic)
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Random numbers of one sample of one pixel: they depend only on (seed, pixel, sample) and on how many were
-// drawn, so that results do not depend on threads. Based on: [MBC79] McKay, Beckman, Conover: A Comparison of
-// Three Methods for Selecting Values of Input Variables in the Analysis
-//         of Output from a Computer Code. Technometrics 21, 1979 (Latin hypercubes)
+// drawn, so that results do not depend on threads.
+// Based on:
+// [MBC79] McKay, Beckman, Conover: A Comparison of Three Methods for Selecting Values of Input Variables in
+//         the Analysis of Output from a Computer Code. Technometrics 21, 1979 (Latin hypercubes)
 // [K13]   Kensler: Correlated Multi-Jittered Sampling. Pixar, 2013 (permutations without a table)
 #pragma once
 

@@ -23,11 +23,15 @@ struct Region {
 /// may be empty:
 ///   skin          all of them
 ///   ears, nose    by shape, see HeadFrame; empty where the skin is no head that looks along +Z
-///   terminator    the surface turns away from a light: |cos| of their angle under 0.2, and lit skin next to
-///   it shadow edges  within 5 mm of where the shadow of something else begins or ends on skin that faces the
-///   light thin parts    under 10 mm thick (thickness_m): light comes through folds         within 3 mm of
-///   where other skin is less than 5 mm away in the open (gap_m): closed lids, lips, nostrils seams within 3
-///   mm of where the unwrap is cut the rest      skin in none of these
+///   terminator    the surface turns away from a light: |cos| of their angle under 0.2, and lit skin
+///                 beside it
+///   shadow edges  within 5 mm of where the shadow of something else begins or ends on skin that faces
+///                 the light
+///   thin parts    under 10 mm thick (thickness_m): light comes through
+///   folds         within 3 mm of where other skin is less than 5 mm away in the open (gap_m): closed lids,
+///                 lips, nostrils
+///   seams         within 3 mm of where the unwrap is cut
+///   the rest      skin in none of these
 /// Distances are straight lines between points that the picture shows. Lights without light do not count;
 /// parts that are cut out by a map (alpha mode mask) cast no shadow here.
 std::vector<Region> regions(const rays::RayScene& rays, const RenderSetup& setup);

@@ -2,9 +2,8 @@
 // The two specular lobes of skin.
 // Based on:
 // [DLE07] GPU Gems 3, ch. 14.3
-// [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF Model, EG 2001. The lobe is
-// pi times a
-//         normalised Beckmann lobe; rho_s = 0.18 goes with that.
+// [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF Model. Eurographics 2001.
+//         The lobe is pi times a normalised Beckmann lobe; rho_s = 0.18 goes with that.
 #pragma once
 
 #include <array>

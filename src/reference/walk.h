@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Traces light through the medium under the skin, from the camera's side: a random walk between the triangles
-// of a closed mesh. Based on: [WJZ95]  Wang, Jacques, Zheng: MCML. CMPB 47, 1995 (steps, boundary) [WNDS14]
-// Wilkie, Nawaz, Droske, Weidlich, Hanika: Hero Wavelength Spectral Sampling. EGSR 2014 (one walk for three
-//          channels)
+// of a closed mesh.
+// Based on:
+// [WJZ95]  Wang, Jacques, Zheng: MCML. CMPB 47, 1995 (steps, boundary)
+// [WNDS14] Wilkie, Nawaz, Droske, Weidlich, Hanika: Hero Wavelength Spectral Sampling. EGSR 2014 (one walk
+//          for three channels)
 #pragma once
 
 #include <glm/glm.hpp>

@@ -25,12 +25,10 @@ struct GutterTexel {
 /// belongs to the nearest border edge, Euclidean in texels; at equal distance to the edge whose normal is
 /// closer to its direction; then to the first.
 /// - Border with a partner (the neighbour at the same place lies elsewhere on the map): unfolds the owner's
-/// plane across
-///   the edge and follows the straight line over the surface, across further seams, to the texel's distance.
-///   Width: width_texels.
+///   plane across the edge and follows the straight line over the surface, across further seams, to the
+///   texel's distance. Width: width_texels.
 /// - Open border (no partner, or the line meets one): only within 2 texels, chart 0, the nearest covered
-/// texel's centre,
-///   so that bilinear reads at the border find the skin's colour.
+///   texel's centre, so that bilinear reads at the border find the skin's colour.
 ///
 /// Sources can be read in any order: the bilinear footprint of each (weights above 0) lies on covered texels
 /// of one chart. A source too near to a border moves to the nearest such point, usually by less than half a

@@ -12,12 +12,10 @@ namespace dermis::scene {
 /// Fills unwrap, unwrap_scale, unwrap_offset and unwrap_note from the raw coordinates uv0 of the vertices.
 /// Returns, per triangle, whether it lies on the map. Left out are
 /// - triangles whose raw coordinates are not finite, have no area (see uv_area2) or lie nearly on a line
-/// although they have
-///   width on the skin;
+///   although they have width on the skin;
 /// - strays: few triangles so far from all others that the rest would get only a fraction of the texels. Per
-/// side of an
-///   axis, at most 1 % of the skin's area if the rest becomes at least 4 times as large, 5 % for 16 times, 25
-///   % for 64 times.
+///   side of an axis, at most 1 % of the skin's area if the rest becomes at least 4 times as large, 5 % for
+///   16 times, 25 % for 64 times.
 ///
 /// Coordinates of the rest within 0..1 are kept, or moved by whole tiles if that brings them there.
 /// Otherwise, or if their box covers less than a quarter of the square, they are fitted by one scale and
