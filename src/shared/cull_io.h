@@ -3,7 +3,8 @@
 #define DERMIS_SHARED_CULL_IO_H
 #include "shared/types.h"
 DERMIS_IO_BEGIN
-// Inputs of the visibility test of a head: see cull.glsl.
+// What decides which triangles of a head its light maps leave out: see shaders/cull.glsl for those that face
+// away; planes clip the others.
 struct CullIo {
   vec3 offset_m;   // of this head
   uint can_cull;   // 0: both sides of this material are visible
