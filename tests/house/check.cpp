@@ -357,4 +357,54 @@ Violations check_machine_paths(const std::vector<SourceFile>& tree) {
   return violations;
 }
 
+namespace {
+
+/// What stands between pairs of backquotes.
+std::vector<std::string> quoted(const std::string& line) {
+  std::vector<std::string> found;
+  for (std::size_t from = line.find('`'); from != std::string::npos; from = line.find('`', from)) {
+    const std::size_t to = line.find('`', from + 1);
+    if (to == std::string::npos) break;
+    found.push_back(line.substr(from + 1, to - from - 1));
+    from = to + 1;
+  }
+  return found;
+}
+
+bool looks_like_a_path(const std::string& text) {
+  return text.find('/') != std::string::npos && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+           return std::isalnum(c) != 0 || c == '/' || c == '_' || c == '-' || c == '.';
+         });
+}
+
+}  // namespace
+
+Violations check_document_paths(const std::vector<SourceFile>& tree) {
+  std::set<std::string> there;  // files, and the folders that hold them
+  for (const SourceFile& file : tree)
+    for (fs::path path = file.path; !path.empty(); path = path.parent_path())
+      there.insert(path.generic_string());
+
+  Violations found;
+  for (const SourceFile& file : tree) {
+    if (!file.path.ends_with(".md")) continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i)
+      for (std::string path : quoted(file.lines[i])) {
+        if (!looks_like_a_path(path)) continue;
+        if (path.ends_with('/')) path.pop_back();
+
+        const std::string first = path.substr(0, path.find('/'));
+        const std::string last = path.substr(path.rfind('/') + 1);
+        if (std::all_of(last.begin(), last.end(), [](unsigned char c) { return std::isupper(c) != 0; }))
+          continue;
+
+        const bool of_room = there.contains("src/" + first);
+        if (!of_room && !there.contains(first)) continue;
+        if (!there.contains(path) && !(of_room && there.contains("src/" + path)))
+          found.push_back(fmt::format("{}:{}: there is no '{}'", file.path, i + 1, path));
+      }
+  }
+  return found;
+}
+
 }  // namespace house

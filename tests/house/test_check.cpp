@@ -247,4 +247,19 @@ TEST(HouseCheck, SeesLinesThatAreTooWide) {
             (house::Violations{"run:1: 9 columns", "src/core/a.cpp:2: 9 columns"}));
 }
 
+TEST(HouseCheck, FindsADocumentThatNamesWhatIsNotThere) {
+  MadeUpTree tree;
+  tree.add("src/core/error.h", "\n")
+      .add("tools/make.sh", "\n")
+      .add("docs/a.md", "`core/gone.h` `core/error.h`\n");
+  tree.add(
+      "README.md",
+      "`src/core/` `tools/make.sh` `tools/gone.sh`\n"
+      "`tools/make.sh --fast` `tools/*.sh` `out/picture.png` `and/or` `tools/NAME` tools/none `src/gone`\n");
+  EXPECT_EQ(
+      house::check_document_paths(tree.read()),
+      (house::Violations{"README.md:1: there is no 'tools/gone.sh'", "README.md:2: there is no 'src/gone'",
+                         "docs/a.md:1: there is no 'core/gone.h'"}));
+}
+
 }  // namespace

@@ -74,6 +74,8 @@ TEST(House, EveryFileNamesItsLicence) { expect_none(house::check_licence(tree())
 
 TEST(House, NoPathOfAMachine) { expect_none(house::check_machine_paths(tree())); }
 
+TEST(House, DocumentsNameWhatIsThere) { expect_none(house::check_document_paths(tree())); }
+
 TEST(House, LinesAreNarrow) { expect_none(house::check_columns(tree(), most_columns)); }
 
 TEST(House, FilesAndFunctionsAreShort) {
