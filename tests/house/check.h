@@ -72,8 +72,8 @@ Violations check_licence(const std::vector<SourceFile>& tree);
 Violations check_machine_paths(const std::vector<SourceFile>& tree);
 
 /// Every path that a document (.md) names between backquotes exists: from the root, or below src/ where it
-/// begins with a room. What holds other characters than those of paths, or ends in CAPITALS, is a command or a
-/// pattern, and not looked at.
+/// begins with a room. What holds other characters than those of paths, or ends in CAPITALS, is a command or
+/// a pattern, and not looked at.
 Violations check_document_paths(const std::vector<SourceFile>& tree);
 
 /// True for what the compilers read: C++, headers, shaders.
