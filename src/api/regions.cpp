@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/regions.h"
+#include "regions/regions.h"
 
 #include "dermis/reference.h"
 #include "setup/reference_setup.h"
@@ -10,7 +10,7 @@ std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSetti
   const reference::RenderSetup setup = setup::reference_setup(scene.data(), settings);
   const rays::RayScene rays(scene.data());
   std::vector<PictureRegion> out;
-  for (reference::Region& region : reference::regions(rays, setup))
+  for (regions::Region& region : regions::find(rays, setup))
     out.push_back({.name = std::move(region.name), .mask = std::move(region.mask), .pixels = region.pixels});
   return out;
 }

@@ -262,12 +262,14 @@ Violations check_includes(const std::vector<SourceFile>& tree, const Rules& rule
 }
 
 Violations check_rules(const Rules& rules) {
-  const std::set<std::string> skin_side{"optics", "profile",    "gaussians", "scene",
-                                        "passes", "techniques", "reference", "api"};
+  const std::set<std::string> skin_side{"optics",       "profile", "gaussians",  "scene",
+                                        "builtin_head", "passes",  "techniques", "reference",
+                                        "regions",      "setup",   "api"};
   const Rules never{{"gpu", skin_side},
                     {"frame", skin_side},
                     {"scene", {"gpu", "frame"}},
-                    {"reference", {"gpu", "frame", "passes", "techniques"}}};
+                    {"reference", {"gpu", "frame", "passes", "techniques"}},
+                    {"regions", {"gpu", "frame", "passes", "techniques"}}};
 
   Violations violations;
   for (const auto& [room, allowed] : rules) {

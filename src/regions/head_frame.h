@@ -9,7 +9,7 @@
 #include "rays/ray_scene.h"
 #include "rays/surface_point.h"
 
-namespace dermis::reference {
+namespace dermis::regions {
 
 /// A head that stands upright (+Y) and looks along +Z, as in glTF and for the cameras of this library. The
 /// unit of length is half the breadth of the head from ear to ear, about 90 mm on an adult: larger and
@@ -48,4 +48,4 @@ double thickness_m(const rays::RayScene& rays, const rays::SurfacePoint& s);
 /// same cone, meet skin sooner. Infinity in the open.
 double gap_m(const rays::RayScene& rays, const rays::SurfacePoint& s);
 
-}  // namespace dermis::reference
+}  // namespace dermis::regions

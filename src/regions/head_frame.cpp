@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/head_frame.h"
+#include "regions/head_frame.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dermis::reference {
+namespace dermis::regions {
 namespace {
 
 constexpr double head_height_mm = 260;
@@ -112,4 +112,4 @@ double gap_m(const rays::RayScene& rays, const rays::SurfacePoint& s) {
   return way_m(rays, s, s.face_normal, 0.25);
 }
 
-}  // namespace dermis::reference
+}  // namespace dermis::regions

@@ -10,7 +10,7 @@
 #include "rays/ray_scene.h"
 #include "reference/settings.h"
 
-namespace dermis::reference {
+namespace dermis::regions {
 
 /// Pixels, row by row; 0 = not in the region.
 struct Region {
@@ -34,6 +34,6 @@ struct Region {
 ///   the rest      skin in none of these
 /// Distances are straight lines between points that the picture shows. Lights without light do not count;
 /// parts that are cut out by a map (alpha mode mask) cast no shadow here.
-std::vector<Region> regions(const rays::RayScene& rays, const RenderSetup& setup);
+std::vector<Region> find(const rays::RayScene& rays, const reference::RenderSetup& setup);
 
-}  // namespace dermis::reference
+}  // namespace dermis::regions

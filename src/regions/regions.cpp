@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/regions.h"
+#include "regions/regions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@
 #include "core/parallel.h"
 #include "rays/alpha_test.h"
 #include "reference/camera_ray.h"
-#include "reference/head_frame.h"
 #include "reference/shading.h"
+#include "regions/head_frame.h"
 #include "scene/unwrap.h"
 
-namespace dermis::reference {
+namespace dermis::regions {
 namespace {
 
 constexpr double terminator_cosine = 0.2;
@@ -58,7 +58,7 @@ std::vector<std::vector<std::uint32_t>> charts_of(const scene::Scene& scene) {
 
 class Finder {
  public:
-  Finder(const rays::RayScene& rays, const RenderSetup& setup) : rays_(rays), setup_(setup) {
+  Finder(const rays::RayScene& rays, const reference::RenderSetup& setup) : rays_(rays), setup_(setup) {
     const auto width = static_cast<std::size_t>(setup.width);
     seen_.resize(width * static_cast<std::size_t>(setup.height));
     const std::vector<std::vector<std::uint32_t>> charts = charts_of(rays.scene());
@@ -98,10 +98,10 @@ class Finder {
     Mask lit(count);
     parallel_for(count, [&](std::size_t i) {
       if (!seen_[i].skin) return;
-      const Arriving a = arriving_light(light, seen_[i].point.position_m);
+      const reference::Arriving a = reference::arriving_light(light, seen_[i].point.position_m);
       cosine[i] = glm::dot(seen_[i].point.normal, a.to_light);
       if (cosine[i] <= 0 || a.irradiance == glm::dvec3(0)) return;
-      const rays::Ray ray = shadow_ray(seen_[i].point, a);
+      const rays::Ray ray = reference::shadow_ray(seen_[i].point, a);
       lit[i] = ray.t_max_m <= ray.t_min_m || !rays_.solid_between(ray);
     });
     const auto index = [&](const Seen& s) { return static_cast<std::size_t>(&s - seen_.data()); };
@@ -124,7 +124,7 @@ class Finder {
 
   Seen look(int x, int y, const std::vector<std::vector<std::uint32_t>>& charts) const {
     Seen seen;
-    rays::Ray ray = camera_ray(setup_, x + 0.5, y + 0.5);
+    rays::Ray ray = reference::camera_ray(setup_, x + 0.5, y + 0.5);
     while (const auto hit = rays_.nearest(ray)) {
       const scene::Primitive& primitive = rays_.scene().primitives[hit->primitive];
       const scene::Material& material = rays_.scene().materials[static_cast<std::size_t>(primitive.material)];
@@ -204,33 +204,33 @@ class Finder {
   }
 
   const rays::RayScene& rays_;
-  const RenderSetup& setup_;
+  const reference::RenderSetup& setup_;
   std::optional<HeadFrame> frame_ = HeadFrame::find(rays_);
   std::vector<Seen> seen_;
 };
 
 }  // namespace
 
-std::vector<Region> regions(const rays::RayScene& rays, const RenderSetup& setup) {
-  const Finder find(rays, setup);
+std::vector<Region> find(const rays::RayScene& rays, const reference::RenderSetup& setup) {
+  const Finder finder(rays, setup);
   Mask terminator(static_cast<std::size_t>(setup.width) * static_cast<std::size_t>(setup.height)),
       shadow_edges = terminator;
   for (const scene::Light& light : setup.lights)
-    if (light.colour != glm::vec3(0)) find.add_light(light, terminator, shadow_edges);
+    if (light.colour != glm::vec3(0)) finder.add_light(light, terminator, shadow_edges);
 
   std::vector<Region> all;
   const auto add = [&](const char* name, Mask mask) {
     all.push_back({.name = name, .mask = std::move(mask)});
   };
 
-  add("skin", find.skin());
-  add("ears", find.ears());
-  add("nose", find.nose());
+  add("skin", finder.skin());
+  add("ears", finder.ears());
+  add("nose", finder.nose());
   add("terminator", std::move(terminator));
   add("shadow edges", std::move(shadow_edges));
-  add("thin parts", find.thin_parts());
-  add("folds", find.folds());
-  add("seams", find.seams());
+  add("thin parts", finder.thin_parts());
+  add("folds", finder.folds());
+  add("seams", finder.seams());
 
   Mask rest = all.front().mask;
   for (std::size_t i = 0; i < rest.size(); ++i)
@@ -244,4 +244,4 @@ std::vector<Region> regions(const rays::RayScene& rays, const RenderSetup& setup
   return all;
 }
 
-}  // namespace dermis::reference
+}  // namespace dermis::regions

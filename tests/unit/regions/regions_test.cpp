@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Regions of pictures whose answer is known, and of the built-in head, whose landmarks are.
-#include "reference/regions.h"
+#include "regions/regions.h"
 
 #include <gtest/gtest.h>
 
@@ -9,16 +9,16 @@
 
 #include "builtin_head/builtin_head.h"
 #include "reference/camera_ray.h"
-#include "reference/head_frame.h"
+#include "regions/head_frame.h"
 #include "scene/framing.h"
 #include "scene/primitives.h"
 #include "unit/reference/scenes.h"
 
-namespace dermis::reference {
+namespace dermis::regions {
 namespace {
 
-RenderSetup framed(const scene::Scene& scene, int side, double azimuth_deg = 0) {
-  RenderSetup setup;
+reference::RenderSetup framed(const scene::Scene& scene, int side, double azimuth_deg = 0) {
+  reference::RenderSetup setup;
   setup.camera = scene::framing_camera(scene::skin_sphere(scene), 1, azimuth_deg, 0);
   setup.width = setup.height = side;
   return setup;
@@ -38,10 +38,10 @@ const Region& named(const std::vector<Region>& all, const std::string& name) {
 
 /// Calls visit(point that pixel i shows, i) for each pixel of skin.
 template <class Visit>
-void for_each_point(const rays::RayScene& rays, const RenderSetup& setup, const Visit& visit) {
+void for_each_point(const rays::RayScene& rays, const reference::RenderSetup& setup, const Visit& visit) {
   for (int y = 0; y < setup.height; ++y)
     for (int x = 0; x < setup.width; ++x) {
-      const auto hit = rays.nearest_skin(camera_ray(setup, x + 0.5, y + 0.5));
+      const auto hit = rays.nearest_skin(reference::camera_ray(setup, x + 0.5, y + 0.5));
       if (hit) visit(rays::surface_point(rays.scene(), *hit), static_cast<std::size_t>(y * setup.width + x));
     }
 }
@@ -49,9 +49,9 @@ void for_each_point(const rays::RayScene& rays, const RenderSetup& setup, const 
 TEST(Regions, ABallHasATerminatorAndNeitherNoseNorEars) {
   const scene::Scene ball = scene::sphere(0.1, 64);
   const rays::RayScene rays(ball);
-  RenderSetup setup = framed(ball, 96);
+  reference::RenderSetup setup = framed(ball, 96);
   setup.lights = {from({1, 0, 0})};
-  const std::vector<Region> all = regions(rays, setup);
+  const std::vector<Region> all = find(rays, setup);
   for (const char* empty : {"ears", "nose", "shadow edges", "thin parts", "folds"})
     EXPECT_EQ(named(all, empty).pixels, 0u) << empty;
   EXPECT_GT(named(all, "skin").pixels, 5000u);
@@ -63,14 +63,14 @@ TEST(Regions, ABallHasATerminatorAndNeitherNoseNorEars) {
     if (std::abs(cosine) > 0.21) { EXPECT_FALSE(terminator.mask[i]) << cosine; }
   });
   setup.lights.front().colour = glm::vec3(0);
-  EXPECT_EQ(named(regions(rays, setup), "terminator").pixels, 0u) << "a lamp that is off";
+  EXPECT_EQ(named(find(rays, setup), "terminator").pixels, 0u) << "a lamp that is off";
 }
 
 TEST(Regions, SeamsAreWhereTheUnwrapIsCut) {
   const scene::Scene ball = scene::sphere(0.1, 32);  // six charts, cut where two coordinates are equal
   const rays::RayScene rays(ball);
-  const RenderSetup setup = framed(ball, 128);
-  const std::vector<Region> all = regions(rays, setup);
+  const reference::RenderSetup setup = framed(ball, 128);
+  const std::vector<Region> all = find(rays, setup);
   const Region &seams = named(all, "seams"), &rest = named(all, "the rest");
   EXPECT_GT(seams.pixels, 100u);
   for_each_point(rays, setup, [&](const rays::SurfacePoint& p, std::size_t i) {
@@ -98,12 +98,12 @@ TEST(Regions, ShadowEdgesReachFiveMillimetres) {
   scene.primitives.push_back(sheet);
 
   const rays::RayScene rays(scene);
-  RenderSetup setup;
+  reference::RenderSetup setup;
   setup.camera = tests::from_above(0.02, 0.02);  // between skin and sheet
   setup.width = setup.height = 80;               // half a millimetre each
   setup.lights = {from({0, 0, 1})};
 
-  const std::vector<Region> all = regions(rays, setup);
+  const std::vector<Region> all = find(rays, setup);
   EXPECT_EQ(named(all, "terminator").pixels, 0u);
   for (std::size_t x = 0; x < 80; ++x) {
     const double mm = (static_cast<double>(x) + 0.5) / 2 - 20;
@@ -121,11 +121,11 @@ TEST(Regions, ThicknessOfABox) {
     // Half of a cone of 60 degrees lies within acos(3/4) of its axis.
     EXPECT_NEAR(1000 * thickness_m(rays, rays::surface_point(box, *hit)), depth_mm / 0.75, 0.05 * depth_mm);
   }
-  RenderSetup setup;
+  reference::RenderSetup setup;
   setup.camera = tests::from_above(0.5, 0.05);
   setup.width = setup.height = 16;
-  EXPECT_EQ(named(regions(rays::RayScene(tests::box(5, 100)), setup), "thin parts").pixels, 256u);
-  EXPECT_EQ(named(regions(rays::RayScene(tests::box(50, 100)), setup), "thin parts").pixels, 0u);
+  EXPECT_EQ(named(find(rays::RayScene(tests::box(5, 100)), setup), "thin parts").pixels, 256u);
+  EXPECT_EQ(named(find(rays::RayScene(tests::box(50, 100)), setup), "thin parts").pixels, 0u);
 }
 
 // Two boxes side by side with a slit of 2 mm between them: a fold is where one sees the other.
@@ -140,9 +140,8 @@ TEST(Regions, ASlitIsAFold) {
   ASSERT_TRUE(inside && top);
   EXPECT_NEAR(1000 * gap_m(rays, rays::surface_point(scene, *inside)), 2.3, 0.2);
   EXPECT_GT(gap_m(rays, rays::surface_point(scene, *top)), 1);
-  EXPECT_EQ(
-      named(regions(rays::RayScene(tests::box(50, 100)), framed(tests::box(50, 100), 16)), "folds").pixels,
-      0u);
+  EXPECT_EQ(named(find(rays::RayScene(tests::box(50, 100)), framed(tests::box(50, 100), 16)), "folds").pixels,
+            0u);
 }
 
 TEST(Regions, OfTheBuiltInHead) {
@@ -154,8 +153,8 @@ TEST(Regions, OfTheBuiltInHead) {
   EXPECT_NEAR(1000 * frame->half_breadth_m(), 85, 15);
   EXPECT_NEAR(frame->nose_tip_m().x, 0, 0.002);
 
-  const RenderSetup front = framed(head, 160);
-  const std::vector<Region> all = regions(rays, front);
+  const reference::RenderSetup front = framed(head, 160);
+  const std::vector<Region> all = find(rays, front);
   std::array<int, 2> ears{};  // right, left
   double nose_mm = 0;
   for_each_point(rays, front, [&](const rays::SurfacePoint& p, std::size_t i) {
@@ -175,10 +174,10 @@ TEST(Regions, OfTheBuiltInHead) {
   EXPECT_LT(nose_mm, 60);
 
   // From behind there is no nose, but both ears.
-  const std::vector<Region> behind = regions(rays, framed(head, 160, 180));
+  const std::vector<Region> behind = find(rays, framed(head, 160, 180));
   EXPECT_EQ(named(behind, "nose").pixels, 0u);
   EXPECT_GT(named(behind, "ears").pixels, 40u);
 }
 
 }  // namespace
-}  // namespace dermis::reference
+}  // namespace dermis::regions
