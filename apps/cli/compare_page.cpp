@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/html.h"
 #include "image/compare_map.h"
+#include "report/escape.h"
+#include "report/html.h"
 
 namespace dermis::cli {
 namespace {
@@ -89,7 +90,7 @@ std::string compared_json(const Compared& c) {
 }
 
 std::string compared_page(const Compared& c) {
-  using namespace html;
+  using namespace report;
   std::string body = "<p>" + escape(extent(c)) + "</p>\n" + table(rows(c));
   body += "<h2>Side by side</h2>\n<div class=\"figures\">\n" +
           figure("A, the reference: " + escape(c.a), picture("a", c.shown_a, "A")) +

@@ -105,15 +105,15 @@ std::string exported(const Source& source, const Fitted& fitted, const std::stri
 
 void run(const ProfileOptions& options) {
   check(options);
-  std::vector<gaussians::PlottedSum> others;
+  std::vector<PlottedSum> others;
   for (const std::string& name : options.compare) others.push_back(plotted(name));
   const Source source = open_with_progress(options.source);
   const Fitted fitted = fit(source, options.gaussians, options.variances == "shared");
-  const gaussians::Plot plot{.title = source.name + ": " + source.model,
-                             .profiles = source.profiles,
-                             .fit = plotted(fitted),
-                             .others = std::move(others)};
-  if (!options.plot.empty()) write_file(options.plot, gaussians::svg_plot(plot));
+  const ProfilePlot plot{.title = source.name + ": " + source.model,
+                         .profiles = source.profiles,
+                         .fit = plotted(fitted),
+                         .others = std::move(others)};
+  if (!options.plot.empty()) write_file(options.plot, profile_svg(plot));
   if (!options.swatches.empty())
     image::save_png(options.swatches, skin_swatches(source.skin.value_or(optics::Skin{})));
   if (!options.output.empty()) write_text(options.output, profile_json(source, fitted));

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "gaussians/algebra.h"
 #include "gaussians/json.h"
 #include "profile/noise.h"
 
@@ -181,9 +182,9 @@ std::string table(const Source& source, const Fitted& fitted) {
   return text;
 }
 
-std::string differences(const gaussians::PlottedSum& fit, const std::vector<gaussians::PlottedSum>& others) {
+std::string differences(const PlottedSum& fit, const std::vector<PlottedSum>& others) {
   std::string text;
-  for (const gaussians::PlottedSum& other : others) {
+  for (const PlottedSum& other : others) {
     gaussians::Rgb percent{};
     for (int c = 0; c < 3; ++c)
       percent[c] = gaussians::difference_percent(fit.channels[c], other.channels[c]);
@@ -202,8 +203,8 @@ std::string profile_json(const Source& source, const Fitted& fitted) {
   return gaussians::to_json(sum);
 }
 
-gaussians::PlottedSum plotted(const Fitted& fitted) {
-  gaussians::PlottedSum sum;
+PlottedSum plotted(const Fitted& fitted) {
+  PlottedSum sum;
   std::size_t terms = 0;  // fewer than asked for where two would coincide
   for (int c = 0; c < 3; ++c) {
     sum.channels[c] = normalised(fitted, c);
@@ -213,10 +214,10 @@ gaussians::PlottedSum plotted(const Fitted& fitted) {
   return sum;
 }
 
-gaussians::PlottedSum plotted(const std::string& name_or_path) {
+PlottedSum plotted(const std::string& name_or_path) {
   gaussians::SumOfGaussians sum = gaussians::from_name_or_file(name_or_path);
   sum.total_reflectance = {1, 1, 1};
-  gaussians::PlottedSum out{.label = sum.name.empty() ? name_or_path : sum.name, .channels = {}};
+  PlottedSum out{.label = sum.name.empty() ? name_or_path : sum.name, .channels = {}};
   for (int c = 0; c < 3; ++c) out.channels[c] = gaussians::channel(sum, c);
   return out;
 }

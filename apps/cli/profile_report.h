@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/profile_plot.h"
 #include "cli/profile_source.h"
 #include "gaussians/fit.h"
-#include "gaussians/plot.h"
 
 namespace dermis::cli {
 
@@ -32,14 +32,14 @@ std::vector<gaussians::Term> normalised(const Fitted& fitted, int c);
 /// Lines for a person, notes first.
 std::string table(const Source& source, const Fitted& fitted);
 /// How far each sum is from the fit, a row a sum.
-std::string differences(const gaussians::PlottedSum& fit, const std::vector<gaussians::PlottedSum>& others);
+std::string differences(const PlottedSum& fit, const std::vector<PlottedSum>& others);
 /// The profile file; with variances_mm2 [k][3] if they are per channel, where a channel with fewer terms is
 /// filled with terms of weight 0.
 std::string profile_json(const Source& source, const Fitted& fitted);
 
 /// The fit as curves: its label is the number of terms that it has.
-gaussians::PlottedSum plotted(const Fitted& fitted);
+PlottedSum plotted(const Fitted& fitted);
 /// A published sum or a profile file as curves. InputError as from_name_or_file().
-gaussians::PlottedSum plotted(const std::string& name_or_path);
+PlottedSum plotted(const std::string& name_or_path);
 
 }  // namespace dermis::cli

@@ -6,10 +6,11 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "cli/html.h"
 #include "cli/scene_comparison.h"
 #include "image/compare_flip.h"
 #include "image/compare_map.h"
+#include "report/escape.h"
+#include "report/html.h"
 
 namespace dermis::cli {
 namespace {
@@ -181,7 +182,7 @@ std::string scene_comparison_json(const SceneComparison& c) {
 }
 
 std::string scene_comparison_page(const SceneComparison& c) {
-  using namespace html;
+  using namespace report;
   std::string body = fmt::format("<p>{}<br>{}<br>{}</p>\n", escape(picture_line(c)),
                                  escape(reference_line(c)), escape(device_line(c)));
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "core/assert.h"
 #include "profile/slab.h"
@@ -69,6 +70,25 @@ double transform(std::span<const Term> terms, double k_per_mm) {
   double sum = 0;
   for (const Term& term : terms) sum += term.weight * std::exp(-term.variance_mm2 * k_per_mm * k_per_mm / 2);
   return sum;
+}
+
+double edge_response(std::span<const Term> terms, double x_mm) {
+  double sum = 0;
+  for (const Term& term : terms) sum += term.weight * std::erfc(x_mm / std::sqrt(2 * term.variance_mm2)) / 2;
+  return sum;
+}
+
+double difference_percent(std::span<const Term> sum, std::span<const Term> other) {
+  using std::numbers::pi;
+  const auto product = [](std::span<const Term> a, std::span<const Term> b) {
+    double value = 0;
+    for (const Term& s : a)
+      for (const Term& t : b)
+        value += s.weight * t.weight / (4 * pi * pi * (s.variance_mm2 + t.variance_mm2));
+    return value;
+  };
+  const double own = product(sum, sum);
+  return 100 * std::sqrt(std::max(0.0, own - 2 * product(sum, other) + product(other, other)) / own);
 }
 
 std::vector<Term> merge(std::span<const Term> terms) {

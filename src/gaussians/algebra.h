@@ -24,6 +24,14 @@ double total(std::span<const Term> terms);
 /// Returns S^(k) = Sum w e^{-v k^2/2}, k in 1/mm, dimensionless.
 double transform(std::span<const Term> terms, double k_per_mm);
 
+/// E(x), the light at distance x [mm] into the dark (negative: in the light) from a straight edge, 0..1 for
+/// normalised weights. [DLE07] fig. 2 idea, the integral of the sum over a half-plane.
+double edge_response(std::span<const Term> terms, double x_mm);
+
+/// How far two normalised sums are apart, in per cent: 100 sqrt( Int r (S - S')^2 dr / Int r S^2 dr ), in
+/// closed form: Int r G(v) G(v') dr = 1 / (4 pi^2 (v + v')).
+double difference_percent(std::span<const Term> sum, std::span<const Term> other);
+
 /// Returns fewer terms, on a grid of 32 variances per decade: splits each weight between the two neighbours
 /// on the grid so that Sum w and Sum w v stay. Changes R^ by less than 1e-3 of the total.
 std::vector<Term> merge(std::span<const Term> terms);

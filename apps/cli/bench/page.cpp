@@ -9,8 +9,10 @@
 
 #include "cli/bench/paper.h"
 #include "cli/bench/passes.h"
-#include "cli/charts.h"
-#include "cli/html.h"
+#include "report/charts.h"
+#include "report/escape.h"
+#include "report/html.h"
+#include "report/svg.h"
 
 namespace dermis::cli::bench {
 namespace {
@@ -50,7 +52,7 @@ std::string facts(const Run& run) {
   };
 
   if (!run.complete) rows.emplace_back("stopped", "not all cells were measured");
-  return html::table(rows);
+  return report::table(rows);
 }
 
 std::string paper_section(const Run& run) {
@@ -75,15 +77,15 @@ std::string paper_section(const Run& run) {
          "picture | "
          "the paper's (Jimenez and Gutierrez 2008, table 1: GeForce 8800 GTX, 1920 x 1200 pixels, maps of "
          "2048 texels).</p>\n" +
-         html::grid(headings, rows);
+         report::grid(headings, rows);
 }
 
 // Ours over both baselines, and the paper's, along one side of the table.
 template <class X>
-html::LineChart chart(const std::string& title, const std::string& x_name, const std::vector<X>& xs,
-                      const std::function<std::pair<int, double>(X)>& place, const Run& run) {
-  html::LineChart chart{.title = title, .x_name = x_name, .x = {}, .lines = {}};
-  html::Line baseline{"over the baseline", 0, false, {}},
+report::LineChart chart(const std::string& title, const std::string& x_name, const std::vector<X>& xs,
+                        const std::function<std::pair<int, double>(X)>& place, const Run& run) {
+  report::LineChart chart{.title = title, .x_name = x_name, .x = {}, .lines = {}};
+  report::Line baseline{"over the baseline", 0, false, {}},
       skipping{"over the baseline that skips heads outside", 2, false, {}},
       paper{"the paper, over its baseline", 1, true, {}};
   for (const X x : xs) {
@@ -101,7 +103,7 @@ html::LineChart chart(const std::string& title, const std::string& x_name, const
 std::string charts_section(const Run& run) {
   const std::vector<int> heads = heads_of(run.cells);
   const std::vector<double> distances = distances_of(run.cells);
-  std::vector<html::LineChart> against_heads, against_distance;
+  std::vector<report::LineChart> against_heads, against_distance;
   for (const double distance : distances)
     against_heads.push_back(chart<int>(
         fmt::format("at {:g} radii", distance), "heads", heads, [&](int h) { return std::pair(h, distance); },
@@ -113,22 +115,22 @@ std::string charts_section(const Run& run) {
 
   // Give all charts one scale; those against distance hold the same values.
   double most = 1;
-  for (const html::LineChart& c : against_heads)
-    for (const html::Line& line : c.lines)
+  for (const report::LineChart& c : against_heads)
+    for (const report::Line& line : c.lines)
       for (const std::optional<double>& value : line.values)
         if (value && std::isfinite(*value)) most = std::max(most, *value);
-  const double step = html::tick_step(most, 6), y_max = std::ceil(most / step) * step;
+  const double step = report::tick_step(most, 6), y_max = std::ceil(most / step) * step;
 
-  const auto together = [&](std::vector<html::LineChart>& charts) {
+  const auto together = [&](std::vector<report::LineChart>& charts) {
     std::string text = "<div class=\"figures\">\n";
-    for (html::LineChart& c : charts) {
+    for (report::LineChart& c : charts) {
       c.y_max = y_max;
-      text += html::line_chart(c);
+      text += report::line_chart(c);
     }
     return text + "</div>\n";
   };
 
-  return "<h2>Speed-up against heads and distance</h2>\n" + html::legend(against_heads.front().lines) +
+  return "<h2>Speed-up against heads and distance</h2>\n" + report::legend(against_heads.front().lines) +
          together(against_heads) + together(against_distance);
 }
 
@@ -149,7 +151,7 @@ std::string frames_section(const Run& run) {
     row.push_back(cell.difference ? fmt::format("{:.4f}", cell.difference->flip_mean) : "-");
     rows.push_back(std::move(row));
   }
-  return "<h2>Frames, ms</h2>\n" + html::table(meanings) + html::grid(headings, rows);
+  return "<h2>Frames, ms</h2>\n" + report::table(meanings) + report::grid(headings, rows);
 }
 
 std::string texels_table(const Cell& cell) {
@@ -166,19 +168,19 @@ std::string texels_table(const Cell& cell) {
     row.push_back(sizes);
     rows.push_back(std::move(row));
   }
-  return html::grid({"texels", "lit", "convolved", "launched", "read unlit", "map of each head"}, rows);
+  return report::grid({"texels", "lit", "convolved", "launched", "read unlit", "map of each head"}, rows);
 }
 
 std::string bars(const Cell& cell, const std::vector<std::size_t>& groups) {
-  html::BarChart chart{.unit = "ms", .parts = {}, .bars = {}};
+  report::BarChart chart{.unit = "ms", .parts = {}, .bars = {}};
   for (const std::size_t group : groups) chart.parts.push_back(pass_groups()[group]);
   for (const Measured& m : cell.measured) {
-    html::Bar bar{m.variant.heading, {}};
+    report::Bar bar{m.variant.heading, {}};
     const std::vector<double> all = group_ms(m.passes);
     for (const std::size_t group : groups) bar.parts.push_back(all[group]);
     chart.bars.push_back(std::move(bar));
   }
-  return html::bar_chart(chart);
+  return report::bar_chart(chart);
 }
 
 // What no frame spends time on needs no colour.
@@ -200,10 +202,10 @@ std::string cells_section(const Run& run) {
   std::vector<std::string> names;
   for (const std::size_t group : groups) names.push_back(pass_groups()[group]);
 
-  std::string text = "<h2>Every cell</h2>\n" + html::legend(names);
+  std::string text = "<h2>Every cell</h2>\n" + report::legend(names);
   for (std::size_t i = 0; i < run.cells.size(); ++i) {
     const Cell& cell = run.cells[i];
-    text += "<h3>" + html::escape(place_text(cell)) +
+    text += "<h3>" + report::escape(place_text(cell)) +
             fmt::format(": speed-up {}, {} over skipping", ratio_text(cell.speedup()),
                         ratio_text(cell.speedup_over_skipping()));
     if (cell.difference)
@@ -213,9 +215,9 @@ std::string cells_section(const Run& run) {
 
     if (i < run.pictures.size()) {
       const std::string left = fmt::format("baseline-{}", i), right = fmt::format("all-{}", i);
-      text += "<div hidden>" + html::picture(left, run.pictures[i].baseline, "baseline") +
-              html::picture(right, run.pictures[i].optimised, "all") + "</div>\n" +
-              html::slider(left, right, "baseline", "all");
+      text += "<div hidden>" + report::picture(left, run.pictures[i].baseline, "baseline") +
+              report::picture(right, run.pictures[i].optimised, "all") + "</div>\n" +
+              report::slider(left, right, "baseline", "all");
     }
 
     text += "<div>" + bars(cell, groups) + "</div>\n" + texels_table(cell);
@@ -229,19 +231,20 @@ std::string maps_section(const Run& run) {
   const std::string whose = maps.heads == 1 ? "the head" : fmt::format("the nearest of {} heads", maps.heads);
   return fmt::format("<h2>What is lit of {} at {:g} radii</h2>\n<div class=\"figures\">\n", whose,
                      maps.distance) +
-         html::figure("The light map of the baseline",
-                      html::picture("map-irradiance", maps.irradiance, "light map")) +
-         html::figure("The same with all optimisations: culled blue, clipped red, both purple, lit green",
-                      html::picture("map-visibility", maps.visibility, "culled, clipped and lit texels")) +
-         html::figure("The picture", html::picture("map-picture", maps.picture, "picture")) + "</div>\n";
+         report::figure("The light map of the baseline",
+                        report::picture("map-irradiance", maps.irradiance, "light map")) +
+         report::figure(
+             "The same with all optimisations: culled blue, clipped red, both purple, lit green",
+             report::picture("map-visibility", maps.visibility, "culled, clipped and lit texels")) +
+         report::figure("The picture", report::picture("map-picture", maps.picture, "picture")) + "</div>\n";
 }
 
 }  // namespace
 
 std::string run_page(const Run& run) {
-  return html::page("dermis bench: " + run.scene, facts(run) + paper_section(run) + charts_section(run) +
-                                                      frames_section(run) + maps_section(run) +
-                                                      cells_section(run));
+  return report::page("dermis bench: " + run.scene, facts(run) + paper_section(run) + charts_section(run) +
+                                                        frames_section(run) + maps_section(run) +
+                                                        cells_section(run));
 }
 
 }  // namespace dermis::cli::bench

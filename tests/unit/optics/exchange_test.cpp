@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "gaussians/algebra.h"
 #include "gaussians/exchange.h"
 #include "gaussians/fit.h"
 #include "gaussians/known.h"
-#include "gaussians/plot.h"
 #include "optics/presets.h"
 #include "profile/beam.h"
 #include "profile/burley.h"
@@ -235,19 +235,10 @@ TEST(Equivalent, DipolesGiveTheirOwnMediumBack) {
     }
 }
 
-TEST(Plot, IsSvgOfBoundedSizeAndEscapesNames) {
-  gaussians::Plot plot{.title = "<skin> & co", .profiles = burley_skin().profiles, .fit = {}, .others = {}};
-  plot.fit.label = "4 Gaussians";
-  const auto six = gaussians::skin_six();
-  for (int c = 0; c < 3; ++c) plot.fit.channels[c] = gaussians::channel(six, c);
-  plot.others.push_back(plot.fit);
-  const std::string svg = gaussians::svg_plot(plot);
-  EXPECT_EQ(svg.rfind("<svg", 0), 0u);
-  EXPECT_NE(svg.find("&lt;skin&gt; &amp; co"), std::string::npos);
-  EXPECT_LT(svg.size(), 200'000u);
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-  EXPECT_NEAR(gaussians::difference_percent(plot.fit.channels[0], plot.fit.channels[0]), 0, 1e-5);
-  EXPECT_NEAR(gaussians::edge_response(plot.fit.channels[0], 0), 0.5, 1e-12);
+TEST(Sums, DifferenceAndEdge) {
+  const std::vector<gaussians::Term> terms = gaussians::channel(gaussians::skin_six(), 0);
+  EXPECT_NEAR(gaussians::difference_percent(terms, terms), 0, 1e-5);
+  EXPECT_NEAR(gaussians::edge_response(terms, 0), 0.5, 1e-12);
 }
 
 }  // namespace

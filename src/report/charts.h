@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dermis::cli::html {
+namespace dermis::report {
 
 /// Colours that stay apart on the dark page and for colour-blind eyes; number is taken modulo their count.
 const char* chart_colour(std::size_t number);
@@ -45,7 +45,4 @@ std::string bar_chart(const BarChart& chart);
 std::string legend(const std::vector<Line>& lines);
 std::string legend(const std::vector<std::string>& parts);
 
-/// 1, 2 or 5 times a power of ten, such that at most `count` steps reach up to `max`.
-double tick_step(double max, int count);
-
-}  // namespace dermis::cli::html
+}  // namespace dermis::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/charts.h"
+#include "report/charts.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "cli/html.h"
+#include "report/escape.h"
+#include "report/svg.h"
 
-namespace dermis::cli::html {
+namespace dermis::report {
 namespace {
 
 // Okabe, Ito: Color Universal Design, 2008; without black, with a grey.
@@ -20,48 +21,40 @@ constexpr std::array colours{"#56b4e9", "#e69f00", "#009e73", "#f0e442",
 // Of a line chart, in units that are pixels where there is room.
 constexpr double width = 330, height = 220, left = 38, right = 318, top = 28, bottom = 178;
 
-std::string text(double x, double y, const char* anchor, const std::string& words, const char* kind = "") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>", x, y, anchor, kind,
-                     escape(words));
+/// Positions of the values; those of x lie in the middle of their share of the width.
+Scale y_scale(const LineChart& chart) { return {.from = bottom, .to = top, .low = 0, .high = chart.y_max}; }
+double x_of(const LineChart& chart, std::size_t i) {
+  const Scale scale{.from = left, .to = right, .low = 0, .high = static_cast<double>(chart.x.size())};
+  return scale(static_cast<double>(i) + 0.5);
 }
 
-std::string number(double value) { return fmt::format("{:.3g}", value); }
-
 std::string axes(const LineChart& chart) {
-  std::string svg = text(left, 14, "start", chart.title, " class=\"title\"") +
-                    text((left + right) / 2, height - 6, "middle", chart.x_name);
-  const double step = tick_step(chart.y_max, 6);
-  for (int i = 0; i * step <= chart.y_max * (1 + 1e-9); ++i) {
-    const double y = bottom - (bottom - top) * i * step / chart.y_max;
-    svg += fmt::format("<line class=\"grid\" x1=\"{}\" y1=\"{:.1f}\" x2=\"{}\" y2=\"{:.1f}\"/>", left, y,
-                       right, y) +
-           text(left - 6, y + 4, "end", number(i * step));
+  std::string svg = text({left, 14}, "start", chart.title, "class=\"title\"") +
+                    text({(left + right) / 2, height - 6}, "middle", chart.x_name);
+  for (const double value : ticks(chart.y_max, 6)) {
+    const double y = y_scale(chart)(value);
+    svg += line({left, y}, {right, y}, "class=\"grid\"") + text({left - 6, y + 4}, "end", number(value));
   }
+  for (std::size_t i = 0; i < chart.x.size(); ++i)
+    svg += text({x_of(chart, i), bottom + 16}, "middle", chart.x[i]);
   return svg;
 }
 
-double x_of(const LineChart& chart, std::size_t i) {
-  const auto n = static_cast<double>(chart.x.size());
-  return left + (right - left) * (static_cast<double>(i) + 0.5) / n;
+/// Colour and dashes of a line, in the chart and in its legend.
+std::string stroke(const Line& line) {
+  return fmt::format("stroke=\"{}\" stroke-width=\"2\"{}", chart_colour(line.colour),
+                     line.dashed ? " stroke-dasharray=\"5 4\"" : "");
 }
-
-double y_of(const LineChart& chart, double value) {
-  return bottom - (bottom - top) * std::clamp(value / chart.y_max, 0.0, 1.0);
-}
-
-std::string dash(const Line& line) { return line.dashed ? " stroke-dasharray=\"5 4\"" : ""; }
 
 std::string drawn(const LineChart& chart, const Line& line) {
-  std::string svg, points;
+  std::string svg, dots;
+  std::vector<Point> points;
   // Close the line that has been drawn so far: a missing value leaves a gap.
   const auto end = [&] {
-    if (!points.empty())
-      svg += fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{} points=\"{}\"/>",
-                         chart_colour(line.colour), dash(line), points);
+    if (!points.empty()) svg += polyline(points, stroke(line));
     points.clear();
   };
 
-  std::string dots;
   for (std::size_t i = 0; i < std::min(line.values.size(), chart.x.size()); ++i) {
     const std::optional<double> value = line.values[i];
     if (!value || !std::isfinite(*value)) {
@@ -69,11 +62,11 @@ std::string drawn(const LineChart& chart, const Line& line) {
       continue;
     }
 
-    const double x = x_of(chart, i), y = y_of(chart, *value);
-    points += fmt::format("{:.1f},{:.1f} ", x, y);
+    points.push_back({x_of(chart, i), y_scale(chart).clamped(*value)});
     dots += fmt::format(
-        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"><title>{}, {}: {}</title></circle>", x, y,
-        chart_colour(line.colour), escape(line.name), escape(chart.x[i]), number(*value));
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"><title>{}, {}: {}</title></circle>",
+        points.back().x, points.back().y, chart_colour(line.colour), escape(line.name), escape(chart.x[i]),
+        number(*value));
   }
 
   end();
@@ -84,21 +77,11 @@ std::string drawn(const LineChart& chart, const Line& line) {
 
 const char* chart_colour(std::size_t number) { return colours[number % colours.size()]; }
 
-double tick_step(double max, int count) {
-  if (!(max > 0) || !std::isfinite(max) || count < 1) return 1;
-  const double power = std::pow(10, std::floor(std::log10(max / count)));
-  for (const double times : {1.0, 2.0, 5.0})
-    if (times * power * count >= max * (1 - 1e-9)) return times * power;
-  return 10 * power;
-}
-
 std::string line_chart(const LineChart& chart) {
   std::string svg =
       fmt::format("<svg class=\"chart\" viewBox=\"0 0 {} {}\" width=\"{}\" role=\"img\" aria-label=\"{}\">",
                   width, height, width, escape(chart.title)) +
       axes(chart);
-  for (std::size_t i = 0; i < chart.x.size(); ++i)
-    svg += text(x_of(chart, i), bottom + 16, "middle", chart.x[i]);
   for (const Line& line : chart.lines) svg += drawn(chart, line);
   return svg + "</svg>\n";
 }
@@ -114,7 +97,7 @@ std::string bar_chart(const BarChart& chart) {
                                 row * static_cast<double>(chart.bars.size()) + 4, all);
   double y = 2;
   for (const Bar& bar : chart.bars) {
-    svg += text(name_end, y + 15, "end", bar.name);
+    svg += text({name_end, y + 15}, "end", bar.name);
     double x = bars, sum = 0;
     for (std::size_t part = 0; part < bar.parts.size(); ++part) {
       sum += bar.parts[part];
@@ -129,7 +112,7 @@ std::string bar_chart(const BarChart& chart) {
       x += wide;
     }
 
-    svg += text(x + 6, y + 15, "start",
+    svg += text({x + 6, y + 15}, "start",
                 fmt::format("{} {}", sum >= 100 ? fmt::format("{:.0f}", sum) : number(sum), chart.unit));
     y += row;
   }
@@ -138,12 +121,9 @@ std::string bar_chart(const BarChart& chart) {
 
 std::string legend(const std::vector<Line>& lines) {
   std::string html = "<p class=\"legend\">";
-  for (const Line& line : lines)
-    html += fmt::format(
-        "<span><svg width=\"26\" height=\"10\"><line x1=\"0\" y1=\"5\" x2=\"26\" y2=\"5\" stroke=\"{}\" "
-        "stroke-width=\"2\"{}/></svg> "
-        "{}</span>",
-        chart_colour(line.colour), dash(line), escape(line.name));
+  for (const Line& entry : lines)
+    html += "<span><svg width=\"26\" height=\"10\">" + line({0, 5}, {26, 5}, stroke(entry)) + "</svg> " +
+            escape(entry.name) + "</span>";
   return html + "</p>\n";
 }
 
@@ -157,4 +137,4 @@ std::string legend(const std::vector<std::string>& parts) {
   return html + "</p>\n";
 }
 
-}  // namespace dermis::cli::html
+}  // namespace dermis::report

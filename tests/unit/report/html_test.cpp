@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "cli/html.h"
+#include "report/html.h"
 
 #include <gtest/gtest.h>
 
 #include "image/codec.h"
+#include "report/escape.h"
 
-namespace dermis::cli {
+namespace dermis::report {
 namespace {
 
 TEST(Html, TextStandsForItself) {
-  EXPECT_EQ(html::escape("a < b & \"c\" > 'd'"), "a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39;");
-  EXPECT_EQ(html::escape("caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82"),
-            "caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82");
-  EXPECT_EQ(html::escape("line\nbreak\x01\x7f"), "line break  ");
-  EXPECT_EQ(html::escape("\xff\xc3(\xe2\x82"), "\xef\xbf\xbd\xef\xbf\xbd(\xef\xbf\xbd\xef\xbf\xbd")
-      << "no UTF-8";
-  EXPECT_EQ(html::escape(""), "");
+  EXPECT_EQ(escape("a < b & \"c\" > 'd'"), "a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39;");
+  EXPECT_EQ(escape("caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82"), "caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82");
+  EXPECT_EQ(escape("line\nbreak\x01\x7f"), "line break  ");
+  EXPECT_EQ(escape("\xff\xc3(\xe2\x82"), "\xef\xbf\xbd\xef\xbf\xbd(\xef\xbf\xbd\xef\xbf\xbd") << "no UTF-8";
+  EXPECT_EQ(escape(""), "");
 }
 
 std::vector<std::byte> from_base64(std::string_view text) {
@@ -39,7 +38,7 @@ TEST(Html, PicturesSurviveTheirUri) {
     image::Image8 picture{.width = width, .height = 3, .rgba = {}};
     for (int i = 0; i < width * 3 * 4; ++i)
       picture.rgba.push_back(i % 4 == 3 ? std::uint8_t{255} : static_cast<std::uint8_t>(i * 37));
-    const std::string uri = html::png_uri(picture);
+    const std::string uri = png_uri(picture);
     constexpr std::string_view kind = "data:image/png;base64,";
     ASSERT_TRUE(uri.starts_with(kind));
     EXPECT_EQ((uri.size() - kind.size()) % 4, 0u);
@@ -52,16 +51,16 @@ TEST(Html, PicturesSurviveTheirUri) {
 }
 
 TEST(Html, ScalesAndTables) {
-  const std::string scale = html::magma_scale(0.5);
+  const std::string scale = magma_scale(0.5);
   EXPECT_NE(scale.find("#000004"), std::string::npos);
   EXPECT_NE(scale.find("#fcfdbf"), std::string::npos);
   for (const char* tick : {">0<", ">0.125<", ">0.25<", ">0.375<", ">0.5<"})
     EXPECT_NE(scale.find(tick), std::string::npos) << tick;
-  EXPECT_NE(html::table({{"<name>", "&"}}).find("<td>&lt;name&gt;</td><td>&amp;</td>"), std::string::npos);
+  EXPECT_NE(table({{"<name>", "&"}}).find("<td>&lt;name&gt;</td><td>&amp;</td>"), std::string::npos);
 }
 
 TEST(Html, APageHoldsItsTitleAndBody) {
-  const std::string page = html::page("a < b", "<p>body</p>");
+  const std::string page = report::page("a < b", "<p>body</p>");
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_TRUE(page.ends_with("</html>\n"));
   EXPECT_NE(page.find("<title>a &lt; b</title>"), std::string::npos);
@@ -70,4 +69,4 @@ TEST(Html, APageHoldsItsTitleAndBody) {
 }
 
 }  // namespace
-}  // namespace dermis::cli
+}  // namespace dermis::report

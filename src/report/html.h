@@ -2,8 +2,9 @@
 // Pages for people: one file each, pictures and all, that asks nothing of the network (and says so to the
 // browser).
 //
-//   std::string body = html::figure("A", html::picture("a", before)) + html::figure("B", html::picture("b",
-//   after)); write_text("page.html", html::page("before and after", body + html::slider("a", "b")));
+//   std::string body = report::figure("A", report::picture("a", before)) +
+//                      report::figure("B", report::picture("b", after)) + report::slider("a", "b", "A", "B");
+//   write_text("page.html", report::page("before and after", body));
 #pragma once
 
 #include <string>
@@ -13,11 +14,7 @@
 
 #include "image/image.h"
 
-namespace dermis::cli::html {
-
-/// Text that stands for itself in an element or in a quoted attribute. Bytes that are no UTF-8 become U+FFFD,
-/// control characters spaces.
-std::string escape(std::string_view text);
+namespace dermis::report {
 
 /// "data:image/png;base64,..."; alpha is left out.
 std::string png_uri(const image::Image8& picture);
@@ -47,4 +44,4 @@ std::string grid(const std::vector<std::string>& headings, const std::vector<std
 /// The whole document. title is text, body is HTML.
 std::string page(std::string_view title, std::string_view body);
 
-}  // namespace dermis::cli::html
+}  // namespace dermis::report
