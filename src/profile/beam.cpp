@@ -13,75 +13,91 @@ using std::numbers::pi;
 
 BeamMultiple::BeamMultiple(const optics::Medium& medium) {
   constexpr int samples = 200;
-  // 2 C1 and 3 C2.
-  const double c1 = optics::fresnel_moment_2c1(medium.eta), c2 = optics::fresnel_moment_3c2(medium.eta);
+  const double sigma_t = medium.sigma_t_reduced_per_mm();
+  sigma_t_reduced_per_mm_ = sigma_t;
+  reduced_albedo_ = medium.reduced_albedo();
 
-  sigma_t_per_mm_ = medium.sigma_t_reduced_per_mm();
-  albedo_ = medium.reduced_albedo();
+  // Grosjean's diffusion coefficient D = (2 sigma_a + sigma_s') / (3 sigma_t'^2), and the effective transport
+  // coefficient sigma_tr = sqrt(sigma_a / D).
+  diffusion_mm_ = (2 * medium.sigma_a_per_mm + medium.sigma_s_reduced_per_mm()) / (3 * sigma_t * sigma_t);
+  sigma_tr_per_mm_ = std::sqrt(medium.sigma_a_per_mm / diffusion_mm_);
 
-  // Grosjean's D = (2 sigma_a + sigma_s') / (3 sigma_t'^2), and s = sqrt(sigma_a / D).
-  diffusion_mm_ =
-      (2 * medium.sigma_a_per_mm + medium.sigma_s_reduced_per_mm()) / (3 * sigma_t_per_mm_ * sigma_t_per_mm_);
-  s_ = std::sqrt(medium.sigma_a_per_mm / diffusion_mm_);
+  // Exitance from fluence and flux at the surface: C_phi = (1 - 2 C1) / 4, C_E = (1 - 3 C2) / 2.
+  const double two_c1 = optics::fresnel_moment_2c1(medium.eta);
+  const double three_c2 = optics::fresnel_moment_3c2(medium.eta);
+  fluence_part_ = (1 - two_c1) / 4;
+  flux_part_ = (1 - three_c2) / 2;
 
-  // Exitance from fluence and flux: C_phi = (1 - 2 C1) / 4, C_E = (1 - 3 C2) / 2.
-  flux_part_ = (1 - c1) / 4;
-  vector_part_ = (1 - c2) / 2;
-
-  // A source at depth t has its image at the height t + 4 A D, A = (1 + 3 C2) / (1 - 2 C1).
-  gap_mm_ = 4 * (1 + c2) / (1 - c1) * diffusion_mm_;
+  // Boundary: a source at depth t has its image at the height t + 4 A D, A = (1 + 3 C2) / (1 - 2 C1).
+  gap_mm_ = 4 * (1 + three_c2) / (1 - two_c1) * diffusion_mm_;
 
   // Depths of equal probability under sigma_t' e^{-sigma_t' t}, so that their plain mean is the integral.
   for (int i = 0; i < samples; ++i)
-    depths_mm_.push_back(-std::log(1 - (i + 0.5) / samples) / sigma_t_per_mm_);
+    depths_mm_.push_back(-std::log(1 - (i + 0.5) / samples) / sigma_t_reduced_per_mm_);
 }
 
 double BeamMultiple::at(double radius_mm) const {
+  const double s = sigma_tr_per_mm_;
   double sum = 0;
-  for (const double t : depths_mm_) {
-    const double z_image = t + gap_mm_;  // height above the surface
-    const double d_r = std::hypot(radius_mm, t), d_v = std::hypot(radius_mm, z_image);
-    const double e_r = std::exp(-s_ * d_r), e_v = std::exp(-s_ * d_v);
 
-    // 4 pi times fluence phi and flux E_n of the dipole, [PBRT4].
+  for (const double t : depths_mm_) {
+    // Dipole: a real source at depth t, its image at height z_v. Distances d [mm] and decays e of both.
+    const double z_v = t + gap_mm_;
+    const double d_r = std::hypot(radius_mm, t), d_v = std::hypot(radius_mm, z_v);
+    const double e_r = std::exp(-s * d_r), e_v = std::exp(-s * d_v);
+
+    // Fluence phi of the dipole, times 4 pi: [e_r / d_r - e_v / d_v] / D. [PBRT4]
     const double fluence = (e_r / d_r - e_v / d_v) / diffusion_mm_;
+
+    // Flux E_n through the surface, times 4 pi: the sum of z (1 + s d) e / d^3 over both. [PBRT4]
     const double flux =
-        t * (1 + s_ * d_r) * e_r / (d_r * d_r * d_r) + z_image * (1 + s_ * d_v) * e_v / (d_v * d_v * d_v);
+        t * (1 + s * d_r) * e_r / (d_r * d_r * d_r) + z_v * (1 + s * d_v) * e_v / (d_v * d_v * d_v);
 
     // Diffusion is wrong near the source: [HCJ13]'s correction kappa = 1 - e^{-2 sigma_t' (d_r + t)}.
-    const double kappa = -std::expm1(-2 * sigma_t_per_mm_ * (d_r + t));
-    sum += (flux_part_ * fluence + vector_part_ * flux) * kappa;
+    const double kappa = -std::expm1(-2 * sigma_t_reduced_per_mm_ * (d_r + t));
+    sum += (fluence_part_ * fluence + flux_part_ * flux) * kappa;
   }
-  return albedo_ * albedo_ / (4 * pi) * sum / static_cast<double>(depths_mm_.size());
+
+  // Mean over the depths. One alpha' is the first scattering, which makes the source; the other is
+  // Grosjean's, for light that scatters again.
+  return reduced_albedo_ * reduced_albedo_ / (4 * pi) * sum / static_cast<double>(depths_mm_.size());
 }
 
 double BeamMultiple::outer_mm() const {
   // Without absorption the tail is a power law: a thousand mean free paths hold nearly all of it.
-  return s_ > 1e-3 * sigma_t_per_mm_ ? std::max(1 / s_, 1 / sigma_t_per_mm_) : 1000 / sigma_t_per_mm_;
+  return sigma_tr_per_mm_ > 1e-3 * sigma_t_reduced_per_mm_
+             ? std::max(1 / sigma_tr_per_mm_, 1 / sigma_t_reduced_per_mm_)
+             : 1000 / sigma_t_reduced_per_mm_;
 }
 
 double SingleScattering::at(double radius_mm) const {
-  // [HCJ13] eq. 9: R(r) = Int_{t_c}^inf sigma_s e^{-sigma_t (t + d)} p_HG (1 - F(cos)) cos / d^2 dt,
-  // with the depth t of the scattering, the way back d = sqrt(r^2 + t^2) and cos = t / d. From depths smaller
-  // than t_c = r sqrt(eta^2 - 1) light meets the surface outside the escape cone.
+  // [HCJ13] eq. 9:
+  //   R(r) = Int_{t_c}^inf sigma_s e^{-sigma_t (t + d)} p_HG (1 - F(cos)) cos / d^2 dt
+  // with the depth t of the scattering, the way back d = sqrt(r^2 + t^2) and cos = t / d.
   const double sigma_t = medium_.sigma_t_per_mm(), g = medium_.g;
+
+  // From depths smaller than t_c = r sqrt(eta^2 - 1) light meets the surface outside the escape cone.
   const double critical_mm = radius_mm * std::sqrt(medium_.eta * medium_.eta - 1);
 
-  // Trapezoid rule in x = log(t - t_c), dt = (t - t_c) dx: the integrand is smooth and dies out at both ends.
-  // It starts far inside the shorter of r and the mean free path, and ends where nothing is left.
+  // Trapezoid rule in x = log(t - t_c), dt = (t - t_c) dx: the integrand is smooth and vanishes at both ends.
+  // The sum begins at 1e-7 of the shorter of r and the mean free path, and ends after 40 mean free paths.
   constexpr double step = 0.1;
   double sum = 0;
-  for (double beyond = 1e-7 * std::min(radius_mm, 1 / sigma_t); beyond < 40 / sigma_t;
-       beyond *= std::exp(step)) {
-    const double t = critical_mm + beyond, d = std::hypot(radius_mm, t), cosine = t / d;
+  for (double beyond_mm = 1e-7 * std::min(radius_mm, 1 / sigma_t); beyond_mm < 40 / sigma_t;
+       beyond_mm *= std::exp(step)) {
+    const double t = critical_mm + beyond_mm;
+    const double d = std::hypot(radius_mm, t);
+    const double cosine = t / d;
 
-    // The beam goes down and the light comes up, so cos(theta) = -cos and the denominator of p_HG holds
-    // 1 + g^2 + 2 g cos. Written so that nothing cancels for g near -1; 1 - cos = r^2 / (d (d + t)).
-    const double turn = (1 + g) * (1 + g) - 2 * g * radius_mm * radius_mm / (d * (d + t));
-    const double phase = (1 - g) * (1 + g) / (4 * pi * turn * std::sqrt(turn));
+    // Henyey-Greenstein: p_HG = (1 - g^2) / (4 pi h^{3/2}), h = 1 + g^2 - 2 g cos(theta).
+    // The beam goes down and the light comes up, so cos(theta) = -cos. Nothing cancels for g near -1 in
+    // h = (1 + g)^2 - 2 g (1 - cos), where 1 - cos = r^2 / (d (d + t)).
+    const double h = (1 + g) * (1 + g) - 2 * g * radius_mm * radius_mm / (d * (d + t));
+    const double phase = (1 - g) * (1 + g) / (4 * pi * h * std::sqrt(h));
 
+    // The integrand without sigma_s, times dt.
     sum += std::exp(-sigma_t * (t + d)) * phase * (1 - optics::fresnel(cosine, medium_.eta)) * cosine /
-           (d * d) * beyond * step;
+           (d * d) * beyond_mm * step;
   }
   return medium_.sigma_s_per_mm * sum;
 }

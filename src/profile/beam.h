@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Photon beam diffusion: the light that enters is a line of sources instead of one point. Light scattered
-// once is computed exactly. Based on: [HCJ13] Habel, Christensen, Jarosz: Photon Beam Diffusion: A Hybrid
-// Monte Carlo Method for Subsurface
+// Photon beam diffusion: a narrow beam enters the skin and scatters all along its way, so the light has a
+// line of sources instead of one point. Light scattered once is computed exactly, the rest by diffusion.
+// Based on:
+// [HCJ13] Habel, Christensen, Jarosz: Photon Beam Diffusion: A Hybrid Monte Carlo Method for Subsurface
 //         Scattering. EGSR 2013
-// [PBRT4] Pharr, Jakob, Humphreys: pbrt-v4, bssrdf.cpp (this discretisation, there with 100 depths, whose
-// total
-//         is 1e-4 off)
+// [PBRT4] Pharr, Jakob, Humphreys: pbrt-v4, bssrdf.cpp (the form of the sums)
+//
+// Departs from [PBRT4]: 200 depths instead of 100, whose total is 1e-4 off; light scattered once is
+// integrated over the logarithm of the depth, which keeps its accuracy near the beam.
 #pragma once
 
 #include <algorithm>
@@ -17,24 +19,31 @@
 
 namespace dermis::profile {
 
-/// Light scattered more than once: the mean of dipoles at 200 depths along the refracted beam, with [HCJ13]'s
-/// correction kappa near the source. [HCJ13] sec. 4, in [PBRT4]'s form.
+/// Light scattered more than once: the mean of dipoles at 200 depths along the beam, which enters
+/// perpendicularly, with [HCJ13]'s correction kappa near the source. [HCJ13] sec. 4, in [PBRT4]'s form.
 class BeamMultiple final : public RadialProfile {
  public:
-  /// Takes a medium that passes optics::check. Scattering counts as reduced; without any, the profile is 0.
+  /// Takes a medium that passes optics::check. Uses sigma_s' only, as diffusion does; without scattering the
+  /// profile is 0.
   explicit BeamMultiple(const optics::Medium& medium);
   double at(double radius_mm) const override;
-  double inner_mm() const override { return 1 / sigma_t_per_mm_; }
+  double inner_mm() const override { return 1 / sigma_t_reduced_per_mm_; }
   double outer_mm() const override;
   std::string name() const override { return "photon beam diffusion, multiple scattering"; }
 
  private:
-  double sigma_t_per_mm_, albedo_, diffusion_mm_, s_, flux_part_, vector_part_, gap_mm_;  // 4 A D
-  std::vector<double> depths_mm_;
+  double sigma_t_reduced_per_mm_;
+  double reduced_albedo_;
+  double diffusion_mm_;            // Grosjean's D
+  double sigma_tr_per_mm_;         // sqrt(sigma_a / D)
+  double fluence_part_;            // C_phi: what part of the fluence at the surface leaves
+  double flux_part_;               // C_E: what part of the flux through the surface leaves
+  double gap_mm_;                  // 4 A D: how much higher the image lies than its source is deep
+  std::vector<double> depths_mm_;  // of the sources
 };
 
-/// Light scattered exactly once, for a perpendicular beam. [HCJ13] eq. 9. Grows like 1/r towards r = 0. Uses
-/// the true sigma_s and g.
+/// Light scattered exactly once, for a perpendicular beam. [HCJ13] eq. 9. Uses the true sigma_s and g. Grows
+/// like 1/r towards r = 0.
 class SingleScattering final : public RadialProfile {
  public:
   /// Takes a medium that passes optics::check.
@@ -50,7 +59,7 @@ class SingleScattering final : public RadialProfile {
   optics::Medium medium_;
 };
 
-/// The sum of both.
+/// The whole profile: BeamMultiple plus SingleScattering.
 class PhotonBeam final : public RadialProfile {
  public:
   /// Takes a medium that passes optics::check.

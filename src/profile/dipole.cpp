@@ -12,13 +12,18 @@ namespace {
 
 using std::numbers::pi;
 
-/// Returns z (1 + s d) e^{-s d} / d^3: flux through the surface from a source at distance z from it.
+// Lengths in mm, s = sigma_tr in 1/mm.
+
+/// Returns z (1 + s d) e^{-s d} / d^3, d = sqrt(r^2 + z^2): 4 pi times the flux through the surface at radius
+/// r from a source of unit power at distance z from the surface. Its Hankel transform is 2 pi e^{-z kappa},
+/// kappa = sqrt(s^2 + k^2).
 double source_flux(double z, double radius, double s) {
   const double d = std::sqrt(radius * radius + z * z);
   return z * (1 + s * d) * std::exp(-s * d) / (d * d * d);
 }
 
-/// Returns e^{-s d} / d: fluence of the same source.
+/// Returns e^{-s d} / d: 4 pi D times the fluence of the same source. Its Hankel transform is
+/// 2 pi e^{-z kappa} / kappa.
 double source_fluence(double z, double radius, double s) {
   const double d = std::sqrt(radius * radius + z * z);
   return std::exp(-s * d) / d;
@@ -41,17 +46,17 @@ Dipole::Dipole(const optics::Medium& medium)
                     4 * optics::boundary_factor_classical(medium.eta) * medium.diffusion_coefficient_mm()) {}
 
 double Dipole::at(double radius_mm) const {
-  // [JMLH01] eq. 4: R(r) = alpha'/(4 pi) [ z_r (1 + s d_r) e^{-s d_r}/d_r^3 + z_v (1 + s d_v) e^{-s
-  // d_v}/d_v^3 ], s = sigma_tr, z_r = 1/sigma_t', z_v = z_r + 4 A D, d = sqrt(r^2 + z^2). Many copies divide
-  // the second term by sigma_t', which is wrong in dimension.
+  // [JMLH01] eq. 4, with s = sigma_tr, z_r = 1/sigma_t', z_v = z_r + 4 A D, d = sqrt(r^2 + z^2):
+  //   R(r) = alpha'/(4 pi) [ z_r (1 + s d_r) e^{-s d_r} / d_r^3 + z_v (1 + s d_v) e^{-s d_v} / d_v^3 ]
+  // Many copies divide the second term by sigma_t', which is wrong in dimension.
   return reduced_albedo_ / (4 * pi) *
          (source_flux(z_real_mm_, radius_mm, sigma_tr_per_mm_) +
           source_flux(z_virtual_mm_, radius_mm, sigma_tr_per_mm_));
 }
 
 double Dipole::hankel(double k_per_mm) const {
-  const double kappa = std::hypot(sigma_tr_per_mm_, k_per_mm);
   // Exact: R^(k) = alpha'/2 [ e^{-z_r kappa} + e^{-z_v kappa} ], kappa = sqrt(s^2 + k^2).
+  const double kappa = std::hypot(sigma_tr_per_mm_, k_per_mm);
   return reduced_albedo_ / 2 * (std::exp(-z_real_mm_ * kappa) + std::exp(-z_virtual_mm_ * kappa));
 }
 
@@ -59,41 +64,47 @@ double Dipole::outer_mm() const { return reach_mm(sigma_tr_per_mm_, z_real_mm_);
 
 BetterDipole::BetterDipole(const optics::Medium& medium) {
   const double sigma_t = medium.sigma_t_reduced_per_mm();
-  const double c1 = optics::fresnel_moment_2c1(medium.eta), c2 = optics::fresnel_moment_3c2(medium.eta);
-
   reduced_albedo_ = medium.reduced_albedo();
-  // Grosjean: D = (2 sigma_a + sigma_s') / (3 sigma_t'^2), s = sqrt(sigma_a / D).
 
+  // Grosjean's diffusion coefficient D = (2 sigma_a + sigma_s') / (3 sigma_t'^2), and the effective transport
+  // coefficient sigma_tr = sqrt(sigma_a / D).
   diffusion_mm_ = (2 * medium.sigma_a_per_mm + medium.sigma_s_reduced_per_mm()) / (3 * sigma_t * sigma_t);
   sigma_tr_per_mm_ = std::sqrt(medium.sigma_a_per_mm / diffusion_mm_);
 
-  // Exitance: C_phi = (1 - 2 C1) / 4, C_E = (1 - 3 C2) / 2; c1 and c2 hold 2 C1 and 3 C2.
-  flux_part_ = (1 - c1) / 4;
-  vector_part_ = (1 - c2) / 2;
+  // Exitance from fluence and flux at the surface: C_phi = (1 - 2 C1) / 4, C_E = (1 - 3 C2) / 2.
+  const double two_c1 = optics::fresnel_moment_2c1(medium.eta);
+  const double three_c2 = optics::fresnel_moment_3c2(medium.eta);
+  fluence_part_ = (1 - two_c1) / 4;
+  flux_part_ = (1 - three_c2) / 2;
 
-  // z_v = z_r + 4 A D, A = (1 + 3 C2) / (1 - 2 C1).
+  // Boundary: z_v = z_r + 4 A D, A = (1 + 3 C2) / (1 - 2 C1).
   z_real_mm_ = 1 / sigma_t;
-  z_virtual_mm_ = z_real_mm_ + 4 * (1 + c2) / (1 - c1) * diffusion_mm_;
+  z_virtual_mm_ = z_real_mm_ + 4 * (1 + three_c2) / (1 - two_c1) * diffusion_mm_;
 }
 
 double BetterDipole::at(double radius_mm) const {
+  // [DE12]: R(r) = alpha'^2 (C_E E_n + C_phi phi). The two sources have opposite signs: their fluence
+  // subtracts, and their flux adds, because they lie on opposite sides of the surface.
   const double s = sigma_tr_per_mm_;
   const double flux = source_flux(z_real_mm_, radius_mm, s) + source_flux(z_virtual_mm_, radius_mm, s);
   const double fluence =
       source_fluence(z_real_mm_, radius_mm, s) - source_fluence(z_virtual_mm_, radius_mm, s);
   return reduced_albedo_ * reduced_albedo_ / (4 * pi) *
-         (vector_part_ * flux + flux_part_ / diffusion_mm_ * fluence);
+         (flux_part_ * flux + fluence_part_ / diffusion_mm_ * fluence);
 }
 
 double BetterDipole::hankel(double k_per_mm) const {
+  // Exact, with the transforms of flux and fluence:
+  //   R^(k) = alpha'^2/2 [ C_E (e^{-z_r kappa} + e^{-z_v kappa})
+  //                        + C_phi / D (e^{-z_r kappa} - e^{-z_v kappa}) / kappa ]
   const double kappa = std::hypot(sigma_tr_per_mm_, k_per_mm);
   const double real = std::exp(-z_real_mm_ * kappa), image = std::exp(-z_virtual_mm_ * kappa);
-  // Transforms of flux and fluence: R^(k) = alpha'^2/2 { C_E (e^{-z_r kappa} + e^{-z_v kappa}) + C_phi / D
-  // (e^{-z_r kappa} - e^{-z_v kappa}) / kappa }, whose last quotient stays finite for kappa -> 0.
+
+  // The last quotient stays finite for kappa -> 0.
   const double gap = z_virtual_mm_ - z_real_mm_;
   const double fluence = kappa > 0 ? real * -std::expm1(-gap * kappa) / kappa : gap;
   return reduced_albedo_ * reduced_albedo_ / 2 *
-         (vector_part_ * (real + image) + flux_part_ / diffusion_mm_ * fluence);
+         (flux_part_ * (real + image) + fluence_part_ / diffusion_mm_ * fluence);
 }
 
 double BetterDipole::outer_mm() const { return reach_mm(sigma_tr_per_mm_, z_real_mm_); }

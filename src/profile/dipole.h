@@ -13,7 +13,7 @@
 
 namespace dermis::profile {
 
-/// The classical dipole, [JMLH01] eq. 4.
+/// The classical dipole, [JMLH01] eq. 4: all light begins to diffuse at a depth of one mean free path.
 class Dipole final : public RadialProfile {
  public:
   /// Takes a medium that passes optics::check. Without absorption the total is exactly 1 and the tail falls
@@ -30,8 +30,8 @@ class Dipole final : public RadialProfile {
  private:
   double reduced_albedo_;
   double sigma_tr_per_mm_;
-  double z_real_mm_;
-  double z_virtual_mm_;  // height above the surface
+  double z_real_mm_;     // depth of the source below the surface
+  double z_virtual_mm_;  // height of its image above the surface
 };
 
 /// The better dipole, [DE12]: Grosjean's diffusion coefficient, and exitance from fluence and flux. Holds
@@ -50,11 +50,11 @@ class BetterDipole final : public RadialProfile {
 
  private:
   double reduced_albedo_;
-  double diffusion_mm_;
+  double diffusion_mm_;  // Grosjean's D
   double sigma_tr_per_mm_;
-  double flux_part_;    // C_phi
-  double vector_part_;  // C_E
-  double z_real_mm_;
+  double fluence_part_;  // C_phi: what part of the fluence at the surface leaves
+  double flux_part_;     // C_E: what part of the flux through the surface leaves
+  double z_real_mm_;     // depth and height, as above
   double z_virtual_mm_;
 };
 
