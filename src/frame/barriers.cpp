@@ -4,13 +4,13 @@
 namespace dermis::frame {
 namespace {
 
-// What is known of a resource while walking through the frame. A layout change counts as a write by the
-// stages that wait for it.
+// The state of a resource on the walk through the frame. A layout change counts as a write by the stages that
+// wait for it.
 struct State {
   VkPipelineStageFlags2 write_stages = 0;  // of the last write
   VkAccessFlags2 write_access = 0;         // 0 after a layout change, which is available by itself
-  VkPipelineStageFlags2 read_stages = 0;   // of all reads since that write
-  VkAccessFlags2 visible_access = 0;       // in those stages, to which the write has been made visible
+  VkPipelineStageFlags2 read_stages = 0;   // of all reads since the last write
+  VkAccessFlags2 visible_access = 0;       // of those reads, to which the write is already visible
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
@@ -23,8 +23,8 @@ void note_use(State& state, const AccessRow& scope) {
   }
 }
 
-// For a new layout, write after read, write after write, and read after write unless the write is already
-// visible there.
+// Returns whether a use needs a barrier: new layout, write after read, write after write, and read after
+// write unless the write is already visible there.
 bool needs_barrier(const State& state, const AccessRow& scope) {
   if (scope.written != 0 || state.layout != scope.layout) return true;
   const bool visible =
@@ -34,7 +34,7 @@ bool needs_barrier(const State& state, const AccessRow& scope) {
 
 Barrier make_barrier(const Use& use, const State& state, const AccessRow& scope, bool first_use,
                      bool discard) {
-  // Reads since the last write order everything before them; waiting for them and the write is right for
+  // Reads since the last write order everything before them: waiting for them and for the write is right for
   // every hazard.
   return {.is_texture = use.is_texture,
           .index = use.index,
@@ -47,7 +47,7 @@ Barrier make_barrier(const Use& use, const State& state, const AccessRow& scope,
           .first_use = first_use};
 }
 
-// The row of an access with the stages of this pass, and without a layout for a buffer.
+// Returns the row of an access with the stages of this pass, and without a layout for a buffer.
 AccessRow scope_of(const Use& use, PassKind kind) {
   constexpr VkPipelineStageFlags2 raster =
       VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
@@ -65,7 +65,7 @@ std::vector<std::vector<Barrier>> derive_barriers(const FrameGraph& graph, const
   std::vector<State> states(texture_count + graph.buffers().size());
   std::vector<std::vector<Barrier>> result;
 
-  // Two walks: the first finds how a frame leaves each resource, the second starts from there.
+  // Two walks: the first finds the state at the end of a frame, the second starts from it.
   for (int walk = 0; walk < 2; ++walk) {
     result.assign(graph.passes().size(), {});
     std::vector<bool> seen(states.size());
@@ -80,7 +80,7 @@ std::vector<std::vector<Barrier>> derive_barriers(const FrameGraph& graph, const
         const bool first = !seen[slot];
         seen[slot] = true;
 
-        // A texture needs one even where it is in its layout already: in the first frame it is in none.
+        // A texture needs one even if its layout does not change: in the first frame it has none.
         const bool opens = first && use.is_texture;
         if (opens || needs_barrier(state, scope)) {
           const bool discard = opens && graph.textures()[use.index].lifetime == Lifetime::transient;

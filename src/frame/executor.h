@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gives a plan its memory and pipelines, and records it. Recording creates nothing and submits nothing, so an
-// engine can pass its own command buffer; run() submits and waits for those who have none.
+// Gives a plan memory and pipelines, and records it. Recording creates nothing and submits nothing, so that
+// an engine can pass its own command buffer; run() also submits and waits.
 #pragma once
 
 #include <cstddef>
@@ -22,15 +22,15 @@ struct FrameTime {
   std::vector<gpu::Timing> passes;  ///< in plan order; empty unless timed
 };
 
-/// The memory and the barriers of a graph. How its passes record is a function, so that nothing here depends
-/// on what a frame brings.
+/// Memory and barriers of a graph. A function records the passes, so that nothing here depends on the context
+/// of a frame.
 class GraphExecutor {
  public:
-  /// For tests, before a frame: fills what is of no frame yet, and what the frame before has left in
-  /// transient textures, with values that no picture may show (gpu::poison). Where the driver keeps contents
-  /// that a frame declares undefined, what reads them shows it.
+  /// For tests, before a frame: fills new textures, and transient ones of the previous frame, with values
+  /// that no picture may show (gpu::poison). A driver that keeps contents which a frame declares undefined
+  /// then reveals a pass that reads them.
   void poison();
-  /// In which the last recorded frame leaves a texture.
+  /// Returns the layout in which the last recorded frame leaves a texture.
   VkImageLayout layout_of(TextureId id) const { return layouts_[id.index]; }
   bool separate_submissions() const { return separate_; }
 
@@ -56,7 +56,7 @@ class GraphExecutor {
   FrameGraph graph_;
   std::map<FrameKind, Barriers> barriers_;  // of the kinds recorded so far
   Resources resources_;
-  std::vector<VkImageLayout> layouts_;  // that each texture was left in
+  std::vector<VkImageLayout> layouts_;  // current layout of each texture
   bool first_ = true;                   // no frame has been recorded
   bool separate_ = false;
 };
@@ -64,22 +64,22 @@ class GraphExecutor {
 template <class Context>
 class Executor : public GraphExecutor {
  public:
-  /// Makes pipelines and resources. DeviceError if memory does not suffice.
+  /// Makes pipelines and resources. Throws DeviceError if memory does not suffice.
   Executor(gpu::PipelineLibrary& library, const FramePlan<Context>& plan)
       : GraphExecutor(library, plan), steps_(plan.steps()) {
     for (const auto& step : steps_) step.prepare(library);
   }
 
-  /// Records one frame with a debug label and (if timer) a time stamp pair around each pass. The first frame
-  /// has the passes that run once, whatever `kind` says. The barriers take each frame for one like itself:
-  /// between two of different kinds, wait for the device.
+  /// Records one frame with a debug label and (with a timer) a pair of time stamps around each pass. The
+  /// first frame has the passes that run once, whatever `kind` says. Barriers assume that the previous frame
+  /// was of the same kind: between two of different kinds, wait for the device.
   void record(VkCommandBuffer commands, const Context& context, const FrameKind& kind = {},
               gpu::Timer* timer = nullptr) {
     GraphExecutor::record(commands, recording(context), kind, timer);
   }
 
-  /// Records, submits and waits, timing each pass. Where time stamps between passes cannot be trusted
-  /// (software devices), each pass is its own submission and is timed on the host: see
+  /// Records, submits and waits, and times each pass. Where time stamps between passes are not reliable
+  /// (software devices), each pass is a submission of its own and is timed on the host: see
   /// separate_submissions().
   FrameTime run(const Context& context) { return GraphExecutor::run(recording(context)); }
   /// Records, submits and waits, untimed.

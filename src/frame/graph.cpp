@@ -5,7 +5,7 @@
 
 namespace dermis::frame {
 const AccessRow& row_of(Access access) {
-  // In the order of Access. Stages 0: the shader stages of the pass.
+  // In the order of Access. Stages 0 stands for the shader stages of the pass.
   static constexpr AccessRow rows[] = {
       {"samples", 0, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
        VK_IMAGE_USAGE_SAMPLED_BIT, 0},
@@ -66,7 +66,7 @@ void Declare::use(const Use& use) {
     graph_->textures_[use.index].desc.usage |= row.texture_usage;
   else
     graph_->buffers_[use.index].desc.usage |= row.buffer_usage;
-  // A resource stands once in a pass: two accesses would need two layouts at the same time.
+  // A pass uses a resource only once: two accesses would need two layouts at the same time.
   for (const Use& other : pass_->uses)
     if (other.is_texture == use.is_texture && other.index == use.index) {
       DERMIS_ASSERT(other.access == use.access);

@@ -11,7 +11,7 @@ std::string_view name_of(PassKind kind) {
   return kind == PassKind::compute ? "compute" : kind == PassKind::raster ? "raster" : "copy";
 }
 
-// In Graphviz's quotes.
+// Returns text for Graphviz's quotes.
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) (c == '"' || c == '\\' ? out += '\\' : out) += c;

@@ -17,7 +17,7 @@ struct Level {
   }
 };
 
-// Pixels of a longer side that texel `i` of a shorter one covers, even in part: first to last.
+// The pixels of a longer side that texel `i` of a shorter one covers, even partly: first to last.
 struct Span {
   int first, last;
 };

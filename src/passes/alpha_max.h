@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The largest alpha around a point of a map: which texels of a light map hold any skin that the alpha test
-/// leaves. A mean, as mip levels have it, loses what is thinner than it.
+/// The largest alpha around a point of a map: tells which texels of a light map hold any skin that the alpha
+/// test keeps. A mean, as in mip levels, would lose parts thinner than its texels.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 namespace dermis::passes {
 
 /// Level 0 is the alpha of the picture; each further level has half the size (rounded down, at least 1), as
-/// mip levels have. A texel holds the largest alpha of all pixels that it covers, even in part.
+/// mip levels have. A texel holds the largest alpha of all pixels that it covers, even partly.
 struct AlphaLevels {
   std::uint32_t count = 0;
   std::vector<std::uint8_t> bytes;  ///< one level after the other, rows tightly packed
 };
-/// The picture must have at least one pixel.
+/// Returns the levels of a picture of at least one pixel.
 AlphaLevels alpha_max_levels(const image::Image8& picture);
 
 }  // namespace dermis::passes

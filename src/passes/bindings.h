@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bindings by the names that the shaders give them. A pass offers all that it has; each shader takes what it
-// uses.
+// Bindings by their names in the shaders. A pass offers all that it has; each shader takes what it uses.
 #pragma once
 
 #include <string_view>
@@ -22,7 +21,7 @@ class Bindings {
     return add(name, gpu::BufferBinding{&buffer});
   }
 
-  /// Those of the pipeline's shaders, in their order. A name that nobody offered is our bug.
+  /// Binds what the pipeline's shaders use, in their order. A name that was not offered is our bug.
   void bind(gpu::Cmd& cmd, const gpu::Pipeline& pipeline) const {
     std::vector<gpu::Binding> ordered;
     for (const gpu::BindingSlot& slot : pipeline.interface.bindings) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shaders/cull.glsl needs of the frame.
+// Inputs of shaders/cull.glsl from the frame.
 #pragma once
 
 #include <algorithm>

@@ -24,7 +24,7 @@
 namespace dermis::passes {
 namespace {
 
-constexpr int generated = -1;  // the image number of maps that no file holds
+constexpr int generated = -1;  // image number of maps without a file
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 io::MapIo map_io(const scene::MapRef& map) {
@@ -57,7 +57,7 @@ std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
     maps[MAP_SPECULAR] = m.skin_settings.specular;
     maps[MAP_ROUGHNESS] = m.skin_settings.roughness;
 
-    // glTF's metallic-roughness map serves where the skin names no map of its own: roughness in G, times the
+    // If the skin names no roughness map of its own, glTF's metallic-roughness map is used: G times the
     // factor.
     if (!maps[MAP_ROUGHNESS].present() && m.metallic_roughness_map.present()) {
       maps[MAP_ROUGHNESS] = m.metallic_roughness_map;
@@ -78,7 +78,7 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   c.roughness = m.roughness;
   c.ior = m.ior;
   c.specular = m.specular;
-  // alphas of 8 bits may be half floats: a cutoff equal to one must keep it
+  // Alpha of 8 bits may become a half float: a value equal to the cutoff must be kept.
   c.alpha_cutoff = m.alpha_cutoff - 1.0f / 4096;
   c.specular_colour = m.specular_colour;
 
@@ -106,7 +106,7 @@ gpu::Texture single_texel(gpu::Device& device, const char* name, std::array<std:
   return texture;
 }
 
-// RGBA16F of values of an sRGB map: colours linear, alpha as it is.
+// Returns RGBA16F texels of an sRGB map: linear colours, alpha unchanged.
 std::vector<std::uint16_t> halves_of(std::span<const std::uint8_t> rgba) {
   std::array<std::uint16_t, 256> plain{}, linear{};
   for (std::size_t i = 0; i < 256; ++i) {
@@ -118,7 +118,7 @@ std::vector<std::uint16_t> halves_of(std::span<const std::uint8_t> rgba) {
   return halves;
 }
 
-// RG16F: bytes of the directional_albedo table as half floats.
+// Uploads the table of the directional albedo as RG16F.
 gpu::Texture upload_directional_albedo(gpu::Device& device) {
   std::vector<std::uint16_t> halves;
   for (const float value : optics::directional_albedo_table()) halves.push_back(image::float_to_half(value));
@@ -131,7 +131,8 @@ gpu::Texture upload_directional_albedo(gpu::Device& device) {
   return texture;
 }
 
-/// The mesh with its triangles that have a chart before those that have none: few draws then hold each kind.
+/// Returns the mesh with triangles that have a chart before those that have none, so that few draws hold each
+/// kind.
 scene::SkinMesh charts_first(const scene::SkinMesh& skin) {
   std::vector<std::size_t> order(skin.triangle_chart.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -170,7 +171,7 @@ GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std
   mesh.turned_neighbours = gpu::make_buffer(device, mesh.name + " turned neighbours",
                                             std::span<const std::uint32_t>(turned), storage);
 
-  // Adds a draw for each run of triangles of one material, on the map or off it.
+  // Adds a draw per run of triangles of one material, on the map or off it.
   for (std::uint32_t t = 0; t < skin.triangle_material.size(); ++t) {
     const int material = skin.triangle_material[t];
     const bool on_map = skin.triangle_chart[t] != scene::no_chart;
@@ -333,8 +334,8 @@ const gpu::Texture& GpuScene::alpha_max(gpu::Device& device, const scene::Scene&
 
 const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const std::string& name,
                                          const image::Image8& pixels, int image, bool srgb) {
-  // The software driver decodes sRGB with an error of 0.2 to 0.4 %, which any comparison with the truth would
-  // show.
+  // The software driver decodes sRGB with an error of 0.2 to 0.4 %, which comparisons with the reference
+  // would show.
   const bool halves = srgb && library.device().limits().software;
   const auto width = static_cast<std::uint32_t>(pixels.width),
              height = static_cast<std::uint32_t>(pixels.height);
@@ -348,7 +349,7 @@ const gpu::Texture& GpuScene::upload_map(gpu::PipelineLibrary& library, const st
                                         : VK_FORMAT_R8G8B8A8_UNORM,
                        .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
 
-  // Level by level, each in strips of rows: beside the map itself little is in memory.
+  // Level by level, each in strips of rows, so that little memory is needed beside the map.
   gpu::TextureUpload upload(library.device(), *made);
   std::uint32_t level = 0;
   image::for_each_mip(pixels, srgb, [&](const image::Image8& mip) {

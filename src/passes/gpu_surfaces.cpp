@@ -30,7 +30,7 @@ io::PlacementIo placement_io(const scene::Placement& placement) {
           .handedness = placement.mirrored ? -1.0f : 1.0f};
 }
 
-// What of one page waits for its upload.
+// The data of one page before its upload.
 struct PageData {
   std::vector<io::VertexIo> vertices;
   std::vector<std::uint32_t> indices;
@@ -113,7 +113,7 @@ class Builder {
     const auto [entry, is_new] = group_of_.try_emplace(p.material, made_.groups.size());
     if (is_new) made_.groups.push_back({page, p.material, {}});
     std::vector<GpuSurfaces::Draw>& draws = made_.groups[entry->second].draws;
-    // Meshes that stand once lie in the world: neighbours in the buffer are one draw.
+    // Meshes with one copy are in world coordinates: neighbours in the buffer become one draw.
     if (!draws.empty() && draw.first_placement == 0 && draws.back().first_placement == 0 &&
         draws.back().first_index + draws.back().index_count == draw.first_index)
       draws.back().index_count += draw.index_count;
@@ -157,8 +157,8 @@ GpuSurfaces upload_surfaces(gpu::Device& device, const scene::Scene& scene) {
   for (const scene::Primitive& p : scene.primitives)
     if (!scene.materials[static_cast<std::size_t>(p.material)].skin) parts.push_back(&p);
 
-  // By material, meshes that stand once first: they lie side by side and become one draw. Blended ones keep
-  // their order, which decides between those equally far.
+  // Sorts by material, meshes with one copy first: they are adjacent and become one draw. Blended ones keep
+  // their order, which decides between equally distant ones.
   std::stable_sort(parts.begin(), parts.end(), [&](const scene::Primitive* a, const scene::Primitive* b) {
     const auto key = [&](const scene::Primitive* p) {
       return builder.is_blended(*p) ? std::tuple(true, 0, false)

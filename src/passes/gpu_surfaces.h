@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// All that is not skin, on the device: vertices, triangles and places of all parts in a few large buffers,
-// and one draw for each mesh of a material, however many nodes show it. What a frame costs then follows from
-// its triangles and materials, not from its nodes.
+// Everything that is not skin, on the device: vertices, triangles and placements of all parts in a few large
+// buffers, and one draw per mesh and material, however many nodes show it. So the cost of a frame depends on
+// its triangles and materials, not on nodes.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace dermis::passes {
 
 struct GpuSurfaces {
-  /// Buffers end where a shader can no longer reach, so a large scene has several pages of them.
+  /// Large scenes need several pages, because shaders can address only a limited range of a buffer.
   struct Page {
     gpu::Buffer vertices;    ///< VertexIo[]
     gpu::Buffer indices;     ///< uint[], into all vertices of the page
@@ -31,7 +31,7 @@ struct GpuSurfaces {
     int material = 0;
     std::vector<Draw> draws;
   };
-  /// One copy of a blended part: these are drawn from far to near.
+  /// One copy of a blended part; drawn from far to near.
   struct Blended {
     glm::vec3 centre_m{0};  ///< of its bounding box
     std::uint32_t page = 0;
@@ -46,11 +46,11 @@ struct GpuSurfaces {
   void offer(Bindings& bindings, std::uint32_t page) const;  ///< "Vertices", "Indices", "Placements"
 };
 
-/// Uploads what is not skin, and skin without texture coordinates, which cannot be unwrapped. DeviceError: no
-/// memory.
+/// Uploads everything that is not skin, and skin without texture coordinates, which cannot be unwrapped.
+/// Throws DeviceError if memory does not suffice.
 GpuSurfaces upload_surfaces(gpu::Device& device, const scene::Scene& scene);
 
-/// One placement that leaves vertices where they are.
+/// Returns one placement that leaves vertices where they are.
 gpu::Buffer unmoved(gpu::Device& device);
 
 }  // namespace dermis::passes

@@ -35,8 +35,8 @@ ChartMap rasterise(const scene::SkinMesh& mesh, int side) {
   return map;
 }
 
-// The texel nearest to (x, y) that `wanted` says is one; (x, y) if there is none. Square rings outwards; a
-// ring at distance r cannot hold anything nearer than r.
+// Returns the nearest texel to (x, y) for which `wanted` is true; (x, y) if there is none. Searches square
+// rings outwards; a ring at distance r holds nothing nearer than r.
 template <class Wanted>
 glm::ivec2 nearest(int x, int y, const Wanted& wanted) {
   glm::ivec2 best(x, y);
@@ -52,7 +52,7 @@ glm::ivec2 nearest(int x, int y, const Wanted& wanted) {
   return best;
 }
 
-// The nearest covered texel within two; itself if there is none.
+// Returns the nearest covered texel within two; the texel itself if there is none.
 glm::ivec2 nearest_covered(const ChartMap& map, int x, int y) {
   glm::ivec2 best(x, y);
   int best2 = 9;
@@ -65,7 +65,7 @@ glm::ivec2 nearest_covered(const ChartMap& map, int x, int y) {
   return best;
 }
 
-// What build_gutters left empty although a pixel may read it.
+// Finds texels that build_gutters left empty although a pixel may read them.
 class Leftovers {
  public:
   Leftovers(std::vector<scene::GutterTexel>& gutters, const ChartMap& covered)
@@ -79,8 +79,8 @@ class Leftovers {
         if (empty(x, y)) add(x, y, nearest_covered(covered_, x, y));
   }
 
-  // Triangles narrower than a texel may reach far out of what is covered: along their edges each read finds
-  // the chart's nearest light.
+  // Triangles narrower than a texel may reach far beyond covered texels: reads along their edges find the
+  // chart's nearest light.
   void fill_slivers(const scene::SkinMesh& mesh) {
     for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) {
       if (mesh.triangle_chart[t] == scene::no_chart) continue;
@@ -116,7 +116,7 @@ class Leftovers {
         if (source == glm::ivec2(x, y))
           source = nearest(x, y, [&](int sx, int sy) { return inside(sx, sy) && !covered_.has(sx, sy, 0); });
         if (source == glm::ivec2(x, y)) ++failures_;
-        listed_[index(x, y)] = true;  // found or not: it is not searched for again
+        listed_[index(x, y)] = true;  // found or not: never searched again
         add(x, y, source);
       }
     }
@@ -125,7 +125,7 @@ class Leftovers {
   std::vector<scene::GutterTexel>& gutters_;
   const ChartMap& covered_;
   std::vector<bool> listed_;
-  int failures_ = 0;  // searches far and wide; an unwrap of lines across an empty map would take hours
+  int failures_ = 0;  // failed searches: an unwrap of lines across an empty map would take hours
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The gutters of a mesh as the device needs them.
+/// The gutters of a mesh for the device.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 namespace dermis::passes {
 
 struct GutterList {
-  /// scene::build_gutters, and behind them each texel within two of a chart that nothing fills (the corners
+  /// scene::build_gutters, followed by each remaining empty texel within two texels of a chart (the corners
   /// where several seams meet): it takes the nearest texel's light, with chart 0, so that no bilinear read at
-  /// a rim finds black.
+  /// a border finds black.
   std::vector<scene::GutterTexel> texels;
-  /// For each the nearest texel of the chart that it extends: its metric goes on there. Itself where its
-  /// chart has no texel within 128, or it extends none.
+  /// For each texel, the nearest texel of the chart that it extends, whose metric it continues. The texel
+  /// itself if its chart has no texel within 128, or if it extends none.
   std::vector<glm::uvec2> own;
 };
 

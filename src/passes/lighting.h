@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every lit pass binds: camera, lights, shadow maps, directional_albedo table.
+// Bindings of every lit pass: camera, lights, shadow maps, table of the directional albedo.
 #pragma once
 
 #include "passes/bindings.h"
@@ -25,7 +25,7 @@ class LightingSamplers {
         .add("environment_map",
              gpu::SampledBinding{frame.environment ? frame.environment : &frame.scene->white(), sky_});
   }
-  /// What skin mesh `number` sees of the surroundings.
+  /// Offers what skin mesh `number` sees of the environment.
   void offer_sky(Bindings& bindings, const FrameData& frame, std::size_t number) const {
     const GpuMesh& mesh = frame.scene->skin[number];
     const gpu::Texture& white = frame.scene->white();

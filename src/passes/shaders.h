@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shaders of all passes, compiled at build time and embedded: the program runs from any folder.
+// The shaders of all passes, compiled at build time and embedded, so that the program runs from any folder.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace dermis::passes {
 
-/// SPIR-V by file name ("blur.comp"); empty if there is none such.
+/// Returns SPIR-V by file name ("blur.comp"); empty if there is none.
 std::span<const std::uint32_t> find_shader(std::string_view name);
 
 }  // namespace dermis::passes

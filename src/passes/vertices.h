@@ -7,7 +7,7 @@
 
 namespace dermis::passes {
 
-/// Of parts that are not skin; skin adds its unwrap and metric.
+/// Returns a vertex of parts that are not skin; skin adds its unwrap and metric.
 inline io::VertexIo vertex_io(const scene::Vertex& v) {
   return {.position_m = v.position_m,
           .normal = v.normal,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The convolution as computation, over the whole square or over the tiles that hold light.
+// The convolution in compute, over the whole square or over the tiles that hold light.
 #version 460
 #include "passes/blur/blur.glsl"
 #include "shaders/tile_list.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The convolution drawn over the square. Where nothing was lit the target keeps what it was cleared to: by
-// the alpha test here, or because the depth test has rejected the fragment before.
+// The convolution drawn over the square. Unlit texels of the target keep the clear value: by the alpha test
+// here, or because the depth test has rejected the fragment.
 #version 460
 #include "passes/blur/blur.glsl"
 layout(constant_id = 0) const bool alpha_test = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts texels by their alpha. Integers, so the order of the additions does not matter.
+// Counts texels by their alpha. Integers, so the order of additions does not matter.
 #version 460
 #include "passes/count/count_io.h"
 #include "shared/types.h"

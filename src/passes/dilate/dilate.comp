@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written texels carry an alpha that is not read, so the order of the invocations does not matter.
+// The alpha of written texels is not read, so the order of invocations does not matter.
 #version 460
 #include "shared/types.h"
 #include "shared/gutters_io.h"
@@ -13,7 +13,7 @@ layout(binding = 1) uniform sampler2D stretch;
 layout(binding = 2, scalar) readonly buffer Tiles { uint tiles[]; };
 layout(binding = 3, scalar) readonly buffer TileCounts { TileCountsIo tile_counts[]; };
 
-// On heads whose triangles are smaller than a texel, a seen one may lie up to three texels from the nearest
+// On heads with triangles smaller than a texel, a visible one may be up to three texels away from the nearest
 // lit centre.
 const int reach = 3;
 
@@ -36,15 +36,15 @@ void main() {
       const ivec2 q = p + ivec2(x, y);
       if (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, ivec2(io.side)))) continue;
       const vec4 texel = imageLoad(light, origin + q);
-      // Nearest first: each step outwards counts for a hundredth.
+      // Nearest first: each step outwards weighs a hundredth.
       const float weight =
           texel.a > 0.0 && texel.a != BORDER_ALPHA ? exp2(-6.64 * float(max(abs(x), abs(y)))) : 0.0;
       any_chart += weight * vec4(texel.rgb, 1.0);
       if (texel.a == chart) same += weight * vec4(texel.rgb, 1.0);
     }
 
-  // A chart that is not lit here may lie so close to one that is that reads of that touch it: light for
-  // bilinear reads alone.
+  // An unlit chart may be so close to a lit one that reads of the lit one touch it: light for bilinear reads
+  // only.
   const vec4 sum = same.w > 0.0 ? same : any_chart;
   if (sum.w > 0.0)
     imageStore(light, origin + p, vec4(round_to_half(sum.rgb / sum.w), same.w > 0.0 ? -chart : BORDER_ALPHA));

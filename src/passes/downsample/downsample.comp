@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The chart of a texel is the one at its middle, as in maps that are drawn at this size; texels of other
-// charts are left out of the mean.
+// The chart of a texel is that at its centre, as in maps drawn at this size; the mean leaves out texels of
+// other charts.
 #version 460
 #include "shared/types.h"
 #include "shared/gutters_io.h"
@@ -39,7 +39,7 @@ void main() {
   if (total > 0.0)
     mean = vec4(round_to_half(sum / total), lit ? chart : -chart);
   else if (strangers >
-           0.0)  // beside an open border, or of a chart thinner than this texel: for bilinear reads alone
+           0.0)  // beside an open border, or of a chart thinner than this texel: for bilinear reads only
     mean = vec4(round_to_half(strange / strangers), BORDER_ALPHA);
 
   imageStore(light_out, p + ivec2(io.origin), mean);

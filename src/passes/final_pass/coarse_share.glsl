@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How much of a term is lit at the pixel because the map has too few texels here: coarse_share() of skin.h.
-// Needs SkinTermsIo.
-layout(constant_id = 14) const bool coarse = false;  // some of the mesh may be
+// The part of a term that is lit per pixel because the map has too few texels here: coarse_share() of
+// final_pass.h. Needs SkinTermsIo.
+layout(constant_id = 14) const bool coarse = false;  // true: some of the mesh may be coarse
 layout(binding = 31, scalar) uniform Terms { SkinTermsIo terms; };
 layout(location = 8) in float in_texels_per_mm;  // of a map of one texel
 

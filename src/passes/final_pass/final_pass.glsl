@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the eye sees of the skin: the scattered light of its texels (or, with no terms, the light that enters
-// at the pixel), the part of the albedo that is applied after, the two lobes of the specular, and what the
-// skin emits. Alpha 1 marks skin. THROUGH: light also comes through the body.
+// Light from the skin to the camera: the scattered light of its texels (or, with no terms, the light that
+// enters at the pixel), the part of the albedo that is applied afterwards, two specular lobes, and emission.
+// Alpha 1 marks skin. THROUGH: with transmitted light.
 #include "passes/final_pass/final_pass_io.h"
 #include "shaders/half.glsl"
 #include "shared/scene_io.h"
@@ -12,7 +12,7 @@
 #include "shaders/skin_through.glsl"
 #endif
 layout(constant_id = 0) const int term_count = 6;
-layout(constant_id = 1) const bool direct = false;       // what the weights leave of 1 is lit here instead
+layout(constant_id = 1) const bool direct = false;       // what the weights lack of 1 is lit per pixel
 layout(constant_id = 2) const bool progressive = false;  // maps of wide terms are smaller
 layout(constant_id = 12) const bool emits = false;
 layout(push_constant, scalar) uniform Push { FinalPassIo io; };
@@ -30,19 +30,19 @@ layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
-// Centroid: beside a silhouette or a seam the pixel's centre may lie off the triangle, and the map there may
-// hold nothing.
+// Centroid: beside a silhouette or a seam the centre of the pixel may be off the triangle, where the map may
+// be empty.
 layout(location = 5) centroid in vec2 in_unwrap;
 layout(location = 0) out vec4 out_radiance;
 
 #include "passes/final_pass/coarse_share.glsl"
 #include "passes/final_pass/light_point.glsl"
 
-// Of a term, what is read from its map.
+// Returns the part of a term that is read from its map.
 vec3 mapped_weight(int term) { return (1.0 - coarse_share(terms.sigma_mm[term])) * io.weights[term]; }
 
-// Bilinear among the texels that hold skin. Beside a cut the light map goes on for a texel that convolutions
-// leave out: it serves where there is nothing else.
+// Bilinear among the texels that hold skin. Beside a cut the light map continues for a texel that
+// convolutions skip; it is used only if there is nothing else.
 vec3 light_left(sampler2D light, vec2 at) {
   const ivec2 size = textureSize(light, 0);
   const vec2 p = at * vec2(size) - 0.5, corner = floor(p), f = p - corner;
@@ -51,8 +51,7 @@ vec3 light_left(sampler2D light, vec2 at) {
     const ivec2 d = ivec2(k & 1, k >> 1);
     const vec4 texel = texelFetch(light, clamp(ivec2(corner) + d, ivec2(0), size - 1), 0);
     const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
-    // Without weight the texel may lie outside the used square, where anything may stand: 0 times that could
-    // be no number.
+    // A texel without weight may be outside the used square and hold anything: 0 times NaN is NaN.
     if (weight <= 0.0 || texel.a == 0.0) continue;
     sum += weight * (texel.a == BORDER_ALPHA ? 1.0 / 256.0 : 1.0) * vec4(texel.rgb, 1.0);
   }
@@ -74,7 +73,7 @@ vec3 emitted(ShadingPoint s) {
   return is_present(map) ? material.emissive * texture(map_emissive, map_uv(map, s)).rgb : material.emissive;
 }
 
-// sum_i w_i (light blurred by term i), already times 2^EV / pi.
+// Returns sum_i w_i (light blurred by term i), already times 2^EV / pi.
 vec3 scattered() {
   const vec2 at = light_point(in_unwrap) / vec2(textureSize(light_0, 0));
   vec3 sum = vec3(0.0);
@@ -90,8 +89,8 @@ vec3 scattered() {
 }
 
 #ifdef THROUGH
-// What the maps would show of transmitted light, for the part of the terms that is lit here: a group's terms
-// share the mean of theirs.
+// Returns the transmitted light that the maps would show, for the part of the terms lit here: terms of a
+// group share their mean.
 vec3 through_share(EnteringAndThrough r) {
   vec3 sum = vec3(0.0), mean = vec3(0.0);
   for (int g = 0; g < TRANSMISSION_GROUPS; ++g) {
@@ -114,7 +113,7 @@ vec3 specular_radiance(ShadingPoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpe
     const float cosine = dot(n, a.to_light);
     if (cosine <= 0.0 || dot(n_geometric, a.to_light) <= 0.0) continue;
     SkinSpecular seen = spec;
-    // A disc blurs the lobes: slopes of the half vector vary by a sixteenth of tangent^2, those of the
+    // A disc widens the lobes: slopes of the half vector vary by a sixteenth of tangent^2, those of the
     // surface by m^2 / 2.
     if (soft_shadows)
       seen.m =
@@ -125,9 +124,9 @@ vec3 specular_radiance(ShadingPoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpe
   return sum;
 }
 
-// The surroundings in both lobes, by their directional albedo. Where skin hides them, it is mirrored in their
-// place: `skin`, the radiance that leaves it here. Seen edge on, a lobe is narrower than its slope and bent
-// towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the mean of
+// Returns the environment in both lobes, by their directional albedo. Where skin occludes it, the lobe
+// reflects `skin`, the radiance that leaves skin here. At grazing angles a lobe is narrower than its slope
+// and bent towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the mean of
 // [KSK01]'s lobe, m = 0.1 to 0.4.
 vec3 mirrored_surroundings(ShadingPoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec, vec3 skin) {
   const vec2 unwrap = within_triangle(in_unwrap);
@@ -139,7 +138,7 @@ vec3 mirrored_surroundings(ShadingPoint s, vec3 n, vec3 n_geometric, vec3 v, Ski
              turned = off_map ? vec3(0.0) : textureLod(bent_normal, unwrap, 0.0).xyz,
              sky = normalize(n_geometric + turned);
   const float above = clamp(1.0 + 1.3 * dot(mirrored, n_geometric), 0.0,
-                            1.0);  // a mapped normal may mirror what lies beneath the surface
+                            1.0);  // a mapped normal may reflect directions below the surface
 
   vec2 albedo = vec2(0.0);
   vec3 lobe[2];
@@ -181,7 +180,7 @@ void main() {
 #endif
   }
 
-  // A mapped normal may face away from the eye at a silhouette; seen surfaces have a positive cosine.
+  // A mapped normal may face away from the camera at a silhouette; visible surfaces have a positive cosine.
   const float n_v = dot(n, v);
   if (n_v < 0.05) n = normalize(n + v * (0.05 - n_v));
 

@@ -5,7 +5,7 @@
 #include "shaders/vertex_pull.glsl"
 layout(push_constant, scalar) uniform Push { FinalPassIo io; };
 layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
-invariant gl_Position;  // unshaded_reads.frag tests against the depth that this wrote
+invariant gl_Position;  // unshaded_reads.frag tests against the depth written here
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;

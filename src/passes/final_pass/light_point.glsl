@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a point of the skin lies in a pool of light maps, texels: in the square of that side and origin. Seen
-// edge on, even a sample on the triangle may be interpolated far outside of it: unwrap is kept in the
-// triangle, and the bilinear footprint within the square.
+// Returns the position of a point of the skin in a pool of light maps, texels: in the square of that side and
+// origin. At grazing angles even a sample on the triangle may be interpolated far outside of it: the unwrap
+// coordinate is kept in the triangle, and the bilinear footprint in the square.
 layout(location = 6) flat in vec4 in_unwrap_ab;  // the triangle's corners
 layout(location = 7) flat in vec2 in_unwrap_c;
 
@@ -13,14 +13,13 @@ vec2 within_triangle(vec2 p) {
   const vec3 share = vec3(1.0 - b_share - c_share, b_share, c_share);
   if (all(greaterThanEqual(share, vec3(0.0)))) return p;
   const vec3 kept = max(share, vec3(0.0));
-  // A triangle without area on the map has no shares; its box still holds p.
+  // A triangle without area on the map has no barycentric coordinates; its box still contains p.
   if (!(abs(area) > 0.0)) return clamp(p, min(a, min(a + ab, a + ac)), max(a, max(a + ab, a + ac)));
   return a + (kept.y * ab + kept.z * ac) / (kept.x + kept.y + kept.z);
 }
 
-// Half a texel inside, and the step that samplers round to: beyond the square may stand what is no number,
-// which a weight of 0 does not take away. With the step, the texel that is not meant lies inside, and weighs
-// 1/256 at most.
+// Half a texel inside, plus the step to which samplers round: outside the square there may be NaN, which a
+// weight of 0 does not remove. With the step, the extra texel lies inside and weighs at most 1/256.
 vec2 light_point(vec2 unwrap, float side, vec2 origin) {
   const float margin = 0.5 + 1.0 / 256.0;
   return clamp(within_triangle(unwrap) * side, margin, side - margin) + origin;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// For each fragment that the final pass shades: do the texels that its bilinear read weighs hold light? Where
-// one does not, the read is counted. Bilinear units resolve 1/256 of a texel at most: a smaller weight is
-// none. Reads of skin that is cut out leave out what is not there: of those, the ones that find nothing are
-// counted.
+// For each fragment that the final pass shades: counts the read if a texel that its bilinear read weighs
+// holds no light. Bilinear units resolve at most 1/256 of a texel: smaller weights count as none. Reads of
+// cut-out skin skip missing texels: of these, reads that find nothing count.
 #version 460
 #include "shared/scene_io.h"
 #include "passes/final_pass/final_pass_io.h"
@@ -21,7 +20,7 @@ layout(location = 5) centroid in vec2 in_unwrap;
 
 void main() {
   if (cut_out && is_cut(in_uv, in_colour)) return;
-  if (coarse && coarse_share(terms.widest_mm) >= 1.0) return;  // nothing is read
+  if (coarse && coarse_share(terms.widest_mm) >= 1.0) return;  // nothing is read from the map
   const vec2 at = light_point(in_unwrap) - 0.5;
   const ivec2 corner = ivec2(floor(at));
   const vec2 f = at - vec2(corner);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light flows across texture seams: each texel beside a seam shows what the other chart holds at that point
-// of the skin. Sources are texels that the mesh covers, so the order of the invocations does not matter.
+// Light crosses seams: each texel beside a seam shows what the other chart holds at that point of the skin.
+// Sources are texels that the mesh covers, so the order of invocations does not matter.
 #version 460
 #include "shared/gutters_io.h"
 #include "shaders/half.glsl"
@@ -23,7 +23,7 @@ void main() {
     return;
   }
 
-  // Mixes the lit ones of the four texels around the source, as a bilinear read does.
+  // Mixes the lit texels among the four around the source, as a bilinear read does.
   const vec2 at = g.source - 0.5;
   const ivec2 corner = ivec2(floor(at));
   const vec2 f = at - vec2(corner);
@@ -40,7 +40,7 @@ void main() {
     total += weight;
   }
 
-  // Where the other chart is not lit, what the border pass put here stays.
+  // If the other chart is unlit, the texel keeps what dilation wrote.
   if (total > 0.0)
     imageStore(target, p, vec4(round_to_half(sum / total), g.chart != 0u ? float(g.chart) : BORDER_ALPHA));
 }

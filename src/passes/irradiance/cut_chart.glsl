@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Which texels of the light map hold skin that the alpha test leaves. Follows skin_point.glsl.
+// Finds texels of the light map that hold skin after the alpha test. Follows skin_point.glsl.
 #include "shaders/cut_out.glsl"
 #include "shared/gutters_io.h"
 layout(binding = 32) uniform sampler2D map_alpha_max;  // passes/alpha_max.h
 
 vec2 reach_of(vec2 at) { return abs(dFdx(at)) + abs(dFdy(at)) + 0.5 / vec2(textureSize(map_alpha_max, 0)); }
 
-// Is any skin left within a texel of the light map? Nine reads, spaced by at most a texel of the level that
-// they read, miss no pixel.
+// Returns whether any skin is left within a texel of the light map. Nine reads, at most a texel of their
+// level apart, miss no pixel.
 bool is_beside_skin(vec4 uv, vec4 colour) {
   const vec2 at = alpha_uv(uv), size = vec2(textureSize(map_alpha_max, 0));
-  const vec2 reach = reach_of(at);  // a bilinear read of alpha takes in half a pixel more
+  const vec2 reach = reach_of(at);  // a bilinear read of alpha includes half a pixel more
   const float level = max(ceil(log2(max(reach.x * size.x, reach.y * size.y))), 0.0);
   float alpha = 0.0;
   for (int k = 0; k < 9; ++k)
@@ -19,16 +19,16 @@ bool is_beside_skin(vec4 uv, vec4 colour) {
   return alpha * factor + 1.0 / 1024.0 >= material.alpha_cutoff;
 }
 
-// A texel whose middle is cut away, but that a pixel of what is left may read, is there for those reads
-// alone: convolutions leave it out. 0: nothing is there.
+// Returns the chart of a texel. A texel whose centre is cut away, but that a visible pixel may read, is lit
+// for those reads only: convolutions skip it. 0: nothing is there.
 float chart_left(float chart, vec4 uv, vec4 colour) {
   const bool beside = is_beside_skin(uv, colour);
   if (!is_cut(uv, colour)) return chart;
   return beside ? BORDER_ALPHA : 0.0;
 }
 
-// The colour of the skin that is left beside a texel that is cut away, where the map may hold anything: its
-// levels of detail weigh colours by alpha.
+// Returns the colour of the skin left beside a texel that is cut away, where the map may hold anything: its
+// mip levels weigh colours by alpha.
 vec3 albedo_beside(vec4 uv, vec4 colour) {
   if (is_on(frame.white_albedo)) return vec3(1.0);
   const vec2 at = alpha_uv(uv), pixels = reach_of(at) * vec2(textureSize(map_alpha_max, 0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One texel of the head's light: E albedo^mix / pi 2^EV, what the convolution spreads. Alpha is the number of
+// One texel of the head's light: E albedo^mix / pi 2^EV, the input of the convolution. Alpha is the number of
 // the chart, 0 where nothing was shaded.
 #version 460
 #include "shared/scene_io.h"

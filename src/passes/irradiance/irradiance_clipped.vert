@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [JG08] sec. 5: what lies outside the view is clipped although it is drawn in texture coordinates.
+// [JG08] sec. 5: clips skin outside the view although it is drawn in texture coordinates.
 #version 460
 #define CLIP
 #include "passes/irradiance/texture_space.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One texel of the head's light, as irradiance.frag, with what comes to it through the body. GROUPS: of the
-// profile's terms, each with a target; see passes/transmission.h.
+// One texel of the head's light, as irradiance.frag, with transmitted light. GROUPS: of the profile's terms,
+// each with a target; see passes/transmission.h.
 #include "shared/scene_io.h"
 #include "shaders/half.glsl"
 #include "shaders/skin_point.glsl"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For each shaded texel and each light that it faces away from: was what enters at the lit point there to be
-// read? If the place lies outside of the light's map, or what enters was not stored although something is
-// there, the look is counted.
+// For each shaded texel and each light that it faces away from: counts the read if the position is outside
+// the light's map, or if entering light was not stored although there is a surface.
 #version 460
 #include "shared/scene_io.h"
 #include "shaders/half.glsl"

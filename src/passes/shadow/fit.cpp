@@ -8,7 +8,7 @@
 namespace dermis::passes {
 namespace {
 
-// Looking along `forward` from `eye`; any up will do, the map is not shown.
+// Returns a view along `forward` from `eye`, with any up direction: the map is not shown.
 glm::mat4 view(const glm::vec3& eye, const glm::vec3& forward) {
   const glm::vec3 up = std::abs(forward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
   return glm::lookAt(eye, eye + forward, up);
@@ -56,7 +56,7 @@ ShadowFit fit_shadow(const scene::Light& light, const scene::BoundingSphere& sph
             2 * tan_half / size};
   }
 
-  // Takes a layer for each direction of the axes, as the light is inside the sphere, or nearly.
+  // The light is inside the sphere, or nearly: one layer per direction of the axes.
   const float near_m = radius * 0.005f, far_m = (distance + radius) * 1.1f;
   ShadowFit fit{.shadow_from_world = {}, .texel = 2 * margin / size};
   for (const glm::vec3& axis : {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0),

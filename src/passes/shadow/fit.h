@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How a light's shadow map is fitted to a head: all of its texels on the head's bounding sphere.
+/// Fits a light's shadow map to the bounding sphere of a head, so that all its texels lie there.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,8 +16,8 @@ struct ShadowFit {
   float texel = 0;
 };
 
-/// A light outside the sphere sees it in one perspective layer that just holds it; one inside needs six.
-/// map_size in texels.
+/// Returns one perspective layer that just holds the sphere for a light outside it, six layers for a light
+/// inside. map_size in texels.
 ShadowFit fit_shadow(const scene::Light& light, const scene::BoundingSphere& sphere, int map_size);
 
 }  // namespace dermis::passes

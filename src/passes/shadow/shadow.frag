@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cut-out parts cast the shadow of what is left of them.
+// Cut-out parts cast the shadow of what the alpha test leaves.
 #version 460
 #include "shared/scene_io.h"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };

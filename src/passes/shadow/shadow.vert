@@ -4,7 +4,7 @@
 #include "shaders/vertex_pull.glsl"
 #include "shaders/placement.glsl"
 #include "passes/shadow/shadow_io.h"
-// What is grown by a texel covers every texel that it touches: maps smaller than the depth beside them then
+// Geometry enlarged by a texel covers every texel that it touches, so that maps smaller than the depth map
 // miss no thin rim.
 layout(constant_id = 3) const bool grown = false;
 layout(push_constant, scalar) uniform Push { ShadowIo io; };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What of the light that falls on this texel's surface enters the skin: albedo^mix, its square root, as eight
-// bits hold dark skin better. What is not skin lets nothing in, what is cut out is not there. Alpha 1 marks
-// what was shaded.
+// The part of the light on this texel's surface that enters the skin: albedo^mix, stored as its square root,
+// because eight bits then hold dark skin better. Nothing enters other surfaces; cut-out parts are skipped.
+// Alpha 1 marks shaded texels.
 #version 460
 #include "shared/scene_io.h"
 #include "shaders/switches.glsl"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Cholesky factor of the inverse metric, per metre (a half float then holds heads and giants alike), and the
-// chart's number. Skin that is cut away keeps its metric, for texels that are only partly cut away, but
-// belongs to no chart.
+// The Cholesky factor of the inverse metric, per metre (a half float then holds heads and giants alike), and
+// the number of the chart. Skin that is cut away keeps its metric, for texels that are only partly cut away,
+// but belongs to no chart.
 #version 460
 #include "shared/types.h"
 #include "shaders/half.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and
-// height-correlated Smith. The surroundings are reflected by the split-sum fit of Karis, "Physically Based
+// Shades eyes, teeth, brows, lashes: glTF 2.0 metallic-roughness (specification, appendix B) with GGX and
+// height-correlated Smith. The environment is reflected by the split-sum fit of Karis, "Physically Based
 // Shading on Mobile", 2014.
 #version 460
 #include "shared/scene_io.h"
@@ -114,7 +114,8 @@ void main() {
     if (cosine <= 0.0) continue;
     Look seen = look;
     if (soft_shadows)
-      seen.alpha = sqrt(min(look.alpha * look.alpha + tangent * tangent / 8.0, 1.0));  // as skin's lobes
+      seen.alpha =
+          sqrt(min(look.alpha * look.alpha + tangent * tangent / 8.0, 1.0));  // as for the lobes of skin
     radiance += a.irradiance * brdf_times_cosine(seen, n, v, a.to_light, cosine) *
                 shadow_at(light, a, s.position_m, n_geometric);
   }
@@ -133,7 +134,7 @@ void main() {
   if (is_present(em)) emitted *= texture(map_emissive, map_uv(em, s)).rgb;
   radiance += emitted;
 
-  // Colour is premultiplied. Alpha of the target marks skin: opaque parts write 0, blended ones cover it in
+  // Colour is premultiplied. Alpha of the target marks skin: opaque parts write 0, blended ones reduce it in
   // proportion.
   out_radiance = vec4(storable(radiance * alpha * frame.radiance_scale), 0.0);
   if (is_on(material.flags & MATERIAL_ALPHA_BLEND)) out_radiance.a = alpha;

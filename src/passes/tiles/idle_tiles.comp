@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clears the tiles that no convolution will write, so that nothing stale is read there.
+// Clears the tiles that no convolution will write, so that nothing left over is read there.
 #version 460
 #include "shaders/tile_list.glsl"
 layout(local_size_x = TILE_WIDTH, local_size_y = TILE_HEIGHT) in;

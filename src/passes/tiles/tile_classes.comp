@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What each tile of a square holds. One invocation a tile: barriers cost software devices more than this
-// loop.
+// Finds what each tile of a square holds. One invocation per tile: barriers cost software devices more than
+// this loop.
 #version 460
 #include "shaders/tile_list.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of tiles by what they hold. In which order they stand depends on the run; what is computed from them
-// does not.
+// Lists tiles by what they hold. Their order differs from run to run; the results do not.
 #version 460
 #include "shaders/tile_list.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -38,7 +37,7 @@ void main() {
     atomicMax(tile_arguments[io.square].listed_groups[2], 1u);
     if (io.border == 0u) atomicAdd(counters[io.slot], 1u);
   } else {
-    // Fills the list from its end.
+    // Idle tiles fill the list from its end.
     const uint i = atomicAdd(tile_counts[io.square].idle, 1u);
     tiles[io.first_tile + io.tile_count - 1u - i] = entry;
     atomicMax(tile_arguments[io.square].idle_groups[0], min(i + 1u, TILE_ROW));

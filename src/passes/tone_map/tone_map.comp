@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Linear radiance to display values. The same curves as src/image/tone_map.cpp, which derives them; a test
-// holds the two against each other.
-//
+// Converts linear radiance to display values. The same curves as src/image/tone_map.cpp, which derives them;
+//   a test compares
+// the two.
+// Based on:
 // [PBRN] Khronos Group: Khronos PBR Neutral Tone Mapper, specification, 2024
 // [AgX] Sobotka: AgX, 2022; primaries of Blender 4.0, curve of Wrensch: Minimal AgX Implementation, 2023
 // [N15] Narkowicz: ACES Filmic Tone Mapping Curve, 2015
@@ -39,7 +40,7 @@ vec3 neutral(vec3 c) {
   return mix(vec3(p_n), c * (p_n / p), kept_chroma(p, p_n));
 }
 
-// [PBRN] without its toe, and to white in cube roots.
+// [PBRN] without its toe, blending to white in cube roots.
 vec3 natural(vec3 c) {
   const float begin = 0.8;
   const float p = greatest(c);
