@@ -9,6 +9,9 @@
 /// Two models (docs/theory.md, "Ground truth"): "bssrdf" integrates the very profile that the real-time
 /// techniques blur, over the surface, so a difference is the error of their method; "volume" follows light
 /// through the medium, so a difference to "bssrdf" is the error of diffusion theory.
+///
+/// Takes minutes to hours. The picture depends on settings and seed only: threads, stops and checkpoints do
+/// not change a bit of it.
 #pragma once
 
 #include <array>
@@ -24,62 +27,74 @@
 
 namespace dermis {
 
+/// How far a run is.
 struct ReferenceProgress {
-  int samples = 0, most_samples = 0;  ///< a pixel, so far and at most
-  double noise_percent = 100;         ///< mean standard error over skin, per cent of the mean
-  double seconds = 0, seconds_left = 0;
+  int samples = 0, most_samples = 0;     ///< per pixel: so far, and at most
+  double noise_percent = 100;            ///< mean standard error over skin, per cent of the mean
+  double seconds = 0, seconds_left = 0;  ///< since the start of this run, and an estimate
 };
 
+/// How to compute the truth; RenderSettings say of what.
 struct ReferenceSettings {
-  std::string model = "bssrdf";  ///< bssrdf, volume
-  std::string medium;  ///< volume: a preset, or "sigma_a=... sigma_s=... g=... eta=..." per mm; empty: what
-                       ///< the profile was made of
-  std::optional<int> samples;  ///< a pixel, 1 to 1e9; none: 64, or with noise_percent as many as it takes
-  /// end as soon as the mean standard error over skin is this part of the mean; > 0
+  std::string model = "bssrdf";  ///< a name of reference_models()
+  /// Of the model "volume": a preset, or "sigma_a=... sigma_s=... g=... eta=..." per mm; empty: the medium
+  /// that the profile was made of.
+  std::string medium;
+  std::optional<int> samples;  ///< per pixel, 1 to 1e9; none: 64, or with noise_percent as many as it takes
+  /// End as soon as the mean standard error over skin is at most so many per cent of the mean, but not before
+  /// 32 samples; over 0, at most 100.
   std::optional<double> noise_percent;
   std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: all cores; the picture does not depend on it
-  /// written every half minute and when stopped, removed at the end; empty: none
+  int threads = 0;  ///< 0 (all cores) to 4096
+  /// Written every half minute and when stopped. Not removed at the end: that is for the caller. Empty: none.
   std::filesystem::path checkpoint;
-  /// go on from the checkpoint, if there is one: equal bits to a run that never stopped
+  /// Go on from the checkpoint, or begin anew (with a note) if there is no such file.
   bool resume = false;
-  const std::atomic<bool>* stop = nullptr;  ///< set by another thread or a signal: ends with what there is
-  std::function<void(const ReferenceProgress&)> progress{};  ///< after each sample of all pixels
+  /// Another thread or a signal sets it to end with the samples that there are. Not owned; may be null.
+  const std::atomic<bool>* stop = nullptr;
+  /// Called by the calling thread after each sample of all pixels. May be empty.
+  std::function<void(const ReferenceProgress&)> progress{};
 };
 
+/// The truth, and how far to trust it.
 struct ReferencePicture {
-  Picture picture;                   ///< statistics are empty but for the size
-  std::vector<float> variance_rgba;  ///< of each value of picture.linear_rgba
-  int samples = 0;
-  double noise_percent = 100;
-  bool complete = false;  ///< false: stopped; with 0 samples the picture is black
-  /// volume: walks that left through a hole or a fold of the mesh, which counts as absorbed
+  Picture picture;  ///< statistics are empty but for the size
+  /// Variance of each value of picture.linear_rgba: the square of its standard error. 0 with fewer samples
+  /// than two blocks of 8, which say nothing about it.
+  std::vector<float> variance_rgba;
+  int samples = 0;             ///< per pixel
+  double noise_percent = 100;  ///< as ReferenceProgress
+  bool complete = false;       ///< false: stopped; with 0 samples the picture is black
+  /// Of the model "volume": walks that left through a hole or a fold of the mesh, which counts as absorbed;
+  /// per cent of all.
   double lost_percent = 0;
 
-  /// The variance as .exr, atomically.
+  /// Writes the variance as .exr, atomically. Throws InputError: another ending, a missing folder.
   void save_variance(const std::filesystem::path& path) const;
 };
 
-/// Of RenderSettings, what concerns the real-time techniques alone (technique, quality, skin.translucency,
-/// output.bloom, output.frames, output.show) is not used, and camera.heads must be 1. InputError: a setting
-/// out of range, an unknown name, a checkpoint of another picture, a medium that is not known. DeviceError:
-/// too little memory for the triangles.
+/// Computes the truth. Of RenderSettings, what concerns the real-time techniques alone (technique, quality,
+/// skin.translucency, output.bloom, output.frames, output.show) is not used; camera.heads must be 1 and
+/// output.exposure_ev given. Throws
+/// - InputError: a setting out of range, an unknown name or medium, a checkpoint of another picture;
+/// - DeviceError: too little memory for the triangles.
 ReferencePicture render_reference(const Scene& scene, const RenderSettings& settings,
                                   const ReferenceSettings& reference = {});
 
 /// A part of a picture: which pixels show it.
 struct PictureRegion {
   std::string name;
-  std::vector<std::uint8_t> mask;  ///< width * height, rows from top to bottom; 0 = outside
+  std::vector<std::uint8_t> mask;  ///< one per pixel, rows from top to bottom; 0 = outside
   std::size_t pixels = 0;          ///< inside
 };
 
-/// Where techniques differ from the truth for different reasons, from the scene, its camera and its lights:
-/// "skin", "ears", "nose", "terminator", "shadow edges", "thin parts", "folds", "seams", "the rest"
-/// (docs/truth.md says how each is found). Any may be empty. No device. Errors as render_reference().
+/// Returns the parts of a picture where techniques differ from the truth for different reasons, found from
+/// the scene, its camera and its lights: "skin", "ears", "nose", "terminator", "shadow edges", "thin parts",
+/// "folds", "seams", "the rest" (docs/truth.md says how each is found). Any may be empty. Needs no device.
+/// Throws as render_reference() does.
 std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings);
 
-/// "bssrdf", "volume".
+/// Returns what ReferenceSettings::model may be: "bssrdf", "volume".
 std::vector<std::string> reference_models();
 
 }  // namespace dermis

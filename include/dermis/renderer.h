@@ -5,6 +5,10 @@
 ///   dermis::Renderer renderer;
 ///   const dermis::Picture picture = renderer.render(scene, {.output = {.width = 960, .height = 1080}});
 ///   picture.save("head.png");
+///
+/// A Renderer owns the device, its pipelines, and the scene and environment that it used last. A
+/// PreparedFrame keeps all of these alive and adds the memory of one frame. One thread at a time may use a
+/// Renderer and its frames. Errors are those of dermis/error.h.
 #pragma once
 
 #include <array>
@@ -24,121 +28,144 @@
 
 namespace dermis {
 
+/// What one pass of the plan took on the device.
 struct PassStatistics {
-  std::string name;
-  double ms = 0;  ///< median over the frames
-  int calls = 1;  ///< a frame
+  std::string name;  ///< as describe_plan() prints it
+  double ms = 0;     ///< median over the frames
+  int calls = 1;     ///< per frame
 };
 
-/// See docs/measuring.md for what each figure means and how it is taken.
+/// What was rendered, on what, and what it cost. docs/measuring.md says how each figure is taken.
 struct Statistics {
+  /// names, for display; api is the version of Vulkan
   std::string device, driver, api, technique;
   std::vector<std::string> optimise;  ///< of cull, depth, clip
   std::string mask;                   ///< alpha, depth, tiles; empty if nothing is masked
   std::string maps;                   ///< full, progressive; empty for techniques without light maps
+  /// Pixels; T_max in texels; how many. `gaussians`: terms of the profile.
   int width = 0, height = 0, map_size = 0, heads = 1, lights = 0, gaussians = 0;
   int environment_lights = 0;  ///< of `lights`: suns and other compact sources of the environment, at most 8
-  std::optional<double> distance;
-  bool translucency = false;  ///< light came through the body
+  std::optional<double> distance;  ///< as in the settings, sphere radii
+  bool translucency = false;       ///< light came through the body
   std::string tone_map;
   double exposure_ev = 0;  ///< given or chosen
-  /// where the exposure was chosen: mean luminance of the skin in the picture, before bloom; none: no lit
-  /// skin
+  /// mean luminance of the skin in the picture, before bloom; none: the exposure was given, or no skin is lit
   std::optional<double> skin_mean;
+  /// Of the frames that were timed; 0 without any.
   double frame_ms_median = 0, frame_ms_min = 0, frame_ms_max = 0;
   int frames = 0;
-  std::vector<PassStatistics> passes;
+  std::vector<PassStatistics> passes;  ///< in the order of the plan
+  /// Wall clock, before the first frame. load_ms is for the caller to set: Scene::load() is not timed.
   double load_ms = 0, upload_ms = 0, pipeline_ms = 0;
   std::string timing;  ///< "timestamp", or "submit" where each pass is its own submission
   std::vector<std::string> skin_materials;
-  std::uint64_t skin_pixels = 0;
-  double d_ref = 0;
+  std::uint64_t skin_pixels = 0;  ///< at least half covered by skin
+  double d_ref = 0;               ///< given or chosen, see QualitySettings; sphere radii
+  /// Counted on the device; 0 without light maps. Texels that were lit; those texels times the Gaussians that
+  /// blur them; shader invocations of shading and convolution; reads of texels that were never lit.
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0, unshaded_reads = 0;
-  std::uint64_t transmission_misses = 0;  ///< looks through the body whose lit point was not there to be read
-  std::vector<int> used_size;             ///< T of each head in the row; 0: skipped
+  std::uint64_t transmission_misses = 0;  ///< light through the body that was looked up where none was stored
+  std::vector<int> used_size;             ///< T of each head in the row, texels; 0: skipped
+  /// Device memory of the whole renderer: textures now, buffers now, the largest sum of both so far.
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;
 
-  std::string json() const;  ///< the keys of the command line's --stats
+  /// Returns an object with the keys of docs/measuring.md, as the program's --stats writes it.
+  std::string json() const;
 };
 
-/// A finished picture: linear floats, and eight bits for a display. Rows from top to bottom.
+/// A finished picture, or the map that output.show names: linear floats, and eight bits for a display. Both
+/// have four values per pixel, rows from top to bottom, without padding.
 struct Picture {
-  int width = 0, height = 0;
-  /// with exposure and bloom; alpha = share of the pixel that is skin
+  int width = 0, height = 0;  ///< pixels
+  /// Linear Rec.709 with exposure and bloom; alpha = share of the pixel that is skin.
   std::vector<float> linear_rgba;
-  std::vector<std::uint8_t> display_rgba;  ///< after the tone map
+  std::vector<std::uint8_t> display_rgba;  ///< after the tone map; alpha = 255
   Statistics statistics;
 
-  /// .png (display values) or .exr (linear, 32-bit float), atomically. InputError: another ending, a missing
-  /// folder.
+  /// Writes .png (display values) or .exr (linear, 32-bit float), atomically. Throws InputError: another
+  /// ending, a missing folder.
   void save(const std::filesystem::path& path) const;
 };
 
-/// Work before a first frame that takes seconds, once: its result is kept for later runs.
+/// Reports work that takes seconds before a first frame. Its result is kept on disk for later runs.
 struct PreparationProgress {
   std::string what;  ///< "what the skin sees of its surroundings"
-  double share = 0;  ///< that is done, 0 to 1
+  double share = 0;  ///< of the work that is done, 0 to 1
 };
 
 class PreparedFrame;
 
+/// Renders scenes on one device.
 class Renderer {
  public:
   struct Options {
-    std::string device = "best";  ///< best, an index or a part of a name
-    bool validate = false;        ///< Vulkan validation layer; see validation_messages()
-    /// For tests: before each frame its textures hold what is no number, as a driver might leave them. No
+    std::string device = "best";  ///< "best", an index or a part of a name; `dermis info` lists them
+    bool validate = false;        ///< use the Vulkan validation layer; see validation_messages()
+    /// For tests: fills the textures of a frame with NaN before it is drawn, as a driver might leave them. No
     /// picture may show it.
     bool poison = false;
-    /// Set by another thread, a signal or `progress`: render(), prepare() and PreparedFrame::set() end with
-    /// Cancelled (dermis/cancelled.h) while they prepare; nothing half-done is kept.
+    /// Another thread, a signal or `progress` sets it to end the work that PreparationProgress reports. Then
+    /// render(), prepare() and PreparedFrame::set() throw Cancelled (dermis/cancelled.h), and nothing
+    /// half-done is kept on disk. Not owned: must outlive the renderer and its frames. May be null.
     const std::atomic<bool>* stop = nullptr;
-    /// Now and then while they prepare; by any thread, by one at a time.
+    /// Called during that work: by any thread, but never by two at once. May be empty.
     std::function<void(const PreparationProgress&)> progress{};
   };
+
+  /// Takes the best device, without validation.
   Renderer() : Renderer(Options{}) {}
-  /// DeviceError: no driver, no such device, or something that is needed is missing.
+  /// Opens the device. Throws DeviceError: no driver, no such device, a feature that dermis needs is missing.
   explicit Renderer(const Options& options);
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// InputError: a setting out of range (says which and the range), an unknown name (lists the known ones).
-  /// DeviceError: too little memory.
+  /// Prepares a frame, draws it settings.output.frames times and returns the last picture. Throws
+  /// - InputError: a setting out of range (names it and the range), an unknown name (lists the known ones), a
+  ///   profile or environment that cannot be read;
+  /// - DeviceError: too little memory, or more than the device's limits;
+  /// - Cancelled: Options::stop was set.
   Picture render(const Scene& scene, const RenderSettings& settings = {});
 
-  /// For many frames of one scene: see PreparedFrame. Errors as render().
+  /// Returns a frame that can be drawn many times. Uploads the scene unless it is the one used last. Throws
+  /// as render() does.
   PreparedFrame prepare(const Scene& scene, const RenderSettings& settings = {});
 
+  /// Returns what the validation layer has said so far; empty unless Options::validate.
   std::vector<std::string> validation_messages() const;
 
-  struct State;
+  struct State;  // of the library
 
  private:
   std::shared_ptr<State> state_;
 };
 
-/// A scene on the device, with plan, memory and pipelines, ready to be drawn again and again. Keeps its
-/// renderer's device alive; frames of one scene share its upload.
+/// A scene on the device, with plan, memory and pipelines, ready to be drawn again and again. Keeps the
+/// device alive, so it may outlive its renderer. Frames of one scene share its upload.
 class PreparedFrame {
  public:
   PreparedFrame(PreparedFrame&&) noexcept;
   PreparedFrame& operator=(PreparedFrame&&) noexcept;
   ~PreparedFrame();
 
-  /// Other settings for the frames to come. Camera, exposure, ambient light and the like cost little; what
-  /// changes the structure (sizes, technique, heads, profile, what is optimised) makes plan and memory anew.
-  /// Errors as Renderer::render(), then nothing has changed.
+  /// Changes the settings of the frames to come. Camera, exposure, ambient light and the like cost little. A
+  /// change of the structure (sizes, technique, heads, profile, what is optimised) makes a new plan and
+  /// memory.
+  ///
+  /// Throws as Renderer::render() does. After an InputError the frame is as before. After an unknown
+  /// `output.show`, a DeviceError or Cancelled it cannot be drawn until a set() succeeds: draw() and
+  /// picture() throw Cancelled.
   void set(const RenderSettings& settings);
 
-  /// Draws and times one frame, ms. The first after a change is preceded by one that warms up and counts.
+  /// Draws one frame and returns its time, ms. Before the first after a change, draws another
+  /// one that warms up and counts texels.
   double draw();
 
-  /// The passes of the frame that draw() timed last, in order; empty before the first since a change.
+  /// Returns the passes of the frame that draw() timed last, in order; empty if there is none since set().
   std::vector<PassStatistics> last_passes() const;
 
-  /// The last frame, with the statistics of all that were drawn since the last change. If there was none, of
-  /// a frame that is not timed.
+  /// Returns the last frame, with the statistics of all frames since the last change. Draws one, untimed, if
+  /// there was none.
   Picture picture();
 
  private:
@@ -148,12 +175,14 @@ class PreparedFrame {
   std::unique_ptr<State> state_;
 };
 
+/// Returns what RenderSettings::technique may be; the first is the default.
 std::vector<std::string> technique_names();
 
-/// In the order of ToneMap.
+/// Returns the names of the program's --tone-map, in the order of ToneMap.
 std::vector<std::string> tone_map_names();
 
-/// The frame that render() would run, as text or in Graphviz's dot language. Needs no device.
+/// Returns the passes of the frame that render() would draw, as text or in Graphviz's dot language. Needs no
+/// device. Throws InputError as render() does.
 std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot = false);
 
 }  // namespace dermis
