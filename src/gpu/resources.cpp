@@ -24,8 +24,8 @@ std::uint64_t as_number(Handle handle) {
   return reinterpret_cast<std::uint64_t>(handle);
 }
 
-/// Returns the arguments of vkCreateImage. Plain textures always allow transfers, for uploads, read-backs and
-/// clears.
+/// Returns the arguments of vkCreateImage. Textures of one sample always allow transfers, for uploads,
+/// read-backs and clears.
 VkImageCreateInfo image_info(const TextureDesc& desc) {
   VkImageCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
@@ -42,6 +42,7 @@ VkImageCreateInfo image_info(const TextureDesc& desc) {
   return info;
 }
 
+/// Throws DeviceError if the device cannot have such a texture; names the limit and what it allows.
 void check_texture_limits(const Device& device, const std::string& name, const TextureDesc& desc,
                           VkImageUsageFlags usage) {
   DERMIS_ASSERT(desc.width > 0 && desc.height > 0 && desc.layers > 0 && desc.mips > 0 &&
@@ -91,6 +92,7 @@ VkImageView make_view(Device& device, VkImage image, const TextureDesc& desc, Vk
 }  // namespace
 
 RawBuffer create_raw_buffer(Device& device, const std::string& name, const BufferDesc& desc) {
+  // Within the limits of the device?
   DERMIS_ASSERT(desc.bytes > 0);
   if (desc.bytes > device.limits().max_buffer_bytes)
     throw device_error("'{}' would be {} bytes; {} allows {} in one buffer", name, desc.bytes,
@@ -100,6 +102,7 @@ RawBuffer create_raw_buffer(Device& device, const std::string& name, const Buffe
     throw device_error("'{}' would be {} bytes; {} allows shaders {} in one buffer", name, desc.bytes,
                        device.summary().name, device.limits().max_storage_buffer_bytes);
 
+  // The buffer without memory.
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
   info.size = desc.bytes;
@@ -108,6 +111,7 @@ RawBuffer create_raw_buffer(Device& device, const std::string& name, const Buffe
   check(device.vk().vkCreateBuffer(device.handle(), &info, nullptr, &raw.handle),
         fmt::format("vkCreateBuffer for '{}' ({:.1f} MiB)", name, mib(desc.bytes)));
 
+  // Memory, as a part of a block that the pool shares out.
   try {
     raw.allocation = device.memory().allocate_buffer(name, raw.handle, desc.place);
     check(device.vk().vkBindBufferMemory(device.handle(), raw.handle, raw.allocation->memory,
@@ -163,23 +167,29 @@ std::span<std::byte> Buffer::mapped() const {
 
 Texture::Texture(Device& device, std::string name, const TextureDesc& desc)
     : device_(&device), name_(std::move(name)), desc_(desc) {
+  // The image without memory.
   const VkImageCreateInfo info = image_info(desc);
   check_texture_limits(device, name_, desc, info.usage);
   check(device.vk().vkCreateImage(device.handle(), &info, nullptr, &handle_),
         fmt::format("vkCreateImage for '{}' ({:.1f} MiB)", name_, mib(bytes_of(desc))));
 
+  // From here on the image has to be given back if a step fails: no destructor runs for what a constructor
+  // leaves half made.
   try {
     auto* allocation = device.memory().allocate_image(name_, handle_);
     allocation_ = allocation;
     check(device.vk().vkBindImageMemory(device.handle(), handle_, allocation->memory, allocation->offset),
           "vkBindImageMemory");
 
+    // One view of all for shaders. Images only for transfers must not have one.
     const VkImageAspectFlags aspect = aspect_of(desc.format);
     const bool viewable =
         (desc.usage & (target_usage | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT)) != 0;
     const VkImageViewType type =
         desc.array || desc.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
     if (viewable) view_ = make_view(device, handle_, desc, type, {aspect, 0, desc.mips, 0, desc.layers});
+
+    // One view per layer to render into.
     for (std::uint32_t layer = 0; (desc.usage & target_usage) && layer < desc.layers; ++layer)
       layer_views_.push_back(
           make_view(device, handle_, desc, VK_IMAGE_VIEW_TYPE_2D, {aspect, 0, 1, layer, 1}));
@@ -214,6 +224,7 @@ void Texture::release() {
   auto views = std::exchange(layer_views_, {});
   views.push_back(std::exchange(view_, VK_NULL_HANDLE));
   auto* allocation = static_cast<MemoryPool::Allocation*>(std::exchange(allocation_, nullptr));
+
   device_->retire([device = device_, image = std::exchange(handle_, VK_NULL_HANDLE), views = std::move(views),
                    allocation] {
     for (VkImageView view : views) device->vk().vkDestroyImageView(device->handle(), view, nullptr);

@@ -30,7 +30,8 @@ class Staging {
   RawBuffer raw_;
 };
 
-/// A full barrier before and after a transfer. Transfers run once, outside of frames, so it may be coarse.
+/// Makes all writes so far visible to all that follows; changes the layout of `texture`, unless it is null.
+/// Transfers run once, outside of frames, so the barrier may be coarse.
 void barrier(const Device& device, VkCommandBuffer commands, const Texture* texture, VkImageLayout from,
              VkImageLayout to) {
   VkMemoryBarrier2 all{};
@@ -63,6 +64,7 @@ void barrier(const Device& device, VkCommandBuffer commands, const Texture* text
   device.vk().vkCmdPipelineBarrier2(commands, &info);
 }
 
+/// Returns one copy per mip, from data that is tightly packed, mip after mip.
 std::vector<VkBufferImageCopy> copies_of(const TextureDesc& desc) {
   std::vector<VkBufferImageCopy> copies;
   std::uint64_t offset = 0;
@@ -83,8 +85,10 @@ std::vector<VkBufferImageCopy> copies_of(const TextureDesc& desc) {
 void upload(Device& device, const Buffer& to, std::span<const std::byte> bytes) {
   DERMIS_ASSERT_LE(bytes.size(), to.desc().bytes);
   if (bytes.empty()) return;
+
   const Staging staging(device, to.name(), bytes.size(), BufferPlace::upload);
   std::memcpy(staging.mapped(), bytes.data(), bytes.size());
+
   device.run([&](VkCommandBuffer commands) {
     const VkBufferCopy copy{0, 0, bytes.size()};
     barrier(device, commands, nullptr, {}, {});
@@ -98,8 +102,10 @@ void upload(Device& device, const Texture& to, std::span<const std::byte> bytes)
   DERMIS_ASSERT_EQ(bytes.size(), bytes_of(desc));
   DERMIS_ASSERT_EQ(desc.samples, 1u);
   DERMIS_ASSERT((desc.usage & VK_IMAGE_USAGE_SAMPLED_BIT) != 0);
+
   const Staging staging(device, to.name(), bytes.size(), BufferPlace::upload);
   std::memcpy(staging.mapped(), bytes.data(), bytes.size());
+
   device.run([&](VkCommandBuffer commands) {
     const std::vector<VkBufferImageCopy> copies = copies_of(desc);
     barrier(device, commands, &to, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
@@ -197,12 +203,15 @@ std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLay
   DERMIS_ASSERT_EQ(desc.samples, 1u);
   DERMIS_ASSERT_LT(layer, desc.layers);
   DERMIS_ASSERT(layout != VK_IMAGE_LAYOUT_UNDEFINED);
+
   const std::uint64_t bytes = std::uint64_t{desc.width} * desc.height * texel_bytes(desc.format);
   const Staging staging(device, from.name(), bytes, BufferPlace::readback);
+
   device.run([&](VkCommandBuffer commands) {
     VkBufferImageCopy copy{};
     copy.imageSubresource = {aspect_of(desc.format), 0, layer, 1};
     copy.imageExtent = {desc.width, desc.height, 1};
+
     barrier(device, commands, &from, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     device.vk().vkCmdCopyImageToBuffer(commands, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                                        staging.handle(), 1, &copy);
