@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a frame's maps take, summed from a plan.
+/// How much memory the maps of a frame take, summed from a plan.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,14 @@
 
 namespace dermis::techniques {
 
-/// Bytes of the maps that a technique needs once more for each further one.
+/// Bytes by which the maps of a frame grow with each further skin mesh or head.
 struct MapMemory {
-  std::uint64_t light_maps = 0;   ///< of one skin mesh of one head
-  std::uint64_t shadow_maps = 0;  ///< of one head
+  std::uint64_t light_maps = 0;   ///< per skin mesh of one head
+  std::uint64_t shadow_maps = 0;  ///< per head
 };
 
-/// Plans a frame of one head whose skin meshes take turns; what `settings` say of batches is not used.
+/// Returns the memory, from a plan of one head whose skin meshes take turns; ignores what `settings` say of
+/// batches.
 MapMemory map_memory(const Technique& technique, FrameSettings settings);
 
 }  // namespace dermis::techniques

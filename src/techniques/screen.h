@@ -11,7 +11,8 @@ enum ScreenCounter : std::uint32_t { counter_skin_pixels, screen_counters };
 
 class Screen {
  public:
-  /// counters: slots of the frame, at least screen_counters.
+  /// Makes the targets, for which `counters` is the number of slots, at least screen_counters. `plan` must
+  /// outlive this.
   Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters = screen_counters);
 
   frame::TextureId colour() const { return colour_; }
@@ -20,11 +21,15 @@ class Screen {
   /// Valid with translucency unless all_enters: see passes::Shadow.
   frame::TextureId entering() const { return entering_; }
   frame::BufferId counters() const { return counters_; }
-  bool take_clear();  ///< true once: for the pass that draws first
+  /// Returns true at the first call only: the pass that draws first clears colour and depth.
+  bool take_clear();
 
+  /// Adds the shadow maps of all lights for one head.
   void add_shadow(std::uint32_t head);
-  void add_surfaces(std::uint32_t head);  ///< opaque, then blended
-  FrameOutputs finish();                  ///< resolve, bloom, tone map; shows the shadow maps
+  /// Adds the parts of one head that are not skin: opaque, then blended.
+  void add_surfaces(std::uint32_t head);
+  /// Adds resolve, bloom and tone map, and shows the shadow maps. The last call.
+  FrameOutputs finish();
 
  private:
   passes::FramePlan* plan_;
@@ -35,17 +40,17 @@ class Screen {
   bool cleared_ = false;
 };
 
-/// Technique::report and Technique::gutters of a technique that has no light maps.
+/// Technique::report and Technique::gutters for techniques without light maps.
 FrameReport screen_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
                           std::span<const std::uint32_t> sides);
 std::vector<GutterSize> no_gutters(const FrameSettings& settings, std::span<const std::uint32_t> sides);
 
-/// "shadow" for one head, "shadow head 3" in a crowd; and for one of a head's skin meshes, "irradiance head 3
-/// part 1".
+/// Return the name of a pass: "shadow" for one head, "shadow head 3" for one of several; and for one of a
+/// head's skin meshes "irradiance head 3 part 1".
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head);
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
                   std::uint32_t mesh);
-/// "stretch" for one skin mesh, "stretch part 1" for one of several.
+/// Returns "stretch" for one skin mesh, "stretch part 1" for one of several.
 std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh);
 
 }  // namespace dermis::techniques

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// How passes make a picture. A technique is a function that adds passes to a plan; the list in all.cpp is
-/// the only register.
+/// The contract of a technique: which passes, in which order, make a picture. A technique is a constant with
+/// its names and three functions; the list in all.cpp is the only register. The smallest complete one is
+/// lambert/.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +19,16 @@
 
 namespace dermis::techniques {
 
-/// One skin mesh as the plan needs to know it.
+/// One skin mesh as the plan needs to know it. Texels per mm are those of its unwrap, on a map of T_max
+/// texels per side or on a map of one texel, from which any other size follows.
 struct SkinPart {
   gaussians::SumOfGaussians profile;
-  double max_texels_per_mm = 1;   ///< where its unwrap is densest, at the map size of the frame
-  double mean_texels_per_mm = 1;  ///< of its unwrap, at the same size
-  /// max_texels_per_mm of a map of one texel
-  double densest_texels_per_mm_of_one = 1;
-  /// of a map of one texel, if the skin filled it evenly; and whether parts of it have so few that terms are
-  /// lit at the pixel there: passes::coarse_share
-  double even_texels_per_mm = 1;
-  double least_texels_per_mm = 1;  ///< a twentieth of the skin has fewer, at the map size of the frame
+  double max_texels_per_mm = 1;             ///< at T_max; a twentieth of the skin has more
+  double mean_texels_per_mm = 1;            ///< at T_max
+  double densest_texels_per_mm_of_one = 1;  ///< on a map of one texel; a twentieth of the skin has more
+  double even_texels_per_mm = 1;            ///< on a map of one texel, if the skin filled it evenly
+  double least_texels_per_mm = 1;           ///< at T_max; a twentieth of the skin has fewer
+  /// some of the skin has so few texels that narrow terms are lit per pixel there: passes::coarse_share()
   bool coarse = false;
   bool off_map = false;  ///< some of its triangles have no chart of the unwrap
   bool cut_out = false;  ///< some of its materials have an alpha test
@@ -36,36 +36,37 @@ struct SkinPart {
   bool operator==(const SkinPart&) const = default;
 };
 
-/// What is not computed because it is not seen. Based on: [JG08] sec. 3 to 5.
+/// Skips what is not seen. Based on: [JG08] sec. 3 to 5.
 struct Optimise {
-  bool cull = false;  ///< triangles that face away from the eye
-  /// maps as large as the head's distance needs; the plan does not change, Instance::map_side does
+  bool cull = false;  ///< leaves out triangles that face away from the camera
+  /// uses only as much of the maps as the head's distance needs: changes Instance::map_side, not the plan
   bool depth = false;
-  bool clip = false;  ///< what lies outside the picture and a margin
+  bool clip = false;  ///< leaves out what lies outside the picture and a margin
   bool any() const { return cull || depth || clip; }
   bool operator==(const Optimise&) const = default;
 };
 
 /// The structure of a frame: a change makes a new plan. What changes per frame is passes::FrameData.
 struct FrameSettings {
-  std::uint32_t width = 1280, height = 720;
-  std::uint32_t samples = 4;         ///< 1 or 4
-  std::uint32_t map_size = 2048;     ///< T_max, texels
-  std::uint32_t shadow_size = 2048;  ///< texels
-  std::uint32_t shadow_layers = 1;   ///< of one head, at least 1
+  std::uint32_t width = 1280, height = 720;  ///< pixels
+  std::uint32_t samples = 4;                 ///< per pixel, 1 or 4
+  std::uint32_t map_size = 2048;             ///< T_max, texels per side
+  std::uint32_t shadow_size = 2048;          ///< texels per side
+  std::uint32_t shadow_layers = 1;           ///< of one head, at least 1
   std::uint32_t heads = 1;
-  /// that are lit and blurred together: squares of the pool and sets of shadow maps
+  /// Heads that are lit and blurred together. The pool has a square for each skin mesh of each of them, and
+  /// there are as many sets of shadow maps.
   std::uint32_t heads_per_batch = 1;
-  /// Skin meshes of a head that are lit and blurred together, 0 = all; fewer only with one head in a batch.
+  /// Skin meshes of a head that are lit and blurred together, 0 = all. If not all, heads_per_batch is 1.
   std::uint32_t meshes_per_batch = 0;
   Optimise optimise;
-  /// light comes through the body: lit from behind, thin skin glows
+  /// Light comes through the body: lit from behind, thin skin glows.
   bool translucency = false;
-  /// What casts shadows is skin that takes nothing from light before it scatters (mix 0): no map has to say
-  /// what enters.
+  /// All that casts shadows is skin whose whole albedo acts after scattering (mix 0), so that all light
+  /// enters it: no map has to store which part does.
   bool all_enters = false;
   double mm_per_unit = 1000;  ///< of the scene
-  /// alpha, depth or tiles: how convolutions skip what cull and clip have left unlit
+  /// alpha, depth or tiles: how convolutions skip texels that cull and clip have left unlit
   passes::Mask mask = passes::Mask::tiles;
   bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
   bool visibility = false;     ///< also makes the map that `--show visibility` shows
@@ -93,6 +94,7 @@ struct Shown {
   bool used_square = false;  ///< its sides are T of the nearest head; else the whole map is shown
 };
 
+/// What a plan makes. The executor of the plan owns the textures and the buffer; these are handles.
 struct FrameOutputs {
   /// RGBA16F, linear, with bloom; alpha = share of the pixel that is skin
   frame::TextureId picture;
@@ -114,28 +116,34 @@ struct FrameReport {
   std::uint64_t unshaded_reads = 0, transmission_misses = 0;
 };
 
-/// Gutters that a frame reads: of a skin mesh, for light maps of side x side texels.
+/// Gutters that a frame reads: those of one skin mesh, for light maps of side x side texels.
 struct GutterSize {
   std::uint32_t mesh = 0, side = 0;
   int width_texels = 0;
 };
 
 struct Technique {
-  std::string_view name;
-  std::string_view summary;    ///< one line
+  std::string_view name;       ///< as RenderSettings::technique names it
+  std::string_view summary;    ///< one line, for help texts
   bool uses_profile = true;    ///< light spreads as the material's profile says
   bool has_light_maps = true;  ///< Optimise, mask, progressive and translucency mean something
+
+  /// Adds the passes of a frame to the empty `plan`, in the order in which they run. Needs no device.
   FrameOutputs (*build)(passes::FramePlan& plan, const FrameSettings& settings);
 
-  /// `counters` as read back from FrameOutputs::counters. `sides`: T of each head that is drawn, texels.
+  /// Returns what a frame of these settings has computed. `counters`: as read back from
+  /// FrameOutputs::counters. `sides`: T of each head that is drawn, texels.
   FrameReport (*report)(const FrameSettings& settings, std::span<const std::uint32_t> counters,
                         std::span<const std::uint32_t> sides);
+
+  /// Returns the gutters that must be there before such a frame is drawn: passes::GpuScene makes them. May
+  /// name one twice.
   std::vector<GutterSize> (*gutters)(const FrameSettings& settings, std::span<const std::uint32_t> sides);
 };
 
-/// In the order in which users see them; the first is the default.
+/// Returns all techniques, in the order in which users see them; the first is the default.
 std::span<const Technique* const> techniques();
-/// InputError lists the names when there is none such.
+/// Returns the technique of this name. Throws InputError if there is none (lists the names).
 const Technique& find_technique(std::string_view name);
 
 }  // namespace dermis::techniques

@@ -7,6 +7,7 @@
 namespace dermis::techniques {
 namespace {
 
+// Draws each head: its shadow maps, its skin with the light at each pixel, and the rest of it.
 FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
   Screen screen(plan, settings);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Skin as an opaque surface: what scattering is compared with, and the floor of what a frame costs.
+/// Skin as an opaque surface, without scattering. The smallest technique: pictures with scattering are
+/// compared with it, and no frame costs less.
 #pragma once
 
 #include "techniques/technique.h"
