@@ -14,6 +14,8 @@ GraphExecutor::GraphExecutor(gpu::PipelineLibrary& library, const FrameGraph& gr
     resources_.textures_.emplace_back(library.device(), node.name, node.desc);
   for (const BufferNode& node : graph.buffers())
     resources_.buffers_.emplace_back(library.device(), node.name, node.desc);
+  resources_.nearest_ = library.sampler({.filter = gpu::Filter::nearest});
+  resources_.linear_ = library.sampler({.filter = gpu::Filter::linear});
 }
 
 VkImageMemoryBarrier2 GraphExecutor::image_barrier(const Barrier& b) {

@@ -25,18 +25,23 @@ class FramePlan : public FrameGraph {
     std::function<void(gpu::Cmd&, const Resources&, const Context&)> record;
   };
 
-  /// Constructs the pass, lets it declare, and keeps it. A pass has:
-  ///   Settings, In, Out; Pass(Settings); Out declare(Declare&, const In&); void
-  ///   prepare(gpu::PipelineLibrary&); void record(gpu::Cmd&, const Resources&, const Context&) const.
+  /// Constructs the pass, gives it settings and inputs, lets it declare, and keeps it. A pass has:
+  ///   Settings settings; In in; Out declare(Declare&); void prepare(gpu::PipelineLibrary&), unless it has no
+  ///   pipelines; void record(gpu::Cmd&, const Resources&, const Context&) const.
   template <class Pass>
   typename Pass::Out add(const std::string& name, const typename Pass::In& in,
                          const typename Pass::Settings& settings = {}) {
-    auto pass = std::make_shared<Pass>(settings);
+    auto pass = std::make_shared<Pass>();
+    pass->settings = settings;
+    pass->in = in;
     PassNode node{.name = name};
     Declare declare(*this, node);
-    typename Pass::Out out = pass->declare(declare, in);
+    typename Pass::Out out = pass->declare(declare);
     add_pass(std::move(node));
-    steps_.push_back({.prepare = [pass](gpu::PipelineLibrary& library) { pass->prepare(library); },
+    steps_.push_back({.prepare =
+                          [pass](gpu::PipelineLibrary& library) {
+                            if constexpr (requires { pass->prepare(library); }) pass->prepare(library);
+                          },
                       .record = [pass](gpu::Cmd& cmd, const Resources& resources,
                                        const Context& context) { pass->record(cmd, resources, context); }});
     return out;

@@ -16,8 +16,11 @@ class Resources {
  public:
   const gpu::Texture& texture(TextureId id) const { return at(textures_, id.index); }
   const gpu::Buffer& buffer(BufferId id) const { return at(buffers_, id.index); }
-  /// The texture in the layout that sampling passes see it in.
-  gpu::SampledBinding sampled(TextureId id, VkSampler sampler) const { return {&texture(id), sampler}; }
+  /// The texture in the layout that sampling passes see it in, read by its nearest texel or between texels.
+  gpu::SampledBinding nearest(TextureId id) const { return {&texture(id), nearest_}; }
+  gpu::SampledBinding linear(TextureId id) const { return linear(texture(id)); }
+  gpu::SampledBinding linear(const gpu::Texture& texture) const { return {&texture, linear_}; }
+  gpu::StorageImageBinding storage(TextureId id) const { return {&texture(id)}; }
 
  private:
   template <class T>
@@ -28,6 +31,7 @@ class Resources {
   friend class GraphExecutor;
   std::vector<gpu::Texture> textures_;
   std::vector<gpu::Buffer> buffers_;
+  VkSampler nearest_ = VK_NULL_HANDLE, linear_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::frame

@@ -89,6 +89,7 @@ class GpuScene {
   GpuSurfaces surfaces;       ///< everything else
   gpu::Buffer unmoved;        ///< PlacementIo: skin's vertices are in the world
   std::vector<GpuMaterial> materials;
+  const GpuMaterial& material(int number) const { return materials[static_cast<std::size_t>(number)]; }
   const gpu::Texture& white() const { return white_; }  ///< one white texel
   gpu::Texture directional_albedo;                      ///< RG16F, see optics/directional_albedo.h
 

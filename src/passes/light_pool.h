@@ -41,10 +41,20 @@ inline std::uint32_t side_of(const FrameData& frame, const MapSquare& square) {
   return square.halvings == 0 ? side : halved_side(side, square.largest_side, square.halvings);
 }
 
-inline VkRect2D used_area(const FrameData& frame, const MapSquare& square) {
-  const std::uint32_t side = side_of(frame, square);
-  return {{static_cast<std::int32_t>(square.origin.x), static_cast<std::int32_t>(square.origin.y)},
-          {side, side}};
+/// What of a square this frame uses.
+struct UsedSquare : MapSquare {
+  std::uint32_t side = 0;  ///< texels
+  VkRect2D area() const {
+    return {{static_cast<std::int32_t>(origin.x), static_cast<std::int32_t>(origin.y)}, {side, side}};
+  }
+};
+
+/// Of heads that are in the picture.
+inline std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares) {
+  std::vector<UsedSquare> used;
+  for (const MapSquare& square : squares)
+    if (instance_of(frame, square).visible) used.push_back({square, side_of(frame, square)});
+  return used;
 }
 
 /// How a convolution runs, and which texels it skips.

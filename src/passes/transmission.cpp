@@ -8,6 +8,8 @@
 
 namespace dermis::passes {
 
+static_assert(gaussians::max_terms == MOST_TERMS);
+
 std::vector<std::size_t> transmission_groups(std::size_t terms) {
   const std::size_t groups = std::min<std::size_t>(terms, TRANSMISSION_GROUPS);
   std::vector<std::size_t> first;
@@ -20,7 +22,7 @@ std::vector<std::size_t> transmission_groups(std::size_t terms) {
 
 io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit) {
   const std::size_t terms = profile.terms.size();
-  DERMIS_ASSERT_LE(terms, std::size_t{TRANSMISSION_TERMS});
+  DERMIS_ASSERT_LE(terms, std::size_t{MOST_TERMS});
   io::TransmissionIo out{};
   for (std::size_t i = 0; i < terms; ++i) {
     out.two_sigma_m[i] = static_cast<float>(2 * std::sqrt(profile.terms[i].variance_mm2) / mm_per_unit);
@@ -33,7 +35,7 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
   for (int c = 0; c < 3; ++c) {
     const auto weight = [&](std::size_t i) { return profile.terms[i].weight[static_cast<std::size_t>(c)]; };
     const auto share = [&](std::size_t g, std::size_t i) -> float& {
-      return out.share[g * TRANSMISSION_TERMS + i][c];
+      return out.share[g * MOST_TERMS + i][c];
     };
 
     // the mean of the last group that had weight, as shares of the T_i
@@ -58,9 +60,7 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
 }
 
 ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library,
-                                 const std::vector<gaussians::SumOfGaussians>& profiles, double mm_per_unit)
-    : linear_(library.sampler({.filter = gpu::Filter::linear})),
-      nearest_(library.sampler({.filter = gpu::Filter::nearest})) {
+                                 const std::vector<gaussians::SumOfGaussians>& profiles, double mm_per_unit) {
   for (std::size_t i = 0; i < profiles.size(); ++i) {
     const auto same =
         std::find(profiles.begin(), profiles.begin() + static_cast<std::ptrdiff_t>(i), profiles[i]);
@@ -79,8 +79,7 @@ ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library,
 void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering,
                             frame::TextureId shadow, std::size_t profile) const {
   // A binding that is never read must be bound all the same.
-  const gpu::SampledBinding maps =
-      entering.valid() ? resources.sampled(entering, linear_) : resources.sampled(shadow, nearest_);
+  const gpu::SampledBinding maps = entering.valid() ? resources.linear(entering) : resources.nearest(shadow);
   bindings.add("entering_maps", maps).add("Transmission", constants_[number_[profile]]);
 }
 

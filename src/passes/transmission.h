@@ -25,7 +25,7 @@ namespace dermis::passes {
 /// blurred most.
 std::vector<std::size_t> transmission_groups(std::size_t terms);
 
-/// share[group * TRANSMISSION_TERMS + i]: of T_i in what joins at that group; summed over groups and weighted
+/// share[group * MOST_TERMS + i]: of T_i in what joins at that group; summed over groups and weighted
 /// as the final sum does, each T_i counts w_i. A channel without weight in a group waits for the next.
 /// mm_per_unit: of the scene.
 io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit);
@@ -44,7 +44,6 @@ class ThroughBindings {
  private:
   std::vector<gpu::Buffer> constants_;  // TransmissionIo, one for equal profiles
   std::vector<std::size_t> number_;     // of those, by profile
-  VkSampler linear_ = VK_NULL_HANDLE, nearest_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

@@ -9,7 +9,7 @@ layout(constant_id = 8) const int through_terms = 6;
 
 struct EnteringAndThrough {
   vec3 entering;                     // irradiance, as entering_irradiance()
-  vec3 through[TRANSMISSION_TERMS];  // per Gaussian: irradiance of the far side, times its albedo^mix
+  vec3 through[MOST_TERMS];  // per Gaussian: irradiance of the far side, times its albedo^mix
                                      // and the Gaussian's slab factor
 };
 
@@ -51,6 +51,6 @@ EnteringAndThrough entering_and_through(ShadingPoint s, vec3 n, vec3 n_geometric
 vec3 joining(EnteringAndThrough r, int group) {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < through_terms; ++i)
-    sum += transmission.share[group * TRANSMISSION_TERMS + i] * r.through[i];
+    sum += transmission.share[group * MOST_TERMS + i] * r.through[i];
   return sum;
 }

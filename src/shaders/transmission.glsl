@@ -103,7 +103,7 @@ float nearer_factor(LightIo light, Arriving a, LightRead r) {
 // Near an edge the blur over the surface already brings light to where these means hold too. It hardly does
 // where the lit point faces away from here; elsewhere the share that is not yet counted grows with the angle
 // to the light. The figures are fitted to the reference.
-void add_slab_factors(LightRead r, float cosine_here, vec3 light, inout vec3 through[TRANSMISSION_TERMS]) {
+void add_slab_factors(LightRead r, float cosine_here, vec3 light, inout vec3 through[MOST_TERMS]) {
   // [DLE07]: thickness between sides that face away from each other, elsewhere the distance along the light.
   const float d_m = r.way_m * mix(1.0, -cosine_here, r.facing);
   const float d2 = d_m * d_m, plane = smoothstep(0.97, 1.0, r.facing);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #ifndef DERMIS_SHARED_TRANSMISSION_IO_H
 #define DERMIS_SHARED_TRANSMISSION_IO_H
+#include "shared/terms.h"
 #include "shared/types.h"
 DERMIS_IO_BEGIN
-#define TRANSMISSION_TERMS 8   // of a profile, at most
 #define TRANSMISSION_GROUPS 3  // of terms that share a map of transmitted light, at most
 // Distribution of transmitted light over the groups: see passes/transmission.h.
 struct TransmissionIo {
-  float falloff_per_m2[TRANSMISSION_TERMS];  // 1 / (2 v)
-  float two_sigma_m[TRANSMISSION_TERMS];
-  uint group[TRANSMISSION_TERMS];          // of each term
+  float falloff_per_m2[MOST_TERMS];  // 1 / (2 v)
+  float two_sigma_m[MOST_TERMS];
+  uint group[MOST_TERMS];          // of each term
   vec3 group_weight[TRANSMISSION_GROUPS];  // sum of its terms'
   // part of the light of each term that joins at each group
-  vec3 share[TRANSMISSION_GROUPS * TRANSMISSION_TERMS];
+  vec3 share[TRANSMISSION_GROUPS * MOST_TERMS];
 };
 DERMIS_IO_END
 #endif

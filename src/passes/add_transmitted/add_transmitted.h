@@ -3,33 +3,26 @@
 /// passes/transmission.h.
 #pragma once
 
+#include "passes/compute_pass.h"
 #include "passes/light_pool.h"
 
 namespace dermis::passes {
 
-class AddTransmitted {
+class AddTransmitted : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-  };
+  } settings;
   struct In {
     frame::TextureId light;  ///< RGBA16F pool: spread so far
     /// RGBA16F pool: what comes through; changed in place, the sum where there is light, and its alpha
     frame::TextureId through;
-  };
+  } in;
   struct Out {
     frame::TextureId light;  ///< the sum
   };
-  explicit AddTransmitted(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary& library);
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-
- private:
-  Settings settings_;
-  In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
-  VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

@@ -18,12 +18,14 @@ constexpr float narrow_weight = 0.0174f, wide_weight = 0.192f, narrow_variance =
 
 }  // namespace
 
-BloomStep::Out BloomStep::declare(frame::Declare& d, const In& in) {
-  d.kind(frame::PassKind::compute);
-  in_ = in;
+BloomStep::Out BloomStep::declare(frame::Declare& d) {
+  compute(d, "bloom.comp");
   gpu::TextureDesc desc = d.desc(in.picture);
   desc.usage = 0;
-  if (settings_.mode == Mode::halve) desc.width = (desc.width + 1) / 2, desc.height = (desc.height + 1) / 2;
+  if (settings.mode == Mode::halve) {
+    desc.width = (desc.width + 1) / 2;
+    desc.height = (desc.height + 1) / 2;
+  }
   target_ = d.create("bloom", desc);
   d.sample(in.picture);
   if (in.narrow.valid()) d.sample(in.narrow);
@@ -32,29 +34,22 @@ BloomStep::Out BloomStep::declare(frame::Declare& d, const In& in) {
   return {target_};
 }
 
-void BloomStep::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.compute("bloom.comp");
-  sampler_ = library.sampler({.filter = gpu::Filter::linear});
-}
-
 void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
   const gpu::Texture& target = resources.texture(target_);
-  const auto or_picture = [&](frame::TextureId id) {
-    return resources.sampled(id.valid() ? id : in_.picture, sampler_);
-  };
+  const auto or_picture = [&](frame::TextureId id) { return resources.linear(id.valid() ? id : in.picture); };
   Bindings()
-      .add("picture", resources.sampled(in_.picture, sampler_))
-      .add("narrow", or_picture(in_.narrow))
-      .add("wide", or_picture(in_.wide))
-      .add("target", gpu::StorageImageBinding{&target})
-      .bind(cmd, *pipeline_);
+      .add("picture", resources.linear(in.picture))
+      .add("narrow", or_picture(in.narrow))
+      .add("wide", or_picture(in.wide))
+      .add("target", resources.storage(target_))
+      .bind(cmd, pipeline());
   constexpr float total = narrow_weight + wide_weight;
-  cmd.push(*pipeline_, io::BloomIo{.mode = static_cast<std::uint32_t>(settings_.mode),
-                                   .sigma = settings_.sigma,
-                                   .weight_narrow = narrow_weight / total,
-                                   .weight_wide = wide_weight / total,
-                                   .amount = settings_.amount});
-  cmd.dispatch_over(*pipeline_, target.desc().width, target.desc().height);
+  const io::BloomIo io{.mode = static_cast<std::uint32_t>(settings.mode),
+                       .sigma = settings.sigma,
+                       .weight_narrow = narrow_weight / total,
+                       .weight_wide = wide_weight / total,
+                       .amount = settings.amount};
+  dispatch(cmd, io, target.desc().width, target.desc().height);
 }
 
 frame::TextureId add_bloom(FramePlan& plan, frame::TextureId picture, float amount) {

@@ -5,37 +5,32 @@
 #pragma once
 
 #include "frame/graph.h"
+#include "passes/compute_pass.h"
 #include "passes/frame_data.h"
 
 namespace dermis::passes {
 
 /// One step; add_bloom() strings them together.
-class BloomStep {
+class BloomStep : public ComputePass {
  public:
   enum class Mode : std::uint32_t { halve, along_x, along_y, combine };
   struct Settings {
     Mode mode = Mode::halve;
     float sigma = 1;   ///< pixels of the half-size picture
     float amount = 0;  ///< combine: 0..1
-  };
+  } settings;
   struct In {
     frame::TextureId picture;
     frame::TextureId narrow, wide;  ///< combine only
-  };
+  } in;
   struct Out {
     frame::TextureId picture;
   };
-  explicit BloomStep(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary& library);
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  Settings settings_;
-  In in_;
   frame::TextureId target_;
-  const gpu::Pipeline* pipeline_ = nullptr;
-  VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
 /// amount 0..1 of the picture's light; the filter's radius d is a twelfth of the picture's height.

@@ -11,21 +11,16 @@ layout(binding = 0) uniform sampler2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
 layout(binding = 2, scalar) readonly buffer Kernels { float kernels[]; };
 
-const int radius = 6;
-const int row_floats = radius + 2;
-const int rows = 129;
-const float max_sigma = 2.0;
-
-// Weights of taps 0..6 and the variance, between two rows of the table; the rows are so dense that the
-// variance stays exact to 1e-4.
-float kernel_row[row_floats];
+// Weights of taps 0..KERNEL_RADIUS and the variance, between two rows of the table; the rows are so dense
+// that the variance stays exact to 1e-4.
+float kernel_row[KERNEL_FLOATS];
 void load_kernel(float sigma, bool averaged) {
-  const float at = clamp(sigma / max_sigma, 0.0, 1.0) * float(rows - 1);
-  const int row = min(int(at), rows - 2);
+  const float at = clamp(sigma / KERNEL_MAX_SIGMA, 0.0, 1.0) * float(KERNEL_ROWS - 1);
+  const int row = min(int(at), KERNEL_ROWS - 2);
   const float f = at - float(row);
-  const int base = ((averaged ? rows : 0) + row) * row_floats;
-  for (int i = 0; i < row_floats; ++i)
-    kernel_row[i] = mix(kernels[base + i], kernels[base + row_floats + i], f);
+  const int base = ((averaged ? KERNEL_ROWS : 0) + row) * KERNEL_FLOATS;
+  for (int i = 0; i < KERNEL_FLOATS; ++i)
+    kernel_row[i] = mix(kernels[base + i], kernels[base + KERNEL_FLOATS + i], f);
 }
 
 // p: texel of the square. Beyond its used part nothing is read: what another T left there is stale.
@@ -51,7 +46,7 @@ vec4 blurred(ivec2 p, vec4 centre) {
   const float sigma_mm = sqrt(io.variance_mm2);
   const float wanted_u = sigma_mm * factor.x * texels;
   const float sigma_u = sqrt(max(wanted_u * wanted_u - io.averaged_texels2, 0.0));
-  const int step_u = max(1, int(ceil(sigma_u / max_sigma)));
+  const int step_u = max(1, int(ceil(sigma_u / KERNEL_MAX_SIGMA)));
   const float slope = factor.x > 0.0 ? factor.y / factor.x * float(step_u) : 0.0;  // texels of v a step
   load_kernel(sigma_u / float(step_u), io.texel_averaged != 0u && step_u == 1);
 
@@ -59,7 +54,7 @@ vec4 blurred(ivec2 p, vec4 centre) {
   float total = 0.0;
   if (io.axis == 0u) {
     total += gather(sum, centre, chart, kernel_row[0]);
-    for (int k = 1; k <= radius; ++k) {
+    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
       const float shift = slope * float(k);
       const float whole = floor(shift);
       const float f = shift - whole;
@@ -72,16 +67,16 @@ vec4 blurred(ivec2 p, vec4 centre) {
     }
   } else {
     float interpolation = 0.0;  // variance in texels^2 that the first pass has added along v
-    for (int k = 1; k <= radius; ++k) {
+    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
       const float f = fract(slope * float(k));
       interpolation += 2.0 * kernel_row[k] * f * (1.0 - f);
     }
     const float wanted = sigma_mm * factor.z * texels;
     const float sigma_v = sqrt(max(wanted * wanted - interpolation - io.averaged_texels2, 0.0));
-    const int step_v = max(1, int(ceil(sigma_v / max_sigma)));
+    const int step_v = max(1, int(ceil(sigma_v / KERNEL_MAX_SIGMA)));
     load_kernel(sigma_v / float(step_v), io.texel_averaged != 0u && step_v == 1);
     total += gather(sum, centre, chart, kernel_row[0]);
-    for (int k = 1; k <= radius; ++k) {
+    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
       total += gather(sum, light_at(p + ivec2(0, k * step_v)), chart, kernel_row[k]);
       total += gather(sum, light_at(p - ivec2(0, k * step_v)), chart, kernel_row[k]);
     }

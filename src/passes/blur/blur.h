@@ -26,29 +26,25 @@ class Blur {
     Mask mask = Mask::whole;
     /// the first step after Downsample: of the map that it has read
     std::optional<std::uint32_t> halvings_before;
-  };
+  } settings;
   struct In {
     frame::TextureId light, stretch;
     frame::TextureId target;           ///< RGBA16F pool of the same size
     TileLists lists = {};              ///< with Mask::tiles
     frame::TextureId depth_mask = {};  ///< with Mask::depth
-  };
+  } in;
   struct Out {
     frame::TextureId light;
   };
-  explicit Blur(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
+  Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  bool drawn() const { return settings_.mask != Mask::whole && settings_.mask != Mask::tiles; }
+  bool drawn() const { return settings.mask != Mask::whole && settings.mask != Mask::tiles; }
   void draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const;
   float averaged_texels2(const FrameData& frame, const MapSquare& square) const;
-  Settings settings_;
-  In in_;
   const gpu::Pipeline* pipeline_ = nullptr;
-  VkSampler sampler_ = VK_NULL_HANDLE;
   gpu::Buffer kernels_;
 };
 
@@ -58,13 +54,15 @@ struct BlurStep {
   bool ends_term = false;   ///< the light after this step is a term of the sum
 };
 
-/// The steps that blur by each variance in turn (narrow to wide). Sigma at most doubles a step, so that 13
-/// taps suffice, and the first is at most kernel_max_sigma texels where the map is densest
+/// The steps that blur by each variance in turn (narrow to wide). Sigma at most doubles a step, so that the
+/// kernel's taps suffice, and the first is at most kernel_max_sigma texels where the map is densest
 /// (max_texels_per_mm): extra steps are put in where the terms are further apart.
 std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm);
 std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
 
-/// Texels beside a seam that the widest step reads: three sigma; at most 96.
+inline constexpr int max_gutter_width = 96;  ///< texels
+
+/// Texels beside a seam that the widest step reads, at most max_gutter_width.
 int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
 
 }  // namespace dermis::passes

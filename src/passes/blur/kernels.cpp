@@ -5,6 +5,9 @@
 #include <numbers>
 
 namespace dermis::passes {
+
+static_assert(KERNEL_FLOATS == KERNEL_RADIUS + 2);
+
 namespace {
 
 HalfKernel normalised(HalfKernel k) {

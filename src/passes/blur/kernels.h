@@ -8,11 +8,15 @@
 #include <array>
 #include <vector>
 
+#include "passes/blur/blur_io.h"
+
 namespace dermis::passes {
 
-inline constexpr int kernel_radius = 6;        ///< taps -6 .. 6
-inline constexpr double kernel_max_sigma = 2;  ///< in units of the tap spacing: three sigma on either side
-inline constexpr int kernel_rows = 129;        ///< sigma = 0 .. kernel_max_sigma
+inline constexpr int kernel_radius = KERNEL_RADIUS;
+inline constexpr double kernel_max_sigma = KERNEL_MAX_SIGMA;
+inline constexpr int kernel_rows = KERNEL_ROWS;
+/// Texels that a step reads on either side, per texel of its sigma.
+inline constexpr double kernel_reach = kernel_radius / kernel_max_sigma;
 
 using HalfKernel = std::array<double, kernel_radius + 1>;  ///< weights of taps 0, +-1, .. +-6; w0 + 2 sum = 1
 
@@ -27,7 +31,7 @@ HalfKernel texel_averaged_gaussian(double sigma);
 
 double variance(const HalfKernel& kernel);
 
-/// Two tables of kernel_rows rows of kernel_radius + 2 floats (the last is the row's variance):
+/// Two tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
 /// discrete_gaussian, then texel_averaged_gaussian.
 std::vector<float> kernel_table();
 

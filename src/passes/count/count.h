@@ -3,49 +3,38 @@
 /// a given alpha. Runs for statistics.
 #pragma once
 
+#include "passes/compute_pass.h"
 #include "passes/light_pool.h"
 
 namespace dermis::passes {
 
-class Count {
+class Count : public ComputePass {
  public:
   struct Settings {
     std::uint32_t slot = 0;
     float threshold = 0.5f;
     bool absolute = false;           ///< of the alpha's absolute value
     std::vector<MapSquare> squares;  ///< only their used areas are counted; none: the whole picture
-  };
+  } settings;
   struct In {
     frame::TextureId picture;  ///< one sample
     frame::BufferId counters;  ///< uint[]; cleared by ClearCounters
-  };
+  } in;
   struct Out {};
-  explicit Count(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary& library);
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-
- private:
-  Settings settings_;
-  In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
-  VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
 class ClearCounters {
  public:
-  struct Settings {};
+  struct Settings {
+  } settings;
   struct In {
     frame::BufferId counters;
-  };
+  } in;
   struct Out {};
-  explicit ClearCounters(const Settings&) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary&) {}
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-
- private:
-  In in_;
 };
 
 }  // namespace dermis::passes

@@ -3,12 +3,12 @@
 
 #include "frame/resources.h"
 #include "passes/bindings.h"
+#include "passes/targets.h"
 
 namespace dermis::passes {
 
-DepthMask::Out DepthMask::declare(frame::Declare& d, const In& in) {
+DepthMask::Out DepthMask::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
-  in_ = in;
   d.sample(in.light);
   d.depth(in.mask);
   return {};
@@ -17,19 +17,17 @@ DepthMask::Out DepthMask::declare(frame::Declare& d, const In& in) {
 void DepthMask::prepare(gpu::PipelineLibrary& library) {
   pipeline_ = &library.graphics({.vertex = "square.vert",
                                  .fragment = "depth_mask.frag",
-                                 .depth_format = VK_FORMAT_D32_SFLOAT,
+                                 .depth_format = depth_format,
                                  .depth_test = true,
                                  .depth_write = true,
                                  .depth_compare = VK_COMPARE_OP_ALWAYS});
-  sampler_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
 void DepthMask::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  Bindings().add("light", resources.sampled(in_.light, sampler_)).bind(cmd, *pipeline_);
-  const gpu::DepthTarget depth{.texture = &resources.texture(in_.mask), .clear = 0.0f};
-  for (const MapSquare& square : settings_.squares) {
-    if (!instance_of(frame, square).visible) continue;
-    cmd.begin_rendering_area({}, depth, used_area(frame, square), true);
+  Bindings().add("light", resources.nearest(in.light)).bind(cmd, *pipeline_);
+  const gpu::DepthTarget depth{.texture = &resources.texture(in.mask), .clear = 0.0f};
+  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+    cmd.begin_rendering_area({}, depth, square.area(), true);
     cmd.draw(3);
     cmd.end_rendering();
   }

@@ -11,22 +11,18 @@ class DepthMask {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-  };
+  } settings;
   struct In {
     frame::TextureId light;  ///< RGBA16F pool
     frame::TextureId mask;   ///< D32 pool: 1 where the light's alpha is not 0, else 0
-  };
+  } in;
   struct Out {};
-  explicit DepthMask(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
+  Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  Settings settings_;
-  In in_;
   const gpu::Pipeline* pipeline_ = nullptr;
-  VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

@@ -8,9 +8,8 @@
 
 namespace dermis::passes {
 
-Dilate::Out Dilate::declare(frame::Declare& d, const In& in) {
-  d.kind(frame::PassKind::compute);
-  in_ = in;
+Dilate::Out Dilate::declare(frame::Declare& d) {
+  compute(d, "dilate.comp");
   d.write(in.light);
   d.sample(in.stretch);
   d.read(in.lists.tiles);
@@ -19,25 +18,19 @@ Dilate::Out Dilate::declare(frame::Declare& d, const In& in) {
   return {};
 }
 
-void Dilate::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.compute("dilate.comp");
-  sampler_ = library.sampler({.filter = gpu::Filter::nearest});
-}
-
 void Dilate::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
-      .add("light", gpu::StorageImageBinding{&resources.texture(in_.light)})
-      .add("stretch", resources.sampled(in_.stretch, sampler_))
-      .add("Tiles", resources.buffer(in_.lists.tiles))
-      .add("TileCounts", resources.buffer(in_.lists.counts))
-      .bind(cmd, *pipeline_);
-  for (const MapSquare& square : settings_.squares) {
-    if (!instance_of(frame, square).visible) continue;
-    cmd.push(*pipeline_, io::DilateIo{.origin = square.origin,
-                                      .side = side_of(frame, square),
+      .add("light", resources.storage(in.light))
+      .add("stretch", resources.nearest(in.stretch))
+      .add("Tiles", resources.buffer(in.lists.tiles))
+      .add("TileCounts", resources.buffer(in.lists.counts))
+      .bind(cmd, pipeline());
+  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+    cmd.push(pipeline(), io::DilateIo{.origin = square.origin,
+                                      .side = square.side,
                                       .square = square.index,
-                                      .first_tile = square.index * in_.lists.room});
-    cmd.dispatch_indirect(resources.buffer(in_.lists.arguments), square.index * sizeof(io::TileArgumentsIo));
+                                      .first_tile = square.index * in.lists.room});
+    cmd.dispatch_indirect(resources.buffer(in.lists.arguments), square.index * sizeof(io::TileArgumentsIo));
   }
 }
 

@@ -3,32 +3,25 @@
 /// points find light on all sides.
 #pragma once
 
+#include "passes/compute_pass.h"
 #include "passes/light_pool.h"
 #include "passes/tile_lists.h"
 
 namespace dermis::passes {
 
-class Dilate {
+class Dilate : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-  };
+  } settings;
   struct In {
     frame::TextureId light;    ///< RGBA16F pool, changed in place
     frame::TextureId stretch;  ///< says which chart a texel belongs to
     TileLists lists;           ///< tiles with unlit texels beside lit tiles
-  };
+  } in;
   struct Out {};
-  explicit Dilate(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary& library);
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-
- private:
-  Settings settings_;
-  In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
-  VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

@@ -9,36 +9,28 @@
 
 namespace dermis::passes {
 
-Downsample::Out Downsample::declare(frame::Declare& d, const In& in) {
-  d.kind(frame::PassKind::compute);
-  DERMIS_ASSERT_EQ(settings_.from.size(), settings_.to.size());
-  in_ = in;
+Downsample::Out Downsample::declare(frame::Declare& d) {
+  compute(d, "downsample.comp");
+  DERMIS_ASSERT_EQ(settings.from.size(), settings.to.size());
   d.sample(in.light);
   d.sample(in.stretch);
   d.write(in.target);
   return {in.target};
 }
 
-void Downsample::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.compute("downsample.comp");
-  sampler_ = library.sampler({.filter = gpu::Filter::nearest});
-}
-
 void Downsample::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
-      .add("light_in", resources.sampled(in_.light, sampler_))
-      .add("stretch", resources.sampled(in_.stretch, sampler_))
-      .add("light_out", gpu::StorageImageBinding{&resources.texture(in_.target)})
-      .bind(cmd, *pipeline_);
-  for (std::size_t i = 0; i < settings_.to.size(); ++i) {
-    const MapSquare &from = settings_.from[i], &to = settings_.to[i];
+      .add("light_in", resources.nearest(in.light))
+      .add("stretch", resources.nearest(in.stretch))
+      .add("light_out", resources.storage(in.target))
+      .bind(cmd, pipeline());
+  for (std::size_t i = 0; i < settings.to.size(); ++i) {
+    const MapSquare &from = settings.from[i], &to = settings.to[i];
     if (!instance_of(frame, to).visible) continue;
     const std::uint32_t side = side_of(frame, to);
-    cmd.push(
-        *pipeline_,
-        io::DownsampleIo{
-            .origin = to.origin, .side = side, .ratio = side_of(frame, from) / side, .from = from.origin});
-    cmd.dispatch_over(*pipeline_, side, side);
+    const io::DownsampleIo io{
+        .origin = to.origin, .side = side, .ratio = side_of(frame, from) / side, .from = from.origin};
+    dispatch(cmd, io, side, side);
   }
 }
 

@@ -7,32 +7,25 @@
 #include <vector>
 
 #include "gaussians/sum.h"
+#include "passes/compute_pass.h"
 #include "passes/light_pool.h"
 
 namespace dermis::passes {
 
-class Downsample {
+class Downsample : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> from, to;  ///< the same squares in the larger and in the smaller pool
-  };
+  } settings;
   struct In {
     frame::TextureId light, stretch;
     frame::TextureId target;  ///< RGBA16F pool
-  };
+  } in;
   struct Out {
     frame::TextureId light;
   };
-  explicit Downsample(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary& library);
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-
- private:
-  Settings settings_;
-  In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
-  VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
 inline constexpr std::uint32_t max_halvings = 3;

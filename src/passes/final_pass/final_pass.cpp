@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "frame/resources.h"
+#include "passes/draw_skin.h"
 #include "passes/final_pass/final_pass_io.h"
+#include "passes/targets.h"
 
 namespace dermis::passes {
 namespace {
@@ -42,11 +44,10 @@ float direct_share(float sigma_texels, float shrink) {
   return smoothstep(1, 1.4f, shrink) * (1 - smoothstep(0.35f, 0.8f, sigma_texels));
 }
 
-FinalPass::Out FinalPass::declare(frame::Declare& d, const In& in) {
+FinalPass::Out FinalPass::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
-  DERMIS_ASSERT_EQ(in.lights.size(), settings_.weights.size());
-  DERMIS_ASSERT_LE(in.lights.size(), 8u);
-  in_ = in;
+  DERMIS_ASSERT_EQ(in.lights.size(), settings.weights.size());
+  DERMIS_ASSERT_LE(in.lights.size(), std::size_t{MOST_TERMS});
   for (const frame::TextureId light : in.lights) d.sample(light);
   d.sample(in.shadow);
   if (through() && in.entering.valid()) d.sample(in.entering);
@@ -56,35 +57,35 @@ FinalPass::Out FinalPass::declare(frame::Declare& d, const In& in) {
 }
 
 FinalPass::Pipelines FinalPass::make_pipelines(gpu::PipelineLibrary& library, Lit lit, bool off_map) const {
-  const bool progressive = !settings_.halvings.empty() && settings_.halvings.back() > 0;
-  const auto terms = static_cast<std::uint32_t>(settings_.weights.size());
+  const bool progressive = !settings.halvings.empty() && settings.halvings.back() > 0;
+  const auto terms = static_cast<std::uint32_t>(settings.weights.size());
   const bool through = this->through() && lit != Lit::on_map;
 
   Pipelines out;
   for (const bool double_sided : {false, true})
     for (const bool cut_out : {false, true})
       for (const bool emits : {false, true}) {
-        if ((cut_out && !settings_.cut_out) || (emits && !settings_.emits)) continue;
+        if ((cut_out && !settings.cut_out) || (emits && !settings.emits)) continue;
         gpu::GraphicsDesc desc{.vertex = "final_pass.vert",
                                .fragment = through ? "final_pass_through.frag" : "final_pass.frag",
                                .constants = {{"term_count", lit == Lit::at_pixel ? 0u : terms},
                                              {"direct", lit != Lit::on_map ? 1u : 0u},
-                                             {"environment", settings_.environment ? 1u : 0u},
-                                             {"soft_shadows", settings_.soft_shadows ? 1u : 0u},
+                                             {"environment", settings.environment ? 1u : 0u},
+                                             {"soft_shadows", settings.soft_shadows ? 1u : 0u},
                                              {"progressive", progressive ? 1u : 0u},
                                              {"off_map", off_map ? 1u : 0u},
-                                             {"coarse", settings_.terms.coarse ? 1u : 0u},
+                                             {"coarse", settings.terms.coarse ? 1u : 0u},
                                              {"cut_out", cut_out ? 1u : 0u},
                                              {"emits", emits ? 1u : 0u}},
-                               .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
-                               .depth_format = VK_FORMAT_D32_SFLOAT,
-                               .samples = settings_.samples,
+                               .colour_formats = {light_format},
+                               .depth_format = depth_format,
+                               .samples = settings.samples,
                                .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
                                .depth_test = true,
                                .depth_write = true};
         if (through) {
           desc.constants.emplace_back("through_terms", terms);
-          desc.constants.emplace_back("entering_stored", in_.entering.valid() ? 1u : 0u);
+          desc.constants.emplace_back("entering_stored", in.entering.valid() ? 1u : 0u);
         }
         out.made[double_sided][cut_out][emits] = &library.graphics(desc);
       }
@@ -97,80 +98,77 @@ const FinalPass::Pipelines& FinalPass::pipelines_of(const GpuDraw& draw, bool mi
 }
 
 void FinalPass::prepare(gpu::PipelineLibrary& library) {
-  mapped_ = make_pipelines(library, settings_.weights.empty() ? Lit::at_pixel : Lit::on_map, false);
-  terms_ = make_terms(library.device(), settings_.terms);
-  if (settings_.mixes || settings_.terms.coarse) mixed_ = make_pipelines(library, Lit::mixed, false);
-  if (settings_.off_map) off_map_ = make_pipelines(library, Lit::at_pixel, true);
-  if (through()) through_ = ThroughBindings(library, {*settings_.through}, settings_.mm_per_unit);
+  mapped_ = make_pipelines(library, settings.weights.empty() ? Lit::at_pixel : Lit::on_map, false);
+  terms_ = make_terms(library.device(), settings.terms);
+  if (settings.mixes || settings.terms.coarse) mixed_ = make_pipelines(library, Lit::mixed, false);
+  if (settings.off_map) off_map_ = make_pipelines(library, Lit::at_pixel, true);
+  if (through()) through_ = ThroughBindings(library, {*settings.through}, settings.mm_per_unit);
   samplers_ = LightingSamplers(library);
-  light_sampler_ = library.sampler({.filter = gpu::Filter::linear});
 }
 
-void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const gpu::Texture& colour = resources.texture(in_.colour);
-  const GpuMesh& mesh = frame.scene->skin[settings_.square.mesh];
-  const Instance& instance = instance_of(frame, settings_.square);
-  if (!instance.visible && !settings_.clear) return;
-
-  gpu::ColourTarget colour_target{.texture = &colour};
-  gpu::DepthTarget depth_target{.texture = &resources.texture(in_.depth)};
-  if (settings_.clear) {
-    colour_target.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f};
-    depth_target.clear = 0.0f;
-  }
-  cmd.begin_rendering(std::span(&colour_target, 1), depth_target,
-                      {colour.desc().width, colour.desc().height});
-
+io::FinalPassIo FinalPass::final_io(const Instance& instance) const {
   io::FinalPassIo io{.offset_m = instance.offset_m,
                      .weights = {},
-                     .map_origin = settings_.square.origin,
+                     .map_origin = settings.square.origin,
                      .map_side = instance.map_side,
                      .slot = 0,
                      .halvings = 0};
 
-  // Sets each term's weight on the map, and in 4 bits how often its map is halved.
-  bool mixed = settings_.terms.coarse;
-  for (std::size_t i = 0; i < settings_.weights.size(); ++i) {
-    const float shrink =
-        static_cast<float>(settings_.terms.largest_side) / static_cast<float>(instance.map_side);
-    const float share =
-        settings_.mixes
-            ? direct_share(settings_.terms.sigmas_mm[i] * settings_.texels_per_mm / shrink, shrink)
-            : 0.0f;
-    mixed = mixed || share > 0;
+  for (std::size_t i = 0; i < settings.weights.size(); ++i) {
+    const auto& [r, g, b] = settings.weights[i];
+    io.weights[i] = (1 - share_at_pixel(i, instance)) * glm::vec3(r, g, b);
 
+    // In 4 bits how often the term's map is halved.
     const std::uint32_t side =
-        halved_side(instance.map_side, settings_.terms.largest_side, settings_.halvings[i]);
+        halved_side(instance.map_side, settings.terms.largest_side, settings.halvings[i]);
     while (instance.map_side >> (io.halvings >> 4 * i & 15u) > side) io.halvings += 1u << 4 * i;
-    io.weights[i] =
-        (1 - share) * glm::vec3(settings_.weights[i][0], settings_.weights[i][1], settings_.weights[i][2]);
   }
+  return io;
+}
 
+float FinalPass::share_at_pixel(std::size_t term, const Instance& instance) const {
+  if (!settings.mixes) return 0;
+  const float shrink =
+      static_cast<float>(settings.terms.largest_side) / static_cast<float>(instance.map_side);
+  return direct_share(settings.terms.sigmas_mm[term] * settings.texels_per_mm / shrink, shrink);
+}
+
+void FinalPass::offer_light(Bindings& bindings, const frame::Resources& resources,
+                            const FrameData& frame) const {
   static constexpr std::array names{"light_0", "light_1", "light_2", "light_3",
                                     "light_4", "light_5", "light_6", "light_7"};
-  for (const GpuDraw& draw : mesh.draws) {
-    if (!instance.visible) break;
-    const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
-    const gpu::Pipeline& pipeline = pipelines_of(draw, mixed).of(material);
+  static_assert(names.size() == MOST_TERMS);
 
+  // A binding without a term is never read, but must be bound: any sampled texture serves.
+  for (std::size_t i = 0; i < names.size(); ++i)
+    bindings.add(names[i], i < in.lights.size() ? resources.linear(in.lights[i])
+                                                : resources.linear(frame.scene->white()));
+  bindings.add("Terms", terms_);
+}
+
+void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  const Instance& instance = instance_of(frame, settings.square);
+  if (!instance.visible && !settings.clear) return;
+
+  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear);
+  if (instance.visible) {
     Bindings bindings;
-    mesh.offer(bindings);
-    material.offer(bindings);
-    samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
-    samplers_.offer_sky(bindings, frame, settings_.square.mesh);
-    if (through()) through_.offer(bindings, resources, in_.entering, in_.shadow, 0);
-    // A binding without a term is never read, but must be bound: any sampled texture serves.
-    for (std::size_t i = 0; i < names.size(); ++i)
-      bindings.add(names[i], i < in_.lights.size()
-                                 ? resources.sampled(in_.lights[i], light_sampler_)
-                                 : gpu::SampledBinding{&frame.scene->white(), light_sampler_});
+    samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
+    samplers_.offer_sky(bindings, frame, settings.square.mesh);
+    if (through()) through_.offer(bindings, resources, in.entering, in.shadow, 0);
+    offer_light(bindings, resources, frame);
 
-    bindings.add("Terms", terms_);
-    bindings.bind(cmd, pipeline);
-    cmd.push(pipeline, io);
-    cmd.draw(draw.index_count, 1, draw.first_index);
+    bool mixed = settings.terms.coarse;
+    for (std::size_t i = 0; i < settings.weights.size(); ++i)
+      mixed = mixed || share_at_pixel(i, instance) > 0;
+
+    draw_skin(
+        cmd, *frame.scene, settings.square.mesh, bindings,
+        [&](const GpuDraw& draw, const GpuMaterial& material) {
+          return pipelines_of(draw, mixed).of(material);
+        },
+        [&, io = final_io(instance)](const GpuMaterial&) { return io; });
   }
-
   cmd.end_rendering();
 }
 

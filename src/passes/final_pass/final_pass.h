@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "passes/final_pass/final_pass_io.h"
 #include "passes/light_pool.h"
 #include "passes/lighting.h"
 #include "passes/transmission.h"
@@ -61,39 +62,38 @@ class FinalPass {
     /// The profile, if light comes through the body: of what is lit at the pixel, too. See Irradiance.
     std::optional<gaussians::SumOfGaussians> through;
     double mm_per_unit = 1000;  ///< of the scene
-  };
+  } settings;
   struct In {
     std::vector<frame::TextureId> lights;  ///< RGBA16F pools, a term each
     frame::TextureId shadow, colour, depth;
     frame::TextureId entering = {};  ///< with `through` and `mixes`: as in Irradiance
-  };
+  } in;
   struct Out {
     frame::TextureId colour, depth;
   };
-  explicit FinalPass(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
+  Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  Settings settings_;
-  In in_;
   // Ordinary skin is drawn by shaders that know neither alpha test nor emission.
   struct Pipelines {
     const gpu::Pipeline* made[2][2][2] = {};  // [double sided][cut out][emits]
-    const gpu::Pipeline& of(const GpuMaterial& m) const { return *made[m.double_sided][m.cut_out][m.emits]; }
+    const gpu::Pipeline* of(const GpuMaterial& m) const { return made[m.double_sided][m.cut_out][m.emits]; }
   };
   enum class Lit : std::uint8_t { on_map, mixed, at_pixel };
   Pipelines make_pipelines(gpu::PipelineLibrary& library, Lit lit, bool off_map) const;
   const Pipelines& pipelines_of(const GpuDraw& draw, bool mixed) const;
+  void offer_light(Bindings& bindings, const frame::Resources& resources, const FrameData& frame) const;
+  float share_at_pixel(std::size_t term, const Instance& instance) const;
+  io::FinalPassIo final_io(const Instance& instance) const;
   Pipelines mapped_, mixed_;  // all terms from the maps; some of their light at the pixel
   Pipelines off_map_;         // of triangles without a chart
   bool through() const {
-    return settings_.through && (settings_.mixes || settings_.off_map || settings_.terms.coarse);
+    return settings.through && (settings.mixes || settings.off_map || settings.terms.coarse);
   }
   LightingSamplers samplers_;
   ThroughBindings through_;
-  VkSampler light_sampler_ = VK_NULL_HANDLE;
   gpu::Buffer terms_;  // SkinTermsIo
 };
 
@@ -107,23 +107,19 @@ class UnshadedReads {
     bool cut_out = false;    ///< as of FinalPass
     std::uint32_t slot = 0;  ///< of the counters
     TermsOnMap terms;        ///< as of FinalPass
-  };
+  } settings;
   struct In {
     frame::TextureId light, depth;
     frame::BufferId counters;
-  };
+  } in;
   struct Out {};
-  explicit UnshadedReads(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
+  Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  Settings settings_;
-  In in_;
   const gpu::Pipeline* pipelines_[2][2] = {};  // [double sided][cut out]
-  VkSampler sampler_ = VK_NULL_HANDLE;
-  gpu::Buffer terms_;  // SkinTermsIo
+  gpu::Buffer terms_;                          // SkinTermsIo
 };
 
 /// The uniform buffer that both passes bind as "Terms".

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
 #ifndef DERMIS_PASSES_FINAL_PASS_IO_H
 #define DERMIS_PASSES_FINAL_PASS_IO_H
+#include "shared/terms.h"
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 struct FinalPassIo {
-  vec3 offset_m;     // of this head
-  vec3 weights[8];   // of the profile, narrow to wide; a channel sums to 1
-  uvec2 map_origin;  // of the head's square in the pool of light maps
-  uint map_side;     // T, texels
-  uint slot;         // of the counters, see unshaded_reads.frag
-  uint halvings;     // four bits per term: the side of its map is T >> n
+  vec3 offset_m;             // of this head
+  vec3 weights[MOST_TERMS];  // of the profile, narrow to wide; a channel sums to 1
+  uvec2 map_origin;          // of the head's square in the pool of light maps
+  uint map_side;             // T, texels
+  uint slot;                 // of the counters, see unshaded_reads.frag
+  uint halvings;             // four bits per term: the side of its map is T >> n
 };
 // What the pass needs to know where the map is too coarse: see coarse_share() of skin.h.
 struct SkinTermsIo {
-  float sigma_mm[8];         // of the Gaussians, narrow to wide
-  float widest_mm;           // the last of them
-  float even_texels_per_mm;  // of a map of one texel, if the skin filled it evenly
-  float largest_side;        // T_max, texels
+  float sigma_mm[MOST_TERMS];  // of the Gaussians, narrow to wide
+  float widest_mm;             // the last of them
+  float even_texels_per_mm;    // of a map of one texel, if the skin filled it evenly
+  float largest_side;          // T_max, texels
 };
 DERMIS_IO_END
 #ifdef __cplusplus

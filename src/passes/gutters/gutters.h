@@ -2,11 +2,12 @@
 /// Refreshes the texels beside texture seams from the other side (scene/gutters.h makes the list).
 #pragma once
 
+#include "passes/compute_pass.h"
 #include "passes/light_pool.h"
 
 namespace dermis::passes {
 
-class Gutters {
+class Gutters : public ComputePass {
  public:
   enum class What : std::uint8_t { light, stretch };
   struct Settings {
@@ -14,24 +15,19 @@ class Gutters {
     std::vector<MapSquare> squares;
     What what = What::light;
     frame::Runs runs = frame::Runs::every_frame;  ///< once: of a map that lasts
-  };
+  } settings;
   struct In {
     frame::TextureId target;  ///< RGBA16F pool, changed in place
-  };
+  } in;
   struct Out {
     frame::TextureId target;
   };
-  explicit Gutters(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary& library);
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  void refresh(gpu::Cmd& cmd, const gpu::Texture& target, const GpuMesh& mesh, glm::uvec2 origin,
+  void refresh(gpu::Cmd& cmd, const frame::Resources& resources, const GpuMesh& mesh, glm::uvec2 origin,
                std::uint32_t side) const;
-  Settings settings_;
-  In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
 };
 
 }  // namespace dermis::passes

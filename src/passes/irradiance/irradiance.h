@@ -27,7 +27,7 @@ class Irradiance {
     /// it does not.
     std::vector<gaussians::SumOfGaussians> through;
     double mm_per_unit = 1000;  ///< of the scene
-  };
+  } settings;
   struct In {
     frame::TextureId light;          ///< RGBA16F pool; the used squares are cleared here
     frame::TextureId shadow;         ///< of these instances
@@ -35,18 +35,15 @@ class Irradiance {
     /// With `through`: RGBA16F pools for what joins at the second and the third group of terms, as many as
     /// the mesh with most groups needs.
     std::vector<frame::TextureId> joining = {};
-  };
+  } in;
   struct Out {
     frame::TextureId light;
   };
-  explicit Irradiance(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
+  Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  Settings settings_;
-  In in_;
   // [cut out], each: one, or with `through` one per skin mesh
   std::array<std::vector<const gpu::Pipeline*>, 2> pipelines_;
   ThroughBindings through_;
@@ -61,20 +58,17 @@ class TransmissionMisses {
   struct Settings {
     Irradiance::Settings irradiance;
     std::uint32_t slot = 0;  ///< of the counters
-  };
+  } settings;
   struct In {
     frame::TextureId shadow, entering;
     frame::BufferId counters;
-  };
+  } in;
   struct Out {};
-  explicit TransmissionMisses(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
+  Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  Settings settings_;
-  In in_;
   std::vector<const gpu::Pipeline*> pipelines_;  // one per skin mesh
   ThroughBindings through_;
   LightingSamplers samplers_;

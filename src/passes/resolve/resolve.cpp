@@ -5,9 +5,8 @@
 
 namespace dermis::passes {
 
-Resolve::Out Resolve::declare(frame::Declare& d, const In& in) {
+Resolve::Out Resolve::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
-  in_ = in;
   gpu::TextureDesc desc = d.desc(in.picture);
   desc.samples = 1;
   desc.usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
@@ -18,7 +17,7 @@ Resolve::Out Resolve::declare(frame::Declare& d, const In& in) {
 }
 
 void Resolve::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
-  const gpu::Texture& picture = resources.texture(in_.picture);
+  const gpu::Texture& picture = resources.texture(in.picture);
   const gpu::ColourTarget target{.texture = &picture, .resolve = &resources.texture(target_)};
   cmd.begin_rendering(std::span(&target, 1), {}, {picture.desc().width, picture.desc().height});
   cmd.end_rendering();

@@ -9,20 +9,18 @@ namespace dermis::passes {
 
 class Resolve {
  public:
-  struct Settings {};
+  struct Settings {
+  } settings;
   struct In {
     frame::TextureId picture;  ///< more than one sample
-  };
+  } in;
   struct Out {
     frame::TextureId picture;  ///< one sample
   };
-  explicit Resolve(const Settings&) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary&) {}
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  In in_;
   frame::TextureId target_;
 };
 

@@ -2,11 +2,12 @@
 #include "passes/shadow/shadow.h"
 
 #include "frame/resources.h"
+#include "passes/draw_skin.h"
+#include "passes/targets.h"
 
 namespace dermis::passes {
-Shadow::Out Shadow::declare(frame::Declare& d, const In& in) {
+Shadow::Out Shadow::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
-  in_ = in;
   d.depth(in.shadow);
   if (in.entering.valid()) d.colour(in.entering);
   return {in.shadow};
@@ -17,13 +18,13 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
     for (const bool cut_out : {false, true})
       for (const bool mixed : {false, true}) {
         gpu::GraphicsDesc desc{.vertex = "shadow.vert",
-                               .constants = {{"grown", settings_.grown ? 1u : 0u}},
-                               .depth_format = VK_FORMAT_D32_SFLOAT,
+                               .constants = {{"grown", settings.grown ? 1u : 0u}},
+                               .depth_format = depth_format,
                                .depth_test = true,
                                .depth_write = true};
 
         if (cut_out) desc.fragment = "shadow.frag";
-        if (in_.entering.valid()) {
+        if (in.entering.valid()) {
           desc.fragment = "shadow_entering.frag";
           desc.constants.emplace_back("skin", skin ? 1u : 0u);
           desc.constants.emplace_back("cut_out", cut_out ? 1u : 0u);
@@ -41,53 +42,46 @@ bool Shadow::casts(const GpuMaterial& material, bool cut_out) {
   return material.alpha_mode == (cut_out ? scene::AlphaMode::mask : scene::AlphaMode::opaque);
 }
 
-void Shadow::bind(gpu::Cmd& cmd, const FrameData& frame, Bindings bindings, const GpuMaterial& material,
-                  const gpu::Pipeline& pipeline, const io::ShadowIo& io) const {
-  material.offer(bindings);
-  bindings.add("Frame", frame.frame_io);
-  bindings.bind(cmd, pipeline);
-  cmd.push(pipeline, io);
-}
-
 void Shadow::draw_skin(gpu::Cmd& cmd, const FrameData& frame, bool cut_out, const io::ShadowIo& io) const {
-  for (const GpuMesh& mesh : frame.scene->skin)
-    for (const GpuDraw& draw : mesh.draws) {
-      const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
-      if (!casts(material, cut_out)) continue;
-      Bindings bindings;
-      mesh.offer(bindings);
-      bindings.add("Placements", frame.scene->unmoved);
-      bind(cmd, frame, bindings, material, *pipelines_[true][cut_out][material.mixed], io);
-      cmd.draw(draw.index_count, 1, draw.first_index);
-    }
+  Bindings bindings;
+  bindings.add("Frame", frame.frame_io).add("Placements", frame.scene->unmoved);
+  for (std::size_t mesh = 0; mesh < frame.scene->skin.size(); ++mesh)
+    passes::draw_skin(
+        cmd, *frame.scene, mesh, bindings,
+        [&](const GpuDraw&, const GpuMaterial& material) {
+          return casts(material, cut_out) ? pipelines_[true][cut_out][material.mixed] : nullptr;
+        },
+        [&](const GpuMaterial&) { return io; });
 }
 
 void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, bool cut_out,
                            const io::ShadowIo& io) const {
   const GpuSurfaces& surfaces = frame.scene->surfaces;
   for (const GpuSurfaces::Group& group : surfaces.groups) {
-    const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(group.material)];
+    const GpuMaterial& material = frame.scene->material(group.material);
     if (!casts(material, cut_out)) continue;
+    const gpu::Pipeline& pipeline = *pipelines_[false][cut_out][false];
     Bindings bindings;
+    bindings.add("Frame", frame.frame_io);
     surfaces.offer(bindings, group.page);
-    bind(cmd, frame, bindings, material, *pipelines_[false][cut_out][false], io);
+    material.offer(bindings);
+    bindings.bind(cmd, pipeline);
+    cmd.push(pipeline, io);
     for (const GpuSurfaces::Draw& draw : group.draws)
       cmd.draw(draw.index_count, draw.placements, draw.first_index, draw.first_placement);
   }
 }
 
 void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const gpu::Texture& shadow = resources.texture(in_.shadow);
-  const Instance& instance = frame.instances[settings_.instance];
+  const gpu::Texture& shadow = resources.texture(in.shadow);
+  const Instance& instance = frame.instances[settings.instance];
   if (!instance.visible) return;
 
-  for (std::uint32_t layer = 0; layer < settings_.layers; ++layer) {
+  for (std::uint32_t layer = 0; layer < settings.layers; ++layer) {
     const std::uint32_t target = instance.first_shadow_layer + layer;
     std::vector<gpu::ColourTarget> colour;
-    if (in_.entering.valid())
-      colour.push_back({.texture = &resources.texture(in_.entering),
-                        .layer = target,
-                        .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}});
+    if (in.entering.valid())
+      colour.push_back({.texture = &resources.texture(in.entering), .layer = target, .clear = no_light});
     cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
                         {shadow.desc().width, shadow.desc().height}, true);
 

@@ -18,27 +18,22 @@ class Shadow {
     /// What enters is drawn on its own, smaller than the depth that is looked up beside it: what is there is
     /// grown by a texel along its normals, so that every point of it finds what enters.
     bool grown = false;
-  };
+  } settings;
   struct In {
     frame::TextureId shadow;  ///< D32, square; this head's layers begin at Instance::first_shadow_layer
     /// RGBA8, the same size and layers: square root of the part that enters (albedo^mix of skin, 0 of other
     /// things), alpha 1 where something is.
     frame::TextureId entering = {};  ///< not valid: not stored
-  };
+  } in;
   struct Out {
     frame::TextureId shadow;
   };
-  explicit Shadow(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
+  Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  Settings settings_;
-  In in_;
   static bool casts(const GpuMaterial& material, bool cut_out);
-  void bind(gpu::Cmd& cmd, const FrameData& frame, Bindings bindings, const GpuMaterial& material,
-            const gpu::Pipeline& pipeline, const io::ShadowIo& io) const;
   void draw_skin(gpu::Cmd& cmd, const FrameData& frame, bool cut_out, const io::ShadowIo& io) const;
   void draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, bool cut_out, const io::ShadowIo& io) const;
   const gpu::Pipeline* pipelines_[2][2][2] = {};  // [skin][cut out][mixed]

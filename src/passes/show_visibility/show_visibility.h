@@ -13,20 +13,17 @@ class ShowVisibility {
     MapSquare square;  ///< its origin does not count
     bool cull = true, clip = true;
     bool cut_out = false;  ///< some of its skin is: what is cut away is not shown
-  };
+  } settings;
   struct In {
     /// RGBA16F, T_max x T_max, persistent: the used square from its corner, alpha 0 where no skin is
     frame::TextureId picture;
-  };
+  } in;
   struct Out {};
-  explicit ShowVisibility(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
+  Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  Settings settings_;
-  In in_;
   const gpu::Pipeline* pipelines_[2] = {};  // [cut out]
 };
 

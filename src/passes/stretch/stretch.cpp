@@ -2,39 +2,33 @@
 #include "passes/stretch/stretch.h"
 
 #include "frame/resources.h"
+#include "passes/draw_skin.h"
+#include "passes/targets.h"
 
 namespace dermis::passes {
 
-Stretch::Out Stretch::declare(frame::Declare& d, const In& in) {
+Stretch::Out Stretch::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
-  d.runs(settings_.runs);
-  in_ = in;
+  d.runs(settings.runs);
   d.colour(in.stretch);
   return {in.stretch};
 }
 
 void Stretch::prepare(gpu::PipelineLibrary& library) {
   for (const bool cut_out : {false, true})
-    if (!cut_out || settings_.cut_out)
+    if (!cut_out || settings.cut_out)
       pipelines_[cut_out] = &library.graphics({.vertex = "stretch.vert",
                                                .fragment = "stretch.frag",
                                                .constants = {{"cut_out", cut_out ? 1u : 0u}},
-                                               .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
+                                               .colour_formats = {light_format}});
 }
 
 void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const gpu::Texture& target = resources.texture(in_.stretch);
-  const GpuMesh& mesh = frame.scene->skin[settings_.mesh];
-  const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
+  const gpu::Texture& target = resources.texture(in.stretch);
+  const gpu::ColourTarget colour{.texture = &target, .clear = no_light};
   cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
-  for (const GpuDraw& draw : mesh.draws) {
-    const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(draw.material)];
-    Bindings bindings;
-    mesh.offer(bindings);
-    material.offer(bindings);
-    bindings.bind(cmd, *pipelines_[material.cut_out]);
-    cmd.draw(draw.index_count, 1, draw.first_index);
-  }
+  draw_skin(cmd, *frame.scene, settings.mesh, {},
+            [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out]; });
   cmd.end_rendering();
 }
 

@@ -16,24 +16,21 @@ class Stretch {
     /// Skin meshes take turns with the map, so it is made again in each frame; else it lasts.
     frame::Runs runs = frame::Runs::once;  ///< a rigid mesh keeps its metric
     bool cut_out = false;                  ///< some of its skin is: what is cut away belongs to no chart
-  };
+  } settings;
   struct In {
     frame::TextureId
         /// RGBA16F, T_max x T_max, persistent if it is made once: (a, b, c) of the Cholesky factor per metre,
         /// chart number (0 = no skin)
         stretch;
-  };
+  } in;
   struct Out {
     frame::TextureId stretch;
   };
-  explicit Stretch(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
+  Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  Settings settings_;
-  In in_;
   const gpu::Pipeline* pipelines_[2] = {};  // [cut out]
 };
 

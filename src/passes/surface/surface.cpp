@@ -5,12 +5,12 @@
 
 #include "frame/resources.h"
 #include "passes/surface/surface_io.h"
+#include "passes/targets.h"
 
 namespace dermis::passes {
 
-Surface::Out Surface::declare(frame::Declare& d, const In& in) {
+Surface::Out Surface::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
-  in_ = in;
   d.sample(in.shadow);
   d.colour(in.colour);
   d.depth(in.depth);
@@ -20,15 +20,15 @@ Surface::Out Surface::declare(frame::Declare& d, const In& in) {
 void Surface::prepare(gpu::PipelineLibrary& library) {
   gpu::GraphicsDesc desc{.vertex = "surface.vert",
                          .fragment = "surface.frag",
-                         .constants = {{"environment", settings_.environment ? 1u : 0u},
-                                       {"soft_shadows", settings_.soft_shadows ? 1u : 0u}},
-                         .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT},
-                         .depth_format = VK_FORMAT_D32_SFLOAT,
-                         .samples = settings_.samples,
-                         .blend = settings_.blended ? gpu::Blend::over : gpu::Blend::none,
+                         .constants = {{"environment", settings.environment ? 1u : 0u},
+                                       {"soft_shadows", settings.soft_shadows ? 1u : 0u}},
+                         .colour_formats = {light_format},
+                         .depth_format = depth_format,
+                         .samples = settings.samples,
+                         .blend = settings.blended ? gpu::Blend::over : gpu::Blend::none,
                          .cull = gpu::Cull::back,
                          .depth_test = true,
-                         .depth_write = !settings_.blended};
+                         .depth_write = !settings.blended};
   single_sided_ = &library.graphics(desc);
   desc.cull = gpu::Cull::none;
   double_sided_ = &library.graphics(desc);
@@ -36,28 +36,23 @@ void Surface::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const gpu::Texture& colour = resources.texture(in_.colour);
-  const Instance& instance = frame.instances[settings_.instance];
-  if (!instance.visible && !settings_.clear) return;
-  gpu::ColourTarget colour_target{.texture = &colour};
-  gpu::DepthTarget depth_target{.texture = &resources.texture(in_.depth)};
-  if (settings_.clear) colour_target.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}, depth_target.clear = 0.0f;
-  cmd.begin_rendering(std::span(&colour_target, 1), depth_target,
-                      {colour.desc().width, colour.desc().height});
+  const Instance& instance = frame.instances[settings.instance];
+  if (!instance.visible && !settings.clear) return;
+  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear);
 
-  if (instance.visible && settings_.blended) draw_blended(cmd, resources, frame, instance);
-  if (instance.visible && !settings_.blended) draw_groups(cmd, resources, frame, instance);
+  if (instance.visible && settings.blended) draw_blended(cmd, resources, frame, instance);
+  if (instance.visible && !settings.blended) draw_groups(cmd, resources, frame, instance);
   cmd.end_rendering();
 }
 
 void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                    const Instance& instance, std::uint32_t page, int material_number) const {
-  const GpuMaterial& material = frame.scene->materials[static_cast<std::size_t>(material_number)];
+  const GpuMaterial& material = frame.scene->material(material_number);
   const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
   Bindings bindings;
   frame.scene->surfaces.offer(bindings, page);
   material.offer(bindings);
-  samplers_.offer(bindings, frame, instance, resources.texture(in_.shadow));
+  samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
   bindings.bind(cmd, pipeline);
   cmd.push(pipeline, io::SurfaceIo{.offset_m = instance.offset_m});
 }

@@ -20,15 +20,14 @@ class Surface {
     bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
     bool blended = false;       ///< draws only the blended parts, over what is there
-  };
+  } settings;
   struct In {
     frame::TextureId shadow, colour, depth;
-  };
+  } in;
   struct Out {
     frame::TextureId colour, depth;
   };
-  explicit Surface(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
+  Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
@@ -40,8 +39,6 @@ class Surface {
   void draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                     const Instance& instance) const;
 
-  Settings settings_;
-  In in_;
   const gpu::Pipeline* single_sided_ = nullptr;
   const gpu::Pipeline* double_sided_ = nullptr;
   LightingSamplers samplers_;

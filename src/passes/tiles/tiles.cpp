@@ -10,19 +10,18 @@
 namespace dermis::passes {
 namespace {
 
-io::TilesIo tiles_io(const FrameData& frame, const MapSquare& square, const TileLists& lists) {
-  const std::uint32_t side = side_of(frame, square);
+io::TilesIo tiles_io(const UsedSquare& square, const TileLists& lists) {
   return {.origin = square.origin,
-          .side = side,
+          .side = square.side,
           .square = square.index,
           .first_tile = square.index * lists.room,
-          .tile_count = tile_room(side),
+          .tile_count = tile_room(square.side),
           .border = 0,
           .slot = 0};
 }
 
-// One invocation a tile.
-void dispatch(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const io::TilesIo& io) {
+// One invocation per tile.
+void dispatch_tiles(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const io::TilesIo& io) {
   cmd.push(pipeline, io);
   cmd.dispatch_over(pipeline, (io.side + TILE_WIDTH - 1) / TILE_WIDTH,
                     (io.side + TILE_HEIGHT - 1) / TILE_HEIGHT);
@@ -30,44 +29,36 @@ void dispatch(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const io::TilesIo& i
 
 }  // namespace
 
-ClearTiles::Out ClearTiles::declare(frame::Declare& d, const In& in) {
+ClearTiles::Out ClearTiles::declare(frame::Declare& d) {
   d.kind(frame::PassKind::copy);
-  in_ = in;
   d.copy_to(in.lists.counts);
   d.copy_to(in.lists.arguments);
   return {};
 }
 
 void ClearTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
-  cmd.fill(resources.buffer(in_.lists.counts), 0);
-  cmd.fill(resources.buffer(in_.lists.arguments), 0);
+  cmd.fill(resources.buffer(in.lists.counts), 0);
+  cmd.fill(resources.buffer(in.lists.arguments), 0);
 }
 
-TileClasses::Out TileClasses::declare(frame::Declare& d, const In& in) {
-  d.kind(frame::PassKind::compute);
-  in_ = in;
+TileClasses::Out TileClasses::declare(frame::Declare& d) {
+  compute(d, "tile_classes.comp");
   d.sample(in.light);
   d.write(in.lists.classes);
   return {};
 }
 
-void TileClasses::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.compute("tile_classes.comp");
-  sampler_ = library.sampler({.filter = gpu::Filter::nearest});
-}
-
 void TileClasses::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
-      .add("light", resources.sampled(in_.light, sampler_))
-      .add("TileClasses", resources.buffer(in_.lists.classes))
-      .bind(cmd, *pipeline_);
-  for (const MapSquare& square : settings_.squares)
-    if (instance_of(frame, square).visible) dispatch(cmd, *pipeline_, tiles_io(frame, square, in_.lists));
+      .add("light", resources.nearest(in.light))
+      .add("TileClasses", resources.buffer(in.lists.classes))
+      .bind(cmd, pipeline());
+  for (const UsedSquare& square : used_squares(frame, settings.squares))
+    dispatch_tiles(cmd, pipeline(), tiles_io(square, in.lists));
 }
 
-Tiles::Out Tiles::declare(frame::Declare& d, const In& in) {
-  d.kind(frame::PassKind::compute);
-  in_ = in;
+Tiles::Out Tiles::declare(frame::Declare& d) {
+  compute(d, "tiles.comp");
   d.read(in.lists.classes);
   d.write(in.lists.tiles);
   d.write(in.lists.counts);
@@ -76,28 +67,24 @@ Tiles::Out Tiles::declare(frame::Declare& d, const In& in) {
   return {};
 }
 
-void Tiles::prepare(gpu::PipelineLibrary& library) { pipeline_ = &library.compute("tiles.comp"); }
-
 void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
-      .add("TileClasses", resources.buffer(in_.lists.classes))
-      .add("Tiles", resources.buffer(in_.lists.tiles))
-      .add("TileCounts", resources.buffer(in_.lists.counts))
-      .add("TileArguments", resources.buffer(in_.lists.arguments))
-      .add("Counters", resources.buffer(in_.counters))
-      .bind(cmd, *pipeline_);
-  for (const MapSquare& square : settings_.squares) {
-    if (!instance_of(frame, square).visible) continue;
-    io::TilesIo io = tiles_io(frame, square, in_.lists);
-    io.border = settings_.what == What::border ? 1 : 0;
-    io.slot = settings_.first_slot + settings_.slot_stride * square.mesh;
-    dispatch(cmd, *pipeline_, io);
+      .add("TileClasses", resources.buffer(in.lists.classes))
+      .add("Tiles", resources.buffer(in.lists.tiles))
+      .add("TileCounts", resources.buffer(in.lists.counts))
+      .add("TileArguments", resources.buffer(in.lists.arguments))
+      .add("Counters", resources.buffer(in.counters))
+      .bind(cmd, pipeline());
+  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+    io::TilesIo io = tiles_io(square, in.lists);
+    io.border = settings.what == What::border ? 1 : 0;
+    io.slot = settings.first_slot + settings.slot_stride * square.mesh;
+    dispatch_tiles(cmd, pipeline(), io);
   }
 }
 
-IdleTiles::Out IdleTiles::declare(frame::Declare& d, const In& in) {
-  d.kind(frame::PassKind::compute);
-  in_ = in;
+IdleTiles::Out IdleTiles::declare(frame::Declare& d) {
+  compute(d, "idle_tiles.comp");
   d.read(in.lists.tiles);
   d.read(in.lists.counts);
   d.indirect(in.lists.arguments);
@@ -105,25 +92,22 @@ IdleTiles::Out IdleTiles::declare(frame::Declare& d, const In& in) {
   return {};
 }
 
-void IdleTiles::prepare(gpu::PipelineLibrary& library) { pipeline_ = &library.compute("idle_tiles.comp"); }
-
 void IdleTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const gpu::Buffer& arguments = resources.buffer(in_.lists.arguments);
+  const gpu::Buffer& arguments = resources.buffer(in.lists.arguments);
 
-  for (const frame::TextureId map : in_.maps) {
+  for (const frame::TextureId map : in.maps) {
     Bindings()
-        .add("Tiles", resources.buffer(in_.lists.tiles))
-        .add("TileCounts", resources.buffer(in_.lists.counts))
-        .add("light", gpu::StorageImageBinding{&resources.texture(map)})
-        .bind(cmd, *pipeline_);
+        .add("Tiles", resources.buffer(in.lists.tiles))
+        .add("TileCounts", resources.buffer(in.lists.counts))
+        .add("light", resources.storage(map))
+        .bind(cmd, pipeline());
 
-    for (const MapSquare& square : settings_.squares) {
-      if (!instance_of(frame, square).visible) continue;
-      const std::uint32_t side = side_of(frame, square), first = square.index * in_.lists.room;
-      cmd.push(*pipeline_, io::IdleIo{.origin = square.origin,
-                                      .side = side,
-                                      .square = square.index,
-                                      .last_tile = first + tile_room(side) - 1});
+    for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+      cmd.push(pipeline(),
+               io::IdleIo{.origin = square.origin,
+                          .side = square.side,
+                          .square = square.index,
+                          .last_tile = square.index * in.lists.room + tile_room(square.side) - 1});
       cmd.dispatch_indirect(
           arguments, square.index * sizeof(io::TileArgumentsIo) + offsetof(io::TileArgumentsIo, idle_groups));
     }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "passes/compute_pass.h"
 #include "passes/light_pool.h"
 #include "passes/tile_lists.h"
 
@@ -12,44 +13,32 @@ namespace dermis::passes {
 /// Forgets the lists of the frame before.
 class ClearTiles {
  public:
-  struct Settings {};
+  struct Settings {
+  } settings;
   struct In {
     TileLists lists;
-  };
+  } in;
   struct Out {};
-  explicit ClearTiles(const Settings&) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary&) {}
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-
- private:
-  In in_;
 };
 
 /// What each tile holds: lit texels, unlit ones, both.
-class TileClasses {
+class TileClasses : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-  };
+  } settings;
   struct In {
     frame::TextureId light;  ///< RGBA16F pool
     TileLists lists;         ///< their classes are filled here
-  };
+  } in;
   struct Out {};
-  explicit TileClasses(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary& library);
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-
- private:
-  Settings settings_;
-  In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
-  VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
-class Tiles {
+class Tiles : public ComputePass {
  public:
   enum class What : std::uint8_t {
     lit,     ///< tiles with lit texels are listed
@@ -60,43 +49,29 @@ class Tiles {
     What what = What::lit;
     std::uint32_t first_slot = 0;  ///< of the counters: lit tiles, one per mesh
     std::uint32_t slot_stride = 1;
-  };
+  } settings;
   struct In {
     TileLists lists;           ///< made from their classes
     frame::BufferId counters;  ///< uint[]
-  };
+  } in;
   struct Out {};
-  explicit Tiles(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary& library);
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-
- private:
-  Settings settings_;
-  In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
 };
 
 /// Clears the tiles without light in the maps that convolutions will write and read.
-class IdleTiles {
+class IdleTiles : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-  };
+  } settings;
   struct In {
     TileLists lists;
     std::vector<frame::TextureId> maps;  ///< RGBA16F pools
-  };
+  } in;
   struct Out {};
-  explicit IdleTiles(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary& library);
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-
- private:
-  Settings settings_;
-  In in_;
-  const gpu::Pipeline* pipeline_ = nullptr;
 };
 
 }  // namespace dermis::passes

@@ -14,9 +14,8 @@ static_assert(static_cast<std::uint32_t>(dermis::ToneMap::filmic) == TONE_MAP_FI
 static_assert(static_cast<std::uint32_t>(dermis::ToneMap::srgb) == TONE_MAP_SRGB);
 static_assert(static_cast<std::uint32_t>(dermis::ToneMap::linear) == TONE_MAP_LINEAR);
 
-ToneMap::Out ToneMap::declare(frame::Declare& d, const In& in) {
-  d.kind(frame::PassKind::compute);
-  in_ = in;
+ToneMap::Out ToneMap::declare(frame::Declare& d) {
+  compute(d, "tone_map.comp", {{"tone_map", static_cast<std::uint32_t>(settings.tone_map)}});
   const gpu::TextureDesc& picture = d.desc(in.picture);
   display_ = d.create("display", {.width = picture.width,
                                   .height = picture.height,
@@ -27,19 +26,13 @@ ToneMap::Out ToneMap::declare(frame::Declare& d, const In& in) {
   return {display_};
 }
 
-void ToneMap::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ =
-      &library.compute("tone_map.comp", {{"tone_map", static_cast<std::uint32_t>(settings_.tone_map)}});
-  sampler_ = library.sampler({.filter = gpu::Filter::nearest});
-}
-
 void ToneMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
   const gpu::Texture& display = resources.texture(display_);
   Bindings()
-      .add("picture", resources.sampled(in_.picture, sampler_))
-      .add("display", gpu::StorageImageBinding{&display})
-      .bind(cmd, *pipeline_);
-  cmd.dispatch_over(*pipeline_, display.desc().width, display.desc().height);
+      .add("picture", resources.nearest(in.picture))
+      .add("display", resources.storage(display_))
+      .bind(cmd, pipeline());
+  cmd.dispatch_over(pipeline(), display.desc().width, display.desc().height);
 }
 
 }  // namespace dermis::passes

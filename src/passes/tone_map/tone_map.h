@@ -4,32 +4,27 @@
 
 #include "dermis/settings.h"
 #include "frame/graph.h"
+#include "passes/compute_pass.h"
 #include "passes/frame_data.h"
 
 namespace dermis::passes {
 
-class ToneMap {
+class ToneMap : public ComputePass {
  public:
   struct Settings {
     dermis::ToneMap tone_map = dermis::ToneMap::natural;
-  };
+  } settings;
   struct In {
     frame::TextureId picture;  ///< RGBA16F, one sample
-  };
+  } in;
   struct Out {
     frame::TextureId display;  ///< RGBA8, copied from afterwards
   };
-  explicit ToneMap(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in);
-  void prepare(gpu::PipelineLibrary& library);
+  Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  Settings settings_;
-  In in_;
   frame::TextureId display_;
-  const gpu::Pipeline* pipeline_ = nullptr;
-  VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

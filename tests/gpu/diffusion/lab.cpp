@@ -30,15 +30,13 @@ class Paint {
  public:
   struct Settings {
     io::PaintIo io{};
-  };
+  } settings;
   struct In {
     frame::TextureId light;
-  };
+  } in;
   struct Out {};
-  explicit Paint(const Settings& settings) : settings_(settings) {}
-  Out declare(frame::Declare& d, const In& in) {
+  Out declare(frame::Declare& d) {
     d.kind(frame::PassKind::raster);
-    in_ = in;
     d.colour(in.light);
     return {};
   }
@@ -48,21 +46,19 @@ class Paint {
                                    .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
   }
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const passes::FrameData& frame) const {
-    const gpu::Texture& target = resources.texture(in_.light);
+    const gpu::Texture& target = resources.texture(in.light);
     const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
     cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
     passes::Bindings bindings;
     frame.scene->skin[0].offer(bindings);
     bindings.bind(cmd, *pipeline_);
-    cmd.push(*pipeline_, settings_.io);
+    cmd.push(*pipeline_, settings.io);
     for (const passes::GpuDraw& draw : frame.scene->skin[0].draws)
       cmd.draw(draw.index_count, 1, draw.first_index);
     cmd.end_rendering();
   }
 
  private:
-  Settings settings_;
-  In in_;
   const gpu::Pipeline* pipeline_ = nullptr;
 };
 

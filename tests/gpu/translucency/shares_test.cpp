@@ -31,7 +31,7 @@ void expect_exact(const gaussians::SumOfGaussians& profile) {
         for (std::size_t g = 0; g < first.size(); ++g)
           if (first[g] <= i)
             sum += profile.terms[i].weight[static_cast<std::size_t>(c)] *
-                   double{io.share[g * TRANSMISSION_TERMS + j][c]};
+                   double{io.share[g * MOST_TERMS + j][c]};
       EXPECT_NEAR(sum, profile.terms[j].weight[static_cast<std::size_t>(c)], 1e-6)
           << "term " << j << ", channel " << c;
     }
@@ -61,7 +61,7 @@ TEST(TransmissionShares, NothingIsTakenAway) {
       for (int c = 0; c < 3; ++c) {
         double sum = 0;
         for (std::size_t i = 0; i < profile.terms.size(); ++i)
-          sum += double{io.share[g * TRANSMISSION_TERMS + i][c]} *
+          sum += double{io.share[g * MOST_TERMS + i][c]} *
                  std::exp(-d_m * d_m * double{io.falloff_per_m2[i]});
         EXPECT_GE(sum, -1e-6) << d_m;
       }

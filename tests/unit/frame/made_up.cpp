@@ -32,7 +32,7 @@ void touch(Declare& d, Access access, BufferId id) {
 
 }  // namespace
 
-MadeUp::Out MadeUp::declare(Declare& d, const In&) const {
+MadeUp::Out MadeUp::declare(Declare& d) const {
   d.kind(settings.kind);
   d.runs(settings.runs);
   for (const Touch& t : settings.touches) std::visit([&](auto id) { touch(d, t.access, id); }, t.what);

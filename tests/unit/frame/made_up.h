@@ -23,16 +23,13 @@ struct MadeUp {
     PassKind kind = PassKind::compute;
     std::vector<Touch> touches;
     Runs runs = Runs::every_frame;
-  };
-  struct In {};
+  } settings;
+  struct In {
+  } in;
   struct Out {};
 
-  explicit MadeUp(Settings s) : settings(std::move(s)) {}
-  Out declare(Declare& d, const In&) const;
-  void prepare(gpu::PipelineLibrary&) {}
+  Out declare(Declare& d) const;
   void record(gpu::Cmd&, const Resources&, const Nothing&) const {}
-
-  Settings settings;
 };
 
 inline void add(Plan& plan, const std::string& name, PassKind kind, std::vector<Touch> touches,

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What passes of one compute shader have in common: declare() names the shader, and its pipeline is there
+// when the pass records.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "frame/graph.h"
+#include "gpu/cmd.h"
+#include "gpu/pipelines.h"
+
+namespace dermis::passes {
+
+class ComputePass {
+ public:
+  void prepare(gpu::PipelineLibrary& library) { pipeline_ = &library.compute(shader_, constants_); }
+
+ protected:
+  void compute(frame::Declare& d, std::string shader, gpu::Constants constants = {}) {
+    d.kind(frame::PassKind::compute);
+    shader_ = std::move(shader);
+    constants_ = std::move(constants);
+  }
+  const gpu::Pipeline& pipeline() const { return *pipeline_; }
+
+  /// One invocation per texel of width x height, rounded up to workgroups.
+  template <class Io>
+  void dispatch(gpu::Cmd& cmd, const Io& io, std::uint32_t width, std::uint32_t height) const {
+    cmd.push(pipeline(), io);
+    cmd.dispatch_over(pipeline(), width, height);
+  }
+
+ private:
+  std::string shader_;
+  gpu::Constants constants_;
+  const gpu::Pipeline* pipeline_ = nullptr;
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The draws of a skin mesh, one per run of triangles of a material.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include "gpu/cmd.h"
+#include "passes/bindings.h"
+#include "passes/gpu_scene.h"
+
+namespace dermis::passes {
+
+/// Draws skin mesh `number` where pipeline_of(draw, material) is not null. The shaders get `bindings`, those
+/// of mesh and material, and what io_of(material) returns as push constants.
+template <class PipelineOf, class IoOf = std::nullptr_t>
+void draw_skin(gpu::Cmd& cmd, const GpuScene& scene, std::size_t number, const Bindings& bindings,
+               const PipelineOf& pipeline_of, const IoOf& io_of = nullptr) {
+  const GpuMesh& mesh = scene.skin[number];
+  for (const GpuDraw& draw : mesh.draws) {
+    const GpuMaterial& material = scene.material(draw.material);
+    const gpu::Pipeline* pipeline = pipeline_of(draw, material);
+    if (!pipeline) continue;
+
+    Bindings all = bindings;
+    mesh.offer(all);
+    material.offer(all);
+    all.bind(cmd, *pipeline);
+    if constexpr (!std::is_null_pointer_v<IoOf>) cmd.push(*pipeline, io_of(material));
+    cmd.draw(draw.index_count, 1, draw.first_index);
+  }
+}
+
+}  // namespace dermis::passes
