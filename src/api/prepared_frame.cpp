@@ -28,7 +28,7 @@ double median(std::vector<double> values) {
 }
 
 passes::FrameData frame_data(gpu::Device& device, const setup::FrameSetup& setup,
-                             const passes::GpuScene& scene) {
+                             const techniques::FrameOutputs& outputs, const passes::GpuScene& scene) {
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   passes::FrameData data;
   data.scene = &scene;
@@ -43,6 +43,7 @@ passes::FrameData frame_data(gpu::Device& device, const setup::FrameSetup& setup
     passes::Instance instance;
     instance.offset_m = head.offset_m;
     instance.map_side = static_cast<std::uint32_t>(head.map_side);
+    if (!outputs.map_places.empty()) instance.map_places = outputs.map_places[data.instances.size()];
     instance.visible = head.visible;
     instance.lights = gpu::make_buffer(device, "lights", std::span<const io::LightIo>(head.lights), storage);
 
@@ -150,7 +151,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
 }
 
 void PreparedFrame::State::make_data() {
-  data = frame_data(device(), setup, *scene->gpu);
+  data = frame_data(device(), setup, outputs, *scene->gpu);
   changed = true;
   if (!environment_light) return;
   data.environment = &environment_light->map;

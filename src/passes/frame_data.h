@@ -14,6 +14,13 @@
 
 namespace dermis::passes {
 
+/// Where the light of one skin mesh of a head lies in the textures that heads share: see passes/light_pool.h.
+struct MapPlace {
+  std::uint32_t index = 0;         ///< of the square
+  glm::uvec2 origin{0};            ///< its corner in maps that are not halved, texels
+  std::uint32_t largest_side = 0;  ///< T_max: its sides there
+};
+
 /// One head in the frame: the scene once more, moved. Shadow maps are fitted to each.
 struct Instance {
   glm::vec3 offset_m{0};
@@ -24,7 +31,8 @@ struct Instance {
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
   /// T: the side of the square of its light maps that is used, texels
   std::uint32_t map_side = 0;
-  bool visible = true;  ///< false: wholly outside the picture, nothing of it is drawn
+  std::vector<MapPlace> map_places;  ///< one per skin mesh; empty where nothing has light maps
+  bool visible = true;               ///< false: wholly outside the picture, nothing of it is drawn
 };
 
 /// RGBA16F over the unwrap of a skin mesh, environment::SkyLight.

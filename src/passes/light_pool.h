@@ -21,41 +21,27 @@ inline std::uint32_t halved_side(std::uint32_t side, std::uint32_t largest_side,
   return side >> halvings;
 }
 
-/// One skin mesh of one head, and the corner of its square. How much of the square is used follows from
-/// Instance::map_side (T), which may change from frame to frame.
+/// Light of one skin mesh of one head, in maps of one size. Where it lies in them and how much of its square
+/// is used, each frame says: Instance::map_places, Instance::map_side.
 struct MapSquare {
   std::uint32_t instance = 0, mesh = 0;
-  glm::uvec2 origin{0};            ///< texels
-  std::uint32_t index = 0;         ///< of the square in the pool
-  std::uint32_t halvings = 0;      ///< of the pool: progressive maps keep wide light on fewer texels
-  std::uint32_t largest_side = 0;  ///< T_max; needed where halvings > 0
+  std::uint32_t halvings = 0;  ///< of the maps: progressive maps keep wide light on fewer texels
 };
 
 inline const Instance& instance_of(const FrameData& frame, const MapSquare& square) {
   return frame.instances[square.instance];
 }
 
-/// Texels of a side that are used.
-inline std::uint32_t side_of(const FrameData& frame, const MapSquare& square) {
-  const std::uint32_t side = instance_of(frame, square).map_side;
-  return square.halvings == 0 ? side : halved_side(side, square.largest_side, square.halvings);
-}
-
-/// What of a square this frame uses.
+/// A square as a frame uses it.
 struct UsedSquare : MapSquare {
-  std::uint32_t side = 0;  ///< texels
-  VkRect2D area() const {
-    return {{static_cast<std::int32_t>(origin.x), static_cast<std::int32_t>(origin.y)}, {side, side}};
-  }
+  std::uint32_t index = 0;  ///< of the square in its pool
+  glm::uvec2 origin{0};     ///< texels
+  std::uint32_t side = 0;   ///< of what is used, texels
+  VkRect2D area() const;
 };
-
+UsedSquare used_square(const FrameData& frame, const MapSquare& square);
 /// Of heads that are in the picture.
-inline std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares) {
-  std::vector<UsedSquare> used;
-  for (const MapSquare& square : squares)
-    if (instance_of(frame, square).visible) used.push_back({square, side_of(frame, square)});
-  return used;
-}
+std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares);
 
 /// How a convolution runs, and which texels it skips.
 enum class Mask : std::uint8_t {

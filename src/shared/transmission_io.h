@@ -9,7 +9,7 @@ DERMIS_IO_BEGIN
 struct TransmissionIo {
   float falloff_per_m2[MOST_TERMS];  // 1 / (2 v)
   float two_sigma_m[MOST_TERMS];
-  uint group[MOST_TERMS];          // of each term
+  uint group[MOST_TERMS];                  // of each term
   vec3 group_weight[TRANSMISSION_GROUPS];  // sum of its terms'
   // part of the light of each term that joins at each group
   vec3 share[TRANSMISSION_GROUPS * MOST_TERMS];

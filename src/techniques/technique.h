@@ -104,6 +104,8 @@ struct FrameOutputs {
   std::map<std::string, Shown> shows;  ///< by name: "irradiance", "shadow:0", ...
   /// That grow with the heads and skin meshes of a batch; techniques/memory.h sums them.
   std::vector<frame::TextureId> light_maps, shadow_maps;
+  /// Where the light of each head and skin mesh lies, for passes::Instance; none without light maps.
+  std::vector<std::vector<passes::MapPlace>> map_places;
 };
 
 /// What a frame has computed, for its statistics. docs/measuring.md says what each figure means.

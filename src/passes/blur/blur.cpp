@@ -58,10 +58,10 @@ void Blur::draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area)
 
 // What averaging r x r texels into one has already added to the variance, in texels of the smaller map: that
 // of r points, one r-th apart.
-float Blur::averaged_texels2(const FrameData& frame, const MapSquare& square) const {
+float Blur::averaged_texels2(const FrameData& frame, const UsedSquare& square) const {
   MapSquare before = square;
   before.halvings = settings.halvings_before.value_or(square.halvings);
-  const float r = static_cast<float>(side_of(frame, before)) / static_cast<float>(side_of(frame, square));
+  const float r = static_cast<float>(used_square(frame, before).side) / static_cast<float>(square.side);
   return (1 - 1 / (r * r)) / 12;
 }
 

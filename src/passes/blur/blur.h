@@ -43,7 +43,7 @@ class Blur {
  private:
   bool drawn() const { return settings.mask != Mask::whole && settings.mask != Mask::tiles; }
   void draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const;
-  float averaged_texels2(const FrameData& frame, const MapSquare& square) const;
+  float averaged_texels2(const FrameData& frame, const UsedSquare& square) const;
   const gpu::Pipeline* pipeline_ = nullptr;
   gpu::Buffer kernels_;
 };

@@ -25,12 +25,11 @@ void Downsample::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
       .add("light_out", resources.storage(in.target))
       .bind(cmd, pipeline());
   for (std::size_t i = 0; i < settings.to.size(); ++i) {
-    const MapSquare &from = settings.from[i], &to = settings.to[i];
-    if (!instance_of(frame, to).visible) continue;
-    const std::uint32_t side = side_of(frame, to);
+    if (!instance_of(frame, settings.to[i]).visible) continue;
+    const UsedSquare from = used_square(frame, settings.from[i]), to = used_square(frame, settings.to[i]);
     const io::DownsampleIo io{
-        .origin = to.origin, .side = side, .ratio = side_of(frame, from) / side, .from = from.origin};
-    dispatch(cmd, io, side, side);
+        .origin = to.origin, .side = to.side, .ratio = from.side / to.side, .from = from.origin};
+    dispatch(cmd, io, to.side, to.side);
   }
 }
 

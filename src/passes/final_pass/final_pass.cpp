@@ -106,10 +106,11 @@ void FinalPass::prepare(gpu::PipelineLibrary& library) {
   samplers_ = LightingSamplers(library);
 }
 
-io::FinalPassIo FinalPass::final_io(const Instance& instance) const {
+io::FinalPassIo FinalPass::final_io(const FrameData& frame) const {
+  const Instance& instance = instance_of(frame, settings.square);
   io::FinalPassIo io{.offset_m = instance.offset_m,
                      .weights = {},
-                     .map_origin = settings.square.origin,
+                     .map_origin = used_square(frame, settings.square).origin,
                      .map_side = instance.map_side,
                      .slot = 0,
                      .halvings = 0};
@@ -167,7 +168,7 @@ void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
         [&](const GpuDraw& draw, const GpuMaterial& material) {
           return pipelines_of(draw, mixed).of(material);
         },
-        [&, io = final_io(instance)](const GpuMaterial&) { return io; });
+        [&, io = final_io(frame)](const GpuMaterial&) { return io; });
   }
   cmd.end_rendering();
 }

@@ -44,7 +44,7 @@ struct TermsOnMap {
 class FinalPass {
  public:
   struct Settings {
-    MapSquare square;                           ///< with no terms only its instance and mesh count
+    MapSquare square;                           ///< not halved
     std::uint32_t samples = 1;                  ///< of the targets
     bool clear = false;                         ///< the first to draw into them
     std::vector<std::array<float, 3>> weights;  ///< a term each, 0 to 8; none = Lambert
@@ -86,7 +86,7 @@ class FinalPass {
   const Pipelines& pipelines_of(const GpuDraw& draw, bool mixed) const;
   void offer_light(Bindings& bindings, const frame::Resources& resources, const FrameData& frame) const;
   float share_at_pixel(std::size_t term, const Instance& instance) const;
-  io::FinalPassIo final_io(const Instance& instance) const;
+  io::FinalPassIo final_io(const FrameData& frame) const;
   Pipelines mapped_, mixed_;  // all terms from the maps; some of their light at the pixel
   Pipelines off_map_;         // of triangles without a chart
   bool through() const {

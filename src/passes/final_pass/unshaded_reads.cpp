@@ -35,6 +35,7 @@ void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, con
   const Instance& instance = instance_of(frame, settings.square);
   if (!instance.visible) return;
   const gpu::Texture& depth = resources.texture(in.depth);
+  const UsedSquare square = used_square(frame, settings.square);
   Bindings bindings;
   bindings.add("Frame", frame.frame_io)
       .add("light_0", resources.nearest(in.light))
@@ -42,14 +43,14 @@ void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, con
       .add("Counters", resources.buffer(in.counters));
   const io::FinalPassIo io{.offset_m = instance.offset_m,
                            .weights = {},
-                           .map_origin = settings.square.origin,
-                           .map_side = side_of(frame, settings.square),
+                           .map_origin = square.origin,
+                           .map_side = square.side,
                            .slot = settings.slot,
                            .halvings = 0};
 
   cmd.begin_rendering({}, gpu::DepthTarget{.texture = &depth}, {depth.desc().width, depth.desc().height});
   draw_skin(
-      cmd, *frame.scene, settings.square.mesh, bindings,
+      cmd, *frame.scene, square.mesh, bindings,
       [&](const GpuDraw& draw, const GpuMaterial& material) {
         return draw.on_map ? pipelines_[material.double_sided][material.cut_out] : nullptr;
       },

@@ -30,13 +30,13 @@ void Gutters::refresh(gpu::Cmd& cmd, const frame::Resources& resources, const Gp
 }
 
 void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  for (const MapSquare& square : settings.squares) {
-    const GpuMesh& mesh = frame.scene->skin[square.mesh];
-    if (settings.what == What::stretch)
-      refresh(cmd, resources, mesh, {0, 0}, resources.texture(in.target).desc().width);
-    else if (instance_of(frame, square).visible)
-      refresh(cmd, resources, mesh, square.origin, side_of(frame, square));
-  }
+  const auto& skin = frame.scene->skin;
+  if (settings.what == What::stretch)
+    for (const MapSquare& square : settings.squares)
+      refresh(cmd, resources, skin[square.mesh], {0, 0}, resources.texture(in.target).desc().width);
+  else
+    for (const UsedSquare& square : used_squares(frame, settings.squares))
+      refresh(cmd, resources, skin[square.mesh], square.origin, square.side);
 }
 
 }  // namespace dermis::passes

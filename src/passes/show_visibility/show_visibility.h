@@ -10,7 +10,7 @@ namespace dermis::passes {
 class ShowVisibility {
  public:
   struct Settings {
-    MapSquare square;  ///< its origin does not count
+    MapSquare square;
     bool cull = true, clip = true;
     bool cut_out = false;  ///< some of its skin is: what is cut away is not shown
   } settings;

@@ -40,7 +40,6 @@ Mask mask_of(const FrameSettings& settings) {
 }
 
 MapSquare on_level(MapSquare square, const Level& level) {
-  square.origin /= 1u << level.halvings;
   square.halvings = level.halvings;
   return square;
 }

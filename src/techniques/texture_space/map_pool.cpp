@@ -22,14 +22,19 @@ std::uint32_t MapPool::columns() const {
   return splits_heads() ? std::bit_ceil(least) : least;
 }
 
-passes::MapSquare MapPool::square(std::uint32_t head, std::uint32_t mesh) const {
+passes::MapPlace MapPool::place(std::uint32_t head, std::uint32_t mesh) const {
   const std::uint32_t index =
       head % settings_->heads_per_batch * meshes_per_batch() + mesh % meshes_per_batch();
-  return {.instance = head,
-          .mesh = mesh,
+  return {.index = index,
           .origin = glm::uvec2(index % columns(), index / columns()) * settings_->map_size,
-          .index = index,
           .largest_side = settings_->map_size};
+}
+
+std::vector<std::vector<passes::MapPlace>> MapPool::places() const {
+  std::vector<std::vector<passes::MapPlace>> all(settings_->heads);
+  for (std::uint32_t head = 0; head < settings_->heads; ++head)
+    for (std::uint32_t mesh = 0; mesh < meshes(); ++mesh) all[head].push_back(place(head, mesh));
+  return all;
 }
 
 std::vector<passes::MapSquare> MapPool::squares(std::uint32_t first_head, std::uint32_t heads,
@@ -37,7 +42,7 @@ std::vector<passes::MapSquare> MapPool::squares(std::uint32_t first_head, std::u
   std::vector<passes::MapSquare> all;
   for (std::uint32_t mesh = first_mesh; mesh < end_mesh; ++mesh)
     for (std::uint32_t head = first_head; head < first_head + heads; ++head)
-      all.push_back(square(head, mesh));
+      all.push_back({.instance = head, .mesh = mesh});
   return all;
 }
 

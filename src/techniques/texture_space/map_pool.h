@@ -20,7 +20,8 @@ class MapPool {
   /// Of the pool.
   std::uint32_t squares() const { return settings_->heads_per_batch * meshes_per_batch(); }
 
-  passes::MapSquare square(std::uint32_t head, std::uint32_t mesh) const;
+  passes::MapPlace place(std::uint32_t head, std::uint32_t mesh) const;
+  std::vector<std::vector<passes::MapPlace>> places() const;  ///< [head][mesh]
   /// Of some heads and some skin meshes, mesh by mesh.
   std::vector<passes::MapSquare> squares(std::uint32_t first_head, std::uint32_t heads,
                                          std::uint32_t first_mesh, std::uint32_t end_mesh) const;

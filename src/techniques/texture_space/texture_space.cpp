@@ -18,12 +18,12 @@ namespace {
 using passes::MapSquare;
 
 // What is lit in the nearest head's first skin mesh.
-frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s, const MapPool& pool) {
+frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s) {
   const gpu::TextureDesc map{
       .width = s.map_size, .height = s.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   const frame::TextureId visibility = plan.texture("visibility", map, frame::Lifetime::persistent);
   plan.add<passes::ShowVisibility>("visibility", {visibility},
-                                   {.square = pool.square(s.heads - 1, 0),
+                                   {.square = {.instance = s.heads - 1, .mesh = 0},
                                     .cull = s.optimise.cull,
                                     .clip = s.optimise.clip,
                                     .cut_out = s.skin.front().cut_out});
@@ -33,7 +33,7 @@ frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s,
 // Squares of the nearest head's first skin mesh, and its unwrap.
 void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& s, const LightMaps& maps) {
   const auto light = [&](frame::TextureId map) {
-    const glm::uvec2 origin = maps.pool().square(s.heads - 1, 0).origin;
+    const glm::uvec2 origin = maps.pool().place(s.heads - 1, 0).origin;
     return Shown{.map = map, .as = Shown::As::light, .origin = origin, .used_square = true};
   };
   out.shows["irradiance"] = light(maps.levels().front().light);
@@ -42,8 +42,7 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
 
   out.shows["stretch"] = {.map = maps.stretch(0)};
   out.shows["texel-density"] = {.map = maps.stretch(0), .as = Shown::As::texel_density};
-  if (s.visibility)
-    out.shows["visibility"] = {.map = add_visibility(plan, s, maps.pool()), .used_square = true};
+  if (s.visibility) out.shows["visibility"] = {.map = add_visibility(plan, s), .used_square = true};
   for (const auto& [name, shown] : out.shows) plan.read_back(shown.map);
 }
 
@@ -80,7 +79,7 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
 
     for (std::uint32_t head = first_head; head < first_head + heads; ++head) {
       for (std::uint32_t mesh = 0; mesh < meshes && !pool.splits_heads(); ++mesh)
-        add_final(plan, s, screen, *maps, pool.square(head, mesh));
+        add_final(plan, s, screen, *maps, {.instance = head, .mesh = mesh});
       screen.add_surfaces(head);
     }
   }
@@ -88,6 +87,7 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
   FrameOutputs out = screen.finish();
   if (!maps) return out;
   out.light_maps = maps->textures();
+  out.map_places = pool.places();
   add_shows(out, plan, s, *maps);
   return out;
 }

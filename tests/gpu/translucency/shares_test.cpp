@@ -61,8 +61,8 @@ TEST(TransmissionShares, NothingIsTakenAway) {
       for (int c = 0; c < 3; ++c) {
         double sum = 0;
         for (std::size_t i = 0; i < profile.terms.size(); ++i)
-          sum += double{io.share[g * MOST_TERMS + i][c]} *
-                 std::exp(-d_m * d_m * double{io.falloff_per_m2[i]});
+          sum +=
+              double{io.share[g * MOST_TERMS + i][c]} * std::exp(-d_m * d_m * double{io.falloff_per_m2[i]});
         EXPECT_GE(sum, -1e-6) << d_m;
       }
 }

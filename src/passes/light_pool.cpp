@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "passes/light_pool.h"
+
+namespace dermis::passes {
+
+VkRect2D UsedSquare::area() const {
+  return {{static_cast<std::int32_t>(origin.x), static_cast<std::int32_t>(origin.y)}, {side, side}};
+}
+
+UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
+  const Instance& instance = instance_of(frame, square);
+  UsedSquare used{square};
+  used.side = instance.map_side;
+  if (instance.map_places.empty()) return used;
+
+  const MapPlace& place = instance.map_places[square.mesh];
+  used.index = place.index;
+  used.origin = place.origin / (1u << square.halvings);
+  if (square.halvings > 0) used.side = halved_side(instance.map_side, place.largest_side, square.halvings);
+  return used;
+}
+
+std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares) {
+  std::vector<UsedSquare> used;
+  for (const MapSquare& square : squares)
+    if (instance_of(frame, square).visible) used.push_back(used_square(frame, square));
+  return used;
+}
+
+}  // namespace dermis::passes
