@@ -3,8 +3,6 @@
 // device; a graph can be printed and its barriers tested anywhere. frame/plan.h adds how its passes record.
 #pragma once
 
-#include <volk.h>
-
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -13,6 +11,7 @@
 
 #include "core/assert.h"
 #include "gpu/resources.h"
+#include "gpu/vulkan.h"
 
 namespace dermis::frame {
 

@@ -3,8 +3,6 @@
 // anywhere.
 #pragma once
 
-#include <volk.h>
-
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +11,7 @@
 
 #include "gpu/device.h"
 #include "gpu/loader.h"
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 

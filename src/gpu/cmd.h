@@ -2,8 +2,6 @@
 // A thin recorder over a VkCommandBuffer, ours or an engine's. It creates nothing and submits nothing.
 #pragma once
 
-#include <volk.h>
-
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -14,6 +12,7 @@
 
 #include "gpu/pipelines.h"
 #include "gpu/resources.h"
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 

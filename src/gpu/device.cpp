@@ -47,7 +47,7 @@ struct Device::State {
   bool external = false;
   std::unique_ptr<Instance> instance;  ///< ours; null for an engine's device
   InstanceTable instance_table{};
-  VolkDeviceTable vk{};
+  DeviceTable vk{};
   VkPhysicalDevice physical = VK_NULL_HANDLE;
   VkDevice device = VK_NULL_HANDLE;
   VkQueue queue = VK_NULL_HANDLE;
@@ -240,7 +240,7 @@ Device::Device(const External& external) : state_(std::make_unique<State>()) {
 Device::~Device() = default;
 
 VkDevice Device::handle() const { return state_->device; }
-const VolkDeviceTable& Device::vk() const { return state_->vk; }
+const DeviceTable& Device::vk() const { return state_->vk; }
 const DeviceSummary& Device::summary() const { return state_->summary; }
 const DeviceLimits& Device::limits() const { return state_->limits; }
 const VkPhysicalDeviceProperties& Device::properties() const { return state_->properties; }

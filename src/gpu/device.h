@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A Vulkan 1.3 device, ours or an engine's. Owns only what it created: an external device keeps its instance,
-// queue and function pointers. Our function pointers are per device (a VolkDeviceTable), never global.
+// queue and function pointers. Our function pointers are per device (a DeviceTable), never global.
 #pragma once
-
-#include <volk.h>
 
 #include <array>
 #include <cstdint>
@@ -15,6 +13,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 
@@ -96,7 +96,7 @@ class Device {
   ~Device();  ///< waits for all submissions of this object
 
   VkDevice handle() const;
-  const VolkDeviceTable& vk() const;
+  const DeviceTable& vk() const;
   const DeviceSummary& summary() const;
   const DeviceLimits& limits() const;
   bool format_supports(VkFormat format, VkFormatFeatureFlags features) const;  ///< optimal tiling

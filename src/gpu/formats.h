@@ -2,9 +2,9 @@
 // The formats that textures of this library may have.
 #pragma once
 
-#include <volk.h>
-
 #include <cstdint>
+
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 

@@ -2,14 +2,13 @@
 // Our own VkInstance, with the validation layer on request. Not used with an engine's device.
 #pragma once
 
-#include <volk.h>
-
 #include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
 #include "gpu/loader.h"
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 

@@ -4,22 +4,6 @@
 #include <dlfcn.h>
 
 namespace dermis::gpu {
-namespace {
-
-#include "volk_device_table.inl"
-
-struct DeviceSource {
-  PFN_vkGetDeviceProcAddr get;
-  VkDevice device;
-};
-
-PFN_vkVoidFunction load_from(void* context, const char* name) {
-  const DeviceSource& source = *static_cast<const DeviceSource*>(context);
-  return source.get(source.device, name);
-}
-
-}  // namespace
-
 PFN_vkGetInstanceProcAddr open_loader(const std::string& library) {
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) return nullptr;
@@ -55,10 +39,11 @@ InstanceTable load_instance_table(PFN_vkGetInstanceProcAddr get, VkInstance inst
   return t;
 }
 
-VolkDeviceTable load_device_table(PFN_vkGetDeviceProcAddr get, VkDevice device) {
-  VolkDeviceTable table{};
-  DeviceSource source{get, device};
-  volkGenLoadDeviceTable(&table, &source, load_from);
+DeviceTable load_device_table(PFN_vkGetDeviceProcAddr get, VkDevice device) {
+  DeviceTable table;
+#define DERMIS_LOAD(name) table.name = reinterpret_cast<PFN_##name>(get(device, #name));
+  DERMIS_DEVICE_FUNCTIONS(DERMIS_LOAD)
+#undef DERMIS_LOAD
   return table;
 }
 

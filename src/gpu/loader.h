@@ -3,9 +3,9 @@
 // its own.
 #pragma once
 
-#include <volk.h>
-
 #include <string>
+
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 
@@ -38,6 +38,6 @@ struct InstanceTable {
 };
 
 InstanceTable load_instance_table(PFN_vkGetInstanceProcAddr get, VkInstance instance);
-VolkDeviceTable load_device_table(PFN_vkGetDeviceProcAddr get, VkDevice device);
+DeviceTable load_device_table(PFN_vkGetDeviceProcAddr get, VkDevice device);
 
 }  // namespace dermis::gpu

@@ -39,7 +39,7 @@ std::uint64_t align_up(std::uint64_t offset, std::uint64_t alignment) {
 
 }  // namespace
 
-MemoryPool::MemoryPool(const VolkDeviceTable& vk, VkDevice device,
+MemoryPool::MemoryPool(const DeviceTable& vk, VkDevice device,
                        const VkPhysicalDeviceMemoryProperties& properties, std::uint64_t max_allocation_bytes)
     : vk_(&vk), device_(device), properties_(properties), max_allocation_bytes_(max_allocation_bytes) {}
 

@@ -4,8 +4,6 @@
 // memory. One thread at a time.
 #pragma once
 
-#include <volk.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +13,7 @@
 #include <vector>
 
 #include "gpu/resources.h"
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 
@@ -32,7 +31,7 @@ class MemoryPool {
     Block* block = nullptr;
   };
 
-  MemoryPool(const VolkDeviceTable& vk, VkDevice device, const VkPhysicalDeviceMemoryProperties& properties,
+  MemoryPool(const DeviceTable& vk, VkDevice device, const VkPhysicalDeviceMemoryProperties& properties,
              std::uint64_t max_allocation_bytes);
   MemoryPool(const MemoryPool&) = delete;
   MemoryPool& operator=(const MemoryPool&) = delete;
@@ -61,7 +60,7 @@ class MemoryPool {
   void release(Block* block);
   bool release_empty();  ///< returns whether there was one
 
-  const VolkDeviceTable* vk_;
+  const DeviceTable* vk_;
   VkDevice device_;
   VkPhysicalDeviceMemoryProperties properties_;
   std::uint64_t max_allocation_bytes_;

@@ -4,12 +4,12 @@
 // identifies device and driver.
 #pragma once
 
-#include <volk.h>
-
 #include <cstddef>
 #include <filesystem>
 #include <span>
 #include <vector>
+
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 

@@ -3,8 +3,6 @@
 // from the shader. Descriptor set 0, pushed at record time (VK_KHR_push_descriptor).
 #pragma once
 
-#include <volk.h>
-
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -17,6 +15,7 @@
 #include <vector>
 
 #include "gpu/resources.h"
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 

@@ -4,14 +4,14 @@
 // name is used for the debug label, validation messages and the memory report.
 #pragma once
 
-#include <volk.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 

@@ -2,11 +2,11 @@
 // GPU timestamps by name.
 #pragma once
 
-#include <volk.h>
-
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 

@@ -2,12 +2,11 @@
 // What passes draw into.
 #pragma once
 
-#include <volk.h>
-
 #include <array>
 #include <span>
 
 #include "gpu/cmd.h"
+#include "gpu/vulkan.h"
 
 namespace dermis::passes {
 

@@ -107,7 +107,7 @@ class Engine {
   VkCommandPool pool = VK_NULL_HANDLE;
   VkCommandBuffer commands = VK_NULL_HANDLE;
   VkFence fence = VK_NULL_HANDLE;
-  VolkDeviceTable vk{};
+  DeviceTable vk{};
 
  private:
   template <class F>
