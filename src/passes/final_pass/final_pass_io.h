@@ -12,7 +12,7 @@ struct FinalPassIo {
   uint slot;                 // of the counters, see unshaded_reads.frag
   uint halvings;             // four bits per term: the side of its map is T >> n
 };
-// What the pass needs to know where the map is too coarse: see coarse_share() of skin.h.
+// What the pass needs to know where the map is too coarse: see coarse_share() of final_pass.h.
 struct SkinTermsIo {
   float sigma_mm[MOST_TERMS];  // of the Gaussians, narrow to wide
   float widest_mm;             // the last of them
