@@ -129,9 +129,6 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   if (a.fail_if_slower) throw input_error("--fail-if-slower", "is for --compare");
   if (a.quick) scale_down(a, command);
 
-  // The two lights of the rig are a default, which --light replaces.
-  if (!a.settings.lighting.placed_lights.empty() && command.get_option("--lights")->count() == 0)
-    a.settings.lighting.rig_lights.reset();
   sort_list("--heads", a.heads);
   sort_list("--distances", a.distances);
   bench::Task task = task_of(a);
@@ -160,6 +157,7 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   if (!a.html.empty()) write_file(a.html, page);
   if (!a.json.empty()) write_text(a.json, bench::run_json(found));
   if (a.json != "-") write_text("-", bench::table_foot(found));
+  save_settings(a);
 
   if (found.complete) return;
   fmt::print(stderr, "dermis: stopped after {} of {} cells; what is written holds those\n",

@@ -20,7 +20,8 @@ void add_render_command(CLI::App& app, int& exit_status);
 
 /// What render, plan, reference and later commands have in common.
 struct SceneArguments {
-  std::string scene;  ///< path; empty: the built-in head
+  std::string scene;          ///< path; empty: the built-in head
+  std::string save_settings;  ///< file; empty: none
   SceneOptions options;
   RenderSettings settings;
 };
@@ -28,9 +29,11 @@ struct SceneArguments {
 /// would be ambiguous is called
 /// --scene (the file), --msaa (the renderer's samples), --techniques. The benchmark has lists of heads and
 /// distances, and chooses technique and optimisations itself.
-enum class SceneUse { real_time, reference, comparison, bench };
-void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use = SceneUse::real_time);
+enum class SceneUse { render, plan, reference, comparison, bench };
+void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use);
 Scene open_scene(const SceneArguments& arguments);
+/// Writes the settings to the file that --save-settings names, if it does.
+void save_settings(const SceneArguments& arguments);
 
 /// Options of the reference that do not concern files.
 void add_reference_options(CLI::App& command, ReferenceSettings& settings);

@@ -12,6 +12,7 @@
 #include "cli/command_line.h"
 #include "cli/profile_command.h"
 #include "cli/progress.h"
+#include "cli/settings_options.h"
 
 namespace {
 
@@ -72,6 +73,9 @@ int main(int argc, char** argv) {
     return fail(error.code() == std::errc::resource_unavailable_try_again
                     ? "the system allows no more threads or memory"
                     : error.what());
-  } catch (const std::exception& error) { return fail(error.what()); }
+  } catch (const std::exception& error) {
+    const std::vector<CLI::App*> command = app.get_subcommands();
+    return fail(command.empty() ? error.what() : dermis::cli::with_options(error.what(), *command.front()));
+  }
   return exit_status;
 }

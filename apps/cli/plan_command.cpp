@@ -12,11 +12,13 @@ void add_plan_command(CLI::App& app, int&) {
   auto arguments = std::make_shared<SceneArguments>();
   auto dot = std::make_shared<bool>(false);
   auto output = std::make_shared<std::string>("-");
-  add_scene_arguments(*command, *arguments);
+  add_scene_arguments(*command, *arguments, SceneUse::plan);
   command->add_flag("--dot", *dot, "for Graphviz");
   command->add_option("-o,--output", *output, "file, or - for standard output");
-  command->callback(
-      [=] { write_text(*output, describe_plan(open_scene(*arguments), arguments->settings, *dot)); });
+  command->callback([=] {
+    write_text(*output, describe_plan(open_scene(*arguments), arguments->settings, *dot));
+    save_settings(*arguments);
+  });
 }
 
 }  // namespace dermis::cli

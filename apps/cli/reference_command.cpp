@@ -59,6 +59,7 @@ void run(ReferenceArguments& a, int& exit_status) {
     throw input_error(a.output, "stopped before every pixel had a sample: nothing to write");
 
   out.picture.save(a.output);
+  save_settings(a);
   if (!a.variance.empty()) out.save_variance(a.variance);
   fmt::print("{}, {}x{}, {} samples per pixel, noise {:.3f} %\n{:.1f} s, {:.1f} s of processor time\n",
              a.reference.model, out.picture.width, out.picture.height, out.samples, out.noise_percent,

@@ -79,6 +79,7 @@ void render(const RenderArguments& a, int& exit_status) {
   }
 
   picture.save(a.output);
+  save_settings(a);
   if (!a.stats.empty()) write_text(a.stats, picture.statistics.json());
   if (a.stats != "-") fmt::print("{}", summary(picture.statistics));
 }
@@ -88,15 +89,12 @@ void render(const RenderArguments& a, int& exit_status) {
 void add_render_command(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand("render", "render a scene to a picture");
   auto arguments = std::make_shared<RenderArguments>();
-  add_scene_arguments(*command, *arguments);
+  add_scene_arguments(*command, *arguments, SceneUse::render);
   command
       ->add_option("-o,--output", arguments->output,
                    "picture to write: .png (display values) or .exr (linear)")
       ->required();
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output");
-  command->add_option("--frames", arguments->settings.output.frames, "timed frames after one warm-up");
-  command->add_option("--show", arguments->settings.output.show,
-                      "picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K");
   command->add_option("--device", arguments->device, "best, an index or a part of a name of `dermis info`");
   command->add_flag("--validate", arguments->validate,
                     "run under the Vulkan validation layer; its messages end the run with exit status 1");

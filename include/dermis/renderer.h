@@ -48,6 +48,7 @@ struct Statistics {
   std::optional<double> distance;  ///< as in the settings, sphere radii
   bool translucency = false;       ///< light came through the body
   std::string tone_map;
+  RenderSettings settings;  ///< as given
   double exposure_ev = 0;  ///< given or chosen
   /// mean luminance of the skin in the picture, before bloom; none: the exposure was given, or no skin is lit
   std::optional<double> skin_mean;

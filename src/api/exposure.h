@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// `--exposure auto`: an exposure for the light that falls on the skin, whatever the skin's own colour.
+/// The automatic exposure: one for the light that falls on the skin, whatever the skin's own colour.
 #pragma once
 
 #include <functional>

@@ -21,7 +21,7 @@ auto naming_the_scene(const Scene& scene, const Work& work) {
     throw DeviceError(text.starts_with(name) ? text : name + text);
   } catch (const std::bad_alloc&) {
     throw device_error(
-        "{}: too little memory; try smaller maps, a smaller --texture-budget or a smaller picture",
+        "{}: too little memory; try smaller maps, a smaller texture_budget_mb or a smaller picture",
         scene.name());
   }
 }

@@ -83,25 +83,25 @@ std::vector<std::uint8_t> display_values(const std::vector<float>& rgba, bool is
 void check_device_limits(const RenderSettings& s, const gpu::DeviceLimits& limits) {
   const auto check = [&](const char* name, int value) {
     if (static_cast<std::uint32_t>(value) > limits.max_image_side)
-      throw input_error("", "--{} {} is over what this device can do: {}", name, value,
-                        limits.max_image_side);
+      throw input_error("", "{} {} is over what this device can do: {}", name, value, limits.max_image_side);
   };
-  check("size", std::max(s.output.width, s.output.height));
-  check("map-size", s.quality.map_size);
-  check("shadow-size", s.quality.shadow_size);
+  check("output.width or output.height", std::max(s.output.width, s.output.height));
+  check("quality.map_size", s.quality.map_size);
+  check("quality.shadow_size", s.quality.shadow_size);
 }
 
 void check_show(const techniques::FrameOutputs& out, const RenderSettings& settings) {
   if (settings.output.show == "picture" || out.shows.count(settings.output.show)) return;
   std::string names = "picture";
   for (const auto& [name, shown] : out.shows) names += ", " + name;
-  throw input_error("", "--show '{}' is not known to this technique; there are: {}", settings.output.show,
-                    names);
+  throw input_error("", "output.show '{}' is not known to this technique; there are: {}",
+                    settings.output.show, names);
 }
 
 void fill_counts(Statistics& st, const setup::Subject& subject, const RenderSettings& settings,
                  const setup::FrameSetup& setup, std::span<const std::byte> counters) {
   st.technique = setup.technique->name;
+  st.settings = settings;
   st.width = settings.output.width;
   st.height = settings.output.height;
   st.map_size = settings.quality.map_size;

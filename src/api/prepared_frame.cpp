@@ -122,7 +122,7 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   if (layers > limits.max_array_layers)
     throw input_error(source.name(),
                       "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
-                      "--lights uses fewer ({} of them are in the environment)",
+                      "a smaller lighting.rig_lights uses fewer ({} of them are in the environment)",
                       next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers, next.suns);
   if (!std::exchange(next_scene->warned_coarse, true)) setup::warn_coarse(next_scene->subject, next);
   if (next_environment) setup::fill_environment(next.frame, *next_environment, wanted);
@@ -142,7 +142,8 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
 
   exposure_ev = wanted.output.exposure_ev;
   if (!exposure_ev) exposure_ev = measure_exposure();
-  if (!exposure_ev) warn("{}: no lit skin in the picture, so --exposure auto is 0 EV", source.name());
+  if (!exposure_ev)
+    warn("{}: no lit skin in the picture, so an automatic output.exposure_ev is 0", source.name());
   setup.frame.radiance_scale = static_cast<float>(std::exp2(exposure_ev.value_or(0)));
   make_data();
   times.clear();

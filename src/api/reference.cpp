@@ -34,16 +34,16 @@ int samples_of(const ReferenceSettings& r) { return r.samples.value_or(r.noise_p
 reference::Model model_of(const std::string& name) {
   if (name == "bssrdf") return reference::Model::bssrdf;
   if (name == "volume") return reference::Model::volume;
-  throw input_error("", "--model '{}' is not known; there are: bssrdf, volume", name);
+  throw input_error("", "model '{}' is not known; there are: bssrdf, volume", name);
 }
 
 void check(const ReferenceSettings& r) {
   if (r.samples && (*r.samples < 1 || *r.samples > most_samples))
-    throw input_error("", "--samples must be 1 to {} a pixel, got {}", most_samples, *r.samples);
+    throw input_error("", "samples must be 1 to {} per pixel, got {}", most_samples, *r.samples);
   if (r.noise_percent && !(*r.noise_percent > 0 && *r.noise_percent <= 100))
-    throw input_error("", "--noise must be over 0 and at most 100 per cent, got {}", *r.noise_percent);
+    throw input_error("", "noise_percent must be over 0 and at most 100 per cent, got {}", *r.noise_percent);
   if (r.threads < 0 || r.threads > 4096)
-    throw input_error("", "--threads must be 0 (all cores) to 4096, got {}", r.threads);
+    throw input_error("", "threads must be 0 (all cores) to 4096, got {}", r.threads);
 }
 
 /// A profile that dermis made from a homogeneous medium says what it was made of: 1/sigma_t' and 1/sigma_tr,
@@ -55,8 +55,8 @@ optics::RgbMedium medium_of(const gaussians::SumOfGaussians& profile, double eta
     if (!(free > 0))
       throw input_error(
           profile.name,
-          "this profile does not say what medium it stands for; --model volume needs --medium NAME or "
-          "--medium 'sigma_a=... sigma_s=...' (per mm), or a profile made by `dermis profile`");
+          "this profile does not say what medium it stands for; model 'volume' needs a medium: a name, or "
+          "'sigma_a=... sigma_s=...' (per mm), or a profile made by `dermis profile`");
     const double sigma_t = 1 / free, sigma_tr = diffuse > 0 ? 1 / diffuse : 0;
     const double sigma_a = std::min(sigma_tr * sigma_tr / (3 * sigma_t), sigma_t);
     medium[c] = {.sigma_a_per_mm = sigma_a, .sigma_s_per_mm = sigma_t - sigma_a, .g = 0, .eta = eta};
@@ -67,12 +67,12 @@ optics::RgbMedium medium_of(const gaussians::SumOfGaussians& profile, double eta
 optics::RgbMedium choose_medium(const std::string& text, const gaussians::SumOfGaussians& profile,
                                 double eta) {
   if (text.empty()) return medium_of(profile, eta);
-  if (text.find('=') != std::string::npos) return optics::parse_coefficients(text, "--medium");
+  if (text.find('=') != std::string::npos) return optics::parse_coefficients(text, "medium");
   if (const optics::Material* material = optics::find_material(text)) return material->medium();
   std::string names;
   for (const optics::Material& material : optics::jensen_materials())
     names += (names.empty() ? "" : ", ") + std::string(material.name);
-  throw input_error("", "--medium '{}' is neither coefficients nor one of: {}", text, names);
+  throw input_error("", "medium '{}' is neither coefficients nor one of: {}", text, names);
 }
 
 /// The skin that light walks in should be closed.
@@ -119,8 +119,8 @@ reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const 
   if (job.model == reference::Model::volume) {
     if (skin.empty())
       throw input_error(scene.name,
-                        "has no skin for light to walk in; --skin NAME says which material is skin");
-    optics::check(job.medium, "--medium");
+                        "has no skin for light to walk in; skin_material says which material is skin");
+    optics::check(job.medium, "medium");
     warn_if_open(scene, skin);
   }
   return job;
@@ -170,9 +170,10 @@ class Watch {
 ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
   check(r);
   if (!s.output.exposure_ev)
-    throw input_error("",
-                      "--exposure auto is of the renderer; give the reference the number that `dermis render "
-                      "--exposure auto` prints");
+    throw input_error(
+        "",
+        "an automatic output.exposure_ev is of the renderer; give the reference the number that a "
+        "picture with it reports");
 
   const ToneMap tone_map = s.output.tone_map;
   const reference::Job job = set_up(scene.data(), s, r);

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dermis/renderer.h"
+#include "settings/json.h"
 
 namespace dermis {
 
@@ -12,6 +13,7 @@ std::string Statistics::json() const {
   j["driver"] = driver;
   j["api"] = api;
   j["technique"] = technique;
+  j["settings"] = json_of(settings);
   j["optimise"] = optimise;
   j["maps"] = maps.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(maps);
   j["mask"] = mask.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(mask);

@@ -230,7 +230,7 @@ std::string export_text(std::string_view system, const Exported& input) {
     lose(root["lost"], system, input);
     return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   }
-  throw input_error("--export", "no system '{}'; known: {}", system, fmt::join(names, ", "));
+  throw input_error("export", "no system '{}'; known: {}", system, fmt::join(names, ", "));
 }
 
 }  // namespace dermis::gaussians

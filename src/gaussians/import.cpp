@@ -168,7 +168,7 @@ Imported gltf(const std::string& text, const std::string& where) {
   throw input_error(where,
                     "'{}' names no system; a bare radius could be a mean free path, a diffuse mean free path "
                     "or Burley's d, in mm, cm or scene units. "
-                    "Start with one of {}, or use --burley with mfp_mm, dmfp_mm or shape_mm",
+                    "Start with one of {}, or describe normalised diffusion with mfp_mm, dmfp_mm or shape_mm",
                     text, fmt::join(exchange_names(), ", "));
 }
 
@@ -186,7 +186,7 @@ Imported parse(const std::string& text, const std::string& where) {
     throw input_error(place,
                       "sssWidth, falloff and strength do not say a profile: the width is in world units of "
                       "unknown size, and strength "
-                      "mixes in unblurred light; import the kernel's profile as --csv");
+                      "mixes in unblurred light; import the kernel's profile as a table of r_mm,R,G,B");
   no_system(text, where);
 }
 

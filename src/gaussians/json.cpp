@@ -34,8 +34,7 @@ Rgb rgb(const json::Value& value, double most = any) {
 double variance_mm2(const json::Value& value) {
   if (value.is_array())
     value.fail(
-        "is a list: variances per channel cannot be blurred together; make the profile with --variances "
-        "shared");
+        "is a list: variances per channel cannot be blurred together; make the profile with shared ones");
   const double variance_mm2 = value.number(-any, any);
   if (!(variance_mm2 > 0)) value.fail("must be > 0 mm^2, is {}", variance_mm2);
   return variance_mm2;

@@ -68,7 +68,7 @@ const Material* find_material(std::string_view name) {
 }
 
 void unknown_preset(std::string_view name) {
-  throw input_error("--preset", "no preset '{}'; known: {}", name, fmt::join(preset_names(), ", "));
+  throw input_error("preset", "no preset '{}'; known: {}", name, fmt::join(preset_names(), ", "));
 }
 
 }  // namespace dermis::optics

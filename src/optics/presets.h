@@ -17,7 +17,7 @@ namespace dermis::optics {
 
 /// A measured homogeneous material: reduced coefficients (given as sigma_s with g = 0), per mm.
 struct Material {
-  std::string_view name;  ///< lower case, as --preset takes it
+  std::string_view name;  ///< lower case, as presets are asked for
   Rgb sigma_s_reduced_per_mm;
   Rgb sigma_a_per_mm;
   /// 1.3; marble 1.5. Not printed in the table, but these values reproduce the printed reflectances to 0.01.

@@ -310,11 +310,11 @@ const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene
   try {
     return upload_map(library, map.name, *map.pixels, image, srgb);
   } catch (const DeviceError& error) {
-    throw device_error("{}: {}; --texture-budget takes less", scene.name, error.what());
+    throw device_error("{}: {}; a smaller texture_budget_mb takes less", scene.name, error.what());
   } catch (const std::bad_alloc&) {
     throw device_error(
-        "{}: too little memory for the map '{}' of {} x {} texels; --texture-budget takes less", scene.name,
-        map.name, map.pixels->width, map.pixels->height);
+        "{}: too little memory for the map '{}' of {} x {} texels; a smaller texture_budget_mb takes less",
+        scene.name, map.name, map.pixels->width, map.pixels->height);
   }
 }
 

@@ -37,7 +37,7 @@ void check_reflects(const ModelledProfiles& made, const std::string& where) {
 Model parse_model(std::string_view name) {
   for (std::size_t i = 0; i < std::size(names); ++i)
     if (names[i] == name) return static_cast<Model>(i);
-  throw input_error("--model", "no model '{}'; known: {}", name, fmt::join(names, ", "));
+  throw input_error("model", "no model '{}'; known: {}", name, fmt::join(names, ", "));
 }
 
 std::string_view model_name(Model model) { return names[static_cast<std::size_t>(model)]; }
@@ -66,7 +66,7 @@ ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, con
 ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, const MonteCarloOptions& options,
                                const std::string& where) {
   if (model == Model::dipole || model == Model::better || model == Model::beam)
-    throw input_error("--model", "'{}' knows no layers; layers take multipole, monte-carlo or auto",
+    throw input_error("model", "'{}' knows no layers; layers take multipole, monte-carlo or auto",
                       model_name(model));
 
   ModelledProfiles out;

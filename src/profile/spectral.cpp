@@ -115,7 +115,7 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
   // The caller's number, before it is shared among the wavelengths.
   check_photons(options.photons, "photons");
   if (model == Model::dipole || model == Model::better || model == Model::beam)
-    throw input_error("--model", "'{}' knows no layers; spectral skin takes multipole, monte-carlo or auto",
+    throw input_error("model", "'{}' knows no layers; spectral skin takes multipole, monte-carlo or auto",
                       model_name(model));
 
   ModelledProfiles out;

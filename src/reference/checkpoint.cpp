@@ -196,14 +196,14 @@ bool load_checkpoint(const std::filesystem::path& path, Film& film, std::uint64_
   if (header.fingerprint != fingerprint)
     throw input_error(path.string(),
                       "belongs to another picture: scene, camera, lights, model, size or seed differ; "
-                      "without --resume it is replaced");
+                      "without `resume` it is replaced");
 
   const std::span state = std::span(bytes).subspan(sizeof header);
   Hash check;
   check.bytes(state.data(), state.size());
   if (header.width != film.width() || header.height != film.height() || check.value() != header.check ||
       !film.restore(state))
-    throw input_error(path.string(), "is damaged; without --resume it is replaced");
+    throw input_error(path.string(), "is damaged; without `resume` it is replaced");
   return true;
 }
 

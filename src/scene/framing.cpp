@@ -30,7 +30,7 @@ glm::mat4 look(const glm::dvec3& eye, double azimuth_deg, double elevation_deg) 
 
 void require_fov(double fov_y_deg) {
   if (!(fov_y_deg > 0 && fov_y_deg < 180))
-    throw input_error("--fov", "must be between 0 and 180 degrees, got {}", fov_y_deg);
+    throw input_error("fov_deg", "must be between 0 and 180 degrees, got {}", fov_y_deg);
 }
 
 Camera camera_at(const BoundingSphere& sphere, double distance_m, double azimuth_deg, double elevation_deg,
@@ -128,12 +128,12 @@ Camera distance_camera(const BoundingSphere& middle_head, double distance_radii,
   require_sphere(middle_head);
   require_fov(fov_y_deg);
   if (!(distance_radii > 0) || !std::isfinite(distance_radii))
-    throw input_error("--distance", "must be > 0 bounding-sphere radii, got {}", distance_radii);
+    throw input_error("distance", "must be > 0 bounding-sphere radii, got {}", distance_radii);
   return camera_at(middle_head, distance_radii * middle_head.radius_m, 0, 0, fov_y_deg);
 }
 
 std::vector<glm::vec3> head_row_offsets(int heads, double radius_m) {
-  if (heads < 1) throw input_error("--heads", "must be at least 1, got {}", heads);
+  if (heads < 1) throw input_error("heads", "must be at least 1, got {}", heads);
   std::vector<glm::vec3> offsets;
   for (int i = 0; i < heads; ++i)
     offsets.emplace_back(static_cast<float>(1.6 * radius_m * (i - heads / 2)), 0.f, 0.f);
@@ -142,7 +142,7 @@ std::vector<glm::vec3> head_row_offsets(int heads, double radius_m) {
 
 std::vector<Light> light_rig(const BoundingSphere& sphere, int count,
                              std::span<const glm::vec3> head_offsets_m) {
-  if (count < 0 || count > 256) throw input_error("--lights", "must be 0 to 256, got {}", count);
+  if (count < 0 || count > 256) throw input_error("rig_lights", "must be 0 to 256, got {}", count);
   std::vector<Lamp> lamps;
   for (int i = 0; i < count; ++i) lamps.push_back(rig_lamp(i, count));
   return light_rig(sphere, lamps, head_offsets_m);

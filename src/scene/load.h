@@ -12,7 +12,7 @@ namespace dermis::scene {
 
 struct LoadOptions {
   double unit_scale = 1;      ///< multiplies every length in the file (positions, lights, cameras)
-  std::string skin_material;  ///< --skin NAME: this material is skin; empty: extras.dermis, else the name
+  std::string skin_material;  ///< this material is skin; empty: extras.dermis, else the name
                               ///< contains "skin", else the only one
   std::size_t max_triangles = 20'000'000;
   int max_map_side = 16384;  ///< pixels

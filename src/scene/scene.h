@@ -159,7 +159,7 @@ struct Scene {
   std::vector<MapImage> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
-  /// world metres to mm; --unit-scale multiplies positions at load, so this stays 1000
+  /// world metres to mm; unit_scale multiplies positions at load, so this stays 1000
   double mm_per_unit = 1000;
 };
 

@@ -46,7 +46,7 @@ scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s,
       if (camera.name == s.camera.name) return with_fov(camera);
       names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
     }
-    throw input_error("", "--camera '{}' is not in {}; {}", s.camera.name, scene.name,
+    throw input_error("", "camera.name '{}' is not in {}; {}", s.camera.name, scene.name,
                       names.empty() ? "it has no cameras" : "there are: " + names);
   }
 

@@ -111,10 +111,10 @@ double squares_in_budget(std::uint64_t square_bytes, const RenderSettings& s, co
     budget_mb = std::min(budget_mb, std::max(square_mb, static_cast<double>(device.memory_bytes) / 4e6));
   if (s.quality.map_budget_mb) budget_mb = *s.quality.map_budget_mb;
   if (budget_mb < square_mb)
-    throw input_error(
-        "",
-        "--map-budget {} MB does not hold the light maps of one head: at --map-size {} they take {:.0f} MB",
-        budget_mb, s.quality.map_size, std::ceil(square_mb));
+    throw input_error("",
+                      "quality.map_budget_mb {} does not hold the light maps of one head: at "
+                      "quality.map_size {} they take {:.0f} MB",
+                      budget_mb, s.quality.map_size, std::ceil(square_mb));
 
   // As many rows and columns of squares as a texture of this device can have.
   const double rows =
@@ -236,7 +236,8 @@ void warn_coarse(const Subject& subject, const FrameSetup& setup) {
       std::min(0.3 / worst->least_texels_per_mm, std::sqrt(worst->profile.max_variance_mm2()));
   warn(
       "{}: a part of skin '{}' has {:.2g} texels per mm of light map or fewer: Gaussians narrower than about "
-      "{:.2g} mm do not scatter there. A larger --map-size holds them, or texture coordinates that fill more "
+      "{:.2g} mm do not scatter there. A larger quality.map_size holds them, or texture coordinates that "
+      "fill more "
       "of the square",
       subject.scene->name, subject.skin[number].name, worst->least_texels_per_mm, lost_mm);
 }

@@ -13,9 +13,11 @@ namespace dermis::setup {
 reference::RenderSetup reference_setup(const scene::Scene& scene, const RenderSettings& s) {
   check_settings(s);
   if (s.camera.heads != 1)
-    throw input_error("", "--heads must be 1 for the reference, got {}", s.camera.heads);
+    throw input_error("", "camera.heads must be 1 for the reference, got {}", s.camera.heads);
   if (static_cast<std::int64_t>(s.output.width) * s.output.height > std::int64_t{1} << 26)
-    throw input_error("", "--size {}x{} has more than {} pixels, too many for the sums of the reference",
+    throw input_error("",
+                      "output.width x output.height, {}x{}, has more than {} pixels, too many for the sums "
+                      "of the reference",
                       s.output.width, s.output.height, 1 << 26);
   const scene::BoundingSphere sphere = scene::skin_sphere(scene);
   if (!(sphere.radius_m > 0))

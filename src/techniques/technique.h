@@ -69,7 +69,7 @@ struct FrameSettings {
   /// alpha, depth or tiles: how convolutions skip texels that cull and clip have left unlit
   passes::Mask mask = passes::Mask::tiles;
   bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
-  bool visibility = false;     ///< also makes the map that `--show visibility` shows
+  bool visibility = false;     ///< also makes the map that `output.show` "visibility" shows
   std::vector<SkinPart> skin;  ///< one per skin mesh of the scene
   bool has_surfaces = false, has_blended = false;
   bool environment = false;   ///< light from a picture of the surroundings, else uniform

@@ -96,7 +96,7 @@ void fit(const Document& document, std::uint64_t budget_bytes, std::vector<Use>&
   }
   if (halved > named) lines.push_back(fmt::format("and {} more", halved - named));
   if (halved > 0)
-    note("{}: its maps would take {} MB, the texture budget is {} MB (--texture-budget): {}", document.file,
+    note("{}: its maps would take {} MB, the texture budget is {} MB (texture_budget_mb): {}", document.file,
          wanted / 1'000'000, budget_bytes / 1'000'000, fmt::join(lines, "; "));
 }
 
@@ -172,9 +172,9 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
           encoded.bytes(), where, decode, {.halvings = use.halvings, .srgb = use.colour}));
       scene.images[i] = {document.images[use.source].name, std::move(pixels)};
     } catch (const std::bad_alloc&) {
-      throw input_error(where,
-                        "needs more memory than there is for {} x {} pixels; --texture-budget takes less",
-                        use.width(), use.height());
+      throw input_error(
+          where, "needs more memory than there is for {} x {} pixels; a smaller texture_budget_mb takes less",
+          use.width(), use.height());
     }
   });
   for (Material& m : scene.materials)

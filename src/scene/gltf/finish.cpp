@@ -119,7 +119,7 @@ void choose_skin(const Document& document, const std::string& skin_material,
       any |= m.material.skin;
     }
   };
-  // A material with "skin": false is skin only by --skin.
+  // A material with "skin": false is skin only by SceneOptions::skin_material.
   const auto may_be = [](const MaterialSource& m) { return m.says_skin.value_or(true); };
 
   if (!skin_material.empty()) {
@@ -135,8 +135,8 @@ void choose_skin(const Document& document, const std::string& skin_material,
   if (!any && materials.size() == 1) choose(may_be);
 
   if (!any) {
-    const std::string line = fmt::format("{}: no material is skin; name one with --skin: {}", document.file,
-                                         quoted_names(materials));
+    const std::string line = fmt::format("{}: no material is skin; name one with skin_material: {}",
+                                         document.file, quoted_names(materials));
     warn_of(line, document.file, line);
   }
 

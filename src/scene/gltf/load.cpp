@@ -48,7 +48,7 @@ void warn_of_size(const Document& document, const Scene& scene) {
   if (any && (height < least_height_m || height > most_height_m)) {
     const std::string line = fmt::format(
         "{}: the skin is {:.4g} m high, a head has 0.1 to 0.6 m; light spreads by mm, so give the right size "
-        "with --unit-scale",
+        "with unit_scale",
         document.file, height);
     warn_of(line, document.file, line);
   }
@@ -91,9 +91,9 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
 
 Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
   if (!(options.unit_scale > 0 && options.unit_scale <= 1e6))
-    throw input_error("--unit-scale", "must be over 0 and at most 1e6, got {}", options.unit_scale);
+    throw input_error("", "unit_scale must be over 0 and at most 1e6, got {}", options.unit_scale);
   if (!(options.texture_budget_mb >= 1 && options.texture_budget_mb <= 1e6))
-    throw input_error("--texture-budget", "must be 1 to 1e6 MB, got {}", options.texture_budget_mb);
+    throw input_error("", "texture_budget_mb must be 1 to 1e6 MB, got {}", options.texture_budget_mb);
   const auto too_large = [&] { return input_error(path.string(), "needs more memory than there is"); };
   const WarningGroup group;
   try {

@@ -260,7 +260,7 @@ void check_skin_nodes(const Document& document, const MaterialNumbers& materials
   if (count > most_skin_nodes)
     throw input_error(document.file,
                       "has {} nodes of skin, each with a light map of its own; at most {} can be drawn: join "
-                      "their meshes, or name another material with --skin",
+                      "their meshes, or name another material with skin_material",
                       count, most_skin_nodes);
 }
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+/// Options of the command line from the rows of settings (src/settings/fields.h).
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <functional>
+#include <string>
+
+#include "core/fields.h"
+#include "settings/names.h"
+
+namespace dermis::cli {
+
+/// What an option says: the row's help with unit, and what holds without it.
+std::string help_of(const About& about);
+
+/// Shows members of settings in a message with their options: "camera.fov_deg (--fov) must be ...". Options
+/// that the command does not have are left out.
+std::string with_options(std::string message, const CLI::App& command);
+
+/// One option, whose kind follows from the type of the value. What it reads is checked when it is used.
+struct AddOption {
+  CLI::App& command;
+
+  template <class Value>
+  CLI::Option* operator()(const std::string& name, const About& about, Value& value) const {
+    const std::string help = help_of(about);
+    if constexpr (std::is_enum_v<Value>)
+      return add_named<Value>(name, value, help)->default_str(std::string(name_of(value)));
+    else if constexpr (std::is_same_v<Value, bool>)
+      return about.on.empty() ? command.add_flag(name, value, help) : add_switch(name, about, value);
+    else
+      return command.add_option(name, value, help);
+  }
+
+  template <class Value>
+  CLI::Option* operator()(const std::string& name, const About& about, std::optional<Value>& value) const {
+    const std::string help = help_of(about);
+    if constexpr (std::is_enum_v<Value>)
+      return add_named<Value>(name, value, help)->default_str("");
+    else if constexpr (std::is_same_v<Value, double>)
+      if (about.none.find(' ') == std::string_view::npos) return add_number_or(name, about, value);
+    return command.add_option(name, value, help);
+  }
+
+  CLI::Option* operator()(const std::string& name, const About& about, std::array<double, 2>& value) const;
+
+ private:
+  template <class Enum, class Value>
+  CLI::Option* add_named(const std::string& name, Value& value, const std::string& help) const {
+    const auto read = [&value, name](const std::string& text) { value = find_name<Enum>(name, text); };
+    return command.add_option_function<std::string>(name, read, help)->type_name("TEXT");
+  }
+
+  CLI::Option* add_switch(const std::string& name, const About& about, bool& value) const;
+  CLI::Option* add_number_or(const std::string& name, const About& about, std::optional<double>& value) const;
+};
+
+}  // namespace dermis::cli

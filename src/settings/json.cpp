@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "settings/json.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "json/document.h"
+#include "settings/fields.h"
+#include "settings/names.h"
+
+namespace dermis {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class Settings>
+ordered_json object_of(const Settings& settings);
+
+template <class Value>
+ordered_json json_value(const Value& value) {
+  if constexpr (has_fields<Value>)
+    return object_of(value);
+  else if constexpr (is_optional<Value>)
+    return value ? json_value(*value) : ordered_json(nullptr);
+  else if constexpr (std::is_enum_v<Value>)
+    return name_of(value);
+  else
+    return value;
+}
+
+ordered_json json_value(const std::vector<PlacedLight>& lights) {
+  ordered_json out = ordered_json::array();
+  for (const PlacedLight& light : lights) out.push_back(object_of(light));
+  return out;
+}
+
+template <class Settings>
+ordered_json object_of(const Settings& settings) {
+  ordered_json out = ordered_json::object();
+  std::apply(
+      [&](const auto&... field) {
+        ((out[std::string(field.name)] = json_value(settings.*field.member)), ...);
+      },
+      fields_of<Settings>);
+  return out;
+}
+
+template <class Settings>
+std::vector<std::string_view> keys_of() {
+  return std::apply([](const auto&... field) { return std::vector<std::string_view>{field.name...}; },
+                    fields_of<Settings>);
+}
+
+template <class Settings>
+void read_object(const json::Value& json, Settings& into);
+
+template <class Value>
+void read(const json::Value& json, const About& about, Value& into) {
+  if constexpr (has_fields<Value>)
+    read_object(json, into);
+  else if constexpr (std::is_enum_v<Value>) {
+    const auto found = std::find(names_of<Value>.begin(), names_of<Value>.end(), json.text());
+    if (found == names_of<Value>.end())
+      json.fail("'{}' is not known; there are: {}", json.text(), fmt::join(names_of<Value>, ", "));
+    into = static_cast<Value>(found - names_of<Value>.begin());
+  } else if constexpr (std::is_same_v<Value, bool>)
+    into = json.boolean();
+  else if constexpr (std::is_same_v<Value, int>)
+    into = static_cast<int>(
+        json.count(static_cast<std::uint64_t>(about.least), static_cast<std::uint64_t>(about.most)));
+  else if constexpr (std::is_same_v<Value, double>)
+    into = json.number(about.least, about.most);
+  else
+    into = json.text();
+}
+
+template <class Value>
+void read(const json::Value& json, const About& about, std::optional<Value>& into) {
+  into.reset();
+  if (!json.is_null()) read(json, about, into.emplace());
+}
+
+void read(const json::Value& json, const About& about, std::array<double, 2>& into) {
+  json.array_size(2, 2);
+  for (std::size_t i = 0; i < 2; ++i) read(json.element(i), about, into[i]);
+}
+
+void read(const json::Value& json, const About& about, std::vector<PlacedLight>& into) {
+  into.resize(json.array_size(0, static_cast<std::size_t>(about.most)));
+  for (std::size_t i = 0; i < into.size(); ++i) read_object(json.element(i), into[i] = {});
+}
+
+template <class Settings>
+void read_fields(const json::Value& json, Settings& into) {
+  const auto one = [&](const auto& field) {
+    if (const auto value = json.find(std::string(field.name))) read(*value, field.about, into.*field.member);
+  };
+  std::apply([&](const auto&... field) { (one(field), ...); }, fields_of<Settings>);
+}
+
+template <class Settings>
+void read_object(const json::Value& json, Settings& into) {
+  json.object().only_keys(keys_of<Settings>());
+  read_fields(json, into);
+}
+
+}  // namespace
+
+ordered_json json_of(const RenderSettings& settings) { return object_of(settings); }
+
+std::string to_json(const SettingsFile& settings) {
+  ordered_json out = object_of(settings.render);
+  out["scene"] = object_of(settings.scene);
+  // Names of files need not be UTF-8.
+  return out.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+void load_settings(const std::filesystem::path& path, SettingsFile& settings) {
+  const json::Document document = json::load(path, 1 << 20);
+  const json::Value root = document.root();
+
+  std::vector<std::string_view> known = keys_of<RenderSettings>();
+  known.emplace_back("scene");
+  root.object().only_keys(known);
+
+  read_fields(root, settings.render);
+  if (const auto scene = root.find("scene")) read_object(*scene, settings.scene);
+}
+
+}  // namespace dermis

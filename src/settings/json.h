@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Settings as JSON: an object per section, null where a setting has no value. What is written is read back to
+// the last bit.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "dermis/scene.h"
+#include "dermis/settings.h"
+
+namespace dermis {
+
+/// What a file of settings holds: those of RenderSettings, and under "scene" how the scene is read.
+struct SettingsFile {
+  RenderSettings render;
+  SceneOptions scene;
+};
+
+nlohmann::ordered_json json_of(const RenderSettings& settings);
+std::string to_json(const SettingsFile& settings);
+
+/// Reads a file of at most 1 MiB into `settings`; what it does not name stays as it is. InputError names file
+/// and setting: a key that is not known (lists those that are), another type, a value out of range.
+void load_settings(const std::filesystem::path& path, SettingsFile& settings);
+
+}  // namespace dermis
