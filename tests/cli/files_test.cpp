@@ -8,6 +8,7 @@
 
 #include "cli/program.h"
 #include "cli/tiny_gltf.h"
+#include "support/assets.h"
 
 namespace dermis::tests {
 namespace {
@@ -144,8 +145,10 @@ TEST_F(RefusedFiles, MapsThatAreNoPictures) {
 
 class RefusedScan : public Program {
  protected:
+  static fs::path scan_folder() { return scan_manifest().parent_path(); }
+
   void SetUp() override {
-    if (scan_folder().empty()) GTEST_SKIP() << "the scan is not there; ./run fetch-assets brings it";
+    if (const std::string missing = missing_scan(); !missing.empty()) GTEST_SKIP() << missing;
   }
 };
 

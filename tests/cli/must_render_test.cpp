@@ -4,6 +4,7 @@
 
 #include "cli/program.h"
 #include "cli/tiny_gltf.h"
+#include "support/assets.h"
 
 namespace dermis::tests {
 namespace {
@@ -126,8 +127,8 @@ TEST_F(MustRender, SharedHeads) {
        {"gltf-valid/head-variants/head-no-uv.glb", "gltf-valid/head-variants/head-no-normals.glb",
         "gltf-valid/head-variants/head-instanced-mirrored-deep.glb",
         "makehuman/crowd/mh-crowd-african-man-old-lod2.glb"}) {
-    const fs::path path = shared_asset(name);
-    if (path.empty()) continue;
+    const fs::path path = asset_cache() / name;
+    if (!fs::exists(path)) continue;
     SCOPED_TRACE(name);
     ++found;
     fs::remove(picture());
@@ -142,8 +143,8 @@ TEST_F(MustRender, AFileThatLoadsSaysTwoLinesAtMost) {
   for (const char* name :
        {"gltf-valid/head-variants/head-no-uv.glb", "gltf-valid/tinygltf/Extensions-issue97/test.gltf",
         "gltf-valid/tinygltf/box01.glb", "gltf-valid/tinygltf/Cube/Cube.gltf"}) {
-    const fs::path path = shared_asset(name);
-    if (path.empty()) continue;
+    const fs::path path = asset_cache() / name;
+    if (!fs::exists(path)) continue;
     SCOPED_TRACE(name);
     ++found;
     fs::remove(picture());

@@ -10,9 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 namespace dermis::tests {
@@ -45,39 +43,9 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-std::string read_text(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-fs::path shared_asset(const std::string& name) {
-  const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const fs::path path =
-      (cache ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets") / name;
-  return fs::exists(path) ? path : fs::path();
-}
-
-fs::path scan_folder() {
-  const fs::path heads = fs::path(DERMIS_SOURCE_DIR) / "assets" / "heads";
-  return fs::exists(heads / "LeePerrySmith.glb") ? heads : fs::path();
-}
-
-Program::Program() {
-  std::string pattern = (fs::temp_directory_path() / "dermis-cli-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  folder_ = pattern;
-}
-
-Program::~Program() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
-
 std::string Program::file(const std::string& name, const std::string& content) const {
-  std::ofstream(folder_ / name, std::ios::binary) << content;
-  return (folder_ / name).string();
+  std::ofstream(folder() / name, std::ios::binary) << content;
+  return (folder() / name).string();
 }
 
 Result Program::run(const Arguments& arguments, const Surroundings& surroundings) const {
@@ -94,7 +62,7 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
   const std::vector<char*> argv = pointers(all), envp = pointers(variables);
 
   // beside the folder: what is left in the folder is what the program left
-  const fs::path log = folder_.string() + ".log";
+  const fs::path log = folder().string() + ".log";
   const fs::path out = log.string() + ".out", err = log.string() + ".err";
   const pid_t child = ::fork();
   if (child == 0) become(out, err, argv.data(), envp.data(), surroundings.address_space_bytes);
@@ -151,7 +119,7 @@ void Program::expect_refused(const Result& result, const std::string& says) cons
     EXPECT_TRUE(result.err.compare(at, 17, "dermis: warning: ") == 0) << result.err;
   EXPECT_EQ(result.out, "");
   EXPECT_FALSE(fs::exists(picture()));
-  for (const auto& entry : fs::directory_iterator(folder_))
+  for (const auto& entry : fs::directory_iterator(folder()))
     EXPECT_NE(entry.path().extension(), ".part") << entry.path();
 }
 

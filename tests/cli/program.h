@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "support/files.h"
+
 namespace dermis::tests {
 
 using Arguments = std::vector<std::string>;
@@ -27,15 +29,12 @@ struct Surroundings {
 
 class Program : public testing::Test {
  protected:
-  Program();
-  ~Program() override;
-
   Result run(const Arguments& arguments, const Surroundings& surroundings = {}) const;
   /// `render` to picture(), small unless the arguments say how large.
   Result render(const Arguments& arguments, const Surroundings& surroundings = {}) const;
 
-  std::filesystem::path folder() const { return folder_; }
-  std::filesystem::path picture() const { return folder_ / "picture.png"; }
+  std::filesystem::path folder() const { return folder_.path(); }
+  std::filesystem::path picture() const { return folder() / "picture.png"; }
   /// Writes a file into folder() and returns its name.
   std::string file(const std::string& name, const std::string& content) const;
 
@@ -48,13 +47,7 @@ class Program : public testing::Test {
   bool expect_rendered(const Result& result) const;
 
  private:
-  std::filesystem::path folder_;
+  TempFolder folder_;
 };
-
-std::string read_text(const std::filesystem::path& path);
-
-/// The folder of a scan or of other heads, empty if it is not at hand.
-std::filesystem::path shared_asset(const std::string& name);
-std::filesystem::path scan_folder();
 
 }  // namespace dermis::tests

@@ -10,8 +10,9 @@
 
 #include "core/file.h"
 #include "dermis/reference.h"
+#include "gpu/support/renderer.h"
 
-namespace dermis {
+namespace dermis::tests {
 namespace {
 
 struct Agreement {
@@ -49,11 +50,10 @@ RenderSettings settings() {
 }
 
 Agreement agreement(const std::string& technique, RenderSettings s, int samples) {
-  static Renderer renderer;
   static const Scene head = Scene::built_in();
   s.technique = technique;
   const ReferencePicture reference = render_reference(head, s, {.samples = samples});
-  const Agreement a = compare(reference.picture, renderer.render(head, s));
+  const Agreement a = compare(reference.picture, renderer().render(head, s));
   std::printf("%s, specular %s: ratio %.4f %.4f %.4f, typical difference %.4f over %d pixels\n",
               technique.c_str(), s.lighting.specular ? "on" : "off", a.ratio[0], a.ratio[1], a.ratio[2],
               a.typical, a.pixels);
@@ -91,4 +91,4 @@ TEST(Agreement, ScatteredLight) {
 }
 
 }  // namespace
-}  // namespace dermis
+}  // namespace dermis::tests

@@ -5,13 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
-#include "builtin_head/builtin_head.h"
 #include "gpu/seams/seam_steps.h"
+#include "gpu/support/heads.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/scenes.h"
 #include "scene/scene.h"
+#include "support/assets.h"
 
 namespace dermis::tests {
 namespace {
@@ -48,12 +50,7 @@ Scene without_maps(const Scene& scene) {
     material.normal_map = {};
     material.skin_settings.displacement = {};
   }
-  return Scene(std::make_shared<const scene::Scene>(std::move(plain)));
-}
-
-Renderer& renderer() {
-  static Renderer shared;
-  return shared;
+  return wrap(std::move(plain));
 }
 
 Picture unscattered(const Scene& scene, RenderSettings s) {
@@ -97,28 +94,25 @@ void expect_no_seam_in_colour(const Scene& scene, const std::string& name) {
 }
 
 const Scene& built_in_head() {
-  static const Scene head =
-      without_maps(Scene(std::make_shared<const scene::Scene>(builtin_head::make({.map_size = 512}))));
+  static const Scene head = without_maps(subject("built-in head").open());
   return head;
 }
+
+using SeamsOfTheScan = WithScan;
 
 TEST(Seams, DoNotShowOnTheBuiltInHead) {
   EXPECT_GE(expect_no_seam(built_in_head(), "built-in head"), 5u);
   expect_no_seam_in_colour(built_in_head(), "built-in head");
 }
 
-TEST(Seams, DoNotShowOnTheScan) {
-  const fs::path heads = fs::path(DERMIS_SOURCE_DIR) / "assets" / "heads";
-  if (!fs::exists(heads / "LeePerrySmith.glb"))
-    GTEST_SKIP() << "the scan is not there; ./run fetch-assets brings it";
-  const Scene scan = without_maps(Scene::load(heads / "lee-perry-smith.gltf"));
-  EXPECT_GE(expect_no_seam(scan, "scan"), 10u);
-  expect_no_seam_in_colour(scan, "scan");
+TEST_F(SeamsOfTheScan, DoNotShow) {
+  const Scene plain = without_maps(scan());
+  EXPECT_GE(expect_no_seam(plain, "scan"), 10u);
+  expect_no_seam_in_colour(plain, "scan");
 }
 
 TEST(Seams, DoNotShowOnOtherHeads) {
-  const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const fs::path shared = cache ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
+  const fs::path shared = asset_cache();
   std::size_t heads = 0, runs = 0;
   for (const char* folder : {"makehuman", "makehuman/crowd", "ict-facekit"}) {
     if (!fs::exists(shared / folder)) continue;
@@ -155,7 +149,7 @@ TEST(Seams, ThatAreCutOpenShow) {
   for (scene::Primitive& primitive : cut.primitives)
     for (scene::Vertex& v : primitive.vertices) v.position_m.y += 2e-5f * (v.uv0.x + 0.7f * v.uv0.y);
 
-  const Scene scene(std::make_shared<const scene::Scene>(std::move(cut)));
+  const Scene scene = wrap(std::move(cut));
   const RenderSettings s = key_light(behind);
   const Crossings crossings = find_crossings(scene, s);
   const Excess excess = seam_excess(crossings, renderer().render(scene, s), unscattered(scene, s));

@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <glm/gtc/constants.hpp>
 
 #include "dermis/reference.h"
+#include "gpu/support/failure.h"
+#include "gpu/support/heads.h"
+#include "gpu/support/pictures.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/scenes.h"
+#include "gpu/support/settings.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
-#include "image/resize.h"
-#include "image/tone_map.h"
 #include "scene/primitives.h"
 
 namespace dermis::tests {
@@ -20,27 +23,10 @@ namespace {
 
 constexpr double pi = glm::pi<double>();
 
-Renderer& renderer() {
-  static Renderer shared;
-  return shared;
-}
-
-Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
-
 scene::Light directional(const glm::vec3& direction, double tangent) {
-  scene::Light light;
-  light.colour = glm::vec3(static_cast<float>(pi));
-  light.direction = glm::normalize(direction);
+  scene::Light light = directional_light(direction, glm::vec3(static_cast<float>(pi)));
   light.radius = static_cast<float>(tangent);
   return light;
-}
-
-scene::Camera from_above(float half_height_m, const glm::vec3& position_m) {
-  scene::Camera camera;
-  camera.world_from_camera[3] = glm::vec4(position_m, 1);
-  camera.orthographic = true;
-  camera.ymag_m = half_height_m;
-  return camera;
 }
 
 // What is lit shows the irradiance over pi.
@@ -61,18 +47,10 @@ constexpr float height_m = 0.02f;
 // A floor of 120 mm, and over its half x < 0 a plate `height_m` above. Light comes from that side, at 45
 // degrees.
 Scene plate_over_floor(double tangent) {
-  scene::Scene made = scene::plane(0.12, glm::dmat2(0.46, 0, 0, 0.46), {0.02, 0.02}, 2);
-  const scene::Primitive plate =
-      scene::plane(0.12, glm::dmat2(0.46, 0, 0, 0.46), {0.52, 0.52}, 2).primitives.front();
-  scene::Primitive& both = made.primitives.front();
-  const auto base = static_cast<std::uint32_t>(both.vertices.size());
-  for (scene::Vertex v : plate.vertices) {
-    v.position_m += glm::vec3(-0.06f, 0, height_m);
-    both.vertices.push_back(v);
-  }
-  for (const std::uint32_t i : plate.indices) both.indices.push_back(base + i);
+  scene::Scene made =
+      two_planes(0.12, 2, [](scene::Vertex& v) { v.position_m += glm::vec3(-0.06f, 0, height_m); });
   made.lights = {directional({1, 0, -1}, tangent)};
-  made.cameras = {from_above(0.004f, {0.03f, 0, 0.3f})};
+  made.cameras = {camera_from_above(0.004f, {0.03f, 0, 0.3f})};
   return wrap(std::move(made));
 }
 
@@ -109,7 +87,7 @@ TEST(SoftShadow, OfASphereIsItsHorizon) {
   for (const double tangent : {0.05, 0.2, 0.5, 3.0}) {
     scene::Scene made = scene::sphere(0.1, 64);
     made.lights = {directional({-1, 0, 0}, tangent)};
-    made.cameras = {from_above(0.1f, {0, 0, 0.5f})};
+    made.cameras = {camera_from_above(0.1f, {0, 0, 0.5f})};
     const Picture picture = renderer().render(wrap(std::move(made)), plain(200, 201));
 
     const int middle = picture.height / 2;
@@ -157,77 +135,59 @@ TEST(SoftShadow, OfALightInsideTheScene) {
   }
 }
 
-class SoftScan : public testing::Test {
+class SoftScan : public WithScan {
  protected:
   void SetUp() override {
-    const std::filesystem::path heads = std::filesystem::path(DERMIS_SOURCE_DIR) / "assets" / "heads";
-    if (!std::filesystem::exists(heads / "LeePerrySmith.glb") ||
-        !std::filesystem::exists(heads / "Map-COL.jpg"))
-      GTEST_SKIP() << "the scan is not there; ./run fetch-assets brings it";
-    static const Scene opened = Scene::load(heads / "lee-perry-smith.gltf");
-    scan = &opened;
+    WithScan::SetUp();
     settings.output.width = 160, settings.output.height = 180;
     settings.quality.map_size = 1024, settings.quality.shadow_size = 1024;
     settings.output.bloom = 0;
     settings.lighting.placed_lights = {{.azimuth_deg = 70, .elevation_deg = 35}};
     settings.lighting.light_radius_m = 0.2;
   }
-  const Scene* scan = nullptr;
   RenderSettings settings;
 };
 
-image::ImageF linear(Picture picture) {
-  return {.width = picture.width,
-          .height = picture.height,
-          .channels = 4,
-          .values = std::move(picture.linear_rgba)};
-}
-
-image::Image8 shown(const Picture& picture) { return image::to_display(linear(picture), ToneMap::filmic); }
-
-image::Image8 super_sampled(const Scene& scene, RenderSettings s) {
+image::ImageF averaged(const Scene& scene, const RenderSettings& s) {
   constexpr int times = 4;
-  s.output.width *= times, s.output.height *= times, s.quality.samples = 1;
-  return image::to_display(image::downsample_box(linear(renderer().render(scene, s)), times),
-                           ToneMap::filmic);
+  return downsampled(renderer().render(scene, super_sampled(s, times)), times);
 }
 
 // Nearer to the truth than the hard shadows are by far.
 TEST_F(SoftScan, IsThatOfTheReference) {
-  const Picture reference = render_reference(*scan, settings, {.samples = 64}).picture;
-  const image::Image8 truth = shown(reference), soft = super_sampled(*scan, settings);
+  const Picture reference = render_reference(scan(), settings, {.samples = 64}).picture;
+  const image::ImageF soft_light = averaged(scan(), settings);
   settings.lighting.light_radius_m = 0.0;
-  const image::Image8 hard = super_sampled(*scan, settings);
-  std::vector<std::uint8_t> skin(static_cast<std::size_t>(settings.output.width * settings.output.height));
-  for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = reference.linear_rgba[4 * i + 3] > 0.5f;
+  const image::Image8 truth = shown(reference), soft = shown(soft_light),
+                      hard = shown(averaged(scan(), settings));
+
+  const std::vector<std::uint8_t> skin = skin_mask(reference, 0.5f);
   const double soft_db = image::psnr_db(truth, soft, skin), hard_db = image::psnr_db(truth, hard, skin);
   const double soft_flip = image::mean_flip(truth, soft, skin),
                hard_flip = image::mean_flip(truth, hard, skin);
   std::printf("against the reference: soft %.2f dB, FLIP %.4f; hard %.2f dB, %.4f\n", soft_db, soft_flip,
               hard_db, hard_flip);
-  EXPECT_GE(soft_db, 38);
+  EXPECT_GE(soft_db, 38) << write_failure(linear(reference), soft_light);
   EXPECT_GE(soft_db, hard_db + 2);
   EXPECT_LT(soft_flip, 0.9 * hard_flip);
 }
 
 // The pattern of rays belongs to the light: the eye may move.
 TEST_F(SoftScan, StaysWhereItIs) {
-  settings.quality.cull = settings.quality.depth = settings.quality.clip = false;
+  settings = unoptimised(settings);
   settings.output.show = "irradiance";
-  const Picture one = renderer().render(*scan, settings);
+  const Picture one = renderer().render(scan(), settings);
   settings.camera.orbit_deg = {25, 10};
-  const Picture other = renderer().render(*scan, settings);
-  EXPECT_EQ(one.display_rgba, other.display_rgba);
+  const Picture other = renderer().render(scan(), settings);
+  expect_equal_bits(one, other);
 }
 
 TEST_F(SoftScan, OptimisedIsTheSame) {
-  settings.output.width *= 4, settings.output.height *= 4, settings.quality.samples = 1;
-  const Picture optimised = renderer().render(*scan, settings);
-  settings.quality.cull = settings.quality.depth = settings.quality.clip = false;
-  const Picture whole = renderer().render(*scan, settings);
-  std::vector<std::uint8_t> skin(static_cast<std::size_t>(settings.output.width * settings.output.height));
-  for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = whole.linear_rgba[4 * i + 3] > 0;
-  EXPECT_GE(image::psnr_db(shown(whole), shown(optimised), skin), 40);
+  settings = super_sampled(settings, 4);
+  const Picture optimised = renderer().render(scan(), settings),
+                whole = renderer().render(scan(), unoptimised(settings));
+  EXPECT_GE(image::psnr_db(shown(whole), shown(optimised), skin_mask(whole)), unseen_psnr_db)
+      << write_failure(linear(whole), linear(optimised));
   EXPECT_EQ(optimised.statistics.unshaded_reads, 0u);
   EXPECT_EQ(optimised.statistics.transmission_misses, 0u);
 }

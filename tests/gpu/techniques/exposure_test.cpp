@@ -4,15 +4,16 @@
 #include <cmath>
 
 #include "api/exposure.h"
-#include "support.h"
+#include "gpu/support/heads.h"
+#include "gpu/support/pictures.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/settings.h"
 
 namespace dermis::tests {
 namespace {
 
 RenderSettings chosen() {
-  RenderSettings s = small_settings("texture-space");
-  s.output.width = s.output.height = 64;
-  s.quality.map_size = s.quality.shadow_size = 128;
+  RenderSettings s = small_settings("texture-space", 64, 128);
   s.output.exposure_ev.reset();
   s.lighting.placed_lights = {{.azimuth_deg = 40, .elevation_deg = 30, .irradiance = 3}};
   s.lighting.rig_lights.reset();
@@ -27,13 +28,12 @@ TEST(ChosenExposure, IsTheSameEveryTimeAndGivenAgainTheSamePicture) {
   RenderSettings s = chosen();
   const Picture one = picture_of(s), two = picture_of(s);
   EXPECT_EQ(one.statistics.exposure_ev, two.statistics.exposure_ev);
-  EXPECT_EQ(one.linear_rgba, two.linear_rgba);
+  expect_equal_bits(one, two);
   ASSERT_TRUE(one.statistics.skin_mean.has_value());
 
   s.output.exposure_ev = one.statistics.exposure_ev;
   const Picture given = picture_of(s);
-  EXPECT_EQ(one.linear_rgba, given.linear_rgba);
-  EXPECT_EQ(one.display_rgba, given.display_rgba);
+  expect_equal_bits(one, given);
   EXPECT_FALSE(given.statistics.skin_mean.has_value());
 }
 

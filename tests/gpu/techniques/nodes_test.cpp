@@ -5,7 +5,10 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gpu/techniques/support.h"
+#include "gpu/support/pictures.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/scenes.h"
+#include "gpu/support/settings.h"
 #include "scene/placement.h"
 #include "scene/primitives.h"
 
@@ -60,8 +63,7 @@ std::size_t different_pixels(const Picture& a, const Picture& b, double toleranc
 }
 
 RenderSettings tiny_settings() {
-  RenderSettings s = small_settings("texture-space");
-  s.output.width = s.output.height = 96;
+  RenderSettings s = small_settings("texture-space", 96);
   s.quality.map_size = 64;
   s.output.bloom = 0;
   return s;

@@ -3,7 +3,10 @@
 // and not missed in the picture.
 #include <glm/glm.hpp>
 
-#include "gpu/techniques/support.h"
+#include "gpu/support/heads.h"
+#include "gpu/support/pictures.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/settings.h"
 #include "scene/coverage.h"
 #include "scene/framing.h"
 #include "settings/names.h"
@@ -53,18 +56,16 @@ bool culled(const scene::SkinMesh& mesh, std::size_t t, const glm::dvec3& eye) {
   return glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), eye - p[0]) < 0;
 }
 
-class OnTheScan : public testing::Test {
+class OnTheScan : public WithScan {
  protected:
   void SetUp() override {
-    if (!subject("scan").missing.empty()) GTEST_SKIP() << subject("scan").missing;
-    static const Scene opened = subject("scan").open();
-    scan = &opened;
-    static const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(opened.data());
+    WithScan::SetUp();
+    if (IsSkipped()) return;
+    static const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(scan().data());
     ASSERT_EQ(meshes.size(), 1u);
     mesh = &meshes.front();
-    sphere = scene::skin_sphere(opened.data());
+    sphere = scene::skin_sphere(scan().data());
   }
-  const Scene* scan = nullptr;
   const scene::SkinMesh* mesh = nullptr;
   scene::BoundingSphere sphere;
 };
@@ -76,7 +77,7 @@ TEST_F(OnTheScan, CullLeavesWhatTheRuleLeaves) {
   const std::size_t expected =
       count_texels(*mesh, [&](std::size_t t, const glm::dvec3&) { return !culled(*mesh, t, eye); });
   const std::size_t all = count_texels(*mesh, [](std::size_t, const glm::dvec3&) { return true; });
-  const Statistics st = renderer().render(*scan, s).statistics;
+  const Statistics st = renderer().render(scan(), s).statistics;
   EXPECT_NEAR(static_cast<double>(st.irradiance_texels), static_cast<double>(expected),
               0.001 * static_cast<double>(expected));
   EXPECT_LT(static_cast<double>(expected), 0.8 * static_cast<double>(all));
@@ -106,7 +107,7 @@ TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
 
     const std::size_t expected = count_texels(*mesh, inside),
                       all = count_texels(*mesh, [](auto, auto) { return true; });
-    const Statistics st = renderer().render(*scan, s).statistics;
+    const Statistics st = renderer().render(scan(), s).statistics;
     EXPECT_NEAR(static_cast<double>(st.irradiance_texels), static_cast<double>(expected),
                 0.001 * static_cast<double>(expected));
     EXPECT_LT(static_cast<double>(expected), 0.8 * static_cast<double>(all));
@@ -120,7 +121,7 @@ TEST_F(OnTheScan, DepthTakesTheMapThatTheNearestPointNeeds) {
     high = max(high, glm::dvec3(mesh->vertices[i].position_m));
   }
 
-  PreparedFrame frame = renderer().prepare(*scan, settings_with(false, true, false));
+  PreparedFrame frame = renderer().prepare(scan(), settings_with(false, true, false));
   for (const double distance : {2.5, 5.0, 10.0, 20.0, 50.0, 100.0}) {
     RenderSettings s = settings_with(false, true, false);
     s.camera.distance = distance;
@@ -150,9 +151,10 @@ TEST_F(OnTheScan, AllMasksMakeTheSamePicture) {
   std::vector<Picture> pictures;
   for (const BlurMask mask : {BlurMask::alpha, BlurMask::depth, BlurMask::tiles}) {
     s.quality.mask = mask;
-    pictures.push_back(renderer().render(*scan, s));
+    pictures.push_back(renderer().render(scan(), s));
     EXPECT_EQ(pictures.back().statistics.mask, name_of(mask));
-    EXPECT_EQ(pictures.back().linear_rgba, pictures.front().linear_rgba) << name_of(mask);
+    SCOPED_TRACE(name_of(mask));
+    expect_equal_bits(pictures.front(), pictures.back());
     EXPECT_EQ(pictures.back().statistics.irradiance_texels, pictures.front().statistics.irradiance_texels);
   }
   // What is not seen is not even launched, but for the alpha test.

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "gpu/techniques/support.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/scenes.h"
+#include "gpu/support/settings.h"
 
 namespace dermis::tests {
 namespace {
@@ -14,8 +16,7 @@ Statistics statistics_of(const std::string& technique, int map_size = 256, int h
   s.quality.map_size = map_size;
   s.camera.heads = heads;
   s.output.frames = frames;
-  s.quality.cull = s.quality.depth = s.quality.clip = false;
-  return renderer().render(sphere(0.1), s).statistics;
+  return renderer().render(sphere(0.1), unoptimised(s)).statistics;
 }
 
 TEST(FrameStatistics, PassesAddUpToTheFrame) {

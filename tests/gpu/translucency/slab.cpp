@@ -1,53 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/translucency/slab.h"
+#include "gpu/support/scenes.h"
+#include "gpu/support/settings.h"
 
 #include <cmath>
 
 #include "gaussians/known.h"
-#include "scene/primitives.h"
 
 namespace dermis::tests {
 
-Renderer& renderer() {
-  static Renderer shared;
-  return shared;
-}
-
-Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
-
 scene::Scene slab(double thickness_mm) {
-  constexpr double side_m = 0.04;
-  scene::Scene made = scene::plane(side_m, glm::dmat2(0.46, 0, 0, 0.46), {0.02, 0.02}, 4);
-  scene::Primitive back =
-      scene::plane(side_m, glm::dmat2(0.46, 0, 0, 0.46), {0.52, 0.52}, 4).primitives.front();
-
-  scene::Primitive& both = made.primitives.front();
-  const auto base = static_cast<std::uint32_t>(both.vertices.size());
-  for (scene::Vertex v : back.vertices) {
+  scene::Scene made = two_planes(0.04, 4, [&](scene::Vertex& v) {
     // Half a turn around y.
     v.position_m = {-v.position_m.x, v.position_m.y, -static_cast<float>(thickness_mm / 1000)};
     v.normal = {-v.normal.x, v.normal.y, -v.normal.z};
     v.tangent = {-v.tangent.x, v.tangent.y, -v.tangent.z, v.tangent.w};
-    both.vertices.push_back(v);
-  }
-  for (const std::uint32_t i : back.indices) both.indices.push_back(base + i);
-  made.name = both.name = "slab";
-
-  scene::Camera camera;
-  camera.name = "front";
-  camera.world_from_camera[3] = glm::vec4(0, 0, 0.1f, 1);
-  camera.orthographic = true;
-  camera.ymag_m = 0.001f;
-  made.cameras = {camera};
+  });
+  made.name = made.primitives.front().name = "slab";
+  made.cameras = {camera_from_above(0.001, {0, 0, 0.1f})};
   return made;
 }
 
 scene::Light from_behind(const glm::vec3& irradiance, double angle_deg) {
   const double a = angle_deg * M_PI / 180;
-  scene::Light light;
-  light.colour = irradiance;
-  light.direction = glm::vec3(std::sin(a), 0, std::cos(a));
-  return light;
+  return directional_light({std::sin(a), 0, std::cos(a)}, irradiance);
 }
 
 scene::Light spot_behind(const glm::vec3& intensity) {
@@ -67,10 +43,8 @@ scene::Light point_behind(const glm::vec3& intensity) {
 }
 
 RenderSettings slab_settings() {
-  RenderSettings s;
-  s.output.width = s.output.height = 8;
+  RenderSettings s = small_settings("texture-space", 8, 512);
   s.quality.samples = 1;
-  s.quality.map_size = s.quality.shadow_size = 512;
   s.lighting.ambient = 0;
   s.output.bloom = 0;
   s.lighting.specular = false;
@@ -84,14 +58,6 @@ std::array<double, 3> slab_factor(double thickness_mm) {
     for (std::size_t c = 0; c < 3; ++c)
       sum[c] += g.weight[c] * std::exp(-thickness_mm * thickness_mm / (2 * g.variance_mm2));
   return sum;
-}
-
-std::array<double, 3> middle(const Picture& picture) {
-  std::array<double, 3> mean{};
-  for (std::size_t i = 0; i < picture.linear_rgba.size(); ++i)
-    if (i % 4 != 3)
-      mean[i % 4] += double{picture.linear_rgba[i]} / static_cast<double>(picture.linear_rgba.size() / 4);
-  return mean;
 }
 
 }  // namespace dermis::tests

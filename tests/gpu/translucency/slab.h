@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "dermis/renderer.h"
+#include "dermis/settings.h"
 #include "scene/scene.h"
 
 namespace dermis::tests {
@@ -21,18 +21,11 @@ scene::Light from_behind(const glm::vec3& irradiance, double angle_deg = 0);
 scene::Light spot_behind(const glm::vec3& intensity);
 scene::Light point_behind(const glm::vec3& intensity);
 
-Scene wrap(scene::Scene data);
-
 /// White skin, nothing but the scene's lights, no reflection.
 RenderSettings slab_settings();
 
 /// What a slab shows over its lit side's radiance B: sum_i w_i exp(-d^2 / 2 v_i) of the six Gaussians of
 /// skin.
 std::array<double, 3> slab_factor(double thickness_mm);
-
-/// Mean of the pixels in the middle, linear.
-std::array<double, 3> middle(const Picture& picture);
-
-Renderer& renderer();
 
 }  // namespace dermis::tests

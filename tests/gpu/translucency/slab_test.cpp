@@ -7,6 +7,9 @@
 #include <cstdio>
 
 #include "dermis/reference.h"
+#include "gpu/support/pictures.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/scenes.h"
 #include "gpu/translucency/slab.h"
 #include "scene/primitives.h"
 
@@ -50,7 +53,7 @@ TEST(Slab, ShowsTheSumOfGaussians) {
       const Picture picture = renderer().render(lit_slab(d, l.lights), slab_settings());
       EXPECT_EQ(picture.statistics.lights, lights);
       EXPECT_EQ(picture.statistics.transmission_misses, 0u);
-      const auto seen = middle(picture), wanted = slab_factor(d);
+      const auto seen = mean_colour(picture), wanted = slab_factor(d);
       for (std::size_t c = 0; c < 3; ++c) {
         const double back = l.irradiance[static_cast<int>(c)] / pi;
         EXPECT_NEAR(seen[c], back * wanted[c], 0.02 * back * thin[c])
@@ -70,7 +73,7 @@ TEST(Slab, IsThatOfTheReference) {
       const Scene scene = lit_slab(d, l.lights);
       const RenderSettings s = slab_settings();
       const ReferencePicture truth = render_reference(scene, s, {.samples = 400});
-      const auto seen = middle(renderer().render(scene, s)), wanted = middle(truth.picture);
+      const auto seen = mean_colour(renderer().render(scene, s)), wanted = mean_colour(truth.picture);
 
       for (std::size_t c = 0; c < 3; ++c) {
         // Yields the standard error of the picture's mean.
@@ -93,7 +96,7 @@ TEST(Slab, AtAnAngleItIsTheThicknessThatCounts) {
   for (const double angle : {30.0, 60.0})
     for (const double d : {0.5, 1.0, 2.0}) {
       const auto seen =
-          middle(renderer().render(lit_slab(d, {from_behind({2, 2, 2}, angle)}), slab_settings()));
+          mean_colour(renderer().render(lit_slab(d, {from_behind({2, 2, 2}, angle)}), slab_settings()));
       const auto wanted = slab_factor(d);
       const double back = 2 * std::cos(angle * pi / 180) / pi;
       for (std::size_t c = 0; c < 3; ++c)
@@ -106,10 +109,10 @@ TEST(Slab, LightsAddUp) {
   const std::vector<scene::Light> lights = lit(4, 1).lights;
   std::array<double, 3> sum{};
   for (const scene::Light& light : lights) {
-    const auto one = middle(renderer().render(lit_slab(1, {light}), slab_settings()));
+    const auto one = mean_colour(renderer().render(lit_slab(1, {light}), slab_settings()));
     for (std::size_t c = 0; c < 3; ++c) sum[c] += one[c];
   }
-  const auto all = middle(renderer().render(lit_slab(1, lights), slab_settings()));
+  const auto all = mean_colour(renderer().render(lit_slab(1, lights), slab_settings()));
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(all[c] / sum[c], 1, 0.002);
 }
 
@@ -118,13 +121,13 @@ TEST(Slab, SwitchedOffItIsDark) {
   s.skin.translucency = false;
   const Picture off = renderer().render(lit_slab(0.5, lit(4, 0.5).lights), s);
   EXPECT_FALSE(off.statistics.translucency);
-  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(middle(off)[c], 0);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(mean_colour(off)[c], 0);
   s.skin.translucency = true;
   EXPECT_TRUE(renderer().render(lit_slab(0.5, lit(1, 0.5).lights), s).statistics.translucency);
   s.technique = "lambert";
   const Picture lambert = renderer().render(lit_slab(0.5, lit(1, 0.5).lights), s);
   EXPECT_FALSE(lambert.statistics.translucency);
-  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(middle(lambert)[c], 0);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(mean_colour(lambert)[c], 0);
 }
 
 // Only skin lets light in, and what it keeps depends on its colour there, not here.
@@ -138,7 +141,7 @@ TEST(Slab, WhatCoversItKeepsTheLightOut) {
   scene.primitives.push_back(cover);
   const Picture covered = renderer().render(wrap(std::move(scene)), slab_settings());
   EXPECT_EQ(covered.statistics.transmission_misses, 0u);
-  for (const double value : middle(covered)) EXPECT_EQ(value, 0);
+  for (const double value : mean_colour(covered)) EXPECT_EQ(value, 0);
 }
 
 TEST(Slab, TheColourOfTheLitSideActs) {
@@ -147,12 +150,12 @@ TEST(Slab, TheColourOfTheLitSideActs) {
   RenderSettings s = slab_settings();
   s.lighting.white_albedo = false;
   s.skin.mix = 1;
-  const auto white = middle(renderer().render(wrap(scene), s));
+  const auto white = mean_colour(renderer().render(wrap(scene), s));
   // The back's vertices stand behind those of the front.
   auto& vertices = scene.primitives.front().vertices;
   for (std::size_t i = vertices.size() / 2; i < vertices.size(); ++i)
     vertices[i].colour = {0.64f, 0.36f, 0.16f, 1};
-  const auto tinted = middle(renderer().render(wrap(scene), s));
+  const auto tinted = mean_colour(renderer().render(wrap(scene), s));
   const double wanted[] = {0.64, 0.36, 0.16};
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(tinted[c] / white[c], wanted[c], 0.01);
 }
@@ -183,7 +186,7 @@ TEST(Slab, AnyNumberOfTerms) {
     RenderSettings s = slab_settings();
     s.skin.profile = path.string();
     s.skin.normalise_profile = true;
-    const auto seen = middle(renderer().render(lit_slab(0.5, {from_behind({2, 2, 2})}), s));
+    const auto seen = mean_colour(renderer().render(lit_slab(0.5, {from_behind({2, 2, 2})}), s));
     EXPECT_NEAR(seen[0] * pi / 2, wanted, 0.02 * wanted) << terms << " terms";
     std::filesystem::remove(path);
   }

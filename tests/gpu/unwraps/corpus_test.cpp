@@ -10,7 +10,9 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "gpu/support/renderer.h"
 #include "gpu/unwraps/made_up.h"
+#include "support/assets.h"
 
 namespace dermis::tests {
 namespace {
@@ -19,9 +21,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> folders() {
   if (const char* folder = std::getenv("DERMIS_CORPUS")) return {folder};
-  const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const fs::path assets = cache ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
-  return {assets / "gltf-valid", assets / "gltf-malformed"};
+  return {asset_cache() / "gltf-valid", asset_cache() / "gltf-malformed"};
 }
 
 std::vector<fs::path> files() {

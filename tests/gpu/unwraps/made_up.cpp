@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/unwraps/made_up.h"
+#include "gpu/support/settings.h"
 
 #include <cmath>
 #include <limits>
@@ -26,16 +27,9 @@ glm::vec2 corner_uv(std::size_t k, float size) { return {k == 1 ? size : 0.0f, k
 
 }  // namespace
 
-Renderer& renderer() {
-  static Renderer shared;
-  return shared;
-}
-
 RenderSettings tiny_settings(int side, int map_size) {
-  RenderSettings s;
-  s.output.width = s.output.height = side;
+  RenderSettings s = small_settings("texture-space", side, 64);
   s.quality.map_size = map_size;
-  s.quality.shadow_size = 64;
   s.output.bloom = 0;
   return s;
 }
@@ -110,18 +104,6 @@ std::vector<MadeUp> made_up_unwraps() {
   without.primitives[0].has_uv = false;
   all.push_back({"none at all", without});
   return all;
-}
-
-double display_psnr_db(const Picture& a, const Picture& b) {
-  double sum = 0, values = 0;
-  for (std::size_t i = 0; i + 3 < a.display_rgba.size(); i += 4) {
-    if (a.linear_rgba[i + 3] == 0 && b.linear_rgba[i + 3] == 0) continue;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double d = double{static_cast<double>(a.display_rgba[i + c])} - b.display_rgba[i + c];
-      sum += d * d, values += 1;
-    }
-  }
-  return sum == 0 ? 100 : 10 * std::log10(255 * 255 * values / sum);
 }
 
 }  // namespace dermis::tests

@@ -7,14 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "dermis/renderer.h"
-#include "dermis/scene.h"
+#include "dermis/settings.h"
 #include "scene/scene.h"
 
 namespace dermis::tests {
-
-/// One renderer for the whole process: pipelines are made once.
-Renderer& renderer();
 
 /// A picture that is cheap on a software driver: `side` pixels square, light maps of `map_size`.
 RenderSettings tiny_settings(int side, int map_size);
@@ -34,9 +30,5 @@ struct MadeUp {
 /// A sphere of 0.1 m with coordinates that are scaled, moved, flipped, sheared, collapsed, partly without
 /// area or missing, torn apart, on top of each other, or far off.
 std::vector<MadeUp> made_up_unwraps();
-
-/// 8-bit display values of two pictures of one size, over the pixels that are skin in either: PSNR in dB, 100
-/// if they are equal.
-double display_psnr_db(const Picture& a, const Picture& b);
 
 }  // namespace dermis::tests

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "scan.h"
 
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <span>
 
 #include "core/file.h"
 #include "scene/tangents.h"
+#include "support/assets.h"
 
 namespace dermis::scene::test {
 namespace {
@@ -26,9 +26,7 @@ T value_at(std::span<const std::byte> bytes, std::size_t offset) {
 }  // namespace
 
 std::optional<Scene> load_scan() {
-  const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const std::filesystem::path root = cache != nullptr ? cache : DERMIS_SOURCE_DIR "/../shared/assets";
-  const std::filesystem::path path = root / "lee-perry-smith" / "LeePerrySmith.glb";
+  const std::filesystem::path path = tests::asset_cache() / "lee-perry-smith" / "LeePerrySmith.glb";
   if (!std::filesystem::exists(path)) return std::nullopt;
 
   const std::vector<std::byte> file = read_file(path);

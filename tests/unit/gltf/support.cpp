@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "support.h"
 
-#include <unistd.h>
-
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include "core/log.h"
 
 namespace dermis::scene::test {
 
 std::optional<fs::path> assets() {
-  const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const fs::path root =
-      cache != nullptr ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
-  std::error_code ignored;
-  if (!fs::exists(root / "gltf-valid" / "INDEX.tsv", ignored)) return std::nullopt;
-  return fs::canonical(root);
-}
-
-TempFolder::TempFolder() {
-  std::string name = (fs::temp_directory_path() / "dermis-gltf-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = name;
-}
-TempFolder::~TempFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  if (!missing_asset({asset_cache() / "gltf-valid" / "INDEX.tsv"}).empty()) return std::nullopt;
+  return fs::canonical(asset_cache());
 }
 
 namespace {
@@ -122,21 +103,6 @@ Scene Builder::load(const LoadOptions& options) const {
 std::string Builder::error(const LoadOptions& options) const {
   const TempFolder folder;
   return error_of(write(folder.path()), options);
-}
-
-void write_text(const fs::path& path, const std::string& text) {
-  // a file that is cut to zero and written again is flushed to the disk on closing, which is slow
-  fs::remove(path);
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
-}
-
-std::string read_text(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 std::string error_of(const fs::path& path, const LoadOptions& options) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the loader's tests share: the asset cache, a folder that goes away, and glTF files built in memory.
+// What the loader's tests share: glTF files built in memory, errors and warnings.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,27 +12,21 @@
 
 #include "dermis/error.h"
 #include "scene/load.h"
+#include "support/assets.h"
+#include "support/files.h"
 
 namespace dermis::scene::test {
 
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
+using tests::asset_cache;
+using tests::missing_asset;
+using tests::read_text;
+using tests::TempFolder;
+using tests::write_text;
 
 /// The shared assets ($DERMIS_ASSET_CACHE, else beside the source); none if they are not there.
 std::optional<fs::path> assets();
-
-/// A fresh folder, removed at the end.
-class TempFolder {
- public:
-  TempFolder();
-  ~TempFolder();
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// A document and its one buffer. Starts as an empty scene; `json` may be bent in any way before it is
 /// loaded.
@@ -58,8 +52,6 @@ class Builder {
   std::string bytes;
 };
 
-void write_text(const fs::path& path, const std::string& text);
-std::string read_text(const fs::path& path);
 /// "" if it loads.
 std::string error_of(const fs::path& path, const LoadOptions& options = {});
 

@@ -2,28 +2,23 @@
 // The environments that people use: read as they are shipped.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "image/codec.h"
+#include "support/assets.h"
 
 namespace dermis::image::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path environment(const std::string& name) {
-  const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const fs::path assets =
-      cache != nullptr ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
-  return assets / "environments" / name;
-}
+fs::path environment(const std::string& name) { return tests::asset_cache() / "environments" / name; }
 
 class Environments : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::exists(environment("studio_small_09_1k.hdr")))
-      GTEST_SKIP() << "no environments in the asset cache (DERMIS_ASSET_CACHE)";
+    const std::string missing = tests::missing_asset({environment("studio_small_09_1k.hdr")});
+    if (!missing.empty()) GTEST_SKIP() << missing;
   }
 };
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 
@@ -10,6 +9,7 @@
 #include "image/codec.h"
 #include "image/compare_flip.h"
 #include "pictures.h"
+#include "support/assets.h"
 
 namespace dermis::image {
 namespace {
@@ -18,10 +18,7 @@ namespace fs = std::filesystem;
 
 /// The pictures and values of the authors' implementation; empty if they are not at hand.
 fs::path truth() {
-  const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const fs::path assets =
-      cache != nullptr ? fs::path(cache) : fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
-  const fs::path folder = assets / ".." / "truth" / "flip";
+  const fs::path folder = tests::asset_cache() / ".." / "truth" / "flip";
   return fs::exists(folder) ? folder : fs::path();
 }
 

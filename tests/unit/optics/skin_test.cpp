@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -15,6 +13,7 @@
 #include "optics/skin.h"
 #include "profile/monte_carlo.h"
 #include "profile/slab.h"
+#include "support/assets.h"
 
 namespace dermis {
 namespace {
@@ -205,11 +204,7 @@ TEST(Observer, WhiteGreyAndLab) {
 
 /// Rows of a CSV file beside the source tree, or none.
 std::vector<std::vector<double>> csv_rows(const std::string& name) {
-  const char* cache = std::getenv("DERMIS_ASSET_CACHE");
-  const std::filesystem::path shared = cache != nullptr
-                                           ? std::filesystem::path(cache).parent_path()
-                                           : std::filesystem::path(DERMIS_SOURCE_DIR) / ".." / "shared";
-  std::ifstream in(shared / "facts" / name);
+  std::ifstream in(tests::asset_cache() / ".." / "facts" / name);
   std::vector<std::vector<double>> rows;
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line[0] == '#' || line[0] == 'w') continue;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// One renderer for a program of tests. Where there is no device, all tests of a program that uses it are
+// skipped; a device that lacks something is a failure, or it would turn every test off unseen.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "dermis/renderer.h"
+
+namespace dermis::tests {
+
+/// The renderer of the whole process: pipelines are made once. The validation layer watches it where it is
+/// installed: a test in which it says something fails.
+Renderer& renderer();
+
+/// Does the validation layer watch renderer()?
+bool is_validated();
+
+}  // namespace dermis::tests

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/support/scenes.h"
+
+#include <memory>
+#include <utility>
+
+#include "scene/primitives.h"
+
+namespace dermis::tests {
+
+Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
+
+Scene sphere(double radius_m) { return wrap(scene::sphere(radius_m)); }
+
+Scene sheared_plane() { return wrap(scene::plane(0.1, glm::dmat2(0.5, 0, 0.5, 0.5), {}, 8)); }
+
+Scene sphere_lit_from_the_camera(double radius_m) {
+  scene::Scene data = scene::sphere(radius_m);
+  data.lights = {directional_light({0, 0, -1}, glm::vec3(3))};
+  return wrap(std::move(data));
+}
+
+scene::Camera camera_from_above(double half_height_m, const glm::vec3& position_m) {
+  scene::Camera camera;
+  camera.name = "above";
+  camera.world_from_camera[3] = glm::vec4(position_m, 1);
+  camera.orthographic = true;
+  camera.ymag_m = static_cast<float>(half_height_m);
+  return camera;
+}
+
+scene::Light directional_light(const glm::vec3& direction, const glm::vec3& irradiance) {
+  scene::Light light;
+  light.colour = irradiance;
+  light.direction = glm::normalize(direction);
+  return light;
+}
+
+scene::Scene two_planes(double side_m, int cells, const std::function<void(scene::Vertex&)>& place) {
+  const auto chart = [&](double from) {
+    return scene::plane(side_m, glm::dmat2(0.46), glm::dvec2(from), cells);
+  };
+  scene::Scene made = chart(0.02);
+  const scene::Primitive second = chart(0.52).primitives.front();
+
+  scene::Primitive& both = made.primitives.front();
+  const auto base = static_cast<std::uint32_t>(both.vertices.size());
+  for (scene::Vertex v : second.vertices) {
+    place(v);
+    both.vertices.push_back(v);
+  }
+  for (const std::uint32_t i : second.indices) both.indices.push_back(base + i);
+  return made;
+}
+
+}  // namespace dermis::tests

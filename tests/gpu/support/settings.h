@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Settings that many tests begin with.
+#pragma once
+
+#include <string>
+
+#include "dermis/settings.h"
+
+namespace dermis::tests {
+
+/// A square picture that is cheap on a software driver; `map_side` texels of a side of light and shadow maps.
+RenderSettings small_settings(const std::string& technique = "texture-space", int side = 128,
+                              int map_side = 256);
+
+/// White light from everywhere and white skin: what is skin must be 1.
+RenderSettings in_a_furnace(RenderSettings settings);
+
+/// small_settings() in a furnace.
+RenderSettings furnace_settings(const std::string& technique, bool specular);
+
+/// Nothing is left out because it is not seen.
+RenderSettings unoptimised(RenderSettings settings);
+
+/// One sample per pixel of a picture so many times as wide and high; downsampled() takes it back.
+RenderSettings super_sampled(RenderSettings settings, int times);
+
+}  // namespace dermis::tests
