@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/glm.hpp>
 
 #include "scene/load.h"
 #include "scene/scene.h"
+#include "support/assets.h"
 
 namespace dermis::scene {
 namespace {
@@ -17,14 +17,10 @@ namespace {
 class Scan : public ::testing::Test {
  protected:
   void SetUp() override {
-    const std::filesystem::path heads = std::filesystem::path(DERMIS_SOURCE_DIR) / "assets/heads";
-    for (const char* name :
-         {"LeePerrySmith.glb", "Map-COL.jpg", "Map-SPEC.jpg", "Infinite-Level_02_Tangent_SmoothUV.jpg",
-          "Infinite-Level_02_Disp_NoSmoothUV-4096.jpg"}) {
-      if (!std::filesystem::exists(heads / name))
-        GTEST_SKIP() << "the scan's files are not beside its manifest (run: ./run fetch-assets)";
-    }
-    static const Scene loaded = load_gltf(heads / "lee-perry-smith.gltf");
+    const std::string missing = tests::missing_scan({"Map-SPEC.jpg", "Infinite-Level_02_Tangent_SmoothUV.jpg",
+                                                     "Infinite-Level_02_Disp_NoSmoothUV-4096.jpg"});
+    if (!missing.empty()) GTEST_SKIP() << missing;
+    static const Scene loaded = load_gltf(tests::scan_manifest());
     scene_ = &loaded;
     ASSERT_EQ(scene_->primitives.size(), 1u);
     ASSERT_EQ(scene_->materials.size(), 1u);

@@ -190,7 +190,7 @@ TEST_F(External, RecordsIntoTheEnginesCommandsAndSubmitsNothing) {
   Engine& engine = *engine_;
   {
     Device device(engine.external());
-    PipelineLibrary library(device, test_gpu::find_shader);
+    PipelineLibrary library(device, test_vulkan::find_shader);
     const Buffer in = make_buffer<float>(device, "in", numbers, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     const Buffer out(device, "out", {.bytes = 16, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     Timer timer(device, 1);
@@ -220,7 +220,7 @@ TEST_F(External, RecordsIntoTheEnginesCommandsAndSubmitsNothing) {
 TEST_F(External, RetiredObjectsLiveUntilCollect) {
   Engine& engine = *engine_;
   Device device(engine.external());
-  PipelineLibrary library(device, test_gpu::find_shader);
+  PipelineLibrary library(device, test_vulkan::find_shader);
   const Buffer out(device, "out", {.bytes = 16, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   Buffer in = make_buffer<float>(device, "in", numbers, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   const std::uint64_t held = device.buffer_bytes();
@@ -239,7 +239,7 @@ TEST_F(External, SharesTheProcessWithADeviceOfOurs) {
   Device theirs(engine_->external());
   Device ours(Device::Options{});
   for (Device* device : {&theirs, &ours, &theirs}) {
-    PipelineLibrary library(*device, test_gpu::find_shader);
+    PipelineLibrary library(*device, test_vulkan::find_shader);
     const Buffer in = make_buffer<float>(*device, "in", numbers, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     const Buffer out(*device, "out", {.bytes = 16, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     device->run([&](VkCommandBuffer commands) { record_fill(*device, library, commands, in, out); });

@@ -38,7 +38,7 @@ TEST_F(Pipelines, ComputeWritesWhatTheShaderSays) {
 }
 
 TEST_F(Pipelines, ReflectionFindsBindingsPushAndWorkgroup) {
-  const ShaderInterface found = reflect(test_gpu::find_shader("fill.comp"), "fill.comp");
+  const ShaderInterface found = reflect(test_vulkan::find_shader("fill.comp"), "fill.comp");
   ASSERT_EQ(found.bindings.size(), 2u);
   EXPECT_EQ(found.bindings[0].binding, 0u);
   EXPECT_EQ(found.bindings[0].kind, BindingKind::storage_buffer);
@@ -47,7 +47,7 @@ TEST_F(Pipelines, ReflectionFindsBindingsPushAndWorkgroup) {
   EXPECT_EQ(found.push_bytes, 16u);
   EXPECT_EQ(found.workgroup, (std::array<std::uint32_t, 3>{64, 1, 1}));
 
-  const ShaderInterface grid = reflect(test_gpu::find_shader("grid.comp"), "grid.comp");
+  const ShaderInterface grid = reflect(test_vulkan::find_shader("grid.comp"), "grid.comp");
   using Constant = std::pair<std::string, std::uint32_t>;
   EXPECT_EQ(grid.constants,
             (std::vector<Constant>{{"doubled", 1}, {"group_x", 4}, {"offset", 7}, {"unused", 9}}));
@@ -55,13 +55,13 @@ TEST_F(Pipelines, ReflectionFindsBindingsPushAndWorkgroup) {
   EXPECT_EQ(grid.workgroup_constants,
             (std::array<std::uint32_t, 3>{4, ShaderInterface::fixed, ShaderInterface::fixed}));
 
-  const ShaderInterface store = reflect(test_gpu::find_shader("store.comp"), "store.comp");
+  const ShaderInterface store = reflect(test_vulkan::find_shader("store.comp"), "store.comp");
   ASSERT_EQ(store.bindings.size(), 2u);
   EXPECT_EQ(store.bindings[0].kind, BindingKind::storage_image);
   EXPECT_EQ(store.bindings[1].kind, BindingKind::uniform_buffer);
-  EXPECT_EQ(reflect(test_gpu::find_shader("shadow.comp"), "shadow.comp").bindings[0].kind,
+  EXPECT_EQ(reflect(test_vulkan::find_shader("shadow.comp"), "shadow.comp").bindings[0].kind,
             BindingKind::sampled_image);
-  EXPECT_EQ(reflect(test_gpu::find_shader("shadow.comp"), "shadow.comp").push_bytes, 12u);
+  EXPECT_EQ(reflect(test_vulkan::find_shader("shadow.comp"), "shadow.comp").push_bytes, 12u);
 }
 
 TEST_F(Pipelines, ConstantsByNameSetWorkgroupBoolAndFloat) {
@@ -163,7 +163,7 @@ class PipelineCache : public GpuTest {
     GpuTest::TearDown();
   }
   void build_and_save() {
-    PipelineLibrary cached(device(), test_gpu::find_shader, file_);
+    PipelineLibrary cached(device(), test_vulkan::find_shader, file_);
     cached.compute("grid.comp");
     cached.save_cache();
   }

@@ -18,7 +18,7 @@
 #include "gpu/pipelines.h"
 #include "gpu/resources.h"
 
-namespace dermis::test_gpu {
+namespace dermis::test_vulkan {
 std::span<const std::uint32_t> find_shader(std::string_view name);
 }
 
@@ -40,7 +40,7 @@ class GpuTest : public testing::Test {
       if (!std::string_view(error.what()).starts_with("validation needs")) throw;
       device_ = std::make_unique<Device>(Device::Options{});
     }
-    library_ = std::make_unique<PipelineLibrary>(*device_, test_gpu::find_shader);
+    library_ = std::make_unique<PipelineLibrary>(*device_, test_vulkan::find_shader);
   }
 
   void TearDown() override {
