@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See bloom.h.
+// One step of bloom, see bloom.h; io.mode says which.
 #version 460
 #include "shared/types.h"
 #include "shaders/half.glsl"
@@ -11,12 +11,14 @@ layout(binding = 1) uniform sampler2D narrow;
 layout(binding = 2) uniform sampler2D wide;
 layout(binding = 3, rgba16f) uniform writeonly image2D target;
 
+// Returns the mean of the four pixels that p covers in the picture of twice the size.
 vec4 halved(ivec2 p, ivec2 last) {
   vec4 sum = vec4(0.0);
   for (int k = 0; k < 4; ++k) sum += texelFetch(picture, min(2 * p + ivec2(k & 1, k >> 1), last), 0);
   return sum * 0.25;
 }
 
+// Returns the Gaussian mean along one axis, cut off at three sigma and divided by its total.
 vec4 blurred(ivec2 p, ivec2 axis, ivec2 last) {
   const int reach = int(ceil(3.0 * io.sigma));
   vec4 sum = texelFetch(picture, p, 0);
@@ -34,6 +36,7 @@ void main() {
   const ivec2 p = ivec2(gl_GlobalInvocationID.xy);
   const ivec2 size = imageSize(target);
   if (any(greaterThanEqual(p, size))) return;
+
   const ivec2 last = textureSize(picture, 0) - 1;
   vec4 result;
   if (io.mode == 0u) {
@@ -47,5 +50,6 @@ void main() {
   } else {
     result = blurred(p, io.mode == 1u ? ivec2(1, 0) : ivec2(0, 1), last);
   }
+
   imageStore(target, p, vec4(storable(result.rgb), round_to_half(clamp(result.a, 0.0, 1.0))));
 }

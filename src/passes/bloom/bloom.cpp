@@ -11,8 +11,8 @@
 namespace dermis::passes {
 namespace {
 
-// [DLE07]: weights and variances of the two Gaussians for d = 1; as a filter of unit weight they are divided
-// by their sum.
+// [DLE07]: weights and variances of the two Gaussians for d = 1. For a filter of unit weight, divide the
+// weights by their sum.
 constexpr float narrow_weight = 0.0174f, wide_weight = 0.192f, narrow_variance = 0.008f,
                 wide_variance = 0.0576f;
 
@@ -54,14 +54,16 @@ void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
 
 frame::TextureId add_bloom(FramePlan& plan, frame::TextureId picture, float amount) {
   using Mode = BloomStep::Mode;
-  // half-size pixels
-  const float d = static_cast<float>(plan.textures()[picture.index].desc.height) / 12 / 2;
+  // The filter's radius d, in pixels of the half-size picture.
+  const float radius_pixels = static_cast<float>(plan.textures()[picture.index].desc.height) / 12 / 2;
 
+  // Downsample once.
   const frame::TextureId half =
       plan.add<BloomStep>("bloom halve", {picture, {}, {}}, {.mode = Mode::halve}).picture;
 
+  // Blur twice, each along x and y. A Gaussian of 0.3 pixels is its middle sample to 1 %; 0 divides by 0.
   const auto blurred = [&](const char* name, float variance) {
-    const float sigma = std::max(std::sqrt(variance) * d, 0.3f);
+    const float sigma = std::max(std::sqrt(variance) * radius_pixels, 0.3f);
     const auto x = plan.add<BloomStep>(std::string(name) + " x", {half, {}, {}},
                                        {.mode = Mode::along_x, .sigma = sigma});
     return plan
@@ -72,6 +74,8 @@ frame::TextureId add_bloom(FramePlan& plan, frame::TextureId picture, float amou
 
   const frame::TextureId narrow = blurred("bloom narrow", narrow_variance);
   const frame::TextureId wide = blurred("bloom wide", wide_variance);
+
+  // Mix with the sharp picture.
   return plan
       .add<BloomStep>("bloom combine", {picture, narrow, wide}, {.mode = Mode::combine, .amount = amount})
       .picture;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Light spread by the optics of a camera and an eye: part of the picture is replaced by itself filtered with
-/// (1 - r/d)^4. Based on: [DLE07] GPU Gems 3, ch. 14.3.4: for d = 1, 0.0174 G(0.008) + 0.192 G(0.0576); total
-/// 0.2094. Blurred at half size.
+/// Spreads light as the optics of cameras and eyes do: mixes the picture with itself, filtered with
+/// (1 - r/d)^4. The filter is two Gaussians, which blur a picture of half the size.
+/// Based on: [DLE07] GPU Gems 3, ch. 14.3.4: for d = 1, 0.0174 G(0.008) + 0.192 G(0.0576), total 0.2094
 #pragma once
 
 #include "frame/graph.h"
@@ -33,7 +33,8 @@ class BloomStep : public ComputePass {
   frame::TextureId target_;
 };
 
-/// amount 0..1 of the picture's light; the filter's radius d is a twelfth of the picture's height.
+/// Adds bloom to `picture` and returns the result, of the same size. Spreads `amount`, 0..1, of the light;
+/// the filter's radius d is a twelfth of the picture's height.
 frame::TextureId add_bloom(FramePlan& plan, frame::TextureId picture, float amount);
 
 }  // namespace dermis::passes

@@ -13,6 +13,7 @@ namespace {
 using passes::Gutters;
 using passes::MapSquare;
 
+// The chain of blurs of one skin mesh: knows in which map the light is that the next step blurs.
 class Convolution {
  public:
   Convolution(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps, std::uint32_t mesh,
@@ -33,6 +34,7 @@ class Convolution {
     bool term_ended = false;
 
     for (const passes::BlurStep& step : passes::blur_steps(part.profile, part.max_texels_per_mm)) {
+      // A group of terms begins: its transmitted light joins before its first step.
       for (std::size_t g = 1; term_ended && settings_->translucency && g < groups.size(); ++g)
         if (groups[g] == term) add_transmitted(g);
 
@@ -43,12 +45,14 @@ class Convolution {
   }
 
  private:
-  // A step between two terms is overwritten by the step that ends the next term: its map serves both.
+  // Blurs along both axes into the map of the term, then refreshes the gutters. A step that does not end the
+  // term is written there, too: the one that ends it overwrites it.
   void add_step(const passes::BlurStep& step, std::size_t term) {
     passes::Blur::Settings blur{.squares = squares_,
                                 .variance_mm2 = step.variance_mm2,
                                 .texel_averaged = step_ == 0,
                                 .mask = mask_of(*settings_)};
+    // The light is smooth enough by now for smaller maps.
     if (maps_->halvings()[term] != level_->halvings) {
       blur.halvings_before = level_->halvings;
       go_on_in_smaller_maps(maps_->level_of(term));
@@ -74,8 +78,8 @@ class Convolution {
     light_ = level.light;
   }
 
-  // Light that the terms from here on bring through the body joins what the terms before have spread:
-  // passes/transmission.h.
+  // Adds the light that the terms from here on bring through the body to what the terms before have spread;
+  // see passes/transmission.h.
   void add_transmitted(std::size_t group) {
     frame::TextureId through = maps_->transmitted()[group - 1];
     if (level_->halvings > 0) {
@@ -99,8 +103,8 @@ class Convolution {
   LightMaps* maps_;
   std::uint32_t mesh_;
   std::vector<MapSquare> full_size_, squares_;  // squares_: on level_
-  const Level* level_;                          // where the light is that the next step blurs
-  frame::TextureId light_;
+  const Level* level_;                          // the maps in which the next step blurs
+  frame::TextureId light_;                      // what it blurs
   std::size_t step_ = 0;
 };
 

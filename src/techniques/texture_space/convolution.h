@@ -8,8 +8,10 @@
 
 namespace dermis::techniques {
 
+/// Adds the blurs of one skin mesh. `squares`: those of `mesh`, on maps of T_max.
+///
 /// Gaussians compose: blurring a blurred map adds variances, so each term starts from the one before, narrow
-/// to wide. Seams are refreshed after each step. `squares`: of `mesh`, on maps of T_max.
+/// to wide. Gutters at seams are refreshed after each step.
 void add_convolution(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps,
                      std::uint32_t mesh, const std::vector<passes::MapSquare>& squares);
 

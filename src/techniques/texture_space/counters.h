@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a frame in texture space counts on the device: slots of FrameOutputs::counters.
+/// Slots of FrameOutputs::counters: what a frame in texture space counts on the device.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace dermis::techniques {
 enum Counter : std::uint32_t {
   counter_unshaded_reads = screen_counters,
   counter_transmission_misses,
-  counter_meshes  ///< then three for each skin mesh and each size of its maps
+  counter_meshes  ///< the first of MeshCounter, which stand here for each skin mesh and each size of its maps
 };
 
 enum MeshCounter : std::uint32_t {

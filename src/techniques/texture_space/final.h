@@ -6,8 +6,8 @@
 
 namespace dermis::techniques {
 
-/// The sum of the blurred maps times the albedo, plus what the surface reflects, on the screen; and counts
-/// the texels that are read without having been lit.
+/// Draws one skin mesh of one head: the weighted sum of the blurred maps times the albedo, plus what the
+/// surface reflects. Then counts the texels that this reads though they were never lit.
 void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
                const passes::MapSquare& square);
 

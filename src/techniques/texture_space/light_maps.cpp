@@ -66,6 +66,7 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
       screen_(&screen),
       pool_(settings),
       halvings_(halvings_of_terms(settings)) {
+  // A level per size, a blurred map per term.
   for (std::size_t k = 0; k < halvings_.size(); ++k) {
     if (levels_.empty() || levels_.back().halvings != halvings_[k])
       levels_.push_back(make_level(halvings_[k]));
@@ -73,11 +74,12 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     levels_.back().blurred.push_back(blurred_.back());
   }
 
+  // The first group of transmitted light joins in the irradiance map itself; each further one has a map.
   if (settings.translucency)
     for (std::size_t g = 1; g < passes::transmission_groups(halvings_.size()).size(); ++g)
       transmitted_.push_back(plan.texture(fmt::format("joining {}", g), pool_.texture(0)));
 
-  // Where the skin meshes of a head take turns, their stretch maps do too, and last no longer than those.
+  // A stretch map lasts from frame to frame, unless the skin meshes of a head take turns with it.
   const gpu::TextureDesc map{
       .width = settings.map_size, .height = settings.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   const auto lifetime = pool_.splits_heads() ? frame::Lifetime::transient : frame::Lifetime::persistent;
@@ -143,6 +145,7 @@ void LightMaps::add_stretch(std::uint32_t mesh) {
 }
 
 void LightMaps::add_light(const std::vector<MapSquare>& all) {
+  // Light every texel that is seen, and gather what comes through the body.
   const Level& level = levels_.front();
   const std::vector<SkinPart>& skin = settings_->skin;
   passes::Irradiance::Settings irradiance{
@@ -159,6 +162,8 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
 
   plan_->add<passes::Irradiance>(
       name("irradiance"), {level.light, screen_->shadow(), screen_->entering(), transmitted_}, irradiance);
+
+  // Count for the statistics.
   if (settings_->translucency)
     plan_->add<passes::TransmissionMisses>(name("count transmission misses"),
                                            {screen_->shadow(), screen_->entering(), screen_->counters()},
@@ -168,6 +173,7 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
     plan_->add<passes::Count>(
         name("count texels", mesh), {level.light, screen_->counters()},
         {.slot = mesh_counter(mesh, 0, counter_lit_texels), .squares = of_mesh(all, mesh)});
+
   add_masks(level, all);
 }
 
@@ -192,6 +198,7 @@ void LightMaps::add_masks(const Level& level, const std::vector<MapSquare>& all)
   if (mask == Mask::tiles) add_tiles(level, all);
 }
 
+// Extends the light to unlit texels beside lit ones, so that bilinear reads find light on all sides.
 void LightMaps::add_dilation(const Level& level, const std::vector<MapSquare>& all) {
   plan_->add<passes::ClearTiles>(name(at("clear border tiles", level)), {level.border});
   plan_->add<passes::TileClasses>(name(at("border tile classes", level)), {level.light, level.border}, {all});
@@ -210,6 +217,7 @@ void LightMaps::add_dilation(const Level& level, const std::vector<MapSquare>& a
                                  {transmitted_[g], stretch(mesh), level.border}, {of_mesh(all, mesh)});
 }
 
+// Counts the texels that convolutions do not skip.
 void LightMaps::add_masked_counts(const Level& level, const std::vector<MapSquare>& all) {
   for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
     if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
@@ -221,6 +229,7 @@ void LightMaps::add_masked_counts(const Level& level, const std::vector<MapSquar
                                  .squares = squares});
 }
 
+// Lists the tiles that hold light, and clears the others in every map that the blurs of this level write.
 void LightMaps::add_tiles(const Level& level, const std::vector<MapSquare>& all) {
   std::vector<frame::TextureId> maps = level.blurred;
   maps.push_back(level.scratch);

@@ -14,44 +14,50 @@
 
 namespace dermis::techniques {
 
-/// How often the map of each term is halved, for the profile with most terms. A term's map serves all skin
-/// meshes: it is halved as often as the mesh that needs it largest allows.
+/// Returns, per term of the longest profile, how often the map of that term is halved. All skin meshes share
+/// the maps, so a map is halved only as often as every mesh allows.
 std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings);
 
-/// What cull and clip leave unlit is skipped by convolutions.
+/// Returns whether texels stay unlit (cull, clip), so that convolutions may skip them.
 inline bool is_sparse(const FrameSettings& settings) {
   return settings.optimise.cull || settings.optimise.clip;
 }
-/// How convolutions run: as the settings say, or over the whole used square by the same kind of pass.
+/// Returns how convolutions run: as the settings say if the light is sparse, else over the whole used square
+/// by the same kind of pass.
 passes::Mask mask_of(const FrameSettings& settings);
 
-/// Light maps of one size, and what says which of their texels convolutions skip.
+/// Light maps of one size, T_max >> halvings, and what says which of their texels convolutions skip.
 struct Level {
   std::uint32_t halvings = 0;
-  frame::TextureId light;  ///< what its first convolution reads
-  frame::TextureId scratch, depth_mask;
+  frame::TextureId light;                 ///< what its first convolution reads
+  frame::TextureId scratch;               ///< between the two axes of a blur
+  frame::TextureId depth_mask;            ///< valid with Mask::depth
   std::vector<frame::TextureId> blurred;  ///< of the terms that end here
-  passes::TileLists border, lit;
+  passes::TileLists border;               ///< tiles that Dilate fills; valid if the light is sparse
+  passes::TileLists lit;                  ///< tiles to blur; valid with Mask::tiles
 };
 
+/// Return the same squares in the maps of a level.
 passes::MapSquare on_level(passes::MapSquare square, const Level& level);
 std::vector<passes::MapSquare> on_level(std::vector<passes::MapSquare> squares, const Level& level);
-/// Those of one skin mesh.
+/// Returns those of one skin mesh.
 std::vector<passes::MapSquare> of_mesh(const std::vector<passes::MapSquare>& all, std::uint32_t mesh);
 
+/// The maps of all skin meshes, and the passes up to the first blur. `all` are the squares of one batch,
+/// sorted by mesh.
 class LightMaps {
  public:
-  /// Makes the maps. Needs at least one skin mesh; plan, settings and screen outlive this.
+  /// Makes the maps. Needs at least one skin mesh; plan, settings and screen must outlive this.
   LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen);
 
-  /// The passes that follow are of the next batch of skin meshes: their names say so.
+  /// Counts batches, for the names of the passes that follow.
   void begin_batch() { ++batch_; }
 
-  /// The metric of an unwrap: [DLE07] sec. 3.4.
+  /// Stores the metric of the unwrap of a mesh. [DLE07] sec. 3.4.
   void add_stretch(std::uint32_t mesh);
   /// Lights the skin meshes of a batch and prepares their maps for blurring.
   void add_light(const std::vector<passes::MapSquare>& all);
-  /// Goes on in smaller maps with the light of one skin mesh.
+  /// Downsamples the light of one skin mesh to the maps of `level`, and prepares these for blurring.
   void add_halved(const Level& level, frame::TextureId light, const std::vector<passes::MapSquare>& from,
                   const std::vector<passes::MapSquare>& to);
 
@@ -61,14 +67,15 @@ class LightMaps {
   const std::vector<std::uint32_t>& halvings() const { return halvings_; }   ///< one per term
   const std::vector<frame::TextureId>& blurred() const { return blurred_; }  ///< one per term
   const std::vector<frame::TextureId>& transmitted() const { return transmitted_; }
-  /// Of the second (1) or third (2) group of terms, for all meshes and batches; made where it is first used.
+  /// Returns the map of transmitted light on a level, of the second (1) or third (2) group of terms. All
+  /// meshes and batches share it; made at the first call.
   frame::TextureId halved_transmitted(std::size_t group, const Level& level);
-  /// Meshes that take turns with a square take turns with its stretch map.
+  /// Returns the stretch map of a mesh. Meshes that take turns with a square take turns with this, too.
   frame::TextureId stretch(std::uint32_t mesh) const { return stretch_[mesh % pool_.meshes_per_batch()]; }
-  /// All maps of the pool.
+  /// Returns all maps of the pool.
   std::vector<frame::TextureId> textures() const;
 
-  /// "irradiance", "irradiance batch 1", "blur 0 u batch 1 part 2".
+  /// Return the name of a pass: "irradiance", "irradiance batch 1", "blur 0 u batch 1 part 2".
   std::string name(std::string_view what) const;
   std::string name(std::string_view what, std::uint32_t mesh) const;
 
@@ -92,7 +99,7 @@ class LightMaps {
   std::map<std::pair<std::size_t, std::uint32_t>, frame::TextureId> halved_transmitted_;  // group, halvings
 };
 
-/// "downsample 1/2": a pass on a level of halved maps.
+/// Returns the name of a pass on a level: "downsample 1/2", or just `what` on the level of full size.
 std::string at(std::string_view what, const Level& level);
 
 }  // namespace dermis::techniques

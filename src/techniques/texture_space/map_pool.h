@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Where the skin meshes of a batch of heads lie in the textures that they share: one square each, in rows.
-/// Heads take turns with the pool, and so do the skin meshes of a head that has more of them than it holds.
+/// Batches of heads take turns with the pool. If a single head has more skin meshes than the pool has
+/// squares, its meshes take turns, too.
 #pragma once
 
 #include <vector>
@@ -16,7 +17,7 @@ class MapPool {
 
   std::uint32_t meshes_per_batch() const;
   std::uint32_t mesh_batches() const;
-  bool splits_heads() const { return mesh_batches() > 1; }
+  bool splits_heads() const { return mesh_batches() > 1; }  ///< the meshes of a head take turns
   /// Of the pool.
   std::uint32_t squares() const { return settings_->heads_per_batch * meshes_per_batch(); }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t levels = passes::max_halvings + 1;
 
-// What runs over the square of a skin mesh in maps of one size.
+// What runs over the squares of one skin mesh in maps of one size.
 struct LevelWork {
   std::uint32_t terms = 0;         // Gaussians that end there
   std::uint32_t convolutions = 0;  // passes, both axes counted
@@ -21,6 +21,7 @@ struct LevelWork {
 };
 using Work = std::array<LevelWork, levels>;  // by halvings
 
+// Follows the steps of Convolution (convolution.cpp) and counts instead of adding passes.
 Work work_of(const SkinPart& part, const std::vector<std::uint32_t>& halvings) {
   Work work{};
   std::size_t term = 0;
@@ -35,6 +36,7 @@ Work work_of(const SkinPart& part, const std::vector<std::uint32_t>& halvings) {
   return work;
 }
 
+// The figures of a frame from its counters; docs/measuring.md says what each means.
 class Figures {
  public:
   Figures(const FrameSettings& settings, std::span<const std::uint32_t> counters,
@@ -50,8 +52,8 @@ class Figures {
     return sum;
   }
 
-  // Texels that hold light from the mesh itself, times the Gaussians that blur them; in halved maps those
-  // beside seams are among them.
+  // Texels lit by the mesh itself, times the Gaussians that blur them. In halved maps texels beside seams
+  // count too.
   std::uint64_t convolved_texels() const {
     std::uint64_t sum = 0;
     for (std::uint32_t mesh = 0; mesh < work_.size(); ++mesh)
@@ -62,8 +64,7 @@ class Figures {
     return sum;
   }
 
-  // Shader invocations of shading and convolution. Drawn or computed whole, a convolution runs over the used
-  // squares; otherwise over what its mask leaves of them.
+  // Shader invocations of shading, downsampling and convolution.
   std::uint64_t launched() const {
     std::uint64_t sum = irradiance_texels();
     for (std::uint32_t mesh = 0; mesh < work_.size(); ++mesh)
@@ -89,7 +90,8 @@ class Figures {
     return sum;
   }
 
-  // By one convolution.
+  // Shader invocations of one convolution: what its mask leaves of the used squares. Mask::alpha leaves all:
+  // its fragments end early, but they start.
   std::uint64_t convolved_at_once(std::uint32_t mesh, std::uint32_t halvings) const {
     switch (mask_of(settings_)) {
       case passes::Mask::tiles:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What a frame in texture space has computed, and the gutters that it reads: see Technique.
+/// Technique::report and Technique::gutters of texture space: what a frame has computed, and the gutters that
+/// it reads.
 #pragma once
 
 #include <span>

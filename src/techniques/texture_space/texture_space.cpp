@@ -17,7 +17,7 @@ namespace {
 
 using passes::MapSquare;
 
-// What is lit in the nearest head's first skin mesh.
+// Makes the map that shows which texels of the nearest head's first skin mesh are lit.
 frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s) {
   const gpu::TextureDesc map{
       .width = s.map_size, .height = s.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
@@ -30,7 +30,8 @@ frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s)
   return visibility;
 }
 
-// Squares of the nearest head's first skin mesh, and its unwrap.
+// Names what `show` can name: squares of the nearest head's first skin mesh (heads are drawn far to near),
+// and the metric of its unwrap.
 void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& s, const LightMaps& maps) {
   const auto light = [&](frame::TextureId map) {
     const glm::uvec2 origin = maps.pool().place(s.heads - 1, 0).origin;
@@ -54,14 +55,14 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
   if (meshes > 0) maps.emplace(plan, s, screen);
   const MapPool pool(s);
 
-  // A rigid mesh keeps its metric, unless another mesh takes its map.
+  // Stretch, once: a rigid mesh keeps its metric, unless another mesh takes its map.
   for (std::uint32_t mesh = 0; mesh < meshes && !pool.splits_heads(); ++mesh) maps->add_stretch(mesh);
 
   for (std::uint32_t first_head = 0; first_head < s.heads; first_head += s.heads_per_batch) {
     const std::uint32_t heads = std::min(s.heads_per_batch, s.heads - first_head);
     for (std::uint32_t i = 0; i < heads; ++i) screen.add_shadow(first_head + i);
 
-    // The first meshes come last, so that what `show` reads is of the first one.
+    // Light and blur. The first meshes come last, so that what `show` reads is of the first one.
     for (std::uint32_t batch = pool.mesh_batches(); batch-- > 0; maps->begin_batch()) {
       const std::uint32_t first = batch * pool.meshes_per_batch();
       const std::uint32_t end = std::min(first + pool.meshes_per_batch(), meshes);
@@ -77,6 +78,7 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
         if (pool.splits_heads()) add_final(plan, s, screen, *maps, square);
     }
 
+    // Draw the heads, skin first.
     for (std::uint32_t head = first_head; head < first_head + heads; ++head) {
       for (std::uint32_t mesh = 0; mesh < meshes && !pool.splits_heads(); ++mesh)
         add_final(plan, s, screen, *maps, {.instance = head, .mesh = mesh});
