@@ -14,8 +14,8 @@ struct Node {
   double weight = 0;
 };
 
-/// Returns the Gauss-Legendre rule Int_low^high f(x) dx = Sum_i w_i f(x_i) with `count` nodes (1 to 512), low
-/// < high, nodes rising. Exact for polynomials of degree 2 count - 1. Abramowitz and Stegun 25.4.29.
+/// Returns the Gauss-Legendre rule Int_low^high f(x) dx = Sum_i w_i f(x_i) with `count` nodes (1 to 512) in
+/// rising order; low < high. Exact for polynomials of degree 2 count - 1. Abramowitz and Stegun 25.4.29.
 std::vector<Node> gauss_legendre(int count, double low, double high);
 
 /// Returns Int_0^inf f(x) J0(x) dx by [O05]. f is smooth on x > 0 and grows at most moderately; absolute

@@ -32,8 +32,8 @@ void add_depth(std::vector<double>& rings, const std::vector<double>& edges_mm, 
 
     double sum = 0;
     if (i == 0 && layer.g < -0.5) {
-      // A backward lobe may lie here entirely. It is flat in s = turn^{-1/2}: p_HG dmu = (1 - g^2) / (4 pi
-      // |g|) ds.
+      // A backward lobe may lie here entirely. It is flat in s = turn^{-1/2}:
+      //   p_HG dmu = (1 - g^2) / (4 pi |g|) ds
       const double lowest = 1 / std::sqrt(turn_of(layer.g, low)), highest = 1 / (1 + layer.g);
       for (const optics::Node& node : rule) {
         const double s = lowest + (highest - lowest) * node.x;

@@ -13,6 +13,8 @@ namespace {
 
 using std::numbers::pi;
 
+/// Returns z (1 + s d) e^{-s d} / d^3, d = sqrt(r^2 + z^2): 4 pi times the flux through a plane at distance z
+/// from a source, as source_flux() of dipole.cpp. Odd in z: negative for a source on the other side.
 double flux(double z, double radius, double s) {
   const double distance = std::sqrt(radius * radius + z * z);
   return z * (1 + s * distance) * std::exp(-s * distance) / (distance * distance * distance);
@@ -81,6 +83,8 @@ Spectra Multipole::spectra(double k_per_mm) const {
     return {.reflect_above = reflect, .beam = {.reflect = reflect}};
   }
   if (!thin_) return closed_sums(k_per_mm, thickness_mm_);
+
+  // Lengths in mean free paths from here on.
   const double l = source_mm_, limit = thin_limit(above_mm_ / l, below_mm_ / l);
   const ThinSlab thin({reduced_albedo_, sigma_tr_per_mm_ * l}, above_mm_ / l, below_mm_ / l);
   return thin.spectra(k_per_mm * l, thickness_mm_ / l, closed_sums(k_per_mm, limit * l));
@@ -89,6 +93,8 @@ Spectra Multipole::spectra(double k_per_mm) const {
 double Multipole::image_sum(double radius_mm, bool transmitted) const {
   const double period = 2 * (thickness_mm_ + above_mm_ + below_mm_);
   double sum = 0;
+
+  // Dipole i: a real source at depth P i + l, its image at P i - l - 2 z_b0. [DJ05] sec. 3
   const auto dipole = [&](int i) {
     const double real = period * i + source_mm_, image = period * i - source_mm_ - 2 * above_mm_;
     const double depth = transmitted ? thickness_mm_ : 0, sign = transmitted ? -1 : 1;
@@ -97,6 +103,8 @@ double Multipole::image_sum(double radius_mm, bool transmitted) const {
   };
   sum = dipole(0);
   if (!std::isfinite(thickness_mm_)) return transmitted ? 0 : reduced_albedo_ / (4 * pi) * sum;
+
+  // Add pairs outwards until they no longer count.
   for (int i = 1; i < 2000; ++i) {
     const double pair = dipole(i) + dipole(-i);
     sum += pair;

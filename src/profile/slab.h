@@ -12,9 +12,9 @@
 
 namespace dermis::profile {
 
-/// Reflectance and transmittance of a layer or a stack at one spatial frequency; dimensionless, 0..1 at k =
-/// 0. Diffuse light and a beam are kept apart: an unscattered beam leaves through the far boundary, where
-/// diffuse light is mostly reflected back.
+/// Reflectance and transmittance of a layer or a stack at one spatial frequency k; dimensionless, 0..1 where
+/// k is 0. Diffuse light and a beam are kept apart: an unscattered beam leaves through the far boundary,
+/// where diffuse light is mostly reflected back.
 struct Spectra {
   double reflect_above = 0;   ///< R+, diffuse light from above
   double transmit_above = 0;  ///< T+, from above to below
@@ -30,14 +30,17 @@ struct Spectra {
 struct TwoFlux {
   double reflect, transmit;
 };
-/// Returns R^ and T^ of a slab over alpha', for light that enters at the side of z_b0; d > l, lengths and
-/// 1/kappa in one unit.
+/// Returns R^ / alpha' and T^ / alpha' of a slab of thickness d with its source at depth l < d. z_b0 and z_bd
+/// are the extrapolation lengths where light enters and on the far side; kappa = sqrt(sigma_tr^2 + k^2).
+/// Lengths and 1/kappa in one unit.
 TwoFlux multipole_sums(double kappa, double l, double d, double z_b0, double z_bd);
 
 /// One layer between two media of index eta_above and eta_below: the multipole of [DJ05] sec. 3, summed in
-/// closed form. Departure: diffusion fails for layers of about one mean free path and less. Under
-/// thin_limit() of them R and T come from profile/thin_slab.h instead: as the thickness goes to 0 so does the
-/// effect of the layer, energy is kept, and two half-slabs added reproduce the full slab within 0.04 (indices
+/// closed form.
+///
+/// Departs from [DJ05]: diffusion fails for layers of about one mean free path and less, so below
+/// thin_limit() mean free paths R and T come from profile/thin_slab.h. There the effect of a layer goes to 0
+/// with its thickness, energy is kept, and two half-slabs added reproduce the full slab within 0.04 (indices
 /// up to 1.6; measured in docs/theory.md).
 class Multipole {
  public:
@@ -94,8 +97,8 @@ class SlabProfile final : public RadialProfile {
   Side side_;
 };
 
-/// The light of a beam that leaves a stack: slabs added per frequency from the bottom, see add(), [DJ05] sec.
-/// 4. An index step between layers enters through A only.
+/// The light of a beam that leaves a stack: slabs added per frequency from the bottom, see add(). [DJ05]
+/// sec. 4. An index step between layers enters through A only.
 class LayeredProfile final : public RadialProfile {
  public:
   using Side = SlabProfile::Side;

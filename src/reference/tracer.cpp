@@ -40,8 +40,7 @@ glm::dvec3 Tracer::from_the_medium(const rays::SurfacePoint& s, const glm::dvec3
   walks_.fetch_add(1, std::memory_order_relaxed);
   if (end.how == WalkEnd::How::lost) lost_.fetch_add(1, std::memory_order_relaxed);
   if (end.how != WalkEnd::How::left) return glm::dvec3(0);
-  // Light enters as through a rough surface, spread over all directions, so its radiance along the walk is E
-  // / pi.
+  // Light enters as through a rough surface, spread over all directions: along the walk its radiance is E/pi.
   return end.weight / medium_total_ *
          shading_.light_in_skin(rays::surface_point(rays_.scene(), end.hit), random);
 }

@@ -21,8 +21,8 @@ struct BorderEdge {
   glm::dvec2 outwards{0};  ///< unit, away from the triangle
 };
 
-/// Returns the half edges across which the unwrap does not continue, of triangles with area on the map; side
-/// = texels.
+/// Returns the half edges across which the unwrap does not continue, of triangles with area on a map of
+/// `side` x `side` texels.
 std::vector<BorderEdge> border_edges(const SkinMesh& mesh, const Topology& topology, int side);
 
 /// Returns where on the edge the point nearest to `p` lies: 0 start, 1 end.
