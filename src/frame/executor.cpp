@@ -43,7 +43,7 @@ const GraphExecutor::Barriers& GraphExecutor::barriers_of(const FrameKind& kind)
 
 void GraphExecutor::record_barriers(gpu::Cmd& cmd, const std::vector<Barrier>& barriers) {
   std::vector<VkImageMemoryBarrier2> images;
-  // on one queue a barrier of a buffer says no more than one of all memory
+  // On one queue a barrier of a buffer has the same effect as one of all memory.
   std::vector<VkMemoryBarrier2> buffers;
   for (const Barrier& b : barriers)
     if (b.is_texture)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A frame as data: which pass reads and writes what, in call order. Declaring does no GPU work and needs no
-// device; a graph can be printed and its barriers tested anywhere. frame/plan.h adds how its passes record.
+// A frame as data: what each pass reads and writes, in call order. Declaring does no GPU work and needs no
+// device, so a graph can be printed and its barriers tested anywhere. frame/plan.h adds how passes record.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ struct Id {
 using TextureId = Id<gpu::Texture>;
 using BufferId = Id<gpu::Buffer>;
 
-/// How a pass touches a resource. Each stands for one set of stages, access flags and (for textures) one
-/// layout: see row_of().
+/// How a pass uses a resource. Each access has one set of stages, access flags and (for textures) one layout:
+/// see row_of().
 enum class Access : std::uint8_t {
   sampled,        ///< texture read through a sampler
   storage_read,   ///< storage buffer or image, read only
@@ -37,7 +37,7 @@ enum class Access : std::uint8_t {
   indirect_arguments,  ///< buffer
 };
 
-/// What Vulkan calls an access, and what a printed plan does.
+/// An access in the terms of Vulkan, and as printed.
 struct AccessRow {
   std::string_view verb;             ///< "samples"
   VkPipelineStageFlags2 stages = 0;  ///< 0: the shader stages of the pass
@@ -50,8 +50,8 @@ const AccessRow& row_of(Access access);
 inline bool writes(Access access) { return row_of(access).written != 0; }
 
 enum class PassKind : std::uint8_t { compute, raster, copy };
-/// transient: contents are lost after the frame. persistent: kept from frame to frame (undefined in the
-/// first).
+/// transient: contents are lost after the frame. persistent: contents are kept between frames (undefined in
+/// the first).
 enum class Lifetime : std::uint8_t { transient, persistent };
 
 template <class Desc>
@@ -65,23 +65,23 @@ using BufferNode = Node<gpu::BufferDesc>;
 
 struct Use {
   bool is_texture = true;
-  std::uint32_t index = 0;  ///< of the texture or buffer
+  std::uint32_t index = 0;  ///< index of the texture or buffer
   Access access{};
 };
 
 /// When a pass runs.
 enum class Runs : std::uint8_t {
   every_frame,
-  once,           ///< makes what lasts as long as the memory of the frame
-  when_changed,   ///< makes what lasts until what it is made from changes
-  for_statistics  ///< counts; no picture depends on it
+  once,           ///< makes contents that last as long as the memory of the frame
+  when_changed,   ///< makes contents that last until their sources change
+  for_statistics  ///< counts; pictures do not depend on it
 };
 
-/// Which passes a frame has beside those of every frame.
+/// The passes that a frame has besides those of every frame.
 struct FrameKind {
-  bool first = false;       ///< with its memory: those that run once
-  bool changed = false;     ///< what persistent contents are made from: those that run when_changed
-  bool statistics = false;  ///< those that run for_statistics
+  bool first = false;       ///< the first with its memory: passes that run once
+  bool changed = false;     ///< sources of persistent contents have changed: passes that run when_changed
+  bool statistics = false;  ///< passes that run for_statistics
   bool has(Runs runs) const;
   auto operator<=>(const FrameKind&) const = default;
 };
@@ -96,13 +96,13 @@ struct PassNode {
 
 class FrameGraph;
 
-/// What a pass sees while it declares: it creates its outputs and states each use. The order of calls does
-/// not matter within a pass.
+/// The interface of a pass while it declares: it creates its outputs and states each use. The order of calls
+/// within a pass does not matter.
 class Declare {
  public:
   Declare(FrameGraph& graph, PassNode& pass) : graph_(&graph), pass_(&pass) {}
   void kind(PassKind kind) { pass_->kind = kind; }
-  /// Every frame unless a pass says otherwise.
+  /// Sets when the pass runs; every frame by default.
   void runs(Runs runs) { pass_->runs = runs; }
 
   TextureId create(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
@@ -134,7 +134,7 @@ class FrameGraph {
   TextureId texture(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime = Lifetime::transient);
   BufferId buffer(std::string name, const gpu::BufferDesc& desc, Lifetime lifetime = Lifetime::transient);
 
-  /// The contents are copied out after the frame (gpu::read_back with final_layout()).
+  /// Allows to copy out the contents after the frame (gpu::read_back with final_layout()).
   void read_back(TextureId id);
 
   const std::vector<TextureNode>& textures() const { return textures_; }
@@ -151,9 +151,9 @@ class FrameGraph {
   std::vector<PassNode> passes_;
 };
 
-/// One line per pass with what it reads and writes, then the resources with sizes.
+/// Returns one line per pass with what it reads and writes, then the resources with sizes.
 std::string print_text(const FrameGraph& graph);
-/// Graphviz.
+/// Returns the graph for Graphviz.
 std::string print_dot(const FrameGraph& graph);
 
 }  // namespace dermis::frame

@@ -16,7 +16,7 @@
 namespace dermis::frame {
 
 /// A graph whose passes can be recorded. Context is what changes per frame (cameras, lights, geometry); the
-/// passes define it, the frame only hands it through.
+/// passes define it, the frame only passes it on.
 template <class Context>
 class FramePlan : public FrameGraph {
  public:

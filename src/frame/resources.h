@@ -11,12 +11,12 @@
 
 namespace dermis::frame {
 
-/// What a recording pass looks its handles up in.
+/// Maps handles to resources while a pass records.
 class Resources {
  public:
   const gpu::Texture& texture(TextureId id) const { return at(textures_, id.index); }
   const gpu::Buffer& buffer(BufferId id) const { return at(buffers_, id.index); }
-  /// The texture in the layout that sampling passes see it in, read by its nearest texel or between texels.
+  /// Returns the texture in the layout of sampling passes, read at its nearest texel or between texels.
   gpu::SampledBinding nearest(TextureId id) const { return {&texture(id), nearest_}; }
   gpu::SampledBinding linear(TextureId id) const { return linear(texture(id)); }
   gpu::SampledBinding linear(const gpu::Texture& texture) const { return {&texture, linear_}; }

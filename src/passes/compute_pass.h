@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What passes of one compute shader have in common: declare() names the shader, and its pipeline is there
-// when the pass records.
+// Common part of passes with one compute shader: declare() names the shader, and its pipeline is ready when
+// the pass records.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class ComputePass {
   }
   const gpu::Pipeline& pipeline() const { return *pipeline_; }
 
-  /// One invocation per texel of width x height, rounded up to workgroups.
+  /// Dispatches one invocation per texel of width x height, rounded up to workgroups.
   template <class Io>
   void dispatch(gpu::Cmd& cmd, const Io& io, std::uint32_t width, std::uint32_t height) const {
     cmd.push(pipeline(), io);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The draws of a skin mesh, one per run of triangles of a material.
+// Draws a skin mesh, with one draw per run of triangles of a material.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace dermis::passes {
 
-/// Draws skin mesh `number` where pipeline_of(draw, material) is not null. The shaders get `bindings`, those
-/// of mesh and material, and what io_of(material) returns as push constants.
+/// Draws the parts of skin mesh `number` for which pipeline_of(draw, material) is not null. The shaders get
+/// `bindings`, those of mesh and material, and io_of(material) as push constants.
 template <class PipelineOf, class IoOf = std::nullptr_t>
 void draw_skin(gpu::Cmd& cmd, const GpuScene& scene, std::size_t number, const Bindings& bindings,
                const PipelineOf& pipeline_of, const IoOf& io_of = nullptr) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What changes from frame to frame, as the passes see it when they record.
+// Data that changes per frame, for passes while they record.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct MapPlace {
   std::uint32_t largest_side = 0;  ///< T_max: its sides there
 };
 
-/// One head in the frame: the scene once more, moved. Shadow maps are fitted to each.
+/// One head in the frame: the scene, moved. Each has its own shadow maps.
 struct Instance {
   glm::vec3 offset_m{0};
   gpu::Buffer lights;  ///< LightIo[]
@@ -29,10 +29,10 @@ struct Instance {
   gpu::Buffer shadow_matrices;
   std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
-  /// T: the side of the square of its light maps that is used, texels
+  /// T: the used side of the square of its light maps, texels
   std::uint32_t map_side = 0;
   std::vector<MapPlace> map_places;  ///< one per skin mesh; empty where nothing has light maps
-  bool visible = true;               ///< false: wholly outside the picture, nothing of it is drawn
+  bool visible = true;               ///< false: wholly outside the picture, not drawn
 };
 
 /// RGBA16F over the unwrap of a skin mesh, environment::SkyLight.
@@ -46,10 +46,10 @@ struct FrameData {
   glm::vec3 eye_m{0};
   /// eye_m, w = 1; for an orthographic camera the unit direction towards it, w = 0
   glm::vec4 eye{0, 0, 0, 1};
-  /// What lies outside any of these is clipped from light maps: dot(xyz, position_m) + w < 0.
+  /// Skin outside any of these is clipped from light maps: dot(xyz, position_m) + w < 0.
   std::array<glm::vec4, 5> clip_planes{};
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
-  std::span<const SkyMaps> sky;               ///< of each skin mesh under an environment
+  std::span<const SkyMaps> sky;               ///< one per skin mesh; only with an environment
   std::vector<Instance> instances;
 };
 

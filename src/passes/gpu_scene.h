@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene on the device: meshes, materials and maps, uploaded once and shared by all heads that show it.
+// A scene on the device: meshes, materials and maps, uploaded once and shared by all its heads.
 #pragma once
 
 #include <array>
@@ -25,13 +25,13 @@ namespace dermis::passes {
 struct GpuMaterial {
   std::string name;
   gpu::Buffer constants;                              ///< MaterialIo
-  std::array<gpu::SampledBinding, MAP_COUNT> maps{};  ///< a white or flat texel where the material has none
+  std::array<gpu::SampledBinding, MAP_COUNT> maps{};  ///< a white or flat texel if the material has none
   bool skin = false;
   bool double_sided = false;
   bool mixed = true;              ///< of skin: part of the albedo acts before the light scatters
   bool cut_out = false;           ///< skin with an alpha test
   bool emits = false;             ///< skin that emits light
-  gpu::SampledBinding alpha_max;  ///< of skin with an alpha test, see passes/alpha_max.h; else a white texel
+  gpu::SampledBinding alpha_max;  ///< for skin with an alpha test, see passes/alpha_max.h; else a white texel
   scene::AlphaMode alpha_mode = scene::AlphaMode::opaque;
 
   void offer(Bindings& bindings) const;  ///< "Material", "map_base_colour", ...
@@ -40,14 +40,14 @@ struct GpuMaterial {
 struct GpuDraw {
   std::uint32_t first_index = 0, index_count = 0;
   int material = 0;
-  bool on_map = true;  ///< of skin: the triangles have a chart of the unwrap
+  bool on_map = true;  ///< for skin: the triangles have a chart of the unwrap
 };
 
 /// One skin mesh.
 struct GpuMesh {
   std::string name;
   gpu::Buffer vertices;           ///< VertexIo[]
-  gpu::Buffer indices;            ///< uint[]; triangles without a chart stand last
+  gpu::Buffer indices;            ///< uint[]; triangles without a chart are last
   gpu::Buffer charts;             ///< uint per triangle
   gpu::Buffer turned_neighbours;  ///< uint[], scene::turned_neighbours
   /// By the side of the light map, see GpuScene::make_gutters.
@@ -64,28 +64,28 @@ struct GpuMesh {
   void offer(Bindings& bindings) const;  ///< "Vertices", "Indices", "Charts", "TurnedNeighbours"
 };
 
-/// What of the frame's settings the upload depends on.
+/// Settings that affect the upload.
 struct GpuSceneSettings {
   std::optional<float> mix;  ///< overrides the materials' mix
 };
 
-/// RGBA16F over an unwrap, from side x side x 4 values; those that half floats cannot hold become their
-/// largest.
+/// Returns an RGBA16F texture over an unwrap, from side x side x 4 values; values beyond the range of half
+/// floats become the largest.
 gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
                         const std::vector<float>& values);
 
 class GpuScene {
  public:
-  /// Uploads. DeviceError: a map or buffer over the device's limits, no memory.
+  /// Uploads a scene. Throws DeviceError: a map or buffer over the device's limits, no memory.
   GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin,
            const GpuSceneSettings& settings);
 
-  /// Makes the gutters of skin mesh `number`, which is `mesh`, for light maps of side x side texels,
-  /// `width_texels` wide, unless it has them as wide or wider.
+  /// Makes the gutters of `mesh`, skin mesh `number`, for light maps of side x side texels, `width_texels`
+  /// wide, unless it has them as wide or wider.
   void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side,
                     int width_texels);
 
-  std::vector<GpuMesh> skin;  ///< one a SkinMesh
+  std::vector<GpuMesh> skin;  ///< one per SkinMesh
   GpuSurfaces surfaces;       ///< everything else
   gpu::Buffer unmoved;        ///< PlacementIo: skin's vertices are in the world
   std::vector<GpuMaterial> materials;

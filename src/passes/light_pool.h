@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Where the skin of a head is lit and blurred: a square in a pool of textures that all heads of a batch
-/// share. Based on: [JG08] sec. 4: memory is allocated once for the largest map; a smaller one uses a corner
-/// of it.
+/// The place where the skin of a head is lit and blurred: a square in a pool of textures that all heads of a
+///   batch share.
+/// Based on: [JG08] sec. 4: memory is allocated once for the largest map; a smaller one uses a corner of it
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,19 @@
 
 namespace dermis::passes {
 
-/// The side of a map that is halved `halvings` times when the head uses all T_max texels. A head that uses
-/// fewer halves less often: its light lies on at least half as many texels a side as a near head's, and never
-/// on more than T_max >> halvings.
+/// Returns the side of a map that is halved `halvings` times if the head uses all T_max texels. A head that
+/// uses fewer texels halves less often: its light has at least half as many texels per side as a near head's,
+/// and never more than T_max >> halvings.
 inline std::uint32_t halved_side(std::uint32_t side, std::uint32_t largest_side, std::uint32_t halvings) {
   for (std::uint32_t scaled = 2 * side; halvings > 0 && scaled <= largest_side; scaled *= 2) --halvings;
   return side >> halvings;
 }
 
-/// Light of one skin mesh of one head, in maps of one size. Where it lies in them and how much of its square
-/// is used, each frame says: Instance::map_places, Instance::map_side.
+/// Light of one skin mesh of one head, in maps of one size. Each frame sets its position in them and the used
+/// part of its square: Instance::map_places, Instance::map_side.
 struct MapSquare {
   std::uint32_t instance = 0, mesh = 0;
-  std::uint32_t halvings = 0;  ///< of the maps: progressive maps keep wide light on fewer texels
+  std::uint32_t halvings = 0;  ///< of the maps: progressive maps store wide light with fewer texels
 };
 
 inline const Instance& instance_of(const FrameData& frame, const MapSquare& square) {
@@ -36,11 +36,11 @@ inline const Instance& instance_of(const FrameData& frame, const MapSquare& squa
 struct UsedSquare : MapSquare {
   std::uint32_t index = 0;  ///< of the square in its pool
   glm::uvec2 origin{0};     ///< texels
-  std::uint32_t side = 0;   ///< of what is used, texels
+  std::uint32_t side = 0;   ///< of the used part, texels
   VkRect2D area() const;
 };
 UsedSquare used_square(const FrameData& frame, const MapSquare& square);
-/// Of heads that are in the picture.
+/// Returns the squares of visible heads.
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares);
 
 /// How a convolution runs, and which texels it skips.

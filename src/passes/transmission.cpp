@@ -15,7 +15,7 @@ std::vector<std::size_t> transmission_groups(std::size_t terms) {
   std::vector<std::size_t> first;
   for (std::size_t g = 0, at = 0; g < groups; ++g) {
     first.push_back(at);
-    at += (terms - at + groups - g - 1) / (groups - g);  // what is left, shared out, rounded up
+    at += (terms - at + groups - g - 1) / (groups - g);  // an equal share of the rest, rounded up
   }
   return first;
 }
@@ -38,7 +38,7 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
       return out.share[g * MOST_TERMS + i][c];
     };
 
-    // the mean of the last group that had weight, as shares of the T_i
+    // Shares of the T_i in the mean of the last group that had weight.
     std::vector<double> before(terms, 0.0);
     for (std::size_t g = 0; g + 1 < first.size(); ++g) {
       double sum = 0;
@@ -78,7 +78,7 @@ ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library,
 
 void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering,
                             frame::TextureId shadow, std::size_t profile) const {
-  // A binding that is never read must be bound all the same.
+  // A binding that is never read must be bound, too.
   const gpu::SampledBinding maps = entering.valid() ? resources.linear(entering) : resources.nearest(shadow);
   bindings.add("entering_maps", maps).add("Transmission", constants_[number_[profile]]);
 }

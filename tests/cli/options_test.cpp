@@ -108,7 +108,8 @@ TEST_F(Options, ValuesOutOfRange) {
 
   for (const char* light : {"nan,0", "4000,0", "0,91", "0,inf", "0,0,-1", "0,0,nan", "0,0,1e30"})
     refuse({"--light", light}, "--light");
-  refuse({"--lights", "2", "--light", "90,10"}, "lighting.rig_lights (--lights) and lighting.placed_lights (--light) both");
+  refuse({"--lights", "2", "--light", "90,10"},
+         "lighting.rig_lights (--lights) and lighting.placed_lights (--light) both");
   for (const char* radius : {"-0.1", "nan", "inf", "1e9"})
     refuse({"--light-radius", radius}, "--light-radius");
   for (const char* value : {"nan", "inf", "-inf", "-1e300"})

@@ -26,6 +26,9 @@ bool begins_declaration(const std::string& line) {
 }
 
 bool is_no_function(const std::string& line) {
+  // A table: what is assigned before any parameter is data.
+  const std::size_t assigned = line.find(" = ");
+  if (assigned != std::string::npos && assigned < line.find('(')) return true;
   return starts_with_any(line, {"namespace", "struct", "class", "enum", "union", "layout", "extern \"C\""});
 }
 

@@ -236,6 +236,15 @@ TEST(HouseCheck, SeesFunctionsWithoutParagraphs) {
   EXPECT_EQ(house::median(functions), 4);
 }
 
+TEST(HouseCheck, DoesNotTakeATableForAFunction) {
+  MadeUpTree tree;
+  tree.add("src/core/a.h",
+           "inline constexpr auto rows = std::tuple{\n  Row{(1)},\n  Row{2}};\n\nint f(int a = 1) {\n}\n");
+  const auto functions = house::function_lengths(tree.read());
+  ASSERT_EQ(functions.size(), 1u);
+  EXPECT_EQ(functions.front().lines, 2);
+}
+
 TEST(HouseCheck, SeesLinesThatAreTooWide) {
   MadeUpTree tree;
   const std::string narrow(8, 'x'), wide(9, 'x');

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Adds the light that a group of terms brings through the body to the light spread so far; see
-/// passes/transmission.h.
+/// Adds the transmitted light of a group of terms to the light blurred so far; see passes/transmission.h.
 #pragma once
 
 #include "passes/compute_pass.h"
@@ -14,8 +13,8 @@ class AddTransmitted : public ComputePass {
     std::vector<MapSquare> squares;
   } settings;
   struct In {
-    frame::TextureId light;  ///< RGBA16F pool: spread so far
-    /// RGBA16F pool: what comes through; changed in place, the sum where there is light, and its alpha
+    frame::TextureId light;  ///< RGBA16F pool: blurred so far
+    /// RGBA16F pool: transmitted light; changed in place to the sum where there is light, with its alpha
     frame::TextureId through;
   } in;
   struct Out {

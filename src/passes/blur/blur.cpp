@@ -56,8 +56,8 @@ void Blur::draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area)
   cmd.end_rendering();
 }
 
-// What averaging r x r texels into one has already added to the variance, in texels of the smaller map: that
-// of r points, one r-th apart.
+// Returns the variance that averaging r x r texels into one has added, in texels^2 of the smaller map: that
+// of r points at a distance of 1 / r.
 float Blur::averaged_texels2(const FrameData& frame, const UsedSquare& square) const {
   MapSquare before = square;
   before.halvings = settings.halvings_before.value_or(square.halvings);
@@ -72,7 +72,7 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
       .add("Kernels", kernels_);
 
   const bool tiled = settings.mask == Mask::tiles;
-  // Without tiles the list is never read, but must be bound: any buffer serves.
+  // Without tiles the list is never read, but a buffer must be bound.
   bindings.add("Tiles", tiled ? resources.buffer(in.lists.tiles) : kernels_)
       .add("TileCounts", tiled ? resources.buffer(in.lists.counts) : kernels_);
   if (!drawn()) bindings.add("light_out", resources.storage(in.target));
@@ -106,8 +106,7 @@ std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, doubl
     while (true) {
       // variance after the largest step from here
       const double reach = done_mm2 == 0 ? first_sigma * first_sigma : 4 * done_mm2;
-      // Below the texel everything is reached in one step: with a tap spacing of one texel no light can be
-      // skipped.
+      // Below the size of a texel one step suffices: with a tap spacing of one texel no light can be skipped.
       const double dense_reach = done_mm2 + first_sigma * first_sigma;
       const double limit = std::max(reach, dense_reach);
       if (variance_mm2 <= limit * (1 + 1e-9)) break;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One axis of one Gaussian. The Gaussian of variance v on the skin has covariance v g^-1 = v L L^T in texture
-// coordinates, L = [a 0; b c]: the first pass runs along (a, b) in whole steps of u, interpolating in v; the
-// second along v. The variance that the interpolation adds is taken off the second pass. Right for any
-// stretch and shear in two passes.
+// One axis of one Gaussian. A Gaussian of variance v on the skin has covariance v g^-1 = v L L^T in texture
+// coordinates, L = [a 0; b c]. The first pass runs along (a, b) in whole steps of u and interpolates in v;
+// the second runs along v. The variance that interpolation adds is subtracted from the second pass. Right for
+// any stretch and shear in two passes.
 #include "shared/types.h"
 #include "shaders/half.glsl"
 #include "passes/blur/blur_io.h"
@@ -11,8 +11,8 @@ layout(binding = 0) uniform sampler2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
 layout(binding = 2, scalar) readonly buffer Kernels { float kernels[]; };
 
-// Weights of taps 0..KERNEL_RADIUS and the variance, between two rows of the table; the rows are so dense
-// that the variance stays exact to 1e-4.
+// Weights of taps 0..KERNEL_RADIUS and the variance, between two rows of the table; rows are so dense that
+// the variance is exact to 1e-4.
 float kernel_row[KERNEL_FLOATS];
 void load_kernel(float sigma, bool averaged) {
   const float at = clamp(sigma / KERNEL_MAX_SIGMA, 0.0, 1.0) * float(KERNEL_ROWS - 1);
@@ -23,23 +23,23 @@ void load_kernel(float sigma, bool averaged) {
     kernel_row[i] = mix(kernels[base + i], kernels[base + KERNEL_FLOATS + i], f);
 }
 
-// p: texel of the square. Beyond its used part nothing is read: what another T left there is stale.
+// p: texel of the square. Outside its used part nothing is read: that is left over from another T.
 vec4 light_at(ivec2 p) {
   if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, ivec2(io.side)))) return vec4(0.0);
   return texelFetch(light_in, p + ivec2(io.origin), 0);
 }
 
-// Adds a texel unless it belongs to no chart or to another; returns the weight that counted.
+// Adds a texel unless it belongs to no chart or to another; returns its weight.
 float gather(inout vec3 sum, vec4 texel, float chart, float weight) {
   const float used = abs(texel.a) == chart ? weight : 0.0;
   sum += used * texel.rgb;
   return used;
 }
 
-// The blurred light of a texel that holds some (centre.a != 0). The metric does not depend on T, so its map
+// Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, so its map
 // always has the largest size.
 vec4 blurred(ivec2 p, vec4 centre) {
-  const float chart = abs(centre.a);  // negative beside lit texels, see the border pass
+  const float chart = abs(centre.a);  // negative beside lit texels, see passes/dilate
   const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
   const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;  // per mm
   const float texels = float(io.side);
@@ -47,7 +47,7 @@ vec4 blurred(ivec2 p, vec4 centre) {
   const float wanted_u = sigma_mm * factor.x * texels;
   const float sigma_u = sqrt(max(wanted_u * wanted_u - io.averaged_texels2, 0.0));
   const int step_u = max(1, int(ceil(sigma_u / KERNEL_MAX_SIGMA)));
-  const float slope = factor.x > 0.0 ? factor.y / factor.x * float(step_u) : 0.0;  // texels of v a step
+  const float slope = factor.x > 0.0 ? factor.y / factor.x * float(step_u) : 0.0;  // texels of v per step
   load_kernel(sigma_u / float(step_u), io.texel_averaged != 0u && step_u == 1);
 
   vec3 sum = vec3(0.0);
@@ -59,7 +59,7 @@ vec4 blurred(ivec2 p, vec4 centre) {
       const float whole = floor(shift);
       const float f = shift - whole;
       const ivec2 d = ivec2(k * step_u, int(whole));
-      // The tap on the other side stands at -shift: its two texels mirror these.
+      // The tap on the other side is at -shift: its two texels mirror these.
       total += gather(sum, light_at(p + d), chart, kernel_row[k] * (1.0 - f));
       total += gather(sum, light_at(p + d + ivec2(0, 1)), chart, kernel_row[k] * f);
       total += gather(sum, light_at(p - d), chart, kernel_row[k] * (1.0 - f));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Spreads the light stored on the skin by one Gaussian, one axis a pass.
-/// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the one before); departures are named in
-/// kernels.h and blur.comp.
+/// Blurs the light stored on the skin by one Gaussian of the profile, one axis per pass.
+/// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the previous one). Departures: kernels.h,
+///   blur.comp
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class Blur {
     std::uint32_t axis = 0;       ///< 0, then 1
     bool texel_averaged = false;  ///< the first step: its input is constant over each texel
     Mask mask = Mask::whole;
-    /// the first step after Downsample: of the map that it has read
+    /// the first step after Downsample: halvings of the map that Downsample has read
     std::optional<std::uint32_t> halvings_before;
   } settings;
   struct In {
@@ -54,15 +54,15 @@ struct BlurStep {
   bool ends_term = false;   ///< the light after this step is a term of the sum
 };
 
-/// The steps that blur by each variance in turn (narrow to wide). Sigma at most doubles a step, so that the
-/// kernel's taps suffice, and the first is at most kernel_max_sigma texels where the map is densest
-/// (max_texels_per_mm): extra steps are put in where the terms are further apart.
+/// Returns the steps that blur by each variance in turn (narrow to wide). Sigma at most doubles per step, so
+/// that the kernel's taps suffice, and the first is at most kernel_max_sigma texels where the map is densest
+/// (max_texels_per_mm). Adds steps where terms are further apart.
 std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm);
 std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
 
 inline constexpr int max_gutter_width = 96;  ///< texels
 
-/// Texels beside a seam that the widest step reads, at most max_gutter_width.
+/// Returns the texels beside a seam that the widest step reads, at most max_gutter_width.
 int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
 
 }  // namespace dermis::passes

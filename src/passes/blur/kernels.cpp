@@ -24,7 +24,7 @@ HalfKernel sampled(double s) {
   return normalised(k);
 }
 
-// Second antiderivative of the unit-sigma normal density scaled to sigma: int int G.
+// Returns the second antiderivative of a normal density of this sigma: int int G.
 double second_integral(double x, double sigma) {
   const double z = x / sigma;
   const double density = std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi);
@@ -42,8 +42,8 @@ double variance(const HalfKernel& kernel) {
 
 HalfKernel discrete_gaussian(double sigma) {
   if (sigma <= 0) return sampled(0);
-  // Sampling narrows a narrow Gaussian and truncation a wide one: find the parameter that gives the variance
-  // asked for.
+  // Sampling narrows a narrow Gaussian, truncation a wide one: bisection for the parameter that gives the
+  // wanted variance.
   double low = 0, high = 4 * kernel_max_sigma;
   for (int i = 0; i < 80; ++i) {
     const double middle = 0.5 * (low + high);
@@ -54,7 +54,7 @@ HalfKernel discrete_gaussian(double sigma) {
 
 HalfKernel texel_averaged_gaussian(double sigma) {
   if (sigma <= 0) return sampled(0);
-  // tri * G at integer offsets: the second difference of the second integral.
+  // tri * G at integer offsets is the second difference of the second integral.
   HalfKernel k{};
   for (int i = 0; i <= kernel_radius; ++i)
     k[static_cast<std::size_t>(i)] =

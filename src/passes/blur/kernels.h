@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Discrete Gaussians with the right variance, tabulated for the convolution.
-/// Seven taps one sigma apart, as printed in [DLE07], have variance 1.079 sigma^2 and miss a lit edge by up
-/// to 18 % at the width of a texel or less; here taps stand on whole texels and each kernel's variance is
-/// exact.
+/// Discrete Gaussians with exact variance, tabulated for the convolution. Seven taps one sigma apart, as
+/// printed in [DLE07], have variance 1.079 sigma^2 and miss a lit edge by up to 18 % at a width of one texel
+/// or less; here taps lie on whole texels.
 #pragma once
 
 #include <array>
@@ -15,23 +14,23 @@ namespace dermis::passes {
 inline constexpr int kernel_radius = KERNEL_RADIUS;
 inline constexpr double kernel_max_sigma = KERNEL_MAX_SIGMA;
 inline constexpr int kernel_rows = KERNEL_ROWS;
-/// Texels that a step reads on either side, per texel of its sigma.
+/// Texels that a step reads per side, per texel of its sigma.
 inline constexpr double kernel_reach = kernel_radius / kernel_max_sigma;
 
 using HalfKernel = std::array<double, kernel_radius + 1>;  ///< weights of taps 0, +-1, .. +-6; w0 + 2 sum = 1
 
-/// A sampled Gaussian whose weights sum to 1 and whose variance is sigma^2 exactly (sigma
+/// Returns a sampled Gaussian whose weights sum to 1 and whose variance is sigma^2 exactly (sigma
 /// 0..kernel_max_sigma).
 HalfKernel discrete_gaussian(double sigma);
 
-/// A Gaussian between texels seen as squares: the mean over a texel of what a neighbouring texel of unit
-/// light sends. For the first step, whose input is constant over each texel: exact for edges on texel borders
-/// however narrow the Gaussian.
+/// Returns a Gaussian between texels as squares: the mean over a texel of the light from a neighbouring texel
+/// of unit light. For the first step, whose input is constant over each texel: exact for edges on texel
+/// borders, however narrow the Gaussian.
 HalfKernel texel_averaged_gaussian(double sigma);
 
 double variance(const HalfKernel& kernel);
 
-/// Two tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
+/// Returns two tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
 /// discrete_gaussian, then texel_averaged_gaussian.
 std::vector<float> kernel_table();
 

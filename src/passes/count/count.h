@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Counters of work done, for the statistics: how many texels of a map (or pixels of a picture) have at least
-/// a given alpha. Runs for statistics.
+/// Counts work for the statistics: texels of a map (or pixels of a picture) with at least a given alpha. Not
+/// part of a timed frame.
 #pragma once
 
 #include "passes/compute_pass.h"
@@ -13,8 +13,8 @@ class Count : public ComputePass {
   struct Settings {
     std::uint32_t slot = 0;
     float threshold = 0.5f;
-    bool absolute = false;           ///< of the alpha's absolute value
-    std::vector<MapSquare> squares;  ///< only their used areas are counted; none: the whole picture
+    bool absolute = false;           ///< compares the absolute value of alpha
+    std::vector<MapSquare> squares;  ///< counts only their used areas; empty: the whole picture
   } settings;
   struct In {
     frame::TextureId picture;  ///< one sample

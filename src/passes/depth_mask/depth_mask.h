@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Which texels hold light, as depth, so that the depth test keeps convolutions off the others.
-/// Based on: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3.
+/// Marks texels that hold light in a depth image, so that the depth test keeps convolutions off the others.
+/// Based on: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3
 #pragma once
 
 #include "passes/light_pool.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Extends the light by a few texels to where its chart goes on unlit, so that bilinear reads of visible
-/// points find light on all sides.
+/// Extends the light by a few texels to unlit parts of its chart, so that bilinear reads at visible points
+/// find light on all sides.
 #pragma once
 
 #include "passes/compute_pass.h"
@@ -16,7 +16,7 @@ class Dilate : public ComputePass {
   } settings;
   struct In {
     frame::TextureId light;    ///< RGBA16F pool, changed in place
-    frame::TextureId stretch;  ///< says which chart a texel belongs to
+    frame::TextureId stretch;  ///< holds the chart of each texel
     TileLists lists;           ///< tiles with unlit texels beside lit tiles
   } in;
   struct Out {};

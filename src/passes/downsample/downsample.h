@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Light that is blurred already goes on in a smaller map: a texel is the mean of those that it covers.
-/// Based on: the "progressively smaller" maps that [JG08] sec. 2 mentions; when it may be done: see
-/// map_halvings().
+/// Moves light that is blurred already to a smaller map: a texel is the mean of those that it covers.
+/// Based on: the "progressively smaller" maps that [JG08] sec. 2 mentions; map_halvings() decides when
 #pragma once
 
 #include <vector>
@@ -30,10 +29,10 @@ class Downsample : public ComputePass {
 
 inline constexpr std::uint32_t max_halvings = 3;
 
-/// How often the map of each term is halved at T_max, 0 to max_halvings and never falling: as often as leaves
-/// the light it starts from, which the term before has blurred, a sigma of a texel at least (what a Gaussian
-/// of one texel lets through at the limit of sampling is 0.7 %). The first is 0. `map_size` is T_max, and
-/// mean_texels_per_mm the density there; only halvings that divide it are used.
+/// Returns how often the map of each term is halved at T_max, 0 to max_halvings and never falling: as often
+/// as leaves the light that it starts from, blurred by the previous term, a sigma of at least one texel (a
+/// Gaussian of one texel lets 0.7 % through at the limit of sampling). The first is 0. `map_size` is T_max,
+/// mean_texels_per_mm the density there; uses only halvings that divide it.
 std::vector<std::uint32_t> map_halvings(const gaussians::SumOfGaussians& profile, double mean_texels_per_mm,
                                         std::uint32_t map_size);
 

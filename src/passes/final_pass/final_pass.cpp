@@ -140,7 +140,7 @@ void FinalPass::offer_light(Bindings& bindings, const frame::Resources& resource
                                     "light_4", "light_5", "light_6", "light_7"};
   static_assert(names.size() == MOST_TERMS);
 
-  // A binding without a term is never read, but must be bound: any sampled texture serves.
+  // A binding without a term is never read, but a sampled texture must be bound.
   for (std::size_t i = 0; i < names.size(); ++i)
     bindings.add(names[i], i < in.lights.size() ? resources.linear(in.lights[i])
                                                 : resources.linear(frame.scene->white()));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// The head on the screen: the weighted sum of the blurred light, albedo, two-lobe specular.
-/// Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6. With no terms it is the Lambert model with the same
-/// light and energy.
+/// Draws the head on the screen: the weighted sum of the blurred light, albedo, two-lobe specular. With no
+///   terms it is the
+/// Lambert model with the same light and energy.
+/// Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6
 #pragma once
 
 #include <array>
@@ -15,30 +16,30 @@
 
 namespace dermis::passes {
 
-/// How much of a term is lit at the pixel instead of read from the map, 0..1. A map at less than T_max holds
-/// light at about a texel per pixel: it cannot hold what a Gaussian narrower than its texels leaves sharp,
-/// while that Gaussian does not show at the pixel. Departs from [JG08] sec. 4, where all is read from the
-/// small map; changes smoothly with T so that nothing pops, and is 0 at T_max.
+/// Returns the part of a term, 0..1, that is lit per pixel instead of read from the map. A map smaller than
+/// T_max has about one texel per pixel: it cannot hold detail that a Gaussian narrower than its texels leaves
+/// sharp, while that Gaussian is not visible at the pixel. Departs from [JG08] sec. 4, which reads all from
+/// the small map. Changes smoothly with T, so that nothing pops, and is 0 at T_max.
 float direct_share(float sigma_texels, float shrink);
 
-/// How much of a term is lit at the pixel because the map, at T_max, has too few texels at this place, 0..1.
-/// Texels spread light by half their side (box and bilinear tent: a variance of a quarter), so a Gaussian of
-/// less than 0.29 texels is nearer to what it shows without the map than with it: the share falls from 1 at
-/// 0.2 to 0 at 0.4 texels. That counts where the map is poor: where this place has less than 0.15 (fully
-/// 0.075) times as many texels per mm as if the skin filled the map evenly, or where not even the widest
-/// Gaussian is as many texels wide. Whole heads have more: the poorest twentieth of the scan has 0.21 times.
-/// Elsewhere all is read from the map, as published, however few texels the user wants.
+/// Returns the part of a term, 0..1, that is lit per pixel because the map, at T_max, has too few texels
+/// here. Texels spread light by half their side (box and bilinear tent: a variance of a quarter), so a
+/// Gaussian of less than 0.29 texels is nearer to its own width without the map: the part falls from 1 at 0.2
+/// to 0 at 0.4 texels. Applies only where the map is poor: where this place has less than 0.15 (fully below
+/// 0.075) times as many texels per mm as if the skin filled the map evenly, or where even the widest Gaussian
+/// is less than as many texels wide. Whole heads have more: the poorest twentieth of the scan has 0.21 times.
+/// Elsewhere all is read from the map, as published, however small it is set.
 float coarse_share(float sigma_mm, float widest_mm, float texels_per_mm, float even_texels_per_mm);
 
-/// Whether coarse_share() of some term is over 0 there.
+/// Returns whether coarse_share() of some term is over 0 there.
 bool is_coarse(float widest_mm, float texels_per_mm, float even_texels_per_mm);
 
 /// The terms of a profile on the light map of a mesh.
 struct TermsOnMap {
-  std::vector<float> sigmas_mm;    ///< a term each, narrow to wide
+  std::vector<float> sigmas_mm;    ///< one per term, narrow to wide
   float even_texels_per_mm = 1;    ///< of a map of one texel, if the skin filled it evenly
   std::uint32_t largest_side = 0;  ///< T_max
-  bool coarse = false;             ///< see coarse_share(); decided per pixel where it is set
+  bool coarse = false;             ///< see coarse_share(); if set, decided per pixel
 };
 
 class FinalPass {
@@ -46,12 +47,12 @@ class FinalPass {
   struct Settings {
     MapSquare square;                           ///< not halved
     std::uint32_t samples = 1;                  ///< of the targets
-    bool clear = false;                         ///< the first to draw into them
-    std::vector<std::array<float, 3>> weights;  ///< a term each, 0 to 8; none = Lambert
-    std::vector<std::uint32_t> halvings;        ///< of the term's map, a term each; the first is 0
+    bool clear = false;                         ///< this pass is the first to draw into them
+    std::vector<std::array<float, 3>> weights;  ///< one per term, 0 to 8; none = Lambert
+    std::vector<std::uint32_t> halvings;        ///< of the term's map, one per term; the first is 0
     bool environment = false;                   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;                  ///< lights with a radius cast penumbrae
-    /// some triangles have no chart of the unwrap: all their light is lit at the pixel, nothing scatters
+    /// some triangles have no chart of the unwrap: they are lit per pixel, without scattering
     bool off_map = false;
     bool cut_out = false;  ///< some of the mesh's skin is cut out by its alpha
     bool emits = false;    ///< some of the mesh's skin emits light
@@ -59,12 +60,12 @@ class FinalPass {
     bool mixes = false;
     TermsOnMap terms;
     float texels_per_mm = 0;  ///< mean of the unwrap, at T_max
-    /// The profile, if light comes through the body: of what is lit at the pixel, too. See Irradiance.
+    /// The profile, if there is transmitted light, also for the part lit per pixel. See Irradiance.
     std::optional<gaussians::SumOfGaussians> through;
     double mm_per_unit = 1000;  ///< of the scene
   } settings;
   struct In {
-    std::vector<frame::TextureId> lights;  ///< RGBA16F pools, a term each
+    std::vector<frame::TextureId> lights;  ///< RGBA16F pools, one per term
     frame::TextureId shadow, colour, depth;
     frame::TextureId entering = {};  ///< with `through` and `mixes`: as in Irradiance
   } in;
@@ -76,7 +77,7 @@ class FinalPass {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  // Ordinary skin is drawn by shaders that know neither alpha test nor emission.
+  // Ordinary skin has shaders without alpha test and emission.
   struct Pipelines {
     const gpu::Pipeline* made[2][2][2] = {};  // [double sided][cut out][emits]
     const gpu::Pipeline* of(const GpuMaterial& m) const { return made[m.double_sided][m.cut_out][m.emits]; }
@@ -87,7 +88,7 @@ class FinalPass {
   void offer_light(Bindings& bindings, const frame::Resources& resources, const FrameData& frame) const;
   float share_at_pixel(std::size_t term, const Instance& instance) const;
   io::FinalPassIo final_io(const FrameData& frame) const;
-  Pipelines mapped_, mixed_;  // all terms from the maps; some of their light at the pixel
+  Pipelines mapped_, mixed_;  // all terms from the maps; some of their light per pixel
   Pipelines off_map_;         // of triangles without a chart
   bool through() const {
     return settings.through && (settings.mixes || settings.off_map || settings.terms.coarse);
@@ -97,8 +98,8 @@ class FinalPass {
   gpu::Buffer terms_;  // SkinTermsIo
 };
 
-/// Counts, over the fragments of the final pass that are seen, those whose bilinear read weighs a texel that
-/// was never lit. Stands right behind FinalPass with the same square; runs for statistics.
+/// Counts the visible fragments of the final pass whose bilinear read weighs a texel that was never lit, for
+/// the statistics. Directly follows FinalPass with the same square.
 class UnshadedReads {
  public:
   struct Settings {
@@ -122,7 +123,7 @@ class UnshadedReads {
   gpu::Buffer terms_;                          // SkinTermsIo
 };
 
-/// The uniform buffer that both passes bind as "Terms".
+/// Returns the uniform buffer that both passes bind as "Terms".
 gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms);
 
 }  // namespace dermis::passes

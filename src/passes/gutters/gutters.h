@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Refreshes the texels beside texture seams from the other side (scene/gutters.h makes the list).
+/// Refreshes the texels beside seams from the other side (scene/gutters.h makes the list).
 #pragma once
 
 #include "passes/compute_pass.h"

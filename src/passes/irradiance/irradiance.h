@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Heads drawn in their texture coordinates: the light that enters the skin, per texel.
+/// Draws heads in their texture coordinates: the light that enters the skin, per texel.
 /// Based on: [DLE07] sec. 3.2; [BL03] Borshukov, Lewis: Realistic Human Face Rendering for "The Matrix
-/// Reloaded", 2003; what is not shaded: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008,
-/// sec. 3 (cull), 4 (the used square), 5 (clip).
+///   Reloaded", 2003.
+/// What is not shaded: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 (cull), 4
+///   (the used
+/// square), 5 (clip)
 #pragma once
 
 #include <array>
@@ -18,13 +20,13 @@ class Irradiance {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-    bool cull = false;          ///< leave out triangles that face away from the eye; see shaders/cull.glsl
-    bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
+    bool cull = false;         ///< leaves out triangles that face away from the camera; see shaders/cull.glsl
+    bool environment = false;  ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
-    bool clip = false;          ///< leave out what lies outside FrameData::clip_planes
-    bool cut_out = false;       ///< leave out what the alpha test of some material cuts away
-    /// Of each skin mesh, of 1 to 8 terms: light also comes through the body, by passes/transmission.h. None:
-    /// it does not.
+    bool clip = false;          ///< leaves out skin outside FrameData::clip_planes
+    bool cut_out = false;       ///< leaves out what the alpha test of some material cuts away
+    /// Profiles of 1 to 8 terms, one per skin mesh, for transmitted light (passes/transmission.h). Empty: no
+    /// transmitted light.
     std::vector<gaussians::SumOfGaussians> through;
     double mm_per_unit = 1000;  ///< of the scene
   } settings;
@@ -32,8 +34,8 @@ class Irradiance {
     frame::TextureId light;          ///< RGBA16F pool; the used squares are cleared here
     frame::TextureId shadow;         ///< of these instances
     frame::TextureId entering = {};  ///< with `through`: see Shadow; not valid: all light enters
-    /// With `through`: RGBA16F pools for what joins at the second and the third group of terms, as many as
-    /// the mesh with most groups needs.
+    /// With `through`: RGBA16F pools for the light that joins at the second and the third group of terms, as
+    /// many as the mesh with most groups needs.
     std::vector<frame::TextureId> joining = {};
   } in;
   struct Out {
@@ -44,15 +46,15 @@ class Irradiance {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  // [cut out], each: one, or with `through` one per skin mesh
+  // [cut out]: one each, or with `through` one per skin mesh
   std::array<std::vector<const gpu::Pipeline*>, 2> pipelines_;
   ThroughBindings through_;
   LightingSamplers samplers_;
 };
 
-/// Counts, over the texels that Irradiance shades, the looks through the body that found nothing to read: see
-/// transmission_misses.frag. Stands behind Irradiance with the same settings, of which `through` is not
-/// empty; runs for statistics.
+/// Counts, over the texels that Irradiance shades, reads of transmitted light that found nothing, for the
+/// statistics: see transmission_misses.frag. Follows Irradiance with the same settings, with `through` not
+/// empty.
 class TransmissionMisses {
  public:
   struct Settings {

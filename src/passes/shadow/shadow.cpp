@@ -36,8 +36,8 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
       }
 }
 
-// Whether a material casts a shadow in this round: blended parts (lashes, brows) would cast that of their
-// whole card.
+// Returns whether a material casts a shadow in this round. Blended parts (lashes, brows) cast none, which
+// would be that of their whole card.
 bool Shadow::casts(const GpuMaterial& material, bool cut_out) {
   return material.alpha_mode == (cut_out ? scene::AlphaMode::mask : scene::AlphaMode::opaque);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// Depth as each light sees one head: a layer per light, six for a point light inside the scene. Reversed
-/// depth, 0 where nothing is. And, if wanted, what of the light enters there: for translucent shadow maps,
-/// [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, 2003.
+/// Depth of one head as each light sees it: one layer per light, six for a point light inside the scene.
+///   Reversed depth, 0 where there is
+/// nothing. Also stores the light that enters there, for translucent shadow maps.
+/// Based on: [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, 2003
 #pragma once
 
 #include "frame/graph.h"
@@ -15,14 +16,14 @@ class Shadow {
   struct Settings {
     std::uint32_t instance = 0;
     std::uint32_t layers = 1;  ///< of one head
-    /// What enters is drawn on its own, smaller than the depth that is looked up beside it: what is there is
-    /// grown by a texel along its normals, so that every point of it finds what enters.
+    /// Entering light is drawn separately, smaller than the depth map: geometry is enlarged by a texel along
+    /// its normals, so that each point of the depth map finds an entry.
     bool grown = false;
   } settings;
   struct In {
     frame::TextureId shadow;  ///< D32, square; this head's layers begin at Instance::first_shadow_layer
-    /// RGBA8, the same size and layers: square root of the part that enters (albedo^mix of skin, 0 of other
-    /// things), alpha 1 where something is.
+    /// RGBA8, of the same size and layers: square root of the part that enters (albedo^mix of skin, 0
+    /// elsewhere), alpha 1 where there is something.
     frame::TextureId entering = {};  ///< not valid: not stored
   } in;
   struct Out {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// A picture of what the optimisations leave out of one head's light map.
-/// Based on: [JG08] figure 3.
+/// Draws what the optimisations leave out of one head's light map.
+/// Based on: [JG08] figure 3
 #pragma once
 
 #include "passes/light_pool.h"
@@ -12,7 +12,7 @@ class ShowVisibility {
   struct Settings {
     MapSquare square;
     bool cull = true, clip = true;
-    bool cut_out = false;  ///< some of its skin is: what is cut away is not shown
+    bool cut_out = false;  ///< some of its skin is cut out, and not shown
   } settings;
   struct In {
     /// RGBA16F, T_max x T_max, persistent: the used square from its corner, alpha 0 where no skin is

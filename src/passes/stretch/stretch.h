@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// The metric of the unwrap in texture space: how far a millimetre of skin reaches in texture coordinates.
+/// The metric of the unwrap in texture space: the extent of a millimetre of skin in texture coordinates.
 /// Based on: [DLE07] GPU Gems 3, ch. 14.4.2 (stretch map); two lengths there, here the whole metric, because
-/// real unwraps are sheared.
+///   real unwraps
+/// are sheared
 #pragma once
 
 #include "frame/graph.h"
@@ -13,9 +14,9 @@ class Stretch {
  public:
   struct Settings {
     std::uint32_t mesh = 0;
-    /// Skin meshes take turns with the map, so it is made again in each frame; else it lasts.
+    /// every_frame if skin meshes take turns with the map, else once
     frame::Runs runs = frame::Runs::once;  ///< a rigid mesh keeps its metric
-    bool cut_out = false;                  ///< some of its skin is: what is cut away belongs to no chart
+    bool cut_out = false;                  ///< some of its skin is cut out, and belongs to no chart
   } settings;
   struct In {
     frame::TextureId

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Everything that is not skin, as glTF metallic-roughness: opaque and cut-out parts, or the blended ones
-/// from far to near.
+/// Draws everything that is not skin as glTF metallic-roughness: opaque and cut-out parts, or the blended
+/// ones from far to near.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ class Surface {
     bool clear = false;         ///< the first to draw into the targets
     bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
-    bool blended = false;       ///< draws only the blended parts, over what is there
+    bool blended = false;       ///< draws only the blended parts, over the picture
   } settings;
   struct In {
     frame::TextureId shadow, colour, depth;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Lists of the tiles that hold light, for convolutions that run on those alone; see shared/tiles_io.h.
+/// Lists the tiles that hold light, for convolutions over those alone; see shared/tiles_io.h.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace dermis::passes {
 
-/// Forgets the lists of the frame before.
+/// Clears the lists of the previous frame.
 class ClearTiles {
  public:
   struct Settings {
@@ -23,7 +23,7 @@ class ClearTiles {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
-/// What each tile holds: lit texels, unlit ones, both.
+/// Finds what each tile holds: lit texels, unlit ones, both.
 class TileClasses : public ComputePass {
  public:
   struct Settings {

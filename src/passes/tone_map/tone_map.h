@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The tone map: from linear radiance to eight bits for a display.
+/// Tone map: converts linear radiance to display values of 8 bits.
 #pragma once
 
 #include "dermis/settings.h"

@@ -52,7 +52,7 @@ Picture drawn(const Golden& golden) {
   static const Scene head = Scene::built_in();
   CLI::App command;
   cli::SceneArguments arguments;
-  cli::add_scene_arguments(command, arguments);
+  cli::add_scene_arguments(command, arguments, cli::SceneUse::render);
   command.parse(golden.options);
   return renderer().render(head, arguments.settings);
 }
