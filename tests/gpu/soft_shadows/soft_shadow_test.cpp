@@ -77,6 +77,7 @@ TEST(SoftShadow, OfAnEdge) {
       worst = std::max(worst, std::abs(seen - wanted));
     }
     std::printf("tangent %.2f: off by %.4f of the light at most\n", tangent, worst);
+    // Eight directions of the disc share its light (soft_shadow.glsl): two thirds of what one of them has.
     EXPECT_LT(worst, 0.08) << tangent;
   }
 }
@@ -106,7 +107,8 @@ TEST(SoftShadow, OfASphereIsItsHorizon) {
     }
 
     std::printf("tangent %.2f: off by %.4f of the light at most\n", tangent, worst);
-    EXPECT_LT(worst, 0.02) << tangent;
+    // The light changes by as much from one pixel to the next.
+    EXPECT_LT(worst, 0.01) << tangent;
   }
 }
 
