@@ -49,7 +49,7 @@ struct Statistics {
   bool translucency = false;       ///< light came through the body
   std::string tone_map;
   RenderSettings settings;  ///< as given
-  double exposure_ev = 0;  ///< given or chosen
+  double exposure_ev = 0;   ///< given or chosen
   /// mean luminance of the skin in the picture, before bloom; none: the exposure was given, or no skin is lit
   std::optional<double> skin_mean;
   /// Of the frames that were timed; 0 without any.
@@ -153,9 +153,8 @@ class PreparedFrame {
   /// change of the structure (sizes, technique, heads, profile, what is optimised) makes a new plan and
   /// memory.
   ///
-  /// Throws as Renderer::render() does. After an InputError the frame is as before. After an unknown
-  /// `output.show`, a DeviceError or Cancelled it cannot be drawn until a set() succeeds: draw() and
-  /// picture() throw Cancelled.
+  /// Throws as Renderer::render() does. After an InputError the frame is as before. After a DeviceError or
+  /// Cancelled it cannot be drawn until a set() succeeds: draw() and picture() throw Cancelled.
   void set(const RenderSettings& settings);
 
   /// Draws one frame and returns its time, ms. Before the first after a change, draws another

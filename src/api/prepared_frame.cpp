@@ -127,12 +127,15 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   if (!std::exchange(next_scene->warned_coarse, true)) setup::warn_coarse(next_scene->subject, next);
   if (next_environment) setup::fill_environment(next.frame, *next_environment, wanted);
 
+  // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
+  // on its maps. An unknown `show` is refused while the frame is still as it was.
+  if (!executor || next.plan != setup.plan || next.technique != setup.technique)
+    plan(wanted, next);
+  else
+    api::check_show(outputs, wanted);
+
   // Count as unready until all below is done: any of it may throw.
   ready = false;
-  // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
-  // on its maps.
-  if (!executor || next.plan != setup.plan || next.technique != setup.technique) plan(wanted, next);
-  api::check_show(outputs, wanted);
 
   scene = next_scene;
   environment_light = next_environment;
@@ -180,6 +183,7 @@ void PreparedFrame::State::plan(const RenderSettings& wanted, const setup::Frame
   passes::FramePlan made;
   const techniques::FrameOutputs made_outputs = next.technique->build(made, next.plan);
   api::check_show(made_outputs, wanted);
+  ready = false;
   executor.reset();  // its memory first: two frames may not fit
   const double before = renderer->library.creation_ms();
   executor.emplace(renderer->library, made);

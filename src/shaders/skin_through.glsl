@@ -8,9 +8,9 @@ layout(constant_id = 8) const int through_terms = 6;
 #include "shaders/transmission.glsl"
 
 struct EnteringAndThrough {
-  vec3 entering;                     // irradiance, as entering_irradiance()
+  vec3 entering;             // irradiance, as entering_irradiance()
   vec3 through[MOST_TERMS];  // per Gaussian: irradiance of the far side, times its albedo^mix
-                                     // and the Gaussian's slab factor
+                             // and the Gaussian's slab factor
 };
 
 // Where the surface faces a light it is lit by it, or lies in a shadow that the light may have passed through
@@ -50,7 +50,6 @@ EnteringAndThrough entering_and_through(ShadingPoint s, vec3 n, vec3 n_geometric
 // Returns the part that joins the light map before the terms of a group: passes/transmission.h.
 vec3 joining(EnteringAndThrough r, int group) {
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < through_terms; ++i)
-    sum += transmission.share[group * MOST_TERMS + i] * r.through[i];
+  for (int i = 0; i < through_terms; ++i) sum += transmission.share[group * MOST_TERMS + i] * r.through[i];
   return sum;
 }
