@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "cli/settings_options.h"
+
 namespace dermis::cli {
 
 bool& verbose() {
@@ -11,14 +13,15 @@ bool& verbose() {
   return value;
 }
 
-BriefLog::BriefLog() {
+BriefLog::BriefLog(const CLI::App& app) : app_(&app) {
   set_log_sink([this](LogLevel level, const std::string& line) { take(level, line); });
 }
 
 BriefLog::~BriefLog() { set_log_sink({}); }
 
 void BriefLog::take(LogLevel level, const std::string& line) {
-  const std::string text = fmt::format("dermis: {}{}\n", level == LogLevel::warning ? "warning: " : "", line);
+  const std::string text =
+      fmt::format("dermis: {}{}\n", level == LogLevel::warning ? "warning: " : "", with_options(line, *app_));
   if (said_one_ && !verbose()) {
     held_.push_back(text);
     return;

@@ -2,6 +2,7 @@
 // What a command says on standard error beside its progress: two lines at most, all of them with --verbose.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace dermis::cli {
 /// While it lives, the first warning or note is printed at once and the others wait.
 class BriefLog {
  public:
-  BriefLog();
+  /// Adds the options of the command that runs to the settings that a line names. `app` outlives this.
+  explicit BriefLog(const CLI::App& app);
   ~BriefLog();
   BriefLog(const BriefLog&) = delete;
   BriefLog& operator=(const BriefLog&) = delete;
@@ -22,6 +24,7 @@ class BriefLog {
 
  private:
   void take(LogLevel level, const std::string& line);
+  const CLI::App* app_;
   bool said_one_ = false;
   std::vector<std::string> held_;
 };

@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
   dermis::cli::add_info_command(app, exit_status);
 
   // 2: the command line cannot be parsed. 1: everything else that goes wrong, in one line.
-  dermis::cli::BriefLog log;
+  dermis::cli::BriefLog log(app);
   try {
     const std::vector<std::string> arguments = dermis::cli::join_lists({argv, argv + argc});
     std::vector<const char*> pointers;
@@ -73,9 +73,6 @@ int main(int argc, char** argv) {
     return fail(error.code() == std::errc::resource_unavailable_try_again
                     ? "the system allows no more threads or memory"
                     : error.what());
-  } catch (const std::exception& error) {
-    const std::vector<CLI::App*> command = app.get_subcommands();
-    return fail(command.empty() ? error.what() : dermis::cli::with_options(error.what(), *command.front()));
-  }
+  } catch (const std::exception& error) { return fail(dermis::cli::with_options(error.what(), app)); }
   return exit_status;
 }

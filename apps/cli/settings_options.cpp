@@ -53,18 +53,28 @@ std::string help_of(const About& about) {
   return help;
 }
 
-std::string with_options(std::string message, const CLI::App& command) {
+std::string with_options(std::string message, const CLI::App& app) {
+  const std::vector<const CLI::App*> commands =
+      app.get_subcommands([](const CLI::App* c) { return c->parsed(); });
+  if (commands.empty()) return message;
+
+  const CLI::App& command = *commands.front();
   const auto one = [&](const std::string& path, const About& about, const auto&, std::string_view) {
     const std::string option = option_of(path, about, command);
-    // A setting of one word, like "technique", may be any word of a message: only where it begins one.
+    // A setting of one word, like "technique", may be any word of a message: only where a sentence is about
+    // it.
     const bool is_word = path.find_first_of("._") == std::string::npos;
-    if (option.empty() || (is_word && !message.starts_with(path + ":"))) return;
+    if (option.empty() ||
+        (is_word && !message.starts_with(path + ":") && !message.starts_with(path + " must be")))
+      return;
     insert_after(message, path, " (" + option + ")");
   };
   const RenderSettings render;
   const SceneOptions scene;
+  const ReferenceSettings reference;
   for_each_setting(render, one);
   for_each_setting(scene, one);
+  for_each_setting(reference, one);
   return message;
 }
 

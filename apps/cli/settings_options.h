@@ -16,8 +16,8 @@ namespace dermis::cli {
 std::string help_of(const About& about);
 
 /// Shows members of settings in a message with their options: "camera.fov_deg (--fov) must be ...". Options
-/// that the command does not have are left out.
-std::string with_options(std::string message, const CLI::App& command);
+/// that the command which runs does not have are left out.
+std::string with_options(std::string message, const CLI::App& app);
 
 /// One option, whose kind follows from the type of the value. What it reads is checked when it is used.
 struct AddOption {

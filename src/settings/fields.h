@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/fields.h"
+#include "dermis/reference.h"
 #include "dermis/scene.h"
 #include "dermis/settings.h"
 
@@ -337,5 +338,30 @@ inline constexpr auto fields_of<SceneOptions> = std::tuple{
          .least = 1,
          .most = 1e6,
          .option = "texture-budget"}}};
+
+/// Of what is one picture of the reference; how its work is watched and stopped has no row.
+template <>
+inline constexpr auto fields_of<ReferenceSettings> =
+    std::tuple{Field{"model", &ReferenceSettings::model, {.help = "bssrdf or volume", .option = "model"}},
+               Field{"medium",
+                     &ReferenceSettings::medium,
+                     {.help = "of the volume model: a preset, or coefficients per mm",
+                      .none = "what the profile was made of",
+                      .option = "medium"}},
+               Field{"samples",
+                     &ReferenceSettings::samples,
+                     {.help = "per pixel", .least = 1, .most = 1e9, .none = "64", .option = "samples"}},
+               Field{"noise_percent",
+                     &ReferenceSettings::noise_percent,
+                     {.help = "ends at this standard error over skin, per cent of the mean",
+                      .none = "samples decide",
+                      .option = "noise"}},
+               Field{"seed", &ReferenceSettings::seed, {.help = "of the random numbers", .option = "seed"}},
+               Field{"threads",
+                     &ReferenceSettings::threads,
+                     {.help = "0: all cores; the picture does not depend on it",
+                      .least = 0,
+                      .most = 4096,
+                      .option = "threads"}}};
 
 }  // namespace dermis

@@ -159,17 +159,17 @@ TEST_F(Bench, RefusesBeforeItMeasures) {
   };
 
   refuse({"--heads", "1,2,1"}, "--heads names 1 twice");
-  refuse({"--heads", "0"}, "--heads must be 1 to 1024, got 0");
-  refuse({"--heads", ""}, "--heads must be 1 to 1024, got 0");
-  refuse({"--heads", "1,2000"}, "--heads must be 1 to 1024, got 2000");
-  refuse({"--distances", "5,-1"}, "--distance must be");
+  refuse({"--heads", "0"}, "(--heads) must be 1 to 1024, got 0");
+  refuse({"--heads", ""}, "(--heads) must be 1 to 1024, got 0");
+  refuse({"--heads", "1,2000"}, "(--heads) must be 1 to 1024, got 2000");
+  refuse({"--distances", "5,-1"}, "(--distances) must be");
   refuse({"--distances", "5,nan"}, "--distance");
   refuse({"--rounds", "0"}, "--rounds must be 1 to 100000, got 0");
   refuse({"--picture-samples", "17"}, "--picture-samples must be 0 to 16");
   refuse({"--size", "8000x10", "--picture-samples", "4"}, "--picture-samples 4 of 8000x10 pixels");
   refuse({"--frames-memory", "-1"}, "--frames-memory must be 0");
   refuse({"--mask", "paper"}, "alpha, depth, tiles");
-  refuse({"--map-size", "8"}, "--map-size must be 32");
+  refuse({"--map-size", "8"}, "(--map-size) must be 32");
   refuse({"--html", "-"}, "--html: needs a file");
   refuse({"--html", (folder() / "none" / "page.html").string()}, "does not exist");
   refuse({"--json", (folder() / "same").string(), "--html", (folder() / "." / "same").string()},

@@ -143,7 +143,7 @@ TEST_F(CompareScene, WhatMakesNoSense) {
   refuse({"--samples", "0"}, "--samples");
   refuse({"--noise", "-1"}, "--noise");
   refuse({"--model", "magic"}, "bssrdf, volume");
-  refuse({"--model", "volume"}, "--medium");
+  refuse({"--model", "volume"}, "needs a medium");
   refuse({"--msaa", "3"}, "--msaa must be 1 or 4");
   refuse({"--map-size", "0"}, "--map-size");
   refuse({"--exposure", "auto", "--reference", "truth.exr"}, "give the number");

@@ -45,7 +45,7 @@ TEST_F(Profile, RenderTakesWhatItWrites) {
 TEST_F(Profile, VariancesPerChannelAreNotForRender) {
   ASSERT_EQ(profile({"--variances", "per-channel", "-o", path("each.json")}).status, 0);
   expect_refused(render({file("head.gltf", tiny_gltf()), "--profile", path("each.json")}),
-                 "--variances shared");
+                 "make the profile with shared ones");
 }
 
 TEST_F(Profile, ExitStatuses) {

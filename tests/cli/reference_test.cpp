@@ -99,7 +99,7 @@ TEST_F(Reference, RefusesWhatMakesNoSense) {
   refuse({"--camera", "none"}, "--camera");
   refuse({"--size", "0x5"}, "--size");
   refuse({"--size", "65536x65536"}, "pixels");
-  refuse({"--model", "volume"}, "--medium");
+  refuse({"--model", "volume"}, "needs a medium");
   refuse({"--model", "volume", "--medium", "cheese"}, "skin1");
   refuse({"--model", "volume", "--medium", "sigma_a=1"}, "sigma_s");
   refuse({"--model", "volume", "--medium", "sigma_a=-1 sigma_s=1"}, "sigma_a");

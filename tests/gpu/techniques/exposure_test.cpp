@@ -81,9 +81,9 @@ TEST(ChosenExposure, WithoutLitSkinIsNone) {
   const Statistics dark = picture_of(s).statistics;
   EXPECT_EQ(dark.exposure_ev, 0);
   EXPECT_FALSE(dark.skin_mean.has_value());
-  EXPECT_NE(
-      testing::internal::GetCapturedStderr().find("no lit skin in the picture, so --exposure auto is 0 EV"),
-      std::string::npos);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find(
+                "no lit skin in the picture, so an automatic output.exposure_ev is 0"),
+            std::string::npos);
 }
 
 // A prepared frame that is given an exposure, and none again.

@@ -96,9 +96,9 @@ TEST(ProfileJson, Variances) {
             std::string::npos);
   EXPECT_EQ(error_of(two_terms("[1, \"2\"]", good_weights)),
             "p.json: variances_mm2[1]: must be a number, is string");
-  EXPECT_NE(error_of(two_terms("[[1, 1, 1], [2, 2, 2]]", good_weights))
-                .find("make the profile with --variances shared"),
-            std::string::npos);
+  EXPECT_NE(
+      error_of(two_terms("[[1, 1, 1], [2, 2, 2]]", good_weights)).find("make the profile with shared ones"),
+      std::string::npos);
   EXPECT_EQ(error_of(two_terms("7", good_weights)), "p.json: variances_mm2: must be an array, is number");
 }
 

@@ -72,7 +72,7 @@ TEST(TextureBudget, TheLargestMapsAreHalvedAndOneNoteSaysSo) {
     const Warnings lines;
     const Scene scene = load_gltf(file, {.texture_budget_mb = 6});
     EXPECT_EQ(scene.images[0].pixels->width, 512);
-    EXPECT_FALSE(lines.any_with("--texture-budget"));
+    EXPECT_FALSE(lines.any_with("texture_budget_mb"));
   }
 
   // 3.8 + 1.2 MB: the first to a quarter.
@@ -85,7 +85,7 @@ TEST(TextureBudget, TheLargestMapsAreHalvedAndOneNoteSaysSo) {
   EXPECT_EQ(scene.images[0].pixels->at(200, 10)[0], 255);
   EXPECT_TRUE(
       lines.any_with("built.glb: its maps would take 5 MB, the texture budget is 3 MB "
-                     "(--texture-budget): 'map0.png' is 512 x 512 pixels, read as 256 x 256"))
+                     "(texture_budget_mb): 'map0.png' is 512 x 512 pixels, read as 256 x 256"))
       << lines.all();
   const std::string said = lines.all();
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
@@ -116,7 +116,7 @@ TEST(TextureBudget, OutOfRangeIsSaid) {
   Builder b;
   b.triangle();
   for (const double budget : {0.0, -1.0, 2e6, std::nan("")})
-    EXPECT_ERROR(b.error({.texture_budget_mb = budget}), "--texture-budget: must be 1 to 1e6 MB");
+    EXPECT_ERROR(b.error({.texture_budget_mb = budget}), "texture_budget_mb must be 1 to 1e6 MB");
 }
 
 TEST(TextureBudget, EveryHeaderIsReadBeforeAnyPictureIsDecoded) {

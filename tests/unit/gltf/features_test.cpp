@@ -345,7 +345,7 @@ TEST(GltfMaterial, SkinRule) {
   b.json["materials"][1]["name"] = "Face";
   const Warnings warnings;
   EXPECT_EQ(skins(b.load()), "");
-  EXPECT_TRUE(warnings.any_with("no material is skin; name one with --skin: 'Eye', 'Face', 'Hair'"))
+  EXPECT_TRUE(warnings.any_with("no material is skin; name one with skin_material: 'Eye', 'Face', 'Hair'"))
       << warnings.all();
 }
 

@@ -158,7 +158,7 @@ TEST(GltfHeads, ScanWithoutManifestWarnsOfItsSize) {
     const Warnings warnings;
     const Scene scene = load_gltf(file);
     EXPECT_TRUE(warnings.any_with("7.945 m high")) << warnings.all();
-    EXPECT_TRUE(warnings.any_with("--unit-scale"));
+    EXPECT_TRUE(warnings.any_with("unit_scale"));
     EXPECT_TRUE(scene.materials[0].skin);  // the only material
   }
   const Warnings warnings;

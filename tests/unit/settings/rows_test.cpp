@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Every setting has a row, and docs/settings.md is what the rows say.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "dermis/error.h"
+#include "settings/check.h"
+#include "settings/fields.h"
+#include "settings/json.h"
+#include "settings/names.h"
+
+namespace dermis {
+namespace {
+
+/// What a value may be: a range with its unit, or names.
+template <class Value>
+std::string range_of(const About& about, const Value& value) {
+  if constexpr (is_optional<Value>) {
+    return range_of(about, typename Value::value_type{});
+  } else if constexpr (std::is_enum_v<Value>) {
+    std::string names;
+    for (const std::string_view name : names_of<Value>)
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+    return names;
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return value || !value ? "true, false" : "";
+  } else if (std::isfinite(about.least) && std::isfinite(about.most)) {
+    return fmt::format("{:.10g} to {:.10g}{}{}", about.least, about.most, about.unit.empty() ? "" : " ",
+                       about.unit);
+  }
+  return std::string(about.unit);
+}
+
+std::string default_of(const nlohmann::ordered_json& defaults, const std::string& path, const About& about) {
+  nlohmann::json::json_pointer pointer;
+  for (std::size_t from = 0; from <= path.size();) {
+    const std::size_t to = std::min(path.find('.', from), path.size());
+    pointer /= path.substr(from, to - from);
+    from = to + 1;
+  }
+
+  const nlohmann::ordered_json& value =
+      defaults.at(nlohmann::ordered_json::json_pointer(pointer.to_string()));
+  const bool empty = value.is_null() || value == "" || (value.is_array() && value.empty());
+  if (empty) return about.none.empty() ? "none" : std::string(about.none);
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string table() {
+  const RenderSettings settings;
+  const nlohmann::ordered_json defaults = json_of(settings);
+  std::string text =
+      "| setting | what it is | values | default | option | new plan |\n|---|---|---|---|---|---|\n";
+
+  for_each_setting(
+      settings, [&](const std::string& path, const About& about, const auto& value, std::string_view) {
+        const std::string option = about.option.empty() ? "" : fmt::format("`--{}`", about.option);
+        text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", path, about.help, range_of(about, value),
+                            default_of(defaults, path, about), option, about.rebuilds ? "yes" : "");
+      });
+  return text;
+}
+
+/// With DERMIS_UPDATE=1 in the environment the table is written anew.
+TEST(Settings, TheDocsShowTheRows) {
+  const std::string path = std::string(DERMIS_SOURCE_DIR) + "/docs/settings.md";
+  const std::string begin =
+      "<!-- settings: written by DERMIS_UPDATE=1 build/release/tests/unit/settings/test_settings -->\n";
+  std::ifstream in(path);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t from = text.find(begin);
+  ASSERT_NE(from, std::string::npos) << path << " has lost its line " << begin;
+  const std::size_t to = text.find("<!-- end -->", from);
+  ASSERT_NE(to, std::string::npos);
+
+  if (std::getenv("DERMIS_UPDATE") != nullptr) {
+    text.replace(from + begin.size(), to - from - begin.size(), table());
+    std::ofstream(path) << text;
+    return;
+  }
+  EXPECT_EQ(text.substr(from + begin.size(), to - from - begin.size()), table());
+}
+
+TEST(Settings, HaveHelpAndAPathOfTheirOwn) {
+  const RenderSettings settings;
+  std::set<std::string> paths;
+  for_each_setting(settings, [&](const std::string& path, const About& about, const auto&, std::string_view) {
+    EXPECT_TRUE(paths.insert(path).second) << path;
+    EXPECT_FALSE(about.help.empty()) << path;
+    EXPECT_LE(about.least, about.most) << path;
+  });
+  EXPECT_GT(paths.size(), 30u);
+}
+
+/// Sets a number just outside its range, and expects an error that names it.
+struct ExpectRefused {
+  RenderSettings& settings;
+
+  template <class Value>
+  void operator()(const std::string& path, const About& about, Value& value, std::string_view) const {
+    if constexpr (is_optional<Value>) {
+      value.emplace();
+      (*this)(path, about, *value, {});
+      value.reset();
+    } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
+      const Value before = value;
+      for (const double bad : {about.least - 1, about.most + 1}) {
+        if (!std::isfinite(bad) || bad > std::numeric_limits<Value>::max()) continue;
+        value = static_cast<Value>(bad);
+        expect_error(path);
+      }
+      value = before;
+    }
+  }
+
+  void expect_error(const std::string& path) const {
+    try {
+      check_ranges(settings);
+      ADD_FAILURE() << path << " is taken whatever it is";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(path), std::string::npos) << error.what();
+    }
+  }
+};
+
+TEST(Settings, OutOfRangeAreRefusedByName) {
+  RenderSettings settings;
+  EXPECT_NO_THROW(check_ranges(settings));
+  for_each_setting(settings, ExpectRefused{settings});
+}
+
+}  // namespace
+}  // namespace dermis
