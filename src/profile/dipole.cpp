@@ -6,23 +6,14 @@
 #include <numbers>
 
 #include "optics/fresnel.h"
+#include "profile/point_source.h"
 
 namespace dermis::profile {
 namespace {
 
 using std::numbers::pi;
 
-// Lengths in mm, s = sigma_tr in 1/mm.
-
-/// Returns z (1 + s d) e^{-s d} / d^3, d = sqrt(r^2 + z^2): 4 pi times the flux through the surface at radius
-/// r from a source of unit power at distance z from the surface. Its Hankel transform is 2 pi e^{-z kappa},
-/// kappa = sqrt(s^2 + k^2).
-double source_flux(double z, double radius, double s) {
-  const double d = std::sqrt(radius * radius + z * z);
-  return z * (1 + s * d) * std::exp(-s * d) / (d * d * d);
-}
-
-/// Returns e^{-s d} / d: 4 pi D times the fluence of the same source. Its Hankel transform is
+/// Returns e^{-s d} / d: 4 pi D times the fluence of the source of source_flux(). Its Hankel transform is
 /// 2 pi e^{-z kappa} / kappa.
 double source_fluence(double z, double radius, double s) {
   const double d = std::sqrt(radius * radius + z * z);

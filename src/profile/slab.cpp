@@ -6,21 +6,12 @@
 #include <numbers>
 
 #include "optics/fresnel.h"
+#include "profile/point_source.h"
 #include "profile/thin_slab.h"
 
 namespace dermis::profile {
-namespace {
 
 using std::numbers::pi;
-
-/// Returns z (1 + s d) e^{-s d} / d^3, d = sqrt(r^2 + z^2): 4 pi times the flux through a plane at distance z
-/// from a source, as source_flux() of dipole.cpp. Odd in z: negative for a source on the other side.
-double flux(double z, double radius, double s) {
-  const double distance = std::sqrt(radius * radius + z * z);
-  return z * (1 + s * distance) * std::exp(-s * distance) / (distance * distance * distance);
-}
-
-}  // namespace
 
 TwoFlux multipole_sums(double kappa, double l, double d, double z_b0, double z_bd) {
   // Geometric sums over the images, P = 2 (d + z_b0 + z_bd):
@@ -98,8 +89,8 @@ double Multipole::image_sum(double radius_mm, bool transmitted) const {
   const auto dipole = [&](int i) {
     const double real = period * i + source_mm_, image = period * i - source_mm_ - 2 * above_mm_;
     const double depth = transmitted ? thickness_mm_ : 0, sign = transmitted ? -1 : 1;
-    return flux(sign * (real - depth), radius_mm, sigma_tr_per_mm_) -
-           flux(sign * (image - depth), radius_mm, sigma_tr_per_mm_);
+    return source_flux(sign * (real - depth), radius_mm, sigma_tr_per_mm_) -
+           source_flux(sign * (image - depth), radius_mm, sigma_tr_per_mm_);
   };
   sum = dipole(0);
   if (!std::isfinite(thickness_mm_)) return transmitted ? 0 : reduced_albedo_ / (4 * pi) * sum;
