@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
 #include "house/check.h"
 #include "house/measure.h"
+#include "support/written_table.h"
 
 namespace {
 
@@ -45,25 +45,9 @@ TEST(House, IncludesGoAlongTheDependencies) {
   expect_none(house::check_rules(rules));
 }
 
-/// The table of ARCHITECTURE.md is what the CMake files say. With DERMIS_UPDATE=1 in the environment it is
-/// written anew.
 TEST(House, ArchitectureShowsTheDependencies) {
-  const std::string path = std::string(DERMIS_SOURCE_DIR) + "/ARCHITECTURE.md";
-  const std::string begin =
-      "<!-- dependencies: written by DERMIS_UPDATE=1 build/release/tests/house/test_house -->\n";
-  std::ifstream in(path);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  const std::size_t from = text.find(begin);
-  ASSERT_NE(from, std::string::npos) << path << " has lost its line " << begin;
-  const std::size_t to = text.find("<!-- end -->", from);
-  ASSERT_NE(to, std::string::npos);
-  const std::string table = house::dependency_table(dependencies());
-  if (std::getenv("DERMIS_UPDATE") != nullptr) {
-    text.replace(from + begin.size(), to - from - begin.size(), table);
-    std::ofstream(path) << text;
-    return;
-  }
-  EXPECT_EQ(text.substr(from + begin.size(), to - from - begin.size()), table);
+  dermis::tests::expect_table("ARCHITECTURE.md", "dependencies", "build/release/tests/house/test_house",
+                              house::dependency_table(dependencies()));
 }
 
 TEST(House, GpuAndFrameKnowNothingOfSkin) { expect_none(house::check_words(tree())); }

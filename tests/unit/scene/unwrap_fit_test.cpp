@@ -7,26 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "core/log.h"
 #include "scene/coverage.h"
 #include "scene/primitives.h"
+#include "skin_meshes.h"
 
 namespace dermis::scene {
 namespace {
-
-SkinMesh only_mesh(const Scene& scene) {
-  std::vector<SkinMesh> meshes = skin_meshes(scene);
-  EXPECT_EQ(meshes.size(), 1u);
-  return std::move(meshes.at(0));
-}
-
-struct Warnings {
-  std::vector<std::string> lines;
-  LogSink former = set_log_sink([this](LogLevel level, const std::string& line) {
-    if (level == LogLevel::warning) lines.push_back(line);
-  });
-  ~Warnings() { set_log_sink(former); }
-};
 
 /// The sphere of six charts with uv = factor * uv + offset.
 Scene moved_sphere(const glm::dmat2& factor, const glm::dvec2& offset = {}) {

@@ -6,27 +6,12 @@
 #include <cmath>
 #include <set>
 
-#include "core/log.h"
 #include "scan.h"
 #include "scene/primitives.h"
+#include "skin_meshes.h"
 
 namespace dermis::scene {
 namespace {
-
-SkinMesh only_mesh(const Scene& scene) {
-  std::vector<SkinMesh> meshes = skin_meshes(scene);
-  EXPECT_EQ(meshes.size(), 1u);
-  return std::move(meshes.at(0));
-}
-
-/// Collects warnings while it lives.
-struct Warnings {
-  std::vector<std::string> lines;
-  LogSink former = set_log_sink([this](LogLevel level, const std::string& line) {
-    if (level == LogLevel::warning) lines.push_back(line);
-  });
-  ~Warnings() { set_log_sink(former); }
-};
 
 void expect_metric(const SkinMesh& mesh, const glm::dvec3& expected, double relative) {
   ASSERT_EQ(mesh.metric.size(), mesh.vertices.size());

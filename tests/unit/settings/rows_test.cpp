@@ -4,9 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -17,6 +14,7 @@
 #include "settings/fields.h"
 #include "settings/json.h"
 #include "settings/names.h"
+#include "support/written_table.h"
 
 namespace dermis {
 namespace {
@@ -70,24 +68,9 @@ std::string table() {
   return text;
 }
 
-/// With DERMIS_UPDATE=1 in the environment the table is written anew.
 TEST(Settings, TheDocsShowTheRows) {
-  const std::string path = std::string(DERMIS_SOURCE_DIR) + "/docs/settings.md";
-  const std::string begin =
-      "<!-- settings: written by DERMIS_UPDATE=1 build/release/tests/unit/settings/test_settings -->\n";
-  std::ifstream in(path);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  const std::size_t from = text.find(begin);
-  ASSERT_NE(from, std::string::npos) << path << " has lost its line " << begin;
-  const std::size_t to = text.find("<!-- end -->", from);
-  ASSERT_NE(to, std::string::npos);
-
-  if (std::getenv("DERMIS_UPDATE") != nullptr) {
-    text.replace(from + begin.size(), to - from - begin.size(), table());
-    std::ofstream(path) << text;
-    return;
-  }
-  EXPECT_EQ(text.substr(from + begin.size(), to - from - begin.size()), table());
+  tests::expect_table("docs/settings.md", "settings", "build/release/tests/unit/settings/test_settings",
+                      table());
 }
 
 TEST(Settings, HaveHelpAndAPathOfTheirOwn) {
