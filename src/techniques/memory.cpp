@@ -9,7 +9,7 @@ MapMemory map_memory(const Technique& technique, FrameSettings settings) {
   settings.heads = settings.heads_per_batch = 1;
   settings.meshes_per_batch = 1;
   passes::FramePlan plan;
-  const FrameOutputs outputs = technique.build(plan, settings);
+  const FrameOutputs outputs = technique.maps(plan, settings);
 
   const auto sum = [&](const std::vector<frame::TextureId>& maps) {
     std::uint64_t bytes = 0;

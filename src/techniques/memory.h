@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How much memory the maps of a frame take, summed from a plan.
+/// How much memory the maps of a frame take, summed from those that a plan has.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct MapMemory {
   std::uint64_t shadow_maps = 0;  ///< per head
 };
 
-/// Returns the memory, from a plan of one head whose skin meshes take turns; ignores what `settings` say of
+/// Returns the memory, from the maps of one head whose skin meshes take turns; ignores what `settings` say of
 /// batches.
 MapMemory map_memory(const Technique& technique, FrameSettings settings);
 

@@ -27,6 +27,12 @@ FrameReport screen_report(const FrameSettings&, std::span<const std::uint32_t> c
   return {.skin_pixels = counters[counter_skin_pixels], .optimise = {}, .mask = {}, .maps = {}};
 }
 
+FrameOutputs screen_maps(passes::FramePlan& plan, const FrameSettings& settings) {
+  FrameOutputs out;
+  out.shadow_maps = Screen(plan, settings).shadow_maps();
+  return out;
+}
+
 std::vector<GutterSize> no_gutters(const FrameSettings&, std::span<const std::uint32_t>) { return {}; }
 
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
@@ -104,6 +110,13 @@ void Screen::add_surfaces(std::uint32_t head) {
                                  .blended = true});
 }
 
+std::vector<frame::TextureId> Screen::shadow_maps() const {
+  std::vector<frame::TextureId> maps;
+  for (const frame::TextureId map : {shadow_, entering_, entering_depth_})
+    if (map.valid()) maps.push_back(map);
+  return maps;
+}
+
 FrameOutputs Screen::finish() {
   FrameOutputs out;
   out.picture = settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour_}).picture : colour_;
@@ -120,8 +133,7 @@ FrameOutputs Screen::finish() {
   for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer)
     out.shows[fmt::format("shadow:{}", layer)] = {.map = shadow_, .as = Shown::As::depth, .layer = layer};
 
-  for (const frame::TextureId map : {shadow_, entering_, entering_depth_})
-    if (map.valid()) out.shadow_maps.push_back(map);
+  out.shadow_maps = shadow_maps();
   return out;
 }
 

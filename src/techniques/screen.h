@@ -21,6 +21,8 @@ class Screen {
   /// Valid with translucency unless all_enters: see passes::Shadow.
   frame::TextureId entering() const { return entering_; }
   frame::BufferId counters() const { return counters_; }
+  /// Returns what is drawn once per head and light.
+  std::vector<frame::TextureId> shadow_maps() const;
   /// Returns true at the first call only: the pass that draws first clears colour and depth.
   bool take_clear();
 
@@ -40,7 +42,8 @@ class Screen {
   bool cleared_ = false;
 };
 
-/// Technique::report and Technique::gutters for techniques without light maps.
+/// Technique::maps, report and gutters for techniques without light maps.
+FrameOutputs screen_maps(passes::FramePlan& plan, const FrameSettings& settings);
 FrameReport screen_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
                           std::span<const std::uint32_t> sides);
 std::vector<GutterSize> no_gutters(const FrameSettings& settings, std::span<const std::uint32_t> sides);

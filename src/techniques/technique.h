@@ -133,6 +133,10 @@ struct Technique {
   /// Adds the passes of a frame to the empty `plan`, in the order in which they run. Needs no device.
   FrameOutputs (*build)(passes::FramePlan& plan, const FrameSettings& settings);
 
+  /// Makes the light maps and shadow maps of such a frame in `plan`, without the passes that fill them, and
+  /// returns these alone. Quick however many skin meshes there are: for techniques/memory.h.
+  FrameOutputs (*maps)(passes::FramePlan& plan, const FrameSettings& settings);
+
   /// Returns what a frame of these settings has computed. `counters`: as read back from
   /// FrameOutputs::counters. `sides`: T of each head that is drawn, texels.
   FrameReport (*report)(const FrameSettings& settings, std::span<const std::uint32_t> counters,

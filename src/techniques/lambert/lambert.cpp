@@ -40,6 +40,7 @@ constinit const Technique lambert{.name = "lambert",
                                   .uses_profile = false,
                                   .has_light_maps = false,
                                   .build = build,
+                                  .maps = screen_maps,
                                   .report = screen_report,
                                   .gutters = no_gutters};
 

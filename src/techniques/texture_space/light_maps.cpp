@@ -74,10 +74,7 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     levels_.back().blurred.push_back(blurred_.back());
   }
 
-  // The first group of transmitted light joins in the irradiance map itself; each further one has a map.
-  if (settings.translucency)
-    for (std::size_t g = 1; g < passes::transmission_groups(halvings_.size()).size(); ++g)
-      transmitted_.push_back(plan.texture(fmt::format("joining {}", g), pool_.texture(0)));
+  if (settings.translucency) make_transmitted();
 
   // A stretch map lasts from frame to frame, unless the skin meshes of a head take turns with it.
   const gpu::TextureDesc map{
@@ -108,12 +105,27 @@ const Level& LightMaps::level_of(std::size_t term) const {
                        [&](const Level& level) { return level.halvings == halvings_[term]; });
 }
 
-frame::TextureId LightMaps::halved_transmitted(std::size_t group, const Level& level) {
-  const auto [entry, is_new] = halved_transmitted_.try_emplace({group, level.halvings});
-  if (is_new)
-    entry->second =
-        plan_->texture(at(fmt::format("joining {}", group), level), pool_.texture(level.halvings));
-  return entry->second;
+// The first group of transmitted light joins in the irradiance map itself; each further one has a map, and
+// one more for each smaller size at which it joins, that of the term before the group.
+void LightMaps::make_transmitted() {
+  for (std::size_t g = 1; g < passes::transmission_groups(halvings_.size()).size(); ++g)
+    transmitted_.push_back(plan_->texture(fmt::format("joining {}", g), pool_.texture(0)));
+
+  for (const SkinPart& part : settings_->skin) {
+    const std::vector<std::size_t> groups = passes::transmission_groups(part.profile.terms.size());
+    for (std::size_t g = 1; g < groups.size(); ++g) {
+      const Level& level = level_of(groups[g] - 1);
+      if (level.halvings == 0) continue;
+      const auto [entry, is_new] = halved_transmitted_.try_emplace({g, level.halvings});
+      if (is_new)
+        entry->second =
+            plan_->texture(at(fmt::format("joining {}", g), level), pool_.texture(level.halvings));
+    }
+  }
+}
+
+frame::TextureId LightMaps::halved_transmitted(std::size_t group, const Level& level) const {
+  return halved_transmitted_.at({group, level.halvings});
 }
 
 std::vector<frame::TextureId> LightMaps::textures() const {

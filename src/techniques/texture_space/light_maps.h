@@ -67,9 +67,9 @@ class LightMaps {
   const std::vector<std::uint32_t>& halvings() const { return halvings_; }   ///< one per term
   const std::vector<frame::TextureId>& blurred() const { return blurred_; }  ///< one per term
   const std::vector<frame::TextureId>& transmitted() const { return transmitted_; }
-  /// Returns the map of transmitted light on a level, of the second (1) or third (2) group of terms. All
-  /// meshes and batches share it; made at the first call.
-  frame::TextureId halved_transmitted(std::size_t group, const Level& level);
+  /// Returns the map of transmitted light on a level, of the second (1) or third (2) group of terms, which
+  /// joins the light of that level. All meshes and batches share it.
+  frame::TextureId halved_transmitted(std::size_t group, const Level& level) const;
   /// Returns the stretch map of a mesh. Meshes that take turns with a square take turns with this, too.
   frame::TextureId stretch(std::uint32_t mesh) const { return stretch_[mesh % pool_.meshes_per_batch()]; }
   /// Returns all maps of the pool.
@@ -81,6 +81,7 @@ class LightMaps {
 
  private:
   Level make_level(std::uint32_t halvings);
+  void make_transmitted();
   void add_masks(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_dilation(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_masked_counts(const Level& level, const std::vector<passes::MapSquare>& all);

@@ -94,6 +94,14 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
   return out;
 }
 
+FrameOutputs maps(passes::FramePlan& plan, const FrameSettings& s) {
+  Screen screen(plan, s, counter_count(s.skin.size()));
+  FrameOutputs out;
+  out.shadow_maps = screen.shadow_maps();
+  if (!s.skin.empty()) out.light_maps = LightMaps(plan, s, screen).textures();
+  return out;
+}
+
 }  // namespace
 
 constinit const Technique texture_space{
@@ -102,6 +110,7 @@ constinit const Technique texture_space{
     .uses_profile = true,
     .has_light_maps = true,
     .build = build,
+    .maps = maps,
     .report = texture_space_report,
     .gutters = texture_space_gutters};
 
