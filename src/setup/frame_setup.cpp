@@ -251,7 +251,6 @@ std::vector<std::uint32_t> sides_of_drawn_heads(const FrameSetup& setup) {
 
 FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceTraits& device,
                   const std::vector<scene::Light>& suns) {
-  check_settings(s);
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
   setup.camera = frame_camera(subject, s);

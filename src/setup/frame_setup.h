@@ -12,7 +12,8 @@
 
 namespace dermis::setup {
 
-/// InputError for a setting out of range, with its name and range.
+/// InputError for a setting out of range, with its name and range. Called once per set of settings, before
+/// anything is made or read for them.
 void check_settings(const RenderSettings& settings);
 
 /// What the frame's structure takes from the device.
@@ -45,8 +46,9 @@ struct FrameSetup {
 /// T of each head that is drawn, texels.
 std::vector<std::uint32_t> sides_of_drawn_heads(const FrameSetup& setup);
 
-/// `suns`: lights of the surroundings, besides those that the settings choose. InputError: see
-/// check_settings(), frame_camera(); a map budget that holds not even one head.
+/// `settings` have passed check_settings(): who calls this checks them before reading surroundings. `suns`:
+/// lights of the surroundings, besides those that the settings choose. InputError: see frame_camera(); a map
+/// budget that holds not even one head.
 FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {},
                   const std::vector<scene::Light>& suns = {});
 
