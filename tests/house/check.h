@@ -76,6 +76,10 @@ Violations check_machine_paths(const std::vector<SourceFile>& tree);
 /// a pattern, and not looked at.
 Violations check_document_paths(const std::vector<SourceFile>& tree);
 
+/// The library knows nothing of the command line: no string literal of src/ or include/ holds the name of an
+/// option, "--size". Exception: style sheets of pages (src/report), whose variables begin so too.
+Violations check_option_names(const std::vector<SourceFile>& tree);
+
 /// True for what the compilers read: C++, headers, shaders.
 bool is_code(std::string_view path);
 bool is_shader(std::string_view path);

@@ -271,4 +271,21 @@ TEST(HouseCheck, FindsADocumentThatNamesWhatIsNotThere) {
                          "docs/a.md:1: there is no 'core/gone.h'"}));
 }
 
+TEST(HouseCheck, FindsOptionsInTextsOfTheLibrary) {
+  MadeUpTree tree;
+  tree.add("src/api/a.cpp",
+           "int i = n--; // \"--size\" in a comment\n"
+           "const char quote = '\"'; f(\"a -- b, ---, x--y, --7\", n); --n;\n"
+           "throw input_error(\"a \\\"smaller\\\" --map-size holds it\");\n");
+  tree.add("src/api/b.cpp", "const char* text = R\"css(\n  see --tone-map \"\n)css\"; --n; // --size\n");
+  tree.add("include/dermis/a.h", "/// dermis render --profile\ninline const char* help = \"--help\";\n");
+  tree.add("src/report/page.cpp", "const char* style = \"{ --at: 50% }\";\n");
+  tree.add("apps/cli/a.cpp", "add(\"--size\");\n");
+  const std::string says = " in a text of the library: name the setting";
+  EXPECT_EQ(house::check_option_names(tree.read()),
+            (house::Violations{"include/dermis/a.h:2: the option '--help'" + says,
+                               "src/api/a.cpp:3: the option '--map-size'" + says,
+                               "src/api/b.cpp:2: the option '--tone-map'" + says}));
+}
+
 }  // namespace

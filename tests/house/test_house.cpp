@@ -60,6 +60,8 @@ TEST(House, NoPathOfAMachine) { expect_none(house::check_machine_paths(tree()));
 
 TEST(House, DocumentsNameWhatIsThere) { expect_none(house::check_document_paths(tree())); }
 
+TEST(House, TheLibraryNamesNoOption) { expect_none(house::check_option_names(tree())); }
+
 TEST(House, LinesAreNarrow) { expect_none(house::check_columns(tree(), most_columns)); }
 
 TEST(House, FilesAndFunctionsAreShort) {
