@@ -4,10 +4,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "dermis/reference.h"
 #include "dermis/renderer.h"
+#include "settings/json.h"
 
 namespace dermis::cli {
 
@@ -18,25 +20,30 @@ void add_plan_command(CLI::App& app, int& exit_status);
 void add_reference_command(CLI::App& app, int& exit_status);
 void add_render_command(CLI::App& app, int& exit_status);
 
-/// What render, plan, reference and later commands have in common.
-struct SceneArguments {
-  std::string scene;          ///< path; empty: the built-in head
-  std::string save_settings;  ///< file; empty: none
-  SceneOptions options;
-  RenderSettings settings;
-};
 /// The reference knows no light maps, no shadow maps, no bloom and one head. A comparison has both: what
 /// would be ambiguous is called
 /// --scene (the file), --msaa (the renderer's samples), --techniques. The benchmark has lists of heads and
 /// distances, and chooses technique and optimisations itself.
 enum class SceneUse { render, plan, reference, comparison, bench };
+
+/// What render, plan, reference and later commands have in common.
+struct SceneArguments {
+  SceneUse use = SceneUse::render;
+  std::string scene;          ///< path; empty: the built-in head
+  std::string save_settings;  ///< file; empty: none
+  SceneOptions options;
+  RenderSettings settings;
+  std::optional<ReferenceSettings> reference;  ///< of commands that compute ground truth
+};
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use);
 Scene open_scene(const SceneArguments& arguments);
+/// What --save-settings writes, and a result holds under `settings`.
+SettingsFile settings_file(const SceneArguments& arguments);
 /// Writes the settings to the file that --save-settings names, if it does.
 void save_settings(const SceneArguments& arguments);
 
-/// Options of the reference that do not concern files.
-void add_reference_options(CLI::App& command, ReferenceSettings& settings);
+/// The title of the options of ground truth in the help.
+inline constexpr const char* truth_group = "Ground truth";
 
 /// InputError: not .png or .exr, or it cannot be written there.
 void check_picture_name(const std::string& path);

@@ -36,7 +36,7 @@ void check_outputs(const CompareArguments& arguments) {
         &arguments.scene_settings.reference_file, &arguments.scene_settings.variance_file})
     if (!input->empty()) taken.push_back(*input);
   taken.insert(taken.end(), arguments.variances.begin(), arguments.variances.end());
-  for (const std::string& output : {arguments.json, arguments.html}) {
+  for (const std::string& output : {arguments.json, arguments.html, arguments.save_settings}) {
     if (output.empty() || output == "-") continue;
     check_writable(output);
     for (const std::string& other : taken)
@@ -117,16 +117,18 @@ void compare_two(const CompareArguments& arguments) {
 void compare_techniques(const CompareArguments& arguments) {
   SceneComparisonSettings settings = arguments.scene_settings;
   settings.render = arguments.settings;
+  settings.reference = *arguments.reference;
   if (settings.techniques == std::vector<std::string>{"all"}) settings.techniques.clear();
-  const Scene scene =
-      arguments.scene == "built-in" ? Scene::built_in() : Scene::load(arguments.scene, arguments.options);
+  const Scene scene = open_scene(arguments);
   settings.stop = &catch_interrupts();
   settings.progress = show_preparation();
-  const SceneComparison found = compare_scene(scene, settings);
+  SceneComparison found = compare_scene(scene, settings);
+  found.settings = settings_file(arguments);
   const std::string page = arguments.html.empty() ? "" : scene_comparison_page(found);
   if (!arguments.html.empty()) write_file(arguments.html, page);
   if (!arguments.json.empty()) write_text(arguments.json, scene_comparison_json(found));
   if (arguments.json != "-") write_text("-", scene_comparison_text(found));
+  save_settings(arguments);
 }
 
 void run(const CompareArguments& arguments) {
@@ -168,17 +170,16 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
   command.add_option("--device", s.device, "best, an index or a part of a name of `dermis info`")
       ->group(group);
 
-  add_reference_options(command, s.reference);
   CLI::Option* file =
       command
           .add_option("--reference", s.reference_file,
                       "a picture of `dermis reference` instead of rendering it: EXR of the same size")
-          ->group("Model");
+          ->group(truth_group);
   command
       .add_option("--variance", s.variance_file,
                   "EXR: the variance of --reference, to say what its noise adds")
       ->needs(file)
-      ->group("Model");
+      ->group(truth_group);
 
   // Tie what was added here to --scene, except what suits two pictures, too.
   CLI::Option* scene = command.get_option("--scene");

@@ -6,20 +6,23 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "cli/command.h"
 #include "cli/command_line.h"
+#include "cli/output.h"
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "dermis/reference.h"
+#include "settings/names.h"
 
 namespace dermis::cli {
 namespace {
 
 struct ReferenceArguments : SceneArguments {
-  ReferenceSettings reference;
-  std::string output, variance;
+  bool resume = false;
+  std::string output, variance, stats;
 };
 
 void show_progress(const ReferenceProgress& p) {
@@ -31,29 +34,67 @@ void show_progress(const ReferenceProgress& p) {
              duration(p.seconds), duration(p.seconds_left));
 }
 
+void check_own_name(const std::string& path, const char* option, std::initializer_list<std::string> others) {
+  check_writable(path);
+  for (const std::string& other : others)
+    if (!other.empty() && same_file(path, other))
+      throw input_error(path, "is also the name of another output; {} needs its own", option);
+}
+
 void check_files(const ReferenceArguments& a) {
   check_picture_name(a.output);
+  if (!a.stats.empty() && a.stats != "-") check_own_name(a.stats, "--stats", {a.output, a.variance});
   if (a.variance.empty()) return;
   if (std::filesystem::path(a.variance).extension() != ".exr")
     throw input_error(a.variance, "the variance is written as .exr");
-  check_writable(a.variance);
-  if (same_file(a.variance, a.output))
-    throw input_error(a.variance, "is also the name of the picture; --variance needs its own");
+  check_own_name(a.variance, "--variance", {a.output});
+}
+
+struct Cost {
+  double seconds = 0, cpu_seconds = 0;
+};
+
+std::string summary(const ReferenceArguments& a, const ReferencePicture& out, const Cost& cost) {
+  std::string text =
+      fmt::format("{}, {}x{}, {} samples per pixel, noise {:.3f} %\n{:.1f} s, {:.1f} s of processor time\n",
+                  name_of(a.reference->model), out.picture.width, out.picture.height, out.samples,
+                  out.noise_percent, cost.seconds, cost.cpu_seconds);
+  if (out.lost_percent > 0)
+    text += fmt::format("{:.3f} % of the walks left through holes or folds of the mesh\n", out.lost_percent);
+  return text;
+}
+
+std::string statistics_json(const ReferenceArguments& a, const std::string& scene,
+                            const ReferencePicture& out, const Cost& cost) {
+  const nlohmann::ordered_json json{{"dermis", DERMIS_VERSION},
+                                    {"scene", scene},
+                                    {"settings", json_of(settings_file(a))},
+                                    {"size", {out.picture.width, out.picture.height}},
+                                    {"samples", out.samples},
+                                    {"noise_percent", out.noise_percent},
+                                    {"lost_percent", out.lost_percent},
+                                    {"complete", out.complete},
+                                    {"seconds", cost.seconds},
+                                    {"cpu_seconds", cost.cpu_seconds}};
+  // Names of files need not be UTF-8.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 void run(ReferenceArguments& a, int& exit_status) {
   check_files(a);
+  ReferenceSettings reference = *a.reference;
   const bool terminal = ::isatty(STDERR_FILENO);
-  if (terminal) a.reference.progress = show_progress;
-  a.reference.checkpoint = a.output + ".resume";
+  if (terminal) reference.progress = show_progress;
+  reference.resume = a.resume;
+  reference.checkpoint = a.output + ".resume";
   const Scene scene = open_scene(a);
-  a.reference.stop = &catch_interrupts();
+  reference.stop = &catch_interrupts();
 
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
-  const ReferencePicture out = render_reference(scene, a.settings, a.reference);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const double cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+  const ReferencePicture out = render_reference(scene, a.settings, reference);
+  const Cost cost{.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+                  .cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC};
   if (terminal) fmt::print(stderr, "\r\033[K");
   if (out.samples == 0)
     throw input_error(a.output, "stopped before every pixel had a sample: nothing to write");
@@ -61,11 +102,8 @@ void run(ReferenceArguments& a, int& exit_status) {
   out.picture.save(a.output);
   save_settings(a);
   if (!a.variance.empty()) out.save_variance(a.variance);
-  fmt::print("{}, {}x{}, {} samples per pixel, noise {:.3f} %\n{:.1f} s, {:.1f} s of processor time\n",
-             a.reference.model, out.picture.width, out.picture.height, out.samples, out.noise_percent,
-             seconds, cpu_seconds);
-  if (out.lost_percent > 0)
-    fmt::print("{:.3f} % of the walks left through holes or folds of the mesh\n", out.lost_percent);
+  if (!a.stats.empty()) write_text(a.stats, statistics_json(a, scene.name(), out, cost));
+  if (a.stats != "-") fmt::print("{}", summary(a, out, cost));
 
   if (!out.complete) {
     fmt::print(stderr,
@@ -76,36 +114,10 @@ void run(ReferenceArguments& a, int& exit_status) {
   }
 
   std::error_code ignored;  // most runs never had one
-  std::filesystem::remove(a.reference.checkpoint, ignored);
+  std::filesystem::remove(reference.checkpoint, ignored);
 }
 
 }  // namespace
-
-void add_reference_options(CLI::App& command, ReferenceSettings& settings) {
-  std::string models;
-  for (const std::string& name : reference_models()) models += (models.empty() ? "" : ", ") + name;
-
-  command.add_option("--model", settings.model, models)->group("Model");
-  command
-      .add_option("--medium", settings.medium,
-                  "volume: a measured material, or 'sigma_a=.. sigma_s=.. g=.. eta=..' per mm (default: what "
-                  "the profile was made of)")
-      ->group("Model");
-
-  command
-      .add_option("--samples", settings.samples,
-                  "samples of a pixel (default: 64, or as many as --noise takes); with --noise, at most")
-      ->group("Quality");
-  command
-      .add_option("--noise", settings.noise_percent,
-                  "end when the mean standard error over skin is this many per cent of the mean")
-      ->group("Quality");
-  add_count(command, "--seed", settings.seed, "of the random numbers; equal seeds give equal bits",
-            "0 to 2^64 - 1")
-      ->group("Quality");
-  command.add_option("--threads", settings.threads, "0: all cores; makes no difference to the picture")
-      ->group("Quality");
-}
 
 void add_reference_command(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand(
@@ -116,9 +128,9 @@ void add_reference_command(CLI::App& app, int& exit_status) {
   command->add_option("-o,--output", a->output, "picture to write: .exr (linear) or .png (display values)")
       ->required();
   command->add_option("--variance", a->variance, "write the variance of each value of the picture, .exr");
-  add_reference_options(*command, a->reference);
-  command->add_flag("--resume", a->reference.resume, "go on from OUTPUT.resume, which a stopped run leaves")
-      ->group("Quality");
+  command->add_option("--stats", a->stats, "write statistics as JSON, - for standard output");
+  command->add_flag("--resume", a->resume, "go on from OUTPUT.resume, which a stopped run leaves")
+      ->group(truth_group);
   command->callback([a, &exit_status] { run(*a, exit_status); });
 }
 

@@ -163,10 +163,12 @@ void add_settings(CLI::App& command, RenderSettings& s, SceneUse use) {
 // Options are read in the order in which they are added: what is given by itself wins over the file.
 void add_settings_files(CLI::App& command, SceneArguments& arguments) {
   const auto read = [&arguments](const std::string& path) {
-    SettingsFile file{.render = arguments.settings, .scene = arguments.options};
+    SettingsFile file = settings_file(arguments);
     load_settings(path, file);
     arguments.settings = file.render;
     arguments.options = file.scene;
+    // Where no truth is computed, what the file says of it is left alone.
+    if (arguments.reference) *arguments.reference = *file.reference;
   };
   command
       .add_option_function<std::string>(
@@ -184,6 +186,7 @@ void add_settings_files(CLI::App& command, SceneArguments& arguments) {
 
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use) {
   command.option_defaults()->always_capture_default();
+  arguments.use = use;
 
   if (use == SceneUse::comparison)
     command
@@ -204,6 +207,11 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
       ->group("Scene");
 
   add_settings(command, arguments.settings, use);
+  if (use == SceneUse::reference || use == SceneUse::comparison)
+    for_each_setting(arguments.reference.emplace(),
+                     [&](const std::string&, const About& about, auto& value, std::string_view) {
+                       AddOption{command}("--" + std::string(about.option), about, value)->group(truth_group);
+                     });
   command
       .add_option_function<std::string>(
           "--view", [](const std::string&) { throw CLI::ValidationError("--view", "is now --tone-map"); },
@@ -214,14 +222,20 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
     technique->description(fmt::format("{}", fmt::join(technique_names(), ", ")));
 }
 
+SettingsFile settings_file(const SceneArguments& arguments) {
+  return {.render = arguments.settings, .scene = arguments.options, .reference = arguments.reference};
+}
+
 void save_settings(const SceneArguments& arguments) {
   if (arguments.save_settings.empty()) return;
-  write_file(arguments.save_settings, to_json({.render = arguments.settings, .scene = arguments.options}));
+  write_file(arguments.save_settings, to_json(settings_file(arguments)));
 }
 
 Scene open_scene(const SceneArguments& arguments) {
   if (!arguments.save_settings.empty()) check_writable(arguments.save_settings);
-  return arguments.scene.empty() ? Scene::built_in() : Scene::load(arguments.scene, arguments.options);
+  const bool built_in =
+      arguments.scene.empty() || (arguments.use == SceneUse::comparison && arguments.scene == "built-in");
+  return built_in ? Scene::built_in() : Scene::load(arguments.scene, arguments.options);
 }
 
 void check_picture_name(const std::string& path) {

@@ -172,7 +172,7 @@ class Run {
     const ReferencePicture picture = render_reference(scene_, settings_.render, r);
     check_stopped();
     all_.reference_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    all_.model = r.model;
+    all_.model = name_of(r.model);
     all_.samples = picture.samples;
     all_.noise_percent = picture.noise_percent;
     truth_.linear = without_alpha(picture.picture.linear_rgba, all_.width, all_.height);

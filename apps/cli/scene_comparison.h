@@ -12,6 +12,7 @@
 #include "dermis/reference.h"
 #include "dermis/renderer.h"
 #include "image/image.h"
+#include "settings/json.h"
 
 namespace dermis::cli {
 
@@ -53,6 +54,7 @@ struct ComparedTechnique {
 
 struct SceneComparison {
   std::string scene, tone_map, model;
+  SettingsFile settings;         ///< as they were given
   std::string reference_file;    ///< empty: rendered now
   int samples = 0;               ///< of the reference, if it was rendered now
   double noise_percent = 0;      ///< the same

@@ -134,11 +134,9 @@ std::string scene_comparison_text(const SceneComparison& c) {
 
 std::string scene_comparison_json(const SceneComparison& c) {
   using nlohmann::ordered_json;
-  ordered_json json{{"scene", c.scene},
-                    {"size", {c.width, c.height}},
-                    {"tone_map", c.tone_map},
-                    {"exposure_ev", c.exposure_ev},
-                    {"supersample", c.supersample}};
+  ordered_json json{
+      {"scene", c.scene},       {"settings", json_of(c.settings)}, {"size", {c.width, c.height}},
+      {"tone_map", c.tone_map}, {"exposure_ev", c.exposure_ev},    {"supersample", c.supersample}};
 
   if (c.reference_file.empty())
     json["reference"] = {{"model", c.model},

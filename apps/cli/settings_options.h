@@ -4,10 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <string>
 
+#include "cli/command_line.h"
 #include "core/fields.h"
+#include "settings/check.h"
 #include "settings/names.h"
 
 namespace dermis::cli {
@@ -28,6 +32,9 @@ struct AddOption {
     const std::string help = help_of(about);
     if constexpr (std::is_enum_v<Value>)
       return add_named<Value>(name, value, help)->default_str(std::string(name_of(value)));
+    else if constexpr (std::is_same_v<Value, std::uint64_t>)
+      return add_count(command, name, value, help,
+                       std::isfinite(about.most) ? range_text(about) : "0 to 2^64 - 1");
     else if constexpr (std::is_same_v<Value, bool>)
       return about.on.empty() ? command.add_flag(name, value, help) : add_switch(name, about, value);
     else

@@ -34,15 +34,21 @@ struct ReferenceProgress {
   double seconds = 0, seconds_left = 0;  ///< since the start of this run, and an estimate
 };
 
+/// What spreads light in the skin.
+enum class ReferenceModel : std::uint8_t {
+  bssrdf,  ///< the profile, integrated over the surface
+  volume   ///< the medium, in which light is followed from one scattering to the next
+};
+
 /// How to compute the truth; RenderSettings say of what.
 struct ReferenceSettings {
-  std::string model = "bssrdf";  ///< a name of reference_models()
+  ReferenceModel model = ReferenceModel::bssrdf;
   /// Of the model "volume": a preset, or "sigma_a=... sigma_s=... g=... eta=..." per mm; empty: the medium
   /// that the profile was made of.
   std::string medium;
   std::optional<int> samples;  ///< per pixel, 1 to 1e9; none: 64, or with noise_percent as many as it takes
   /// End as soon as the mean standard error over skin is at most so many per cent of the mean, but not before
-  /// 32 samples; over 0, at most 100.
+  /// 32 samples; 1e-6 to 100.
   std::optional<double> noise_percent;
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0 (all cores) to 4096
@@ -93,8 +99,5 @@ struct PictureRegion {
 /// "folds", "seams", "the rest" (docs/truth.md says how each is found). Any may be empty. Needs no device.
 /// Throws as render_reference() does.
 std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings);
-
-/// Returns what ReferenceSettings::model may be: "bssrdf", "volume".
-std::vector<std::string> reference_models();
 
 }  // namespace dermis

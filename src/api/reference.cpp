@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "api/memory.h"
 #include "core/error.h"
@@ -15,6 +16,7 @@
 #include "reference/render.h"
 #include "scene/topology.h"
 #include "scene/unwrap.h"
+#include "settings/check.h"
 #include "setup/choose.h"
 #include "setup/reference_setup.h"
 
@@ -27,23 +29,9 @@ double seconds_since(Clock::time_point start) {
 }
 
 constexpr double checkpoint_seconds = 30;
-constexpr int most_samples = 1'000'000'000;
 
-int samples_of(const ReferenceSettings& r) { return r.samples.value_or(r.noise_percent ? most_samples : 64); }
-
-reference::Model model_of(const std::string& name) {
-  if (name == "bssrdf") return reference::Model::bssrdf;
-  if (name == "volume") return reference::Model::volume;
-  throw input_error("", "model '{}' is not known; there are: bssrdf, volume", name);
-}
-
-void check(const ReferenceSettings& r) {
-  if (r.samples && (*r.samples < 1 || *r.samples > most_samples))
-    throw input_error("", "samples must be 1 to {} per pixel, got {}", most_samples, *r.samples);
-  if (r.noise_percent && !(*r.noise_percent > 0 && *r.noise_percent <= 100))
-    throw input_error("", "noise_percent must be over 0 and at most 100 per cent, got {}", *r.noise_percent);
-  if (r.threads < 0 || r.threads > 4096)
-    throw input_error("", "threads must be 0 (all cores) to 4096, got {}", r.threads);
+int samples_of(const ReferenceSettings& r) {
+  return r.samples.value_or(r.noise_percent ? std::numeric_limits<int>::max() : 64);
 }
 
 /// A profile that dermis made from a homogeneous medium says what it was made of: 1/sigma_t' and 1/sigma_tr,
@@ -95,7 +83,7 @@ void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>&
 reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
   const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
   reference::Job job;
-  job.model = model_of(r.model);
+  job.model = r.model == ReferenceModel::volume ? reference::Model::volume : reference::Model::bssrdf;
   job.setup = setup::reference_setup(scene, s);
   if (!s.lighting.environment.empty())
     job.setup.environment = std::make_shared<const reference::EnvironmentSampler>(
@@ -168,7 +156,7 @@ class Watch {
 };
 
 ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
-  check(r);
+  check_ranges(r);
   if (!s.output.exposure_ev)
     throw input_error(
         "",
@@ -217,7 +205,5 @@ void ReferencePicture::save_variance(const std::filesystem::path& path) const {
   image::save_exr(path,
                   {.width = picture.width, .height = picture.height, .channels = 4, .values = variance_rgba});
 }
-
-std::vector<std::string> reference_models() { return {"bssrdf", "volume"}; }
 
 }  // namespace dermis

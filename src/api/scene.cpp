@@ -4,10 +4,12 @@
 #include "builtin_head/builtin_head.h"
 #include "scene/load.h"
 #include "scene/scene.h"
+#include "settings/check.h"
 
 namespace dermis {
 
 Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options) {
+  check_ranges(options);
   scene::LoadOptions load;
   load.unit_scale = options.unit_scale;
   load.skin_material = options.skin_material;

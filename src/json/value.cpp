@@ -60,6 +60,10 @@ std::uint64_t Value::count(std::uint64_t least, std::uint64_t most) const {
     fail("must be {} to {}, is {}", least, most, value);
   return static_cast<std::uint64_t>(value);
 }
+std::uint64_t Value::whole() const {
+  if (!json_->is_number_unsigned()) expected("an integer of 0 to 2^64 - 1");
+  return json_->get<std::uint64_t>();
+}
 const std::string& Value::text() const {
   if (!is_text()) expected("a string");
   return json_->get_ref<const std::string&>();

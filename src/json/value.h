@@ -51,6 +51,8 @@ class Value {
   double number(double least = -max_number, double most = max_number) const;
   /// An integer; 3.0 is one.
   std::uint64_t count(std::uint64_t least = 0, std::uint64_t most = max_count) const;
+  /// Any integer of 64 bits without a sign, to the last bit; 3.0 is none.
+  std::uint64_t whole() const;
   const std::string& text() const;
   bool boolean() const;
   /// Elements of an array; an empty one fails unless `least` is 0.

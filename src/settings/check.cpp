@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "settings/check.h"
 
+#include <cmath>
+
 #include "core/error.h"
 #include "settings/fields.h"
 #include "settings/names.h"
@@ -24,8 +26,7 @@ struct Checker {
     } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
       const auto number = static_cast<double>(value);
       if (!(number >= about.least && number <= about.most))
-        throw input_error("", "{} must be {:.10g} to {:.10g}{}{}, got {:.10g}", path, about.least, about.most,
-                          about.unit.empty() ? "" : " ", about.unit, number);
+        throw input_error("", "{} must be {}, got {:.10g}", path, range_text(about), number);
     }
   }
 
@@ -49,5 +50,13 @@ struct Checker {
 }  // namespace
 
 void check_ranges(const RenderSettings& settings) { for_each_setting(settings, Checker{}); }
+void check_ranges(const SceneOptions& options) { for_each_setting(options, Checker{}); }
+void check_ranges(const ReferenceSettings& settings) { for_each_setting(settings, Checker{}); }
+
+std::string range_text(const About& about) {
+  if (!std::isfinite(about.least) || !std::isfinite(about.most)) return "";
+  return fmt::format("{:.10g} to {:.10g}{}{}", about.least, about.most, about.unit.empty() ? "" : " ",
+                     about.unit);
+}
 
 }  // namespace dermis

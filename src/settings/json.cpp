@@ -2,6 +2,7 @@
 #include "settings/json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "json/document.h"
@@ -68,6 +69,10 @@ void read(const json::Value& json, const About& about, Value& into) {
   else if constexpr (std::is_same_v<Value, int>)
     into = static_cast<int>(
         json.count(static_cast<std::uint64_t>(about.least), static_cast<std::uint64_t>(about.most)));
+  else if constexpr (std::is_same_v<Value, std::uint64_t>)
+    into = std::isfinite(about.most)
+               ? json.count(static_cast<std::uint64_t>(about.least), static_cast<std::uint64_t>(about.most))
+               : json.whole();
   else if constexpr (std::is_same_v<Value, double>)
     into = json.number(about.least, about.most);
   else
@@ -107,12 +112,19 @@ void read_object(const json::Value& json, Settings& into) {
 }  // namespace
 
 ordered_json json_of(const RenderSettings& settings) { return object_of(settings); }
+ordered_json json_of(const SceneOptions& options) { return object_of(options); }
+ordered_json json_of(const ReferenceSettings& settings) { return object_of(settings); }
 
-std::string to_json(const SettingsFile& settings) {
+ordered_json json_of(const SettingsFile& settings) {
   ordered_json out = object_of(settings.render);
   out["scene"] = object_of(settings.scene);
+  if (settings.reference) out["reference"] = object_of(*settings.reference);
+  return out;
+}
+
+std::string to_json(const SettingsFile& settings) {
   // Names of files need not be UTF-8.
-  return out.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_of(settings).dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 void load_settings(const std::filesystem::path& path, SettingsFile& settings) {
@@ -120,11 +132,15 @@ void load_settings(const std::filesystem::path& path, SettingsFile& settings) {
   const json::Value root = document.root();
 
   std::vector<std::string_view> known = keys_of<RenderSettings>();
-  known.emplace_back("scene");
+  known.insert(known.end(), {"scene", "reference"});
   root.object().only_keys(known);
 
   read_fields(root, settings.render);
   if (const auto scene = root.find("scene")) read_object(*scene, settings.scene);
+  if (const auto reference = root.find("reference")) {
+    if (!settings.reference) settings.reference.emplace();
+    read_object(*reference, *settings.reference);
+  }
 }
 
 }  // namespace dermis

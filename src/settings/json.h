@@ -5,20 +5,27 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
+#include "dermis/reference.h"
 #include "dermis/scene.h"
 #include "dermis/settings.h"
 
 namespace dermis {
 
-/// What a file of settings holds: those of RenderSettings, and under "scene" how the scene is read.
+/// What a file of settings holds: those of RenderSettings, under "scene" how the scene is read, and under
+/// "reference" how ground truth is computed, where that is done.
 struct SettingsFile {
   RenderSettings render;
   SceneOptions scene;
+  std::optional<ReferenceSettings> reference;
 };
 
 nlohmann::ordered_json json_of(const RenderSettings& settings);
+nlohmann::ordered_json json_of(const SceneOptions& options);
+nlohmann::ordered_json json_of(const ReferenceSettings& settings);
+nlohmann::ordered_json json_of(const SettingsFile& settings);
 std::string to_json(const SettingsFile& settings);
 
 /// Reads a file of at most 1 MiB into `settings`; what it does not name stays as it is. InputError names file

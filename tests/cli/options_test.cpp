@@ -122,6 +122,7 @@ TEST_F(Options, ValuesOutOfRange) {
   refuse({"--fov", "180"}, "--fov");
   refuse({"--unit-scale", "0"}, "--unit-scale");
   refuse({"--unit-scale", "1e30"}, "--unit-scale");
+  refuse({"--texture-budget", "0"}, "--texture-budget");
 }
 
 TEST_F(Options, ExtremesThatAreAllowedGiveAPicture) {

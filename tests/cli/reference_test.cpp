@@ -3,6 +3,7 @@
 // to the picture.
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "cli/program.h"
 #include "cli/tiny_gltf.h"
@@ -82,6 +83,28 @@ TEST_F(Reference, CtrlCWritesWhatThereIsAndResumeGoesOn) {
   EXPECT_EQ(reference("whole.exr", {"--samples", "2", "--resume"}).status, 0);
 }
 
+TEST_F(Reference, StatisticsHoldTheSettingsOfTheRun) {
+  const std::string stats = in_folder("stats.json"), saved = in_folder("saved.json");
+  const Result first = reference("a.exr", {"--samples", "2", "--seed", "18446744073709551615", "--orbit",
+                                           "20,0", "--stats", stats, "--save-settings", saved});
+  ASSERT_EQ(first.status, 0) << first.err;
+  const auto written = nlohmann::json::parse(read_text(stats));
+  EXPECT_EQ(written.at("samples"), 2);
+  EXPECT_EQ(written.at("complete"), true);
+  EXPECT_EQ(written.at("settings"), nlohmann::json::parse(read_text(saved)));
+  EXPECT_EQ(written.at("settings").at("reference").at("seed"), 18446744073709551615u);
+  EXPECT_EQ(written.at("settings").at("camera").at("orbit_deg").at(0), 20);
+
+  // They are what --settings reads: the same picture again, and what is given by itself wins.
+  const std::string settings = file("settings.json", written.at("settings").dump());
+  ASSERT_EQ(reference("b.exr", {"--settings", settings}).status, 0);
+  EXPECT_EQ(read_text(folder() / "a.exr"), read_text(folder() / "b.exr"));
+  ASSERT_EQ(reference("b.exr", {"--settings", settings, "--seed", "2"}).status, 0);
+  EXPECT_NE(read_text(folder() / "a.exr"), read_text(folder() / "b.exr"));
+  // Another command leaves alone what only this one has.
+  EXPECT_EQ(run({"plan", head(), "--settings", settings}, no_driver).status, 0);
+}
+
 TEST_F(Reference, RefusesWhatMakesNoSense) {
   const auto refuse = [&](const Arguments& arguments, const std::string& says) {
     SCOPED_TRACE(arguments[0] + " " + arguments[1]);
@@ -107,6 +130,15 @@ TEST_F(Reference, RefusesWhatMakesNoSense) {
   refuse({"--environment", in_folder("nowhere.hdr")}, "no such environment");
   refuse({"--environment-intensity", "-1"}, "--environment-intensity");
   refuse({"--variance", in_folder("r.exr")}, "its own");
+  refuse({"--stats", in_folder("r.exr")}, "its own");
+  const auto with = [&](const std::string& text) {
+    return file("wrong.json", R"({"reference": )" + text + "}");
+  };
+  refuse({"--settings", with(R"({"samples": 0})")}, "reference.samples");
+  refuse({"--settings", with(R"({"model": "magic"})")}, "bssrdf, volume");
+  refuse({"--settings", with(R"({"seed": 1.5})")}, "reference.seed");
+  refuse({"--settings", with(R"({"seed": -1})")}, "reference.seed");
+  refuse({"--settings", with(R"({"checkpoint": "a"})")}, "threads");
 
   expect_refused(run({"reference", head(), "-o", in_folder("a.bmp")}), ".bmp");
   expect_not_understood(reference("r.exr", {"--technique", "lambert"}), "--technique");

@@ -90,10 +90,6 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
 }  // namespace
 
 Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
-  if (!(options.unit_scale > 0 && options.unit_scale <= 1e6))
-    throw input_error("", "unit_scale must be over 0 and at most 1e6, got {}", options.unit_scale);
-  if (!(options.texture_budget_mb >= 1 && options.texture_budget_mb <= 1e6))
-    throw input_error("", "texture_budget_mb must be 1 to 1e6 MB, got {}", options.texture_budget_mb);
   const auto too_large = [&] { return input_error(path.string(), "needs more memory than there is"); };
   const WarningGroup group;
   try {

@@ -31,11 +31,9 @@ std::string range_of(const About& about, const Value& value) {
     return names;
   } else if constexpr (std::is_same_v<Value, bool>) {
     return value || !value ? "true, false" : "";
-  } else if (std::isfinite(about.least) && std::isfinite(about.most)) {
-    return fmt::format("{:.10g} to {:.10g}{}{}", about.least, about.most, about.unit.empty() ? "" : " ",
-                       about.unit);
   }
-  return std::string(about.unit);
+  const std::string range = range_text(about);
+  return range.empty() ? std::string(about.unit) : range;
 }
 
 std::string default_of(const nlohmann::ordered_json& defaults, const std::string& path, const About& about) {
@@ -53,40 +51,58 @@ std::string default_of(const nlohmann::ordered_json& defaults, const std::string
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-std::string table() {
-  const RenderSettings settings;
+/// The settings of a structure; `parent` is its section in a file of settings.
+template <class Settings>
+std::string table(const std::string& parent = "") {
+  const Settings settings;
   const nlohmann::ordered_json defaults = json_of(settings);
-  std::string text =
-      "| setting | what it is | values | default | option | new plan |\n|---|---|---|---|---|---|\n";
+  constexpr bool has_plan = std::is_same_v<Settings, RenderSettings>;
+  std::string text = "| setting | what it is | values | default | option |";
+  text += has_plan ? " new plan |\n|---|---|---|---|---|---|\n" : "\n|---|---|---|---|---|\n";
 
   for_each_setting(
       settings, [&](const std::string& path, const About& about, const auto& value, std::string_view) {
         const std::string option = about.option.empty() ? "" : fmt::format("`--{}`", about.option);
-        text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", path, about.help, range_of(about, value),
-                            default_of(defaults, path, about), option, about.rebuilds ? "yes" : "");
+        text += fmt::format("| `{}` | {} | {} | {} | {} |", path_of(parent, path), about.help,
+                            range_of(about, value), default_of(defaults, path, about), option);
+        text += has_plan ? fmt::format(" {} |\n", about.rebuilds ? "yes" : "") : "\n";
       });
   return text;
 }
 
-TEST(Settings, TheDocsShowTheRows) {
-  tests::expect_table("docs/settings.md", "settings", "build/release/tests/unit/settings/test_settings",
-                      table());
+void expect_in_docs(const std::string& name, const std::string& text) {
+  tests::expect_table("docs/settings.md", name, "build/release/tests/unit/settings/test_settings", text);
 }
 
-TEST(Settings, HaveHelpAndAPathOfTheirOwn) {
-  const RenderSettings settings;
+TEST(Settings, TheDocsShowTheRows) {
+  expect_in_docs("settings", table<RenderSettings>());
+  expect_in_docs("scene", table<SceneOptions>("scene"));
+  expect_in_docs("reference", table<ReferenceSettings>("reference"));
+}
+
+template <class Settings>
+std::size_t expect_whole_rows() {
+  const Settings settings;
   std::set<std::string> paths;
   for_each_setting(settings, [&](const std::string& path, const About& about, const auto&, std::string_view) {
     EXPECT_TRUE(paths.insert(path).second) << path;
     EXPECT_FALSE(about.help.empty()) << path;
     EXPECT_LE(about.least, about.most) << path;
+    EXPECT_EQ(std::isfinite(about.least), std::isfinite(about.most)) << path << " is bounded on one side";
   });
-  EXPECT_GT(paths.size(), 30u);
+  return paths.size();
+}
+
+TEST(Settings, HaveHelpAndAPathOfTheirOwn) {
+  EXPECT_GT(expect_whole_rows<RenderSettings>(), 30u);
+  EXPECT_GE(expect_whole_rows<SceneOptions>(), 3u);
+  EXPECT_GE(expect_whole_rows<ReferenceSettings>(), 6u);
 }
 
 /// Sets a number just outside its range, and expects an error that names it.
+template <class Settings>
 struct ExpectRefused {
-  RenderSettings& settings;
+  Settings& settings;
 
   template <class Value>
   void operator()(const std::string& path, const About& about, Value& value, std::string_view) const {
@@ -97,7 +113,7 @@ struct ExpectRefused {
     } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
       const Value before = value;
       for (const double bad : {about.least - 1, about.most + 1}) {
-        if (!std::isfinite(bad) || bad > std::numeric_limits<Value>::max()) continue;
+        if (!std::isfinite(bad) || bad > static_cast<double>(std::numeric_limits<Value>::max())) continue;
         value = static_cast<Value>(bad);
         expect_error(path);
       }
@@ -115,10 +131,17 @@ struct ExpectRefused {
   }
 };
 
-TEST(Settings, OutOfRangeAreRefusedByName) {
-  RenderSettings settings;
+template <class Settings>
+void expect_ranges_hold() {
+  Settings settings;
   EXPECT_NO_THROW(check_ranges(settings));
-  for_each_setting(settings, ExpectRefused{settings});
+  for_each_setting(settings, ExpectRefused<Settings>{settings});
+}
+
+TEST(Settings, OutOfRangeAreRefusedByName) {
+  expect_ranges_hold<RenderSettings>();
+  expect_ranges_hold<SceneOptions>();
+  expect_ranges_hold<ReferenceSettings>();
 }
 
 }  // namespace
