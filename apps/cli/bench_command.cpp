@@ -143,6 +143,7 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   found.cores = static_cast<int>(std::thread::hardware_concurrency());
   found.rounds = a.rounds;
   found.settings = a.settings;
+  found.options = a.options;
 
   bool first = true;
   bench::measure(renderer, scene, task, found, [&](const bench::Cell& cell) {

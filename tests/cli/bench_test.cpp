@@ -44,10 +44,11 @@ TEST_F(Bench, AnswersOtherProgramsRelyOn) {
   for (const char* key : {"dermis", "commit", "device", "driver", "command", "scene", "timing"})
     EXPECT_TRUE(j.at(key).is_string() && j.at(key) != "") << key;
   EXPECT_NE(j.at("command").get<std::string>().find(" bench "), std::string::npos);
-  EXPECT_EQ(j.at("settings").at("size"), json({48, 30}));
-  EXPECT_EQ(j.at("settings").at("map_size"), 64);
-  EXPECT_EQ(j.at("settings").at("lights"), 2);
-  EXPECT_EQ(j.at("settings").at("gaussians"), 6);
+  EXPECT_EQ(j.at("settings").at("output").at("height"), 30);
+  EXPECT_EQ(j.at("settings").at("quality").at("map_size"), 64);
+  EXPECT_EQ(j.at("settings").at("scene").at("unit_scale"), 1);
+  EXPECT_EQ(j.at("lights"), 2);
+  EXPECT_EQ(j.at("gaussians"), 6);
 
   ASSERT_EQ(j.at("cells").size(), 2u);
   for (const json& cell : j.at("cells")) {
@@ -115,8 +116,9 @@ TEST_F(Bench, ListsLeaveTheSceneAlone) {
 
 TEST_F(Bench, LampsInPlaceOfTheRig) {
   const json j = found({"--heads", "1", "--rounds", "1", "--picture-samples", "0", "--light", "30,20"});
-  EXPECT_EQ(j.at("settings").at("lights"), 1);
-  EXPECT_EQ(j.at("settings").at("placed_lights"), json({{30, 20, 3}}));
+  EXPECT_EQ(j.at("lights"), 1);
+  EXPECT_EQ(j.at("settings").at("lighting").at("placed_lights"),
+            json({{{"azimuth_deg", 30.0}, {"elevation_deg", 20.0}, {"irradiance", 3.0}}}));
 }
 
 TEST_F(Bench, ProgressiveMapsAreABaselineOfTheirOwn) {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/bench/recorded.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
 #include <set>
 
 #include "json/document.h"
+#include "settings/fields.h"
 
 namespace dermis::cli::bench {
 namespace {
@@ -39,6 +44,65 @@ RecordedCell read_cell(const json::Value& value) {
   return cell;
 }
 
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+// By path, without their sections.
+void flatten(const json::Value& value, const std::string& path, Settings& into) {
+  if (!value.is_object()) {
+    into.emplace_back(path, value.dump());
+    return;
+  }
+  for (const std::string& name : value.keys()) flatten(value.at(name), path_of(path, name), into);
+}
+
+// "[[30,20,3]]", as lamps were once recorded.
+std::string lamps_of(const json::Value& placed) {
+  std::vector<std::string> lamps;
+  for (std::size_t i = 0; i < placed.array_size(0, 64); ++i) {
+    const json::Value lamp = placed.element(i);
+    lamp.array_size(3, 3);
+    lamps.push_back(fmt::format(R"({{"azimuth_deg":{},"elevation_deg":{},"irradiance":{}}})",
+                                lamp.element(0).dump(), lamp.element(1).dump(), lamp.element(2).dump()));
+  }
+  return fmt::format("[{}]", fmt::join(lamps, ","));
+}
+
+// Older records have no sections, and name a setting by the end of its path.
+Settings old_settings(const json::Value& settings) {
+  std::map<std::string, std::string> path_by_name;
+  const RenderSettings rows;
+  for_each_setting(rows, [&](const std::string& path, const About&, const auto&, std::string_view) {
+    path_by_name.emplace(path.substr(path.rfind('.') + 1), path);
+  });
+
+  Settings found;
+  for (const std::string& name : settings.keys()) {
+    const json::Value value = settings.at(name);
+    const auto row = path_by_name.find(name);
+    if (name == "size") {
+      value.array_size(2, 2);
+      found.emplace_back("output.width", value.element(0).dump());
+      found.emplace_back("output.height", value.element(1).dump());
+    } else if (name == "placed_lights") {
+      found.emplace_back("lighting.placed_lights", lamps_of(value));
+    } else {
+      found.emplace_back(row == path_by_name.end() ? name : row->second, value.dump());
+    }
+  }
+  return found;
+}
+
+Settings read_settings(const json::Value& root) {
+  const json::Value settings = root.at("settings");
+  if (!settings.object().has("quality")) return old_settings(settings);
+
+  Settings found;
+  flatten(settings, "", found);
+  for (const char* name : {"lights", "gaussians"})
+    if (root.has(name)) found.emplace_back(name, root.at(name).dump());
+  return found;
+}
+
 }  // namespace
 
 Recorded read_recorded(const std::string& path) {
@@ -52,9 +116,7 @@ Recorded read_recorded(const std::string& path) {
   recorded.commit = root.at("commit").text();
   recorded.device = root.at("device").text();
   recorded.scene = root.at("scene").text();
-  const json::Value settings = root.at("settings");
-  for (const std::string& name : settings.keys())
-    recorded.settings.emplace_back(name, settings.at(name).dump());
+  recorded.settings = read_settings(root);
 
   const json::Value cells = root.at("cells");
   std::set<std::pair<int, double>> seen;

@@ -24,7 +24,7 @@ struct RecordedCell {
 
 struct Recorded {
   std::string file, commit, device, scene;
-  std::vector<std::pair<std::string, std::string>> settings;  ///< values as JSON
+  std::vector<std::pair<std::string, std::string>> settings;  ///< by path, "quality.map_size"; values as JSON
   std::vector<RecordedCell> cells;
 };
 

@@ -9,6 +9,7 @@
 
 #include "cli/bench/paper.h"
 #include "core/assert.h"
+#include "settings/json.h"
 #include "settings/names.h"
 
 namespace dermis::cli::bench {
@@ -69,39 +70,6 @@ ordered_json cell_json(const Cell& cell) {
   return json;
 }
 
-ordered_json settings_json(const Run& run) {
-  const RenderSettings& s = run.settings;
-  ordered_json placed = ordered_json::array();
-  for (const PlacedLight& light : s.lighting.placed_lights)
-    placed.push_back({light.azimuth_deg, light.elevation_deg, light.irradiance});
-
-  return {{"size", {s.output.width, s.output.height}},
-          {"map_size", s.quality.map_size},
-          {"shadow_size", s.quality.shadow_size},
-          {"samples", s.quality.samples},
-          {"lights", run.lights},
-          {"gaussians", run.gaussians},
-          {"placed_lights", placed},
-          {"environment", s.lighting.environment},
-          {"environment_intensity", s.lighting.environment_intensity},
-          {"environment_rotation_deg", s.lighting.environment_rotation_deg},
-          {"maps", name_of(s.quality.maps)},
-          {"mask", s.quality.mask ? ordered_json(name_of(*s.quality.mask)) : ordered_json(nullptr)},
-          {"d_ref", or_null(s.quality.d_ref)},
-          {"clip_margin_mm", or_null(s.quality.clip_margin_mm)},
-          {"map_budget_mb", or_null(s.quality.map_budget_mb)},
-          {"fov_deg", or_null(s.camera.fov_deg)},
-          {"profile", s.skin.profile},
-          {"mix", or_null(s.skin.mix)},
-          {"light_radius_m", or_null(s.lighting.light_radius_m)},
-          {"ambient", s.lighting.ambient},
-          {"specular", s.lighting.specular},
-          {"translucency", s.skin.translucency},
-          {"white_albedo", s.lighting.white_albedo},
-          {"bloom", s.output.bloom},
-          {"tone_map", name_of(s.output.tone_map)}};
-}
-
 }  // namespace
 
 bool Cell::has(const std::string& key) const {
@@ -117,12 +85,14 @@ const Measured& Cell::of(const std::string& key) const {
 }
 
 std::string run_json(const Run& run) {
-  ordered_json json{{"dermis", run.version},  {"commit", run.commit},
-                    {"command", run.command}, {"device", run.device},
-                    {"driver", run.driver},   {"api", run.api},
-                    {"cores", run.cores},     {"timing", run.timing},
-                    {"scene", run.scene},     {"settings", settings_json(run)},
-                    {"rounds", run.rounds},   {"complete", run.complete}};
+  ordered_json json{
+      {"dermis", run.version},  {"commit", run.commit},
+      {"command", run.command}, {"device", run.device},
+      {"driver", run.driver},   {"api", run.api},
+      {"cores", run.cores},     {"timing", run.timing},
+      {"scene", run.scene},     {"settings", json_of(SettingsFile{run.settings, run.options, {}})},
+      {"lights", run.lights},   {"gaussians", run.gaussians},
+      {"rounds", run.rounds},   {"complete", run.complete}};
   json["cells"] = ordered_json::array();
   for (const Cell& cell : run.cells) json["cells"].push_back(cell_json(cell));
   // Names of files need not be UTF-8.

@@ -62,6 +62,7 @@ struct Run {
   int cores = 0;
   int lights = 0, gaussians = 0, rounds = 0;
   RenderSettings settings;  ///< common to all cells and variants
+  SceneOptions options;
   std::vector<Cell> cells;
   bool complete = true;                ///< false: stopped by Ctrl-C
   std::vector<CellPictures> pictures;  ///< one per cell, or none

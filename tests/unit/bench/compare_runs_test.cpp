@@ -51,10 +51,24 @@ TEST_F(CompareRuns, EqualRunsAreEqual) {
       << comparison_text(found);
 }
 
-// The pass of the tone map was once called "view".
+// Settings once had no sections, and the pass of the tone map was called "view".
 TEST_F(CompareRuns, AnOlderRecordIsUnderstood) {
   json old = made_up();
-  old["settings"].erase("tone_map");
+  old["settings"] = {{"size", {1280, 720}},
+                     {"map_size", 2048},
+                     {"samples", 4},
+                     {"lights", 2},
+                     {"gaussians", 6},
+                     {"mask", nullptr},
+                     {"maps", "full"},
+                     {"environment", ""},
+                     {"fov_deg", nullptr},
+                     {"profile", ""},
+                     {"placed_lights", json::array()},
+                     {"bloom", 0.05},
+                     {"light_radius", nullptr}};
+  old.erase("lights");
+  old.erase("gaussians");
   for (json& cell : old["cells"])
     for (json& variant : cell["variants"])
       for (json& pass : variant["passes"])
@@ -63,6 +77,32 @@ TEST_F(CompareRuns, AnOlderRecordIsUnderstood) {
   const Recorded read = recorded(old);
   EXPECT_EQ(read.cells[0].times[0].passes.back().name, "tone map");
   EXPECT_EQ(compare_runs(read, recorded(made_up())).compared, 4u * 10);
+
+  // What it says of its settings is still held against those of a newer one.
+  const auto refused = [&](const std::string& name, const json& value, const std::string& says) {
+    json other = old;
+    other["settings"][name] = value;
+    try {
+      compare_runs(recorded(other), recorded(made_up()));
+      ADD_FAILURE() << name << " is compared";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("setting '" + says + "' is "), std::string::npos)
+          << error.what();
+    }
+  };
+  refused("size", {1280, 721}, "output.height");
+  refused("map_size", 64, "quality.map_size");
+  refused("profile", "skin", "skin.profile");
+  refused("gaussians", 4, "gaussians");
+  refused("placed_lights", {{30, 20, 3}}, "lighting.placed_lights");
+}
+
+TEST_F(CompareRuns, LampsOfAnOlderRecordAreThoseOfANewerOne) {
+  json old = made_up(), now = made_up();
+  old["settings"] = {{"placed_lights", {{30.0, 20.0, 3.0}}}};
+  now["settings"]["lighting"]["placed_lights"] = {
+      {{"azimuth_deg", 30.0}, {"elevation_deg", 20.0}, {"irradiance", 3.0}}};
+  EXPECT_EQ(compare_runs(recorded(old), recorded(now)).compared, 4u * 10);
 }
 
 TEST_F(CompareRuns, ASlowdownIsFoundAndExplained) {
@@ -111,12 +151,12 @@ TEST_F(CompareRuns, OnlyWhatBothHaveIsCompared) {
 
 TEST_F(CompareRuns, AnotherTestIsNotComparable) {
   json j = made_up();
-  j["settings"]["map_size"] = 64;
+  j["settings"]["quality"]["map_size"] = 64;
   try {
     compare_runs(recorded(made_up()), recorded(j));
     FAIL() << "compared";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("setting 'map_size' is 64, in "), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("setting 'quality.map_size' is 64, in "), std::string::npos)
         << error.what();
   }
   json scene = made_up();
