@@ -40,6 +40,16 @@ TEST(JsonValue, ReadsWhatIsThere) {
   EXPECT_EQ(root.at("objects").dump(), R"([{"i":1},{"i":0}])");
 }
 
+TEST(JsonValue, WholeNumbersOf64BitsAreExact) {
+  const Document document(R"({"most": 18446744073709551615, "odd": 9007199254740993})", "a.json");
+  EXPECT_EQ(document.root().at("most").whole(), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(document.root().at("odd").whole(), 9007199254740993u);
+  for (const char* text : {"-1", "1.0", "18446744073709551616", "null"})
+    EXPECT_NE(error_of(text, [](const Value& value) { value.whole(); }).find("must be an integer of 0 to"),
+              std::string::npos)
+        << text;
+}
+
 TEST(JsonValue, WhatIsLeftOutHasItsDefault) {
   const Document document("{}", "a.json");
   const Value root = document.root();
