@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// A row says whether a change of its setting may make the plan of a frame anew. Set to other values, in
+// several frames, those that say no leave the plan as it is, and each that says yes changes it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "builtin_head/builtin_head.h"
+#include "dermis/error.h"
+#include "environment/environment.h"
+#include "environment/sources.h"
+#include "settings/fields.h"
+#include "settings/names.h"
+#include "setup/environment_light.h"
+#include "setup/frame_setup.h"
+#include "support/files.h"
+
+namespace dermis::setup {
+namespace {
+
+/// A scene and settings, which are then changed one at a time.
+struct Frame {
+  std::string name;
+  Subject subject;
+  RenderSettings settings;
+};
+
+/// Settings whose change needs more than the built-in head by itself to make another plan.
+struct Exception {
+  std::string_view path, frame, reason;
+};
+constexpr Exception exceptions[] = {
+    {"skin.normalise_profile", "weights that nearly sum to 1", "others are refused, or sum to 1 already"},
+};
+
+Subject head() {
+  auto scene = std::make_shared<scene::Scene>(builtin_head::make({.map_size = 64}));
+  scene->cameras.push_back({.name = "side"});
+  return examine(std::move(scene));
+}
+
+/// A file: two Gaussians, whose weights sum to 1 but for what is taken for a rounding.
+const std::string& profile_file() {
+  static const tests::TempFolder folder;
+  static const std::string path = [] {
+    const std::filesystem::path file = folder.path() / "profile.json";
+    tests::write_text(file,
+                      R"({"variances_mm2": [0.1, 1], "weights": [[0.5, 0.5, 0.5], [0.5005, 0.5, 0.5]]})");
+    return file.string();
+  }();
+  return path;
+}
+
+std::vector<Frame> frames() {
+  const Subject subject = head();
+  return {{"the built-in head", subject, {}},
+          {"heads in the studio",
+           subject,
+           {.camera = {.heads = 3}, .lighting = {.environment = "studio"}, .quality = {.map_size = 256}}},
+          {"weights that nearly sum to 1", subject, {.skin = {.profile = profile_file()}}}};
+}
+
+FrameSetup set_up_frame(const Frame& frame) {
+  check_settings(frame.settings);
+  static const environment::Split studio =
+      environment::split_sources(environment::from_name_or_file("studio"));
+  std::vector<scene::Light> suns;
+  if (!frame.settings.lighting.environment.empty()) suns = lights_of(studio.sources, frame.settings);
+  return set_up(frame.subject, frame.settings, {}, suns);
+}
+
+// Values to try; those that are out of range are left out by who tries them.
+template <class Value>
+std::vector<Value> values_for(const std::string& path, const About& about) {
+  if constexpr (std::is_same_v<Value, bool>) {
+    return {false, true};
+  } else if constexpr (std::is_enum_v<Value>) {
+    std::vector<Value> all;
+    for (std::size_t i = 0; i < names_of<Value>.size(); ++i) all.push_back(static_cast<Value>(i));
+    return all;
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    static const std::map<std::string, std::vector<std::string>> texts{
+        {"technique", {"texture-space", "lambert"}},
+        {"camera.name", {"", "side"}},
+        {"lighting.environment", {"", "studio"}},
+        {"skin.profile", {"skin", profile_file()}},
+        {"output.show", {"picture", "irradiance", "visibility", "shadow:0"}}};
+    return texts.at(path);
+  } else if constexpr (std::is_same_v<Value, std::array<double, 2>>) {
+    return {{0, 0}, {30, 10}, {-170, 80}};
+  } else if constexpr (std::is_same_v<Value, std::vector<PlacedLight>>) {
+    return {{PlacedLight{}}, std::vector<PlacedLight>(3)};
+  } else {
+    return {static_cast<Value>(about.least),
+            static_cast<Value>(about.most),
+            Value(0),
+            static_cast<Value>(0.1),
+            Value(1),
+            Value(2),
+            Value(4),
+            Value(1000)};
+  }
+}
+
+template <class Value>
+std::vector<Value> others(const std::string& path, const About& about, const Value& now) {
+  std::vector<Value> found;
+  if constexpr (is_optional<Value>) {
+    found.emplace_back();
+    for (const auto& value : values_for<typename Value::value_type>(path, about)) found.emplace_back(value);
+  } else {
+    found = values_for<Value>(path, about);
+  }
+  if constexpr (!std::is_same_v<Value, std::vector<PlacedLight>>) std::erase(found, now);
+  return found;
+}
+
+struct Tried {
+  int values = 0, new_plans = 0;
+};
+
+/// Sets one setting after the other to each of its other values, and back.
+std::map<std::string, Tried> try_all(Frame frame) {
+  const FrameSetup before = set_up_frame(frame);
+  std::map<std::string, Tried> tried;
+
+  const auto one = [&](const std::string& path, const About& about, auto& value, std::string_view) {
+    auto now = value;
+    for (const auto& other : others(path, about, now)) {
+      value = other;
+      try {
+        const FrameSetup after = set_up_frame(frame);
+        ++tried[path].values;
+        if (after.plan != before.plan || after.technique != before.technique) ++tried[path].new_plans;
+      } catch (const InputError&) {
+        // Out of range, or not together with another setting of this frame.
+      }
+    }
+    value = now;
+  };
+  for_each_setting(frame.settings, one);
+  return tried;
+}
+
+TEST(Rebuilds, RowsSayWhatChangesThePlan) {
+  std::map<std::string, std::map<std::string, Tried>> tried;  // by frame, by setting
+  for (const Frame& frame : frames()) tried[frame.name] = try_all(frame);
+
+  const RenderSettings settings;
+  for_each_setting(settings, [&](const std::string& path, const About& about, const auto&, std::string_view) {
+    if (!about.rebuilds) {
+      for (auto& [frame, found] : tried) {
+        EXPECT_GT(found[path].values, 0) << path << ": no other value was taken, " << frame;
+        EXPECT_EQ(found[path].new_plans, 0)
+            << path << " changes the plan: its row lacks .rebuilds, " << frame;
+      }
+      return;
+    }
+
+    const auto* exception = std::find_if(std::begin(exceptions), std::end(exceptions),
+                                         [&](const Exception& e) { return e.path == path; });
+    const bool is_exception = exception != std::end(exceptions);
+    const std::string frame = is_exception ? std::string(exception->frame) : "the built-in head";
+    EXPECT_GT(tried.at(frame)[path].new_plans, 0)
+        << path << " leaves the plan as it is: its row says .rebuilds, " << frame;
+    if (is_exception) {
+      EXPECT_EQ(tried.at("the built-in head")[path].new_plans, 0)
+          << path << " is no exception: " << exception->reason;
+    }
+  });
+}
+
+}  // namespace
+}  // namespace dermis::setup
