@@ -6,32 +6,34 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/command_line.h"
 #include "cli/output.h"
 #include "cli/profile_report.h"
 #include "cli/profile_source.h"
 #include "cli/profile_swatches.h"
 #include "cli/progress.h"
+#include "cli/settings_options.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "gaussians/exchange.h"
 #include "gaussians/known.h"
 #include "image/codec.h"
+#include "optics/skin_colour.h"
 #include "profile/spectral.h"
+#include "settings/check.h"
+#include "settings/profile_fields.h"
 
 namespace dermis::cli {
 namespace {
 
-struct ProfileOptions {
+struct ProfileArguments {
   SourceOptions source;
-  int gaussians = 6;
   std::string variances = "shared";
   std::string output, plot, swatches, export_to;
   std::vector<std::string> compare;
 };
 
 /// Nothing that is written may be something else that is written or read.
-void check_files(const ProfileOptions& options) {
+void check_files(const ProfileArguments& options) {
   struct File {
     const char* option;
     std::string path;
@@ -54,7 +56,7 @@ void check_files(const ProfileOptions& options) {
                           files[i].option, files[j].option);
   }
 
-  const std::filesystem::path& cache = options.source.monte_carlo.cache;
+  const std::filesystem::path& cache = options.source.cache;
   std::error_code ignored;
   if (!cache.empty() && std::filesystem::exists(cache, ignored) &&
       !std::filesystem::is_directory(cache, ignored))
@@ -62,12 +64,10 @@ void check_files(const ProfileOptions& options) {
 }
 
 /// What can be refused before the long work.
-void check(const ProfileOptions& options) {
-  if (options.gaussians < 1 || options.gaussians > gaussians::max_terms)
-    throw input_error("--gaussians", "1 to {}, got {}", gaussians::max_terms, options.gaussians);
+void check(const ProfileArguments& options) {
+  check_ranges(options.source.profile);
   if (options.variances != "shared" && options.variances != "per-channel")
     throw input_error("--variances", "'{}' is not known; known: shared, per-channel", options.variances);
-  profile::check_photons(options.source.monte_carlo.photons, "--photons");
   if (options.plot == "-" || options.swatches == "-")
     throw input_error("--plot, --swatches", "need a file, not standard output");
   const auto systems = gaussians::exchange_names();
@@ -83,10 +83,10 @@ void check(const ProfileOptions& options) {
 
 /// The source, with a line on how far Monte-Carlo is where a person waits for it.
 Source open_with_progress(SourceOptions options) {
-  const bool spectral = options.melanin || !options.colour.empty();
+  const bool spectral = options.given.contains("melanin") || !options.colour.empty();
   Progress progress(spectral ? static_cast<double>(profile::spectral_samples) : 3);
   double before = 0;  // of the present run
-  options.monte_carlo.progress = [&](double part) {
+  options.progress = [&](double part) {
     progress.done(part - before);
     before = part < 1 ? part : 0;
     progress.show("Monte-Carlo");
@@ -103,12 +103,12 @@ std::string exported(const Source& source, const Fitted& fitted, const std::stri
   return gaussians::export_text(system, input);
 }
 
-void run(const ProfileOptions& options) {
+void run(const ProfileArguments& options) {
   check(options);
   std::vector<PlottedSum> others;
   for (const std::string& name : options.compare) others.push_back(plotted(name));
   const Source source = open_with_progress(options.source);
-  const Fitted fitted = fit(source, options.gaussians, options.variances == "shared");
+  const Fitted fitted = fit(source, options.source.profile.gaussians, options.variances == "shared");
   const ProfilePlot plot{.title = source.name + ": " + source.model,
                          .profiles = source.profiles,
                          .fit = plotted(fitted),
@@ -122,6 +122,8 @@ void run(const ProfileOptions& options) {
                                             : exported(source, fitted, options.export_to));
 }
 
+constexpr const char* source_group = "Source (exactly one)";
+
 /// An option given without content is a slip (an unset variable of a script), not an option that was left
 /// out.
 CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& value,
@@ -131,9 +133,39 @@ CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& v
   });
 }
 
+/// The members of spectral skin: melanin makes it a source, the others refine it, or the skin of a colour.
+void add_skin_options(CLI::App& command, SourceOptions& source) {
+  const std::string refining = "Spectral skin (with --melanin or --colour)";
+  const SpectralSkin measured = optics::spectral_skin(optics::measured_skin());
+
+  const auto one = [&](const auto& field) {
+    double& value = source.skin.*field.member;
+    const std::string spelt(field.about.option), name(field.name);
+    const bool is_melanin = name == "melanin";
+    std::string help = help_with_range(field.about);
+    if (!is_melanin && measured.*field.member != value)
+      help += fmt::format(" (default {:g}; {:g} with --colour)", value, measured.*field.member);
+    else if (!is_melanin)
+      help += fmt::format(" (default {:g})", value);
+
+    std::string names = "--" + spelt;
+    if (name == "haemoglobin") names += ",--haemoglobin";  // the other spelling, too
+    command
+        .add_option_function<double>(
+            names, [&source, &value, name](double given) { value = given, source.given.insert(name); }, help)
+        ->group(is_melanin ? source_group : refining);
+  };
+  std::apply([&](const auto&... field) { (one(field), ...); }, fields_of<SpectralSkin>);
+  command
+      .add_option("--oiliness", source.oiliness,
+                  "strength of the surface reflection, 0 to 1 (default 0.3); changes colours (--colour, "
+                  "--swatches), not the profile")
+      ->group(refining);
+}
+
 void add_source_options(CLI::App& command, SourceOptions& source) {
   const auto add = [&](const char* name, std::string& value, const char* help) {
-    add_text(command, name, value, help)->group("Source (exactly one)");
+    add_text(command, name, value, help)->group(source_group);
   };
 
   add("--preset", source.preset,
@@ -141,10 +173,6 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
   add("--coefficients", source.coefficients, "\"sigma_a=R,G,B sigma_s=R,G,B g=0 eta=1.4\", per mm");
   add("--layers", source.layers,
       "JSON list of {sigma_a_per_mm, sigma_s_reduced_per_mm, eta, thickness_mm}, from the surface down");
-  command
-      .add_option("--melanin", source.melanin,
-                  "spectral skin: volume fraction of melanin in the epidermis, 0 to 0.5")
-      ->group("Source (exactly one)");
   add("--colour,--color", source.colour, "the skin nearest to \"#rrggbb\" (sRGB) or \"L,a,b\" (CIELAB)");
   add("--burley", source.burley,
       "\"reflectance=R,G,B mfp_mm=R,G,B\" (or dmfp_mm, or shape_mm): normalised diffusion");
@@ -153,31 +181,13 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
       "another system's values: \"unity reflectance=R,G,B scattering_distance=R,G,B\", unreal, cycles, "
       "openpbr, gltf");
 
-  const std::string spectral = "Spectral skin (with --melanin or --colour)";
-  command.add_option("--blend", source.blend, "eumelanin's share, 0 to 1 (default 0.7; 0.1 with --colour)")
-      ->group(spectral);
-  command
-      .add_option("--hemoglobin,--haemoglobin", source.haemoglobin,
-                  "volume fraction of blood in the dermis, 0 to 0.1 (default 0.01)")
-      ->group(spectral);
-  command.add_option("--oxygenation", source.oxygenation, "0 to 1 (default 0.75)")->group(spectral);
-  command
-      .add_option("--oiliness", source.oiliness,
-                  "strength of the surface reflection, 0 to 1 (default 0.3); changes colours (--colour, "
-                  "--swatches), not the profile")
-      ->group(spectral);
-  command
-      .add_option("--epidermis-mm", source.epidermis_mm,
-                  "thickness in mm, 0.01 to 2 (default 0.25; 0.12 with --colour)")
-      ->group(spectral);
-
-  command.add_option("--model", source.model, "dipole, better, multipole, beam, monte-carlo or auto")
-      ->capture_default_str();
-  add_count(command, "--photons", source.monte_carlo.photons, "Monte-Carlo: photons per channel, 1000 to 1e9",
-            "1,000 to 1e9");
-  add_count(command, "--seed", source.monte_carlo.seed, "Monte-Carlo: equal seeds give equal bits",
-            "0 to 2^64 - 1");
-  command.add_option("--cache", source.monte_carlo.cache,
+  add_skin_options(command, source);
+  for_each_setting(source.profile,
+                   [&](const std::string&, const About& about, auto& value, std::string_view) {
+                     CLI::Option* option = AddOption{command}("--" + std::string(about.option), about, value);
+                     if (!range_text(about).empty()) option->description(help_with_range(about));
+                   });
+  command.add_option("--cache", source.cache,
                      "Monte-Carlo: folder that keeps results (default: none are kept)");
 }
 
@@ -186,10 +196,9 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
 void add_profile_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand(
       "profile", "compute how light spreads in skin, and the sum of Gaussians that `render --profile` takes");
-  auto options = std::make_shared<ProfileOptions>();
+  auto options = std::make_shared<ProfileArguments>();
   add_source_options(*command, options->source);
 
-  command->add_option("--gaussians", options->gaussians, "terms of the sum, 1 to 8")->capture_default_str();
   command
       ->add_option("--variances", options->variances,
                    "shared (one set for three channels, what render takes) or per-channel")

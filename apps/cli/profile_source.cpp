@@ -13,6 +13,8 @@
 #include "profile/equivalent.h"
 #include "profile/spectral.h"
 #include "profile/tabulated.h"
+#include "settings/names.h"
+#include "settings/profile_fields.h"
 
 namespace dermis::cli {
 namespace {
@@ -21,8 +23,9 @@ constexpr double default_eta = 1.4;  // skin [JMLH01]: 1.3 to 1.5
 
 /// "auto" decides; anything else must be a model that knows the source.
 void only_automatic(const SourceOptions& options, const char* source) {
-  if (options.model != "auto")
-    throw input_error("--model", "'{}' is not for {}, which brings its own profile", options.model, source);
+  if (options.profile.model != ProfileModel::automatic)
+    throw input_error("--model", "'{}' is not for {}, which brings its own profile",
+                      name_of(options.profile.model), source);
 }
 
 Source from_models(std::string name, profile::ModelledProfiles modelled) {
@@ -44,18 +47,25 @@ void summarise(Source& source, double eta = default_eta) {
   source.equivalent = true;
 }
 
+profile::MonteCarloOptions monte_carlo(const SourceOptions& options) {
+  return {.photons = options.profile.photons,
+          .seed = options.profile.seed,
+          .cache = options.cache,
+          .progress = options.progress};
+}
+
 Source from_medium(const std::string& name, const optics::RgbMedium& medium, const SourceOptions& options,
                    const std::string& where) {
-  Source source = from_models(
-      name, make_profiles(medium, profile::parse_model(options.model), options.monte_carlo, where));
+  Source source =
+      from_models(name, make_profiles(medium, options.profile.model, monte_carlo(options), where));
   source.medium = medium;
   return source;
 }
 
 Source from_layers(const std::string& name, const optics::RgbLayers& layers, const SourceOptions& options,
                    const std::string& where) {
-  Source source = from_models(
-      name, make_profiles(layers, profile::parse_model(options.model), options.monte_carlo, where));
+  Source source =
+      from_models(name, make_profiles(layers, options.profile.model, monte_carlo(options), where));
   summarise(source, layers.front().eta);  // the surface that light meets
   return source;
 }
@@ -112,26 +122,28 @@ Source from_import(const SourceOptions& options) {
 
 /// What the options say on top of `skin`.
 optics::Skin refined(optics::Skin skin, const SourceOptions& options) {
-  skin.melanin = options.melanin.value_or(skin.melanin);
-  skin.blend = options.blend.value_or(skin.blend);
-  skin.haemoglobin = options.haemoglobin.value_or(skin.haemoglobin);
-  skin.oxygenation = options.oxygenation.value_or(skin.oxygenation);
+  SpectralSkin members = optics::spectral_skin(skin);
+  const auto one = [&](const auto& field) {
+    if (options.given.contains(std::string(field.name))) members.*field.member = options.skin.*field.member;
+  };
+  std::apply([&](const auto&... field) { (one(field), ...); }, fields_of<SpectralSkin>);
+
   skin.oiliness = options.oiliness.value_or(skin.oiliness);
-  skin.epidermis_mm = options.epidermis_mm.value_or(skin.epidermis_mm);
-  optics::check(skin, "skin");
+  skin = optics::skin_of(members, skin);
+  optics::check(skin, "");
   return skin;
 }
 
 Source from_skin(const std::string& name, const optics::Skin& skin, const SourceOptions& options) {
-  Source source = from_models(
-      name, make_profiles(skin, profile::parse_model(options.model), options.monte_carlo, "skin"));
+  Source source = from_models(name, make_profiles(skin, options.profile.model, monte_carlo(options), "skin"));
   source.skin = skin;
   summarise(source, skin.eta);
   return source;
 }
 
 Source from_colour(const SourceOptions& options) {
-  if (options.haemoglobin) throw input_error("--hemoglobin", "--colour finds melanin and hemoglobin itself");
+  if (options.given.contains("haemoglobin"))
+    throw input_error("--hemoglobin", "--colour finds melanin and hemoglobin itself");
   const optics::Lab wanted = optics::parse_colour(options.colour, "--colour");
   const optics::SkinMatch match = optics::nearest_skin(wanted, refined(optics::measured_skin(), options));
   Source source = from_skin("colour " + options.colour, match.skin, options);
@@ -144,9 +156,8 @@ Source from_colour(const SourceOptions& options) {
 }
 
 void check_refinements(const SourceOptions& options) {
-  const bool refines =
-      options.blend || options.haemoglobin || options.oxygenation || options.oiliness || options.epidermis_mm;
-  if (refines && !options.melanin && options.colour.empty())
+  const bool refines = !options.given.empty() || options.oiliness;
+  if (refines && !options.given.contains("melanin") && options.colour.empty())
     throw CLI::RequiredError(
         "--blend, --hemoglobin, --oxygenation, --oiliness and --epidermis-mm refine --melanin or --colour, "
         "one of which");
@@ -164,7 +175,7 @@ Source open_source(const SourceOptions& options) {
   check_refinements(options);
 
   // Give melanin a text, too: an empty one says that the option was not given.
-  const std::string melanin = options.melanin ? "given" : "";
+  const std::string melanin = options.given.contains("melanin") ? "given" : "";
   const Choice choices[] = {
       {"--preset", options.preset, from_preset},
       {"--coefficients", options.coefficients,
@@ -179,7 +190,7 @@ Source open_source(const SourceOptions& options) {
        }},
       {"--melanin", melanin,
        [](const SourceOptions& o) {
-         return from_skin(fmt::format("spectral skin, melanin {:.4g}", *o.melanin), refined({}, o), o);
+         return from_skin(fmt::format("spectral skin, melanin {:.4g}", o.skin.melanin), refined({}, o), o);
        }},
       {"--colour", options.colour, from_colour},
       {"--burley", options.burley, from_burley},

@@ -2,9 +2,13 @@
 /// What `dermis profile` starts from: one of several descriptions of skin, as three profiles.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 
+#include "dermis/profile.h"
 #include "optics/skin.h"
 #include "profile/model.h"
 
@@ -13,10 +17,13 @@ namespace dermis::cli {
 /// The options of the command that name a source and a model, as given.
 struct SourceOptions {
   std::string preset, coefficients, layers, burley, csv, colour, import;
-  /// melanin makes it a source; the rest refine
-  std::optional<double> melanin, blend, haemoglobin, oxygenation, oiliness, epidermis_mm;
-  std::string model = "auto";
-  profile::MonteCarloOptions monte_carlo;
+  /// Members that were given: melanin makes it a source, the rest refine.
+  SpectralSkin skin;
+  std::set<std::string> given;  ///< names of those members
+  std::optional<double> oiliness;
+  ProfileOptions profile;
+  std::filesystem::path cache;           ///< of Monte-Carlo
+  std::function<void(double)> progress;  ///< the same
 };
 
 /// Three profiles and what is known about them.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "settings/fields.h"
+#include "settings/profile_fields.h"
 
 namespace dermis::cli {
 namespace {
@@ -53,10 +54,18 @@ std::string help_of(const About& about) {
   return help;
 }
 
+std::string help_with_range(const About& about) {
+  const std::string range = range_text(about);
+  return std::string(about.help) + (range.empty() ? "" : ", " + range);
+}
+
 std::string with_options(std::string message, const CLI::App& app) {
   const std::vector<const CLI::App*> commands =
       app.get_subcommands([](const CLI::App* c) { return c->parsed(); });
   if (commands.empty()) return message;
+
+  // A message that begins with an option needs no other.
+  if (message.starts_with("--")) return message;
 
   const CLI::App& command = *commands.front();
   const auto one = [&](const std::string& path, const About& about, const auto&, std::string_view) {
@@ -72,9 +81,13 @@ std::string with_options(std::string message, const CLI::App& app) {
   const RenderSettings render;
   const SceneOptions scene;
   const ReferenceSettings reference;
+  const ProfileOptions profile;
+  const SpectralSkin skin;
   for_each_setting(render, one);
   for_each_setting(scene, one);
   for_each_setting(reference, one);
+  for_each_setting(profile, one);
+  for_each_setting(skin, one);
   return message;
 }
 

@@ -19,6 +19,9 @@ namespace dermis::cli {
 /// What an option says: the row's help with unit, and what holds without it.
 std::string help_of(const About& about);
 
+/// The row's help with its range: "terms of the sum, 1 to 8".
+std::string help_with_range(const About& about);
+
 /// Shows members of settings in a message with their options: "camera.fov_deg (--fov) must be ...". Options
 /// that the command which runs does not have are left out.
 std::string with_options(std::string message, const CLI::App& app);
@@ -31,7 +34,7 @@ struct AddOption {
   CLI::Option* operator()(const std::string& name, const About& about, Value& value) const {
     const std::string help = help_of(about);
     if constexpr (std::is_enum_v<Value>)
-      return add_named<Value>(name, value, help)->default_str(std::string(name_of(value)));
+      return add_named<Value>(name, value, about)->default_str(std::string(name_of(value)));
     else if constexpr (std::is_same_v<Value, std::uint64_t>)
       return add_count(command, name, value, help,
                        std::isfinite(about.most) ? range_text(about) : "0 to 2^64 - 1");
@@ -45,7 +48,7 @@ struct AddOption {
   CLI::Option* operator()(const std::string& name, const About& about, std::optional<Value>& value) const {
     const std::string help = help_of(about);
     if constexpr (std::is_enum_v<Value>)
-      return add_named<Value>(name, value, help)->default_str("");
+      return add_named<Value>(name, value, about)->default_str("");
     else if constexpr (std::is_same_v<Value, double>)
       if (about.none.find(' ') == std::string_view::npos) return add_number_or(name, about, value);
     return command.add_option(name, value, help);
@@ -55,9 +58,13 @@ struct AddOption {
 
  private:
   template <class Enum, class Value>
-  CLI::Option* add_named(const std::string& name, Value& value, const std::string& help) const {
+  CLI::Option* add_named(const std::string& name, Value& value, About about) const {
     const auto read = [&value, name](const std::string& text) { value = find_name<Enum>(name, text); };
-    return command.add_option_function<std::string>(name, read, help)->type_name("TEXT");
+    std::string help(about.help);
+    const bool explains_names = help.find(names_of<Enum>.front()) != std::string::npos;
+    if (!explains_names) help += fmt::format(": {}", fmt::join(names_of<Enum>, ", "));
+    about.help = help;
+    return command.add_option_function<std::string>(name, read, help_of(about))->type_name("TEXT");
   }
 
   CLI::Option* add_switch(const std::string& name, const About& about, bool& value) const;

@@ -48,11 +48,21 @@ struct SpectralSkin {
   double epidermis_mm = 0.25;  ///< 0.01 to 2
 };
 
+/// How light is taken to spread; docs/theory.md has the equations, and how far each is from the truth.
+enum class ProfileModel : std::uint8_t {
+  dipole,       ///< of a half-space [JMLH01]
+  better,       ///< the better dipole; leaves out light that scattered only once
+  multipole,    ///< of layers
+  beam,         ///< photon beam diffusion
+  monte_carlo,  ///< photons, seconds
+  automatic     ///< the cheapest that is right for the coefficients
+};
+
 /// How to compute.
 struct ProfileOptions {
-  int gaussians = 6;                ///< 1 to 8
-  std::string model = "auto";       ///< dipole, better, multipole, beam, monte-carlo, auto
-  std::uint64_t photons = 500'000;  ///< Monte-Carlo, a channel: 1e3 to 1e9; time is proportional
+  int gaussians = 6;  ///< 1 to 8
+  ProfileModel model = ProfileModel::automatic;
+  std::uint64_t photons = 500'000;  ///< Monte-Carlo, per channel: 1e3 to 1e9; time is proportional
   std::uint64_t seed = 1;
 };
 

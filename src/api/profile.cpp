@@ -11,6 +11,8 @@
 #include "optics/skin_colour.h"
 #include "profile/equivalent.h"
 #include "profile/spectral.h"
+#include "settings/check.h"
+#include "settings/profile_fields.h"
 
 namespace dermis {
 namespace {
@@ -35,12 +37,7 @@ gaussians::SumOfGaussians to_sum(const ScatterProfile& from) {
   return sum;
 }
 
-/// Returns the model; checks all options before the work, because Monte-Carlo takes seconds.
-profile::Model checked_model(const ProfileOptions& options) {
-  if (options.gaussians < 1 || options.gaussians > gaussians::max_terms)
-    throw input_error("gaussians", "1 to {}, got {}", gaussians::max_terms, options.gaussians);
-  return profile::parse_model(options.model);
-}
+static_assert(std::get<0>(fields_of<ProfileOptions>).about.most == gaussians::max_terms);
 
 /// Fits the profiles. `medium` is the modelled medium; if it is null, `eta` is the index of the surface.
 ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made,
@@ -72,16 +69,19 @@ ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& 
 
 ScatterProfile of_medium(const std::string& name, const optics::RgbMedium& medium,
                          const ProfileOptions& options) {
-  return finish(name, make_profiles(medium, checked_model(options), photons_of(options), name), &medium,
-                medium[0].eta, options);
+  return finish(name, make_profiles(medium, options.model, photons_of(options), name), &medium, medium[0].eta,
+                options);
 }
 
 }  // namespace
 
+// All options are checked before the work: Monte-Carlo takes seconds.
+
 ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options) {
+  check_ranges(options);
   if (name == "skin-layers") {
     const optics::RgbLayers skin = optics::donner_jensen_skin();
-    return finish(name, make_profiles(skin, checked_model(options), photons_of(options), name), nullptr,
+    return finish(name, make_profiles(skin, options.model, photons_of(options), name), nullptr,
                   skin.front().eta, options);
   }
   const optics::Material* material = optics::find_material(name);
@@ -90,6 +90,8 @@ ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& 
 }
 
 ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const ProfileOptions& options) {
+  check_ranges(options);
+  check_ranges(coefficients);
   optics::RgbMedium medium;
   for (int c = 0; c < 3; ++c)
     medium[c] = {coefficients.sigma_a_per_mm[c], coefficients.sigma_s_per_mm[c], coefficients.g,
@@ -98,21 +100,18 @@ ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const P
 }
 
 ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& options) {
-  const optics::Skin inner{.melanin = skin.melanin,
-                           .blend = skin.blend,
-                           .haemoglobin = skin.haemoglobin,
-                           .oxygenation = skin.oxygenation,
-                           .epidermis_mm = skin.epidermis_mm};
+  check_ranges(options);
+  check_ranges(skin);
+  const optics::Skin inner = optics::skin_of(skin);
   const std::string name = fmt::format("spectral skin, melanin {:.4g}", skin.melanin);
-  return finish(name, make_profiles(inner, checked_model(options), photons_of(options), name), nullptr,
-                inner.eta, options);
+  return finish(name, make_profiles(inner, options.model, photons_of(options), name), nullptr, inner.eta,
+                options);
 }
 
 SpectralSkin skin_of_colour(const std::string& colour, double* delta_e) {
   const optics::SkinMatch match = optics::nearest_skin(optics::parse_colour(colour, "colour"));
   if (delta_e != nullptr) *delta_e = match.delta_e;
-  const optics::Skin& skin = match.skin;
-  return {skin.melanin, skin.blend, skin.haemoglobin, skin.oxygenation, skin.epidermis_mm};
+  return optics::spectral_skin(match.skin);
 }
 
 void write_profile(const ScatterProfile& profile, const std::string& path) {

@@ -25,6 +25,7 @@ struct About {
   std::string_view unit = {};  ///< of a number; empty: none
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
+  bool open = false;                   ///< neither `least` nor `most` itself is in range
   std::string_view none = {};          ///< what holds if an optional has no value, or a text is empty
   std::string_view option = {};        ///< its name on the command line, without dashes; empty: it has none
   std::string_view on = {}, off = {};  ///< words of a switch; empty: a flag, or true and false

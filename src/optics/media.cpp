@@ -6,20 +6,10 @@
 
 #include "core/error.h"
 #include "optics/key_values.h"
+#include "settings/check.h"
+#include "settings/profile_fields.h"
 
 namespace dermis::optics {
-namespace {
-
-// a mean free path of a nanometre: beyond any tissue, and far from overflow
-constexpr double largest_per_mm = 1e6;
-
-void check_range(const std::string& where, const char* name, double value, double low, double high,
-                 const char* unit) {
-  if (!(value >= low && value <= high))
-    throw input_error(where, "{} must be {} to {}{}, got {}", name, low, high, unit, value);
-}
-
-}  // namespace
 
 double Medium::sigma_tr_per_mm() const {
   // the root of -0 is -0, whose inverse is -inf
@@ -27,11 +17,10 @@ double Medium::sigma_tr_per_mm() const {
 }
 
 void check(const Medium& medium, const std::string& where) {
-  check_range(where, "sigma_a", medium.sigma_a_per_mm, 0, largest_per_mm, " per mm");
-  check_range(where, "sigma_s", medium.sigma_s_per_mm, 0, largest_per_mm, " per mm");
-  if (!(medium.g > -1 && medium.g < 1))
-    throw input_error(where, "g must be above -1 and below 1, got {}", medium.g);
-  check_range(where, "eta", medium.eta, 1, 3, "");
+  check_member(&Coefficients::sigma_a_per_mm, medium.sigma_a_per_mm, where);
+  check_member(&Coefficients::sigma_s_per_mm, medium.sigma_s_per_mm, where);
+  check_member(&Coefficients::g, medium.g, where);
+  check_member(&Coefficients::eta, medium.eta, where);
   if (!(medium.sigma_t_reduced_per_mm() > 0))
     throw input_error(where, "sigma_a and sigma_s are both 0: light would pass without a trace");
 }

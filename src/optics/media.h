@@ -10,6 +10,8 @@
 #include <array>
 #include <string>
 
+#include "dermis/profile.h"
+
 namespace dermis::optics {
 
 /// One value per colour channel: linear Rec.709 red, green, blue.
@@ -29,12 +31,12 @@ struct DiffuseMeanFreePath {
   double mm;
 };
 
-/// A homogeneous medium at one wavelength.
+/// A homogeneous medium at one wavelength. Ranges and defaults are those of Coefficients.
 struct Medium {
-  double sigma_a_per_mm = 0;  ///< absorption coefficient, >= 0
-  double sigma_s_per_mm = 0;  ///< scattering coefficient, >= 0
-  double g = 0;               ///< mean cosine of the phase function, -1 < g < 1
-  double eta = 1.4;           ///< refractive index relative to the air above, 1 to 3
+  double sigma_a_per_mm = 0;        ///< absorption coefficient
+  double sigma_s_per_mm = 0;        ///< scattering coefficient
+  double g = Coefficients().g;      ///< mean cosine of the phase function
+  double eta = Coefficients().eta;  ///< refractive index relative to the air above
 
   /// sigma_s' = (1 - g) sigma_s [1/mm]. [JMLH01] sec. 2: forward scattering hardly changes the direction of
   /// light, so it counts less.
@@ -58,8 +60,7 @@ struct Medium {
 /// A medium per colour channel.
 using RgbMedium = std::array<Medium, 3>;
 
-/// Throws InputError (place `where`) unless all values are in the ranges above, finite and at most 1e6 per
-/// mm, and sigma_t' > 0.
+/// Throws InputError (place `where`) unless all values are in their ranges and sigma_t' > 0.
 void check(const Medium& medium, const std::string& where);
 /// Checks each channel; the message names it.
 void check(const RgbMedium& medium, const std::string& where);

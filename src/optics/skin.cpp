@@ -9,6 +9,7 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "optics/fresnel.h"
+#include "settings/check.h"
 
 namespace dermis::optics {
 namespace {
@@ -35,21 +36,33 @@ double blood_per_mm(double extinction_per_cm_molar) {
   return std::numbers::ln10 * extinction_per_cm_molar * grams_per_litre / grams_per_mol * per_cm_to_per_mm;
 }
 
-void check_range(const std::string& where, const char* name, double value, double low, double high) {
-  if (!(value >= low && value <= high))
-    throw input_error(where, "{} must be {} to {}, got {}", name, low, high, value);
-}
+// Of what no setting is.
+constexpr About oiliness_range{.least = 0, .most = 1}, eta_range{.least = 1, .most = 2};
 
 }  // namespace
 
+SpectralSkin spectral_skin(const Skin& skin) {
+  return {.melanin = skin.melanin,
+          .blend = skin.blend,
+          .haemoglobin = skin.haemoglobin,
+          .oxygenation = skin.oxygenation,
+          .epidermis_mm = skin.epidermis_mm};
+}
+
+Skin skin_of(const SpectralSkin& skin, const Skin& rest) {
+  return {.melanin = skin.melanin,
+          .blend = skin.blend,
+          .haemoglobin = skin.haemoglobin,
+          .oxygenation = skin.oxygenation,
+          .oiliness = rest.oiliness,
+          .epidermis_mm = skin.epidermis_mm,
+          .eta = rest.eta};
+}
+
 void check(const Skin& skin, const std::string& where) {
-  check_range(where, "melanin", skin.melanin, 0, 0.5);
-  check_range(where, "blend", skin.blend, 0, 1);
-  check_range(where, "hemoglobin", skin.haemoglobin, 0, 0.1);
-  check_range(where, "oxygenation", skin.oxygenation, 0, 1);
-  check_range(where, "oiliness", skin.oiliness, 0, 1);
-  check_range(where, "epidermis (mm)", skin.epidermis_mm, 0.01, 2);
-  check_range(where, "eta", skin.eta, 1, 2);
+  check_ranges(spectral_skin(skin), where);
+  check_number("oiliness", oiliness_range, skin.oiliness, where);
+  check_number("eta", eta_range, skin.eta, where);
 }
 
 double eumelanin_per_mm(double nm) { return 6.6e10 * std::pow(nm, -3.33); }

@@ -7,24 +7,30 @@
 
 #include <string>
 
+#include "dermis/profile.h"
 #include "optics/layers.h"
 
 namespace dermis::optics {
 
 /// The parameters of [DJ06], two layers. Measured skin has a melanin fraction of 0.001 to 0.1 (median 0.02);
 /// the model takes up to 0.5.
+/// What SpectralSkin has is as there, ranges and defaults too.
 struct Skin {
-  double melanin = 0.02;      ///< volume fraction of melanin in the epidermis, 0 to 0.5
-  double blend = 0.7;         ///< eumelanin's share of the melanin, 0 (pheomelanin only) to 1
-  double haemoglobin = 0.01;  ///< volume fraction of blood in the dermis, 0 to 0.1
-  double oxygenation = 0.75;  ///< fraction of the haemoglobin that carries oxygen, 0 to 1
+  double melanin = SpectralSkin().melanin;          ///< volume fraction of melanin in the epidermis
+  double blend = SpectralSkin().blend;              ///< eumelanin's share of the melanin; 0: pheomelanin only
+  double haemoglobin = SpectralSkin().haemoglobin;  ///< volume fraction of blood in the dermis
+  double oxygenation = SpectralSkin().oxygenation;  ///< fraction of the haemoglobin that carries oxygen
   /// strength of the surface reflection, 0 (none) to 1 (a clean boundary of index eta)
   double oiliness = 0.3;
-  double epidermis_mm = 0.25;  ///< thickness, 0.01 to 2 mm
-  double eta = 1.4;            ///< index of both layers, 1 to 2; matched between them
+  double epidermis_mm = SpectralSkin().epidermis_mm;  ///< thickness
+  double eta = 1.4;                                   ///< index of both layers, 1 to 2; matched between them
 };
 
-/// Throws InputError (place `where`) for values outside the ranges above.
+/// What the public structure has of a skin, and a skin of which it says this, the rest as in `rest`.
+SpectralSkin spectral_skin(const Skin& skin);
+Skin skin_of(const SpectralSkin& skin, const Skin& rest = {});
+
+/// Throws InputError (place `where`) for values out of range.
 void check(const Skin& skin, const std::string& where);
 
 /// Return the absorption of pure chromophores [1/mm], wavelength 380 to 780 nm (assertion). [DJ06] sec. 3.

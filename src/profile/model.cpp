@@ -7,12 +7,11 @@
 #include "profile/beam.h"
 #include "profile/dipole.h"
 #include "profile/slab.h"
+#include "settings/names.h"
 
 namespace dermis::profile {
 namespace {
 
-// in the order of Model
-constexpr std::string_view names[] = {"dipole", "better", "multipole", "beam", "monte-carlo", "auto"};
 constexpr const char* channel_name[] = {"red", "green", "blue"};
 
 ProfilePtr homogeneous(const optics::Medium& medium, Model model, const MonteCarloOptions& options) {
@@ -33,15 +32,6 @@ void check_reflects(const ModelledProfiles& made, const std::string& where) {
 }
 
 }  // namespace
-
-Model parse_model(std::string_view name) {
-  for (std::size_t i = 0; i < std::size(names); ++i)
-    if (names[i] == name) return static_cast<Model>(i);
-  throw input_error("model", "no model '{}'; known: {}", name, fmt::join(names, ", "));
-}
-
-std::string_view model_name(Model model) { return names[static_cast<std::size_t>(model)]; }
-std::vector<std::string_view> model_names() { return {std::begin(names), std::end(names)}; }
 
 ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, const MonteCarloOptions& options,
                                const std::string& where) {
@@ -67,7 +57,7 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
                                const std::string& where) {
   if (model == Model::dipole || model == Model::better || model == Model::beam)
     throw input_error("model", "'{}' knows no layers; layers take multipole, monte-carlo or auto",
-                      model_name(model));
+                      name_of(model));
 
   ModelledProfiles out;
   out.model = model;

@@ -4,9 +4,8 @@
 
 #include <array>
 #include <string>
-#include <string_view>
-#include <vector>
 
+#include "dermis/profile.h"
 #include "optics/layers.h"
 #include "optics/media.h"
 #include "profile/monte_carlo.h"
@@ -14,15 +13,7 @@
 
 namespace dermis::profile {
 
-enum class Model { dipole, better, multipole, beam, monte_carlo, automatic };
-
-/// Parses "dipole", "better", "multipole", "beam", "monte-carlo" or "auto"; throws InputError (lists them)
-/// otherwise.
-Model parse_model(std::string_view name);
-/// Returns the name that parse_model() takes.
-std::string_view model_name(Model model);
-/// Returns all names, "auto" last.
-std::vector<std::string_view> model_names();
+using Model = ProfileModel;
 
 /// Below this reduced albedo the totals of diffusion are more than a few per cent off: the dipole's by 4 % at
 /// 0.95, 10 % at 0.9, 37 % at 0.5 (table in docs/theory.md). Near the source the error is far larger.

@@ -12,6 +12,8 @@
 #include "profile/monte_carlo_cache.h"
 #include "profile/photon.h"
 #include "profile/single_rings.h"
+#include "settings/check.h"
+#include "settings/profile_fields.h"
 
 namespace dermis::profile {
 namespace {
@@ -21,7 +23,7 @@ constexpr std::size_t batches = 64;
 constexpr int rings_per_decade = 16;
 
 void check(const ScatterScene& scene, const MonteCarloOptions& options) {
-  check_photons(options.photons, "photons");
+  check_member(&ProfileOptions::photons, static_cast<double>(options.photons));
   if (scene.layers.empty() || scene.layers.size() > optics::max_layers)
     throw input_error("monte-carlo", "1 to {} layers", optics::max_layers);
   for (std::size_t i = 0; i < scene.layers.size(); ++i) {
@@ -138,10 +140,6 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
 }
 
 }  // namespace
-
-void check_photons(std::uint64_t photons, const std::string& where) {
-  if (photons < 1000 || photons > 1'000'000'000) throw input_error(where, "1,000 to 1e9, got {}", photons);
-}
 
 MonteCarloResult::Squares MonteCarloResult::squares() const {
   Squares squares;

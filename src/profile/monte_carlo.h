@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "dermis/profile.h"
 #include "optics/layers.h"
 #include "optics/media.h"
 #include "profile/radial.h"
@@ -20,17 +21,14 @@
 namespace dermis::profile {
 
 struct MonteCarloOptions {
-  std::uint64_t photons = 500'000;  ///< 1,000 to 1e9 per channel
-  std::uint64_t seed = 1;
+  std::uint64_t photons = ProfileOptions().photons;  ///< per channel, in the range of ProfileOptions
+  std::uint64_t seed = ProfileOptions().seed;
   /// Folder in which results are kept; empty: only in memory. A damaged entry is computed again.
   std::filesystem::path cache;
   /// Receives how much of a run is done, above 0 to 1: called after each batch, from one thread at a time;
   /// called once with 1 if a kept result was found. It must not throw, and does not affect the result.
   std::function<void(double)> progress = {};
 };
-
-/// Throws InputError (place `where`) if photons is out of range.
-void check_photons(std::uint64_t photons, const std::string& where);
 
 /// A layer for photons: true scattering with a Henyey-Greenstein phase function, per mm.
 struct ScatterLayer {

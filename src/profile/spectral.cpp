@@ -10,6 +10,9 @@
 #include "optics/observer.h"
 #include "optics/skin_colour.h"
 #include "profile/slab.h"
+#include "settings/check.h"
+#include "settings/names.h"
+#include "settings/profile_fields.h"
 
 namespace dermis::profile {
 namespace {
@@ -113,10 +116,10 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
                                const std::string& where) {
   optics::check(skin, where);
   // The caller's number, before it is shared among the wavelengths.
-  check_photons(options.photons, "photons");
+  check_member(&ProfileOptions::photons, static_cast<double>(options.photons));
   if (model == Model::dipole || model == Model::better || model == Model::beam)
     throw input_error("model", "'{}' knows no layers; spectral skin takes multipole, monte-carlo or auto",
-                      model_name(model));
+                      name_of(model));
 
   ModelledProfiles out;
   out.model = model;

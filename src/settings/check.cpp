@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "settings/fields.h"
 #include "settings/names.h"
+#include "settings/profile_fields.h"
 
 namespace dermis {
 namespace {
@@ -24,9 +25,7 @@ struct Checker {
       if (static_cast<std::size_t>(value) >= names_of<Value>.size())
         throw input_error("", "{} must be one of: {}", path, fmt::join(names_of<Value>, ", "));
     } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
-      const auto number = static_cast<double>(value);
-      if (!(number >= about.least && number <= about.most))
-        throw input_error("", "{} must be {}, got {:.10g}", path, range_text(about), number);
+      check_number(path, about, static_cast<double>(value));
     }
   }
 
@@ -35,7 +34,8 @@ struct Checker {
     if (value) check(path, about, *value);
   }
 
-  static void check(const std::string& path, const About& about, const std::array<double, 2>& values) {
+  template <std::size_t size>
+  static void check(const std::string& path, const About& about, const std::array<double, size>& values) {
     for (const double value : values) check(path, about, value);
   }
 
@@ -53,8 +53,23 @@ void check_ranges(const RenderSettings& settings) { for_each_setting(settings, C
 void check_ranges(const SceneOptions& options) { for_each_setting(options, Checker{}); }
 void check_ranges(const ReferenceSettings& settings) { for_each_setting(settings, Checker{}); }
 
+void check_ranges(const ProfileOptions& options) { for_each_setting(options, Checker{}); }
+void check_ranges(const Coefficients& coefficients) { for_each_setting(coefficients, Checker{}); }
+void check_ranges(const SpectralSkin& skin, const std::string& where) {
+  for_each_setting(skin, [&](const std::string& path, const About& about, double value, std::string_view) {
+    check_number(path, about, value, where);
+  });
+}
+
+void check_number(const std::string& name, const About& about, double number, const std::string& where) {
+  const bool in_range = about.open ? number > about.least && number < about.most
+                                   : number >= about.least && number <= about.most;
+  if (!in_range) throw input_error(where, "{} must be {}, got {:.10g}", name, range_text(about), number);
+}
+
 std::string range_text(const About& about) {
   if (!std::isfinite(about.least) || !std::isfinite(about.most)) return "";
+  if (about.open) return fmt::format("above {:.10g} and below {:.10g}", about.least, about.most);
   return fmt::format("{:.10g} to {:.10g}{}{}", about.least, about.most, about.unit.empty() ? "" : " ",
                      about.unit);
 }

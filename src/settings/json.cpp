@@ -8,6 +8,7 @@
 #include "json/document.h"
 #include "settings/fields.h"
 #include "settings/names.h"
+#include "settings/profile_fields.h"
 
 namespace dermis {
 namespace {
@@ -121,6 +122,10 @@ ordered_json json_of(const SettingsFile& settings) {
   if (settings.reference) out["reference"] = object_of(*settings.reference);
   return out;
 }
+
+ordered_json json_of(const ProfileOptions& options) { return object_of(options); }
+ordered_json json_of(const Coefficients& coefficients) { return object_of(coefficients); }
+ordered_json json_of(const SpectralSkin& skin) { return object_of(skin); }
 
 std::string to_json(const SettingsFile& settings) {
   // Names of files need not be UTF-8.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "dermis/profile.h"
 #include "dermis/reference.h"
 #include "dermis/scene.h"
 #include "dermis/settings.h"
@@ -26,6 +27,9 @@ nlohmann::ordered_json json_of(const RenderSettings& settings);
 nlohmann::ordered_json json_of(const SceneOptions& options);
 nlohmann::ordered_json json_of(const ReferenceSettings& settings);
 nlohmann::ordered_json json_of(const SettingsFile& settings);
+nlohmann::ordered_json json_of(const ProfileOptions& options);
+nlohmann::ordered_json json_of(const Coefficients& coefficients);
+nlohmann::ordered_json json_of(const SpectralSkin& skin);
 std::string to_json(const SettingsFile& settings);
 
 /// Reads a file of at most 1 MiB into `settings`; what it does not name stays as it is. InputError names file

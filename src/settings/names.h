@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/names.h"
+#include "dermis/profile.h"
 #include "dermis/reference.h"
 #include "dermis/settings.h"
 
@@ -20,5 +21,9 @@ inline constexpr std::array<std::string_view, 6> names_of<ToneMap>{"natural", "n
 
 template <>
 inline constexpr std::array<std::string_view, 2> names_of<ReferenceModel>{"bssrdf", "volume"};
+
+template <>
+inline constexpr std::array<std::string_view, 6> names_of<ProfileModel>{"dipole", "better",      "multipole",
+                                                                        "beam",   "monte-carlo", "auto"};
 
 }  // namespace dermis

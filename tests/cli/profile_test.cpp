@@ -58,7 +58,12 @@ TEST_F(Profile, ExitStatuses) {
   expect_not_understood(profile({"--seed", "-1"}), "--seed");
   expect_not_understood(run({"profile", "--preset", "skin1", "--gaussians", "six"}), "--gaussians");
   expect_refused(run({"profile", "--preset", "skin3"}), "skin2");
-  expect_refused(run({"profile", "--preset", "skin1", "--gaussians", "9"}), "1 to 8");
+  expect_refused(run({"profile", "--preset", "skin1", "--gaussians", "9"}),
+                 "gaussians (--gaussians) must be 1 to 8");
+  expect_refused(run({"profile", "--melanin", "2"}), "melanin (--melanin) must be 0 to 0.5, got 2");
+  expect_refused(run({"profile", "--melanin", "0.1", "--haemoglobin", "1"}),
+                 "haemoglobin (--hemoglobin) must be");
+  expect_refused(run({"profile", "--preset", "skin1", "--photons", "10"}), "photons (--photons) must be");
   expect_refused(profile({"-o", path("none/a.json")}), "does not exist");
   expect_refused(profile({"-o", path("a"), "--plot", path("a")}), "same file");
   EXPECT_FALSE(fs::exists(path("a")));
@@ -80,7 +85,8 @@ TEST_F(Profile, AFullDiskIsAnError) {
 TEST_F(Profile, HelpNamesUnitsAndDefaults) {
   const Result help = run({"profile", "--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* text : {"per mm", "1/mm^2", "=500000", "=6", "=shared", "(default 0.7", "1000 to 1e9"})
+  for (const char* text : {"per mm", "1/mm^2", "=500000", "=6", "=shared", "(default 0.7",
+                           "1000 to 1000000000", "0.01 to 2 mm", "terms of the sum, 1 to 8"})
     EXPECT_NE(help.out.find(text), std::string::npos) << text;
   EXPECT_EQ(help.out.find("=[]"), std::string::npos) << "an empty list is no default";
 }

@@ -124,14 +124,14 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
   EXPECT_THROW(run({"--blend", "0.2"}), CLI::ParseError);
 
   EXPECT_NE(message_of({"--preset", "skin3"}).find("known: apple, chicken1"), std::string::npos);
-  EXPECT_NE(message_of({"--coefficients", "sigma_a=-1 sigma_s=1"}).find("sigma_a must be"),
+  EXPECT_NE(message_of({"--coefficients", "sigma_a=-1 sigma_s=1"}).find("sigma_a_per_mm must be"),
             std::string::npos);
   EXPECT_NE(message_of({"--coefficients", "sigma_a=1 sigma_s=1 g=1"}).find("g must be"), std::string::npos);
   EXPECT_NE(message_of({"--coefficients", "sigma_a=1 sigma_s=1 eta=0.5"}).find("eta must be"),
             std::string::npos);
 
   EXPECT_NE(message_of({"--preset", "skin1", "--gaussians", "9"}).find("1 to 8"), std::string::npos);
-  EXPECT_NE(message_of({"--preset", "skin1", "--model", "tripole"}).find("known: dipole, better"),
+  EXPECT_NE(message_of({"--preset", "skin1", "--model", "tripole"}).find("there are: dipole, better"),
             std::string::npos);
   EXPECT_NE(message_of({"--preset", "skin1", "--variances", "some"}).find("shared, per-channel"),
             std::string::npos);
@@ -209,7 +209,7 @@ TEST_F(ProfileCommand, NumbersThatWouldTurnIntoOthersAreRefused) {
   // The user's own number, before it is shared among 31 wavelengths.
   for (const char* photons : {"0", "10", "100000000000000000"})
     EXPECT_NE(message_of({"--melanin", "0.02", "--photons", photons})
-                  .find(std::string("--photons: 1,000 to 1e9, got ") + photons),
+                  .find("photons must be 1000 to 1000000000, got "),
               std::string::npos);
 }
 

@@ -19,7 +19,7 @@ double sum_of_weights(const ScatterProfile& profile, int c) {
 }
 
 TEST(PublicProfile, PresetsAndFiles) {
-  const ScatterProfile skin = profile_of_preset("skin1", {.model = "dipole"});
+  const ScatterProfile skin = profile_of_preset("skin1", {.model = ProfileModel::dipole});
   ASSERT_EQ(skin.variances_mm2.size(), 6u);
   EXPECT_NEAR(skin.total_reflectance[0], 0.4360, 1e-4);
   EXPECT_NEAR(skin.diffuse_mean_free_path_mm[2], 0.683, 1e-3);
@@ -52,27 +52,41 @@ TEST(PublicProfile, SkinAndColours) {
 // total is 0.9128.
 TEST(PublicProfile, CutTotalsAreNotHidden) {
   const ScatterProfile beam = profile_of_coefficients({{.001, .001, .001}, {.999, .999, .999}, 0, 1},
-                                                      {.gaussians = 2, .model = "beam"});
+                                                      {.gaussians = 2, .model = ProfileModel::beam});
   EXPECT_EQ(beam.total_reflectance[0], 1);
   EXPECT_NEAR(beam.model_total[0], 1.0057, 1e-3);
-  const ScatterProfile dipole = profile_of_preset("skin1", {.gaussians = 2, .model = "dipole"});
+  const ScatterProfile dipole = profile_of_preset("skin1", {.gaussians = 2, .model = ProfileModel::dipole});
   EXPECT_EQ(dipole.model_total, dipole.total_reflectance);
 }
 
 TEST(PublicProfile, MinusZeroIsZero) {
-  const ScatterProfile clear =
-      profile_of_coefficients({{-0.0, -0.0, -0.0}, {1, 1, 1}}, {.gaussians = 2, .model = "dipole"});
+  const ScatterProfile clear = profile_of_coefficients({{-0.0, -0.0, -0.0}, {1, 1, 1}},
+                                                       {.gaussians = 2, .model = ProfileModel::dipole});
   EXPECT_EQ(clear.diffuse_mean_free_path_mm[0], 0);  // unknown, not -inf
 }
 
+template <class Work>
+std::string refusal(const Work& work) {
+  try {
+    work();
+  } catch (const InputError& error) { return error.what(); }
+  return "";
+}
+
 TEST(PublicProfile, MistakesAreNamed) {
+  EXPECT_EQ(refusal([] { profile_of_preset("skin1", {.gaussians = 9}); }), "gaussians must be 1 to 8, got 9");
+  EXPECT_EQ(refusal([] {
+              profile_of_coefficients({{1, 1, -1}, {1, 1, 1}});
+            }),
+            "sigma_a_per_mm must be 0 to 1000000 per mm, got -1");
+  EXPECT_EQ(refusal([] { profile_of_skin({.melanin = 2}); }), "melanin must be 0 to 0.5, got 2");
   EXPECT_THROW(profile_of_preset("skin3"), InputError);
-  EXPECT_THROW(profile_of_preset("skin1", {.gaussians = 0, .model = "dipole"}), InputError);
+  EXPECT_THROW(profile_of_preset("skin1", {.gaussians = 0, .model = ProfileModel::dipole}), InputError);
   EXPECT_THROW(profile_of_coefficients({{-1, 1, 1}, {1, 1, 1}}), InputError);
   EXPECT_THROW(profile_of_coefficients({{1, 1, 1}, {1, 1, 1}, 1.0}), InputError);
   EXPECT_THROW(profile_of_skin({.melanin = 2}), InputError);
   try {
-    profile_of_coefficients({{1, 1, 1}, {1, 0, 1}}, {.model = "dipole"});
+    profile_of_coefficients({{1, 1, 1}, {1, 0, 1}}, {.model = ProfileModel::dipole});
     FAIL() << "a black channel has no profile";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("coefficients: green: reflects nothing"), std::string::npos)

@@ -53,14 +53,14 @@ TEST(Media, BadCoefficientsAreNamed) {
   const auto parse = [](const char* text) {
     return message_of([&] { optics::parse_coefficients(text, "--coefficients"); });
   };
-  EXPECT_NE(parse("sigma_a=-1,1,1 sigma_s=1").find("sigma_a must be 0 to"), std::string::npos);
+  EXPECT_NE(parse("sigma_a=-1,1,1 sigma_s=1").find("sigma_a_per_mm must be 0 to"), std::string::npos);
   EXPECT_NE(parse("sigma_a=1 sigma_s=1 g=1").find("g must be above -1 and below 1, got 1"),
             std::string::npos);
   EXPECT_NE(parse("sigma_a=1 sigma_s=1 eta=0.9").find("eta must be 1 to 3, got 0.9"), std::string::npos);
   EXPECT_NE(parse("sigma_a=1 sigma_s=1 sigma_t=2").find("known: sigma_a, sigma_s, g, eta"),
             std::string::npos);
   EXPECT_NE(parse("sigma_a=1,2 sigma_s=1").find("one number or three"), std::string::npos);
-  EXPECT_NE(parse("sigma_a=nan sigma_s=1").find("sigma_a must be"), std::string::npos);
+  EXPECT_NE(parse("sigma_a=nan sigma_s=1").find("sigma_a_per_mm must be"), std::string::npos);
   EXPECT_NE(parse("sigma_a=0 sigma_s=0").find("both 0"), std::string::npos);
   EXPECT_NE(parse("sigma_a=1").find("'sigma_s' is missing"), std::string::npos);
   EXPECT_NE(parse("sigma_a=1 sigma_a=1 sigma_s=1").find("twice"), std::string::npos);

@@ -14,6 +14,7 @@
 #include "settings/fields.h"
 #include "settings/json.h"
 #include "settings/names.h"
+#include "settings/profile_fields.h"
 #include "support/written_table.h"
 
 namespace dermis {
@@ -78,6 +79,9 @@ TEST(Settings, TheDocsShowTheRows) {
   expect_in_docs("settings", table<RenderSettings>());
   expect_in_docs("scene", table<SceneOptions>("scene"));
   expect_in_docs("reference", table<ReferenceSettings>("reference"));
+  expect_in_docs("profile", table<ProfileOptions>());
+  expect_in_docs("spectral skin", table<SpectralSkin>());
+  expect_in_docs("coefficients", table<Coefficients>());
 }
 
 template <class Settings>
@@ -97,6 +101,9 @@ TEST(Settings, HaveHelpAndAPathOfTheirOwn) {
   EXPECT_GT(expect_whole_rows<RenderSettings>(), 30u);
   EXPECT_GE(expect_whole_rows<SceneOptions>(), 3u);
   EXPECT_GE(expect_whole_rows<ReferenceSettings>(), 6u);
+  EXPECT_EQ(expect_whole_rows<ProfileOptions>(), 4u);
+  EXPECT_EQ(expect_whole_rows<SpectralSkin>(), 5u);
+  EXPECT_EQ(expect_whole_rows<Coefficients>(), 4u);
 }
 
 /// Sets a number just outside its range, and expects an error that names it.
@@ -106,7 +113,9 @@ struct ExpectRefused {
 
   template <class Value>
   void operator()(const std::string& path, const About& about, Value& value, std::string_view) const {
-    if constexpr (is_optional<Value>) {
+    if constexpr (std::is_same_v<Value, std::array<double, 3>>) {
+      for (double& channel : value) (*this)(path, about, channel, {});
+    } else if constexpr (is_optional<Value>) {
       value.emplace();
       (*this)(path, about, *value, {});
       value.reset();
@@ -142,6 +151,9 @@ TEST(Settings, OutOfRangeAreRefusedByName) {
   expect_ranges_hold<RenderSettings>();
   expect_ranges_hold<SceneOptions>();
   expect_ranges_hold<ReferenceSettings>();
+  expect_ranges_hold<ProfileOptions>();
+  expect_ranges_hold<SpectralSkin>();
+  expect_ranges_hold<Coefficients>();
 }
 
 }  // namespace
