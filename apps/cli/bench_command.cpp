@@ -182,9 +182,7 @@ void add_bench_command(CLI::App& app, int& exit_status) {
   add_scene_arguments(*command, *a, SceneUse::bench);
 
   // Of the paper's test, whatever the scene brings along.
-  command->get_option("--lights")
-      ->description("lights of the rig: key, fill, rim, further ones")
-      ->default_str("2");
+  command->get_option("--lights")->description("lights of the rig: key, fill, rim, further ones");
   command->get_option("--profile")->description("diffusion profile: a published name or a JSON file");
   command->get_option("--fov")->description("vertical field of view, degrees")->default_str("20");
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/command_line.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <string_view>
 #include <system_error>
+
+#include "settings/fields.h"
 
 namespace dermis::cli {
 namespace {
@@ -24,8 +24,12 @@ bool is_numbers(std::string_view text) {
 }
 
 bool is_optimisation(std::string_view text) {
-  constexpr std::array<std::string_view, 5> names{"all", "none", "cull", "depth", "clip"};
-  return std::find(names.begin(), names.end(), text) != names.end();
+  bool found = text == "all" || text == "none";
+  const QualitySettings quality;
+  for_each_setting(quality, [&](const std::string& name, const About& about, const auto&, std::string_view) {
+    found = found || (about.option == "optimise" && text == name);
+  });
+  return found;
 }
 
 // Whether `text` can be one more value of the list that `option` has begun.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <set>
 
 #include "cli/brief_log.h"
 #include "cli/command.h"
@@ -46,24 +47,25 @@ PlacedLight parse_light(const std::string& text) {
   throw CLI::ValidationError("--light", "expected AZ,EL or AZ,EL,IRRADIANCE, got '" + text + "'");
 }
 
-// cull,depth,clip in any order, or all, or none.
+template <class Visit>
+void for_each_optimisation(QualitySettings& quality, const Visit& visit) {
+  for_each_setting(quality, [&](const std::string& name, const About& about, auto& value, std::string_view) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, bool>)
+      if (about.option == "optimise") visit(name, about, value);
+  });
+}
+
+// Some of the settings that share this option, in any order, or all, or none.
 bool parse_optimise(const std::vector<std::string>& names, QualitySettings& quality) {
-  bool cull = false, depth = false, clip = false;
-  for (const std::string& name : names) {
-    const bool alone = names.size() == 1;
-    if (name == "all" && alone)
-      cull = depth = clip = true;
-    else if (name == "cull")
-      cull = true;
-    else if (name == "depth")
-      depth = true;
-    else if (name == "clip")
-      clip = true;
-    else if (name != "none" || !alone)
-      return false;
-  }
-  quality.cull = cull, quality.depth = depth, quality.clip = clip;
-  return true;
+  const bool all = names == std::vector<std::string>{"all"}, none = names == std::vector<std::string>{"none"};
+  const std::set<std::string> wanted(names.begin(), names.end());
+  std::size_t known = 0;
+
+  for_each_optimisation(quality, [&](const std::string& name, const About&, bool& value) {
+    value = all || wanted.contains(name);
+    known += wanted.count(name);
+  });
+  return all || none || known == wanted.size();
 }
 
 void add_size(CLI::App& command, OutputSettings& output) {
@@ -80,15 +82,16 @@ void add_size(CLI::App& command, OutputSettings& output) {
 }
 
 void add_optimise(CLI::App& command, QualitySettings& quality) {
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--optimise",
-          [&quality](const std::vector<std::string>& names) {
-            if (!parse_optimise(names, quality))
-              throw CLI::ValidationError("--optimise", "expected all, none, or some of cull,depth,clip");
-          },
-          "leave out skin that faces away (cull), map texels that the distance does not need (depth), skin "
-          "outside the picture (clip); all; none")
+  std::string names, help;
+  for_each_optimisation(quality, [&](const std::string& name, const About& about, const bool&) {
+    names += (names.empty() ? "" : ",") + name;
+    help += fmt::format("{} ({}), ", about.help, name);
+  });
+  const auto read = [&quality, names](const std::vector<std::string>& given) {
+    if (!parse_optimise(given, quality))
+      throw CLI::ValidationError("--optimise", "expected all, none, or some of " + names);
+  };
+  command.add_option_function<std::vector<std::string>>("--optimise", read, help + "all, or none")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAME,NAME,..")

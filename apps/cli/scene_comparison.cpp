@@ -263,8 +263,6 @@ void check(const SceneComparisonSettings& s) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw input_error("", "--techniques '{}' is not known; there are: all, {}", name,
                         fmt::join(known, ", "));
-  if (s.render.quality.samples != 1 && s.render.quality.samples != 4)
-    throw input_error("", "--msaa must be 1 or 4, got {}", s.render.quality.samples);
   if (s.supersample < 1 || s.supersample > 16)
     throw input_error("", "--supersample must be 1 to 16, got {}", s.supersample);
   if (!s.render.output.exposure_ev && !s.reference_file.empty())

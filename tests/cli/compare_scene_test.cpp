@@ -144,7 +144,7 @@ TEST_F(CompareScene, WhatMakesNoSense) {
   refuse({"--noise", "-1"}, "--noise");
   refuse({"--model", "magic"}, "bssrdf, volume");
   refuse({"--model", "volume"}, "needs a medium");
-  refuse({"--msaa", "3"}, "--msaa must be 1 or 4");
+  refuse({"--msaa", "3"}, "quality.samples (--msaa) must be 1 or 4");
   refuse({"--map-size", "0"}, "--map-size");
   refuse({"--exposure", "auto", "--reference", "truth.exr"}, "give the number");
   refuse({"--tone-map", "sepia"}, "natural, neutral, agx, filmic, srgb, linear");
