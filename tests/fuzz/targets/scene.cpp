@@ -16,6 +16,7 @@ namespace dermis::fuzz {
 namespace {
 
 using namespace scene;
+using scene::Scene;  // not the handle of dermis/scene.h
 
 void check_finite(const glm::vec3& v) {
   DERMIS_ASSERT(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
