@@ -34,27 +34,16 @@ std::string summary(const Statistics& s) {
   return text;
 }
 
-// Ctrl-C while the scene is prepared ends in order, so that no file of the cache is left half-written; later
-// there is nothing to tidy up.
-Picture rendered(Renderer& renderer, const Scene& scene, const RenderSettings& settings) {
-  PreparedFrame frame = [&] {
-    const CatchInterrupts here;
-    return renderer.prepare(scene, settings);
-  }();
-  if (interrupted_flag()) throw Cancelled("stopped before the first frame");
-
-  for (int i = 0; i < settings.output.frames; ++i) frame.draw();
-  return frame.picture();
+void check_outputs(const RenderArguments& a) {
+  check_picture_name(a.output);
+  if (a.stats.empty() || a.stats == "-") return;
+  check_writable(a.stats);
+  if (same_file(a.stats, a.output))
+    throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
 }
 
 void render(const RenderArguments& a, int& exit_status) {
-  check_picture_name(a.output);
-  if (!a.stats.empty() && a.stats != "-") {
-    check_writable(a.stats);
-    if (same_file(a.stats, a.output))
-      throw input_error(a.stats, "is also the name of the picture; --stats needs a file of its own");
-  }
-
+  check_outputs(a);
   Renderer renderer({.device = a.device,
                      .validate = a.validate,
                      .stop = &interrupted_flag(),
@@ -65,8 +54,18 @@ void render(const RenderArguments& a, int& exit_status) {
   const Scene scene = open_scene(a);
   const double load_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+
+  // Ctrl-C while the scene is prepared ends in order, so that no file of the cache is left half-written;
+  // later there is nothing to tidy up.
   show_line("rendering");
-  Picture picture = rendered(renderer, scene, a.settings);
+  PreparedFrame frame = [&] {
+    const CatchInterrupts here;
+    return renderer.prepare(scene, a.settings);
+  }();
+  if (interrupted_flag()) throw Cancelled("stopped before the first frame");
+
+  for (int i = 0; i < a.settings.output.frames; ++i) frame.draw();
+  Picture picture = frame.picture();
   show_line("");
   picture.statistics.load_ms = load_ms;
 

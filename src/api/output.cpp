@@ -66,6 +66,12 @@ std::vector<float> values_of(std::span<const std::byte> bytes, techniques::Shown
   return as == techniques::Shown::As::texel_density ? grey_of_density(std::move(values), map_size) : values;
 }
 
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n == 0 ? 0 : n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
 // Eight bits for a display, opaque.
 std::vector<std::uint8_t> display_values(const std::vector<float>& rgba, bool is_light) {
   std::vector<std::uint8_t> display(rgba.size(), 255);
@@ -110,7 +116,7 @@ void fill_counts(Statistics& st, const setup::Subject& subject, const RenderSett
   st.environment_lights = setup.suns;
   st.gaussians = setup.gaussians;
   st.distance = settings.camera.distance;
-  st.d_ref = setup.camera.d_ref;
+  st.d_ref = setup.d_ref;
   st.tone_map = name_of(settings.output.tone_map);
   for (const scene::Material& m : subject.scene->materials)
     if (m.skin) st.skin_materials.push_back(m.name);
@@ -134,6 +140,20 @@ void fill_counts(Statistics& st, const setup::Subject& subject, const RenderSett
   st.used_size.resize(setup.heads.size());
   for (const setup::HeadSetup& head : setup.heads)
     st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;
+}
+
+void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames) {
+  std::vector<double> totals;
+  for (const frame::FrameTime& f : frames) totals.push_back(f.total_ms);
+  statistics.frame_ms_median = median(totals);
+  statistics.frame_ms_min = *std::min_element(totals.begin(), totals.end());
+  statistics.frame_ms_max = *std::max_element(totals.begin(), totals.end());
+  statistics.frames = static_cast<int>(frames.size());
+  for (std::size_t p = 0; p < frames.front().passes.size(); ++p) {
+    std::vector<double> times;
+    for (const frame::FrameTime& f : frames) times.push_back(f.passes[p].ms);
+    statistics.passes.push_back({.name = frames.front().passes[p].name, .ms = median(times), .calls = 1});
+  }
 }
 
 std::vector<float> read_before_bloom(frame::GraphExecutor& executor, const techniques::FrameOutputs& out) {

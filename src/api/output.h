@@ -16,6 +16,9 @@ void check_device_limits(const RenderSettings& settings, const gpu::DeviceLimits
 /// Throws InputError if settings.show is unknown to the technique; lists the names that it knows.
 void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& settings);
 
+/// Fills in the times of at least one frame: medians, shortest, longest.
+void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames);
+
 /// `counters` as read back from FrameOutputs::counters.
 void fill_counts(Statistics& statistics, const setup::Subject& subject, const RenderSettings& settings,
                  const setup::FrameSetup& setup, std::span<const std::byte> counters);

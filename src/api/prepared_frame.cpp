@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -15,65 +14,10 @@
 #include "core/warnings.h"
 #include "dermis/cancelled.h"
 #include "frame/executor.h"
-#include "passes/frame_data.h"
+#include "setup/frame_data.h"
 #include "setup/frame_setup.h"
 
 namespace dermis {
-namespace {
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n == 0 ? 0 : n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
-
-passes::FrameData frame_data(gpu::Device& device, const setup::FrameSetup& setup,
-                             const techniques::FrameOutputs& outputs, const passes::GpuScene& scene) {
-  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  passes::FrameData data;
-  data.scene = &scene;
-  data.eye_m = setup.camera.eye_m;
-  data.eye = setup.camera.scene_camera.orthographic ? glm::vec4(-setup.camera.direction, 0)
-                                                    : glm::vec4(setup.camera.eye_m, 1);
-  data.clip_planes = setup.clip_planes;
-  data.frame_io =
-      gpu::make_buffer(device, "frame", std::span(&setup.frame, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-
-  for (const setup::HeadSetup& head : setup.heads) {
-    passes::Instance instance;
-    instance.offset_m = head.offset_m;
-    instance.map_side = static_cast<std::uint32_t>(head.map_side);
-    if (!outputs.map_places.empty()) instance.map_places = outputs.map_places[data.instances.size()];
-    instance.visible = head.visible;
-    instance.lights = gpu::make_buffer(device, "lights", std::span<const io::LightIo>(head.lights), storage);
-
-    // Leave room in front, so that layers of the map that heads share number the matrices, too.
-    std::vector<glm::mat4> matrices(head.first_shadow_layer, glm::mat4(0));
-    matrices.insert(matrices.end(), head.shadow_from_world.begin(), head.shadow_from_world.end());
-    instance.shadow_matrices =
-        gpu::make_buffer(device, "shadow matrices", std::span<const glm::mat4>(matrices), storage);
-    instance.first_shadow_layer = head.first_shadow_layer;
-    instance.shadow_from_world = head.shadow_from_world;
-    data.instances.push_back(std::move(instance));
-  }
-  return data;
-}
-
-void fill_times(Statistics& statistics, const std::vector<frame::FrameTime>& frames) {
-  std::vector<double> totals;
-  for (const frame::FrameTime& f : frames) totals.push_back(f.total_ms);
-  statistics.frame_ms_median = median(totals);
-  statistics.frame_ms_min = *std::min_element(totals.begin(), totals.end());
-  statistics.frame_ms_max = *std::max_element(totals.begin(), totals.end());
-  statistics.frames = static_cast<int>(frames.size());
-  for (std::size_t p = 0; p < frames.front().passes.size(); ++p) {
-    std::vector<double> times;
-    for (const frame::FrameTime& f : frames) times.push_back(f.passes[p].ms);
-    statistics.passes.push_back({.name = frames.front().passes[p].name, .ms = median(times), .calls = 1});
-  }
-}
-
-}  // namespace
 
 struct PreparedFrame::State {
   std::shared_ptr<Renderer::State> renderer;
@@ -97,7 +41,6 @@ struct PreparedFrame::State {
   void set(const RenderSettings& wanted);
   void plan(const RenderSettings& wanted, const setup::FrameSetup& next);
   void upload();
-  void make_data();
   std::optional<double> measure_exposure();
   void look_at_the_sky();
   void draw(bool with_statistics);
@@ -143,39 +86,37 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   settings = wanted;
   upload();
 
+  data = setup::frame_data(device(), setup, outputs, *scene->gpu, sky);
+  changed = true;
+
   exposure_ev = wanted.output.exposure_ev;
   if (!exposure_ev) exposure_ev = measure_exposure();
   if (!exposure_ev)
     warn("{}: no lit skin in the picture, so an automatic output.exposure_ev is 0", source.name());
-  setup.frame.radiance_scale = static_cast<float>(std::exp2(exposure_ev.value_or(0)));
-  make_data();
   times.clear();
   counters.clear();
   ready = true;
 }
 
-void PreparedFrame::State::make_data() {
-  data = frame_data(device(), setup, outputs, *scene->gpu);
-  changed = true;
-  if (!environment_light) return;
-  data.environment = &environment_light->map;
-  data.sky = sky.maps;
-}
-
-// A frame of the same view with white skin that does not reflect at its surface: what it shows is the light
-// on the skin. None: no lit skin.
+// Draws frames of the same view with white skin that does not reflect at its surface: they show the light on
+// the skin. Exposes the view by what is found, and returns that; none: no lit skin, 0 EV.
 std::optional<double> PreparedFrame::State::measure_exposure() {
-  const io::FrameIo as_wanted = setup.frame;
-  setup.frame.white_albedo = 1;
-  setup.frame.specular_on = 0;
+  const auto expose = [&](io::FrameIo frame, double ev) {
+    frame.radiance_scale = static_cast<float>(std::exp2(ev));
+    data.frame_io = setup::frame_buffer(device(), frame);
+    changed = true;
+  };
+
+  io::FrameIo white = setup.frame;
+  white.white_albedo = 1;
+  white.specular_on = 0;
   const std::optional<double> ev = api::choose_exposure([&](double tried_ev) {
-    setup.frame.radiance_scale = static_cast<float>(std::exp2(tried_ev));
-    make_data();
+    expose(white, tried_ev);
     draw(false);
     return api::mean_skin_luminance(api::read_before_bloom(*executor, outputs));
   });
 
-  setup.frame = as_wanted;
+  expose(setup.frame, ev.value_or(0));
   return ev;
 }
 
@@ -202,7 +143,10 @@ void PreparedFrame::State::upload() {
     shared.gpu.emplace(renderer->library, *shared.subject.scene, shared.subject.skin,
                        passes::GpuSceneSettings{shared.mix});
 
-  if (environment_light) look_at_the_sky();
+  if (environment_light)
+    look_at_the_sky();
+  else
+    sky = {};
   for (const techniques::GutterSize& size :
        setup.technique->gutters(setup.plan, setup::sides_of_drawn_heads(setup)))
     shared.gpu->make_gutters(device(), size.mesh, shared.subject.skin[size.mesh], size.side,
@@ -296,7 +240,7 @@ Picture PreparedFrame::picture() {
   Statistics& statistics = picture.statistics;
 
   statistics.timing = s.executor->separate_submissions() ? "submit" : "timestamp";
-  if (!s.times.empty()) fill_times(statistics, s.times);
+  if (!s.times.empty()) api::fill_times(statistics, s.times);
   api::fill_counts(statistics, s.scene->subject, s.settings, s.setup, s.counters);
   statistics.upload_ms = s.scene->upload_ms;
   statistics.pipeline_ms = s.pipeline_ms;

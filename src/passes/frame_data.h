@@ -2,7 +2,6 @@
 // Data that changes per frame, for passes while they record.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -11,6 +10,7 @@
 #include "frame/plan.h"
 #include "gpu/resources.h"
 #include "passes/gpu_scene.h"
+#include "shared/scene_io.h"
 
 namespace dermis::passes {
 
@@ -42,12 +42,8 @@ struct SkyMaps {
 
 struct FrameData {
   const GpuScene* scene = nullptr;
-  gpu::Buffer frame_io;  ///< FrameIo
-  glm::vec3 eye_m{0};
-  /// eye_m, w = 1; for an orthographic camera the unit direction towards it, w = 0
-  glm::vec4 eye{0, 0, 0, 1};
-  /// Skin outside any of these is clipped from light maps: dot(xyz, position_m) + w < 0.
-  std::array<glm::vec4, 5> clip_planes{};
+  io::CameraIo camera{};                      ///< that of frame_io
+  gpu::Buffer frame_io;                       ///< FrameIo
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
   std::span<const SkyMaps> sky;               ///< one per skin mesh; only with an environment
   std::vector<Instance> instances;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bindings of every lit pass: camera, lights, shadow maps, table of the directional albedo.
+// Bindings of every lit pass, beside the frame: lights, shadow maps, table of the directional albedo.
 #pragma once
 
 #include "passes/bindings.h"
@@ -17,8 +17,7 @@ class LightingSamplers {
 
   void offer(Bindings& bindings, const FrameData& frame, const Instance& instance,
              const gpu::Texture& shadow) const {
-    bindings.add("Frame", frame.frame_io)
-        .add("Lights", instance.lights)
+    bindings.add("Lights", instance.lights)
         .add("ShadowMatrices", instance.shadow_matrices)
         .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
         .add("directional_albedo", gpu::SampledBinding{&frame.scene->directional_albedo, table_})

@@ -12,6 +12,7 @@
 #include "passes/shadow/fit.h"
 #include "scene/framing.h"
 #include "setup/choose.h"
+#include "setup/frame_camera.h"
 #include "techniques/memory.h"
 
 namespace dermis::setup {
@@ -37,7 +38,8 @@ io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, st
 
 // Far to near, so that what is blended is drawn over what lies behind it.
 std::vector<HeadSetup> set_up_heads(const Subject& subject, const RenderSettings& s,
-                                    const FrameCamera& camera, const std::vector<scene::Light>& lights) {
+                                    const scene::Camera& camera, const io::CameraIo& frame_camera,
+                                    const std::vector<scene::Light>& lights) {
   std::vector<HeadSetup> heads;
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
@@ -52,12 +54,12 @@ std::vector<HeadSetup> set_up_heads(const Subject& subject, const RenderSettings
                                     fit.shadow_from_world.end());
     }
     head.map_side = map_side(subject, s, camera, offset);
-    head.visible = !skip || in_view(subject, camera, offset);
+    head.visible = !skip || in_view(subject, frame_camera, offset);
     heads.push_back(std::move(head));
   }
 
   const auto distance = [&](const HeadSetup& head) {
-    return glm::distance(subject.sphere.centre_m + head.offset_m, camera.eye_m);
+    return glm::distance(subject.sphere.centre_m + head.offset_m, frame_camera.eye_m);
   };
   std::stable_sort(heads.begin(), heads.end(),
                    [&](const HeadSetup& a, const HeadSetup& b) { return distance(a) > distance(b); });
@@ -253,24 +255,23 @@ FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceT
                   const std::vector<scene::Light>& suns) {
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
-  setup.camera = frame_camera(subject, s);
+
+  const scene::Camera camera = choose_camera(*subject.scene, s, subject.sphere);
+  setup.frame.camera = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
+  setup.d_ref = reference_distance(subject, s, camera);
 
   const std::vector<glm::vec3> offsets = scene::head_row_offsets(s.camera.heads, subject.sphere.radius_m);
   std::vector<scene::Light> lights = choose_lights(*subject.scene, s, subject.sphere, offsets);
   lights.insert(lights.end(), suns.begin(), suns.end());
   setup.lights = static_cast<int>(lights.size());
   setup.suns = static_cast<int>(suns.size());
-  setup.heads = set_up_heads(subject, s, setup.camera, lights);
+  setup.heads = set_up_heads(subject, s, camera, setup.frame.camera, lights);
   set_up_plan(setup, subject, s, lights, device);
   place_shadows(setup.heads, setup.plan);
-  setup.clip_planes = with_margin(setup.camera.planes, clip_margin_m(setup, subject, s));
 
   io::FrameIo& frame = setup.frame;
-  frame.clip_from_world = setup.camera.clip_from_world;
-  frame.eye_m = setup.camera.eye_m;
+  frame.clip_margin_m = static_cast<float>(clip_margin_m(setup, subject, s));
   frame.radiance_scale = static_cast<float>(std::exp2(s.output.exposure_ev.value_or(0)));
-  frame.view_direction = setup.camera.direction;
-  frame.orthographic = setup.camera.scene_camera.orthographic ? 1 : 0;
   frame.ambient = glm::vec3(static_cast<float>(s.lighting.ambient));
   frame.light_count = static_cast<std::uint32_t>(lights.size());
   frame.specular_on = s.lighting.specular ? 1 : 0;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "dermis/renderer.h"
-#include "setup/frame_camera.h"
 #include "setup/subject.h"
 #include "shared/scene_io.h"
 #include "techniques/technique.h"
@@ -38,8 +37,7 @@ struct FrameSetup {
   techniques::FrameSettings plan;
   std::vector<HeadSetup> heads;  ///< far to near
   io::FrameIo frame{};
-  FrameCamera camera;
-  std::array<glm::vec4, 5> clip_planes{};   ///< with the margin
+  double d_ref = 0;                         ///< see reference_distance()
   int lights = 0, suns = 0, gaussians = 0;  ///< suns: those of the lights that surroundings bring
 };
 
@@ -47,7 +45,7 @@ struct FrameSetup {
 std::vector<std::uint32_t> sides_of_drawn_heads(const FrameSetup& setup);
 
 /// `settings` have passed check_settings(): who calls this checks them before reading surroundings. `suns`:
-/// lights of the surroundings, besides those that the settings choose. InputError: see frame_camera(); a map
+/// lights of the surroundings, besides those that the settings choose. InputError: see choose_camera(); a map
 /// budget that holds not even one head.
 FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {},
                   const std::vector<scene::Light>& suns = {});

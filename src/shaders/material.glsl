@@ -11,6 +11,12 @@ struct ShadingPoint {
   vec4 colour;
 };
 
+// Returns the unit vector from a point to the camera. Needs frame.glsl.
+vec3 view_vector(vec3 position_m) {
+  return is_on(frame.camera.orthographic) ? -frame.camera.direction
+                                          : normalize(frame.camera.eye_m - position_m);
+}
+
 vec2 map_uv(MapIo map, ShadingPoint s) {
   const vec2 uv = map.uv_set == 0u ? s.uv0 : s.uv1;
   return map.u_axis * uv.x + map.v_axis * uv.y + map.offset;

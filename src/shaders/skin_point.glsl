@@ -3,7 +3,7 @@
 // direct shading per pixel, so that both show the same skin. Buffers are uniform, not storage: some software
 // devices read zeros from storage in helper invocations, which breaks texture derivatives.
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
-layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
+#include "shaders/frame.glsl"
 layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
 layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
 layout(binding = 22) uniform sampler2DArray shadow_depths;

@@ -75,13 +75,20 @@ struct LightIo {
   float radius;        // of the light: m; directional: tangent of its angular radius
 };
 
-struct FrameIo {
+struct CameraIo {
   mat4 clip_from_world;
   vec3 eye_m;
-  float radiance_scale;  // 2^EV, applied before anything is stored in half floats
-  vec3 view_direction;   // used if orthographic
   uint orthographic;
-  vec3 ambient;  // uniform radiance from everywhere
+  vec3 direction;  // unit, where it looks
+  // Of the picture: left, right, bottom, top, near. dot(xyz, position_m) + w is the distance inside, metres.
+  vec4 planes[5];
+};
+
+struct FrameIo {
+  CameraIo camera;
+  float clip_margin_m;   // light maps keep skin that is no further outside the planes than this
+  float radiance_scale;  // 2^EV, applied before anything is stored in half floats
+  vec3 ambient;          // uniform radiance from everywhere
   uint light_count;
   uint specular_on;
   uint white_albedo;  // tests: every albedo is 1

@@ -154,6 +154,7 @@ void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
   begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear);
   if (instance.visible) {
     Bindings bindings;
+    bindings.add("Frame", frame.frame_io);
     samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
     samplers_.offer_sky(bindings, frame, settings.square.mesh);
     if (through()) through_.offer(bindings, resources, in.entering, in.shadow, 0);

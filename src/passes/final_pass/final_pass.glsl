@@ -154,7 +154,7 @@ vec3 mirrored_surroundings(ShadingPoint s, vec3 n, vec3 n_geometric, vec3 v, Ski
 }
 
 void main() {
-  const vec3 v = is_on(frame.orthographic) ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
+  const vec3 v = view_vector(in_position_m);
   const vec3 n_interpolated = normalize(in_normal);
   const vec3 n_geometric = gl_FrontFacing ? n_interpolated : -n_interpolated;
   const ShadingPoint s = ShadingPoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);

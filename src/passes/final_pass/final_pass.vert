@@ -4,7 +4,7 @@
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
 layout(push_constant, scalar) uniform Push { FinalPassIo io; };
-layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
+#include "shaders/frame.glsl"
 invariant gl_Position;  // unshaded_reads.frag tests against the depth written here
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
@@ -28,5 +28,5 @@ void main() {
   const int first = gl_VertexIndex / 3 * 3;
   out_unwrap_ab = vec4(vertices[indices[first]].unwrap, vertices[indices[first + 1]].unwrap);
   out_unwrap_c = vertices[indices[first + 2]].unwrap;
-  gl_Position = frame.clip_from_world * vec4(out_position_m, 1.0);
+  gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }

@@ -62,6 +62,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     const Instance& instance = instance_of(frame, square);
     Bindings bindings;
+    bindings.add("Frame", frame.frame_io);
     samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
     samplers_.offer_sky(bindings, frame, square.mesh);
     if (through) through_.offer(bindings, resources, in.entering, in.shadow, square.mesh);
@@ -72,7 +73,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
         [&](const GpuDraw&, const GpuMaterial& material) {
           return pipelines_[material.cut_out][through ? square.mesh : 0];
         },
-        [&](const GpuMaterial& material) { return cull_io(frame, instance, material); });
+        [&](const GpuMaterial& material) { return cull_io(instance, material); });
     cmd.end_rendering();
   }
 }

@@ -23,7 +23,7 @@ class Irradiance {
     bool cull = false;         ///< leaves out triangles that face away from the camera; see shaders/cull.glsl
     bool environment = false;  ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
-    bool clip = false;          ///< leaves out skin outside FrameData::clip_planes
+    bool clip = false;          ///< leaves out skin outside the picture and its margin
     bool cut_out = false;       ///< leaves out what the alpha test of some material cuts away
     /// Profiles of 1 to 8 terms, one per skin mesh, for transmitted light (passes/transmission.h). Empty: no
     /// transmitted light.

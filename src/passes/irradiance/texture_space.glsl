@@ -2,6 +2,7 @@
 // The vertex stage of passes that draw a head in its texture coordinates. CLIP: with clip distances.
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
+#include "shaders/frame.glsl"
 #include "shaders/cull.glsl"
 #include "shared/cull_io.h"
 layout(constant_id = 0) const bool cull = false;
@@ -31,8 +32,8 @@ void main() {
   out_unwrap = v.unwrap;
   gl_Position = vec4(v.unwrap * 2.0 - 1.0, 0.5, 1.0);
 #ifdef CLIP
-  for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = dot(io.planes[i].xyz, out_position_m) + io.planes[i].w;
+  for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = distance_inside(i, out_position_m);
 #endif
-  if (cull && io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.offset_m, io.eye, io.map_side))
+  if (cull && io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.offset_m, io.map_side))
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

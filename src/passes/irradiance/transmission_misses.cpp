@@ -37,6 +37,7 @@ void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources
   for (const UsedSquare& square : used_squares(frame, settings.irradiance.squares)) {
     const Instance& instance = instance_of(frame, square);
     Bindings bindings;
+    bindings.add("Frame", frame.frame_io);
     samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
     samplers_.offer_sky(bindings, frame, square.mesh);
     through_.offer(bindings, resources, in.entering, in.shadow, square.mesh);
@@ -46,7 +47,7 @@ void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources
     draw_skin(
         cmd, *frame.scene, square.mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial&) { return pipelines_[square.mesh]; },
-        [&](const GpuMaterial& material) { return cull_io(frame, instance, material); });
+        [&](const GpuMaterial& material) { return cull_io(instance, material); });
     cmd.end_rendering();
   }
 }

@@ -9,7 +9,7 @@ layout(constant_id = 0) const bool skin = true;
 layout(constant_id = 1) const bool cut_out = false;
 layout(constant_id = 2) const bool mixed = true;  // mix is not 0
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
-layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
+#include "shaders/frame.glsl"
 layout(binding = 8) uniform sampler2D map_base_colour;
 layout(location = 0) in vec2 in_uv0;
 layout(location = 1) in vec2 in_uv1;

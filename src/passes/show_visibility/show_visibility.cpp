@@ -28,12 +28,15 @@ void ShowVisibility::prepare(gpu::PipelineLibrary& library) {
 
 void ShowVisibility::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const Instance& instance = instance_of(frame, settings.square);
+  Bindings bindings;
+  bindings.add("Frame", frame.frame_io);
+
   const gpu::ColourTarget colour{.texture = &resources.texture(in.picture), .clear = no_light};
   cmd.begin_rendering(std::span(&colour, 1), {}, {instance.map_side, instance.map_side}, true);
   draw_skin(
-      cmd, *frame.scene, settings.square.mesh, {},
+      cmd, *frame.scene, settings.square.mesh, bindings,
       [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out]; },
-      [&](const GpuMaterial& material) { return cull_io(frame, instance, material); });
+      [&](const GpuMaterial& material) { return cull_io(instance, material); });
   cmd.end_rendering();
 }
 

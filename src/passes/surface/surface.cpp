@@ -50,6 +50,7 @@ void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
   const GpuMaterial& material = frame.scene->material(material_number);
   const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
   Bindings bindings;
+  bindings.add("Frame", frame.frame_io);
   frame.scene->surfaces.offer(bindings, page);
   material.offer(bindings);
   samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
@@ -71,7 +72,7 @@ void Surface::draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, con
   std::vector<const GpuSurfaces::Blended*> parts;
   for (const GpuSurfaces::Blended& part : frame.scene->surfaces.blended) parts.push_back(&part);
   const auto distance = [&](const GpuSurfaces::Blended* part) {
-    return glm::distance(part->centre_m + instance.offset_m, frame.eye_m);
+    return glm::distance(part->centre_m + instance.offset_m, frame.camera.eye_m);
   };
   std::stable_sort(parts.begin(), parts.end(),
                    [&](const GpuSurfaces::Blended* a, const GpuSurfaces::Blended* b) {

@@ -7,7 +7,7 @@
 #include "shaders/half.glsl"
 #include "passes/surface/surface_io.h"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
-layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
+#include "shaders/frame.glsl"
 layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
 layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
 layout(binding = 22) uniform sampler2DArray shadow_depths;
@@ -87,7 +87,7 @@ vec3 reflected_surroundings(Look look, float n_v) {
 }
 
 void main() {
-  const vec3 v = is_on(frame.orthographic) ? -frame.view_direction : normalize(frame.eye_m - in_position_m);
+  const vec3 v = view_vector(in_position_m);
   const vec3 n_geometric = gl_FrontFacing ? normalize(in_normal) : -normalize(in_normal);
   const ShadingPoint s = ShadingPoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
 

@@ -5,7 +5,7 @@
 #include "shaders/placement.glsl"
 #include "passes/surface/surface_io.h"
 layout(push_constant, scalar) uniform Push { SurfaceIo io; };
-layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
+#include "shaders/frame.glsl"
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;
@@ -18,5 +18,5 @@ void main() {
   out_tangent = v.tangent;
   out_uv = vec4(v.uv0, v.uv1);
   out_colour = v.colour;
-  gl_Position = frame.clip_from_world * vec4(out_position_m, 1.0);
+  gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }
