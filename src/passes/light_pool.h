@@ -43,13 +43,13 @@ UsedSquare used_square(const FrameData& frame, const MapSquare& square);
 /// Returns the squares of visible heads.
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares);
 
-/// How a convolution runs, and which texels it skips.
-enum class Mask : std::uint8_t {
-  whole,  ///< computed over the whole used square
-  drawn,  ///< drawn over the whole used square
-  alpha,  ///< drawn; a fragment without light ends before its taps ([JG08] sec. 3)
-  depth,  ///< drawn; the depth test rejects it before it starts ([JG08] sec. 3)
-  tiles   ///< computed; only tiles that hold light are dispatched
+/// How a convolution skips texels without light, and so how it runs.
+enum class SkipUnlit : std::uint8_t {
+  never,        ///< computed over the whole used square
+  never_drawn,  ///< drawn over the whole used square
+  by_alpha,     ///< drawn; a fragment without light ends before its taps ([JG08] sec. 3)
+  by_depth,     ///< drawn; the depth test rejects it before it starts ([JG08] sec. 3)
+  by_tiles      ///< computed; only tiles that hold light are dispatched
 };
 
 }  // namespace dermis::passes

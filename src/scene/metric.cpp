@@ -159,8 +159,8 @@ UnwrapDensity unwrap_density(const SkinMesh& mesh, double mm_per_unit) {
     mean.emplace_back(std::pow(m.g.x * m.g.z - m.g.y * m.g.y, -0.25), m.world_area);
     largest.emplace_back(1 / std::sqrt(eigenvalues(m.g).small), m.world_area);
   }
-  density.texels_per_mm = density_stats(std::move(mean));
-  density.largest_texels_per_mm = density_stats(std::move(largest));
+  density.uv_per_mm = density_stats(std::move(mean));
+  density.largest_uv_per_mm = density_stats(std::move(largest));
   return density;
 }
 

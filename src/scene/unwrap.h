@@ -78,11 +78,11 @@ struct DensityStats {
 };
 
 struct UnwrapDensity {
-  /// for a map of one texel (multiply by the map's side): geometric mean of both directions, det(g)^(-1/4)
-  DensityStats texels_per_mm;
-  /// for a map of one texel: in the direction with the densest texels, 1 / sqrt(smallest eigenvalue of g)
-  DensityStats largest_texels_per_mm;
-  double area_mm2 = 0;  ///< all triangles
+  /// texture coordinates (0..1) per mm, times the side of a map: its texels per mm. Geometric mean of both
+  /// directions, det(g)^(-1/4)
+  DensityStats uv_per_mm;
+  DensityStats largest_uv_per_mm;  ///< in the densest direction, 1 / sqrt(smallest eigenvalue of g)
+  double area_mm2 = 0;             ///< all triangles
 };
 
 /// Returns the density of the triangles themselves, not of the averaged metric. All zero for a mesh without

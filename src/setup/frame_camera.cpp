@@ -14,7 +14,7 @@ constexpr int side_step = 32;  // texels
 // The mean density of the first skin mesh that has texture coordinates, at T_max; 0 if none has.
 double texels_per_mm(const Subject& subject, const RenderSettings& s) {
   for (const scene::UnwrapDensity& density : subject.densities)
-    if (density.texels_per_mm.mean > 0) return density.texels_per_mm.mean * s.quality.map_size;
+    if (density.uv_per_mm.mean > 0) return density.uv_per_mm.mean * s.quality.map_size;
   return 0;
 }
 

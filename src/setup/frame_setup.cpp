@@ -76,12 +76,12 @@ void place_shadows(std::vector<HeadSetup>& heads, const techniques::FrameSetting
 
 // Whether a twentieth of the skin has so few texels that terms are lit at the pixel there.
 void fill_coarse(techniques::SkinPart& part, const scene::UnwrapDensity& density, double map_size) {
-  if (!(density.texels_per_mm.mean > 0) || !(density.area_mm2 > 0)) return;
-  part.even_texels_per_mm = 1 / std::sqrt(density.area_mm2);
-  part.least_texels_per_mm = density.texels_per_mm.p05 * map_size;
+  if (!(density.uv_per_mm.mean > 0) || !(density.area_mm2 > 0)) return;
+  part.even_uv_per_mm = 1 / std::sqrt(density.area_mm2);
+  part.least_texels_per_mm = density.uv_per_mm.p05 * map_size;
   const double widest_mm = std::sqrt(part.profile.max_variance_mm2());
   part.coarse = passes::is_coarse(static_cast<float>(widest_mm), static_cast<float>(part.least_texels_per_mm),
-                                  static_cast<float>(part.even_texels_per_mm * map_size));
+                                  static_cast<float>(part.even_uv_per_mm * map_size));
 }
 
 techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const RenderSettings& s) {
@@ -90,11 +90,11 @@ techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const
   part.profile = choose_profile(subject.scene->materials[material], s);
   // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not
   // wrong in width.
-  part.densest_texels_per_mm_of_one = subject.densities[number].largest_texels_per_mm.p95;
-  part.max_texels_per_mm = std::max(part.densest_texels_per_mm_of_one * s.quality.map_size, 1e-6);
+  part.max_uv_per_mm = subject.densities[number].largest_uv_per_mm.p95;
+  part.max_texels_per_mm = std::max(part.max_uv_per_mm * s.quality.map_size, 1e-6);
   part.off_map = scene::has_chartless(subject.skin[number]);
   fill_coarse(part, subject.densities[number], s.quality.map_size);
-  part.mean_texels_per_mm = subject.densities[number].texels_per_mm.mean * s.quality.map_size;
+  part.mean_texels_per_mm = subject.densities[number].uv_per_mm.mean * s.quality.map_size;
   for (const int index : subject.skin[number].triangle_material) {
     const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];
     part.cut_out = part.cut_out || of_triangle.alpha_mode == scene::AlphaMode::mask;
@@ -151,14 +151,14 @@ void set_up_batches(FrameSetup& setup, const RenderSettings& s, const DeviceTrai
 
 // From a measurement on each kind of device, docs/measuring.md; never from one at run time, or frames would
 // not be bit-equal.
-passes::Mask mask_of(const RenderSettings& s, const DeviceTraits& device) {
-  if (!s.quality.mask) return device.software ? passes::Mask::depth : passes::Mask::tiles;
+passes::SkipUnlit choose_skip_unlit(const RenderSettings& s, const DeviceTraits& device) {
+  if (!s.quality.mask) return device.software ? passes::SkipUnlit::by_depth : passes::SkipUnlit::by_tiles;
   switch (*s.quality.mask) {
-    case BlurMask::alpha: return passes::Mask::alpha;
-    case BlurMask::depth: return passes::Mask::depth;
+    case BlurMask::alpha: return passes::SkipUnlit::by_alpha;
+    case BlurMask::depth: return passes::SkipUnlit::by_depth;
     case BlurMask::tiles: break;
   }
-  return passes::Mask::tiles;
+  return passes::SkipUnlit::by_tiles;
 }
 
 // Whether light enters whole wherever it falls on something: skin whose whole albedo acts after scattering.
@@ -194,7 +194,7 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
 
   if (setup.technique->has_light_maps) {
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
-    plan.mask = mask_of(s, device);
+    plan.skip_unlit = choose_skip_unlit(s, device);
     plan.progressive = s.quality.maps == LightMaps::progressive;
     plan.translucency = s.skin.translucency && !subject.skin.empty() && setup.lights > 0;
     plan.all_enters = all_enters(scene, s);

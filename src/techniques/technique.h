@@ -19,15 +19,15 @@
 
 namespace dermis::techniques {
 
-/// One skin mesh as the plan needs to know it. Texels per mm are those of its unwrap, on a map of T_max
-/// texels per side or on a map of one texel, from which any other size follows.
+/// One skin mesh as the plan needs to know it. Texels per mm are those of a map of T_max texels per side; of
+/// any other map, uv per mm (texture coordinates, 0..1) times its side.
 struct SkinPart {
   gaussians::SumOfGaussians profile;
-  double max_texels_per_mm = 1;             ///< at T_max; a twentieth of the skin has more
-  double mean_texels_per_mm = 1;            ///< at T_max
-  double densest_texels_per_mm_of_one = 1;  ///< on a map of one texel; a twentieth of the skin has more
-  double even_texels_per_mm = 1;            ///< on a map of one texel, if the skin filled it evenly
-  double least_texels_per_mm = 1;           ///< at T_max; a twentieth of the skin has fewer
+  double max_uv_per_mm = 1;      ///< a twentieth of the skin has more
+  double even_uv_per_mm = 1;     ///< if the skin filled the map evenly
+  double max_texels_per_mm = 1;  ///< a twentieth of the skin has more
+  double mean_texels_per_mm = 1;
+  double least_texels_per_mm = 1;  ///< a twentieth of the skin has fewer
   /// some of the skin has so few texels that narrow terms are lit per pixel there: passes::coarse_share()
   bool coarse = false;
   bool off_map = false;  ///< some of its triangles have no chart of the unwrap
@@ -66,8 +66,8 @@ struct FrameSettings {
   /// enters it: no map has to store which part does.
   bool all_enters = false;
   double mm_per_unit = 1000;  ///< of the scene
-  /// alpha, depth or tiles: how convolutions skip texels that cull and clip have left unlit
-  passes::Mask mask = passes::Mask::tiles;
+  /// by_alpha, by_depth or by_tiles, of the texels that cull and clip have left unlit
+  passes::SkipUnlit skip_unlit = passes::SkipUnlit::by_tiles;
   bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
   bool visibility = false;     ///< also makes the map that `output.show` "visibility" shows
   std::vector<SkinPart> skin;  ///< one per skin mesh of the scene

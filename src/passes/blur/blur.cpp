@@ -21,8 +21,8 @@ Blur::Out Blur::declare(frame::Declare& d) {
     d.colour(in.target);
   else
     d.write(in.target);
-  if (settings.mask == Mask::depth) d.depth(in.depth_mask);
-  if (settings.mask == Mask::tiles) {
+  if (settings.skip_unlit == SkipUnlit::by_depth) d.depth(in.depth_mask);
+  if (settings.skip_unlit == SkipUnlit::by_tiles) {
     d.read(in.lists.tiles);
     d.read(in.lists.counts);
     d.indirect(in.lists.arguments);
@@ -31,17 +31,19 @@ Blur::Out Blur::declare(frame::Declare& d) {
 }
 
 void Blur::prepare(gpu::PipelineLibrary& library) {
-  const bool depth = settings.mask == Mask::depth;
+  const bool depth = settings.skip_unlit == SkipUnlit::by_depth;
   if (drawn())
-    pipeline_ = &library.graphics({.vertex = "square.vert",
-                                   .fragment = "blur.frag",
-                                   .constants = {{"alpha_test", settings.mask == Mask::alpha ? 1u : 0u}},
-                                   .colour_formats = {light_format},
-                                   .depth_format = depth ? depth_format : VK_FORMAT_UNDEFINED,
-                                   .depth_test = depth,
-                                   .depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL});
+    pipeline_ = &library.graphics(
+        {.vertex = "square.vert",
+         .fragment = "blur.frag",
+         .constants = {{"alpha_test", settings.skip_unlit == SkipUnlit::by_alpha ? 1u : 0u}},
+         .colour_formats = {light_format},
+         .depth_format = depth ? depth_format : VK_FORMAT_UNDEFINED,
+         .depth_test = depth,
+         .depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL});
   else
-    pipeline_ = &library.compute("blur.comp", {{"tiled", settings.mask == Mask::tiles ? 1u : 0u}});
+    pipeline_ =
+        &library.compute("blur.comp", {{"tiled", settings.skip_unlit == SkipUnlit::by_tiles ? 1u : 0u}});
   const std::vector<float> table = kernel_table();
   kernels_ = gpu::make_buffer(library.device(), "blur kernels", std::span<const float>(table),
                               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
@@ -50,7 +52,8 @@ void Blur::prepare(gpu::PipelineLibrary& library) {
 void Blur::draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const {
   const gpu::ColourTarget colour{.texture = &resources.texture(in.target), .clear = no_light};
   std::optional<gpu::DepthTarget> depth;
-  if (settings.mask == Mask::depth) depth = gpu::DepthTarget{.texture = &resources.texture(in.depth_mask)};
+  if (settings.skip_unlit == SkipUnlit::by_depth)
+    depth = gpu::DepthTarget{.texture = &resources.texture(in.depth_mask)};
   cmd.begin_rendering_area(std::span(&colour, 1), depth, area, true);
   cmd.draw(3);
   cmd.end_rendering();
@@ -71,7 +74,7 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
       .add("stretch", resources.nearest(in.stretch))
       .add("Kernels", kernels_);
 
-  const bool tiled = settings.mask == Mask::tiles;
+  const bool tiled = settings.skip_unlit == SkipUnlit::by_tiles;
   // Without tiles the list is never read, but a buffer must be bound.
   bindings.add("Tiles", tiled ? resources.buffer(in.lists.tiles) : kernels_)
       .add("TileCounts", tiled ? resources.buffer(in.lists.counts) : kernels_);

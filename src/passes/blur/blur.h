@@ -23,15 +23,15 @@ class Blur {
     double variance_mm2 = 0;      ///< of this step
     std::uint32_t axis = 0;       ///< 0, then 1
     bool texel_averaged = false;  ///< the first step: its input is constant over each texel
-    Mask mask = Mask::whole;
+    SkipUnlit skip_unlit = SkipUnlit::never;
     /// the first step after Downsample: halvings of the map that Downsample has read
     std::optional<std::uint32_t> halvings_before;
   } settings;
   struct In {
     frame::TextureId light, stretch;
     frame::TextureId target;           ///< RGBA16F pool of the same size
-    TileLists lists = {};              ///< with Mask::tiles
-    frame::TextureId depth_mask = {};  ///< with Mask::depth
+    TileLists lists = {};              ///< with SkipUnlit::by_tiles
+    frame::TextureId depth_mask = {};  ///< with SkipUnlit::by_depth
   } in;
   struct Out {
     frame::TextureId light;
@@ -41,7 +41,9 @@ class Blur {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  bool drawn() const { return settings.mask != Mask::whole && settings.mask != Mask::tiles; }
+  bool drawn() const {
+    return settings.skip_unlit != SkipUnlit::never && settings.skip_unlit != SkipUnlit::by_tiles;
+  }
   void draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const;
   float averaged_texels2(const FrameData& frame, const UsedSquare& square) const;
   const gpu::Pipeline* pipeline_ = nullptr;

@@ -34,7 +34,7 @@ gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms) {
   io::SkinTermsIo io{};
   std::copy(terms.sigmas_mm.begin(), terms.sigmas_mm.end(), io.sigma_mm);
   io.widest_mm = terms.sigmas_mm.empty() ? 0 : terms.sigmas_mm.back();
-  io.even_texels_per_mm = terms.even_texels_per_mm;
+  io.even_uv_per_mm = terms.even_uv_per_mm;
   io.largest_side = static_cast<float>(terms.largest_side);
   return gpu::make_buffer(device, "skin terms", std::span<const io::SkinTermsIo>(&io, 1),
                           VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);

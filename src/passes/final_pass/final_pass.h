@@ -37,7 +37,7 @@ bool is_coarse(float widest_mm, float texels_per_mm, float even_texels_per_mm);
 /// The terms of a profile on the light map of a mesh.
 struct TermsOnMap {
   std::vector<float> sigmas_mm;    ///< one per term, narrow to wide
-  float even_texels_per_mm = 1;    ///< of a map of one texel, if the skin filled it evenly
+  float even_uv_per_mm = 1;        ///< texture coordinates per mm, if the skin filled the map evenly
   std::uint32_t largest_side = 0;  ///< T_max
   bool coarse = false;             ///< see coarse_share(); if set, decided per pixel
 };

@@ -14,7 +14,7 @@ layout(location = 4) out vec4 out_colour;
 layout(location = 5) centroid out vec2 out_unwrap;
 layout(location = 6) flat out vec4 out_unwrap_ab;  // of the triangle's corners
 layout(location = 7) flat out vec2 out_unwrap_c;
-layout(location = 8) out float out_texels_per_mm;  // of a map of one texel: geometric mean of both directions
+layout(location = 8) out float out_uv_per_mm;  // texture coordinates per mm: geometric mean of two directions
 void main() {
   const VertexIo v = pulled_vertex();
   out_position_m = v.position_m + io.offset_m;
@@ -24,7 +24,7 @@ void main() {
   out_colour = v.colour;
   out_unwrap = v.unwrap;
   const float determinant = max(v.metric_mm2.x * v.metric_mm2.z - v.metric_mm2.y * v.metric_mm2.y, 1e-12);
-  out_texels_per_mm = inversesqrt(sqrt(determinant));
+  out_uv_per_mm = inversesqrt(sqrt(determinant));
   const int first = gl_VertexIndex / 3 * 3;
   out_unwrap_ab = vec4(vertices[indices[first]].unwrap, vertices[indices[first + 1]].unwrap);
   out_unwrap_c = vertices[indices[first + 2]].unwrap;

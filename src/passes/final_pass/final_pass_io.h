@@ -16,7 +16,7 @@ struct FinalPassIo {
 struct SkinTermsIo {
   float sigma_mm[MOST_TERMS];  // of the Gaussians, narrow to wide
   float widest_mm;             // the last of them
-  float even_texels_per_mm;    // of a map of one texel, if the skin filled it evenly
+  float even_uv_per_mm;        // texture coordinates per mm, if the skin filled the map evenly
   float largest_side;          // T_max, texels
 };
 DERMIS_IO_END

@@ -51,7 +51,7 @@ class Convolution {
     passes::Blur::Settings blur{.squares = squares_,
                                 .variance_mm2 = step.variance_mm2,
                                 .texel_averaged = step_ == 0,
-                                .mask = mask_of(*settings_)};
+                                .skip_unlit = skip_unlit(*settings_)};
     // The light is smooth enough by now for smaller maps.
     if (maps_->halvings()[term] != level_->halvings) {
       blur.halvings_before = level_->halvings;

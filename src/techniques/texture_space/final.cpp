@@ -31,7 +31,7 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
   const SkinPart& part = settings.skin[square.mesh];
   const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
   const passes::TermsOnMap terms{.sigmas_mm = sigmas_mm(part.profile),
-                                 .even_texels_per_mm = static_cast<float>(part.even_texels_per_mm),
+                                 .even_uv_per_mm = static_cast<float>(part.even_uv_per_mm),
                                  .largest_side = settings.map_size,
                                  .coarse = part.coarse};
 

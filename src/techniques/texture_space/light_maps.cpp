@@ -18,7 +18,7 @@ namespace dermis::techniques {
 
 using passes::Gutters;
 using passes::MapSquare;
-using passes::Mask;
+using passes::SkipUnlit;
 
 std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings) {
   std::vector<std::uint32_t> least;
@@ -34,9 +34,9 @@ std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings) {
   return least;
 }
 
-Mask mask_of(const FrameSettings& settings) {
-  if (is_sparse(settings)) return settings.mask;
-  return settings.mask == Mask::tiles ? Mask::whole : Mask::drawn;
+SkipUnlit skip_unlit(const FrameSettings& settings) {
+  if (is_sparse(settings)) return settings.skip_unlit;
+  return settings.skip_unlit == SkipUnlit::by_tiles ? SkipUnlit::never : SkipUnlit::never_drawn;
 }
 
 MapSquare on_level(MapSquare square, const Level& level) {
@@ -93,9 +93,9 @@ Level LightMaps::make_level(std::uint32_t halvings) {
   level.scratch = plan_->texture(name("scratch"), pool_.texture(halvings));
   if (is_sparse(*settings_))
     level.border = passes::make_tile_lists(*plan_, name("border"), pool_.squares(), side);
-  if (mask_of(*settings_) == Mask::tiles)
+  if (skip_unlit(*settings_) == SkipUnlit::by_tiles)
     level.lit = passes::make_tile_lists(*plan_, name("lit"), pool_.squares(), side);
-  if (mask_of(*settings_) == Mask::depth)
+  if (skip_unlit(*settings_) == SkipUnlit::by_depth)
     level.depth_mask = plan_->texture(name("depth mask"), pool_.texture(halvings, VK_FORMAT_D32_SFLOAT));
   return level;
 }
@@ -203,11 +203,11 @@ void LightMaps::add_masks(const Level& level, const std::vector<MapSquare>& all)
   if (is_sparse(*settings_)) add_dilation(level, all);
   add_masked_counts(level, all);
 
-  const Mask mask = mask_of(*settings_);
-  if (mask == Mask::depth)
+  const SkipUnlit skip = skip_unlit(*settings_);
+  if (skip == SkipUnlit::by_depth)
     plan_->add<passes::DepthMask>(name(at("depth mask", level)), {level.light, level.depth_mask},
                                   {.squares = all});
-  if (mask == Mask::tiles) add_tiles(level, all);
+  if (skip == SkipUnlit::by_tiles) add_tiles(level, all);
 }
 
 // Extends the light to unlit texels beside lit ones, so that bilinear reads find light on all sides.

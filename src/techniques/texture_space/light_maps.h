@@ -24,17 +24,17 @@ inline bool is_sparse(const FrameSettings& settings) {
 }
 /// Returns how convolutions run: as the settings say if the light is sparse, else over the whole used square
 /// by the same kind of pass.
-passes::Mask mask_of(const FrameSettings& settings);
+passes::SkipUnlit skip_unlit(const FrameSettings& settings);
 
 /// Light maps of one size, T_max >> halvings, and what says which of their texels convolutions skip.
 struct Level {
   std::uint32_t halvings = 0;
   frame::TextureId light;                 ///< what its first convolution reads
   frame::TextureId scratch;               ///< between the two axes of a blur
-  frame::TextureId depth_mask;            ///< valid with Mask::depth
+  frame::TextureId depth_mask;            ///< valid with SkipUnlit::by_depth
   std::vector<frame::TextureId> blurred;  ///< of the terms that end here
   passes::TileLists border;               ///< tiles that Dilate fills; valid if the light is sparse
-  passes::TileLists lit;                  ///< tiles to blur; valid with Mask::tiles
+  passes::TileLists lit;                  ///< tiles to blur; valid with SkipUnlit::by_tiles
 };
 
 /// Return the same squares in the maps of a level.

@@ -90,13 +90,13 @@ class Figures {
     return sum;
   }
 
-  // Shader invocations of one convolution: what its mask leaves of the used squares. Mask::alpha leaves all:
-  // its fragments end early, but they start.
+  // Shader invocations of one convolution: what is not skipped of the used squares. SkipUnlit::by_alpha
+  // leaves all: its fragments end early, but they start.
   std::uint64_t convolved_at_once(std::uint32_t mesh, std::uint32_t halvings) const {
-    switch (mask_of(settings_)) {
-      case passes::Mask::tiles:
+    switch (skip_unlit(settings_)) {
+      case passes::SkipUnlit::by_tiles:
         return std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counted(mesh, halvings, counter_tiles);
-      case passes::Mask::depth: return counted(mesh, halvings, counter_masked_texels);
+      case passes::SkipUnlit::by_depth: return counted(mesh, halvings, counter_masked_texels);
       default: return used_texels(halvings);
     }
   }
@@ -114,8 +114,10 @@ std::vector<std::string> names_of(const Optimise& optimise) {
   return names;
 }
 
-std::string name_of(passes::Mask mask) {
-  return mask == passes::Mask::alpha ? "alpha" : mask == passes::Mask::depth ? "depth" : "tiles";
+std::string name_of(passes::SkipUnlit skip) {
+  return skip == passes::SkipUnlit::by_alpha   ? "alpha"
+         : skip == passes::SkipUnlit::by_depth ? "depth"
+                                               : "tiles";
 }
 
 }  // namespace
@@ -127,7 +129,7 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
 
   FrameReport report = screen_report(settings, counters, sides);
   report.optimise = names_of(settings.optimise);
-  if (is_sparse(settings)) report.mask = name_of(settings.mask);
+  if (is_sparse(settings)) report.mask = name_of(settings.skip_unlit);
   report.maps = settings.progressive ? "progressive" : "full";
   report.translucency = settings.translucency;
   report.irradiance_texels = figures.irradiance_texels();
@@ -147,7 +149,7 @@ std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
     const SkinPart& part = settings.skin[mesh];
     const Work work = work_of(part, halvings);
     const auto add = [&](std::uint32_t side) {
-      const double texels_per_mm = std::max(part.densest_texels_per_mm_of_one * side, 1e-6);
+      const double texels_per_mm = std::max(part.max_uv_per_mm * side, 1e-6);
       sizes.push_back(
           {.mesh = mesh, .side = side, .width_texels = passes::gutter_width(part.profile, texels_per_mm)});
     };

@@ -101,7 +101,7 @@ bool available() { return bench() != nullptr; }
 Result run(const Experiment& e) {
   std::vector<scene::SkinMesh> skin = scene::skin_meshes(e.scene);
   const double density =
-      scene::unwrap_density(skin[0], e.scene.mm_per_unit).largest_texels_per_mm.p95 * e.map_size;
+      scene::unwrap_density(skin[0], e.scene.mm_per_unit).largest_uv_per_mm.p95 * e.map_size;
   if (e.drop_shear)
     for (glm::vec3& g : skin[0].metric) g.y = 0;
   gaussians::SumOfGaussians profile;

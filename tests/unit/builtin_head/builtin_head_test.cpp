@@ -167,8 +167,8 @@ TEST(BuiltinHead, UnwrapDoesNotOverlapAndKeepsTheFaceDense) {
 
   const UnwrapDensity density = unwrap_density(skins.front(), head().mm_per_unit);
   EXPECT_NEAR(density.area_mm2, 165000, 25000);
-  EXPECT_LT(density.texels_per_mm.p95, 2.5 * density.texels_per_mm.p50);
-  EXPECT_LT(density.largest_texels_per_mm.p95, 4 * density.texels_per_mm.p50);
+  EXPECT_LT(density.uv_per_mm.p95, 2.5 * density.uv_per_mm.p50);
+  EXPECT_LT(density.largest_uv_per_mm.p95, 4 * density.uv_per_mm.p50);
 
   // On the face at least three texels per mm of a map of 2048.
   double face = 0, area = 0;

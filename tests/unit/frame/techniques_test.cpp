@@ -42,18 +42,19 @@ std::vector<Case> cases() {
           }
 
   // Take three heads two at a time, with each mask.
-  for (const passes::Mask mask : {passes::Mask::alpha, passes::Mask::depth, passes::Mask::tiles})
+  for (const passes::SkipUnlit skip :
+       {passes::SkipUnlit::by_alpha, passes::SkipUnlit::by_depth, passes::SkipUnlit::by_tiles})
     for (const std::size_t parts : {1u, 2u})
       for (const bool sparse : {false, true}) {
         techniques::FrameSettings s{
             .width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64, .heads = 3};
         s.heads_per_batch = 2;
         s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
-        s.mask = mask;
+        s.skip_unlit = skip;
         s.translucency = true;
         s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
-        all.push_back({fmt::format("two batches, {} skin parts, mask {}{}", parts, static_cast<int>(mask),
-                                   sparse ? ", cull and clip" : ""),
+        all.push_back({fmt::format("two batches, {} skin parts, skip unlit {}{}", parts,
+                                   static_cast<int>(skip), sparse ? ", cull and clip" : ""),
                        &techniques::find_technique("texture-space"), std::move(s)});
       }
 
@@ -117,12 +118,13 @@ std::uint64_t texture_bytes(const FrameGraph& plan) {
 
 // Three heads more in a batch take three times what one is said to take: nothing else grows.
 TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
-  for (const passes::Mask mask : {passes::Mask::alpha, passes::Mask::depth, passes::Mask::tiles})
+  for (const passes::SkipUnlit skip :
+       {passes::SkipUnlit::by_alpha, passes::SkipUnlit::by_depth, passes::SkipUnlit::by_tiles})
     for (const bool more : {false, true}) {
       techniques::FrameSettings s{
           .width = 64, .height = 48, .map_size = 256, .shadow_size = 64, .shadow_layers = 3, .heads = 4};
       s.optimise = {.cull = true, .depth = true, .clip = true};
-      s.mask = mask;
+      s.skip_unlit = skip;
       s.translucency = s.progressive = more;
       s.skin.assign(1, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .mean_texels_per_mm = 4});
 
@@ -135,7 +137,7 @@ TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
       };
       const techniques::MapMemory memory = techniques::map_memory(technique, s);
       EXPECT_EQ(bytes(4) - bytes(1), 3 * (memory.light_maps + memory.shadow_maps))
-          << "mask " << static_cast<int>(mask) << ", translucency and small maps " << more;
+          << "skip unlit " << static_cast<int>(skip) << ", translucency and small maps " << more;
     }
 }
 

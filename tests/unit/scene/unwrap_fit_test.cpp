@@ -25,7 +25,7 @@ Scene scaled_sphere(double factor, const glm::dvec2& offset = {}) {
   return moved_sphere(glm::dmat2(factor), offset);
 }
 
-double mean_density(const Scene& scene) { return unwrap_density(only_mesh(scene), 1000).texels_per_mm.mean; }
+double mean_density(const Scene& scene) { return unwrap_density(only_mesh(scene), 1000).uv_per_mm.mean; }
 
 std::size_t chartless(const SkinMesh& mesh) {
   return static_cast<std::size_t>(
@@ -105,7 +105,7 @@ TEST(UnwrapFit, AStrayTriangleDoesNotShrinkTheRest) {
     EXPECT_EQ(chartless(mesh), 1u);
     EXPECT_EQ(mesh.triangle_chart[0], no_chart);
     expect_inside(mesh, fit_margin);
-    EXPECT_GE(unwrap_density(mesh, 1000).texels_per_mm.mean, 0.99 * mean_density(scaled_sphere(1)));
+    EXPECT_GE(unwrap_density(mesh, 1000).uv_per_mm.mean, 0.99 * mean_density(scaled_sphere(1)));
 
     ASSERT_EQ(warnings.lines.size(), 1u);
     EXPECT_NE(warnings.lines[0].find("1 of its 1728 triangles"), std::string::npos) << warnings.lines[0];
@@ -158,7 +158,7 @@ TEST(UnwrapFit, CollapsedToALineOrAPoint) {
     const SkinMesh mesh = only_mesh(moved_sphere(factor, {0.1, 0.1}));
     EXPECT_EQ(chartless(mesh), mesh.triangle_chart.size());
     EXPECT_EQ(mesh.charts, 0);
-    EXPECT_EQ(unwrap_density(mesh, 1000).texels_per_mm.max, 0);
+    EXPECT_EQ(unwrap_density(mesh, 1000).uv_per_mm.max, 0);
   }
 }
 

@@ -69,17 +69,17 @@ TEST(Metric, SphereIsSmoothWithinAndSymmetricBetweenCharts) {
   EXPECT_NEAR(area_mm2 / exact, 1, 0.01);
   const UnwrapDensity density = unwrap_density(mesh, 1000);
   EXPECT_NEAR(density.area_mm2 / exact, 1, 0.005);
-  EXPECT_LE(density.texels_per_mm.p50, density.texels_per_mm.p95);
-  EXPECT_LE(density.texels_per_mm.p95, density.texels_per_mm.max);
-  EXPECT_LE(density.texels_per_mm.mean, density.largest_texels_per_mm.mean);
+  EXPECT_LE(density.uv_per_mm.p50, density.uv_per_mm.p95);
+  EXPECT_LE(density.uv_per_mm.p95, density.uv_per_mm.max);
+  EXPECT_LE(density.uv_per_mm.mean, density.largest_uv_per_mm.mean);
 }
 
 TEST(Metric, DensityOfAPlane) {
   const UnwrapDensity density = unwrap_density(only_mesh(plane(0.05, glm::dmat2(0.25, 0, 0, 1))), 1000);
   EXPECT_NEAR(density.area_mm2, 2500, 1e-3);
   // 200 mm along u, 50 mm along v per unit
-  EXPECT_NEAR(density.texels_per_mm.mean, 1 / std::sqrt(200.0 * 50), 1e-7);
-  EXPECT_NEAR(density.largest_texels_per_mm.max, 1 / 50.0, 1e-7);
+  EXPECT_NEAR(density.uv_per_mm.mean, 1 / std::sqrt(200.0 * 50), 1e-7);
+  EXPECT_NEAR(density.largest_uv_per_mm.max, 1 / 50.0, 1e-7);
 }
 
 TEST(Metric, DegenerateTrianglesDoNotDisturb) {
@@ -101,7 +101,7 @@ TEST(Metric, NothingValidStillPositiveDefinite) {
   for (Vertex& v : scene.primitives[0].vertices) v.uv0 = glm::vec2(0.5f);
   const SkinMesh mesh = only_mesh(scene);
   for (const glm::vec3& g : mesh.metric) EXPECT_GT(g.x * g.z - g.y * g.y, 0);
-  EXPECT_EQ(unwrap_density(mesh, 1000).texels_per_mm.max, 0);
+  EXPECT_EQ(unwrap_density(mesh, 1000).uv_per_mm.max, 0);
 }
 
 // Coordinates that span 1e-30 of the map, or a skin of 1e-25 m, squared: past what a float can be.
@@ -223,8 +223,8 @@ TEST(Unwrap, Scan) {
   RecordProperty("charts", mesh.charts);
   EXPECT_GT(density.area_mm2, 1e5);
   EXPECT_LT(density.area_mm2, 1e6);
-  EXPECT_GT(density.texels_per_mm.p50 * 2048, 1);
-  EXPECT_LT(density.texels_per_mm.p50 * 2048, 10);
+  EXPECT_GT(density.uv_per_mm.p50 * 2048, 1);
+  EXPECT_LT(density.uv_per_mm.p50 * 2048, 10);
 }
 
 TEST(SkinMesh, SkinWithoutCoordinatesIsOneMeshAMaterial) {
