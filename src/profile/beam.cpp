@@ -11,63 +11,45 @@ namespace dermis::profile {
 
 using std::numbers::pi;
 
-BeamMultiple::BeamMultiple(const optics::Medium& medium) {
-  constexpr int samples = 200;
-  const double sigma_t = medium.sigma_t_reduced_per_mm();
-  sigma_t_reduced_per_mm_ = sigma_t;
-  reduced_albedo_ = medium.reduced_albedo();
-
-  // Grosjean's diffusion coefficient D = (2 sigma_a + sigma_s') / (3 sigma_t'^2), and the effective transport
-  // coefficient sigma_tr = sqrt(sigma_a / D).
-  diffusion_mm_ = (2 * medium.sigma_a_per_mm + medium.sigma_s_reduced_per_mm()) / (3 * sigma_t * sigma_t);
-  sigma_tr_per_mm_ = std::sqrt(medium.sigma_a_per_mm / diffusion_mm_);
-
-  // Exitance from fluence and flux at the surface: C_phi = (1 - 2 C1) / 4, C_E = (1 - 3 C2) / 2.
-  const double two_c1 = optics::fresnel_moment_2c1(medium.eta);
-  const double three_c2 = optics::fresnel_moment_3c2(medium.eta);
-  fluence_part_ = (1 - two_c1) / 4;
-  flux_part_ = (1 - three_c2) / 2;
-
-  // Boundary: a source at depth t has its image at the height t + 4 A D, A = (1 + 3 C2) / (1 - 2 C1).
-  gap_mm_ = 4 * (1 + three_c2) / (1 - two_c1) * diffusion_mm_;
-
+BeamMultiple::BeamMultiple(const optics::Medium& medium) : diffusion_(medium) {
   // Depths of equal probability under sigma_t' e^{-sigma_t' t}, so that their plain mean is the integral.
+  constexpr int samples = 200;
   for (int i = 0; i < samples; ++i)
-    depths_mm_.push_back(-std::log(1 - (i + 0.5) / samples) / sigma_t_reduced_per_mm_);
+    depths_mm_.push_back(-std::log(1 - (i + 0.5) / samples) / diffusion_.sigma_t_reduced_per_mm);
 }
 
 double BeamMultiple::at(double radius_mm) const {
-  const double s = sigma_tr_per_mm_;
+  const double s = diffusion_.sigma_tr_per_mm, sigma_t = diffusion_.sigma_t_reduced_per_mm;
   double sum = 0;
 
   for (const double t : depths_mm_) {
     // Dipole: a real source at depth t, its image at height z_v. Distances d [mm] and decays e of both.
-    const double z_v = t + gap_mm_;
+    const double z_v = t + diffusion_.gap_mm;
     const double d_r = std::hypot(radius_mm, t), d_v = std::hypot(radius_mm, z_v);
     const double e_r = std::exp(-s * d_r), e_v = std::exp(-s * d_v);
 
     // Fluence phi of the dipole, times 4 pi: [e_r / d_r - e_v / d_v] / D. [PBRT4]
-    const double fluence = (e_r / d_r - e_v / d_v) / diffusion_mm_;
+    const double fluence = (e_r / d_r - e_v / d_v) / diffusion_.coefficient_mm;
 
     // Flux E_n through the surface, times 4 pi: the sum of z (1 + s d) e / d^3 over both. [PBRT4]
     const double flux =
         t * (1 + s * d_r) * e_r / (d_r * d_r * d_r) + z_v * (1 + s * d_v) * e_v / (d_v * d_v * d_v);
 
     // Diffusion is wrong near the source: [HCJ13]'s correction kappa = 1 - e^{-2 sigma_t' (d_r + t)}.
-    const double kappa = -std::expm1(-2 * sigma_t_reduced_per_mm_ * (d_r + t));
-    sum += (fluence_part_ * fluence + flux_part_ * flux) * kappa;
+    const double kappa = -std::expm1(-2 * sigma_t * (d_r + t));
+    sum += (diffusion_.fluence_part * fluence + diffusion_.flux_part * flux) * kappa;
   }
 
   // Mean over the depths. One alpha' is the first scattering, which makes the source; the other is
   // Grosjean's, for light that scatters again.
-  return reduced_albedo_ * reduced_albedo_ / (4 * pi) * sum / static_cast<double>(depths_mm_.size());
+  const double albedo = diffusion_.reduced_albedo;
+  return albedo * albedo / (4 * pi) * sum / static_cast<double>(depths_mm_.size());
 }
 
 double BeamMultiple::outer_mm() const {
   // Without absorption the tail is a power law: a thousand mean free paths hold nearly all of it.
-  return sigma_tr_per_mm_ > 1e-3 * sigma_t_reduced_per_mm_
-             ? std::max(1 / sigma_tr_per_mm_, 1 / sigma_t_reduced_per_mm_)
-             : 1000 / sigma_t_reduced_per_mm_;
+  const double sigma_tr = diffusion_.sigma_tr_per_mm, sigma_t = diffusion_.sigma_t_reduced_per_mm;
+  return sigma_tr > 1e-3 * sigma_t ? std::max(1 / sigma_tr, 1 / sigma_t) : 1000 / sigma_t;
 }
 
 double SingleScattering::at(double radius_mm) const {

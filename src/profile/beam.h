@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "optics/media.h"
+#include "profile/grosjean.h"
 #include "profile/radial.h"
 
 namespace dermis::profile {
@@ -27,18 +28,12 @@ class BeamMultiple final : public RadialProfile {
   /// profile is 0.
   explicit BeamMultiple(const optics::Medium& medium);
   double at(double radius_mm) const override;
-  double inner_mm() const override { return 1 / sigma_t_reduced_per_mm_; }
+  double inner_mm() const override { return 1 / diffusion_.sigma_t_reduced_per_mm; }
   double outer_mm() const override;
   std::string name() const override { return "photon beam diffusion, multiple scattering"; }
 
  private:
-  double sigma_t_reduced_per_mm_;
-  double reduced_albedo_;
-  double diffusion_mm_;            // Grosjean's D
-  double sigma_tr_per_mm_;         // sqrt(sigma_a / D)
-  double fluence_part_;            // C_phi: what part of the fluence at the surface leaves
-  double flux_part_;               // C_E: what part of the flux through the surface leaves
-  double gap_mm_;                  // 4 A D: how much higher the image lies than its source is deep
+  GrosjeanDiffusion diffusion_;
   std::vector<double> depths_mm_;  // of the sources
 };
 

@@ -53,51 +53,37 @@ double Dipole::hankel(double k_per_mm) const {
 
 double Dipole::outer_mm() const { return reach_mm(sigma_tr_per_mm_, z_real_mm_); }
 
-BetterDipole::BetterDipole(const optics::Medium& medium) {
-  const double sigma_t = medium.sigma_t_reduced_per_mm();
-  reduced_albedo_ = medium.reduced_albedo();
-
-  // Grosjean's diffusion coefficient D = (2 sigma_a + sigma_s') / (3 sigma_t'^2), and the effective transport
-  // coefficient sigma_tr = sqrt(sigma_a / D).
-  diffusion_mm_ = (2 * medium.sigma_a_per_mm + medium.sigma_s_reduced_per_mm()) / (3 * sigma_t * sigma_t);
-  sigma_tr_per_mm_ = std::sqrt(medium.sigma_a_per_mm / diffusion_mm_);
-
-  // Exitance from fluence and flux at the surface: C_phi = (1 - 2 C1) / 4, C_E = (1 - 3 C2) / 2.
-  const double two_c1 = optics::fresnel_moment_2c1(medium.eta);
-  const double three_c2 = optics::fresnel_moment_3c2(medium.eta);
-  fluence_part_ = (1 - two_c1) / 4;
-  flux_part_ = (1 - three_c2) / 2;
-
-  // Boundary: z_v = z_r + 4 A D, A = (1 + 3 C2) / (1 - 2 C1).
-  z_real_mm_ = 1 / sigma_t;
-  z_virtual_mm_ = z_real_mm_ + 4 * (1 + three_c2) / (1 - two_c1) * diffusion_mm_;
-}
+BetterDipole::BetterDipole(const optics::Medium& medium)
+    : diffusion_(medium),
+      z_real_mm_(1 / diffusion_.sigma_t_reduced_per_mm),
+      z_virtual_mm_(z_real_mm_ + diffusion_.gap_mm) {}
 
 double BetterDipole::at(double radius_mm) const {
   // [DE12]: R(r) = alpha'^2 (C_E E_n + C_phi phi). The two sources have opposite signs: their fluence
   // subtracts, and their flux adds, because they lie on opposite sides of the surface.
-  const double s = sigma_tr_per_mm_;
+  const double s = diffusion_.sigma_tr_per_mm;
   const double flux = source_flux(z_real_mm_, radius_mm, s) + source_flux(z_virtual_mm_, radius_mm, s);
   const double fluence =
       source_fluence(z_real_mm_, radius_mm, s) - source_fluence(z_virtual_mm_, radius_mm, s);
-  return reduced_albedo_ * reduced_albedo_ / (4 * pi) *
-         (flux_part_ * flux + fluence_part_ / diffusion_mm_ * fluence);
+  return diffusion_.reduced_albedo * diffusion_.reduced_albedo / (4 * pi) *
+         (diffusion_.flux_part * flux + diffusion_.fluence_part / diffusion_.coefficient_mm * fluence);
 }
 
 double BetterDipole::hankel(double k_per_mm) const {
   // Exact, with the transforms of flux and fluence:
   //   R^(k) = alpha'^2/2 [ C_E (e^{-z_r kappa} + e^{-z_v kappa})
   //                        + C_phi / D (e^{-z_r kappa} - e^{-z_v kappa}) / kappa ]
-  const double kappa = std::hypot(sigma_tr_per_mm_, k_per_mm);
+  const double kappa = std::hypot(diffusion_.sigma_tr_per_mm, k_per_mm);
   const double real = std::exp(-z_real_mm_ * kappa), image = std::exp(-z_virtual_mm_ * kappa);
 
   // The last quotient stays finite for kappa -> 0.
   const double gap = z_virtual_mm_ - z_real_mm_;
   const double fluence = kappa > 0 ? real * -std::expm1(-gap * kappa) / kappa : gap;
-  return reduced_albedo_ * reduced_albedo_ / 2 *
-         (flux_part_ * (real + image) + fluence_part_ / diffusion_mm_ * fluence);
+  return diffusion_.reduced_albedo * diffusion_.reduced_albedo / 2 *
+         (diffusion_.flux_part * (real + image) +
+          diffusion_.fluence_part / diffusion_.coefficient_mm * fluence);
 }
 
-double BetterDipole::outer_mm() const { return reach_mm(sigma_tr_per_mm_, z_real_mm_); }
+double BetterDipole::outer_mm() const { return reach_mm(diffusion_.sigma_tr_per_mm, z_real_mm_); }
 
 }  // namespace dermis::profile

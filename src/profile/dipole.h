@@ -9,6 +9,7 @@
 #pragma once
 
 #include "optics/media.h"
+#include "profile/grosjean.h"
 #include "profile/radial.h"
 
 namespace dermis::profile {
@@ -49,12 +50,8 @@ class BetterDipole final : public RadialProfile {
   std::string name() const override { return "better dipole"; }
 
  private:
-  double reduced_albedo_;
-  double diffusion_mm_;  // Grosjean's D
-  double sigma_tr_per_mm_;
-  double fluence_part_;  // C_phi: what part of the fluence at the surface leaves
-  double flux_part_;     // C_E: what part of the flux through the surface leaves
-  double z_real_mm_;     // depth and height, as above
+  GrosjeanDiffusion diffusion_;
+  double z_real_mm_;  // depth and height, as above
   double z_virtual_mm_;
 };
 

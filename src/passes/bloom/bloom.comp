@@ -12,7 +12,7 @@ layout(binding = 2) uniform sampler2D wide;
 layout(binding = 3, rgba16f) uniform writeonly image2D target;
 
 // Returns the mean of the four pixels that p covers in the picture of twice the size.
-vec4 halved(ivec2 p, ivec2 last) {
+vec4 downsampled(ivec2 p, ivec2 last) {
   vec4 sum = vec4(0.0);
   for (int k = 0; k < 4; ++k) sum += texelFetch(picture, min(2 * p + ivec2(k & 1, k >> 1), last), 0);
   return sum * 0.25;
@@ -39,16 +39,16 @@ void main() {
 
   const ivec2 last = textureSize(picture, 0) - 1;
   vec4 result;
-  if (io.mode == 0u) {
-    result = halved(p, last);
-  } else if (io.mode == 3u) {
+  if (io.mode == BLOOM_DOWNSAMPLE) {
+    result = downsampled(p, last);
+  } else if (io.mode == BLOOM_COMBINE) {
     const vec2 uv = (vec2(p) + 0.5) / vec2(size);
     const vec4 sharp = texelFetch(picture, p, 0);
     const vec3 spread =
         io.weight_narrow * textureLod(narrow, uv, 0.0).rgb + io.weight_wide * textureLod(wide, uv, 0.0).rgb;
     result = vec4(mix(sharp.rgb, spread, io.amount), sharp.a);
   } else {
-    result = blurred(p, io.mode == 1u ? ivec2(1, 0) : ivec2(0, 1), last);
+    result = blurred(p, io.mode == BLOOM_BLUR_X ? ivec2(1, 0) : ivec2(0, 1), last);
   }
 
   imageStore(target, p, vec4(storable(result.rgb), round_to_half(clamp(result.a, 0.0, 1.0))));

@@ -6,7 +6,6 @@
 
 #include "frame/resources.h"
 #include "passes/bindings.h"
-#include "passes/bloom/bloom_io.h"
 
 namespace dermis::passes {
 namespace {
@@ -22,7 +21,7 @@ BloomStep::Out BloomStep::declare(frame::Declare& d) {
   compute(d, "bloom.comp");
   gpu::TextureDesc desc = d.desc(in.picture);
   desc.usage = 0;
-  if (settings.mode == Mode::halve) {
+  if (settings.mode == Mode::downsample) {
     desc.width = (desc.width + 1) / 2;
     desc.height = (desc.height + 1) / 2;
   }
@@ -59,16 +58,15 @@ frame::TextureId add_bloom(FramePlan& plan, frame::TextureId picture, float amou
 
   // Downsample once.
   const frame::TextureId half =
-      plan.add<BloomStep>("bloom halve", {picture, {}, {}}, {.mode = Mode::halve}).picture;
+      plan.add<BloomStep>("bloom downsample", {picture, {}, {}}, {.mode = Mode::downsample}).picture;
 
   // Blur twice, each along x and y. A Gaussian of 0.3 pixels is its middle sample to 1 %; 0 divides by 0.
   const auto blurred = [&](const char* name, float variance) {
     const float sigma = std::max(std::sqrt(variance) * radius_pixels, 0.3f);
-    const auto x = plan.add<BloomStep>(std::string(name) + " x", {half, {}, {}},
-                                       {.mode = Mode::along_x, .sigma = sigma});
+    const auto x =
+        plan.add<BloomStep>(std::string(name) + " x", {half, {}, {}}, {.mode = Mode::blur_x, .sigma = sigma});
     return plan
-        .add<BloomStep>(std::string(name) + " y", {x.picture, {}, {}},
-                        {.mode = Mode::along_y, .sigma = sigma})
+        .add<BloomStep>(std::string(name) + " y", {x.picture, {}, {}}, {.mode = Mode::blur_y, .sigma = sigma})
         .picture;
   };
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "frame/graph.h"
+#include "passes/bloom/bloom_io.h"
 #include "passes/compute_pass.h"
 #include "passes/frame_data.h"
 
@@ -13,9 +14,14 @@ namespace dermis::passes {
 /// One step; add_bloom() strings them together.
 class BloomStep : public ComputePass {
  public:
-  enum class Mode : std::uint32_t { halve, along_x, along_y, combine };
+  enum class Mode : std::uint32_t {
+    downsample = BLOOM_DOWNSAMPLE,
+    blur_x = BLOOM_BLUR_X,
+    blur_y = BLOOM_BLUR_Y,
+    combine = BLOOM_COMBINE
+  };
   struct Settings {
-    Mode mode = Mode::halve;
+    Mode mode = Mode::downsample;
     float sigma = 1;   ///< pixels of the half-size picture
     float amount = 0;  ///< combine: 0..1
   } settings;
