@@ -113,7 +113,7 @@ void fill_counts(Statistics& st, const setup::Subject& subject, const RenderSett
   st.map_size = settings.quality.map_size;
   st.heads = settings.camera.heads;
   st.lights = setup.lights;
-  st.environment_lights = setup.suns;
+  st.environment_lights = setup.environment_lights;
   st.gaussians = setup.gaussians;
   st.distance = settings.camera.distance;
   st.d_ref = setup.d_ref;

@@ -42,7 +42,7 @@ struct PreparedFrame::State {
   void plan(const RenderSettings& wanted, const setup::FrameSetup& next);
   void upload();
   std::optional<double> measure_exposure();
-  void look_at_the_sky();
+  void add_environment();
   void draw(bool with_statistics);
   void count();
 };
@@ -57,16 +57,17 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
                                    .memory_bytes = device().summary().memory_bytes,
                                    .max_image_side = limits.max_image_side};
   const std::shared_ptr<const setup::EnvironmentLight> next_environment = renderer->environment_light(wanted);
-  std::vector<scene::Light> suns;
-  if (next_environment) suns = setup::lights_of(next_environment->sources, wanted);
-  setup::FrameSetup next = setup::set_up(next_scene->subject, wanted, traits, suns);
+  std::vector<scene::Light> environment_lights;
+  if (next_environment) environment_lights = setup::environment_lights(next_environment->sources, wanted);
+  setup::FrameSetup next = setup::set_up(next_scene->subject, wanted, traits, environment_lights);
 
   const std::uint64_t layers = std::uint64_t{next.plan.shadow_layers} * next.plan.heads_per_batch;
   if (layers > limits.max_array_layers)
     throw input_error(source.name(),
                       "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
                       "a smaller lighting.rig_lights uses fewer ({} of them are in the environment)",
-                      next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers, next.suns);
+                      next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers,
+                      next.environment_lights);
   if (!std::exchange(next_scene->warned_coarse, true)) setup::warn_coarse(next_scene->subject, next);
   if (next_environment) setup::fill_environment(next.frame, *next_environment, wanted);
 
@@ -144,7 +145,7 @@ void PreparedFrame::State::upload() {
                        passes::GpuSceneSettings{shared.mix});
 
   if (environment_light)
-    look_at_the_sky();
+    add_environment();
   else
     sky = {};
   for (const techniques::GutterSize& size :
@@ -156,7 +157,7 @@ void PreparedFrame::State::upload() {
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-void PreparedFrame::State::look_at_the_sky() {
+void PreparedFrame::State::add_environment() {
   api::SharedScene& shared = *scene;
   const std::size_t meshes = shared.subject.skin.size();
 
@@ -172,7 +173,7 @@ void PreparedFrame::State::look_at_the_sky() {
         environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], cache::default_folder(),
                                       {.side = environment::occlusion_side(meshes)}, watch);
     shared.gpu->skin[i].bent_normal =
-        passes::unwrap_map(device(), shared.gpu->skin[i].name + " sky seen", seen.side, seen.values);
+        passes::unwrap_map(device(), shared.gpu->skin[i].name + " bent normal", seen.side, seen.values);
     // Free what the device has now; each new sky needs only the rest.
     seen.values = {};
     shared.bent_normal.push_back(std::move(seen));

@@ -58,12 +58,13 @@ std::vector<std::string> tone_map_names() { return {names_of<ToneMap>.begin(), n
 
 std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot) {
   setup::check_settings(settings);
-  std::vector<scene::Light> suns;
+  std::vector<scene::Light> environment_lights;
   if (!settings.lighting.environment.empty())
-    suns = setup::lights_of(
+    environment_lights = setup::environment_lights(
         environment::split_sources(environment::from_name_or_file(settings.lighting.environment)).sources,
         settings);
-  const setup::FrameSetup setup = setup::set_up(setup::examine(scene.shared()), settings, {}, suns);
+  const setup::FrameSetup setup =
+      setup::set_up(setup::examine(scene.shared()), settings, {}, environment_lights);
   passes::FramePlan plan;
   setup.technique->build(plan, setup.plan);
   return dot ? frame::print_dot(plan) : frame::print_text(plan);

@@ -95,19 +95,19 @@ Seen seen_by(const SkySums& sums, const glm::dvec3& n) {
   Seen out = all_of_it;
   const Harmonics lobe = cosine_lobe(n);
   for (std::size_t k = 0; k < lobe.size(); ++k) out[4 + k] = static_cast<float>(lobe[k]);
-  if (sums.seen() == sums.asked()) return out;
+  if (sums.unoccluded_count() == sums.ray_count()) return out;
 
   // Transfer Int V cos Y = pi / N Sum V Y over N cosine-weighted rays. As a control variate serves the same
   // integral without V, whose exact value is the cosine lobe: its error is subtracted with the visible share
   // as weight, so that no noise is left where nothing occludes, and none is added where all is occluded.
-  const double share = static_cast<double>(sums.seen()) / sums.asked(),
-               each = std::numbers::pi / sums.asked();
+  const double share = static_cast<double>(sums.unoccluded_count()) / sums.ray_count(),
+               each = std::numbers::pi / sums.ray_count();
   Harmonics all, open;
   sums.harmonics(all, open);
   for (std::size_t k = 0; k < lobe.size(); ++k)
     out[4 + k] = static_cast<float>(each * open[k] + share * (lobe[k] - each * all[k]));
   out[3] = static_cast<float>(share);
-  if (sums.seen() == 0) return out;
+  if (sums.unoccluded_count() == 0) return out;
 
   // Bent normal minus normal. The mean of all rays replaces the normal, so that noise and the tilt of the
   // triangle cancel.
@@ -143,7 +143,7 @@ struct Place {
 struct Around {
   Seen seen = all_of_it;
   Blockers blockers;
-  int asked = 0;
+  int ray_count = 0;
 };
 
 // Traces the rays of a point. Skips directions below the flat triangle, else a coarse mesh would darken
@@ -167,7 +167,7 @@ Around look_around(const rays::RayScene& rays, const scene::SkinMesh& mesh, cons
     if (hit) out.blockers.push_back(texel_of(rays.scene(), mesh, *hit, d, side_texels));
   }
   out.seen = seen_by(sums, place.normal);
-  out.asked = sums.asked();
+  out.ray_count = sums.ray_count();
   return out;
 }
 
@@ -190,7 +190,8 @@ Hidden bounced(const Around& around, const Seen& own, const std::vector<Seen>& a
       sum[k] += double{seen[4 + k]} + missing * double{all_of_it[4 + k]};
   }
   for (std::size_t k = 0; k < sum.size(); ++k)
-    out[k] = static_cast<float>(sum[k] / open * static_cast<double>(around.blockers.size()) / around.asked);
+    out[k] =
+        static_cast<float>(sum[k] / open * static_cast<double>(around.blockers.size()) / around.ray_count);
   out[blockers_open] = static_cast<float>(open / static_cast<double>(around.blockers.size()));
   return out;
 }

@@ -85,16 +85,16 @@ RaySet::Shift RaySet::shift_of(glm::dvec2 shift) {
           .sine = static_cast<float>(std::sin(azimuth))};
 }
 
-void SkySums::add(const glm::vec3& direction, bool free) {
-  const std::size_t lane = free_.size() % ray_lanes;
+void SkySums::add(const glm::vec3& direction, bool unoccluded) {
+  const std::size_t lane = reaches_sky_.size() % ray_lanes;
   if (lane == 0) directions_.emplace_back();
   directions_.back().x[lane] = direction.x;
   directions_.back().y[lane] = direction.y;
   directions_.back().z[lane] = direction.z;
-  free_.push_back(free ? 1.0f : 0.0f);
+  reaches_sky_.push_back(unoccluded ? 1.0f : 0.0f);
   all_ += glm::dvec3(direction);
-  if (!free) return;
-  ++seen_;
+  if (!unoccluded) return;
+  ++unoccluded_;
   open_ += glm::dvec3(direction);
 }
 
@@ -105,16 +105,16 @@ void SkySums::harmonics(Harmonics& all, Harmonics& open) const {
     harmonics_of(directions_[block], values);
 
     // Lanes of the last block without a direction have weight 0.
-    std::array<float, ray_lanes> used{}, free{};
-    for (std::size_t j = 0; j < ray_lanes && block * ray_lanes + j < free_.size(); ++j) {
+    std::array<float, ray_lanes> used{}, unoccluded{};
+    for (std::size_t j = 0; j < ray_lanes && block * ray_lanes + j < reaches_sky_.size(); ++j) {
       used[j] = 1;
-      free[j] = free_[block * ray_lanes + j];
+      unoccluded[j] = reaches_sky_[block * ray_lanes + j];
     }
 
     for (std::size_t k = 0; k < harmonic_terms; ++k)
       for (std::size_t j = 0; j < ray_lanes; ++j) {
         all_sums[k][j] += used[j] * values[k][j];
-        open_sums[k][j] += free[j] * values[k][j];
+        open_sums[k][j] += unoccluded[j] * values[k][j];
       }
   }
 

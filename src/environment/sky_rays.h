@@ -53,9 +53,9 @@ class RaySet {
 /// only if something occludes: much of a head sees the whole sky.
 class SkySums {
  public:
-  void add(const glm::vec3& direction, bool free);
-  int asked() const { return static_cast<int>(free_.size()); }
-  int seen() const { return seen_; }
+  void add(const glm::vec3& direction, bool unoccluded);
+  int ray_count() const { return static_cast<int>(reaches_sky_.size()); }
+  int unoccluded_count() const { return unoccluded_; }
   const glm::dvec3& all() const { return all_; }    ///< sum of directions
   const glm::dvec3& open() const { return open_; }  ///< sum of directions that reach the sky
   /// Sums the harmonics of all directions, and of those that reach the sky.
@@ -63,9 +63,9 @@ class SkySums {
 
  private:
   std::vector<DirectionLanes> directions_;
-  std::vector<float> free_;  ///< 1 or 0 for each
+  std::vector<float> reaches_sky_;  ///< 1 or 0 for each
   glm::dvec3 all_{0}, open_{0};
-  int seen_ = 0;
+  int unoccluded_ = 0;
 };
 
 }  // namespace dermis::environment

@@ -71,12 +71,12 @@ bool is_current(const EnvironmentLight& environment_light, const std::string& na
 }
 
 SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLight> environment_light,
-                      double rotation_deg, const std::vector<environment::Occlusion>& seen) {
+                      double rotation_deg, const std::vector<environment::Occlusion>& occlusion) {
   SkyOnSkin made{.of = std::move(environment_light), .rotation_deg = rotation_deg, .maps = {}};
   const double angle_rad = rotation_deg * std::numbers::pi / 180;
   const environment::SkyHarmonics sky = environment::turned(made.of->sky, angle_rad),
                                   bouncing_sky = environment::turned(made.of->bouncing_sky, angle_rad);
-  for (const environment::Occlusion& mesh : seen) {
+  for (const environment::Occlusion& mesh : occlusion) {
     const environment::SkyLight light = environment::sky_light(mesh, sky, bouncing_sky);
     made.maps.push_back(
         {.direct = passes::unwrap_map(device, "light of the sky", mesh.side, light.direct),
@@ -85,8 +85,8 @@ SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLigh
   return made;
 }
 
-std::vector<scene::Light> lights_of(const std::vector<environment::Source>& sources,
-                                    const RenderSettings& settings) {
+std::vector<scene::Light> environment_lights(const std::vector<environment::Source>& sources,
+                                             const RenderSettings& settings) {
   const double angle = settings.lighting.environment_rotation_deg * std::numbers::pi / 180;
   const double c = std::cos(angle), s = std::sin(angle);
   std::vector<scene::Light> lights;

@@ -20,10 +20,10 @@ namespace dermis::setup {
 struct EnvironmentLight {
   std::string name;                          ///< LightingSettings::environment
   std::filesystem::file_time_type written;   ///< of the file when it was read
-  std::vector<environment::Source> sources;  ///< suns: they light as lamps do, and the rest has none of them
+  std::vector<environment::Source> sources;  ///< light as lamps do; the rest has none of them
   environment::Irradiance irradiance;        ///< of the rest
   environment::SkyHarmonics sky;             ///< of the rest
-  environment::SkyHarmonics bouncing_sky;    ///< with the sources: what hides the sky is lit by them too
+  environment::SkyHarmonics bouncing_sky;    ///< with the sources: they light occluders, too
   gpu::Texture map;                          ///< of the rest; RGBA16F, prefiltered
 };
 
@@ -40,13 +40,13 @@ struct SkyOnSkin {
   std::vector<passes::SkyMaps> maps;
 };
 
-/// `seen`: one per skin mesh. Some 15 ms per mesh: product of harmonics on the processor.
+/// `occlusion`: one per skin mesh. Some 15 ms per mesh: product of harmonics on the processor.
 SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLight> environment_light,
-                      double rotation_deg, const std::vector<environment::Occlusion>& seen);
+                      double rotation_deg, const std::vector<environment::Occlusion>& occlusion);
 
 /// Directional lights as wide as the sources, turned and multiplied as the settings say.
-std::vector<scene::Light> lights_of(const std::vector<environment::Source>& sources,
-                                    const RenderSettings& settings);
+std::vector<scene::Light> environment_lights(const std::vector<environment::Source>& sources,
+                                             const RenderSettings& settings);
 
 void fill_environment(io::FrameIo& frame, const EnvironmentLight& environment_light,
                       const RenderSettings& settings);

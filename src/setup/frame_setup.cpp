@@ -252,7 +252,7 @@ std::vector<std::uint32_t> sides_of_drawn_heads(const FrameSetup& setup) {
 }
 
 FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceTraits& device,
-                  const std::vector<scene::Light>& suns) {
+                  const std::vector<scene::Light>& environment_lights) {
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
 
@@ -262,9 +262,9 @@ FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceT
 
   const std::vector<glm::vec3> offsets = scene::head_row_offsets(s.camera.heads, subject.sphere.radius_m);
   std::vector<scene::Light> lights = choose_lights(*subject.scene, s, subject.sphere, offsets);
-  lights.insert(lights.end(), suns.begin(), suns.end());
+  lights.insert(lights.end(), environment_lights.begin(), environment_lights.end());
   setup.lights = static_cast<int>(lights.size());
-  setup.suns = static_cast<int>(suns.size());
+  setup.environment_lights = static_cast<int>(environment_lights.size());
   setup.heads = set_up_heads(subject, s, camera, setup.frame.camera, lights);
   set_up_plan(setup, subject, s, lights, device);
   place_shadows(setup.heads, setup.plan);

@@ -37,18 +37,19 @@ struct FrameSetup {
   techniques::FrameSettings plan;
   std::vector<HeadSetup> heads;  ///< far to near
   io::FrameIo frame{};
-  double d_ref = 0;                         ///< see reference_distance()
-  int lights = 0, suns = 0, gaussians = 0;  ///< suns: those of the lights that surroundings bring
+  double d_ref = 0;  ///< see reference_distance()
+  int lights = 0, gaussians = 0;
+  int environment_lights = 0;  ///< those of the lights that an environment brings
 };
 
 /// T of each head that is drawn, texels.
 std::vector<std::uint32_t> sides_of_drawn_heads(const FrameSetup& setup);
 
-/// `settings` have passed check_settings(): who calls this checks them before reading surroundings. `suns`:
-/// lights of the surroundings, besides those that the settings choose. InputError: see choose_camera(); a map
-/// budget that holds not even one head.
+/// `settings` have passed check_settings(): who calls this checks them before reading surroundings.
+/// `environment_lights`: besides those that the settings choose. InputError: see choose_camera(); a map budget
+/// that holds not even one head.
 FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {},
-                  const std::vector<scene::Light>& suns = {});
+                  const std::vector<scene::Light>& environment_lights = {});
 
 /// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel: which mesh
 /// has fewest, how many, what that means and what helps.
