@@ -31,10 +31,10 @@ struct SharedScene {
 
 struct Renderer::State {
   explicit State(const Options& wanted);
-  /// The last scene if it is this one, else this one, examined.
+  /// Returns the cached scene if it is this one with the same mix, else examines this one.
   std::shared_ptr<api::SharedScene> shared(const Scene& scene, const RenderSettings& settings);
 
-  /// The last surroundings if they are these, else these. None if the settings name none.
+  /// Returns the cached environment if unchanged, else loads it; null if the settings name none.
   std::shared_ptr<const setup::EnvironmentLight> environment_light(const RenderSettings& settings);
 
   Options options;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dermis/renderer.h"
+#include "dermis/settings.h"
 #include "environment/environment.h"
 #include "environment/occlusion.h"
 #include "environment/sources.h"
@@ -27,27 +27,29 @@ struct EnvironmentLight {
   gpu::Texture map;                          ///< of the rest; RGBA16F, prefiltered
 };
 
-/// InputError: see environment::from_name_or_file.
+/// Loads and prepares an environment. Throws InputError: see environment::from_name_or_file.
 EnvironmentLight environment_light(gpu::Device& device, const std::string& name);
 
-/// Is it still what this name means? A file may have changed.
+/// Returns whether a name still means this environment: a file may have changed.
 bool is_current(const EnvironmentLight& environment_light, const std::string& name);
 
-/// What light of the surroundings arrives on each texel of each skin mesh, of intensity 1, on the device.
+/// Light of an environment of intensity 1 that arrives on each texel of each skin mesh, on the device.
 struct SkyOnSkin {
   std::shared_ptr<const EnvironmentLight> of;  ///< none: no maps
   double rotation_deg = 0;
   std::vector<passes::SkyMaps> maps;
 };
 
-/// `occlusion`: one per skin mesh. Some 15 ms per mesh: product of harmonics on the processor.
+/// Multiplies the harmonics of the sky with the transfer of each texel. `occlusion`: one per skin mesh. Takes
+/// some 15 ms per mesh, on the processor.
 SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLight> environment_light,
                       double rotation_deg, const std::vector<environment::Occlusion>& occlusion);
 
-/// Directional lights as wide as the sources, turned and multiplied as the settings say.
+/// Returns directional lights as wide as the sources, turned and multiplied as the settings say.
 std::vector<scene::Light> environment_lights(const std::vector<environment::Source>& sources,
                                              const RenderSettings& settings);
 
+/// Fills in the environment: its turn, its intensity, the irradiance by normal.
 void fill_environment(io::FrameIo& frame, const EnvironmentLight& environment_light,
                       const RenderSettings& settings);
 

@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-#include "dermis/renderer.h"
+#include "dermis/settings.h"
 #include "setup/subject.h"
 #include "shared/scene_io.h"
 

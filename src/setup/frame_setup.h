@@ -4,15 +4,15 @@
 
 #include <vector>
 
-#include "dermis/renderer.h"
+#include "dermis/settings.h"
 #include "setup/subject.h"
 #include "shared/scene_io.h"
 #include "techniques/technique.h"
 
 namespace dermis::setup {
 
-/// InputError for a setting out of range, with its name and range. Called once per set of settings, before
-/// anything is made or read for them.
+/// Throws InputError for a setting out of range; names it and its range. Called once per set of settings,
+/// before anything is made or read for them.
 void check_settings(const RenderSettings& settings);
 
 /// What the frame's structure takes from the device.
@@ -42,12 +42,12 @@ struct FrameSetup {
   int environment_lights = 0;  ///< those of the lights that an environment brings
 };
 
-/// T of each head that is drawn, texels.
+/// Returns T of each head that is drawn, texels.
 std::vector<std::uint32_t> sides_of_drawn_heads(const FrameSetup& setup);
 
-/// `settings` have passed check_settings(): who calls this checks them before reading surroundings.
-/// `environment_lights`: besides those that the settings choose. InputError: see choose_camera(); a map budget
-/// that holds not even one head.
+/// Decides what a frame needs. `settings` have passed check_settings(): who calls this checks them before
+/// reading surroundings. `environment_lights`: besides those that the settings choose. Throws InputError: see
+/// choose_camera(); or a map budget that does not hold one head.
 FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {},
                   const std::vector<scene::Light>& environment_lights = {});
 

@@ -2,13 +2,13 @@
 /// The reference sees and lights a scene as the renderer does.
 #pragma once
 
-#include "dermis/renderer.h"
+#include "dermis/settings.h"
 #include "reference/settings.h"
 
 namespace dermis::setup {
 
-/// InputError: a setting out of range or that only the renderer knows (several heads, a picture of more than
-/// 2^26 pixels), an empty scene.
+/// Returns what the reference renders. Throws InputError: a setting out of range or that only the renderer
+/// knows (several heads, a picture of more than 2^26 pixels), an empty scene.
 reference::RenderSetup reference_setup(const scene::Scene& scene, const RenderSettings& settings);
 
 }  // namespace dermis::setup

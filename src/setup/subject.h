@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What is known of a scene whatever the settings: its skin laid out flat, its bounds, its densities. Made
-/// once a scene.
+/// What is known of a scene whatever the settings: its skin as meshes with an unwrap, bounds, densities. Made
+/// once per scene.
 #pragma once
 
 #include <memory>
@@ -18,13 +18,13 @@ struct Box {
 struct Subject {
   std::shared_ptr<const scene::Scene> scene;
   std::vector<scene::SkinMesh> skin;
-  std::vector<scene::UnwrapDensity> densities;  ///< a skin mesh
+  std::vector<scene::UnwrapDensity> densities;  ///< one per skin mesh
   scene::BoundingSphere sphere;                 ///< of the skin
   Box box;                                      ///< of the skin
   scene::BoundingSphere casters;                ///< of everything: hair cards and collars cast shadows too
 };
 
-/// InputError: a scene with nothing to see. Warns of unwraps that overlap.
+/// Throws InputError: a scene with nothing to see. Warns of unwraps that overlap.
 Subject examine(std::shared_ptr<const scene::Scene> scene);
 
 }  // namespace dermis::setup
