@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules of the house, held against this source tree. test_check.cpp shows that each rule notices what
+// The rules of the house, held against this source tree. check_test.cpp shows that each rule notices what
 // breaks it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
