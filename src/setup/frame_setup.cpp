@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/assert.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "passes/blur/blur.h"
@@ -18,12 +19,20 @@
 namespace dermis::setup {
 namespace {
 
+// Returns the number that shaders know a type by. No default: a new type without one is a warning here.
+std::uint32_t type_number(scene::LightType type) {
+  switch (type) {
+    case scene::LightType::directional: return LIGHT_DIRECTIONAL;
+    case scene::LightType::spot: return LIGHT_SPOT;
+    case scene::LightType::point: return LIGHT_POINT;
+  }
+  assertion_failed("a light has a LightType", fmt::format("{}", static_cast<int>(type)), __FILE__, __LINE__);
+}
+
 io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, std::size_t first_layer) {
   io::LightIo out{};
   out.colour = light.colour;
-  out.type = light.type == scene::LightType::directional ? LIGHT_DIRECTIONAL
-             : light.type == scene::LightType::spot      ? LIGHT_SPOT
-                                                         : LIGHT_POINT;
+  out.type = type_number(light.type);
   out.position_m = light.position_m;
   out.range_m = light.range_m;
   out.direction = light.direction;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Lights of a scene as shaders get them.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "scene/primitives.h"
+#include "setup/frame_setup.h"
+
+namespace dermis::setup {
+namespace {
+
+FrameSetup set_up_under(scene::LightType type) {
+  scene::Scene made = scene::plane(0.1);
+  made.lights.push_back({.name = "lamp", .type = type, .position_m = {0, 0, 1}});
+  return set_up(examine(std::make_shared<const scene::Scene>(std::move(made))), RenderSettings{});
+}
+
+TEST(Lights, EachTypeHasItsNumber) {
+  const auto number_of = [](scene::LightType type) {
+    return set_up_under(type).heads.at(0).lights.at(0).type;
+  };
+  EXPECT_EQ(number_of(scene::LightType::directional), LIGHT_DIRECTIONAL);
+  EXPECT_EQ(number_of(scene::LightType::spot), LIGHT_SPOT);
+  EXPECT_EQ(number_of(scene::LightType::point), LIGHT_POINT);
+}
+
+// A mistake of ours, which must not be drawn as some other light.
+TEST(LightsDeathTest, ATypeWithoutANumberIsNoPoint) {
+  EXPECT_DEATH(set_up_under(static_cast<scene::LightType>(3)), "a light has a LightType: 3");
+}
+
+}  // namespace
+}  // namespace dermis::setup
