@@ -137,6 +137,43 @@ TEST_F(MustRender, SharedHeads) {
   if (found == 0) GTEST_SKIP() << "set DERMIS_ASSET_CACHE to the folder of the shared assets";
 }
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t from = 0, end = 0; (end = text.find('\n', from)) != std::string::npos; from = end + 1)
+    lines.push_back(text.substr(from, end - from));
+  return lines;
+}
+
+// From one warning to three: two lines at most, and all of them with --verbose.
+TEST_F(MustRender, WarningsBeyondTheFirstAreCountedUnlessAskedFor) {
+  const auto of_later_gltf = [](json& root) { root["asset"]["version"] = "2.1"; };
+  TinyMesh without_uvs;
+  without_uvs.uvs.clear();
+  const std::string one = tiny_gltf({}, of_later_gltf), two = tiny_gltf(without_uvs, of_later_gltf);
+  // A plan is printed without a device, after the scene has been read.
+  const auto said = [&](const std::string& gltf, const Arguments& more) {
+    Arguments arguments{"plan", file("head.gltf", gltf)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Result result = run(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return lines_of(result.err);
+  };
+
+  EXPECT_EQ(said(tiny_gltf(), {}), std::vector<std::string>{});
+  const std::vector<std::string> first = said(one, {}), both = said(two, {});
+  ASSERT_EQ(first.size(), 1u);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0], first[0]);
+  EXPECT_TRUE(both[1].starts_with("dermis: warning: ")) << both[1];
+
+  EXPECT_EQ(said(two, {"--unit-scale", "0.01"}),
+            (std::vector<std::string>{first[0], "dermis: 2 more warnings or notes; --verbose shows them"}));
+  const std::vector<std::string> all = said(two, {"--unit-scale", "0.01", "--verbose"});
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0], first[0]);
+  for (const std::string& line : all) EXPECT_TRUE(line.starts_with("dermis: warning: ")) << line;
+}
+
 // The files of the shared assets that warn most. What is left to say stands behind --verbose.
 TEST_F(MustRender, AFileThatLoadsSaysTwoLinesAtMost) {
   int found = 0;
