@@ -53,6 +53,7 @@ Picture drawn(const Golden& golden) {
   CLI::App command;
   cli::SceneArguments arguments;
   cli::add_scene_arguments(command, arguments, cli::SceneUse::render);
+  fs::current_path(DERMIS_SOURCE_DIR);  // where options name files from
   command.parse(golden.options);
   return renderer().render(head, arguments.settings);
 }
@@ -76,13 +77,18 @@ float span_around(const image::ImageF& picture, int x, int y, int channel) {
   return high - low;
 }
 
+// The pictures were drawn by one software driver, and hold on any: bounds say in what devices may differ, so
+// nothing is skipped elsewhere, and bits need not be equal.
+//
 // Light is stored in half floats about twenty times between a lamp and the picture: in the light map, after
 // each of two passes for each of six Gaussians, where transmitted light is added, in the picture, in bloom.
-// Each rounds by 2^-11 of the value at most, so two devices are no more than this share apart.
+// Each rounds by 2^-11 of the value at most, so two devices are no more than this share apart. Arithmetic in
+// between rounds to floats, 2^-24.
 constexpr float rounding = 20.0f / 2048;
 
 // Of a pixel's four samples one may lie on the other side of an edge (of the head, of a shadow, of a texel):
-// rules for that differ between devices.
+// rules for that differ between devices. Reads of maps differ less: between texels, and between levels, a
+// device takes steps of 1/16 (the least that Vulkan asks for) or finer, a sixteenth of what neighbours span.
 constexpr float share_of_a_sample = 0.25f;
 
 // Half floats end at 2^-24; what is darker than this shows as black.
