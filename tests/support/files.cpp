@@ -23,6 +23,11 @@ TempFolder::~TempFolder() {
   fs::remove_all(path_, ignored);
 }
 
+const fs::path& program_folder() {
+  static const TempFolder folder;
+  return folder.path();
+}
+
 std::string read_text(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

@@ -20,6 +20,9 @@ class TempFolder {
   std::filesystem::path path_;
 };
 
+/// A folder of this run of the program, removed when it ends: programs that run side by side do not meet.
+const std::filesystem::path& program_folder();
+
 /// Empty if there is no such file.
 std::string read_text(const std::filesystem::path& path);
 

@@ -2,10 +2,13 @@
 #include "gpu/support/pictures.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
 #include "gpu/support/failure.h"
+#include "image/compare_flip.h"
+#include "image/metrics.h"
 #include "image/resize.h"
 #include "image/tone_map.h"
 
@@ -73,6 +76,23 @@ DisplayDifference display_difference(const Picture& a, const Picture& b) {
     d.mean += distance / static_cast<double>(a.display_rgba.size());
   }
   return d;
+}
+
+void expect_unseen(const image::ImageF& wanted, const image::ImageF& found) {
+  ASSERT_EQ(wanted.values.size(), found.values.size());
+  std::vector<std::uint8_t> skin(wanted.values.size() / 4);
+  for (std::size_t i = 0; i < skin.size(); ++i)
+    skin[i] = wanted.values[4 * i + 3] > 0 || found.values[4 * i + 3] > 0;
+
+  const double psnr_db = image::psnr_db(shown(wanted), shown(found), skin),
+               flip = image::mean_flip(shown(wanted), shown(found), skin);
+  std::printf("%.1f dB, FLIP %.4f\n", psnr_db, flip);
+  EXPECT_GE(psnr_db, unseen_psnr_db) << write_failure(wanted, found);
+  EXPECT_LE(flip, unseen_flip) << write_failure(wanted, found);
+}
+
+void expect_unseen(const Picture& wanted, const Picture& found) {
+  expect_unseen(linear(wanted), linear(found));
 }
 
 void expect_equal_bits(const Picture& wanted, const Picture& found) {

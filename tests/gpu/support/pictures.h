@@ -43,6 +43,11 @@ std::array<double, 3> mean_colour(const Picture& picture);
 /// which is 1 for black in place of white, may be a fiftieth on average.
 inline constexpr double unseen_psnr_db = 40, unseen_flip = 0.02;
 
+/// Over pixels that are skin in either, four channels each; prints both figures. On failure the pictures are
+/// written (failure.h).
+void expect_unseen(const image::ImageF& wanted, const image::ImageF& found);
+void expect_unseen(const Picture& wanted, const Picture& found);
+
 /// A half float rounds by this share of its value at most.
 inline constexpr double half_rounding = 1.0 / 2048;
 

@@ -20,22 +20,6 @@ Scene sphere_lit_from_the_camera(double radius_m) {
   return wrap(std::move(data));
 }
 
-scene::Camera camera_from_above(double half_height_m, const glm::vec3& position_m) {
-  scene::Camera camera;
-  camera.name = "above";
-  camera.world_from_camera[3] = glm::vec4(position_m, 1);
-  camera.orthographic = true;
-  camera.ymag_m = static_cast<float>(half_height_m);
-  return camera;
-}
-
-scene::Light directional_light(const glm::vec3& direction, const glm::vec3& irradiance) {
-  scene::Light light;
-  light.colour = irradiance;
-  light.direction = glm::normalize(direction);
-  return light;
-}
-
 scene::Scene two_planes(double side_m, int cells, const std::function<void(scene::Vertex&)>& place) {
   const auto chart = [&](double from) {
     return scene::plane(side_m, glm::dmat2(0.46), glm::dvec2(from), cells);

@@ -7,6 +7,7 @@
 
 #include "dermis/scene.h"
 #include "scene/scene.h"
+#include "support/scenes.h"
 
 namespace dermis::tests {
 
@@ -19,12 +20,6 @@ Scene sheared_plane();
 
 /// The sphere under one directional light that shines where the framing camera looks.
 Scene sphere_lit_from_the_camera(double radius_m);
-
-/// A camera without perspective that looks along -z; `half_height_m` up and down.
-scene::Camera camera_from_above(double half_height_m, const glm::vec3& position_m);
-
-/// `irradiance` is that of a surface that faces the light.
-scene::Light directional_light(const glm::vec3& direction, const glm::vec3& irradiance);
 
 /// A square of skin in the plane z = 0, and a second one of the same size that `place` puts elsewhere: one
 /// mesh of two charts. The vertices of the second stand behind those of the first.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/support/settings.h"
 
+#include "gaussians/json.h"
+#include "support/files.h"
+
 namespace dermis::tests {
 
 RenderSettings small_settings(const std::string& technique, int side, int map_side) {
@@ -27,6 +30,17 @@ RenderSettings furnace_settings(const std::string& technique, bool specular) {
 
 RenderSettings unoptimised(RenderSettings s) {
   s.quality.cull = s.quality.depth = s.quality.clip = false;
+  return s;
+}
+
+RenderSettings with_profile(RenderSettings s, const std::string& name,
+                            const std::vector<gaussians::Gaussian>& terms) {
+  gaussians::SumOfGaussians sum;
+  sum.name = name;
+  sum.terms = terms;
+  s.skin.profile = (program_folder() / (name + ".json")).string();
+  s.skin.normalise_profile = true;
+  write_text(s.skin.profile, gaussians::to_json(sum));
   return s;
 }
 

@@ -23,6 +23,7 @@
 #include "image/metrics.h"
 #include "image/tone_map.h"
 #include "scene/primitives.h"
+#include "support/files.h"
 
 namespace dermis::tests {
 namespace {
@@ -211,7 +212,7 @@ std::string sky_with_sun(int pixels, double azimuth_deg, double elevation_deg, b
     float* rgb = sky.at((left + i % side) % width, top + i / side);
     rgb[0] = 110000, rgb[1] = 102000, rgb[2] = 90000;
   }
-  const fs::path path = fs::path(testing::TempDir()) / "dermis_sky_with_sun.exr";
+  const fs::path path = program_folder() / "sky-with-sun.exr";
   image::save_exr(path, sky);
   return path.string();
 }
@@ -246,20 +247,9 @@ TEST(Truth, ASunIsNoWorseThanAStudio) {
 /// both sees 12 mm of it.
 Scene knife_edge() {
   scene::Scene made = scene::plane(0.06, glm::dmat2(1), {}, 1);
-  made.materials.push_back({.name = "sheet"});
-
-  scene::Primitive sheet{.name = "sheet", .material = 1};
-  for (int i = 0; i < 4; ++i) {
-    scene::Vertex v;
-    v.position_m = {i & 1 ? 0.05f : 0.0f, i & 2 ? 0.05f : -0.05f, 0.02f};
-    sheet.vertices.push_back(v);
-  }
-  sheet.indices = {0, 1, 3, 0, 3, 2};
-  made.primitives.push_back(std::move(sheet));
-
+  add_sheet(made, 0.05f, 0.02f);
   made.lights.push_back({.name = "sun", .colour = glm::vec3(3.14159265f)});
   made.cameras = {camera_from_above(0.002, {0, 0, 0.01f})};
-  made.cameras.front().znear_m = 1e-4f;
   return wrap(std::move(made));
 }
 

@@ -58,7 +58,7 @@ TEST(CutOut, StandsAmongOpaqueThings) {
 TEST(CutOut, IsNotSeenAndGetsNoLight) {
   const scene::Scene scene = half_plane();
   Job job = tests::furnace(scene, 16);
-  job.setup.camera = tests::from_above(0.01, size_m / 2);
+  job.setup.camera = tests::camera_from_above(size_m / 2, {0, 0, 0.01f});
   const Tracer tracer(scene, job);
   const image::ImageF picture = tests::rendered(tracer, 4).picture();
   for (int y = 0; y < 16; ++y)

@@ -142,7 +142,7 @@ TEST(EnvironmentSampler, FurnaceIsWhiteInAWell) {
     Job job = tests::furnace(scene, 12);
     job.setup.ambient = 0;
     job.setup.environment = uniform(1);
-    job.setup.camera = tests::from_above(0.02, 0.01);
+    job.setup.camera = tests::camera_from_above(0.01, {0, 0, 0.02f});
     job.setup.specular = specular;
     EXPECT_NEAR(mean_of(tests::rendered(Tracer(scene, job), 512)), 1, 0.01) << "specular " << specular;
     job.setup.white_albedo = false;  // grey walls and skin darken each other
@@ -177,7 +177,7 @@ TEST(EnvironmentSampler, ShowInAMirror) {
   scene.materials.front().metallic = 1, scene.materials.front().roughness = 0.05f;
   Job job = tests::furnace(scene, 4);
   job.setup.ambient = 0;
-  job.setup.camera = tests::from_above(0.5, 0.01);
+  job.setup.camera = tests::camera_from_above(0.01, {0, 0, 0.5f});
   job.setup.environment = std::make_shared<const EnvironmentSampler>(
       painted(256, 128, [](const glm::dvec3& d) { return glm::dvec3(1 + d.z, 1 - d.z, d.z > 0.9 ? 1 : 0); }),
       1, 0);

@@ -81,17 +81,7 @@ TEST(Picture, SurfaceFurnaceIsWhite) {
 /// A plane of skin under a light from straight above, half of it in the shadow of a sheet.
 scene::Scene knife_edge() {
   scene::Scene made = scene::plane(0.12, glm::dmat2(1), {}, 1);
-  scene::Material sheet;
-  sheet.name = "sheet";
-  made.materials.push_back(sheet);
-  scene::Primitive p{.name = "sheet", .material = 1};
-  for (int i = 0; i < 4; ++i) {
-    scene::Vertex v;
-    v.position_m = {i & 1 ? 0.1f : 0.0f, i & 2 ? 0.1f : -0.1f, 0.05f};
-    p.vertices.push_back(v);
-  }
-  p.indices = {0, 1, 3, 0, 3, 2};
-  made.primitives.push_back(p);
+  tests::add_sheet(made, 0.1f, 0.05f);
   return made;
 }
 
@@ -111,7 +101,8 @@ TEST(Picture, KnifeEdgeIsTheAnalyticOne) {
   Job job;
   job.setup.width = 24;
   job.setup.height = 16;
-  job.setup.camera = tests::from_above(0.02, 0.004 * 16 / 24);  // between skin and sheet; 8 mm across
+  job.setup.camera =
+      tests::camera_from_above(0.004 * 16 / 24, {0, 0, 0.02f});  // between skin and sheet; 8 mm across
   job.setup.lights.push_back({.name = "sun", .colour = glm::vec3(std::numbers::pi_v<float>)});
   job.setup.white_albedo = true;
   job.setup.specular = false;
@@ -154,7 +145,7 @@ TEST(Picture, APixelIsTheMeanOfItsPointsNotOfItsMaps) {
 
   Job job;
   job.setup.width = job.setup.height = 4;
-  job.setup.camera = tests::from_above(0.5, 0.01);
+  job.setup.camera = tests::camera_from_above(0.01, {0, 0, 0.5f});
   job.setup.ambient = 1;
   job.setup.specular = false;
   job.profiles.push_back({.name = "wide", .terms = {{.variance_mm2 = 4, .weight = {1, 1, 1}}}});

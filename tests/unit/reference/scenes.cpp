@@ -25,15 +25,6 @@ scene::Scene box(double depth_mm, double half_mm) {
   return made;
 }
 
-scene::Camera from_above(double z_m, double half_m) {
-  scene::Camera camera;
-  camera.world_from_camera[3] = glm::vec4(0, 0, z_m, 1);
-  camera.orthographic = true;
-  camera.ymag_m = static_cast<float>(half_m);
-  camera.znear_m = 1e-4f;
-  return camera;
-}
-
 reference::Job furnace(const scene::Scene& scene, int side) {
   reference::Job job;
   job.setup.camera = scene::framing_camera(scene::skin_sphere(scene), 1);

@@ -4,14 +4,12 @@
 
 #include "reference/render.h"
 #include "scene/scene.h"
+#include "support/scenes.h"
 
 namespace dermis::tests {
 
 /// A closed box of skin: its top is z = 0, seen from +z; `depth_mm` deep, `half_mm` to each side.
 scene::Scene box(double depth_mm, double half_mm);
-
-/// A camera that looks along -z, without perspective, from height `z_m`; `half_m` up and down.
-scene::Camera from_above(double z_m, double half_m);
 
 /// Uniform light from everywhere, white skin, framed; nothing else.
 reference::Job furnace(const scene::Scene& scene, int side);

@@ -24,11 +24,7 @@ reference::RenderSetup framed(const scene::Scene& scene, int side, double azimut
   return setup;
 }
 
-scene::Light from(const glm::dvec3& towards) {
-  scene::Light light;
-  light.direction = glm::vec3(-glm::normalize(towards));
-  return light;
-}
+scene::Light from(const glm::dvec3& towards) { return tests::directional_light(glm::vec3(-towards)); }
 
 const Region& named(const std::vector<Region>& all, const std::string& name) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Region& r) { return r.name == name; });
@@ -86,21 +82,12 @@ TEST(Regions, SeamsAreWhereTheUnwrapIsCut) {
 // A sheet over half of a plane: the shadow ends at x = 0.
 TEST(Regions, ShadowEdgesReachFiveMillimetres) {
   scene::Scene scene = scene::plane(0.12);
-  scene.materials.push_back({.name = "sheet"});
-
-  scene::Primitive sheet{.name = "sheet", .material = 1};
-  for (int i = 0; i < 4; ++i) {
-    scene::Vertex v;
-    v.position_m = {i & 1 ? 0.2f : 0.0f, i & 2 ? 0.2f : -0.2f, 0.05f};
-    sheet.vertices.push_back(v);
-  }
-  sheet.indices = {0, 1, 3, 0, 3, 2};
-  scene.primitives.push_back(sheet);
+  tests::add_sheet(scene, 0.2f, 0.05f);
 
   const rays::RayScene rays(scene);
   reference::RenderSetup setup;
-  setup.camera = tests::from_above(0.02, 0.02);  // between skin and sheet
-  setup.width = setup.height = 80;               // half a millimetre each
+  setup.camera = tests::camera_from_above(0.02, {0, 0, 0.02f});  // between skin and sheet
+  setup.width = setup.height = 80;                               // half a millimetre each
   setup.lights = {from({0, 0, 1})};
 
   const std::vector<Region> all = find(rays, setup);
@@ -122,7 +109,7 @@ TEST(Regions, ThicknessOfABox) {
     EXPECT_NEAR(1000 * thickness_m(rays, rays::surface_point(box, *hit)), depth_mm / 0.75, 0.05 * depth_mm);
   }
   reference::RenderSetup setup;
-  setup.camera = tests::from_above(0.5, 0.05);
+  setup.camera = tests::camera_from_above(0.05, {0, 0, 0.5f});
   setup.width = setup.height = 16;
   EXPECT_EQ(named(find(rays::RayScene(tests::box(5, 100)), setup), "thin parts").pixels, 256u);
   EXPECT_EQ(named(find(rays::RayScene(tests::box(50, 100)), setup), "thin parts").pixels, 0u);
