@@ -84,13 +84,15 @@ std::size_t expect_no_seam(const Scene& scene, const std::string& name) {
 // and may step there by itself, so a step counts for what it exceeds that of the same picture without
 // scattering, which shows the same colours.
 void expect_no_seam_in_colour(const Scene& scene, const std::string& name) {
-  RenderSettings s = key_light(behind);
-  s.lighting.white_albedo = false;
-  const Crossings crossings = find_crossings(scene, s);
-  const Excess excess = seam_excess(crossings, renderer().render(scene, s), unscattered(scene, s));
-  print(name + ", its own colour", crossings, excess);
-  EXPECT_GE(excess.runs, 5u);
-  EXPECT_LE(excess.largest, bound) << name;
+  for (const View& view : {behind, above}) {
+    RenderSettings s = key_light(view);
+    s.lighting.white_albedo = false;
+    const Crossings crossings = find_crossings(scene, s);
+    const Excess excess = seam_excess(crossings, renderer().render(scene, s), unscattered(scene, s));
+    print(name + ", its own colour, " + view.name, crossings, excess);
+    EXPECT_GE(excess.runs, 5u);
+    EXPECT_LE(excess.largest, bound) << name << " from " << view.name;
+  }
 }
 
 const Scene& built_in_head() {
