@@ -3,7 +3,7 @@
 // what is optimised shows nothing.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <numbers>
 
 #include "dermis/cancelled.h"
 #include "gpu/support/failure.h"
@@ -14,12 +14,13 @@
 #include "gpu/support/settings.h"
 #include "image/codec.h"
 #include "scene/primitives.h"
+#include "support/files.h"
 
 namespace dermis::tests {
 namespace {
 
 std::string white_surroundings() {
-  const std::string path = testing::TempDir() + "dermis_white_surroundings.exr";
+  const std::string path = (program_folder() / "white-surroundings.exr").string();
   image::save_exr(path, {.width = 2, .height = 1, .channels = 3, .values = std::vector<float>(6, 1.0f)});
   return path;
 }
@@ -56,8 +57,10 @@ TEST_P(EveryHeadInSurroundings, IsWhiteInAWhiteFurnace) {
     }
 }
 
-// On a sphere, the eye turning with the surroundings sees the same picture.
+// On a sphere, the eye turning with the surroundings sees the same picture, but for its facets: a polygon of
+// n corners lacks 2 pi^2 / 3 n^2 of a disc, here by how the ball of 4 x 32 facets is turned.
 TEST_P(EveryTechniqueInSurroundings, TurningThemTurnsTheLight) {
+  constexpr double facets = 2 * std::numbers::pi * std::numbers::pi / 3 / (128 * 128);
   const Scene ball = sphere(0.1);
   RenderSettings s = lit_by_studio(GetParam());
   std::array<double, 3> first{}, mean{};
@@ -71,17 +74,17 @@ TEST_P(EveryTechniqueInSurroundings, TurningThemTurnsTheLight) {
 
     for (std::size_t c = 0; c < 3; ++c) {
       if (k == 0) first[c] = turned[c];
-      EXPECT_NEAR(turned[c], first[c], 0.02 * first[c]) << k;
+      EXPECT_NEAR(turned[c], first[c], (facets + half_rounding) * first[c]) << k;
       mean[c] += still[c] / 8;
     }
     EXPECT_TRUE(k != 4 || std::abs(still[0] - first[0]) > 0.1 * first[0]) << "the bright side is behind now";
   }
 
-  // A full turn gives each side its share: as much as from a sky without sides.
+  // A full turn is none, up to the rounding of its sine. No side is dark: the lamps stand in a grey room.
   s.lighting.environment_rotation_deg = 360;
   const std::array<double, 3> whole = sum(renderer().render(ball, s));
   for (std::size_t c = 0; c < 3; ++c) {
-    EXPECT_NEAR(whole[c], first[c], 1e-4 * first[c]);
+    EXPECT_NEAR(whole[c], first[c], half_rounding * first[c]);
     EXPECT_GT(mean[c], 0.4 * first[c]);
   }
 }
@@ -116,7 +119,7 @@ TEST_F(ScanInSurroundings, WhatIsOptimisedDoesNotShow) {
   const Picture all = renderer().render(scan(), s), none = renderer().render(scan(), unoptimised(s));
   EXPECT_EQ(all.statistics.unshaded_reads, 0u);
   EXPECT_LT(all.statistics.launched, none.statistics.launched);
-  EXPECT_LT(display_difference(none, all).mean, 0.5) << write_failure(linear(none), linear(all));
+  expect_unseen(none, all);
 }
 
 TEST(Surroundings, ValidationIsSilent) {
