@@ -64,7 +64,11 @@ void check_ranges(const SpectralSkin& skin, const std::string& where) {
 void check_number(const std::string& name, const About& about, double number, const std::string& where) {
   const bool in_range = about.open ? number > about.least && number < about.most
                                    : number >= about.least && number <= about.most;
-  if (!in_range) throw input_error(where, "{} must be {}, got {:.10g}", name, range_text(about), number);
+  if (in_range) return;
+  // Counts with all their digits.
+  const bool whole = number == std::trunc(number) && std::abs(number) < 1e18;
+  const std::string got = whole ? fmt::format("{:.0f}", number) : fmt::format("{:.10g}", number);
+  throw input_error(where, "{} must be {}, got {}", name, range_text(about), got);
 }
 
 std::string range_text(const About& about) {
