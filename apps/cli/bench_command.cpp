@@ -135,8 +135,7 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   check(a, task);
 
   task.stop = &catch_interrupts();
-  Renderer renderer(
-      {.device = a.device, .validate = false, .stop = task.stop, .progress = show_preparation()});
+  Renderer renderer({.device = a.device, .validate = false, .hooks = terminal_hooks()});
   const Scene scene = open_scene(a);
   bench::Run found{
       .version = DERMIS_VERSION, .commit = commit(), .command = command_line(), .scene = scene.name()};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/settings_options.h"
+#include "core/log.h"
 
 namespace dermis::cli {
 
@@ -13,11 +14,9 @@ bool& verbose() {
   return value;
 }
 
-BriefLog::BriefLog(const CLI::App& app) : app_(&app) {
-  set_log_sink([this](LogLevel level, const std::string& line) { take(level, line); });
-}
-
-BriefLog::~BriefLog() { set_log_sink({}); }
+BriefLog::BriefLog(const CLI::App& app)
+    : app_(&app),
+      scope_(Hooks{.log = [this](LogLevel level, const std::string& line) { take(level, line); }}) {}
 
 void BriefLog::take(LogLevel level, const std::string& line) {
   const std::string text =

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/log.h"
+#include "core/hooks.h"
 
 namespace dermis::cli {
 
@@ -15,7 +15,6 @@ class BriefLog {
  public:
   /// Adds the options of the command that runs to the settings that a line names. `app` outlives this.
   explicit BriefLog(const CLI::App& app);
-  ~BriefLog();
   BriefLog(const BriefLog&) = delete;
   BriefLog& operator=(const BriefLog&) = delete;
 
@@ -27,6 +26,7 @@ class BriefLog {
   const CLI::App* app_;
   bool said_one_ = false;
   std::vector<std::string> held_;
+  HookScope scope_;
 };
 
 /// --verbose, which commands that open a scene have.

@@ -120,8 +120,8 @@ void compare_techniques(const CompareArguments& arguments) {
   settings.reference = *arguments.reference;
   if (settings.techniques == std::vector<std::string>{"all"}) settings.techniques.clear();
   const Scene scene = open_scene(arguments);
-  settings.stop = &catch_interrupts();
-  settings.progress = show_preparation();
+  catch_interrupts();
+  settings.hooks = terminal_hooks();
   SceneComparison found = compare_scene(scene, settings);
   found.settings = settings_file(arguments);
   const std::string page = arguments.html.empty() ? "" : scene_comparison_page(found);

@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include <cstdio>
 #include <memory>
-#include <new>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "cli/brief_log.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
+#include "cli/failure.h"
 #include "cli/profile_command.h"
-#include "cli/progress.h"
-#include "cli/settings_options.h"
 
 namespace {
-
-int fail(std::string line) {
-  dermis::cli::show_line("");  // whatever was under way
-  // Names of files may hold anything: a message stays one line.
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  std::fprintf(stderr, "dermis: %s\n", line.c_str());
-  return 1;
-}
 
 std::string quoted(std::string_view word) {
   const bool plain =
@@ -56,7 +43,6 @@ int main(int argc, char** argv) {
   dermis::cli::add_bench_command(app, exit_status);
   dermis::cli::add_info_command(app, exit_status);
 
-  // 2: the command line cannot be parsed. 1: everything else that goes wrong, in one line.
   dermis::cli::BriefLog log(app);
   try {
     const std::vector<std::string> arguments = dermis::cli::join_lists({argv, argv + argc});
@@ -64,15 +50,6 @@ int main(int argc, char** argv) {
     for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
     app.parse(static_cast<int>(pointers.size()), pointers.data());
     log.finish();
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::bad_alloc&) {
-    return fail("too little memory");
-  } catch (const std::system_error& error) {
-    // A thread that cannot be started says no more than "resource temporarily unavailable".
-    return fail(error.code() == std::errc::resource_unavailable_try_again
-                    ? "the system allows no more threads or memory"
-                    : error.what());
-  } catch (const std::exception& error) { return fail(dermis::cli::with_options(error.what(), app)); }
+  } catch (...) { return dermis::cli::report_failure(app); }
   return exit_status;
 }

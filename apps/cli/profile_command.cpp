@@ -14,6 +14,7 @@
 #include "cli/settings_options.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/hooks.h"
 #include "gaussians/exchange.h"
 #include "gaussians/known.h"
 #include "image/codec.h"
@@ -81,17 +82,13 @@ void check(const ProfileArguments& options) {
   check_files(options);
 }
 
-/// The source, with a line on how far Monte-Carlo is where a person waits for it.
-Source open_with_progress(SourceOptions options) {
-  const bool spectral = options.given.contains("melanin") || !options.colour.empty();
-  Progress progress(spectral ? static_cast<double>(profile::spectral_samples) : 3);
-  double before = 0;  // of the present run
-  options.progress = [&](double part) {
-    progress.done(part - before);
-    before = part < 1 ? part : 0;
-    progress.show("Monte-Carlo");
-  };
-  return open_source(options);
+/// Opens the source, with a line on how far the work is where a person waits for it.
+Source open_with_progress(const SourceOptions& options) {
+  const CatchInterrupts here;
+  const HookScope scope(terminal_hooks());
+  Source source = open_source(options);
+  show_line("");
+  return source;
 }
 
 std::string exported(const Source& source, const Fitted& fitted, const std::string& system) {

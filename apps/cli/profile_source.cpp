@@ -48,10 +48,7 @@ void summarise(Source& source, double eta = default_eta) {
 }
 
 profile::MonteCarloOptions monte_carlo(const SourceOptions& options) {
-  return {.photons = options.profile.photons,
-          .seed = options.profile.seed,
-          .cache = options.cache,
-          .progress = options.progress};
+  return {.photons = options.profile.photons, .seed = options.profile.seed, .cache = options.cache};
 }
 
 Source from_medium(const std::string& name, const optics::RgbMedium& medium, const SourceOptions& options,

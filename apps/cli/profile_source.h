@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,8 +21,7 @@ struct SourceOptions {
   std::set<std::string> given;  ///< names of those members
   std::optional<double> oiliness;
   ProfileOptions profile;
-  std::filesystem::path cache;           ///< of Monte-Carlo
-  std::function<void(double)> progress;  ///< the same
+  std::filesystem::path cache;  ///< of Monte-Carlo
 };
 
 /// Three profiles and what is known about them.

@@ -34,12 +34,14 @@ CatchInterrupts::~CatchInterrupts() {
 
 const std::atomic<bool>& interrupted_flag() { return interrupted; }
 
-std::function<void(const PreparationProgress&)> show_preparation() {
-  return [shown = -1](const PreparationProgress& progress) mutable {
-    const int percent = static_cast<int>(100 * progress.share);
-    if (percent != shown) show_line(fmt::format("{}: {} %", progress.what, percent));
-    shown = percent;
+Hooks terminal_hooks() {
+  const auto show = [shown = std::string()](const WorkProgress& work) mutable {
+    const std::string line = fmt::format("{}: {} %", work.what, static_cast<int>(100 * work.share));
+    if (line != shown) show_line(line);
+    shown = line;
+    return true;
   };
+  return {.log = {}, .progress = show, .stop = &interrupted};
 }
 
 std::string duration(double seconds) {

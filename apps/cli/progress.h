@@ -4,10 +4,9 @@
 
 #include <atomic>
 #include <chrono>
-#include <functional>
 #include <string>
 
-#include "dermis/renderer.h"
+#include "dermis/hooks.h"
 
 namespace dermis::cli {
 
@@ -26,8 +25,8 @@ class CatchInterrupts {
 /// The flag that it sets.
 const std::atomic<bool>& interrupted_flag();
 
-/// For Renderer::Options: how far the work before the first frame is, as a line that is rewritten.
-std::function<void(const PreparationProgress&)> show_preparation();
+/// Shows how far long work is, as a line that is rewritten, and ends it at an interrupt.
+Hooks terminal_hooks();
 
 /// "2 h 05 min", "3 min 20 s", "7 s".
 std::string duration(double seconds);

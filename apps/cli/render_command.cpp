@@ -44,10 +44,7 @@ void check_outputs(const RenderArguments& a) {
 
 void render(const RenderArguments& a, int& exit_status) {
   check_outputs(a);
-  Renderer renderer({.device = a.device,
-                     .validate = a.validate,
-                     .stop = &interrupted_flag(),
-                     .progress = show_preparation()});
+  Renderer renderer({.device = a.device, .validate = a.validate, .hooks = terminal_hooks()});
 
   show_line("loading");
   const auto start = std::chrono::steady_clock::now();

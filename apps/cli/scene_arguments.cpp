@@ -8,6 +8,7 @@
 
 #include "cli/brief_log.h"
 #include "cli/command.h"
+#include "cli/progress.h"
 #include "cli/settings_options.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -238,7 +239,8 @@ Scene open_scene(const SceneArguments& arguments) {
   if (!arguments.save_settings.empty()) check_writable(arguments.save_settings);
   const bool built_in =
       arguments.scene.empty() || (arguments.use == SceneUse::comparison && arguments.scene == "built-in");
-  return built_in ? Scene::built_in() : Scene::load(arguments.scene, arguments.options);
+  const Hooks hooks = terminal_hooks();
+  return built_in ? Scene::built_in(hooks) : Scene::load(arguments.scene, arguments.options, hooks);
 }
 
 void check_picture_name(const std::string& path) {

@@ -116,10 +116,7 @@ class Run {
       : scene_(scene),
         settings_(settings),
         tone_map_(settings.render.output.tone_map),
-        renderer_({.device = settings.device,
-                   .validate = false,
-                   .stop = settings.stop,
-                   .progress = settings.progress}) {
+        renderer_({.device = settings.device, .validate = false, .hooks = settings.hooks}) {
     all_.scene = scene.name();
     all_.tone_map = name_of(settings.render.output.tone_map);
     all_.width = settings.render.output.width, all_.height = settings.render.output.height;
@@ -128,7 +125,7 @@ class Run {
 
   SceneComparison result() {
     show_line("regions");
-    all_.regions = picture_regions(scene_, settings_.render);
+    all_.regions = picture_regions(scene_, settings_.render, settings_.hooks);
     if (all_.regions.front().pixels == 0)
       throw input_error(scene_.name(), "shows no skin from this camera: nothing to compare");
     choose_exposure();
@@ -148,7 +145,8 @@ class Run {
 
  private:
   void check_stopped() const {
-    if (settings_.stop && *settings_.stop) throw Cancelled("stopped before all techniques were compared");
+    if (settings_.hooks.stop && *settings_.hooks.stop)
+      throw Cancelled("stopped before all techniques were compared");
   }
 
   // One for all pictures, the reference too.
@@ -163,7 +161,7 @@ class Run {
 
   void render_truth() {
     ReferenceSettings r = settings_.reference;
-    r.stop = settings_.stop;
+    r.stop = settings_.hooks.stop;
     if (::isatty(STDERR_FILENO))
       r.progress = [](const ReferenceProgress& p) {
         show_line(fmt::format("reference: {} samples, noise {:.2f} %", p.samples, p.noise_percent));

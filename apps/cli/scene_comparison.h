@@ -3,8 +3,6 @@
 // side.
 #pragma once
 
-#include <atomic>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,9 +25,7 @@ struct SceneComparisonSettings {
   std::string reference_file;  ///< linear EXR; empty: rendered
   std::string variance_file;   ///< of reference_file; empty: none
   std::string device = "best";
-  const std::atomic<bool>* stop = nullptr;  ///< set: the comparison ends with Cancelled; none: never
-  /// of what is done before the first frame; none: not told
-  std::function<void(const PreparationProgress&)> progress;
+  Hooks hooks{};  ///< for all of it
 };
 
 /// Over the pixels of a region.

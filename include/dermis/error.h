@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Errors of dermis. Three kinds, so that a caller knows whose fault it is:
-///   our own bug          -> the program stops with both values printed (core/assert.h), no exception
-///   bad input            -> InputError: a file or a parameter, with the place in it and what was expected
-///   trouble with a device-> DeviceError: what was needed, what there is, what to try
+///   bad input             -> InputError: a file or a parameter, with the place in it and what was expected
+///   trouble with a device -> DeviceError: what was needed, what there is, what to try
+///   a mistake of dermis   -> InternalError: what should hold, with both values
+/// Work that its caller has ended is none of these: Cancelled, dermis/cancelled.h.
 /// An absence that is expected is a std::optional, never an error.
 #pragma once
 
@@ -23,6 +24,13 @@ class InputError : public std::runtime_error {
 class DeviceError : public std::runtime_error {
  public:
   explicit DeviceError(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// dermis has made a mistake. what() is one line: the condition that should hold, both values, and the place
+/// in the source. A renderer whose call threw it may only be destroyed; other renderers are not concerned.
+class InternalError : public std::logic_error {
+ public:
+  explicit InternalError(const std::string& message) : std::logic_error(message) {}
 };
 
 }  // namespace dermis

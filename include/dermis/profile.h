@@ -5,14 +5,17 @@
 ///   dermis::ScatterProfile p = dermis::profile_of_skin({.melanin = 0.02, .haemoglobin = 0.01});
 ///   dermis::write_profile(p, "skin.json");                 // render --profile skin.json
 ///
-/// Everything throws dermis::InputError for values out of range. Nothing depends on the number of threads;
-/// equal input gives equal bits.
+/// Everything throws dermis::InputError for values out of range, and Cancelled if a hook ends the work.
+/// Nothing depends on the number of threads; equal input gives equal bits.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "dermis/error.h"
+#include "dermis/hooks.h"
 
 namespace dermis {
 
@@ -68,16 +71,19 @@ struct ProfileOptions {
 
 /// "skin1", "skin2", "marble", ..., "skin-layers"; an unknown name lists all. 10 ms by the dipole, seconds by
 /// Monte-Carlo.
-ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options = {});
+ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options = {},
+                                 const Hooks& hooks = {});
 /// Of a half-space with these coefficients (per mm, ranges above): [JMLH01] and the other models of
 /// docs/theory.md; times as above.
-ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const ProfileOptions& options = {});
+ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const ProfileOptions& options = {},
+                                       const Hooks& hooks = {});
 /// Of spectral skin, R_c(r) = Sum w_c(nm) R(nm, r) over 31 wavelengths under D65 (docs/theory.md); multipole,
 /// monte-carlo or auto. Seconds.
-ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& options = {});
+ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& options = {},
+                               const Hooks& hooks = {});
 /// The nearest skin to "#rrggbb" (sRGB) or "L,a,b" (CIELAB); delta_e, if given, receives the distance
 /// (CIE76).
-SpectralSkin skin_of_colour(const std::string& colour, double* delta_e = nullptr);
+SpectralSkin skin_of_colour(const std::string& colour, double* delta_e = nullptr, const Hooks& hooks = {});
 
 /// The profile file that render --profile takes, atomically.
 void write_profile(const ScatterProfile& profile, const std::string& path);

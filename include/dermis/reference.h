@@ -58,6 +58,8 @@ struct ReferenceSettings {
   bool resume = false;
   /// Another thread or a signal sets it to end with the samples that there are. Not owned; may be null.
   const std::atomic<bool>* stop = nullptr;
+  /// Receives warnings and notes (dermis/hooks.h). Empty: standard error.
+  LogSink log{};
   /// Called by the calling thread after each sample of all pixels. May be empty.
   std::function<void(const ReferenceProgress&)> progress{};
 };
@@ -97,7 +99,8 @@ struct PictureRegion {
 /// Returns the parts of a picture where techniques differ from the truth for different reasons, found from
 /// the scene, its camera and its lights: "skin", "ears", "nose", "terminator", "shadow edges", "thin parts",
 /// "folds", "seams", "the rest" (docs/truth.md says how each is found). Any may be empty. Needs no device.
-/// Throws as render_reference() does.
-std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings);
+/// Throws as render_reference() does, and Cancelled if a hook ends the work.
+std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings,
+                                           const Hooks& hooks = {});
 
 }  // namespace dermis

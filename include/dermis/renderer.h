@@ -8,21 +8,20 @@
 ///
 /// A Renderer owns the device, its pipelines, and the scene and environment that it used last. A
 /// PreparedFrame keeps all of these alive and adds the memory of one frame. One thread at a time may use a
-/// Renderer and its frames. Errors are those of dermis/error.h.
+/// Renderer and its frames; several renderers may work at the same time, with the same scenes and the same
+/// cache folder. Errors are those of dermis/error.h.
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "dermis/cancelled.h"
 #include "dermis/error.h"
+#include "dermis/hooks.h"
 #include "dermis/scene.h"
 #include "dermis/settings.h"
 
@@ -88,12 +87,6 @@ struct Picture {
   void save(const std::filesystem::path& path) const;
 };
 
-/// Reports work that takes seconds before a first frame. Its result is kept on disk for later runs.
-struct PreparationProgress {
-  std::string what;  ///< "what the skin sees of its surroundings"
-  double share = 0;  ///< of the work that is done, 0 to 1
-};
-
 class PreparedFrame;
 
 /// Renders scenes on one device.
@@ -105,12 +98,10 @@ class Renderer {
     /// For tests: fills the textures of a frame with NaN before it is drawn, as a driver might leave them. No
     /// picture may show it.
     bool poison = false;
-    /// Another thread, a signal or `progress` sets it to end the work that PreparationProgress reports. Then
-    /// render(), prepare() and PreparedFrame::set() throw Cancelled (dermis/cancelled.h), and nothing
-    /// half-done is kept on disk. Not owned: must outlive the renderer and its frames. May be null.
-    const std::atomic<bool>* stop = nullptr;
-    /// Called during that work: by any thread, but never by two at once. May be empty.
-    std::function<void(const PreparationProgress&)> progress{};
+    /// For all calls of the renderer and its frames. `log` receives what each of them says. The others
+    /// concern the work that takes seconds before a first frame: render(), prepare() and PreparedFrame::set()
+    /// throw Cancelled if they end it, and nothing half-done is kept on disk.
+    Hooks hooks{};
   };
 
   /// Takes the best device, without validation.
@@ -125,7 +116,7 @@ class Renderer {
   /// - InputError: a setting out of range (names it and the range), an unknown name (lists the known ones), a
   ///   profile or environment that cannot be read;
   /// - DeviceError: too little memory, or more than the device's limits;
-  /// - Cancelled: Options::stop was set.
+  /// - Cancelled: a hook has ended the work.
   Picture render(const Scene& scene, const RenderSettings& settings = {});
 
   /// Returns a frame that can be drawn many times. Uploads the scene unless it is the one used last. Throws
@@ -182,7 +173,8 @@ std::vector<std::string> technique_names();
 std::vector<std::string> tone_map_names();
 
 /// Returns the passes of the frame that render() would draw, as text or in Graphviz's dot language. Needs no
-/// device. Throws InputError as render() does.
-std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot = false);
+/// device. Throws as render() does.
+std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot = false,
+                          const Hooks& hooks = {});
 
 }  // namespace dermis

@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "dermis/hooks.h"
+
 namespace dermis {
 
 namespace scene {
@@ -25,11 +27,14 @@ struct SceneOptions {
 
 class Scene {
  public:
-  /// glTF 2.0, .gltf or .glb. InputError: one line with file and place. Doubtful things are warnings on
-  /// stderr.
-  static Scene load(const std::filesystem::path& path, const SceneOptions& options = {});
-  /// The head that is built into the library; no file needed.
-  static Scene built_in();
+  /// Loads glTF 2.0, .gltf or .glb. Warns of doubtful things. Takes seconds with large maps. Throws
+  /// - InputError: one line with file and place;
+  /// - Cancelled: a hook has ended the work.
+  static Scene load(const std::filesystem::path& path, const SceneOptions& options = {},
+                    const Hooks& hooks = {});
+  /// Makes the head that is built into the library; no file needed. Takes seconds. Throws Cancelled as load()
+  /// does.
+  static Scene built_in(const Hooks& hooks = {});
   /// A scene made by other means.
   explicit Scene(std::shared_ptr<const scene::Scene> data) : data_(std::move(data)) {}
 

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "api/exposure.h"
-#include "api/memory.h"
 #include "api/output.h"
 #include "api/renderer_state.h"
 #include "core/cache.h"
 #include "core/error.h"
+#include "core/hooks.h"
 #include "core/log.h"
 #include "core/warnings.h"
 #include "dermis/cancelled.h"
@@ -45,6 +45,7 @@ struct PreparedFrame::State {
   void add_environment();
   void draw(bool with_statistics);
   void count();
+  Picture picture();
 };
 
 void PreparedFrame::State::set(const RenderSettings& wanted) {
@@ -161,22 +162,17 @@ void PreparedFrame::State::add_environment() {
   api::SharedScene& shared = *scene;
   const std::size_t meshes = shared.subject.skin.size();
 
+  Steps steps("what the skin sees of its surroundings", meshes - shared.bent_normal.size());
   for (std::size_t i = shared.bent_normal.size(); i < meshes; ++i) {
-    environment::BakeWatch watch{.stop = renderer->options.stop};
-    if (renderer->options.progress)
-      watch.progress = [&](double share) {
-        renderer->options.progress({.what = "what the skin sees of its surroundings",
-                                    .share = (static_cast<double>(i) + share) / static_cast<double>(meshes)});
-      };
-
     environment::Occlusion seen =
         environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], cache::default_folder(),
-                                      {.side = environment::occlusion_side(meshes)}, watch);
+                                      {.side = environment::occlusion_side(meshes)});
     shared.gpu->skin[i].bent_normal =
         passes::unwrap_map(device(), shared.gpu->skin[i].name + " bent normal", seen.side, seen.values);
     // Free what the device has now; each new sky needs only the rest.
     seen.values = {};
     shared.bent_normal.push_back(std::move(seen));
+    steps.done();
   }
 
   const double rotation_deg = settings.lighting.environment_rotation_deg;
@@ -204,7 +200,7 @@ void PreparedFrame::State::count() {
 PreparedFrame Renderer::prepare(const Scene& scene, const RenderSettings& settings) {
   auto state =
       std::make_unique<PreparedFrame::State>(PreparedFrame::State{.renderer = state_, .source = scene});
-  api::naming_the_scene(scene, [&] { state->set(settings); });
+  state_->preparing(scene, [&] { state->set(settings); });
   return PreparedFrame(std::move(state));
 }
 
@@ -214,11 +210,11 @@ PreparedFrame& PreparedFrame::operator=(PreparedFrame&&) noexcept = default;
 PreparedFrame::~PreparedFrame() = default;
 
 void PreparedFrame::set(const RenderSettings& settings) {
-  api::naming_the_scene(state_->source, [&] { state_->set(settings); });
+  state_->renderer->preparing(state_->source, [&] { state_->set(settings); });
 }
 
 double PreparedFrame::draw() {
-  return api::naming_the_scene(state_->source, [&] {
+  return state_->renderer->drawing(state_->source, [&] {
     state_->count();
     if (state_->renderer->options.poison) state_->executor->poison();
     state_->times.push_back(state_->executor->run(state_->data));
@@ -235,30 +231,33 @@ std::vector<PassStatistics> PreparedFrame::last_passes() const {
 }
 
 Picture PreparedFrame::picture() {
-  State& s = *state_;
-  s.count();
+  return state_->renderer->drawing(state_->source, [&] { return state_->picture(); });
+}
+
+Picture PreparedFrame::State::picture() {
+  count();
   Picture picture;
   Statistics& statistics = picture.statistics;
 
-  statistics.timing = s.executor->separate_submissions() ? "submit" : "timestamp";
-  if (!s.times.empty()) api::fill_times(statistics, s.times);
-  api::fill_counts(statistics, s.scene->subject, s.settings, s.setup, s.counters);
-  statistics.upload_ms = s.scene->upload_ms;
-  statistics.pipeline_ms = s.pipeline_ms;
+  statistics.timing = executor->separate_submissions() ? "submit" : "timestamp";
+  if (!times.empty()) api::fill_times(statistics, times);
+  api::fill_counts(statistics, scene->subject, settings, setup, counters);
+  statistics.upload_ms = scene->upload_ms;
+  statistics.pipeline_ms = pipeline_ms;
 
-  const gpu::DeviceSummary& summary = s.device().summary();
+  const gpu::DeviceSummary& summary = device().summary();
   statistics.device = summary.name;
   statistics.driver = summary.driver;
   statistics.api = summary.api;
-  statistics.image_bytes = s.device().image_bytes();
-  statistics.buffer_bytes = s.device().buffer_bytes();
-  statistics.peak_bytes = s.device().peak_bytes();
+  statistics.image_bytes = device().image_bytes();
+  statistics.buffer_bytes = device().buffer_bytes();
+  statistics.peak_bytes = device().peak_bytes();
 
-  statistics.exposure_ev = s.exposure_ev.value_or(0);
-  if (!s.settings.output.exposure_ev && s.exposure_ev)
-    statistics.skin_mean = api::mean_skin_luminance(api::read_before_bloom(*s.executor, s.outputs));
+  statistics.exposure_ev = exposure_ev.value_or(0);
+  if (!settings.output.exposure_ev && exposure_ev)
+    statistics.skin_mean = api::mean_skin_luminance(api::read_before_bloom(*executor, outputs));
 
-  api::read_picture(picture, *s.executor, s.outputs, s.settings, s.setup);
+  api::read_picture(picture, *executor, outputs, settings, setup);
   return picture;
 }
 

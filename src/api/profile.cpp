@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/hooks.h"
 #include "dermis/profile.h"
 #include "gaussians/fit.h"
 #include "gaussians/json.h"
@@ -77,7 +78,8 @@ ScatterProfile of_medium(const std::string& name, const optics::RgbMedium& mediu
 
 // All options are checked before the work: Monte-Carlo takes seconds.
 
-ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options) {
+ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& options, const Hooks& hooks) {
+  const HookScope scope(hooks);
   check_ranges(options);
   if (name == "skin-layers") {
     const optics::RgbLayers skin = optics::donner_jensen_skin();
@@ -89,7 +91,9 @@ ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& 
   return of_medium(name, material->medium(), options);
 }
 
-ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const ProfileOptions& options) {
+ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const ProfileOptions& options,
+                                       const Hooks& hooks) {
+  const HookScope scope(hooks);
   check_ranges(options);
   check_ranges(coefficients);
   optics::RgbMedium medium;
@@ -99,7 +103,8 @@ ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const P
   return of_medium("coefficients", medium, options);
 }
 
-ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& options) {
+ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& options, const Hooks& hooks) {
+  const HookScope scope(hooks);
   check_ranges(options);
   check_ranges(skin);
   const optics::Skin inner = optics::skin_of(skin);
@@ -108,7 +113,8 @@ ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& o
                 options);
 }
 
-SpectralSkin skin_of_colour(const std::string& colour, double* delta_e) {
+SpectralSkin skin_of_colour(const std::string& colour, double* delta_e, const Hooks& hooks) {
+  const HookScope scope(hooks);
   const optics::SkinMatch match = optics::nearest_skin(optics::parse_colour(colour, "colour"));
   if (delta_e != nullptr) *delta_e = match.delta_e;
   return optics::spectral_skin(match.skin);

@@ -8,6 +8,7 @@
 
 #include "api/memory.h"
 #include "core/error.h"
+#include "core/hooks.h"
 #include "core/log.h"
 #include "image/codec.h"
 #include "image/tone_map.h"
@@ -197,6 +198,7 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
 }  // namespace
 
 ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
+  const HookScope scope(Hooks{.log = r.log});
   return api::naming_the_scene(scene, [&] { return rendered(scene, s, r); });
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "regions/regions.h"
 
+#include "core/hooks.h"
 #include "dermis/reference.h"
 #include "setup/reference_setup.h"
 
 namespace dermis {
 
-std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings) {
+std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings,
+                                           const Hooks& hooks) {
+  const HookScope scope(hooks);
   const reference::RenderSetup setup = setup::reference_setup(scene.data(), settings);
   const rays::RayScene rays(scene.data());
   std::vector<PictureRegion> out;

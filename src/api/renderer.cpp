@@ -33,7 +33,10 @@ std::shared_ptr<const setup::EnvironmentLight> Renderer::State::environment_ligh
              setup::environment_light(device, settings.lighting.environment));
 }
 
-Renderer::Renderer(const Options& options) : state_(std::make_shared<State>(options)) {}
+Renderer::Renderer(const Options& options) {
+  const HookScope scope(Hooks{.log = options.hooks.log});
+  state_ = std::make_shared<State>(options);
+}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
@@ -56,7 +59,8 @@ std::vector<std::string> technique_names() {
 
 std::vector<std::string> tone_map_names() { return {names_of<ToneMap>.begin(), names_of<ToneMap>.end()}; }
 
-std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot) {
+std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot, const Hooks& hooks) {
+  const HookScope scope(hooks);
   setup::check_settings(settings);
   std::vector<scene::Light> environment_lights;
   if (!settings.lighting.environment.empty())

@@ -5,6 +5,7 @@
 
 #include "builtin_head/maps.h"
 #include "core/error.h"
+#include "core/hooks.h"
 #include "scene/tangents.h"
 
 namespace dermis::builtin_head {
@@ -75,12 +76,17 @@ scene::Scene make(const Settings& settings) {
   const int size = settings.map_size;
   if (size < 64 || size > 4096 || (size & (size - 1)) != 0)
     throw input_error("built-in head", "map size must be a power of two from 64 to 4096, got {}", size);
+  Steps steps("making the built-in head", 3);
   const Sculpture bust;
+  steps.done();
+
   const Net net = wrap(bust, columns, rows);
   scene::Scene scene;
   scene.name = "built-in";
   scene.primitives.push_back(make_mesh(net));
   scene.materials.push_back(make_material());
+  steps.done();
+
   Maps maps = bake(bust, net, scene.primitives.front(), size);
   const auto add = [&](const char* name, image::Image8&& pixels) {
     scene.images.push_back({name, std::make_shared<const image::Image8>(std::move(pixels))});
@@ -88,6 +94,7 @@ scene::Scene make(const Settings& settings) {
   add("built-in colour", std::move(maps.colour));
   add("built-in normal", std::move(maps.normal));
   add("built-in specular and roughness", std::move(maps.reflection));
+  steps.done();
   return scene;
 }
 

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/assert.h"
 
-#include <cstdio>
-#include <cstdlib>
+#include "dermis/error.h"
 
 namespace dermis {
 
 void assertion_failed(std::string_view expression, std::string_view values, const char* file, int line) {
-  std::fputs(fmt::format("dermis: internal error: {}{}{} ({}:{})\n", expression, values.empty() ? "" : ": ",
-                         values, file, line)
-                 .c_str(),
-             stderr);
-  std::abort();
+  throw InternalError(fmt::format("internal error: {}{}{} ({}:{})", expression, values.empty() ? "" : ": ",
+                                  values, file, line));
 }
 
 }  // namespace dermis

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Assertions for our own bugs: they print both values and stop, in release too. Keep them out of inner loops.
+// Assertions for our own mistakes: they throw InternalError with both values, in release too. Keep them out
+// of inner loops.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Warnings and notes for the user. They go to stderr, one line each, or to a sink that a test or an engine
-// sets.
+// Warnings and notes for the user. They go to the sink of the hooks of this thread (core/hooks.h), else to
+// standard error.
 #pragma once
 
 #include <fmt/format.h>
 
-#include <functional>
 #include <string>
+
+#include "dermis/hooks.h"
 
 namespace dermis {
 
-enum class LogLevel { note, warning };
-using LogSink = std::function<void(LogLevel, const std::string& line)>;
-
-/// Replaces the sink (default: stderr, "dermis: warning: ..."); an empty one restores the default. Returns
-/// the former sink.
-LogSink set_log_sink(LogSink sink);
+/// Hands a line on; breaks it nowhere.
 void log_line(LogLevel level, const std::string& line);
 
 template <class... Args>

@@ -9,12 +9,18 @@
 #include <thread>
 #include <vector>
 
+#include "core/hooks.h"
+
 namespace dermis {
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   const std::size_t threads = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+  const Errand errand = current_errand();
   if (threads <= 1) {
-    for (std::size_t i = 0; i < count; ++i) body(i);
+    for (std::size_t i = 0; i < count; ++i) {
+      stop_if_cancelled(errand);
+      body(i);
+    }
     return;
   }
 
@@ -22,8 +28,12 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   std::exception_ptr first_error;
   std::mutex error_mutex;
   const auto work = [&] {
+    const HookScope helping(errand);
     try {
-      for (std::size_t i; (i = next.fetch_add(1)) < count;) body(i);
+      for (std::size_t i; (i = next.fetch_add(1)) < count;) {
+        stop_if_cancelled(errand);
+        body(i);
+      }
     } catch (...) {
       const std::lock_guard lock(error_mutex);
       if (!first_error) first_error = std::current_exception();

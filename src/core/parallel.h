@@ -8,8 +8,9 @@
 
 namespace dermis {
 
-/// Calls body(i) for every i in [0, count), in any order, on all cores. The first exception is rethrown after
-/// all threads have ended.
+/// Calls body(i) for every i in [0, count), in any order, on all cores, with the hooks of the calling thread
+/// (core/hooks.h). The first exception is rethrown after all threads have ended. Throws Cancelled if the
+/// caller of the library ends the work.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
 }  // namespace dermis

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 #include <optional>
 
 #include "core/assert.h"
+#include "core/hooks.h"
 #include "core/parallel.h"
-#include "dermis/cancelled.h"
 #include "environment/sky_rays.h"
 #include "image/colour.h"
 #include "rays/ray_scene.h"
@@ -281,27 +280,6 @@ std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const Texel& te
   return Place{a * w + b * u + c * v, n, face};
 }
 
-// Counts finished rows of texels for BakeWatch.
-class Rows {
- public:
-  Rows(int count, const BakeWatch& watch) : count_(count), watch_(watch) {}
-  /// Throws Cancelled if stopped.
-  void begin() const {
-    if (watch_.stop && watch_.stop->load(std::memory_order_relaxed))
-      throw Cancelled("stopped while it was found what the skin sees of its surroundings");
-  }
-  void done() {
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    if (watch_.progress) watch_.progress(static_cast<double>(done_) / count_);
-  }
-
- private:
-  int count_, done_ = 0;
-  const BakeWatch& watch_;
-  std::mutex mutex_;
-};
-
 }  // namespace
 
 int occlusion_side(std::size_t meshes) {
@@ -312,7 +290,7 @@ int occlusion_side(std::size_t meshes) {
 }
 
 Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
-                         const OcclusionSettings& settings, const BakeWatch& watch) {
+                         const OcclusionSettings& settings) {
   DERMIS_ASSERT_LE(16, settings.side);
   DERMIS_ASSERT_LE(settings.side, 4096);
   DERMIS_ASSERT_LE(1, settings.rays);
@@ -320,13 +298,12 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
   const rays::RayScene rays(scene);
   const Grid grid = rasterise(mesh, settings.side);
   const RaySet set(settings.rays);
-  Rows rows(settings.side, watch);
+  Steps rows("what the skin sees of its surroundings", static_cast<std::size_t>(settings.side));
 
   // First pass: rays from each texel, then noise filter and dilation.
   std::vector<Around> around(grid.texels.size());
   std::vector<Seen> seen(grid.texels.size(), all_of_it);
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
-    rows.begin();
     for (int x = 0; x < grid.side; ++x) {
       const std::size_t i = grid.at(x, static_cast<int>(row));
       if (!grid.texels[i].covered()) continue;

@@ -8,10 +8,8 @@
 ///         diffuse transfer)
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -45,24 +43,16 @@ struct OcclusionSettings {
 /// then smaller, down to 64, so that all together have no more texels than four maps of 512.
 int occlusion_side(std::size_t meshes);
 
-/// Reports and stops a bake, which takes seconds; both members may be empty.
-struct BakeWatch {
-  std::function<void(double share)> progress{};  ///< 0 to 1, rising; called by one thread at a time
-  const std::atomic<bool>* stop =
-      nullptr;  ///< set by another thread, a signal or `progress` to stop the bake
-};
-
 /// Bakes the occlusion of a mesh. Occluders are opaque materials and what the alpha test leaves of cut-out
-/// ones; blended parts (lashes, brows) are none. The result does not depend on the number of threads. Throws
-/// Cancelled if stopped.
+/// ones; blended parts (lashes, brows) are none. The result does not depend on the number of threads. Counts
+/// steps (core/hooks.h): takes seconds, and throws Cancelled if its caller ends it.
 Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
-                         const OcclusionSettings& settings = {}, const BakeWatch& watch = {});
+                         const OcclusionSettings& settings = {});
 
 /// Bakes, or reads the result from a file in `folder` (no files if empty; see core/cache.h), named by a hash
-/// of all that it depends on. Writes nothing if stopped.
+/// of all that it depends on. Writes nothing if cancelled.
 Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
-                           const std::filesystem::path& folder, const OcclusionSettings& settings = {},
-                           const BakeWatch& watch = {});
+                           const std::filesystem::path& folder, const OcclusionSettings& settings = {});
 
 /// Irradiance per texel, side * side * 4 values, RGB never negative.
 struct SkyLight {

@@ -146,15 +146,14 @@ void round_to_half(Occlusion& occlusion) {
 }  // namespace
 
 Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
-                           const std::filesystem::path& folder, const OcclusionSettings& settings,
-                           const BakeWatch& watch) {
+                           const std::filesystem::path& folder, const OcclusionSettings& settings) {
   const Hash hash = hash_of(scene, mesh, settings);
   const std::filesystem::path file =
       folder.empty() ? folder : folder / fmt::format("occlusion-{:016x}.bin", hash.state()[0]);
   if (const auto bytes = cache::read(file, most_bytes))
     if (Occlusion found = read(*bytes, hash, settings.side); found.side > 0) return found;
 
-  Occlusion made = bake_occlusion(scene, mesh, settings, watch);
+  Occlusion made = bake_occlusion(scene, mesh, settings);
   round_to_half(made);
   if (!file.empty()) cache::write(file, write(made, hash));
   return made;

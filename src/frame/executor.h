@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "core/hooks.h"
 #include "frame/barriers.h"
 #include "frame/plan.h"
 #include "frame/resources.h"
@@ -67,7 +68,11 @@ class Executor : public GraphExecutor {
   /// Makes pipelines and resources. Throws DeviceError if memory does not suffice.
   Executor(gpu::PipelineLibrary& library, const FramePlan<Context>& plan)
       : GraphExecutor(library, plan), steps_(plan.steps()) {
-    for (const auto& step : steps_) step.prepare(library);
+    Steps pipelines("making pipelines", steps_.size());
+    for (const auto& step : steps_) {
+      step.prepare(library);
+      pipelines.done();
+    }
   }
 
   /// Records one frame with a debug label and (with a timer) a pair of time stamps around each pass. The

@@ -73,17 +73,19 @@ std::vector<Candidate> coarse_grid(const Skin& fixed) {
   const std::lock_guard lock(mutex);
   if (!grid.empty() && made_for == key) return grid;
 
-  grid.assign(grid_columns * grid_rows, {});
-  parallel_for(grid.size(), [&](std::size_t i) {
+  // The kept grid stays whole if the caller ends the work.
+  std::vector<Candidate> made(grid_columns * grid_rows);
+  parallel_for(made.size(), [&](std::size_t i) {
     const std::size_t column = i % grid_columns, row = i / grid_columns;
     const double m = static_cast<double>(column) / (grid_columns - 1),
                  h = static_cast<double>(row) / (grid_rows - 1);
-    grid[i] = evaluate(fixed,
+    made[i] = evaluate(fixed,
                        {std::log(least_melanin) + m * std::log(most_melanin / least_melanin),
                         std::log(least_blood) + h * std::log(most_blood / least_blood)},
                        4);
   });
 
+  grid = std::move(made);
   made_for = key;
   return grid;
 }

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "core/hooks.h"
 #include "gpu/device.h"
 #include "gpu/texture_upload.h"
 #include "image/colour.h"
@@ -228,6 +229,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
   white_ = single_texel(device, "white", {255, 255, 255, 255});
   flat_normal_ = single_texel(device, "flat normal", {128, 128, 255, 255});
 
+  Steps steps("bringing the scene to the device", scene.materials.size() + skin_meshes.size());
   for (const scene::Material& m : scene.materials) {
     GpuMaterial material;
     material.name = m.name;
@@ -275,10 +277,14 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
     }
 
     materials.push_back(std::move(material));
+    steps.done();
   }
 
   directional_albedo = upload_directional_albedo(device);
-  for (std::size_t i = 0; i < skin_meshes.size(); ++i) skin.push_back(upload_skin(device, skin_meshes[i], i));
+  for (std::size_t i = 0; i < skin_meshes.size(); ++i) {
+    skin.push_back(upload_skin(device, skin_meshes[i], i));
+    steps.done();
+  }
   surfaces = upload_surfaces(device, scene);
   unmoved = passes::unmoved(device);
 }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "core/hooks.h"
 #include "profile/beam.h"
 #include "profile/dipole.h"
 #include "profile/slab.h"
@@ -48,7 +49,13 @@ ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, con
         "model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", albedo,
         channel_name[lowest], albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
-  for (int c = 0; c < 3; ++c) out.profiles[c] = homogeneous(medium[c], out.model, options);
+
+  Steps channels("how light spreads in skin", 3);
+  for (int c = 0; c < 3; ++c) {
+    out.profiles[c] = homogeneous(medium[c], out.model, options);
+    channels.done();
+  }
+
   check_reflects(out, where);
   return out;
 }
@@ -94,12 +101,14 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
           lowest, place, lowest >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
 
+  Steps channels("how light spreads in skin", 3);
   for (int c = 0; c < 3; ++c) {
     const optics::Layers one = optics::channel(layers, c);
     if (out.model == Model::monte_carlo)
       out.profiles[c] = std::make_shared<MonteCarloProfile>(scene_of(one), options);
     else
       out.profiles[c] = std::make_shared<LayeredProfile>(one, LayeredProfile::Side::reflected, where);
+    channels.done();
   }
 
   check_reflects(out, where);

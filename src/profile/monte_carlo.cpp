@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <numbers>
 
 #include "core/error.h"
+#include "core/hooks.h"
 #include "core/parallel.h"
 #include "profile/monte_carlo_cache.h"
 #include "profile/photon.h"
@@ -119,8 +119,7 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
   empty.leave_single_out = single_is_exact(layers, scene.light);
 
   std::vector<PhotonTally> tallies(batches, empty);
-  std::mutex mutex;
-  std::size_t finished = 0;
+  Steps steps("how light spreads in skin", batches);
   parallel_for(batches, [&](std::size_t batch) {
     const std::uint64_t begin = options.photons * batch / batches,
                         end = options.photons * (batch + 1) / batches;
@@ -128,10 +127,7 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
     for (std::uint64_t photon = begin; photon < end; ++photon)
       trace_photon(layers, scene.light, PhotonRandom(options.seed, photon), tally);
     tallies[batch] = std::move(tally);
-
-    if (!options.progress) return;
-    const std::lock_guard lock(mutex);
-    options.progress(static_cast<double>(++finished) / batches);
+    steps.done();
   });
 
   const auto exact =
@@ -173,10 +169,7 @@ std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene,
                                                     const MonteCarloOptions& options) {
   check(scene, options);
   const std::string key = cache_key(scene, options);
-  if (auto found = cached(key, options.cache)) {
-    if (options.progress) options.progress(1);
-    return found;
-  }
+  if (auto found = cached(key, options.cache)) return found;
   auto result = std::make_shared<const MonteCarloResult>(simulate(scene, options));
   remember(key, options.cache, result);
   return result;

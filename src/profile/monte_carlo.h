@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,9 +24,6 @@ struct MonteCarloOptions {
   std::uint64_t seed = ProfileOptions().seed;
   /// Folder in which results are kept; empty: only in memory. A damaged entry is computed again.
   std::filesystem::path cache;
-  /// Receives how much of a run is done, above 0 to 1: called after each batch, from one thread at a time;
-  /// called once with 1 if a kept result was found. It must not throw, and does not affect the result.
-  std::function<void(double)> progress = {};
 };
 
 /// A layer for photons: true scattering with a Henyey-Greenstein phase function, per mm.
@@ -77,7 +73,8 @@ struct MonteCarloResult {
 /// random numbers, so that equal options give equal bits on any number of threads. Absorption reduces
 /// weights, outer boundaries split the weight, weights below 1e-3 play roulette [WJZ95 sec. 3]. A photon ends
 /// after 200,000 scatterings, which matters only without absorption (0.5 % of the light). Results are kept in
-/// memory (the last 64) and in options.cache. Throws InputError for values out of range.
+/// memory (the last 64) and in options.cache. Counts steps (core/hooks.h).
+/// Throws InputError for values out of range, Cancelled if its caller ends it.
 std::shared_ptr<const MonteCarloResult> monte_carlo(const ScatterScene& scene,
                                                     const MonteCarloOptions& options);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/hooks.h"
 #include "optics/observer.h"
 #include "optics/skin_colour.h"
 #include "profile/slab.h"
@@ -131,6 +132,7 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
   const optics::Rgb exact = optics::skin_reflectance(skin);
   std::array<std::vector<WeightedProfile::Part>, 3> parts;
 
+  Steps wavelengths("how light spreads in skin", samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const optics::Layers layers = optics::skin_layers(skin, sample_nm(i));
     ProfilePtr one;
@@ -141,6 +143,7 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
       one = std::make_shared<LayeredProfile>(layers, LayeredProfile::Side::reflected, where);
     }
     for (int c = 0; c < 3; ++c) parts[c].push_back({weights[i][c], one});
+    wavelengths.done();
   }
 
   const std::string name =

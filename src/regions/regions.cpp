@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/hooks.h"
 #include "core/parallel.h"
 #include "rays/alpha_test.h"
 #include "reference/camera_ray.h"
@@ -62,9 +63,11 @@ class Finder {
     const auto width = static_cast<std::size_t>(setup.width);
     seen_.resize(width * static_cast<std::size_t>(setup.height));
     const std::vector<std::vector<std::uint32_t>> charts = charts_of(rays.scene());
+    Steps rows("the surface at each pixel", static_cast<std::size_t>(setup.height));
     parallel_for(static_cast<std::size_t>(setup.height), [&](std::size_t y) {
       for (std::size_t x = 0; x < width; ++x)
         seen_[y * width + x] = look(static_cast<int>(x), static_cast<int>(y), charts);
+      rows.done();
     });
   }
 
@@ -212,11 +215,16 @@ class Finder {
 }  // namespace
 
 std::vector<Region> find(const rays::RayScene& rays, const reference::RenderSetup& setup) {
+  Steps steps("finding the regions of the picture", 1 + setup.lights.size());
   const Finder finder(rays, setup);
+  steps.done();
+
   Mask terminator(static_cast<std::size_t>(setup.width) * static_cast<std::size_t>(setup.height)),
       shadow_edges = terminator;
-  for (const scene::Light& light : setup.lights)
+  for (const scene::Light& light : setup.lights) {
     if (light.colour != glm::vec3(0)) finder.add_light(light, terminator, shadow_edges);
+    steps.done();
+  }
 
   std::vector<Region> all;
   const auto add = [&](const char* name, Mask mask) {

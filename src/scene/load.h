@@ -19,8 +19,8 @@ struct LoadOptions {
   double texture_budget_mb = SceneOptions().texture_budget_mb;  ///< as SceneOptions
 };
 
-/// Loads glTF 2.0, .gltf or .glb. Makes missing normals and tangents (scene/tangents.h). Warnings go to
-/// core/log.h.
+/// Loads glTF 2.0, .gltf or .glb. Makes missing normals and tangents (scene/tangents.h). Warns (core/log.h)
+/// and counts steps (core/hooks.h): throws Cancelled if its caller ends it.
 Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options = {});
 
 }  // namespace dermis::scene

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/hooks.h"
 #include "image/colour.h"
 #include "passes/gpu_scene.h"
 
@@ -38,14 +39,19 @@ EnvironmentLight environment_light(gpu::Device& device, const std::string& name)
                         .bouncing_sky = {},
                         .map = {}};
 
+  Steps steps("preparing the environment", 3);
   environment::Split split = environment::split_sources(environment::from_name_or_file(name));
+  steps.done();
   made.sources = std::move(split.sources);
   made.irradiance = environment::irradiance_of(split.remainder);
+
+  steps.done();
 
   const std::vector<image::ImageF> levels = environment::prefilter(split.remainder);
   const environment::SkyHarmonics sky = environment::sky_of(levels.front());
   made.sky = environment::without_ringing(sky);
   made.bouncing_sky = environment::without_ringing(with_sources(sky, made.sources), bounced_order);
+  steps.done();
 
   std::vector<std::uint16_t> halves;
   for (const image::ImageF& level : levels)

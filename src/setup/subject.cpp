@@ -2,6 +2,7 @@
 #include "setup/subject.h"
 
 #include "core/error.h"
+#include "core/hooks.h"
 #include "core/warnings.h"
 #include "scene/coverage.h"
 #include "scene/framing.h"
@@ -12,9 +13,11 @@ Subject examine(std::shared_ptr<const scene::Scene> scene) {
   const WarningGroup group;
   Subject subject;
   subject.skin = scene::skin_meshes(*scene);
+  Steps steps("measuring the unwrap", subject.skin.size());
   for (const scene::SkinMesh& mesh : subject.skin) {
     scene::warn_overlap(mesh);
     subject.densities.push_back(scene::unwrap_density(mesh, scene->mm_per_unit));
+    steps.done();
   }
 
   subject.sphere = scene::skin_sphere(*scene);

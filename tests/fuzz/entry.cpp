@@ -2,12 +2,12 @@
 // What libFuzzer calls. DERMIS_FUZZ_TARGET is the name of one of the functions of targets.h.
 #include <cstdint>
 
-#include "core/log.h"
+#include "core/hooks.h"
 #include "targets.h"
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
   // Warnings about hostile files would be all that one sees, and most of what is done.
-  dermis::set_log_sink([](dermis::LogLevel, const std::string&) {});
+  static const dermis::HookScope quiet({.log = [](dermis::LogLevel, const std::string&) {}});
   return 0;
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/file.h"
-#include "core/log.h"
+#include "support/log_lines.h"
 #include "targets.h"
 
 namespace dermis::fuzz {
@@ -45,10 +45,7 @@ std::vector<fs::path> files_of(const std::string& target) {
 
 class Seeds : public testing::TestWithParam<std::string> {
  protected:
-  void SetUp() override {
-    set_log_sink([](LogLevel, const std::string&) {});
-  }
-  void TearDown() override { set_log_sink({}); }
+  tests::LogLines quiet_;
 };
 
 TEST_P(Seeds, AreAcceptedOrRefusedInOneLine) {

@@ -200,7 +200,12 @@ void measure(Renderer& renderer, const Scene& scene, const Task& task, Run& run,
 
   Bench bench{renderer, scene, task, run, Progress(total)};
   for (const Place& place : places_of(task)) {
-    std::optional<Cell> cell = bench.cell(place);
+    std::optional<Cell> cell;
+    try {
+      cell = bench.cell(place);
+    } catch (const Cancelled&) {
+      // Stopped while a frame was prepared: the cells before it count.
+    }
     if (!cell) break;
     run.cells.push_back(std::move(*cell));
     bench.progress.clear();

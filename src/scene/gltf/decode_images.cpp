@@ -8,6 +8,7 @@
 #include <queue>
 
 #include "core/error.h"
+#include "core/hooks.h"
 #include "core/log.h"
 #include "core/one_line.h"
 #include "core/parallel.h"
@@ -162,6 +163,7 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
 
   Gate gate;
   scene.images.resize(decoded.size());
+  Steps images("reading maps", decoded.size());
   parallel_for(decoded.size(), [&](std::size_t i) {
     const Use& use = *decoded[i];
     const std::string where = place_of(document, use.source);
@@ -176,6 +178,7 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
           where, "needs more memory than there is for {} x {} pixels; a smaller texture_budget_mb takes less",
           use.width(), use.height());
     }
+    images.done();
   });
   for (Material& m : scene.materials)
     for_each_map(m, [&](MapRef& map, bool colour) {

@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "core/hooks.h"
 #include "core/one_line.h"
 #include "core/warnings.h"
 #include "scene/gltf/finish.h"
@@ -55,6 +56,7 @@ void warn_of_size(const Document& document, const Scene& scene) {
 }
 
 Scene load(const std::filesystem::path& path, const LoadOptions& options) {
+  Steps steps("reading " + one_line(path.filename().string()), 3);
   const Container container = open_container(path);
   const json::Document json = parse(container.json, path.string());
   const Document document = read_document(json.root(), container, path);
@@ -75,14 +77,20 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   Placed placed = place_meshes(document, bytes, numbers, options);
   scene.primitives = std::move(placed.primitives);
   leave_out_maps_without_uv(document, placed, scene);
+  steps.done();
+
   for (std::size_t i = 0; i < scene.primitives.size(); ++i)
     complete_surface(scene.primitives[i], scene.materials[scene.primitives[i].material],
                      placed.file_tangents[i]);
+  steps.done();
+
   place_lights_and_cameras(document, options.unit_scale, scene);
   decode_images(document, bytes,
                 {.max_side = options.max_map_side,
                  .budget_bytes = static_cast<std::uint64_t>(options.texture_budget_mb * 1e6)},
                 scene);
+  steps.done();
+
   warn_of_size(document, scene);
   return scene;
 }

@@ -139,7 +139,7 @@ TEST(Surroundings, UnknownOnesAreRefusedAndNothingChanges) {
 // What is baked is never kept here, so each run of the test bakes anew.
 TEST(Environment, AFrameStoppedWhileItIsPreparedIsNotDrawn) {
   std::atomic<bool> stop{false};
-  Renderer own({.device = "best", .validate = false, .stop = &stop, .progress = {}});
+  Renderer own({.hooks = {.stop = &stop}});
   const Scene scene = wrap(scene::sphere(0.0713, 6));
   RenderSettings s = small_settings("texture-space");
   s.output.width = s.output.height = 32;

@@ -9,10 +9,10 @@
 #include <iostream>
 
 #include "core/error.h"
-#include "core/log.h"
 #include "gpu/support/renderer.h"
 #include "gpu/unwraps/made_up.h"
 #include "support/assets.h"
+#include "support/log_lines.h"
 
 namespace dermis::tests {
 namespace {
@@ -36,11 +36,6 @@ std::vector<fs::path> files() {
   return found;
 }
 
-struct Quiet {
-  LogSink former = set_log_sink([](LogLevel, const std::string&) {});
-  ~Quiet() { set_log_sink(former); }
-};
-
 // Reads of texels without light, over three views; none if the file cannot be drawn.
 std::optional<std::uint64_t> unshaded_reads(const fs::path& file) {
   try {
@@ -58,7 +53,7 @@ std::optional<std::uint64_t> unshaded_reads(const fs::path& file) {
 }
 
 TEST(Corpus, EachReadFindsLight) {
-  const Quiet quiet;
+  LogLines quiet;
   int drawn = 0;
   for (const fs::path& file : files()) {
     const std::optional<std::uint64_t> reads = unshaded_reads(file);

@@ -4,15 +4,15 @@
 #include <fstream>
 
 #include "core/file.h"
-#include "core/log.h"
 #include "fixture.h"
 #include "gpu/pipeline_cache.h"
+#include "support/log_lines.h"
+#include "support/thrown.h"
 
 namespace dermis::gpu {
 namespace {
 
 using Pipelines = GpuTest;
-using PipelineDeathTest = GpuTest;
 
 struct FillPush {
   float weights[3];
@@ -126,21 +126,31 @@ TEST_F(Pipelines, IndirectDispatchTakesItsSizeFromABuffer) {
   EXPECT_EQ(values_of<float>(out), std::vector<float>(64, 8.5f));
 }
 
-TEST_F(PipelineDeathTest, OurMistakesStopWithBothValues) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_DEATH(library().compute("grid.comp", {{"group_y", 1}}),
-               "group_y.*declared: doubled, group_x, offset, unused");
-  EXPECT_DEATH(library().compute("missing.comp"), "missing.comp");
+TEST_F(Pipelines, OurMistakesAreThrownWithBothValues) {
+  const auto expect_in = [](const std::string& part, const auto& work) {
+    const std::string error = tests::thrown<InternalError>(work);
+    EXPECT_NE(error.find(part), std::string::npos) << error;
+  };
+  const auto expect_recording = [&](const std::string& part, const auto& record) {
+    expect_in(part, [&] {
+      device().run([&](VkCommandBuffer commands) {
+        Cmd cmd(device(), commands);
+        record(cmd);
+      });
+    });
+  };
+
+  expect_in("declared: doubled, group_x, offset, unused", [&] {
+    library().compute("grid.comp", {{"group_y", 1}});
+  });
+  expect_in("missing.comp", [&] { library().compute("missing.comp"); });
+  expect_in("junk: is not SPIR-V", [] { reflect(std::array<std::uint32_t, 6>{1, 2, 3, 4, 5, 6}, "junk"); });
+
   const Pipeline& grid = library().compute("grid.comp");
-  EXPECT_DEATH(device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).bind(grid, {}); }),
-               "0 given, 1 declared");
-  EXPECT_DEATH(device().run([&](VkCommandBuffer commands) {
-    Cmd(device(), commands).bind(grid, std::array<Binding, 1>{SampledBinding{}});
-  }),
-               "binding 0 'to'");
-  EXPECT_DEATH(device().run([&](VkCommandBuffer commands) { Cmd(device(), commands).push(grid, 1.0f); }),
-               "4 given, 0 declared");
-  EXPECT_DEATH(reflect(std::array<std::uint32_t, 6>{1, 2, 3, 4, 5, 6}, "junk"), "junk: is not SPIR-V");
+  expect_recording("0 given, 1 declared", [&](Cmd& cmd) { cmd.bind(grid, {}); });
+  expect_recording("binding 0 'to'",
+                   [&](Cmd& cmd) { cmd.bind(grid, std::array<Binding, 1>{SampledBinding{}}); });
+  expect_recording("4 given, 0 declared", [&](Cmd& cmd) { cmd.push(grid, 1.0f); });
 }
 
 /// A cache file in a folder of its own, with the warnings that were given.
@@ -153,12 +163,8 @@ class PipelineCache : public GpuTest {
     folder_ /= testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::remove_all(folder_);
     file_ = folder_ / "deep" / "pipelines.bin";
-    former_ = set_log_sink([this](LogLevel level, const std::string& line) {
-      if (level == LogLevel::warning) warnings_.push_back(line);
-    });
   }
   void TearDown() override {
-    set_log_sink(former_);
     std::filesystem::remove_all(folder_);
     GpuTest::TearDown();
   }
@@ -168,8 +174,7 @@ class PipelineCache : public GpuTest {
     cached.save_cache();
   }
   std::filesystem::path folder_, file_;
-  std::vector<std::string> warnings_;
-  LogSink former_;
+  tests::LogLines said_;
 };
 
 TEST_F(PipelineCache, SurvivesEveryKindOfDamage) {
@@ -202,7 +207,7 @@ TEST_F(PipelineCache, SurvivesEveryKindOfDamage) {
   std::filesystem::remove(file_);
   build_and_save();
   EXPECT_FALSE(load_pipeline_cache(file_, device().properties()).empty());
-  EXPECT_EQ(warnings_, std::vector<std::string>{});
+  EXPECT_EQ(said_.warnings, std::vector<std::string>{});
 }
 
 TEST_F(PipelineCache, IgnoresAnotherDriversFile) {
@@ -221,8 +226,8 @@ TEST_F(PipelineCache, ThatCannotBeWrittenIsAWarning) {
   std::filesystem::create_directories(folder_);
   std::ofstream(folder_ / "deep") << "a file where the folder should be";
   build_and_save();
-  ASSERT_EQ(warnings_.size(), 1u);
-  EXPECT_NE(warnings_[0].find("pipelines.bin"), std::string::npos);
+  ASSERT_EQ(said_.warnings.size(), 1u);
+  EXPECT_NE(said_.warnings[0].find("pipelines.bin"), std::string::npos);
 }
 
 }  // namespace

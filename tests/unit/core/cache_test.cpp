@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "core/log.h"
+#include "support/log_lines.h"
 
 namespace dermis::cache {
 namespace {
@@ -33,22 +33,15 @@ class Cache : public testing::Test {
     const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
     folder_ = fs::path(testing::TempDir()) / fmt::format("dermis_cache_{}_{}", name, ::getpid());
     fs::remove_all(folder_);
-    former_ = set_log_sink([this](LogLevel level, const std::string& line) {
-      (level == LogLevel::note ? notes_ : warnings_).push_back(line);
-    });
   }
-  void TearDown() override {
-    set_log_sink(former_);
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { fs::remove_all(folder_); }
   fs::path file(int number) const { return folder_ / fmt::format("occlusion-{}.bin", number); }
   void age(const fs::path& path, int hours) const {
     fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::hours(hours));
   }
 
   fs::path folder_;
-  std::vector<std::string> notes_, warnings_;
-  LogSink former_;
+  tests::LogLines said_;
 };
 
 TEST_F(Cache, GivesBackWhatItKeeps) {
@@ -60,7 +53,7 @@ TEST_F(Cache, GivesBackWhatItKeeps) {
   EXPECT_FALSE(read(file(1), 999)) << "more than the reader wants";
   EXPECT_FALSE(read({}, most));
   write({}, bytes_of(10, 0));
-  EXPECT_TRUE(notes_.empty() && warnings_.empty());
+  EXPECT_TRUE(said_.notes.empty() && said_.warnings.empty());
 }
 
 TEST_F(Cache, EveryDamagedByteIsNoticed) {
@@ -70,10 +63,10 @@ TEST_F(Cache, EveryDamagedByteIsNoticed) {
   std::ifstream(file(1), std::ios::binary).read(whole.data(), static_cast<std::streamsize>(whole.size()));
   const auto expect_noticed = [&](const std::vector<char>& bytes) {
     std::ofstream(file(1), std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    notes_.clear();
+    said_.notes.clear();
     EXPECT_FALSE(read(file(1), most));
-    ASSERT_EQ(notes_.size(), 1u);
-    EXPECT_NE(notes_[0].find("occlusion-1.bin: damaged"), std::string::npos);
+    ASSERT_EQ(said_.notes.size(), 1u);
+    EXPECT_NE(said_.notes[0].find("occlusion-1.bin: damaged"), std::string::npos);
   };
 
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -145,8 +138,8 @@ TEST_F(Cache, AFolderThatCannotBeWrittenIsAWarning) {
   std::ofstream(folder_ / "deep") << "a file where the folder should be";
   write(folder_ / "deep" / "occlusion-1.bin", bytes_of(10, 0));
   EXPECT_FALSE(read(folder_ / "deep" / "occlusion-1.bin", most));
-  ASSERT_EQ(warnings_.size(), 1u);
-  EXPECT_NE(warnings_[0].find("not kept for the next run"), std::string::npos);
+  ASSERT_EQ(said_.warnings.size(), 1u);
+  EXPECT_NE(said_.warnings[0].find("not kept for the next run"), std::string::npos);
 }
 
 TEST_F(Cache, FolderAndLimitComeFromTheEnvironment) {
@@ -169,7 +162,7 @@ TEST_F(Cache, FolderAndLimitComeFromTheEnvironment) {
   set(names[1], nullptr), set(names[2], "much");
   EXPECT_EQ(default_folder(), "");
   EXPECT_EQ(limit_bytes(), 1'000'000'000u);
-  EXPECT_EQ(warnings_.size(), 1u);
+  EXPECT_EQ(said_.warnings.size(), 1u);
 
   for (std::size_t i = 0; i < 3; ++i) set(names[i], former[i] ? former[i]->c_str() : nullptr);
 }
@@ -195,7 +188,7 @@ TEST_F(Cache, ReadersSeeWholeFilesWhileAnotherProcessWritesAndEvicts) {
       }
   EXPECT_EQ(status, 0);
   EXPECT_TRUE(read(file(1), most));
-  EXPECT_TRUE(notes_.empty()) << notes_.front();
+  EXPECT_TRUE(said_.notes.empty()) << said_.notes.front();
   EXPECT_EQ(usage(folder_)[3].files, 0u);
   RecordProperty("whole", whole);
 }

@@ -9,11 +9,11 @@
 #include <fstream>
 #include <numbers>
 
-#include "core/log.h"
 #include "dermis/cancelled.h"
 #include "environment/environment.h"
 #include "environment/sky_rays.h"
 #include "scene/primitives.h"
+#include "support/log_lines.h"
 
 namespace dermis::environment {
 namespace {
@@ -180,8 +180,7 @@ TEST(Occlusion, IsKeptOnDiskAndCheckedWhenRead) {
   EXPECT_EQ(cached_occlusion(scene, mesh, {}, settings).values, first.values) << "the same without a cache";
 
   // A changed share of the sky is a number like any other: the checksum alone knows.
-  std::vector<std::string> notes;
-  const LogSink former = set_log_sink([&](LogLevel, const std::string& line) { notes.push_back(line); });
+  tests::LogLines said;
   const auto size = std::filesystem::file_size(files[0]);
   std::fstream(files[0], std::ios::binary | std::ios::in | std::ios::out).seekp(1000).put('\x21');
   EXPECT_EQ(cached_occlusion(scene, mesh, folder, settings).values, first.values);
@@ -190,8 +189,7 @@ TEST(Occlusion, IsKeptOnDiskAndCheckedWhenRead) {
   EXPECT_EQ(std::filesystem::file_size(files[0]), size);
   std::ofstream(files[0], std::ios::binary) << std::string(size, '\x7f');
   EXPECT_EQ(cached_occlusion(scene, mesh, folder, settings).values, first.values);
-  set_log_sink(former);
-  EXPECT_EQ(notes.size(), 3u);
+  EXPECT_EQ(said.all.size(), 3u);
 
   const scene::Scene other = floor_with_wall(0.2);
   EXPECT_NE(cached_occlusion(other, scene::skin_meshes(other)[0], folder, settings).values, first.values);
@@ -232,15 +230,22 @@ TEST(Occlusion, ABakeIsWatchedAndStopped) {
   const scene::SkinMesh mesh = scene::skin_meshes(scene)[0];
   const OcclusionSettings settings{.side = 32, .rays = 8};
   std::vector<double> shares;
-  std::atomic<bool> stop{false};
-  BakeWatch watch{.progress = [&](double share) { shares.push_back(share); }, .stop = &stop};
-  const Occlusion watched = bake_occlusion(scene, mesh, settings, watch);
-  EXPECT_EQ(watched.transfer, bake_occlusion(scene, mesh, settings).transfer);
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-  EXPECT_EQ(shares.back(), 1);
+  Hooks hooks{.progress = [&](const WorkProgress& work) {
+    shares.push_back(work.share);
+    return true;
+  }};
+  {
+    const HookScope scope(hooks);
+    const Occlusion watched = bake_occlusion(scene, mesh, settings);
+    EXPECT_EQ(watched.transfer, bake_occlusion(scene, mesh, settings).transfer);
+  }
+  ASSERT_EQ(shares.size(), 64u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.begin() + 32));
+  EXPECT_EQ(shares[31], 1);
 
-  watch.progress = [&](double share) { stop = share > 0.5; };
-  EXPECT_THROW(cached_occlusion(scene, mesh, folder, settings, watch), Cancelled);
+  hooks.progress = [](const WorkProgress& work) { return work.share <= 0.5; };
+  const HookScope scope(hooks);
+  EXPECT_THROW(cached_occlusion(scene, mesh, folder, settings), Cancelled);
   EXPECT_FALSE(std::filesystem::exists(folder)) << "something was written";
 }
 

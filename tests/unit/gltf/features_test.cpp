@@ -2,8 +2,8 @@
 // One feature at a time, on files built in memory.
 #include <cmath>
 
-#include "core/log.h"
 #include "support.h"
+#include "support/log_lines.h"
 
 namespace dermis::scene::test {
 
@@ -293,15 +293,13 @@ TEST(GltfMaterial, BlendedSkinIsASurface) {
                          {{"name", "skin B"}, {"alphaMode", "MASK"}},
                          {{"name", "skin C"}, {"alphaMode", "BLEND"}},
                          {{"name", "skin D"}, {"alphaMode", "BLEND"}}};
-  std::vector<std::string> lines;
-  const LogSink before = set_log_sink([&](LogLevel, const std::string& line) {
-    if (line.find("BLEND") != std::string::npos) lines.push_back(line);
-  });
+  tests::LogLines said;
   const Scene scene = b.load();
   LoadOptions by_name;
   by_name.skin_material = "skin C";
   const Scene named = b.load(by_name);
-  set_log_sink(before);
+  std::vector<std::string> lines = said.all;
+  std::erase_if(lines, [](const std::string& line) { return line.find("BLEND") == std::string::npos; });
 
   EXPECT_FALSE(scene.materials[0].skin);
   EXPECT_TRUE(scene.materials[1].skin);

@@ -117,19 +117,10 @@ std::string error_of(const fs::path& path, const LoadOptions& options) {
   }
 }
 
-struct Warnings::State {
-  std::vector<std::string> lines;
-  LogSink former;
-};
-Warnings::Warnings() : state_(std::make_shared<State>()) {
-  state_->former = set_log_sink(
-      [state = state_.get()](LogLevel, const std::string& line) { state->lines.push_back(line); });
-}
-Warnings::~Warnings() { set_log_sink(state_->former); }
 bool Warnings::any_with(const std::string& part) const { return all().find(part) != std::string::npos; }
 std::string Warnings::all() const {
   std::string text;
-  for (const std::string& line : state_->lines) text += line + "\n";
+  for (const std::string& line : said_.all) text += line + "\n";
   return text;
 }
 

@@ -14,6 +14,7 @@
 #include "scene/load.h"
 #include "support/assets.h"
 #include "support/files.h"
+#include "support/log_lines.h"
 
 namespace dermis::scene::test {
 
@@ -58,14 +59,11 @@ std::string error_of(const fs::path& path, const LoadOptions& options = {});
 /// Collects warnings while it lives, so that they are checked instead of printed.
 class Warnings {
  public:
-  Warnings();
-  ~Warnings();
   bool any_with(const std::string& part) const;
   std::string all() const;
 
  private:
-  struct State;
-  std::shared_ptr<State> state_;
+  tests::LogLines said_;
 };
 
 /// Fails where `actual` is more than `tolerance` away from `expected`.

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/log.h"
 #include "image/colour.h"
 #include "image/formats.h"
 #include "pictures.h"
+#include "support/log_lines.h"
 
 namespace dermis::image::test {
 namespace {
@@ -122,12 +122,10 @@ TEST(Exr, NotANumberBecomesBlackWithOneWarning) {
   in.at(1, 0)[1] = std::numeric_limits<float>::quiet_NaN();
   in.at(2, 3)[0] = std::numeric_limits<float>::infinity();
   in.at(3, 3)[2] = -std::numeric_limits<float>::infinity();
-  std::vector<std::string> lines;
-  const LogSink before = set_log_sink([&](LogLevel, const std::string& line) { lines.push_back(line); });
+  tests::LogLines said;
   const ImageF out = decode_image_f(formats::encode_exr(in, false, "out"), "sky");
-  set_log_sink(before);
-  ASSERT_EQ(lines.size(), 1u);
-  EXPECT_EQ(lines[0], "sky: 3 pixels are infinite or not numbers; they are read as black");
+  ASSERT_EQ(said.all.size(), 1u);
+  EXPECT_EQ(said.all[0], "sky: 3 pixels are infinite or not numbers; they are read as black");
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) {
       const bool cleared = (x == 1 && y == 0) || (x >= 2 && y == 3);

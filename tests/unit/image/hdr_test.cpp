@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "core/log.h"
 #include "pictures.h"
+#include "support/log_lines.h"
 
 namespace dermis::image::test {
 namespace {
@@ -78,13 +78,12 @@ TEST(Hdr, Orientations) {
 }
 
 TEST(Hdr, ExposureIsNoted) {
-  std::string seen;
-  const LogSink before = set_log_sink([&](LogLevel, const std::string& line) { seen += line; });
+  tests::LogLines said;
   const ImageF picture =
       decode("#?RGBE\nEXPOSURE=2.5\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" + pixel(128, 128, 128, 129));
-  set_log_sink(before);
   EXPECT_EQ(*picture.at(0, 0), 1.0f);
-  EXPECT_NE(seen.find("sky: EXPOSURE=2.5"), std::string::npos) << seen;
+  ASSERT_EQ(said.all.size(), 1u);
+  EXPECT_NE(said.all[0].find("sky: EXPOSURE=2.5"), std::string::npos) << said.all[0];
 }
 
 TEST(Hdr, BadHeaders) {

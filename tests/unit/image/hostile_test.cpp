@@ -8,9 +8,9 @@
 #include <functional>
 #include <random>
 
-#include "core/log.h"
 #include "image/formats.h"
 #include "pictures.h"
+#include "support/log_lines.h"
 
 namespace dermis::image::test {
 namespace {
@@ -85,7 +85,7 @@ TEST(Hostile, CutFilesAreErrors) {
 // sanitizers.
 TEST(Hostile, AlteredBytesNeverCrash) {
   std::mt19937 random(1);
-  const LogSink before = set_log_sink([](LogLevel, const std::string&) {});
+  tests::LogLines quiet;
   for (const Sample& sample : samples()) {
     for (int round = 0; round < 150; ++round) {
       Bytes altered = sample.file;
@@ -97,7 +97,6 @@ TEST(Hostile, AlteredBytesNeverCrash) {
       EXPECT_EQ(error.find('\n'), std::string::npos) << error;
     }
   }
-  set_log_sink(before);
 }
 
 void put32(Bytes& file, std::size_t at, std::uint32_t value, bool big_endian) {

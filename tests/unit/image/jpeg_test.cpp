@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/log.h"
 #include "pictures.h"
+#include "support/log_lines.h"
 
 namespace dermis::image::test {
 namespace {
@@ -78,10 +78,9 @@ TEST(Jpeg, EndlessScansAreRefused) {
   };
 
   // the order of the scans is odd: one warning
-  const LogSink before = set_log_sink([](LogLevel, const std::string&) {});
+  tests::LogLines quiet;
   EXPECT_EQ(error_of8(with_repeats(20)), "no error");
   EXPECT_EQ(error_of8(with_repeats(1000)), "map: JPEG has more than 200 scans");
-  set_log_sink(before);
 }
 
 TEST(Jpeg, BrokenCodesAreErrors) {

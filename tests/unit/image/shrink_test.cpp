@@ -7,11 +7,11 @@
 #include <cstring>
 #include <limits>
 
-#include "core/log.h"
 #include "image/colour.h"
 #include "image/formats.h"
 #include "image/resize.h"
 #include "pictures.h"
+#include "support/log_lines.h"
 
 namespace dermis::image::test {
 namespace {
@@ -134,8 +134,7 @@ TEST(Shrink, AProgressiveJpegOverOneGigabyteIsRefused) {
 }
 
 TEST(Shrink, LinearPicturesAreHalvedToTheLimit) {
-  std::vector<std::string> lines;
-  const LogSink former = set_log_sink([&](LogLevel, const std::string& line) { lines.push_back(line); });
+  tests::LogLines said;
   std::vector<float> values;
   for (int i = 0; i < 20 * 12; ++i)
     values.insert(values.end(), {static_cast<float>(i % 20), static_cast<float>(i / 20), 1});
@@ -152,8 +151,8 @@ TEST(Shrink, LinearPicturesAreHalvedToTheLimit) {
         EXPECT_NEAR(small.at(x, y)[1], 2 * y + 0.5, 1e-5);
       }
   }
-  ASSERT_EQ(lines.size(), 4u);
-  EXPECT_EQ(lines[0], "sky: 20 x 12 pixels, read as 10 x 6");
+  ASSERT_EQ(said.all.size(), 4u);
+  EXPECT_EQ(said.all[0], "sky: 20 x 12 pixels, read as 10 x 6");
 
   // An .hdr of two rows of 1 and one of 3, from the top and from the bottom.
   const auto row = [](char mantissa) {
@@ -171,7 +170,6 @@ TEST(Shrink, LinearPicturesAreHalvedToTheLimit) {
     ASSERT_EQ(std::pair(one.width, one.height), std::pair(2, 1));
     EXPECT_NEAR(one.at(1, 0)[1], 40.0 / 3, 1e-5);
   }
-  set_log_sink(former);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/hooks.h"
 #include "profile/dipole.h"
 #include "profile/monte_carlo.h"
 #include "profile/noise.h"
@@ -69,13 +70,10 @@ TEST(MonteCarloCache, AWholeFileIsUsed) {
   profile::MonteCarloOptions options{.photons = 2000, .seed = 6, .cache = folder};
   const auto first = profile::monte_carlo(scene, options);
   forget();
-  int calls = 0;
-  options.progress = [&](double part) {
-    EXPECT_EQ(part, 1);
-    ++calls;
-  };
+  int steps = 0;
+  const HookScope scope({.progress = [&](const WorkProgress&) { return ++steps > 0; }});
   const auto second = profile::monte_carlo(scene, options);
-  EXPECT_EQ(calls, 1) << "it was computed, or did not say that it is done";
+  EXPECT_EQ(steps, 0) << "it was computed";
   EXPECT_NE(first.get(), second.get());
   EXPECT_EQ(first->reflected.energies(), second->reflected.energies());
   EXPECT_EQ(first->cut, second->cut);
@@ -84,15 +82,31 @@ TEST(MonteCarloCache, AWholeFileIsUsed) {
 
 TEST(MonteCarloProgress, RisesToOneAndChangesNothing) {
   std::vector<double> parts;
-  profile::MonteCarloOptions options{.photons = 1000, .seed = 77, .cache = {}};
-  options.progress = [&](double part) { parts.push_back(part); };
-  profile::monte_carlo(scene, options);
+  const profile::MonteCarloOptions options{.photons = 1000, .seed = 77, .cache = {}};
+  const HookScope scope({.progress = [&](const WorkProgress& work) {
+    parts.push_back(work.share);
+    return true;
+  }});
+  const auto watched = profile::monte_carlo(scene, options);
   ASSERT_EQ(parts.size(), 64u);
   EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
   EXPECT_EQ(parts.back(), 1);
-  parts.clear();
-  profile::monte_carlo(scene, options);
-  EXPECT_EQ(parts, std::vector<double>{1}) << "the same run, whoever watches";
+
+  forget();
+  const HookScope nobody({.progress = [](const WorkProgress&) { return true; }});
+  EXPECT_EQ(profile::monte_carlo(scene, options)->reflected.energies(), watched->reflected.energies());
+}
+
+TEST(MonteCarloProgress, ARunThatIsEndedKeepsNothing) {
+  const profile::MonteCarloOptions options{.photons = 1000, .seed = 78, .cache = {}};
+  {
+    const HookScope scope({.progress = [](const WorkProgress& work) { return work.share < 0.3; }});
+    EXPECT_THROW(profile::monte_carlo(scene, options), Cancelled);
+  }
+  int steps = 0;
+  const HookScope scope({.progress = [&](const WorkProgress&) { return ++steps > 0; }});
+  EXPECT_GT(profile::monte_carlo(scene, options)->reflected_total, 0);
+  EXPECT_EQ(steps, 64) << "the run began anew";
 }
 
 TEST(MonteCarloNoise, FallsWithPhotonsAlsoInMixtures) {

@@ -5,9 +5,9 @@
 
 #include <random>
 
-#include "core/log.h"
 #include "scan.h"
 #include "scene/primitives.h"
+#include "support/log_lines.h"
 
 namespace dermis::scene {
 namespace {
@@ -107,14 +107,12 @@ TEST(Overlap, Fractions) {
 }
 
 TEST(Overlap, WarnsFromHalfAPercentOn) {
-  std::vector<std::string> lines;
-  const LogSink former = set_log_sink([&](LogLevel, const std::string& line) { lines.push_back(line); });
+  tests::LogLines said;
   EXPECT_NEAR(warn_overlap(mesh_of(two_squares({0.4985f, 0}))), 0.0015, 0.002);
-  EXPECT_TRUE(lines.empty());
+  EXPECT_TRUE(said.all.empty());
   warn_overlap(mesh_of(two_squares({0.25f, 0})));
-  set_log_sink(former);
-  ASSERT_EQ(lines.size(), 1u);
-  EXPECT_NE(lines[0].find("33.3 %"), std::string::npos) << lines[0];
+  ASSERT_EQ(said.all.size(), 1u);
+  EXPECT_NE(said.all[0].find("33.3 %"), std::string::npos) << said.all[0];
 }
 
 TEST(Overlap, Scan) {

@@ -10,6 +10,7 @@
 #include "scene/coverage.h"
 #include "scene/primitives.h"
 #include "skin_meshes.h"
+#include "support/log_lines.h"
 
 namespace dermis::scene {
 namespace {
@@ -47,7 +48,7 @@ TEST(UnwrapFit, ASmallUnwrapGetsTheWholeMap) {
   for (const double scale : {0.4, 0.1, 0.01, 0.001})
     for (const double offset : {0.0, 0.3}) {
       SCOPED_TRACE(fmt::format("scale {}, offset {}", scale, offset));
-      const Warnings warnings;
+      tests::LogLines warnings;
       const Scene scene = scaled_sphere(scale, glm::dvec2(offset));
       const SkinMesh mesh = only_mesh(scene);
       EXPECT_EQ(mesh.charts, 6);
@@ -55,7 +56,7 @@ TEST(UnwrapFit, ASmallUnwrapGetsTheWholeMap) {
       expect_inside(mesh, fit_margin);
       EXPECT_GE(mean_density(scene), plain);
       EXPECT_EQ(mesh.vertices[5].uv0, scene.primitives[0].vertices[5].uv0) << "maps are read where they were";
-      EXPECT_TRUE(warnings.lines.empty());
+      EXPECT_TRUE(warnings.warnings.empty());
     }
 }
 
@@ -100,15 +101,16 @@ TEST(UnwrapFit, AStrayTriangleDoesNotShrinkTheRest) {
       p.indices[k] = n + k;
     }
 
-    const Warnings warnings;
+    tests::LogLines warnings;
     const SkinMesh mesh = only_mesh(scene);
     EXPECT_EQ(chartless(mesh), 1u);
     EXPECT_EQ(mesh.triangle_chart[0], no_chart);
     expect_inside(mesh, fit_margin);
     EXPECT_GE(unwrap_density(mesh, 1000).uv_per_mm.mean, 0.99 * mean_density(scaled_sphere(1)));
 
-    ASSERT_EQ(warnings.lines.size(), 1u);
-    EXPECT_NE(warnings.lines[0].find("1 of its 1728 triangles"), std::string::npos) << warnings.lines[0];
+    ASSERT_EQ(warnings.warnings.size(), 1u);
+    EXPECT_NE(warnings.warnings[0].find("1 of its 1728 triangles"), std::string::npos)
+        << warnings.warnings[0];
   }
 }
 
@@ -130,11 +132,11 @@ TEST(UnwrapFit, TwoHalvesFarApartShareTheMap) {
   Scene scene = scaled_sphere(0.5);
   for (Vertex& v : scene.primitives[0].vertices)
     if (v.uv0.x > 0.25f) v.uv0.x += 100;
-  const Warnings warnings;
+  tests::LogLines warnings;
   const SkinMesh mesh = only_mesh(scene);
   EXPECT_EQ(chartless(mesh), 0u);
   expect_inside(mesh, 0);
-  EXPECT_EQ(warnings.lines.size(), 1u);
+  EXPECT_EQ(warnings.warnings.size(), 1u);
 }
 
 TEST(UnwrapFit, TrianglesWithoutAreaHaveNoChart) {

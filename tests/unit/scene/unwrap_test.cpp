@@ -9,6 +9,7 @@
 #include "scan.h"
 #include "scene/primitives.h"
 #include "skin_meshes.h"
+#include "support/log_lines.h"
 
 namespace dermis::scene {
 namespace {
@@ -106,7 +107,7 @@ TEST(Metric, NothingValidStillPositiveDefinite) {
 
 // Coordinates that span 1e-30 of the map, or a skin of 1e-25 m, squared: past what a float can be.
 TEST(Metric, FloatsHoldItWhateverTheSizes) {
-  Warnings quiet;
+  tests::LogLines quiet;
   for (const Scene& scene : {plane(0.05, glm::dmat2(1e-30)), plane(1e-25), plane(1e9, glm::dmat2(1e-9))}) {
     SkinMesh mesh = only_mesh(scene);
     for (const double mm_per_unit : {1e-6, 1e3, 1e9}) {
@@ -144,18 +145,18 @@ TEST(Metric, NeverAveragedAcrossAMirror) {
 
 TEST(Unwrap, MovesByWholeTilesElseFits) {
   {
-    Warnings warnings;
+    tests::LogLines warnings;
     const SkinMesh mesh = only_mesh(plane(0.05, glm::dmat2(0.5), {3.25, -1.75}));
     EXPECT_EQ(mesh.unwrap_offset, glm::dvec2(-3, 2));
     EXPECT_EQ(mesh.unwrap_scale, glm::dvec2(1));
-    EXPECT_TRUE(warnings.lines.empty());
+    EXPECT_TRUE(warnings.warnings.empty());
     expect_metric(mesh, {1e4, 0, 1e4}, 1e-5);
   }
 
   // Let u span two tiles: moving by whole tiles does not help, the unwrap is fitted.
-  Warnings warnings;
+  tests::LogLines warnings;
   const SkinMesh mesh = only_mesh(plane(0.05, glm::dmat2(2, 0, 0, 1), {-0.5, 0}));
-  ASSERT_EQ(warnings.lines.size(), 1u);
+  ASSERT_EQ(warnings.warnings.size(), 1u);
   EXPECT_FALSE(mesh.unwrap_note.empty());
 
   for (const glm::vec2& uv : mesh.unwrap) EXPECT_TRUE(uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1);

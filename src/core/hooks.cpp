@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "core/hooks.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <utility>
+
+#include "core/log.h"
+
+namespace dermis {
+
+struct Errand::Call {
+  Hooks hooks;
+  /// Keeps two threads out of the hooks. Enclosing calls share it. The same thread may come back: a hook may
+  /// call the library.
+  std::shared_ptr<std::recursive_mutex> mutex = std::make_shared<std::recursive_mutex>();
+  std::atomic<bool> cancelled{false};  ///< `progress` said so
+
+  bool stopped() const {
+    return cancelled.load(std::memory_order_relaxed) ||
+           (hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed));
+  }
+};
+
+namespace {
+
+using Lock = std::lock_guard<std::recursive_mutex>;
+
+thread_local Errand current;
+
+std::shared_ptr<Errand::Call> call_within(const std::shared_ptr<Errand::Call>& outer, const Hooks& hooks) {
+  auto call = std::make_shared<Errand::Call>();
+  call->hooks = hooks;
+  if (outer == nullptr) return call;
+
+  call->mutex = outer->mutex;
+  if (!hooks.log) call->hooks.log = outer->hooks.log;
+  if (!hooks.progress) call->hooks.progress = outer->hooks.progress;
+  if (hooks.stop == nullptr) call->hooks.stop = outer->hooks.stop;
+  return call;
+}
+
+}  // namespace
+
+Errand current_errand() { return current; }
+
+void stop_if_cancelled(const Errand& errand) {
+  if (errand.call == nullptr || !errand.call->stopped()) return;
+  throw Cancelled(errand.steps == nullptr ? "stopped" : "stopped: " + errand.steps->what());
+}
+
+HookScope::HookScope(const Hooks& hooks) : HookScope(Errand{call_within(current.call, hooks), nullptr}) {}
+HookScope::HookScope(Errand errand) : before_(std::exchange(current, std::move(errand))) {}
+HookScope::~HookScope() { current = std::move(before_); }
+
+void log_line(LogLevel level, const std::string& line) {
+  const std::shared_ptr<Errand::Call> call = current.call;
+  if (call == nullptr || !call->hooks.log) {
+    std::fputs(fmt::format("dermis: {}{}\n", level == LogLevel::warning ? "warning: " : "", line).c_str(),
+               stderr);
+    return;
+  }
+  const Lock lock(*call->mutex);
+  try {
+    call->hooks.log(level, line);
+  } catch (...) {
+    // The line is lost, the work is not: warnings are also given while an object is destroyed.
+  }
+}
+
+Steps::Steps(std::string what, std::size_t count) : what_(std::move(what)), count_(count), outer_(current) {
+  stop_if_cancelled(current);
+  if (outer_.steps != nullptr) {
+    const Lock lock(*outer_.call->mutex);
+    const Steps& outer = *outer_.steps;
+    what_ = outer.what_;
+    width_ = outer.width_ / static_cast<double>(outer.count_);
+    from_ = outer.from_ + width_ * static_cast<double>(outer.done_);
+  }
+  if (current.call != nullptr) current.steps = this;
+}
+
+Steps::~Steps() {
+  if (outer_.call != nullptr) current.steps = outer_.steps;
+}
+
+void Steps::done() {
+  const std::shared_ptr<Errand::Call>& call = outer_.call;
+  if (call == nullptr) return;
+
+  const Lock lock(*call->mutex);
+  if (done_ < count_) ++done_;
+  const double share = from_ + width_ * static_cast<double>(done_) / static_cast<double>(count_);
+
+  // Steps of the outer work may run at the same time: what is reported never falls.
+  Steps* outermost = this;
+  while (outermost->outer_.steps != nullptr) outermost = outermost->outer_.steps;
+  outermost->reported_ = std::max(outermost->reported_, share);
+
+  const WorkProgress progress{.what = what_, .share = outermost->reported_};
+  if (call->hooks.progress && !call->hooks.progress(progress)) call->cancelled = true;
+  stop_if_cancelled({call, this});
+}
+
+}  // namespace dermis
