@@ -135,8 +135,9 @@ bool is_left_out(const std::string& path, const About& about, SceneUse use) {
       return is({"technique", "camera.heads", "output.bloom", "output.show", "skin.translucency"});
     case SceneUse::bench:
       return about.option == "optimise" ||
-             is({"technique", "camera.name", "camera.distance", "camera.orbit_deg", "camera.heads",
-                 "quality.skip_unseen_heads", "output.exposure_ev", "output.frames", "output.show"});
+             is({"technique", "camera.name", "camera.distance", "camera.orbit_deg", "camera.eye_m",
+                 "camera.target_m", "camera.heads", "quality.skip_unseen_heads", "output.exposure_ev",
+                 "output.frames", "output.show"});
   }
   return false;
 }

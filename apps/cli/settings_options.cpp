@@ -106,6 +106,15 @@ CLI::Option* AddOption::operator()(const std::string& name, const About& about,
       ->default_str(fmt::format("{:g},{:g}", value[0], value[1]));
 }
 
+CLI::Option* AddOption::operator()(const std::string& name, const About& about,
+                                   std::optional<std::array<double, 3>>& value) const {
+  const auto read = [&value](const std::vector<double>& point) { value = {point[0], point[1], point[2]}; };
+  return command.add_option_function<std::vector<double>>(name, read, help_of(about))
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("X,Y,Z");
+}
+
 CLI::Option* AddOption::add_switch(const std::string& name, const About& about, bool& value) const {
   const std::string on(about.on), off(about.off);
   return command

@@ -55,6 +55,8 @@ struct AddOption {
   }
 
   CLI::Option* operator()(const std::string& name, const About& about, std::array<double, 2>& value) const;
+  CLI::Option* operator()(const std::string& name, const About& about,
+                          std::optional<std::array<double, 3>>& value) const;
 
  private:
   template <class Enum, class Value>

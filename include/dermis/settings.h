@@ -16,13 +16,29 @@
 
 namespace dermis {
 
+/// A camera of a host. Column-major: element 4 * column + row, columns multiplied by vectors from the right,
+/// as GLSL and glm have it. Metres.
+struct CameraMatrices {
+  /// The "view" matrix: rigid. The camera looks along its -z or, with clip w = z, along its +z; +y is up.
+  std::array<double, 16> camera_from_world{};
+  /// The "projection" matrix: a perspective or an orthographic camera, its axis in the middle of the picture
+  /// or not. Clip x grows to the right; clip y up or down, the picture stands upright. Depth goes from 0 to 1
+  /// or from 1 to 0 with the distance, the far plane is finite or not.
+  std::array<double, 16> clip_from_camera{};
+};
+
 struct CameraSettings {
   std::string name{};               ///< of the scene; empty: the scene's first, else framing
   std::optional<double> fov_deg{};  ///< vertical; none: the camera's, 20 when framing
   /// the paper's test: from the eye to the middle head, in sphere radii
   std::optional<double> distance{};
   std::array<double, 2> orbit_deg{0, 0};  ///< azimuth, elevation of the framing camera
-  int heads = 1;                          ///< in a row, 1.6 radii apart
+  /// World space, metres: where the camera stands and what is in the middle of the picture, +Y up. Both or
+  /// none; in place of name, distance and orbit_deg.
+  std::optional<std::array<double, 3>> eye_m{}, target_m{};
+  /// In place of all of the above. Files of settings do not hold it.
+  std::optional<CameraMatrices> matrices{};
+  int heads = 1;  ///< in a row, 1.6 radii apart
 };
 
 /// A white lamp as those of the rig: a spot 4 radii from the centre of the head's bounding sphere, aimed at

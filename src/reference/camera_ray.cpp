@@ -7,8 +7,10 @@ namespace dermis::reference {
 
 rays::Ray camera_ray(const RenderSetup& setup, double px, double py) {
   const scene::Camera& camera = setup.camera;
-  const double aspect = static_cast<double>(setup.width) / setup.height;
-  const double x = (2 * px / setup.width - 1) * aspect, y = 1 - 2 * py / setup.height;
+  const double aspect =
+      camera.aspect ? double{*camera.aspect} : static_cast<double>(setup.width) / setup.height;
+  const double x = (2 * px / setup.width - 1 - double{camera.axis_at.x}) * aspect,
+               y = 1 - 2 * py / setup.height - double{camera.axis_at.y};
   const glm::dmat4 world_from_camera(camera.world_from_camera);
   const glm::dmat3 turn(world_from_camera);
   const glm::dvec3 eye(world_from_camera[3]);

@@ -118,6 +118,8 @@ void add_setup(Hash& h, const RenderSetup& setup) {
   h.add(camera.znear_m);
   h.add(camera.orthographic);
   h.add(camera.ymag_m);
+  if (camera.aspect) h.add(*camera.aspect);
+  if (camera.axis_at != glm::vec2(0)) h.add(camera.axis_at);
   h.add(setup.width);
   h.add(setup.height);
   h.add(setup.ambient);

@@ -12,6 +12,7 @@ namespace dermis::scene {
 namespace {
 
 constexpr double radians_per_degree = glm::pi<double>() / 180;
+constexpr double least_look_m = 1e-4;
 
 void require_sphere(const BoundingSphere& sphere) {
   if (!(sphere.radius_m > 0) || !std::isfinite(sphere.radius_m))
@@ -130,6 +131,24 @@ Camera distance_camera(const BoundingSphere& middle_head, double distance_radii,
   if (!(distance_radii > 0) || !std::isfinite(distance_radii))
     throw input_error("distance", "must be > 0 bounding-sphere radii, got {}", distance_radii);
   return camera_at(middle_head, distance_radii * middle_head.radius_m, 0, 0, fov_y_deg);
+}
+
+Camera look_at_camera(const glm::dvec3& eye_m, const glm::dvec3& target_m, double fov_y_deg) {
+  require_fov(fov_y_deg);
+  const glm::dvec3 away = eye_m - target_m;
+  const double distance_m = glm::length(away);
+  if (!(distance_m >= least_look_m) || !std::isfinite(distance_m))
+    throw input_error("", "camera.eye_m and camera.target_m are the same point: there is nowhere to look");
+
+  // The azimuth of a camera straight above or below is that of the front.
+  const double azimuth = std::hypot(away.x, away.z) > 1e-9 * distance_m ? std::atan2(away.x, away.z) : 0;
+  const double elevation = std::asin(std::clamp(away.y / distance_m, -1.0, 1.0));
+  Camera camera;
+  camera.world_from_camera = look(eye_m, azimuth / radians_per_degree, elevation / radians_per_degree);
+  camera.fov_y_rad = static_cast<float>(fov_y_deg * radians_per_degree);
+  camera.znear_m =
+      static_cast<float>(least_look_m);  // reversed depth without a far plane keeps its precision
+  return camera;
 }
 
 std::vector<glm::vec3> head_row_offsets(int heads, double radius_m) {

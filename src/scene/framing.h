@@ -41,6 +41,11 @@ Camera framing_camera(const BoundingSphere& sphere, double aspect, double azimut
 /// middle head. Throws InputError if distance_radii is not a positive number, or the sphere empty.
 Camera distance_camera(const BoundingSphere& middle_head, double distance_radii, double fov_y_deg = 20);
 
+/// Returns a camera at `eye_m` with `target_m` in the middle of the picture and +Y up; where it looks along
+/// Y, the upper border is towards -Z (from above) or +Z (from below). Throws InputError if the points are
+/// nearer than 0.1 mm, or the field of view is out of range.
+Camera look_at_camera(const glm::dvec3& eye_m, const glm::dvec3& target_m, double fov_y_deg = 20);
+
 /// Returns offsets of `heads` (>= 1) heads in a row along x, 1.6 radii apart; number floor(heads / 2) is at
 /// the origin.
 std::vector<glm::vec3> head_row_offsets(int heads, double radius_m);

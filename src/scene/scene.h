@@ -144,7 +144,10 @@ struct Camera {
   float znear_m = 0.01f;
   std::optional<float> zfar_m;  ///< none = infinite
   bool orthographic = false;
-  float ymag_m = 1;  ///< half height if orthographic
+  float ymag_m = 1;             ///< half height if orthographic
+  std::optional<float> aspect;  ///< width / height of what it shows; none: that of the picture
+  /// Where the axis meets the picture, 0 in the middle, 1 at its right and upper border.
+  glm::vec2 axis_at{0};
 };
 
 struct BoundingSphere {

@@ -80,15 +80,16 @@ void read(const json::Value& json, const About& about, Value& into) {
     into = json.text();
 }
 
+template <std::size_t count>
+void read(const json::Value& json, const About& about, std::array<double, count>& into) {
+  json.array_size(count, count);
+  for (std::size_t i = 0; i < count; ++i) read(json.element(i), about, into[i]);
+}
+
 template <class Value>
 void read(const json::Value& json, const About& about, std::optional<Value>& into) {
   into.reset();
   if (!json.is_null()) read(json, about, into.emplace());
-}
-
-void read(const json::Value& json, const About& about, std::array<double, 2>& into) {
-  json.array_size(2, 2);
-  for (std::size_t i = 0; i < 2; ++i) read(json.element(i), about, into[i]);
 }
 
 void read(const json::Value& json, const About& about, std::vector<PlacedLight>& into) {

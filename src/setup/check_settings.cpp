@@ -4,9 +4,28 @@
 #include "setup/frame_setup.h"
 
 namespace dermis::setup {
+namespace {
+
+void check_camera(const CameraSettings& camera) {
+  const bool chosen =
+      !camera.name.empty() || camera.distance || camera.orbit_deg != CameraSettings{}.orbit_deg;
+  if (camera.eye_m.has_value() != camera.target_m.has_value())
+    throw input_error("", "camera.eye_m and camera.target_m go together; {} is missing",
+                      camera.eye_m ? "camera.target_m" : "camera.eye_m");
+  if (camera.eye_m && chosen)
+    throw input_error(
+        "",
+        "camera.eye_m and camera.target_m place the camera, and so do camera.name, camera.distance "
+        "and camera.orbit_deg; give one of these");
+  if (camera.matrices && (camera.eye_m || camera.fov_deg || chosen))
+    throw input_error("", "camera.matrices are the whole camera: no other setting of it may be given");
+}
+
+}  // namespace
 
 void check_settings(const RenderSettings& s) {
   check_ranges(s);
+  check_camera(s.camera);
   techniques::find_technique(s.technique);
   if (s.quality.samples != 1 && s.quality.samples != 4)
     throw input_error("", "quality.samples must be 1 or 4, got {}", s.quality.samples);

@@ -7,6 +7,7 @@
 #include "gaussians/json.h"
 #include "gaussians/known.h"
 #include "scene/framing.h"
+#include "setup/camera_matrices.h"
 
 namespace dermis::setup {
 
@@ -33,6 +34,11 @@ scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s,
                             const scene::BoundingSphere& sphere) {
   const double aspect = static_cast<double>(s.output.width) / s.output.height;
   const double fov = s.camera.fov_deg.value_or(20);
+  if (s.camera.matrices) return camera_of(*s.camera.matrices);
+  if (s.camera.eye_m) {
+    const std::array<double, 3>&eye = *s.camera.eye_m, &target = s.camera.target_m.value();
+    return scene::look_at_camera({eye[0], eye[1], eye[2]}, {target[0], target[1], target[2]}, fov);
+  }
   if (s.camera.distance) return scene::distance_camera(sphere, *s.camera.distance, fov);
 
   const auto with_fov = [&](scene::Camera camera) {

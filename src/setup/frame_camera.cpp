@@ -18,9 +18,16 @@ double texels_per_mm(const Subject& subject, const RenderSettings& s) {
   return 0;
 }
 
+// Returns by how much pixels are denser across than up and down; 1 where they are not.
+double density_across(const RenderSettings& s, const scene::Camera& camera) {
+  const double picture_aspect = static_cast<double>(s.output.width) / s.output.height;
+  return camera.aspect ? std::max(1.0, picture_aspect / double{*camera.aspect}) : 1;
+}
+
 }  // namespace
 
-io::CameraIo frame_camera(const scene::Camera& camera, double aspect) {
+io::CameraIo frame_camera(const scene::Camera& camera, double picture_aspect) {
+  const double aspect = camera.aspect ? double{*camera.aspect} : picture_aspect;
   // Reversed depth. A perspective has no far plane (glTF allows one; nothing here needs it): clip z = near,
   // w = -z_view.
   glm::mat4 clip_from_camera(0);
@@ -30,12 +37,16 @@ io::CameraIo frame_camera(const scene::Camera& camera, double aspect) {
     clip_from_camera[1][1] = 1 / camera.ymag_m;
     clip_from_camera[2][2] = 1 / (far_m - near_m);
     clip_from_camera[3][2] = far_m / (far_m - near_m);
+    clip_from_camera[3][0] = camera.axis_at.x;
+    clip_from_camera[3][1] = camera.axis_at.y;
     clip_from_camera[3][3] = 1;
   } else {
     const float f = 1 / std::tan(camera.fov_y_rad / 2);
     clip_from_camera[0][0] = f / static_cast<float>(aspect);
     clip_from_camera[1][1] = f;
     clip_from_camera[3][2] = camera.znear_m;
+    clip_from_camera[2][0] = -camera.axis_at.x;
+    clip_from_camera[2][1] = -camera.axis_at.y;
     clip_from_camera[2][3] = -1;
   }
 
@@ -63,7 +74,8 @@ double reference_distance(const Subject& subject, const RenderSettings& s, const
 
   // pixels per mm at distance d (mm) = (height / 2) / (d tan(fov / 2)).
   const double fov_y_rad = camera.fov_y_rad;
-  const double d_mm = s.output.height / 2.0 / (density * std::tan(fov_y_rad / 2));
+  const double pixels = s.output.height * density_across(s, camera);
+  const double d_mm = pixels / 2.0 / (density * std::tan(fov_y_rad / 2));
   return d_mm / (subject.sphere.radius_m * subject.scene->mm_per_unit);
 }
 
@@ -73,7 +85,8 @@ int map_side(const Subject& subject, const RenderSettings& s, const scene::Camer
 
   double needed = 1;  // of T_max
   if (camera.orthographic) {
-    const double pixels_per_mm = s.output.height / (2.0 * camera.ymag_m * subject.scene->mm_per_unit);
+    const double pixels = s.output.height * density_across(s, camera);
+    const double pixels_per_mm = pixels / (2.0 * camera.ymag_m * subject.scene->mm_per_unit);
     needed = pixels_per_mm / texels_per_mm(subject, s);
   } else {
     const glm::vec3 eye_m(camera.world_from_camera[3]);

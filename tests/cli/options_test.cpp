@@ -44,6 +44,8 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
   expect_not_understood(run({"render", scene, "-o", out, "--orbit", "1"}), "--orbit");
   expect_not_understood(run({"render", scene, "-o", out, "--orbit", "1,2,3"}), "--orbit");
   expect_not_understood(run({"render", scene, "-o", out, "--orbit", "left,up"}), "--orbit");
+  expect_not_understood(run({"render", scene, "-o", out, "--eye", "0,1", "--target", "0,0,0"}), "--eye");
+  expect_not_understood(run({"render", scene, "-o", out, "--eye", "0,0,1", "--target", "nose"}), "--target");
   for (const char* light :
        {"90", "90,", ",10", "90,10,", "90,10,3,4", "90;10", "left,up", " 90,10", "90,10x", ""})
     expect_not_understood(run({"render", scene, "-o", out, "--light", light}), "--light");
@@ -119,6 +121,10 @@ TEST_F(Options, ValuesOutOfRange) {
       refuse({option, value}, option);
 
   refuse({"--orbit", "nan,0"}, "--orbit");
+  refuse({"--eye", "0,0,1"}, "camera.target_m (--target) is missing");
+  refuse({"--eye", "0,0,nan", "--target", "0,0,0"}, "camera.eye_m (--eye) must be");
+  refuse({"--eye", "0,0,1", "--target", "0,0,1"}, "nowhere to look");
+  refuse({"--eye", "0,0,1", "--target", "0,0,0", "--orbit", "30,0"}, "give one of these");
   refuse({"--fov", "180"}, "--fov");
   refuse({"--unit-scale", "0"}, "--unit-scale");
   refuse({"--unit-scale", "1e30"}, "--unit-scale");
@@ -137,6 +143,7 @@ TEST_F(Options, ExtremesThatAreAllowedGiveAPicture) {
                               {"--fov", "170"},
                               {"--fov", "0.1"},
                               {"--orbit", "-90,90"},
+                              {"--eye", "0,3,0", "--target", "0,0,0"},
                               {"--samples", "1", "--bloom", "1"},
                               {"--unit-scale", "1e-6"},
                               {"--heads", "2", "--lights", "0"},

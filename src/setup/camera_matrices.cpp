@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "setup/camera_matrices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "core/error.h"
+
+namespace dermis::setup {
+namespace {
+
+// Of a unit vector: a host keeps its matrices as floats, and multiplies some.
+constexpr double tolerance = 1e-3;
+
+template <class... Args>
+InputError view_error(fmt::format_string<Args...> format, Args&&... args) {
+  return input_error("camera.matrices.camera_from_world", format, std::forward<Args>(args)...);
+}
+template <class... Args>
+InputError projection_error(fmt::format_string<Args...> format, Args&&... args) {
+  return input_error("camera.matrices.clip_from_camera", format, std::forward<Args>(args)...);
+}
+
+glm::dmat4 matrix_of(const std::array<double, 16>& values) {
+  glm::dmat4 matrix;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      matrix[column][row] = values[static_cast<std::size_t>(4 * column + row)];
+  return matrix;
+}
+
+bool is_finite(const std::array<double, 16>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](double v) { return std::isfinite(v) && std::abs(v) < 1e9; });
+}
+
+// Both cameras of a host, as if it looked along -z and its clip y grew upwards.
+struct Upright {
+  glm::dmat4 camera_from_world, clip_from_camera;
+  bool perspective = true;
+};
+
+Upright upright(const CameraMatrices& matrices) {
+  Upright out{matrix_of(matrices.camera_from_world), matrix_of(matrices.clip_from_camera)};
+  glm::dmat4& clip = out.clip_from_camera;
+
+  // The row of w: (0 0 -1 0), (0 0 1 0) or (0 0 0 1), times any number.
+  const glm::dvec4 w(clip[0][3], clip[1][3], clip[2][3], clip[3][3]);
+  out.perspective = std::abs(w.z) > std::abs(w.w);
+  const double scale = out.perspective ? std::abs(w.z) : w.w;
+  if (!(scale > 0) || glm::length(w) > (1 + tolerance) * scale)
+    throw projection_error(
+        "the row of w must be 0 0 -1 0 or 0 0 1 0 (perspective) or 0 0 0 1 (orthographic), got {:g} {:g} "
+        "{:g} {:g}",
+        w.x, w.y, w.z, w.w);
+  clip /= scale;
+
+  // A camera that looks along +z, seen in a mirror, looks along -z.
+  const bool along_z = out.perspective ? w.z > 0 : glm::determinant(glm::dmat3(out.camera_from_world)) < 0;
+  if (along_z) {
+    glm::dmat4 mirror(1);
+    mirror[2][2] = -1;
+    clip = clip * mirror;
+    out.camera_from_world = mirror * out.camera_from_world;
+  }
+
+  if (clip[1][1] < 0)
+    for (int column = 0; column < 4; ++column) clip[column][1] = -clip[column][1];
+  return out;
+}
+
+void check_rigid(const glm::dmat4& camera_from_world) {
+  const glm::dmat3 turn(camera_from_world);
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b)
+      if (std::abs(glm::dot(turn[a], turn[b]) - (a == b ? 1 : 0)) > tolerance)
+        throw view_error("must be rigid: columns {} and {} have the product {:.4g}, not {}", a, b,
+                         glm::dot(turn[a], turn[b]), a == b ? 1 : 0);
+    if (std::abs(camera_from_world[a][3]) > tolerance)
+      throw view_error("must be rigid: its last row must be 0 0 0 1");
+  }
+  if (std::abs(camera_from_world[3][3] - 1) > tolerance)
+    throw view_error("must be rigid: its last row must be 0 0 0 1");
+  if (glm::determinant(turn) < 0)
+    throw view_error("is a reflection, which the projection does not undo: clip w must then be z");
+}
+
+void check_form(const glm::dmat4& clip, bool perspective) {
+  if (!(clip[0][0] > 0) || !(clip[1][1] > 0))
+    throw projection_error("must show something, x growing to the right: its diagonal has {:g} and {:g}",
+                           clip[0][0], clip[1][1]);
+
+  const glm::dvec2 shear(clip[1][0], clip[0][1]), depth(clip[0][2], clip[1][2]);
+  const glm::dvec2 moved = perspective ? glm::dvec2(clip[3]) : glm::dvec2(clip[2]);
+  if (glm::length(shear) > tolerance || glm::length(depth) > tolerance || glm::length(moved) > tolerance)
+    throw projection_error("must be a perspective or an orthographic camera, not sheared or oblique");
+}
+
+// Depth is a + b / t (perspective) or b - a t (orthographic) at the distance t; the near plane is where it is
+// 1 if it falls with t (reversed), else 0.
+double near_m(const glm::dmat4& clip, bool perspective) {
+  const double a = clip[2][2], b = clip[3][2];
+  if (perspective) return b > 0 ? b / (1 + a) : b / a;
+  return a > 0 ? (b - 1) / a : b / a;
+}
+
+}  // namespace
+
+scene::Camera camera_of(const CameraMatrices& matrices) {
+  if (!is_finite(matrices.camera_from_world)) throw view_error("must be finite numbers");
+  if (!is_finite(matrices.clip_from_camera)) throw projection_error("must be finite numbers");
+  const auto [camera_from_world, clip, perspective] = upright(matrices);
+  check_rigid(camera_from_world);
+  check_form(clip, perspective);
+
+  scene::Camera camera;
+  camera.name = "matrices";
+  camera.world_from_camera = glm::mat4(glm::inverse(camera_from_world));
+  camera.orthographic = !perspective;
+  camera.aspect = static_cast<float>(clip[1][1] / clip[0][0]);
+  camera.axis_at = perspective ? -glm::vec2(clip[2]) : glm::vec2(clip[3]);
+
+  const double near = near_m(clip, perspective);
+  if (!std::isfinite(near) || (perspective && !(near > 0)))
+    throw projection_error(
+        "must have its near plane in front of the eye, depth from 0 to 1 or from 1 to 0; it is at {:g} m",
+        near);
+  camera.znear_m = static_cast<float>(near);
+
+  if (perspective) {
+    camera.fov_y_rad = static_cast<float>(2 * std::atan(1 / clip[1][1]));
+    return camera;
+  }
+  camera.ymag_m = static_cast<float>(1 / clip[1][1]);
+  const double a = clip[2][2], b = clip[3][2], far_m = a > 0 ? b / a : (b - 1) / a;
+  if (!(far_m > near))
+    throw projection_error("must have a far plane behind its near plane, {:g} and {:g} m", far_m, near);
+  camera.zfar_m = static_cast<float>(far_m);
+  return camera;
+}
+
+}  // namespace dermis::setup

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+/// The camera of a host, whatever its conventions, as one of ours.
+#pragma once
+
+#include "dermis/settings.h"
+#include "scene/scene.h"
+
+namespace dermis::setup {
+
+/// Returns the camera. Throws InputError, which names the member of CameraMatrices and what is wrong with it:
+/// a number that is none, a view that is not rigid, a projection that is neither perspective nor
+/// orthographic, is mirrored, or has its near plane behind the eye.
+scene::Camera camera_of(const CameraMatrices& matrices);
+
+}  // namespace dermis::setup
