@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "dermis/error.h"
 #include "image/colour.h"
 
 namespace dermis::image {

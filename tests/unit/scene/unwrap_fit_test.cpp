@@ -2,6 +2,7 @@
 // Texture coordinates that leave most of the map empty, or that no map can hold.
 #include "scene/unwrap_fit.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
