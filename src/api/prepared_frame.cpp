@@ -210,7 +210,15 @@ PreparedFrame& PreparedFrame::operator=(PreparedFrame&&) noexcept = default;
 PreparedFrame::~PreparedFrame() = default;
 
 void PreparedFrame::set(const RenderSettings& settings) {
-  state_->renderer->preparing(state_->source, [&] { state_->set(settings); });
+  try {
+    state_->renderer->preparing(state_->source, [&] { state_->set(settings); });
+  } catch (const InputError&) {
+    throw;
+  } catch (...) {
+    // However far it came, so that a caller need not know.
+    state_->ready = false;
+    throw;
+  }
 }
 
 double PreparedFrame::draw() {

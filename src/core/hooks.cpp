@@ -10,7 +10,7 @@
 
 namespace dermis {
 
-struct Errand::Call {
+struct CallContext::Call {
   Hooks hooks;
   /// Keeps two threads out of the hooks. Enclosing calls share it. The same thread may come back: a hook may
   /// call the library.
@@ -27,10 +27,11 @@ namespace {
 
 using Lock = std::lock_guard<std::recursive_mutex>;
 
-thread_local Errand current;
+thread_local CallContext current;
 
-std::shared_ptr<Errand::Call> call_within(const std::shared_ptr<Errand::Call>& outer, const Hooks& hooks) {
-  auto call = std::make_shared<Errand::Call>();
+std::shared_ptr<CallContext::Call> call_within(const std::shared_ptr<CallContext::Call>& outer,
+                                               const Hooks& hooks) {
+  auto call = std::make_shared<CallContext::Call>();
   call->hooks = hooks;
   if (outer == nullptr) return call;
 
@@ -43,19 +44,20 @@ std::shared_ptr<Errand::Call> call_within(const std::shared_ptr<Errand::Call>& o
 
 }  // namespace
 
-Errand current_errand() { return current; }
+CallContext current_context() { return current; }
 
-void stop_if_cancelled(const Errand& errand) {
-  if (errand.call == nullptr || !errand.call->stopped()) return;
-  throw Cancelled(errand.steps == nullptr ? "stopped" : "stopped: " + errand.steps->what());
+void stop_if_cancelled(const CallContext& context) {
+  if (context.call == nullptr || !context.call->stopped()) return;
+  throw Cancelled(context.steps == nullptr ? "stopped" : "stopped: " + context.steps->what());
 }
 
-HookScope::HookScope(const Hooks& hooks) : HookScope(Errand{call_within(current.call, hooks), nullptr}) {}
-HookScope::HookScope(Errand errand) : before_(std::exchange(current, std::move(errand))) {}
+HookScope::HookScope(const Hooks& hooks)
+    : HookScope(CallContext{call_within(current.call, hooks), nullptr}) {}
+HookScope::HookScope(CallContext context) : before_(std::exchange(current, std::move(context))) {}
 HookScope::~HookScope() { current = std::move(before_); }
 
 void log_line(LogLevel level, const std::string& line) {
-  const std::shared_ptr<Errand::Call> call = current.call;
+  const std::shared_ptr<CallContext::Call> call = current.call;
   if (call == nullptr || !call->hooks.log) {
     std::fputs(fmt::format("dermis: {}{}\n", level == LogLevel::warning ? "warning: " : "", line).c_str(),
                stderr);
@@ -86,7 +88,7 @@ Steps::~Steps() {
 }
 
 void Steps::done() {
-  const std::shared_ptr<Errand::Call>& call = outer_.call;
+  const std::shared_ptr<CallContext::Call>& call = outer_.call;
   if (call == nullptr) return;
 
   const Lock lock(*call->mutex);

@@ -14,17 +14,17 @@ namespace dermis {
 class Steps;
 
 /// What a thread works for: a call of the library, and the step of long work within it. Both may be null.
-struct Errand {
+struct CallContext {
   struct Call;
   std::shared_ptr<Call> call;
   Steps* steps = nullptr;
 };
 
 /// Returns that of the current thread, to be handed to the threads that help.
-Errand current_errand();
+CallContext current_context();
 
 /// Throws Cancelled if the caller has ended the work.
-void stop_if_cancelled(const Errand& errand);
+void stop_if_cancelled(const CallContext& context);
 
 /// While it exists, the current thread works for the owner of the hooks.
 class HookScope {
@@ -32,13 +32,13 @@ class HookScope {
   /// A call of the library begins. A member of `hooks` that is empty is that of the enclosing call.
   explicit HookScope(const Hooks& hooks);
   /// The thread helps another one.
-  explicit HookScope(Errand errand);
+  explicit HookScope(CallContext context);
   ~HookScope();
   HookScope(const HookScope&) = delete;
   HookScope& operator=(const HookScope&) = delete;
 
  private:
-  Errand before_;
+  CallContext before_;
 };
 
 /// Counts the finished steps of long work, by any thread, and tells the caller how far the work is. A step
@@ -64,7 +64,7 @@ class Steps {
   std::size_t count_, done_ = 0;
   double from_ = 0, width_ = 1;  ///< of the outermost work
   double reported_ = 0;          ///< of the outermost work, kept there
-  Errand outer_;
+  CallContext outer_;
 };
 
 }  // namespace dermis

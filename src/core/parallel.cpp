@@ -15,10 +15,10 @@ namespace dermis {
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   const std::size_t threads = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
-  const Errand errand = current_errand();
+  const CallContext context = current_context();
   if (threads <= 1) {
     for (std::size_t i = 0; i < count; ++i) {
-      stop_if_cancelled(errand);
+      stop_if_cancelled(context);
       body(i);
     }
     return;
@@ -28,10 +28,10 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   std::exception_ptr first_error;
   std::mutex error_mutex;
   const auto work = [&] {
-    const HookScope helping(errand);
+    const HookScope helping(context);
     try {
       for (std::size_t i; (i = next.fetch_add(1)) < count;) {
-        stop_if_cancelled(errand);
+        stop_if_cancelled(context);
         body(i);
       }
     } catch (...) {
