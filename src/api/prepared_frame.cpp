@@ -212,9 +212,7 @@ PreparedFrame::~PreparedFrame() = default;
 void PreparedFrame::set(const RenderSettings& settings) {
   try {
     state_->renderer->preparing(state_->source, [&] { state_->set(settings); });
-  } catch (const InputError&) {
-    throw;
-  } catch (...) {
+  } catch (const InputError&) { throw; } catch (...) {
     // However far it came, so that a caller need not know.
     state_->ready = false;
     throw;
