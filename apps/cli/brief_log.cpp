@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "cli/progress.h"
 #include "cli/settings_options.h"
 #include "core/log.h"
 
@@ -26,6 +27,7 @@ void BriefLog::take(LogLevel level, const std::string& line) {
     return;
   }
   said_one_ = true;
+  show_line("");  // whatever was under way
   std::fputs(text.c_str(), stderr);
 }
 

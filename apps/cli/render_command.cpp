@@ -54,13 +54,13 @@ void render(const RenderArguments& a, int& exit_status) {
 
   // Ctrl-C while the scene is prepared ends in order, so that no file of the cache is left half-written;
   // later there is nothing to tidy up.
-  show_line("rendering");
   PreparedFrame frame = [&] {
     const CatchInterrupts here;
     return renderer.prepare(scene, a.settings);
   }();
   if (interrupted_flag()) throw Cancelled("stopped before the first frame");
 
+  show_line("rendering");
   for (int i = 0; i < a.settings.output.frames; ++i) frame.draw();
   Picture picture = frame.picture();
   show_line("");

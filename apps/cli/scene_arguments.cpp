@@ -241,7 +241,9 @@ Scene open_scene(const SceneArguments& arguments) {
   const bool built_in =
       arguments.scene.empty() || (arguments.use == SceneUse::comparison && arguments.scene == "built-in");
   const Hooks hooks = terminal_hooks();
-  return built_in ? Scene::built_in(hooks) : Scene::load(arguments.scene, arguments.options, hooks);
+  Scene scene = built_in ? Scene::built_in(hooks) : Scene::load(arguments.scene, arguments.options, hooks);
+  show_line("");
+  return scene;
 }
 
 void check_picture_name(const std::string& path) {

@@ -7,7 +7,8 @@
 ///   const dermis::Scene scene = dermis::Scene::load("head.glb", {}, hooks);
 ///
 /// Each call that takes hooks uses its own; nothing is global. The library calls them from any of the threads
-/// that work for that call, but never from two of them at once.
+/// that work for that call, but never from two of them at once. A hook may call the library; that call has
+/// hooks of its own, or none.
 #pragma once
 
 #include <atomic>
@@ -26,7 +27,7 @@ using LogSink = std::function<void(LogLevel level, const std::string& line)>;
 /// Work that may take longer than a second.
 struct WorkProgress {
   std::string what;  ///< "what the skin sees of its surroundings"
-  double share = 0;  ///< of the work that is done, 0 to 1, rising
+  double share = 0;  ///< of this work that is done, 0 to 1, rising while `what` stays the same
 };
 
 /// All members may be empty.
@@ -34,10 +35,10 @@ struct Hooks {
   /// Receives warnings and notes. Empty: standard error, as "dermis: LINE" or "dermis: warning: LINE".
   LogSink log{};
   /// Receives the progress of long work. Returns false to end the work: the call throws Cancelled. An
-  /// exception ends it too, and reaches the caller.
+  /// exception ends it too, and reaches the caller; one of dermis or of memory may get the name of a file.
   std::function<bool(const WorkProgress&)> progress{};
-  /// Ends the work as `progress` does, sooner: another thread or a signal sets it to true. Not owned:
-  /// outlives whoever was given the hooks.
+  /// Ends long work as `progress` does: another thread or a signal sets it to true. Parallel loops look at it
+  /// more often than progress is told. Not owned: outlives whoever was given the hooks.
   const std::atomic<bool>* stop = nullptr;
 };
 

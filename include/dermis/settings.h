@@ -19,17 +19,19 @@ namespace dermis {
 /// A camera of a host. Column-major: element 4 * column + row, columns multiplied by vectors from the right,
 /// as GLSL and glm have it. Metres.
 struct CameraMatrices {
-  /// The "view" matrix: rigid. The camera looks along its -z or, with clip w = z, along its +z; +y is up.
+  /// The "view" matrix: rigid, from the right-handed world of the scene. The camera looks along its -z, or
+  /// along its +z if it is left-handed (determinant -1; a perspective then has clip w = z); +y is up.
   std::array<double, 16> camera_from_world{};
   /// The "projection" matrix: a perspective or an orthographic camera, its axis in the middle of the picture
   /// or not. Clip x grows to the right; clip y up or down, the picture stands upright. Depth goes from 0 to 1
-  /// or from 1 to 0 with the distance, the far plane is finite or not.
+  /// (not from -1) or from 1 to 0 with the distance. The near plane lies in front of the eye; the far plane
+  /// of a perspective is not used, and may be infinite.
   std::array<double, 16> clip_from_camera{};
 };
 
 struct CameraSettings {
   std::string name{};               ///< of the scene; empty: the scene's first, else framing
-  std::optional<double> fov_deg{};  ///< vertical; none: the camera's, 20 when framing
+  std::optional<double> fov_deg{};  ///< vertical; none: that of a camera of the scene, else 20
   /// the paper's test: from the eye to the middle head, in sphere radii
   std::optional<double> distance{};
   std::array<double, 2> orbit_deg{0, 0};  ///< azimuth, elevation of the framing camera

@@ -213,7 +213,7 @@ void PreparedFrame::set(const RenderSettings& settings) {
   try {
     state_->renderer->preparing(state_->source, [&] { state_->set(settings); });
   } catch (const InputError&) { throw; } catch (...) {
-    // However far it came, so that a caller need not know.
+    // The frame may be half changed: refuse to draw it until a set() succeeds.
     state_->ready = false;
     throw;
   }

@@ -12,10 +12,9 @@ namespace dermis {
 
 struct CallContext::Call {
   Hooks hooks;
-  /// Keeps two threads out of the hooks. Enclosing calls share it. The same thread may come back: a hook may
-  /// call the library.
-  std::shared_ptr<std::recursive_mutex> mutex = std::make_shared<std::recursive_mutex>();
-  std::atomic<bool> cancelled{false};  ///< `progress` said so
+  /// Keeps two threads out of the hooks. Enclosing calls share it.
+  std::shared_ptr<std::mutex> mutex = std::make_shared<std::mutex>();
+  std::atomic<bool> cancelled{false};  ///< set when `progress` has returned false
 
   bool stopped() const {
     return cancelled.load(std::memory_order_relaxed) ||
@@ -25,7 +24,7 @@ struct CallContext::Call {
 
 namespace {
 
-using Lock = std::lock_guard<std::recursive_mutex>;
+using Lock = std::lock_guard<std::mutex>;
 
 thread_local CallContext current;
 
@@ -64,6 +63,7 @@ void log_line(LogLevel level, const std::string& line) {
     return;
   }
   const Lock lock(*call->mutex);
+  const HookScope outside{CallContext{}};  // a hook may call the library: that call is its own
   try {
     call->hooks.log(level, line);
   } catch (...) {
@@ -71,14 +71,15 @@ void log_line(LogLevel level, const std::string& line) {
   }
 }
 
-Steps::Steps(std::string what, std::size_t count) : what_(std::move(what)), count_(count), outer_(current) {
+Steps::Steps(std::string what, std::size_t count)
+    : what_(std::move(what)), count_(std::max<std::size_t>(count, 1)), outer_(current) {
   stop_if_cancelled(current);
   if (outer_.steps != nullptr) {
     const Lock lock(*outer_.call->mutex);
     const Steps& outer = *outer_.steps;
     what_ = outer.what_;
     width_ = outer.width_ / static_cast<double>(outer.count_);
-    from_ = outer.from_ + width_ * static_cast<double>(outer.done_);
+    from_ = outer.from_ + width_ * static_cast<double>(std::min(outer.done_, outer.count_ - 1));
   }
   if (current.call != nullptr) current.steps = this;
 }
@@ -100,8 +101,10 @@ void Steps::done() {
   while (outermost->outer_.steps != nullptr) outermost = outermost->outer_.steps;
   outermost->reported_ = std::max(outermost->reported_, share);
 
-  const WorkProgress progress{.what = what_, .share = outermost->reported_};
-  if (call->hooks.progress && !call->hooks.progress(progress)) call->cancelled = true;
+  if (call->hooks.progress) {
+    const HookScope outside{CallContext{}};  // a hook may call the library: that call is its own
+    if (!call->hooks.progress({.what = what_, .share = outermost->reported_})) call->cancelled = true;
+  }
   stop_if_cancelled({call, this});
 }
 

@@ -20,7 +20,7 @@ struct CallContext {
   Steps* steps = nullptr;
 };
 
-/// Returns that of the current thread, to be handed to the threads that help.
+/// Returns the context of the current thread, to be handed to the threads that help.
 CallContext current_context();
 
 /// Throws Cancelled if the caller has ended the work.
@@ -29,9 +29,9 @@ void stop_if_cancelled(const CallContext& context);
 /// While it exists, the current thread works for the owner of the hooks.
 class HookScope {
  public:
-  /// A call of the library begins. A member of `hooks` that is empty is that of the enclosing call.
+  /// Begins a call with these hooks. A member that is empty is that of the enclosing call.
   explicit HookScope(const Hooks& hooks);
-  /// The thread helps another one.
+  /// Joins the call of another thread, or of none.
   explicit HookScope(CallContext context);
   ~HookScope();
   HookScope(const HookScope&) = delete;

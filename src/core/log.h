@@ -11,7 +11,7 @@
 
 namespace dermis {
 
-/// Hands a line on; breaks it nowhere.
+/// Passes one line to the log.
 void log_line(LogLevel level, const std::string& line);
 
 template <class... Args>

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/error.h"
+#include "dermis/cancelled.h"
 #include "image/exr_header.h"
 #include "image/formats.h"
 
@@ -130,7 +131,9 @@ ImageF decode_exr(Bytes bytes, const std::string& where, const DecodeLimits& lim
     const Colours colours = choose_channels(file.header().channels(), where);
     if (!file.isComplete()) throw input_error(where, "EXR is truncated");
     return read_display_window(file, colours, most_pixels, where);
-  } catch (const InputError&) { throw; } catch (const std::bad_alloc&) {
+  } catch (const InputError&) { throw; } catch (const InternalError&) {
+    throw;
+  } catch (const Cancelled&) { throw; } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
     throw input_error(where, "EXR is truncated or damaged: {}", printable(error.what()));

@@ -74,7 +74,9 @@ std::vector<std::byte> encode_exr(const ImageF& picture, bool half_float, const 
     } else {
       write(stream, picture, Imf::FLOAT, picture.values.data(), sizeof(float));
     }
-  } catch (const std::bad_alloc&) { throw; } catch (const std::exception& error) {
+  } catch (const InternalError&) { throw; } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
     throw input_error(where, "cannot be encoded as OpenEXR: {}", error.what());
   }
   return stream.take();

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double radians_per_degree = glm::pi<double>() / 180;
 constexpr double least_look_m = 1e-4;
+constexpr float look_at_near_m = 1e-4f;  // reversed depth without a far plane keeps its precision
 
 void require_sphere(const BoundingSphere& sphere) {
   if (!(sphere.radius_m > 0) || !std::isfinite(sphere.radius_m))
@@ -138,7 +139,8 @@ Camera look_at_camera(const glm::dvec3& eye_m, const glm::dvec3& target_m, doubl
   const glm::dvec3 away = eye_m - target_m;
   const double distance_m = glm::length(away);
   if (!(distance_m >= least_look_m) || !std::isfinite(distance_m))
-    throw input_error("", "camera.eye_m and camera.target_m are the same point: there is nowhere to look");
+    throw input_error(
+        "", "camera.eye_m and camera.target_m must be finite and 0.1 mm apart: there is nowhere to look");
 
   // The azimuth of a camera straight above or below is that of the front.
   const double azimuth = std::hypot(away.x, away.z) > 1e-9 * distance_m ? std::atan2(away.x, away.z) : 0;
@@ -146,8 +148,7 @@ Camera look_at_camera(const glm::dvec3& eye_m, const glm::dvec3& target_m, doubl
   Camera camera;
   camera.world_from_camera = look(eye_m, azimuth / radians_per_degree, elevation / radians_per_degree);
   camera.fov_y_rad = static_cast<float>(fov_y_deg * radians_per_degree);
-  camera.znear_m =
-      static_cast<float>(least_look_m);  // reversed depth without a far plane keeps its precision
+  camera.znear_m = look_at_near_m;
   return camera;
 }
 

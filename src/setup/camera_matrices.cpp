@@ -13,6 +13,8 @@ namespace {
 
 // Of a unit vector: a host keeps its matrices as floats, and multiplies some.
 constexpr double tolerance = 1e-3;
+// What floats hold with some digits to spare.
+constexpr double least_m = 1e-6, most_m = 1e6, least_aspect = 1e-4;
 
 template <class... Args>
 InputError view_error(fmt::format_string<Args...> format, Args&&... args) {
@@ -36,10 +38,11 @@ bool is_finite(const std::array<double, 16>& values) {
                      [](double v) { return std::isfinite(v) && std::abs(v) < 1e9; });
 }
 
-// Both cameras of a host, as if it looked along -z and its clip y grew upwards.
+// The matrices of a host, as if its camera looked along -z and its clip y grew upwards.
 struct Upright {
   glm::dmat4 camera_from_world, clip_from_camera;
   bool perspective = true;
+  bool along_z = false;  ///< it looked along +z
 };
 
 Upright upright(const CameraMatrices& matrices) {
@@ -58,8 +61,8 @@ Upright upright(const CameraMatrices& matrices) {
   clip /= scale;
 
   // A camera that looks along +z, seen in a mirror, looks along -z.
-  const bool along_z = out.perspective ? w.z > 0 : glm::determinant(glm::dmat3(out.camera_from_world)) < 0;
-  if (along_z) {
+  out.along_z = out.perspective ? w.z > 0 : glm::determinant(glm::dmat3(out.camera_from_world)) < 0;
+  if (out.along_z) {
     glm::dmat4 mirror(1);
     mirror[2][2] = -1;
     clip = clip * mirror;
@@ -71,7 +74,7 @@ Upright upright(const CameraMatrices& matrices) {
   return out;
 }
 
-void check_rigid(const glm::dmat4& camera_from_world) {
+void check_rigid(const glm::dmat4& camera_from_world, bool along_z) {
   const glm::dmat3 turn(camera_from_world);
   for (int a = 0; a < 3; ++a) {
     for (int b = 0; b < 3; ++b)
@@ -84,7 +87,9 @@ void check_rigid(const glm::dmat4& camera_from_world) {
   if (std::abs(camera_from_world[3][3] - 1) > tolerance)
     throw view_error("must be rigid: its last row must be 0 0 0 1");
   if (glm::determinant(turn) < 0)
-    throw view_error("is a reflection, which the projection does not undo: clip w must then be z");
+    throw along_z
+        ? view_error("must be a reflection, of determinant -1, where clip w is z: the scene is right-handed")
+        : view_error("is a reflection, which goes with clip w = z alone");
 }
 
 void check_form(const glm::dmat4& clip, bool perspective) {
@@ -92,13 +97,15 @@ void check_form(const glm::dmat4& clip, bool perspective) {
     throw projection_error("must show something, x growing to the right: its diagonal has {:g} and {:g}",
                            clip[0][0], clip[1][1]);
 
+  // Compare with the smaller of both scales: an orthographic camera may show metres or millimetres.
+  const double least = tolerance * std::min({clip[0][0], clip[1][1], 1.0});
   const glm::dvec2 shear(clip[1][0], clip[0][1]), depth(clip[0][2], clip[1][2]);
   const glm::dvec2 moved = perspective ? glm::dvec2(clip[3]) : glm::dvec2(clip[2]);
-  if (glm::length(shear) > tolerance || glm::length(depth) > tolerance || glm::length(moved) > tolerance)
+  if (glm::length(shear) > least || glm::length(depth) > least || glm::length(moved) > least)
     throw projection_error("must be a perspective or an orthographic camera, not sheared or oblique");
 }
 
-// Depth is a + b / t (perspective) or b - a t (orthographic) at the distance t; the near plane is where it is
+// Depth is b / t - a (perspective) or b - a t (orthographic) at the distance t; the near plane is where it is
 // 1 if it falls with t (reversed), else 0.
 double near_m(const glm::dmat4& clip, bool perspective) {
   const double a = clip[2][2], b = clip[3][2];
@@ -109,34 +116,40 @@ double near_m(const glm::dmat4& clip, bool perspective) {
 }  // namespace
 
 scene::Camera camera_of(const CameraMatrices& matrices) {
-  if (!is_finite(matrices.camera_from_world)) throw view_error("must be finite numbers");
-  if (!is_finite(matrices.clip_from_camera)) throw projection_error("must be finite numbers");
-  const auto [camera_from_world, clip, perspective] = upright(matrices);
-  check_rigid(camera_from_world);
+  if (!is_finite(matrices.camera_from_world)) throw view_error("must be numbers under 1e9");
+  if (!is_finite(matrices.clip_from_camera)) throw projection_error("must be numbers under 1e9");
+  const auto [camera_from_world, clip, perspective, along_z] = upright(matrices);
+  check_rigid(camera_from_world, along_z);
   check_form(clip, perspective);
+
+  // Checked as doubles: what a float does not hold is refused before it is one.
+  const double near = near_m(clip, perspective), half_height = 1 / clip[1][1],
+               aspect = clip[1][1] / clip[0][0];
+  if (!(near >= (perspective ? least_m : 0) && near <= most_m))
+    throw projection_error(
+        "must have its near plane in front of the eye, depth from 0 to 1 or from 1 to 0; it is at {:g} m",
+        near);
+  if (!(half_height >= least_m && half_height <= most_m) ||
+      !(aspect >= least_aspect && aspect <= 1 / least_aspect))
+    throw projection_error("must show something: half of its picture is {:g} high and {:g} wide", half_height,
+                           1 / clip[0][0]);
 
   scene::Camera camera;
   camera.name = "matrices";
   camera.world_from_camera = glm::mat4(glm::inverse(camera_from_world));
   camera.orthographic = !perspective;
-  camera.aspect = static_cast<float>(clip[1][1] / clip[0][0]);
+  camera.aspect = static_cast<float>(aspect);
   camera.axis_at = perspective ? -glm::vec2(clip[2]) : glm::vec2(clip[3]);
-
-  const double near = near_m(clip, perspective);
-  if (!std::isfinite(near) || (perspective && !(near > 0)))
-    throw projection_error(
-        "must have its near plane in front of the eye, depth from 0 to 1 or from 1 to 0; it is at {:g} m",
-        near);
   camera.znear_m = static_cast<float>(near);
-
   if (perspective) {
-    camera.fov_y_rad = static_cast<float>(2 * std::atan(1 / clip[1][1]));
+    camera.fov_y_rad = static_cast<float>(2 * std::atan(half_height));
     return camera;
   }
-  camera.ymag_m = static_cast<float>(1 / clip[1][1]);
+
   const double a = clip[2][2], b = clip[3][2], far_m = a > 0 ? b / a : (b - 1) / a;
-  if (!(far_m > near))
+  if (!(far_m <= most_m && static_cast<float>(far_m) > camera.znear_m))
     throw projection_error("must have a far plane behind its near plane, {:g} and {:g} m", far_m, near);
+  camera.ymag_m = static_cast<float>(half_height);
   camera.zfar_m = static_cast<float>(far_m);
   return camera;
 }

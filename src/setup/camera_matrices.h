@@ -9,7 +9,7 @@ namespace dermis::setup {
 
 /// Returns the camera. Throws InputError, which names the member of CameraMatrices and what is wrong with it:
 /// a number that is none, a view that is not rigid, a projection that is neither perspective nor
-/// orthographic, is mirrored, or has its near plane behind the eye.
+/// orthographic, is mirrored, or has its near plane behind the eye, or shows nothing.
 scene::Camera camera_of(const CameraMatrices& matrices);
 
 }  // namespace dermis::setup

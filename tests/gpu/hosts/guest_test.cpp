@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The library behaves as a guest of the program that it is part of: it speaks where it is told to, ends when
-// it is told to, and several renderers do not meet.
+// it is told to, and several renderers do not affect each other.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

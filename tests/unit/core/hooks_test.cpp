@@ -58,14 +58,36 @@ TEST(Hooks, ALogThatThrowsEndsNothing) {
   EXPECT_NO_THROW(note("lost"));
 }
 
-TEST(Hooks, ALogMayCallTheLibraryAgain) {
-  std::vector<std::string> lines;
-  const HookScope scope(Hooks{.log = [&](LogLevel, const std::string& line) {
+// With workers of its own, which must not wait for the hook that waits for them, and must not be heard by it.
+TEST(Hooks, AHookMayCallTheLibrary) {
+  std::vector<std::string> lines, of_the_hook;
+  int told = 0;
+  const auto call_again = [&] {
+    const HookScope own(
+        Hooks{.log = [&](LogLevel, const std::string& line) { of_the_hook.push_back(line); }});
+    Steps steps("loading", 8);
+    parallel_for(8, [&](std::size_t) {
+      note("again");
+      steps.done();
+    });
+  };
+  Hooks hooks;
+  hooks.log = [&](LogLevel, const std::string& line) {
     lines.push_back(line);
-    if (lines.size() < 3) note("again");
-  }});
+    call_again();
+  };
+  hooks.progress = [&](const WorkProgress&) {
+    ++told;
+    call_again();
+    return true;
+  };
+
+  const HookScope scope(hooks);
   note("once");
-  EXPECT_EQ(lines, (std::vector<std::string>{"once", "again", "again"}));
+  Steps("work", 1).done();
+  EXPECT_EQ(lines, std::vector<std::string>{"once"});
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(of_the_hook, std::vector<std::string>(16, "again"));
 }
 
 class Progress : public testing::Test {

@@ -174,6 +174,24 @@ TEST(Matrices, WhatIsNoCameraIsRefused) {
   expect(refused([](CameraMatrices& m) { m.clip_from_camera[2] = 1; }), "oblique");
   expect(refused([](CameraMatrices& m) { m.clip_from_camera[10] = -m.clip_from_camera[10]; }), "near plane");
   expect(refused([](CameraMatrices& m) { m.clip_from_camera[15] = 3; }), "row of w");
+  expect(refused([](CameraMatrices& m) { m.clip_from_camera[0] = 1e-300; }), "must");
+  expect(refused([](CameraMatrices& m) { m.clip_from_camera[5] = 1e-300; }), "must");
+  expect(refused([](CameraMatrices& m) { m.clip_from_camera[14] = -1e-50; }), "near plane");
+
+  // Along +z, in a right-handed camera space.
+  expect(refused([](CameraMatrices& m) {
+           for (const std::size_t i : {8u, 9u, 10u, 11u}) m.clip_from_camera[i] *= -1;
+         }),
+         "determinant -1");
+}
+
+TEST(Matrices, AnOrthographicCameraSeesWhatLiesBeforeIt) {
+  const Lens lens{.orthographic = true};
+  CameraMatrices behind = matrices_of(plain_camera(), lens, {.along_z = true});
+  EXPECT_NO_THROW(camera_of(behind));
+  // The projection of one that looks along +z, and a view that looks along -z.
+  behind.camera_from_world = matrices_of(plain_camera(), lens, {}).camera_from_world;
+  EXPECT_THROW(camera_of(behind), InputError);
 }
 
 }  // namespace
