@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/scene_comparison.h"
+#include "api/asset_state.h"
+#include "api/scene_state.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -103,11 +105,17 @@ class Comparer {
 
 /// The same scene, its skin with one Gaussian.
 Scene with_one_gaussian(const Scene& scene, const RenderSettings& s) {
-  auto copy = std::make_shared<scene::Scene>(scene.data());
-  for (scene::Material& material : copy->materials)
-    if (material.skin)
-      material.skin_settings.profile = gaussians::one_gaussian(setup::choose_profile(material, s));
-  return Scene(std::move(copy));
+  Scene::State state = scene.state();
+  for (Scene::State::PlacedInstance& placed : state.instances) {
+    auto copy = std::make_shared<scene::Scene>(*Asset::State::of(placed.instance.asset));
+    for (scene::Material& material : copy->materials)
+      if (material.skin)
+        material.skin_settings.profile =
+            gaussians::one_gaussian(setup::choose_profile(material, s, placed.profile));
+    placed.instance.asset = Asset::State::make(std::move(copy));
+    placed.profile.reset();
+  }
+  return Scene::State::make(std::move(state));
 }
 
 class Run {

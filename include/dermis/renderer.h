@@ -147,6 +147,9 @@ class PreparedFrame {
   /// Throws as Renderer::render() does. After an InputError the frame is as before. After a DeviceError or
   /// Cancelled it cannot be drawn until a set() succeeds: draw() and picture() throw Cancelled.
   void set(const RenderSettings& settings);
+  /// Likewise, of an edited scene or of another one. Costs what has changed: moved instances and lights cost
+  /// little; a new asset is uploaded; a profile or a scale that no instance had makes a new plan.
+  void set(const Scene& scene, const RenderSettings& settings);
 
   /// Draws one frame and returns its time, ms. Before the first after a change, draws another
   /// one that warms up and counts texels.

@@ -1,49 +1,128 @@
 // SPDX-License-Identifier: MIT
-/// Scenes: heads with their maps, lights and cameras. A Scene is a cheap handle; copies share what they hold
-/// and never change it.
+/// Scenes: instances of assets, lights, surroundings. A Scene is a value: copies do not share edits, only the
+/// assets. Editing is cheap; what it costs is done when a frame needs it.
+///
+///   dermis::Scene scene;
+///   const dermis::Asset head = dermis::Asset::load("head.glb");
+///   scene.add({.asset = head});
+///   const auto second = scene.add({.asset = head, .tint = {0.8, 0.7, 0.6}});
+///   scene.set_transform(second, {1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 0,  0.3, 0, 0, 1});
+///
+/// A transform is column-major, 4x4: element 4 * column + row, columns multiplied by vectors from the right,
+/// as GLSL and glm have it. Metres, right-handed, +Y up. One thread at a time may use a Scene.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "dermis/asset.h"
 #include "dermis/hooks.h"
+#include "dermis/light.h"
+#include "dermis/profile.h"
 
 namespace dermis {
 
-namespace scene {
-struct Scene;
-}
+/// Surroundings from pixels, in place of a file.
+struct EnvironmentPixels {
+  int width = 0, height = 0;  ///< 1 to 16384; twice as wide as high
+  /// Linear Rec.709 radiance, width x height x 3 values, rows from top to bottom, as LightingSettings has
+  /// files: the middle of the picture lies behind the head. Shared, and must not change.
+  std::shared_ptr<const std::vector<float>> rgb{};
+};
 
-struct SceneOptions {
-  double unit_scale = 1;      ///< multiplies every length of the file; glTF says metres
-  std::string skin_material;  ///< this material is skin; empty: extras.dermis, else the name contains "skin",
-                              ///< else the only one
-  /// For all maps of the scene, 1e6 bytes, 1 to 1e6: as decoded and on the device with their levels, 9.3
-  /// bytes per texel, 14.7 of colour maps. Over it the largest maps are halved while they are read, with a
-  /// note.
-  double texture_budget_mb = 2000;
+/// An asset, placed.
+struct Instance {
+  Asset asset;
+  std::string name{};  ///< for messages and files
+  /// Turns, scales (one positive factor for all directions) and moves. Millimetres of skin stay
+  /// millimetres: in a head of half the size light spreads over twice as much of it.
+  std::array<double, 16> world_from_asset{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  bool visible = true;
+  /// Instead of those of the asset's materials; SkinSettings that name a profile or a mix win over both.
+  std::optional<ScatterProfile> profile{};
+  std::optional<double> mix{};          ///< 0 to 1
+  std::array<double, 3> tint{1, 1, 1};  ///< multiplies the skin's colour, linear, 0 to 100
+};
+
+/// Names an instance or a light of one scene, until that is removed.
+enum class InstanceId : std::uint32_t {};
+enum class LightId : std::uint32_t {};
+
+/// A light of a scene.
+struct SceneLight {
+  Light light;
+  /// In whose coordinates the light stands: it moves with this instance, and lights all. None: the world.
+  std::optional<InstanceId> rig{};
+};
+
+/// When something of an instance was last edited. Numbers grow with every edit in the program, so equal
+/// numbers mean equal contents, also in copies of a scene.
+struct InstanceChanges {
+  std::uint64_t pose = 0;      ///< transform, visible
+  std::uint64_t material = 0;  ///< profile, mix, tint
+  bool operator==(const InstanceChanges&) const = default;
 };
 
 class Scene {
  public:
-  /// Loads glTF 2.0, .gltf or .glb. Warns of doubtful things. Takes seconds with large maps. Throws
-  /// - InputError: one line with file and place;
-  /// - Cancelled: a hook has ended the work.
+  /// Empty: cannot be rendered before it has an instance.
+  Scene();
+  /// One instance of the asset, where it stands, and the lights of its file.
+  explicit Scene(const Asset& asset);
+  Scene(const Scene&);
+  Scene(Scene&&) noexcept;
+  Scene& operator=(const Scene&);
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
+
+  /// Loads a glTF file as a scene of one instance: Scene(Asset::load(...)); or the scene that save() wrote.
+  /// Throws as Asset::load() does.
   static Scene load(const std::filesystem::path& path, const SceneOptions& options = {},
                     const Hooks& hooks = {});
-  /// Makes the head that is built into the library; no file needed. Takes seconds. Throws Cancelled as load()
-  /// does.
+  /// Scene(Asset::built_in(...)).
   static Scene built_in(const Hooks& hooks = {});
-  /// A scene made by other means.
-  explicit Scene(std::shared_ptr<const scene::Scene> data) : data_(std::move(data)) {}
 
-  const std::string& name() const;
-  const scene::Scene& data() const { return *data_; }
-  const std::shared_ptr<const scene::Scene>& shared() const { return data_; }
+  /// Names the asset, or how many instances there are.
+  std::string name() const;
+
+  // All that follow throw InputError: an id that is not of this scene; a number out of its range or not
+  // finite; a transform that is not rigid with one positive scale. The scene is then as before.
+
+  InstanceId add(const Instance& instance);
+  void remove(InstanceId id);                 ///< with the lights of its rig
+  std::vector<InstanceId> instances() const;  ///< in the order of add()
+  const Instance& instance(InstanceId id) const;
+  void set_transform(InstanceId id, const std::array<double, 16>& world_from_asset);
+  void set_visible(InstanceId id, bool visible);
+  void set_profile(InstanceId id, const std::optional<ScatterProfile>& profile);
+  void set_mix(InstanceId id, std::optional<double> mix);
+  void set_tint(InstanceId id, const std::array<double, 3>& tint);
+
+  LightId add_light(const SceneLight& light);
+  void remove_light(LightId id);
+  std::vector<LightId> lights() const;
+  const SceneLight& light(LightId id) const;
+  void set_light(LightId id, const SceneLight& light);
+
+  /// LightingSettings::environment, where it names one, wins over these.
+  void set_environment(const std::optional<EnvironmentPixels>& environment);
+  const std::optional<EnvironmentPixels>& environment() const;
+
+  InstanceChanges changes(InstanceId id) const;
+  std::uint64_t light_changes() const;
+  std::uint64_t environment_changes() const;
+
+  struct State;  // of the library
+  const State& state() const { return *state_; }
 
  private:
-  std::shared_ptr<const scene::Scene> data_;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace dermis

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 #include "core/error.h"
 #include "image/colour.h"
@@ -104,27 +105,32 @@ void check_show(const techniques::FrameOutputs& out, const RenderSettings& setti
                     settings.output.show, names);
 }
 
-void fill_counts(Statistics& st, const setup::Subject& subject, const RenderSettings& settings,
-                 const setup::FrameSetup& setup, std::span<const std::byte> counters) {
+void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects,
+                 const RenderSettings& settings, const setup::FrameSetup& setup,
+                 std::span<const std::byte> counters) {
   st.technique = setup.technique->name;
   st.settings = settings;
   st.width = settings.output.width;
   st.height = settings.output.height;
   st.map_size = settings.quality.map_size;
-  st.heads = settings.camera.heads;
+  st.heads = static_cast<int>(setup.heads.size());
   st.lights = setup.lights;
   st.environment_lights = setup.environment_lights;
   st.gaussians = setup.gaussians;
   st.distance = settings.camera.distance;
   st.d_ref = setup.d_ref;
   st.tone_map = name_of(settings.output.tone_map);
-  for (const scene::Material& m : subject.scene->materials)
-    if (m.skin) st.skin_materials.push_back(m.name);
+  std::set<const setup::Subject*> seen;
+  for (const setup::Subject* subject : subjects) {
+    if (!seen.insert(subject).second) continue;
+    for (const scene::Material& m : subject->scene->materials)
+      if (m.skin) st.skin_materials.push_back(m.name);
+  }
 
   std::vector<std::uint32_t> counts(counters.size() / sizeof(std::uint32_t));
   std::memcpy(counts.data(), counters.data(), counters.size());
   const techniques::FrameReport report =
-      setup.technique->report(setup.plan, counts, setup::sides_of_drawn_heads(setup));
+      setup.technique->report(setup.plan, counts, setup::drawn_heads(setup));
   st.skin_pixels = report.skin_pixels;
   st.optimise = report.optimise;
   st.mask = report.mask;

@@ -20,8 +20,10 @@ void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& s
 void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames);
 
 /// `counters` as read back from FrameOutputs::counters.
-void fill_counts(Statistics& statistics, const setup::Subject& subject, const RenderSettings& settings,
-                 const setup::FrameSetup& setup, std::span<const std::byte> counters);
+/// `subjects`: one per instance.
+void fill_counts(Statistics& statistics, std::span<const setup::Subject* const> subjects,
+                 const RenderSettings& settings, const setup::FrameSetup& setup,
+                 std::span<const std::byte> counters);
 
 /// The picture before bloom, linear RGBA.
 std::vector<float> read_before_bloom(frame::GraphExecutor& executor, const techniques::FrameOutputs& out);

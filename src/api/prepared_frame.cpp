@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -7,11 +6,10 @@
 #include "api/exposure.h"
 #include "api/output.h"
 #include "api/renderer_state.h"
-#include "core/cache.h"
+#include "api/scene_on_device.h"
+#include "api/scene_state.h"
 #include "core/error.h"
-#include "core/hooks.h"
 #include "core/log.h"
-#include "core/warnings.h"
 #include "dermis/cancelled.h"
 #include "frame/executor.h"
 #include "setup/frame_data.h"
@@ -23,9 +21,8 @@ struct PreparedFrame::State {
   std::shared_ptr<Renderer::State> renderer;
   Scene source;
   RenderSettings settings;
-  std::shared_ptr<api::SharedScene> scene;
+  api::SceneOnDevice scene;
   std::shared_ptr<const setup::EnvironmentLight> environment_light;
-  setup::SkyOnSkin sky;
   setup::FrameSetup setup;
   techniques::FrameOutputs outputs;
   std::optional<frame::Executor<passes::FrameData>> executor;
@@ -38,38 +35,41 @@ struct PreparedFrame::State {
   std::optional<double> exposure_ev;  ///< given or chosen; none: it was to be chosen, and no skin is lit
 
   gpu::Device& device() { return renderer->device; }
-  void set(const RenderSettings& wanted);
+  void set(const Scene& wanted_scene, const RenderSettings& wanted);
   void plan(const RenderSettings& wanted, const setup::FrameSetup& next);
-  void upload();
   std::optional<double> measure_exposure();
-  void add_environment();
   void draw(bool with_statistics);
   void count();
   Picture picture();
 };
 
-void PreparedFrame::State::set(const RenderSettings& wanted) {
+void PreparedFrame::State::set(const Scene& wanted_scene, const RenderSettings& wanted) {
   const gpu::DeviceLimits& limits = device().limits();
   setup::check_settings(wanted);
   api::check_device_limits(wanted, limits);
 
-  const std::shared_ptr<api::SharedScene> next_scene = renderer->shared(source, wanted);
+  api::SceneOnDevice next_scene(renderer->assets_of(wanted_scene));
+  const setup::PlacedScene placed = api::placed_scene(wanted_scene, next_scene.skin_spheres());
   const setup::DeviceTraits traits{.software = limits.software,
                                    .memory_bytes = device().summary().memory_bytes,
                                    .max_image_side = limits.max_image_side};
-  const std::shared_ptr<const setup::EnvironmentLight> next_environment = renderer->environment_light(wanted);
-  std::vector<scene::Light> environment_lights;
+  const std::shared_ptr<const setup::EnvironmentLight> next_environment =
+      renderer->environment_light(wanted_scene, wanted);
+  std::optional<std::vector<scene::Light>> environment_lights;
   if (next_environment) environment_lights = setup::environment_lights(next_environment->sources, wanted);
-  setup::FrameSetup next = setup::set_up(next_scene->subject, wanted, traits, environment_lights);
+  setup::FrameSetup next = setup::set_up(placed, next_scene.subjects(), wanted, traits, environment_lights);
 
   const std::uint64_t layers = std::uint64_t{next.plan.shadow_layers} * next.plan.heads_per_batch;
   if (layers > limits.max_array_layers)
-    throw input_error(source.name(),
+    throw input_error(wanted_scene.name(),
                       "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
                       "a smaller lighting.rig_lights uses fewer ({} of them are in the environment)",
                       next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers,
                       next.environment_lights);
-  if (!std::exchange(next_scene->warned_coarse, true)) setup::warn_coarse(next_scene->subject, next);
+  bool warned = true;
+  for (const api::AssetPointer& asset : next_scene.different_assets())
+    warned = std::exchange(asset->warned_coarse, true) && warned;
+  if (!warned) setup::warn_coarse(next_scene.subjects(), next);
   if (next_environment) setup::fill_environment(next.frame, *next_environment, wanted);
 
   // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
@@ -82,13 +82,13 @@ void PreparedFrame::State::set(const RenderSettings& wanted) {
   // Count as unready until all below is done: any of it may throw.
   ready = false;
 
-  scene = next_scene;
-  environment_light = next_environment;
   setup = std::move(next);
   settings = wanted;
-  upload();
-
-  data = setup::frame_data(device(), setup, outputs, *scene->gpu, sky);
+  source = wanted_scene;
+  next_scene.upload(renderer->library, placed, settings, setup, next_environment, scene);
+  data = setup::frame_data(device(), setup, outputs, next_scene.instances(), next_environment.get());
+  scene = std::move(next_scene);
+  environment_light = next_environment;
   changed = true;
 
   exposure_ev = wanted.output.exposure_ev;
@@ -135,52 +135,6 @@ void PreparedFrame::State::plan(const RenderSettings& wanted, const setup::Frame
   outputs = made_outputs;
 }
 
-// The scene unless it is there, what its skin sees of the surroundings, and the gutters of each size of map
-// that this view uses.
-void PreparedFrame::State::upload() {
-  const WarningGroup group;
-  const auto start = std::chrono::steady_clock::now();
-  api::SharedScene& shared = *scene;
-  if (!shared.gpu)
-    shared.gpu.emplace(renderer->library, *shared.subject.scene, shared.subject.skin,
-                       passes::GpuSceneSettings{shared.mix});
-
-  if (environment_light)
-    add_environment();
-  else
-    sky = {};
-  for (const techniques::GutterSize& size :
-       setup.technique->gutters(setup.plan, setup::sides_of_drawn_heads(setup)))
-    shared.gpu->make_gutters(device(), size.mesh, shared.subject.skin[size.mesh], size.side,
-                             size.width_texels);
-
-  shared.upload_ms +=
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-void PreparedFrame::State::add_environment() {
-  api::SharedScene& shared = *scene;
-  const std::size_t meshes = shared.subject.skin.size();
-
-  Steps steps("what the skin sees of its surroundings", meshes - shared.bent_normal.size());
-  for (std::size_t i = shared.bent_normal.size(); i < meshes; ++i) {
-    environment::Occlusion seen =
-        environment::cached_occlusion(*shared.subject.scene, shared.subject.skin[i], cache::default_folder(),
-                                      {.side = environment::occlusion_side(meshes)});
-    shared.gpu->skin[i].bent_normal =
-        passes::unwrap_map(device(), shared.gpu->skin[i].name + " bent normal", seen.side, seen.values);
-    // Free what the device has now; each new sky needs only the rest.
-    seen.values = {};
-    shared.bent_normal.push_back(std::move(seen));
-    steps.done();
-  }
-
-  const double rotation_deg = settings.lighting.environment_rotation_deg;
-  if (sky.of != environment_light || sky.rotation_deg != rotation_deg ||
-      sky.maps.size() != shared.bent_normal.size())
-    sky = setup::sky_on_skin(device(), environment_light, rotation_deg, shared.bent_normal);
-}
-
 void PreparedFrame::State::draw(bool with_statistics) {
   if (renderer->options.poison) executor->poison();
   executor->draw(data, {.changed = changed, .statistics = with_statistics});
@@ -200,7 +154,7 @@ void PreparedFrame::State::count() {
 PreparedFrame Renderer::prepare(const Scene& scene, const RenderSettings& settings) {
   auto state =
       std::make_unique<PreparedFrame::State>(PreparedFrame::State{.renderer = state_, .source = scene});
-  state_->preparing(scene, [&] { state->set(settings); });
+  state_->preparing(scene, [&] { state->set(scene, settings); });
   return PreparedFrame(std::move(state));
 }
 
@@ -209,9 +163,11 @@ PreparedFrame::PreparedFrame(PreparedFrame&&) noexcept = default;
 PreparedFrame& PreparedFrame::operator=(PreparedFrame&&) noexcept = default;
 PreparedFrame::~PreparedFrame() = default;
 
-void PreparedFrame::set(const RenderSettings& settings) {
+void PreparedFrame::set(const RenderSettings& settings) { set(Scene(state_->source), settings); }
+
+void PreparedFrame::set(const Scene& scene, const RenderSettings& settings) {
   try {
-    state_->renderer->preparing(state_->source, [&] { state_->set(settings); });
+    state_->renderer->preparing(scene, [&] { state_->set(scene, settings); });
   } catch (const InputError&) { throw; } catch (...) {
     // The frame may be half changed: refuse to draw it until a set() succeeds.
     state_->ready = false;
@@ -247,8 +203,8 @@ Picture PreparedFrame::State::picture() {
 
   statistics.timing = executor->separate_submissions() ? "submit" : "timestamp";
   if (!times.empty()) api::fill_times(statistics, times);
-  api::fill_counts(statistics, scene->subject, settings, setup, counters);
-  statistics.upload_ms = scene->upload_ms;
+  api::fill_counts(statistics, scene.subjects(), settings, setup, counters);
+  statistics.upload_ms = scene.upload_ms();
   statistics.pipeline_ms = pipeline_ms;
 
   const gpu::DeviceSummary& summary = device().summary();

@@ -2,6 +2,7 @@
 // Implements include/dermis/profile.h.
 #include <algorithm>
 
+#include "api/scatter_profile.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/hooks.h"
@@ -22,7 +23,10 @@ profile::MonteCarloOptions photons_of(const ProfileOptions& options) {
   return {.photons = options.photons, .seed = options.seed, .cache = {}};
 }
 
-gaussians::SumOfGaussians to_sum(const ScatterProfile& from) {
+}  // namespace
+
+namespace api {
+gaussians::SumOfGaussians sum_of(const ScatterProfile& from) {
   if (from.variances_mm2.size() != from.weights.size())
     throw input_error("profile", "{} variances and {} weights", from.variances_mm2.size(),
                       from.weights.size());
@@ -37,6 +41,9 @@ gaussians::SumOfGaussians to_sum(const ScatterProfile& from) {
     sum.terms.push_back({from.variances_mm2[i], from.weights[i]});
   return sum;
 }
+}  // namespace api
+
+namespace {
 
 static_assert(std::get<0>(fields_of<ProfileOptions>).about.most == gaussians::max_terms);
 
@@ -121,7 +128,7 @@ SpectralSkin skin_of_colour(const std::string& colour, double* delta_e, const Ho
 }
 
 void write_profile(const ScatterProfile& profile, const std::string& path) {
-  write_file(path, gaussians::to_json(to_sum(profile)));
+  write_file(path, gaussians::to_json(api::sum_of(profile)));
 }
 
 }  // namespace dermis

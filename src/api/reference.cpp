@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "api/memory.h"
+#include "api/scene_state.h"
 #include "core/error.h"
 #include "core/hooks.h"
 #include "core/log.h"
@@ -19,6 +20,7 @@
 #include "scene/unwrap.h"
 #include "settings/check.h"
 #include "setup/choose.h"
+#include "setup/environment_light.h"
 #include "setup/reference_setup.h"
 
 namespace dermis {
@@ -81,14 +83,17 @@ void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>&
          scene.name, open);
 }
 
-reference::Job set_up(const scene::Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
+// `scene`: that of `placed`, flattened.
+reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scene,
+                      const std::optional<EnvironmentPixels>& environment, const RenderSettings& s,
+                      const ReferenceSettings& r) {
   const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
   reference::Job job;
   job.model = r.model == ReferenceModel::volume ? reference::Model::volume : reference::Model::bssrdf;
-  job.setup = setup::reference_setup(scene, s);
-  if (!s.lighting.environment.empty())
+  job.setup = setup::reference_setup(placed, s);
+  if (const auto source = setup::choose_environment(s, environment))
     job.setup.environment = std::make_shared<const reference::EnvironmentSampler>(
-        environment::from_name_or_file(s.lighting.environment), s.lighting.environment_intensity,
+        setup::read_environment(*source), s.lighting.environment_intensity,
         s.lighting.environment_rotation_deg);
 
   job.profiles.resize(scene.materials.size());
@@ -165,14 +170,15 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
         "picture with it reports");
 
   const ToneMap tone_map = s.output.tone_map;
-  const reference::Job job = set_up(scene.data(), s, r);
+  const setup::PlacedScene placed = api::placed_scene(scene);
+  const std::shared_ptr<const scene::Scene> flat = setup::flattened(placed);
+  const reference::Job job = set_up(placed, *flat, scene.environment(), s, r);
   reference::Film film(s.output.width, s.output.height);
-  const std::uint64_t fingerprint =
-      r.checkpoint.empty() ? 0 : reference::fingerprint(scene.data(), job, r.seed);
+  const std::uint64_t fingerprint = r.checkpoint.empty() ? 0 : reference::fingerprint(*flat, job, r.seed);
   if (r.resume && !r.checkpoint.empty() && !load_checkpoint(r.checkpoint, film, fingerprint))
     note("{}: no such file, so this run begins at the beginning", r.checkpoint.string());
 
-  const reference::Tracer tracer(scene.data(), job);
+  const reference::Tracer tracer(*flat, job);
   Watch watch(r, static_cast<int>(film.samples()), fingerprint);
   ReferencePicture out;
   out.complete = reference::render(tracer, film,

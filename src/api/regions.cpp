@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "regions/regions.h"
 
+#include "api/scene_state.h"
 #include "core/hooks.h"
 #include "dermis/reference.h"
 #include "setup/reference_setup.h"
@@ -10,8 +11,10 @@ namespace dermis {
 std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings,
                                            const Hooks& hooks) {
   const HookScope scope(hooks);
-  const reference::RenderSetup setup = setup::reference_setup(scene.data(), settings);
-  const rays::RayScene rays(scene.data());
+  const setup::PlacedScene placed = api::placed_scene(scene);
+  const reference::RenderSetup setup = setup::reference_setup(placed, settings);
+  const std::shared_ptr<const scene::Scene> flat = setup::flattened(placed);
+  const rays::RayScene rays(*flat);
   std::vector<PictureRegion> out;
   for (regions::Region& region : regions::find(rays, setup))
     out.push_back({.name = std::move(region.name), .mask = std::move(region.mask), .pixels = region.pixels});

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dermis/renderer.h"
 
+#include <map>
+#include <optional>
+
+#include "api/asset_state.h"
 #include "api/renderer_state.h"
+#include "api/scene_state.h"
 #include "passes/shaders.h"
 #include "settings/names.h"
 #include "setup/frame_setup.h"
@@ -13,24 +18,37 @@ Renderer::State::State(const Options& wanted)
       device({.select = wanted.device, .validate = wanted.validate}),
       library(device, passes::find_shader, gpu::default_pipeline_cache()) {}
 
-std::shared_ptr<api::SharedScene> Renderer::State::shared(const Scene& scene,
-                                                          const RenderSettings& settings) {
-  const std::optional<float> mix =
-      settings.skin.mix ? std::optional(static_cast<float>(*settings.skin.mix)) : std::nullopt;
-  if (last_scene && last_scene->subject.scene == scene.shared() && last_scene->mix == mix) return last_scene;
-  auto made = std::make_shared<api::SharedScene>();
-  made->subject = setup::examine(scene.shared());
-  made->mix = mix;
-  return last_scene = made;
+std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
+  std::vector<api::AssetPointer> of_instances, different;
+  const auto find = [](const std::vector<api::AssetPointer>& in, const auto& data) -> api::AssetPointer {
+    for (const api::AssetPointer& asset : in)
+      if (asset->subject.scene == data) return asset;
+    return nullptr;
+  };
+
+  for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
+    const std::shared_ptr<const scene::Scene>& data = Asset::State::of(placed.instance.asset);
+    api::AssetPointer asset = find(different, data);
+    if (!asset) {
+      asset = find(last_assets, data);
+      if (!asset)
+        asset = std::make_shared<api::SharedAsset>(api::SharedAsset{.subject = setup::examine(data)});
+      different.push_back(asset);
+    }
+    of_instances.push_back(asset);
+  }
+
+  last_assets = std::move(different);
+  return of_instances;
 }
 
 std::shared_ptr<const setup::EnvironmentLight> Renderer::State::environment_light(
-    const RenderSettings& settings) {
-  if (settings.lighting.environment.empty()) return nullptr;
-  if (last_environment && setup::is_current(*last_environment, settings.lighting.environment))
-    return last_environment;
-  return last_environment = std::make_shared<const setup::EnvironmentLight>(
-             setup::environment_light(device, settings.lighting.environment));
+    const Scene& scene, const RenderSettings& settings) {
+  const auto source = setup::choose_environment(settings, scene.environment());
+  if (!source) return nullptr;
+  if (last_environment && last_environment->source == *source) return last_environment;
+  return last_environment =
+             std::make_shared<const setup::EnvironmentLight>(setup::environment_light(device, *source));
 }
 
 Renderer::Renderer(const Options& options) {
@@ -62,13 +80,24 @@ std::vector<std::string> tone_map_names() { return {names_of<ToneMap>.begin(), n
 std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot, const Hooks& hooks) {
   const HookScope scope(hooks);
   setup::check_settings(settings);
-  std::vector<scene::Light> environment_lights;
-  if (!settings.lighting.environment.empty())
+  std::optional<std::vector<scene::Light>> environment_lights;
+  if (const auto source = setup::choose_environment(settings, scene.environment()))
     environment_lights = setup::environment_lights(
-        environment::split_sources(environment::from_name_or_file(settings.lighting.environment)).sources,
-        settings);
+        environment::split_sources(setup::read_environment(*source)).sources, settings);
+
+  std::map<std::shared_ptr<const scene::Scene>, setup::Subject> examined;
+  std::vector<const setup::Subject*> subjects;
+  std::vector<scene::BoundingSphere> spheres;
+  for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
+    const std::shared_ptr<const scene::Scene>& asset = Asset::State::of(placed.instance.asset);
+    auto found = examined.find(asset);
+    if (found == examined.end()) found = examined.emplace(asset, setup::examine(asset)).first;
+    subjects.push_back(&found->second);
+    spheres.push_back(found->second.sphere);
+  }
+
   const setup::FrameSetup setup =
-      setup::set_up(setup::examine(scene.shared()), settings, {}, environment_lights);
+      setup::set_up(api::placed_scene(scene, spheres), subjects, settings, {}, environment_lights);
   passes::FramePlan plan;
   setup.technique->build(plan, setup.plan);
   return dot ? frame::print_dot(plan) : frame::print_text(plan);

@@ -1,35 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What a renderer owns, and its prepared frames share: the device, pipelines, and the scenes that are on the
+// What a renderer owns, and its prepared frames share: the device, pipelines, and the assets that are on the
 // device.
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <vector>
 
 #include "api/memory.h"
+#include "api/scene_on_device.h"
 #include "core/hooks.h"
 #include "dermis/renderer.h"
 #include "gpu/device.h"
-#include "passes/gpu_scene.h"
-#include "setup/environment_light.h"
-#include "setup/subject.h"
+#include "gpu/pipelines.h"
 
 namespace dermis {
-
-namespace api {
-
-/// A scene, examined and (once per frame has found room) on the device; shared by all frames that show it.
-struct SharedScene {
-  setup::Subject subject;
-  std::optional<float> mix;             ///< it is uploaded with
-  std::optional<passes::GpuScene> gpu;  ///< its materials point into it: never moved
-  /// one per skin mesh, once an environment was asked for; values are on the device only
-  std::vector<environment::Occlusion> bent_normal;
-  double upload_ms = 0;
-  bool warned_coarse = false;  ///< once is enough, however many views follow
-};
-
-}  // namespace api
 
 struct Renderer::State {
   explicit State(const Options& wanted);
@@ -46,16 +30,17 @@ struct Renderer::State {
     return call(scene, Hooks{.log = options.hooks.log}, work);
   }
 
-  /// Returns the cached scene if it is this one with the same mix, else examines this one.
-  std::shared_ptr<api::SharedScene> shared(const Scene& scene, const RenderSettings& settings);
+  /// Returns the asset of each instance: those of the last scene, else examines them.
+  std::vector<api::AssetPointer> assets_of(const Scene& scene);
 
-  /// Returns the cached environment if unchanged, else loads it; null if the settings name none.
-  std::shared_ptr<const setup::EnvironmentLight> environment_light(const RenderSettings& settings);
+  /// Returns the cached environment if unchanged, else loads it; null if there is none.
+  std::shared_ptr<const setup::EnvironmentLight> environment_light(const Scene& scene,
+                                                                   const RenderSettings& settings);
 
   Options options;
   gpu::Device device;
   gpu::PipelineLibrary library;
-  std::shared_ptr<api::SharedScene> last_scene;
+  std::vector<api::AssetPointer> last_assets;  ///< each once
   std::shared_ptr<const setup::EnvironmentLight> last_environment;
   bool broken = false;  ///< by a mistake of ours: what is on the device may be half-done
 

@@ -1,29 +1,297 @@
 // SPDX-License-Identifier: MIT
 #include "dermis/scene.h"
 
-#include "builtin_head/builtin_head.h"
-#include "core/hooks.h"
-#include "scene/load.h"
-#include "scene/scene.h"
-#include "settings/check.h"
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "api/asset_state.h"
+#include "api/scatter_profile.h"
+#include "api/scene_state.h"
+#include "core/assert.h"
+#include "core/error.h"
+#include "environment/environment.h"
+#include "scene/framing.h"
 
 namespace dermis {
+namespace {
+
+// Numbers of edits are of the whole program, so that copies of a scene never give one number to two contents.
+std::uint64_t next_change() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+// Entries are sorted by their ids: each new one is larger than all before.
+template <class Entries, class Id>
+auto find(Entries& entries, Id id, const char* what) {
+  const auto found = std::lower_bound(entries.begin(), entries.end(), id,
+                                      [](const auto& entry, Id wanted) { return entry.id < wanted; });
+  if (found == entries.end() || found->id != id)
+    throw input_error("", "no {} {} in this scene", what, static_cast<std::uint32_t>(id));
+  return found;
+}
+
+void require(bool holds, const char* member, const std::string& what, double got) {
+  if (!holds) throw input_error("", "{} must be {}, got {}", member, what, got);
+}
+
+void require_finite(const std::array<double, 3>& values, const char* member) {
+  for (const double value : values)
+    require(std::isfinite(value) && std::abs(value) <= 1e9, member, "finite, at most 1e9 in size", value);
+}
+
+setup::Pose checked_pose(const std::array<double, 16>& world_from_asset) {
+  const std::optional<setup::Pose> pose = setup::pose_of(world_from_asset);
+  if (!pose)
+    throw input_error("",
+                      "world_from_asset must be rigid with one positive scale (1e-6 to 1e6): a rotation "
+                      "times a number, a shift of up to 1e9 m, and 0 0 0 1 in the last row");
+  return *pose;
+}
+
+void check_mix(std::optional<double> mix) {
+  if (mix) require(*mix >= 0 && *mix <= 1, "mix", "0 to 1", *mix);
+}
+
+void check_tint(const std::array<double, 3>& tint) {
+  for (const double value : tint) require(value >= 0 && value <= 100, "tint", "0 to 100", value);
+}
+
+void check_light(const Light& light) {
+  for (const double value : light.colour)
+    require(value >= 0 && value <= 1e9, "light.colour", "0 to 1e9", value);
+  require_finite(light.position_m, "light.position_m");
+  require_finite(light.direction, "light.direction");
+  require(light.range_m >= 0 && light.range_m <= 1e9, "light.range_m", "0 to 1e9", light.range_m);
+  require(light.radius >= 0 && light.radius <= 1e6, "light.radius", "0 to 1e6", light.radius);
+
+  if (light.type != LightType::point) {
+    const auto& [x, y, z] = light.direction;
+    require(std::hypot(x, y, z) > 1e-12, "light.direction", "longer than 0", std::hypot(x, y, z));
+  }
+  if (light.type != LightType::spot) return;
+  const double outer = light.outer_cone_deg, inner = light.inner_cone_deg;
+  require(outer > 0 && outer <= 90, "light.outer_cone_deg", "over 0, at most 90", outer);
+  require(inner >= 0 && inner < outer, "light.inner_cone_deg", "0 to below light.outer_cone_deg", inner);
+}
+
+void check_environment(const EnvironmentPixels& e) {
+  if (!e.rgb) throw input_error("", "environment.rgb must not be null");
+  environment::check_size("environment", e.width, e.height, e.rgb->size());
+}
+
+scene::LightType type_of(LightType type) {
+  switch (type) {
+    case LightType::directional: return scene::LightType::directional;
+    case LightType::spot: return scene::LightType::spot;
+    case LightType::point: break;
+  }
+  return scene::LightType::point;
+}
+
+glm::dvec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+Scene::Scene() : state_(std::make_unique<State>()) {}
+Scene::Scene(const Scene& other) : state_(std::make_unique<State>(*other.state_)) {}
+Scene::Scene(Scene&& other) noexcept = default;
+Scene& Scene::operator=(const Scene& other) {
+  if (this != &other) state_ = std::make_unique<State>(*other.state_);
+  return *this;
+}
+Scene& Scene::operator=(Scene&& other) noexcept = default;
+Scene::~Scene() = default;
+
+Scene::Scene(const Asset& asset) : Scene() {
+  add({.asset = asset});
+  // As the file has them: its loader has checked them.
+  for (const Light& light : asset.lights())
+    state_->lights.push_back({.id = LightId{state_->next_id++}, .light = {.light = light}});
+  state_->light_changes = next_change();
+}
 
 Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
-  const HookScope scope(hooks);
-  check_ranges(options);
-  scene::LoadOptions load;
-  load.unit_scale = options.unit_scale;
-  load.skin_material = options.skin_material;
-  load.texture_budget_mb = options.texture_budget_mb;
-  return Scene(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)));
+  return Scene(Asset::load(path, options, hooks));
 }
 
-Scene Scene::built_in(const Hooks& hooks) {
-  const HookScope scope(hooks);
-  return Scene(std::make_shared<const scene::Scene>(builtin_head::make()));
+Scene Scene::built_in(const Hooks& hooks) { return Scene(Asset::built_in(hooks)); }
+
+std::string Scene::name() const {
+  if (!state_->name.empty()) return state_->name;
+  if (state_->instances.size() == 1) return state_->instances.front().instance.asset.name();
+  return fmt::format("scene of {} instances", state_->instances.size());
 }
 
-const std::string& Scene::name() const { return data_->name; }
+InstanceId Scene::add(const Instance& instance) {
+  State::PlacedInstance placed{.id = InstanceId{state_->next_id},
+                               .instance = instance,
+                               .pose = checked_pose(instance.world_from_asset),
+                               .profile = {},
+                               .changes = {.pose = next_change(), .material = next_change()}};
+  check_mix(instance.mix);
+  check_tint(instance.tint);
+  if (instance.profile) placed.profile = api::sum_of(*instance.profile);
 
+  ++state_->next_id;
+  state_->instances.push_back(std::move(placed));
+  return state_->instances.back().id;
+}
+
+void Scene::remove(InstanceId id) {
+  state_->instances.erase(find(state_->instances, id, "instance"));
+  if (std::erase_if(state_->lights, [&](const State::PlacedLight& l) { return l.light.rig == id; }) > 0)
+    state_->light_changes = next_change();
+}
+
+std::vector<InstanceId> Scene::instances() const {
+  std::vector<InstanceId> ids;
+  for (const State::PlacedInstance& placed : state_->instances) ids.push_back(placed.id);
+  return ids;
+}
+
+const Instance& Scene::instance(InstanceId id) const {
+  return find(state_->instances, id, "instance")->instance;
+}
+
+void Scene::set_transform(InstanceId id, const std::array<double, 16>& world_from_asset) {
+  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  placed.pose = checked_pose(world_from_asset);
+  placed.instance.world_from_asset = world_from_asset;
+  placed.changes.pose = next_change();
+}
+
+void Scene::set_visible(InstanceId id, bool visible) {
+  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  placed.instance.visible = visible;
+  placed.changes.pose = next_change();
+}
+
+void Scene::set_profile(InstanceId id, const std::optional<ScatterProfile>& profile) {
+  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  std::optional<gaussians::SumOfGaussians> sum;
+  if (profile) sum = api::sum_of(*profile);
+  placed.profile = std::move(sum);
+  placed.instance.profile = profile;
+  placed.changes.material = next_change();
+}
+
+void Scene::set_mix(InstanceId id, std::optional<double> mix) {
+  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  check_mix(mix);
+  placed.instance.mix = mix;
+  placed.changes.material = next_change();
+}
+
+void Scene::set_tint(InstanceId id, const std::array<double, 3>& tint) {
+  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  check_tint(tint);
+  placed.instance.tint = tint;
+  placed.changes.material = next_change();
+}
+
+LightId Scene::add_light(const SceneLight& light) {
+  check_light(light.light);
+  if (light.rig) find(state_->instances, *light.rig, "instance");
+  state_->lights.push_back({.id = LightId{state_->next_id++}, .light = light});
+  state_->light_changes = next_change();
+  return state_->lights.back().id;
+}
+
+void Scene::remove_light(LightId id) {
+  state_->lights.erase(find(state_->lights, id, "light"));
+  state_->light_changes = next_change();
+}
+
+std::vector<LightId> Scene::lights() const {
+  std::vector<LightId> ids;
+  for (const State::PlacedLight& placed : state_->lights) ids.push_back(placed.id);
+  return ids;
+}
+
+const SceneLight& Scene::light(LightId id) const { return find(state_->lights, id, "light")->light; }
+
+void Scene::set_light(LightId id, const SceneLight& light) {
+  State::PlacedLight& placed = *find(state_->lights, id, "light");
+  check_light(light.light);
+  if (light.rig) find(state_->instances, *light.rig, "instance");
+  placed.light = light;
+  state_->light_changes = next_change();
+}
+
+void Scene::set_environment(const std::optional<EnvironmentPixels>& environment) {
+  if (environment) check_environment(*environment);
+  state_->environment = environment;
+  state_->environment_changes = next_change();
+}
+
+const std::optional<EnvironmentPixels>& Scene::environment() const { return state_->environment; }
+
+InstanceChanges Scene::changes(InstanceId id) const {
+  return find(state_->instances, id, "instance")->changes;
+}
+std::uint64_t Scene::light_changes() const { return state_->light_changes; }
+std::uint64_t Scene::environment_changes() const { return state_->environment_changes; }
+
+namespace api {
+
+const scene::Scene& only_asset(const Scene& scene) {
+  DERMIS_ASSERT_EQ(scene.state().instances.size(), std::size_t{1});
+  return *Asset::State::of(scene.state().instances.front().instance.asset);
+}
+
+scene::Light placed_light(const Light& light, const setup::Pose& pose) {
+  constexpr double radians_per_degree = std::numbers::pi / 180;
+  glm::dvec3 direction = vector_of(light.direction);
+  // A direction of unit length stays as it is, to the bit.
+  if (const double length = glm::length(direction); std::abs(length - 1) > 1e-6) direction /= length;
+
+  // A rig grows with its head, and what arrives from its lamps stays.
+  const bool near = light.type != LightType::directional;
+  const float scale = near ? pose.scale : 1;
+  return {.name = light.name,
+          .type = type_of(light.type),
+          .colour = glm::vec3(vector_of(light.colour)) * scale * scale,
+          .position_m = pose.position(glm::vec3(vector_of(light.position_m))),
+          .direction = pose.direction(glm::vec3(direction)),
+          .range_m = static_cast<float>(light.range_m) * scale,
+          .inner_cone_rad = static_cast<float>(light.inner_cone_deg * radians_per_degree),
+          .outer_cone_rad = static_cast<float>(light.outer_cone_deg * radians_per_degree),
+          .radius = static_cast<float>(light.radius) * scale};
+}
+
+setup::PlacedScene placed_scene(const Scene& scene, const std::vector<scene::BoundingSphere>& spheres) {
+  const Scene::State& state = scene.state();
+  setup::PlacedScene placed{.name = scene.name(), .instances = {}, .lights = {}};
+  for (std::size_t i = 0; i < state.instances.size(); ++i) {
+    const Scene::State::PlacedInstance& from = state.instances[i];
+    setup::PlacedAsset& to = placed.instances.emplace_back();
+    to.asset = Asset::State::of(from.instance.asset);
+    to.sphere = spheres.at(i);
+    to.pose = from.pose;
+    to.visible = from.instance.visible;
+    to.profile = from.profile;
+    if (from.instance.mix) to.mix = static_cast<float>(*from.instance.mix);
+    to.tint = glm::vec3(vector_of(from.instance.tint));
+  }
+
+  for (const Scene::State::PlacedLight& light : state.lights) {
+    setup::Pose rig;
+    if (light.light.rig) rig = find(state.instances, *light.light.rig, "instance")->pose;
+    placed.lights.push_back(placed_light(light.light.light, rig));
+  }
+  return placed;
+}
+
+setup::PlacedScene placed_scene(const Scene& scene) {
+  std::vector<scene::BoundingSphere> spheres;
+  for (const Scene::State::PlacedInstance& placed : scene.state().instances)
+    spheres.push_back(scene::skin_sphere(*Asset::State::of(placed.instance.asset)));
+  return placed_scene(scene, spheres);
+}
+
+}  // namespace api
 }  // namespace dermis

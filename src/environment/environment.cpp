@@ -23,21 +23,41 @@ image::ImageF load_radiance(const std::filesystem::path& path) {
   } catch (const std::bad_alloc&) { throw input_error(path.string(), "needs more memory than there is"); }
 }
 
-}  // namespace
-
-Environment load(const std::filesystem::path& path) {
-  Environment e{.name = path.filename().string(), .radiance = load_radiance(path)};
+// Takes what is below 0 as 0. `where` names the picture in warnings.
+Environment checked(Environment e, const std::string& where) {
   std::size_t negative = 0;
   for (float& value : e.radiance.values)
     if (value < 0) {
       value = 0;
       ++negative;
     }
-  if (negative > 0) warn("{}: {} negative values of radiance are taken as 0", path.string(), negative);
+  if (negative > 0) warn("{}: {} negative values of radiance are taken as 0", where, negative);
   if (e.radiance.width != 2 * e.radiance.height)
     warn("{}: {} x {} pixels is not twice as wide as high; it is stretched over all directions as if it were",
-         path.string(), e.radiance.width, e.radiance.height);
+         where, e.radiance.width, e.radiance.height);
   return e;
+}
+
+}  // namespace
+
+Environment load(const std::filesystem::path& path) {
+  return checked({.name = path.filename().string(), .radiance = load_radiance(path)}, path.string());
+}
+
+void check_size(const std::string& name, int width, int height, std::size_t values) {
+  if (width < 1 || height < 1 || std::uint64_t(width) * std::uint64_t(height) > most_pixels)
+    throw input_error(name, "must have 1 to {} pixels, got {} x {}", most_pixels, width, height);
+  const std::size_t expected = 3 * std::size_t(width) * std::size_t(height);
+  if (values != expected)
+    throw input_error(name, "{} x {} pixels have {} values, got {}", width, height, expected, values);
+}
+
+Environment from_pixels(const std::string& name, int width, int height, const std::vector<float>& rgb) {
+  check_size(name, width, height, rgb.size());
+  if (!std::all_of(rgb.begin(), rgb.end(), [](float value) { return std::isfinite(value); }))
+    throw input_error(name, "has a value that is not finite");
+  return checked({.name = name, .radiance = {.width = width, .height = height, .channels = 3, .values = rgb}},
+                 name);
 }
 
 Environment from_name_or_file(const std::string& name) {

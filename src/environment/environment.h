@@ -32,6 +32,13 @@ Environment load(const std::filesystem::path& path);
 /// behind, a grey room. Its mean radiance over the sphere is 0.5 to 0.6.
 Environment studio();
 
+/// Throws InputError unless there are 1 to 4096 x 2048 pixels of three values each.
+void check_size(const std::string& name, int width, int height, std::size_t values);
+
+/// Returns the environment of pixels in memory. Throws InputError: see check_size(), or a value that is not
+/// finite. Warns as load().
+Environment from_pixels(const std::string& name, int width, int height, const std::vector<float>& rgb);
+
 /// Loads a file, or makes "studio".
 Environment from_name_or_file(const std::string& name);
 

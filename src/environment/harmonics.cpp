@@ -145,4 +145,29 @@ SkyHarmonics turned(const SkyHarmonics& sky, double angle_rad) {
   return out;
 }
 
+// Projects onto the turned harmonics. Products of two of them have degree 10 at most, which six points of
+// Gauss and Legendre times twelve azimuths integrate exactly.
+SkyHarmonics seen_from(const SkyHarmonics& sky, const glm::dmat3& world_from_own) {
+  static_assert(order == 5);
+  constexpr std::array<double, 6> heights{-0.9324695142031521, -0.6612093864662645, -0.2386191860831969,
+                                          0.2386191860831969,  0.6612093864662645,  0.9324695142031521};
+  constexpr std::array<double, 6> shares{0.1713244923791704, 0.3607615730481386, 0.4679139345726910,
+                                         0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+  constexpr int azimuths = 12;
+
+  SkyHarmonics out{};
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    for (int k = 0; k < azimuths; ++k) {
+      const double azimuth = 2 * pi * k / azimuths, across = std::sqrt(1 - heights[i] * heights[i]);
+      const glm::dvec3 own(across * std::sin(azimuth), heights[i], across * std::cos(azimuth));
+
+      glm::dvec3 radiance(0);
+      const Harmonics world = harmonics(world_from_own * own), here = harmonics(own);
+      for (std::size_t j = 0; j < sky.size(); ++j) radiance += sky[j] * world[j];
+      for (std::size_t j = 0; j < out.size(); ++j)
+        out[j] += radiance * (here[j] * shares[i] * 2 * pi / azimuths);
+    }
+  return out;
+}
+
 }  // namespace dermis::environment

@@ -42,4 +42,8 @@ SkyHarmonics without_ringing(const SkyHarmonics& sky, int order = harmonic_order
 /// Returns the environment turned about +Y, from the head's front (+Z) towards its left (+X).
 SkyHarmonics turned(const SkyHarmonics& sky, double angle_rad);
 
+/// Returns the environment in the coordinates of what is turned by this rotation: at a direction d of its own
+/// it sees what the environment has at world_from_own d.
+SkyHarmonics seen_from(const SkyHarmonics& sky, const glm::dmat3& world_from_own);
+
 }  // namespace dermis::environment

@@ -8,9 +8,7 @@
 namespace dermis::passes {
 
 inline io::CullIo cull_io(const Instance& instance, const GpuMaterial& material) {
-  return {.offset_m = instance.offset_m,
-          .can_cull = material.double_sided ? 0u : 1u,
-          .map_side = static_cast<float>(instance.map_side)};
+  return {.can_cull = material.double_sided ? 0u : 1u, .map_side = static_cast<float>(instance.map_side)};
 }
 
 }  // namespace dermis::passes

@@ -7,22 +7,24 @@
 
 #include "gpu/cmd.h"
 #include "passes/bindings.h"
-#include "passes/gpu_scene.h"
+#include "passes/frame_data.h"
 
 namespace dermis::passes {
 
-/// Draws the parts of skin mesh `number` for which pipeline_of(draw, material) is not null. The shaders get
-/// `bindings`, those of mesh and material, and io_of(material) as push constants.
+/// Draws the parts of an instance's skin mesh `number`, as its asset counts them, for which
+/// pipeline_of(draw, material) is not null. The shaders get `bindings`, those of instance, mesh and material,
+/// and io_of(material) as push constants.
 template <class PipelineOf, class IoOf = std::nullptr_t>
-void draw_skin(gpu::Cmd& cmd, const GpuScene& scene, std::size_t number, const Bindings& bindings,
+void draw_skin(gpu::Cmd& cmd, const Instance& instance, std::size_t number, const Bindings& bindings,
                const PipelineOf& pipeline_of, const IoOf& io_of = nullptr) {
-  const GpuMesh& mesh = scene.skin[number];
+  const GpuMesh& mesh = instance.scene->skin[number];
   for (const GpuDraw& draw : mesh.draws) {
-    const GpuMaterial& material = scene.material(draw.material);
+    const GpuMaterial& material = instance.look->material(draw.material);
     const gpu::Pipeline* pipeline = pipeline_of(draw, material);
     if (!pipeline) continue;
 
     Bindings all = bindings;
+    all.add("Instance", instance.transform);
     mesh.offer(all);
     material.offer(all);
     all.bind(cmd, *pipeline);

@@ -21,32 +21,36 @@ struct MapPlace {
   std::uint32_t largest_side = 0;  ///< T_max: its sides there
 };
 
-/// One head in the frame: the scene, moved. Each has its own shadow maps.
+/// RGBA16F over the unwrap of a skin mesh, environment::SkyLight.
+struct SkyMaps {
+  gpu::Texture direct, bounced;
+};
+
+/// One head in the frame: an asset, placed. Each has its own shadow maps.
 struct Instance {
-  glm::vec3 offset_m{0};
-  gpu::Buffer lights;  ///< LightIo[]
+  const GpuScene* scene = nullptr;  ///< shared by all instances of the asset
+  const GpuLook* look = nullptr;    ///< its materials
+  std::span<const SkyMaps> sky;     ///< one per skin mesh of the asset; only with an environment
+  gpu::Buffer transform;            ///< InstanceIo
+  glm::mat4x3 world_from_asset{1};
+  glm::vec3 middle_m{0};         ///< of its skin, in the world
+  std::uint32_t first_mesh = 0;  ///< of its skin, among the skin meshes of the plan
+  gpu::Buffer lights;            ///< LightIo[]
   /// mat4[], one per layer of the shadow maps; those of other heads are zero
   gpu::Buffer shadow_matrices;
   std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
   /// T: the used side of the square of its light maps, texels
   std::uint32_t map_side = 0;
-  std::vector<MapPlace> map_places;  ///< one per skin mesh; empty where nothing has light maps
+  std::vector<MapPlace> map_places;  ///< one per skin mesh of the asset; empty where nothing has light maps
   bool visible = true;               ///< false: wholly outside the picture, not drawn
 };
 
-/// RGBA16F over the unwrap of a skin mesh, environment::SkyLight.
-struct SkyMaps {
-  gpu::Texture direct, bounced;
-};
-
 struct FrameData {
-  const GpuScene* scene = nullptr;
   io::CameraIo camera{};                      ///< that of frame_io
   gpu::Buffer frame_io;                       ///< FrameIo
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
-  std::span<const SkyMaps> sky;               ///< one per skin mesh; only with an environment
-  std::vector<Instance> instances;
+  std::vector<Instance> instances;            ///< at least one
 };
 
 using FramePlan = frame::FramePlan<FrameData>;

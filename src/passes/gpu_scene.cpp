@@ -70,8 +70,7 @@ std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
   return maps;
 }
 
-io::MaterialIo material_io(const scene::Material& m, const std::array<scene::MapRef, MAP_COUNT>& maps,
-                           std::optional<float> mix) {
+io::MaterialIo material_io(const scene::Material& m, const std::array<scene::MapRef, MAP_COUNT>& maps) {
   io::MaterialIo c{};
   c.base_colour = m.base_colour;
   c.emissive = m.emissive;
@@ -87,7 +86,7 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
             (m.alpha_mode == scene::AlphaMode::mask ? MATERIAL_ALPHA_MASK : 0u) |
             (m.alpha_mode == scene::AlphaMode::blend ? MATERIAL_ALPHA_BLEND : 0u);
 
-  c.mix_before = mix.value_or(m.skin_settings.mix_or_default());
+  c.mix_before = m.skin_settings.mix_or_default();
   c.rho_s = 0.18f;  // [DLE07] GPU Gems 3, ch. 14.3
   const auto& lobes = m.skin_settings.lobes;
   c.lobe_factor_0 = lobes.empty() ? 1.0f : lobes[0].roughness_factor;
@@ -191,7 +190,7 @@ GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_
 }  // namespace
 
 void GpuMaterial::offer(Bindings& bindings) const {
-  bindings.add("Material", constants)
+  bindings.add("Material", buffer)
       .add("map_base_colour", maps[MAP_BASE_COLOUR])
       .add("map_normal", maps[MAP_NORMAL])
       .add("map_roughness", maps[MAP_ROUGHNESS])
@@ -224,14 +223,14 @@ gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
 }
 
 GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
-                   const std::vector<scene::SkinMesh>& skin_meshes, const GpuSceneSettings& settings) {
+                   const std::vector<scene::SkinMesh>& skin_meshes) {
   gpu::Device& device = library.device();
   white_ = single_texel(device, "white", {255, 255, 255, 255});
   flat_normal_ = single_texel(device, "flat normal", {128, 128, 255, 255});
 
   Steps steps("bringing the scene to the device", scene.materials.size() + skin_meshes.size());
   for (const scene::Material& m : scene.materials) {
-    GpuMaterial material;
+    MaterialMaps material;
     material.name = m.name;
     material.skin = m.skin;
     material.double_sided = m.double_sided;
@@ -247,16 +246,13 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
 
     auto maps = maps_of(m);
     const gpu::Texture* fine = nullptr;
-    if (const auto normals = scene::fine_normals(scene, materials.size(), skin_meshes)) {
+    if (const auto normals = scene::fine_normals(scene, materials_.size(), skin_meshes)) {
       maps[MAP_NORMAL] = m.skin_settings.displacement;
       maps[MAP_NORMAL].scale = 1;
       fine = &upload_map(library, m.name + " fine normals", *normals, generated, false);
     }
 
-    const io::MaterialIo constants = material_io(m, maps, settings.mix);
-    material.mixed = constants.mix_before > 0;
-    material.constants = gpu::make_buffer(device, "material " + m.name, std::span(&constants, 1),
-                                          VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    material.constants = material_io(m, maps);
 
     for (int i = 0; i < MAP_COUNT; ++i) {
       const scene::MapRef& map = maps[static_cast<std::size_t>(i)];
@@ -276,7 +272,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
                                                     sampler};
     }
 
-    materials.push_back(std::move(material));
+    materials_.push_back(std::move(material));
     steps.done();
   }
 
@@ -287,6 +283,22 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
   }
   surfaces = upload_surfaces(device, scene);
   unmoved = passes::unmoved(device);
+}
+
+GpuLook GpuScene::make_look(gpu::Device& device, const LookSettings& settings) const {
+  GpuLook look;
+  for (const MaterialMaps& maps : materials_) {
+    GpuMaterial& material = look.materials.emplace_back(GpuMaterial{maps, {}, true});
+    io::MaterialIo& constants = material.constants;
+    constants.mix_before = settings.mix.value_or(constants.mix_before);
+    if (material.skin) constants.base_colour *= glm::vec4(settings.tint, 1);
+
+    material.mixed = constants.mix_before > 0;
+    material.buffer =
+        gpu::make_buffer(device, "material " + material.name, std::span<const io::MaterialIo>(&constants, 1),
+                         VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  }
+  return look;
 }
 
 void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& skin_mesh,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene on the device: meshes, materials and maps, uploaded once and shared by all its heads.
+// A scene on the device: meshes, materials and maps, uploaded once and shared by all its instances.
 #pragma once
 
 #include <array>
@@ -22,19 +22,37 @@
 
 namespace dermis::passes {
 
-struct GpuMaterial {
+/// The maps of a material, shared by all its looks.
+struct MaterialMaps {
   std::string name;
-  gpu::Buffer constants;                              ///< MaterialIo
+  io::MaterialIo constants{};                         ///< as the scene has them
   std::array<gpu::SampledBinding, MAP_COUNT> maps{};  ///< a white or flat texel if the material has none
   bool skin = false;
   bool double_sided = false;
-  bool mixed = true;              ///< of skin: part of the albedo acts before the light scatters
   bool cut_out = false;           ///< skin with an alpha test
   bool emits = false;             ///< skin that emits light
   gpu::SampledBinding alpha_max;  ///< for skin with an alpha test, see passes/alpha_max.h; else a white texel
   scene::AlphaMode alpha_mode = scene::AlphaMode::opaque;
+};
+
+struct GpuMaterial : MaterialMaps {
+  gpu::Buffer buffer;  ///< MaterialIo
+  bool mixed = true;   ///< of skin: part of the albedo acts before the light scatters
 
   void offer(Bindings& bindings) const;  ///< "Material", "map_base_colour", ...
+};
+
+/// The materials of a scene, as some of its instances show them.
+struct GpuLook {
+  std::vector<GpuMaterial> materials;
+  const GpuMaterial& material(int number) const { return materials[static_cast<std::size_t>(number)]; }
+};
+
+/// What an instance changes of its materials.
+struct LookSettings {
+  std::optional<float> mix;  ///< 0..1, instead of the materials'
+  glm::vec3 tint{1};         ///< multiplies the base colour of skin, linear
+  bool operator==(const LookSettings&) const = default;
 };
 
 struct GpuDraw {
@@ -64,11 +82,6 @@ struct GpuMesh {
   void offer(Bindings& bindings) const;  ///< "Vertices", "Indices", "Charts", "TurnedNeighbours"
 };
 
-/// Settings that affect the upload.
-struct GpuSceneSettings {
-  std::optional<float> mix;  ///< overrides the materials' mix
-};
-
 /// Returns an RGBA16F texture over an unwrap, from side x side x 4 values; values beyond the range of half
 /// floats become the largest.
 gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
@@ -77,19 +90,20 @@ gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
 class GpuScene {
  public:
   /// Uploads a scene. Throws DeviceError: a map or buffer over the device's limits, no memory.
-  GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin,
-           const GpuSceneSettings& settings);
+  GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
+           const std::vector<scene::SkinMesh>& skin);
+
+  /// Makes the materials of instances that look like this. The scene must outlive them.
+  GpuLook make_look(gpu::Device& device, const LookSettings& settings) const;
 
   /// Makes the gutters of `mesh`, skin mesh `number`, for light maps of side x side texels, `width_texels`
   /// wide, unless it has them as wide or wider.
   void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side,
                     int width_texels);
 
-  std::vector<GpuMesh> skin;  ///< one per SkinMesh
-  GpuSurfaces surfaces;       ///< everything else
-  gpu::Buffer unmoved;        ///< PlacementIo: skin's vertices are in the world
-  std::vector<GpuMaterial> materials;
-  const GpuMaterial& material(int number) const { return materials[static_cast<std::size_t>(number)]; }
+  std::vector<GpuMesh> skin;                            ///< one per SkinMesh
+  GpuSurfaces surfaces;                                 ///< everything else
+  gpu::Buffer unmoved;                                  ///< PlacementIo: skin's vertices are in the world
   const gpu::Texture& white() const { return white_; }  ///< one white texel
   gpu::Texture directional_albedo;                      ///< RG16F, see optics/directional_albedo.h
 
@@ -105,6 +119,7 @@ class GpuScene {
   };
   std::vector<Loaded> textures_;
   std::map<int, gpu::Texture> alpha_max_;  // by image
+  std::vector<MaterialMaps> materials_;
   gpu::Texture white_, flat_normal_;
 };
 

@@ -13,7 +13,7 @@ UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
   used.side = instance.map_side;
   if (instance.map_places.empty()) return used;
 
-  const MapPlace& place = instance.map_places[square.mesh];
+  const MapPlace& place = instance.map_places[mesh_in_asset(frame, square)];
   used.index = place.index;
   used.origin = place.origin / (1u << square.halvings);
   if (square.halvings > 0) used.side = halved_side(instance.map_side, place.largest_side, square.halvings);

@@ -24,12 +24,17 @@ inline std::uint32_t halved_side(std::uint32_t side, std::uint32_t largest_side,
 /// Light of one skin mesh of one head, in maps of one size. Each frame sets its position in them and the used
 /// part of its square: Instance::map_places, Instance::map_side.
 struct MapSquare {
-  std::uint32_t instance = 0, mesh = 0;
+  std::uint32_t instance = 0;
+  std::uint32_t mesh = 0;      ///< among the skin meshes of the plan
   std::uint32_t halvings = 0;  ///< of the maps: progressive maps store wide light with fewer texels
 };
 
 inline const Instance& instance_of(const FrameData& frame, const MapSquare& square) {
   return frame.instances[square.instance];
+}
+/// Returns the number of the mesh among those of its asset.
+inline std::uint32_t mesh_in_asset(const FrameData& frame, const MapSquare& square) {
+  return square.mesh - instance_of(frame, square).first_mesh;
 }
 
 /// A square as a frame uses it.

@@ -20,15 +20,15 @@ class LightingSamplers {
     bindings.add("Lights", instance.lights)
         .add("ShadowMatrices", instance.shadow_matrices)
         .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
-        .add("directional_albedo", gpu::SampledBinding{&frame.scene->directional_albedo, table_})
+        .add("directional_albedo", gpu::SampledBinding{&instance.scene->directional_albedo, table_})
         .add("environment_map",
-             gpu::SampledBinding{frame.environment ? frame.environment : &frame.scene->white(), sky_});
+             gpu::SampledBinding{frame.environment ? frame.environment : &instance.scene->white(), sky_});
   }
-  /// Offers what skin mesh `number` sees of the environment.
-  void offer_sky(Bindings& bindings, const FrameData& frame, std::size_t number) const {
-    const GpuMesh& mesh = frame.scene->skin[number];
-    const gpu::Texture& white = frame.scene->white();
-    const SkyMaps* sky = number < frame.sky.size() ? &frame.sky[number] : nullptr;
+  /// Offers what skin mesh `number` of the instance's asset sees of the environment.
+  void offer_sky(Bindings& bindings, const Instance& instance, std::size_t number) const {
+    const GpuMesh& mesh = instance.scene->skin[number];
+    const gpu::Texture& white = instance.scene->white();
+    const SkyMaps* sky = number < instance.sky.size() ? &instance.sky[number] : nullptr;
     bindings.add("bent_normal", gpu::SampledBinding{mesh.bent_normal ? &mesh.bent_normal : &white, table_})
         .add("sky_direct", gpu::SampledBinding{sky ? &sky->direct : &white, table_})
         .add("sky_bounced", gpu::SampledBinding{sky ? &sky->bounced : &white, table_});

@@ -59,28 +59,36 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
   return out;
 }
 
-ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library,
-                                 const std::vector<gaussians::SumOfGaussians>& profiles, double mm_per_unit) {
-  for (std::size_t i = 0; i < profiles.size(); ++i) {
-    const auto same =
-        std::find(profiles.begin(), profiles.begin() + static_cast<std::ptrdiff_t>(i), profiles[i]);
-    const auto first = static_cast<std::size_t>(same - profiles.begin());
+ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library, const std::vector<ThroughMesh>& meshes) {
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    meshes_.push_back(meshes[i].mesh);
+    const auto same = std::find_if(
+        meshes.begin(), meshes.begin() + static_cast<std::ptrdiff_t>(i), [&](const ThroughMesh& m) {
+          return m.profile == meshes[i].profile && m.mm_per_unit == meshes[i].mm_per_unit;
+        });
+    const auto first = static_cast<std::size_t>(same - meshes.begin());
     if (first < i) {
       number_.push_back(number_[first]);
       continue;
     }
     number_.push_back(constants_.size());
-    const io::TransmissionIo io = transmission_io(profiles[i], mm_per_unit);
+    const io::TransmissionIo io = transmission_io(meshes[i].profile, meshes[i].mm_per_unit);
     constants_.push_back(gpu::make_buffer(library.device(), "transmission", std::span(&io, 1),
                                           VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
   }
 }
 
+std::size_t ThroughBindings::entry_of(std::uint32_t mesh) const {
+  const auto found = std::find(meshes_.begin(), meshes_.end(), mesh);
+  DERMIS_ASSERT_EQ(found != meshes_.end(), true);
+  return static_cast<std::size_t>(found - meshes_.begin());
+}
+
 void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering,
-                            frame::TextureId shadow, std::size_t profile) const {
+                            frame::TextureId shadow, std::size_t entry) const {
   // A binding that is never read must be bound, too.
   const gpu::SampledBinding maps = entering.valid() ? resources.linear(entering) : resources.nearest(shadow);
-  bindings.add("entering_maps", maps).add("Transmission", constants_[number_[profile]]);
+  bindings.add("entering_maps", maps).add("Transmission", constants_[number_[entry]]);
 }
 
 }  // namespace dermis::passes

@@ -29,24 +29,33 @@ std::vector<std::size_t> transmission_groups(std::size_t terms);
 
 /// Returns the constants of a profile. share[group * MOST_TERMS + i] is the part of T_i that joins at that
 /// group; summed over groups and weighted as in the final sum, each T_i counts w_i. A channel without weight
-/// in a group joins at the next. mm_per_unit: of the scene.
+/// in a group joins at the next. mm_per_unit: as ThroughMesh.
 io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit);
+
+/// A skin mesh whose light also comes through the body.
+struct ThroughMesh {
+  std::uint32_t mesh = 0;             ///< among the skin meshes of the plan
+  gaussians::SumOfGaussians profile;  ///< in mm of the asset
+  double mm_per_unit = 1000;          ///< mm of the asset per metre of the world
+};
 
 /// Bindings of skin_through.glsl beside the lighting: entering light, in the maps of the lights, and the
 /// constants of a profile.
 class ThroughBindings {
  public:
   ThroughBindings() = default;
-  ThroughBindings(gpu::PipelineLibrary& library, const std::vector<gaussians::SumOfGaussians>& profiles,
-                  double mm_per_unit);
+  ThroughBindings(gpu::PipelineLibrary& library, const std::vector<ThroughMesh>& meshes);
+  /// Returns the number of a skin mesh of the plan among `meshes`, which hold it.
+  std::size_t entry_of(std::uint32_t mesh) const;
   /// Offers the bindings. `entering` is not valid if nothing is stored (`entering_stored` is then false);
   /// `shadow` is of the same lights.
   void offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering,
-             frame::TextureId shadow, std::size_t profile) const;
+             frame::TextureId shadow, std::size_t entry) const;
 
  private:
   std::vector<gpu::Buffer> constants_;  // TransmissionIo, one for equal profiles
-  std::vector<std::size_t> number_;     // of those, by profile
+  std::vector<std::size_t> number_;     // of those, by entry
+  std::vector<std::uint32_t> meshes_;   // by entry
 };
 
 }  // namespace dermis::passes

@@ -13,25 +13,24 @@ namespace dermis::setup {
 
 namespace {
 
-std::vector<scene::Light> lights_of(const scene::Scene& scene, const RenderSettings& s,
-                                    const scene::BoundingSphere& sphere,
-                                    const std::vector<glm::vec3>& head_offsets_m) {
+std::vector<scene::Light> lights_of(const PlacedScene& scene, const RenderSettings& s,
+                                    const HeadSpheres& spheres) {
   if (!s.lighting.placed_lights.empty()) {
     std::vector<scene::Lamp> lamps;
     for (const PlacedLight& light : s.lighting.placed_lights)
       lamps.push_back({fmt::format("light {}", lamps.size() + 1), light.azimuth_deg, light.elevation_deg,
                        glm::dvec3(light.irradiance)});
-    return scene::light_rig(sphere, lamps, head_offsets_m);
+    return scene::light_rig(spheres.middle, lamps, spheres.offsets_m);
   }
   if (!s.lighting.rig_lights && !scene.lights.empty()) return scene.lights;
   const int count = s.lighting.rig_lights.value_or(2);
-  return count == 0 ? std::vector<scene::Light>{} : scene::light_rig(sphere, count, head_offsets_m);
+  return count == 0 ? std::vector<scene::Light>{}
+                    : scene::light_rig(spheres.middle, count, spheres.offsets_m);
 }
 
 }  // namespace
 
-scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s,
-                            const scene::BoundingSphere& sphere) {
+scene::Camera choose_camera(const PlacedScene& scene, const RenderSettings& s, const HeadSpheres& spheres) {
   const double aspect = static_cast<double>(s.output.width) / s.output.height;
   const double fov = s.camera.fov_deg.value_or(20);
   if (s.camera.matrices) return camera_of(*s.camera.matrices);
@@ -39,16 +38,17 @@ scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s,
     const std::array<double, 3>&eye = *s.camera.eye_m, &target = s.camera.target_m.value();
     return scene::look_at_camera({eye[0], eye[1], eye[2]}, {target[0], target[1], target[2]}, fov);
   }
-  if (s.camera.distance) return scene::distance_camera(sphere, *s.camera.distance, fov);
+  if (s.camera.distance) return scene::distance_camera(spheres.middle, *s.camera.distance, fov);
 
   const auto with_fov = [&](scene::Camera camera) {
     if (s.camera.fov_deg) camera.fov_y_rad = static_cast<float>(fov * std::numbers::pi / 180);
     return camera;
   };
 
+  const std::vector<scene::Camera> cameras = placed_cameras(scene);
   if (!s.camera.name.empty()) {
     std::string names;
-    for (const scene::Camera& camera : scene.cameras) {
+    for (const scene::Camera& camera : cameras) {
       if (camera.name == s.camera.name) return with_fov(camera);
       names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
     }
@@ -57,26 +57,29 @@ scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& s,
   }
 
   const bool orbits = s.camera.orbit_deg != std::array<double, 2>{0, 0};
-  if (!scene.cameras.empty() && !orbits && s.camera.heads == 1) return with_fov(scene.cameras.front());
-  return scene::framing_camera(sphere, aspect, s.camera.orbit_deg[0], s.camera.orbit_deg[1], fov);
+  const bool one_head = scene.instances.size() == 1 && s.camera.heads == 1;
+  if (!cameras.empty() && !orbits && one_head) return with_fov(cameras.front());
+  return scene::framing_camera(spheres.framed, aspect, s.camera.orbit_deg[0], s.camera.orbit_deg[1], fov);
 }
 
-std::vector<scene::Light> choose_lights(const scene::Scene& scene, const RenderSettings& s,
-                                        const scene::BoundingSphere& sphere,
-                                        const std::vector<glm::vec3>& head_offsets_m) {
-  std::vector<scene::Light> lights = lights_of(scene, s, sphere, head_offsets_m);
+std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSettings& s,
+                                        const HeadSpheres& spheres) {
+  std::vector<scene::Light> lights = lights_of(scene, s, spheres);
   if (s.lighting.light_radius_m)
     for (scene::Light& light : lights) {
       // A directional light as if it stood where the rig does.
-      const double distance =
-          light.type == scene::LightType::directional ? scene::rig_distance_radii * sphere.radius_m : 1;
+      const double distance = light.type == scene::LightType::directional
+                                  ? scene::rig_distance_radii * spheres.middle.radius_m
+                                  : 1;
       light.radius = static_cast<float>(*s.lighting.light_radius_m / distance);
     }
   return lights;
 }
 
-gaussians::SumOfGaussians choose_profile(const scene::Material& material, const RenderSettings& s) {
+gaussians::SumOfGaussians choose_profile(const scene::Material& material, const RenderSettings& s,
+                                         const std::optional<gaussians::SumOfGaussians>& of_instance) {
   if (!s.skin.profile.empty()) return gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile);
+  if (of_instance) return *of_instance;
   return material.skin_settings.profile.value_or(gaussians::skin_six());
 }
 

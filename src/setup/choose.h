@@ -7,22 +7,21 @@
 
 #include "dermis/settings.h"
 #include "gaussians/sum.h"
-#include "scene/scene.h"
+#include "setup/placed_scene.h"
 
 namespace dermis::setup {
 
-/// Returns the camera that the settings name or describe, else the first of the scene, else one that frames
-/// `sphere`, the bounds of the skin. Throws InputError if none has that name; lists those of the scene.
-scene::Camera choose_camera(const scene::Scene& scene, const RenderSettings& settings,
-                            const scene::BoundingSphere& sphere);
+/// Returns the camera that the settings name or describe, else the first of a scene of one instance, else one
+/// that frames the heads. Throws InputError if none has that name; lists those of the scene.
+scene::Camera choose_camera(const PlacedScene& scene, const RenderSettings& settings,
+                            const HeadSpheres& spheres);
 
-/// Returns the lights that the settings place, else the scene's, or the rig around the sphere and
-/// `head_offsets_m`.
-std::vector<scene::Light> choose_lights(const scene::Scene& scene, const RenderSettings& settings,
-                                        const scene::BoundingSphere& sphere,
-                                        const std::vector<glm::vec3>& head_offsets_m);
+/// Returns the lights that the settings place, else the scene's, or the rig around the heads.
+std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSettings& settings,
+                                        const HeadSpheres& spheres);
 
-/// Returns the settings' profile, else the material's, else the published six Gaussians.
-gaussians::SumOfGaussians choose_profile(const scene::Material& material, const RenderSettings& settings);
+/// Returns the settings' profile, else the instance's, else the material's, else the published six Gaussians.
+gaussians::SumOfGaussians choose_profile(const scene::Material& material, const RenderSettings& settings,
+                                         const std::optional<gaussians::SumOfGaussians>& of_instance = {});
 
 }  // namespace dermis::setup

@@ -30,17 +30,34 @@ environment::SkyHarmonics with_sources(environment::SkyHarmonics sky,
 
 }  // namespace
 
-EnvironmentLight environment_light(gpu::Device& device, const std::string& name) {
-  EnvironmentLight made{.name = name,
-                        .written = time_of(name),
-                        .sources = {},
-                        .irradiance = {},
-                        .sky = {},
-                        .bouncing_sky = {},
-                        .map = {}};
+bool EnvironmentSource::operator==(const EnvironmentSource& other) const {
+  return name == other.name && written == other.written && pixels.rgb == other.pixels.rgb &&
+         pixels.width == other.pixels.width && pixels.height == other.pixels.height;
+}
+
+std::optional<EnvironmentSource> choose_environment(const RenderSettings& settings,
+                                                    const std::optional<EnvironmentPixels>& of_scene) {
+  EnvironmentSource source{.name = settings.lighting.environment};
+  if (source.name.empty() && !of_scene) return {};
+  if (source.name.empty())
+    source.pixels = *of_scene;
+  else
+    source.written = time_of(source.name);
+  return source;
+}
+
+environment::Environment read_environment(const EnvironmentSource& source) {
+  if (!source.pixels.rgb) return environment::from_name_or_file(source.name);
+  return environment::from_pixels("environment", source.pixels.width, source.pixels.height,
+                                  *source.pixels.rgb);
+}
+
+EnvironmentLight environment_light(gpu::Device& device, const EnvironmentSource& source) {
+  EnvironmentLight made{
+      .source = source, .sources = {}, .irradiance = {}, .sky = {}, .bouncing_sky = {}, .map = {}};
 
   Steps steps("preparing the environment", 3);
-  environment::Split split = environment::split_sources(environment::from_name_or_file(name));
+  environment::Split split = environment::split_sources(read_environment(source));
   steps.done();
   made.sources = std::move(split.sources);
   made.irradiance = environment::irradiance_of(split.remainder);
@@ -72,16 +89,22 @@ EnvironmentLight environment_light(gpu::Device& device, const std::string& name)
   return made;
 }
 
-bool is_current(const EnvironmentLight& environment_light, const std::string& name) {
-  return environment_light.name == name && environment_light.written == time_of(name);
+bool SkyOnSkin::is_of(const EnvironmentLight& environment, double degrees, const glm::mat3& rotation) const {
+  return of.get() == &environment && rotation_deg == degrees && world_from_asset == rotation;
 }
 
 SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLight> environment_light,
-                      double rotation_deg, const std::vector<environment::Occlusion>& occlusion) {
-  SkyOnSkin made{.of = std::move(environment_light), .rotation_deg = rotation_deg, .maps = {}};
-  const double angle_rad = rotation_deg * std::numbers::pi / 180;
-  const environment::SkyHarmonics sky = environment::turned(made.of->sky, angle_rad),
-                                  bouncing_sky = environment::turned(made.of->bouncing_sky, angle_rad);
+                      double rotation_deg, const glm::mat3& world_from_asset,
+                      const std::vector<environment::Occlusion>& occlusion) {
+  SkyOnSkin made{.of = std::move(environment_light),
+                 .rotation_deg = rotation_deg,
+                 .world_from_asset = world_from_asset,
+                 .maps = {}};
+  const auto seen = [&](const environment::SkyHarmonics& world) {
+    const environment::SkyHarmonics sky = environment::turned(world, rotation_deg * std::numbers::pi / 180);
+    return world_from_asset == glm::mat3(1) ? sky : environment::seen_from(sky, glm::dmat3(world_from_asset));
+  };
+  const environment::SkyHarmonics sky = seen(made.of->sky), bouncing_sky = seen(made.of->bouncing_sky);
   for (const environment::Occlusion& mesh : occlusion) {
     const environment::SkyLight light = environment::sky_light(mesh, sky, bouncing_sky);
     made.maps.push_back(

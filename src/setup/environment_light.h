@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "dermis/scene.h"
 #include "dermis/settings.h"
 #include "environment/environment.h"
 #include "environment/occlusion.h"
@@ -17,9 +19,23 @@
 
 namespace dermis::setup {
 
+/// Which environment a frame has.
+struct EnvironmentSource {
+  std::string name{};  ///< LightingSettings::environment, unless there are pixels
+  EnvironmentPixels pixels{};
+  std::filesystem::file_time_type written{};  ///< of the file
+  bool operator==(const EnvironmentSource& other) const;
+};
+
+/// Returns the environment that the settings name, else the scene's pixels, else none.
+std::optional<EnvironmentSource> choose_environment(const RenderSettings& settings,
+                                                    const std::optional<EnvironmentPixels>& of_scene);
+
+/// Reads it. Throws InputError: see environment::from_name_or_file and from_pixels.
+environment::Environment read_environment(const EnvironmentSource& source);
+
 struct EnvironmentLight {
-  std::string name;                          ///< LightingSettings::environment
-  std::filesystem::file_time_type written;   ///< of the file when it was read
+  EnvironmentSource source;
   std::vector<environment::Source> sources;  ///< light as lamps do; the rest has none of them
   environment::Irradiance irradiance;        ///< of the rest
   environment::SkyHarmonics sky;             ///< of the rest
@@ -27,23 +43,25 @@ struct EnvironmentLight {
   gpu::Texture map;                          ///< of the rest; RGBA16F, prefiltered
 };
 
-/// Loads and prepares an environment. Throws InputError: see environment::from_name_or_file.
-EnvironmentLight environment_light(gpu::Device& device, const std::string& name);
+/// Reads and prepares an environment. Throws InputError: see read_environment().
+EnvironmentLight environment_light(gpu::Device& device, const EnvironmentSource& source);
 
-/// Returns whether a name still means this environment: a file may have changed.
-bool is_current(const EnvironmentLight& environment_light, const std::string& name);
-
-/// Light of an environment of intensity 1 that arrives on each texel of each skin mesh, on the device.
+/// Light of an environment of intensity 1 that arrives on each texel of each skin mesh of an asset, on the
+/// device. Instances of the asset that are turned alike share it.
 struct SkyOnSkin {
   std::shared_ptr<const EnvironmentLight> of;  ///< none: no maps
-  double rotation_deg = 0;
+  double rotation_deg = 0;                     ///< of the environment
+  glm::mat3 world_from_asset{1};               ///< a rotation
   std::vector<passes::SkyMaps> maps;
+  bool is_of(const EnvironmentLight& environment, double rotation_deg,
+             const glm::mat3& world_from_asset) const;
 };
 
 /// Multiplies the harmonics of the sky with the transfer of each texel. `occlusion`: one per skin mesh. Takes
 /// some 15 ms per mesh, on the processor.
 SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLight> environment_light,
-                      double rotation_deg, const std::vector<environment::Occlusion>& occlusion);
+                      double rotation_deg, const glm::mat3& world_from_asset,
+                      const std::vector<environment::Occlusion>& occlusion);
 
 /// Returns directional lights as wide as the sources, turned and multiplied as the settings say.
 std::vector<scene::Light> environment_lights(const std::vector<environment::Source>& sources,

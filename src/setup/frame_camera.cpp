@@ -79,18 +79,18 @@ double reference_distance(const Subject& subject, const RenderSettings& s, const
   return d_mm / (subject.sphere.radius_m * subject.scene->mm_per_unit);
 }
 
-int map_side(const Subject& subject, const RenderSettings& s, const scene::Camera& camera,
-             const glm::vec3& offset_m) {
+int map_side(const Subject& subject, const RenderSettings& s, const scene::Camera& camera, const Pose& pose) {
   if (!s.quality.depth || subject.skin.empty()) return s.quality.map_size;
 
   double needed = 1;  // of T_max
   if (camera.orthographic) {
     const double pixels = s.output.height * density_across(s, camera);
     const double pixels_per_mm = pixels / (2.0 * camera.ymag_m * subject.scene->mm_per_unit);
-    needed = pixels_per_mm / texels_per_mm(subject, s);
+    needed = pixels_per_mm * double{pose.scale} / texels_per_mm(subject, s);
   } else {
-    const glm::vec3 eye_m(camera.world_from_camera[3]);
-    const glm::vec3 nearest_m = glm::clamp(eye_m, subject.box.low + offset_m, subject.box.high + offset_m);
+    // In the asset, where lengths are in the same proportion.
+    const glm::vec3 eye_m = pose.position_in_asset(glm::vec3(camera.world_from_camera[3]));
+    const glm::vec3 nearest_m = glm::clamp(eye_m, subject.box.low, subject.box.high);
     const double d = glm::distance(eye_m, nearest_m) / subject.sphere.radius_m;
     needed = d > 0 ? reference_distance(subject, s, camera) / d : 1;
   }
@@ -99,11 +99,11 @@ int map_side(const Subject& subject, const RenderSettings& s, const scene::Camer
   return std::min(s.quality.map_size, side_step * std::max(1, static_cast<int>(steps)));
 }
 
-bool in_view(const Subject& subject, const io::CameraIo& camera, const glm::vec3& offset_m) {
-  const glm::vec4 centre(subject.casters.centre_m + offset_m, 1);
-  return std::all_of(std::begin(camera.planes), std::end(camera.planes), [&](const glm::vec4& plane) {
-    return glm::dot(plane, centre) > -subject.casters.radius_m;
-  });
+bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose) {
+  const scene::BoundingSphere sphere = pose.sphere(subject.casters);
+  const glm::vec4 centre(sphere.centre_m, 1);
+  return std::all_of(std::begin(camera.planes), std::end(camera.planes),
+                     [&](const glm::vec4& plane) { return glm::dot(plane, centre) > -sphere.radius_m; });
 }
 
 }  // namespace dermis::setup

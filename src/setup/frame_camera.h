@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "dermis/settings.h"
+#include "setup/placed_scene.h"
 #include "setup/subject.h"
 #include "shared/scene_io.h"
 
@@ -22,9 +23,9 @@ double reference_distance(const Subject& subject, const RenderSettings& settings
 /// nearest point of the head's box (the paper takes the nearest vertex; a point that is never farther keeps
 /// the map from being too small). Orthographic: pixels per mm over texels per mm in place of d_ref / d.
 int map_side(const Subject& subject, const RenderSettings& settings, const scene::Camera& camera,
-             const glm::vec3& offset_m);
+             const Pose& pose);
 
 /// Returns whether any part of the head may lie in the picture: its sphere against the planes.
-bool in_view(const Subject& subject, const io::CameraIo& camera, const glm::vec3& offset_m);
+bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose);
 
 }  // namespace dermis::setup

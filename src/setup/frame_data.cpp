@@ -4,13 +4,27 @@
 #include <span>
 #include <utility>
 
+#include "shared/instance_io.h"
+
 namespace dermis::setup {
 namespace {
+
+io::InstanceIo instance_io(const Pose& pose) {
+  return {.x_axis = pose.rotation[0],
+          .y_axis = pose.rotation[1],
+          .z_axis = pose.rotation[2],
+          .origin_m = pose.origin_m,
+          .scale = pose.scale};
+}
 
 passes::Instance instance_of(gpu::Device& device, const HeadSetup& head) {
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   passes::Instance instance;
-  instance.offset_m = head.offset_m;
+  instance.world_from_asset = head.pose.matrix();
+  instance.middle_m = head.middle_m;
+  const io::InstanceIo io = instance_io(head.pose);
+  instance.transform =
+      gpu::make_buffer(device, "instance", std::span(&io, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   instance.map_side = static_cast<std::uint32_t>(head.map_side);
   instance.visible = head.visible;
   instance.lights = gpu::make_buffer(device, "lights", std::span<const io::LightIo>(head.lights), storage);
@@ -32,17 +46,21 @@ gpu::Buffer frame_buffer(gpu::Device& device, const io::FrameIo& frame) {
 }
 
 passes::FrameData frame_data(gpu::Device& device, const FrameSetup& setup,
-                             const techniques::FrameOutputs& outputs, const passes::GpuScene& scene,
-                             const SkyOnSkin& sky) {
+                             const techniques::FrameOutputs& outputs,
+                             std::span<const InstanceOnDevice> instances,
+                             const EnvironmentLight* environment) {
   passes::FrameData data;
-  data.scene = &scene;
   data.camera = setup.frame.camera;
   data.frame_io = frame_buffer(device, setup.frame);
-  if (sky.of) data.environment = &sky.of->map;
-  data.sky = sky.maps;
+  if (environment) data.environment = &environment->map;
 
   for (const HeadSetup& head : setup.heads) {
     passes::Instance instance = instance_of(device, head);
+    const InstanceOnDevice& on_device = instances[head.instance];
+    instance.scene = on_device.scene;
+    instance.look = on_device.look;
+    instance.sky = on_device.sky;
+    instance.first_mesh = setup.plan.models[head.model].first_mesh;
     if (!outputs.map_places.empty()) instance.map_places = outputs.map_places[data.instances.size()];
     data.instances.push_back(std::move(instance));
   }

@@ -9,11 +9,11 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "passes/blur/blur.h"
-#include "passes/final_pass/final_pass.h"
 #include "passes/shadow/fit.h"
 #include "scene/framing.h"
 #include "setup/choose.h"
 #include "setup/frame_camera.h"
+#include "setup/models.h"
 #include "techniques/memory.h"
 
 namespace dermis::setup {
@@ -45,34 +45,57 @@ io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, st
   return out;
 }
 
-// Far to near, so that what is blended is drawn over what lies behind it.
-std::vector<HeadSetup> set_up_heads(const Subject& subject, const RenderSettings& s,
+std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Subject* const> subjects,
+                                    const std::vector<PlacedHead>& placed_heads, const RenderSettings& s,
                                     const scene::Camera& camera, const io::CameraIo& frame_camera,
                                     const std::vector<scene::Light>& lights) {
   std::vector<HeadSetup> heads;
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
-  for (const glm::vec3& offset : scene::head_row_offsets(s.camera.heads, subject.sphere.radius_m)) {
-    HeadSetup head{
-        .number = static_cast<int>(heads.size()), .offset_m = offset, .lights = {}, .shadow_from_world = {}};
+  for (const PlacedHead& placed : placed_heads) {
+    const Subject& subject = *subjects[placed.instance];
+    HeadSetup head{.number = static_cast<int>(heads.size()),
+                   .instance = placed.instance,
+                   .pose = placed.pose,
+                   .middle_m = placed.pose.position(subject.sphere.centre_m),
+                   .lights = {},
+                   .shadow_from_world = {}};
+
     for (const scene::Light& light : lights) {
-      const passes::ShadowFit fit = passes::fit_shadow(
-          light, {subject.casters.centre_m + offset, subject.casters.radius_m}, s.quality.shadow_size);
+      const passes::ShadowFit fit =
+          passes::fit_shadow(light, placed.pose.sphere(subject.casters), s.quality.shadow_size);
       head.lights.push_back(light_io(light, fit, head.shadow_from_world.size()));
       head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(),
                                     fit.shadow_from_world.end());
     }
-    head.map_side = map_side(subject, s, camera, offset);
-    head.visible = !skip || in_view(subject, frame_camera, offset);
+
+    head.map_side = map_side(subject, s, camera, placed.pose);
+    head.visible =
+        scene.instances[placed.instance].visible && (!skip || in_view(subject, frame_camera, placed.pose));
     heads.push_back(std::move(head));
   }
+  return heads;
+}
+
+// Sorts far to near, so that what is blended is drawn over what lies behind it. Where one batch holds all
+// heads, their blended parts are sorted when they are drawn: heads of a model then stand together, and the
+// plan stays as it is while heads change places.
+void sort_heads(FrameSetup& setup, const RenderSettings& s) {
+  const techniques::FrameSettings& plan = setup.plan;
+  const bool blends = std::any_of(plan.models.begin(), plan.models.end(),
+                                  [](const techniques::Model& model) { return model.has_blended; });
+  const bool by_model = s.output.show == "picture" && (!blends || setup.heads.size() <= plan.heads_per_batch);
 
   const auto distance = [&](const HeadSetup& head) {
-    return glm::distance(subject.sphere.centre_m + head.offset_m, frame_camera.eye_m);
+    return glm::distance(head.middle_m, setup.frame.camera.eye_m);
   };
-  std::stable_sort(heads.begin(), heads.end(),
-                   [&](const HeadSetup& a, const HeadSetup& b) { return distance(a) > distance(b); });
-  return heads;
+  std::stable_sort(setup.heads.begin(), setup.heads.end(), [&](const HeadSetup& a, const HeadSetup& b) {
+    if (by_model && a.model != b.model) return a.model < b.model;
+    return distance(a) > distance(b);
+  });
+
+  setup.plan.heads.clear();
+  for (const HeadSetup& head : setup.heads) setup.plan.heads.push_back(head.model);
 }
 
 // Heads of one batch have sets of shadow maps one after the other.
@@ -81,35 +104,6 @@ void place_shadows(std::vector<HeadSetup>& heads, const techniques::FrameSetting
     heads[i].first_shadow_layer = i % plan.heads_per_batch * plan.shadow_layers;
     for (io::LightIo& light : heads[i].lights) light.shadow_layer += heads[i].first_shadow_layer;
   }
-}
-
-// Whether a twentieth of the skin has so few texels that terms are lit at the pixel there.
-void fill_coarse(techniques::SkinPart& part, const scene::UnwrapDensity& density, double map_size) {
-  if (!(density.uv_per_mm.mean > 0) || !(density.area_mm2 > 0)) return;
-  part.even_uv_per_mm = 1 / std::sqrt(density.area_mm2);
-  part.least_texels_per_mm = density.uv_per_mm.p05 * map_size;
-  const double widest_mm = std::sqrt(part.profile.max_variance_mm2());
-  part.coarse = passes::is_coarse(static_cast<float>(widest_mm), static_cast<float>(part.least_texels_per_mm),
-                                  static_cast<float>(part.even_uv_per_mm * map_size));
-}
-
-techniques::SkinPart skin_part(const Subject& subject, std::size_t number, const RenderSettings& s) {
-  techniques::SkinPart part;
-  const auto material = static_cast<std::size_t>(subject.skin[number].triangle_material.front());
-  part.profile = choose_profile(subject.scene->materials[material], s);
-  // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not
-  // wrong in width.
-  part.max_uv_per_mm = subject.densities[number].largest_uv_per_mm.p95;
-  part.max_texels_per_mm = std::max(part.max_uv_per_mm * s.quality.map_size, 1e-6);
-  part.off_map = scene::has_chartless(subject.skin[number]);
-  fill_coarse(part, subject.densities[number], s.quality.map_size);
-  part.mean_texels_per_mm = subject.densities[number].uv_per_mm.mean * s.quality.map_size;
-  for (const int index : subject.skin[number].triangle_material) {
-    const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];
-    part.cut_out = part.cut_out || of_triangle.alpha_mode == scene::AlphaMode::mask;
-    part.emits = part.emits || of_triangle.emissive != glm::vec3(0);
-  }
-  return part;
 }
 
 constexpr double default_squares = 4;
@@ -142,7 +136,7 @@ void set_up_batches(FrameSetup& setup, const RenderSettings& s, const DeviceTrai
 
   const techniques::MapMemory memory = techniques::map_memory(*setup.technique, plan);
   const double squares = squares_in_budget(memory.light_maps, s, device);
-  const auto meshes = static_cast<double>(plan.skin.size());
+  const auto meshes = static_cast<double>(plan.most_meshes());
   if (squares < meshes) {
     plan.meshes_per_batch = std::bit_floor(static_cast<std::uint32_t>(squares));
     return;
@@ -172,18 +166,18 @@ passes::SkipUnlit choose_skip_unlit(const RenderSettings& s, const DeviceTraits&
 
 // Whether light enters whole wherever it falls on something: skin whose whole albedo acts after scattering.
 // What is blended casts no shadow.
-bool all_enters(const scene::Scene& scene, const RenderSettings& s) {
-  return std::all_of(scene.primitives.begin(), scene.primitives.end(), [&](const scene::Primitive& p) {
-    const scene::Material& material = scene.materials[static_cast<std::size_t>(p.material)];
+bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
+  const scene::Scene& asset = *instance.asset;
+  return std::all_of(asset.primitives.begin(), asset.primitives.end(), [&](const scene::Primitive& p) {
+    const scene::Material& material = asset.materials[static_cast<std::size_t>(p.material)];
     if (material.alpha_mode == scene::AlphaMode::blend) return true;
-    const auto of_material = static_cast<double>(material.skin_settings.mix_or_default());
-    return material.skin && s.skin.mix.value_or(of_material) == 0;
+    const float mix = instance.mix.value_or(material.skin_settings.mix_or_default());
+    return material.skin && s.skin.mix.value_or(double{mix}) == 0;
   });
 }
 
-void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings& s,
+void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s,
                  const std::vector<scene::Light>& lights, const DeviceTraits& device) {
-  const scene::Scene& scene = *subject.scene;
   techniques::FrameSettings& plan = setup.plan;
 
   plan.width = static_cast<std::uint32_t>(s.output.width);
@@ -191,13 +185,12 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
   plan.samples = static_cast<std::uint32_t>(s.quality.samples);
   plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
   plan.shadow_size = static_cast<std::uint32_t>(s.quality.shadow_size);
-  plan.heads = static_cast<std::uint32_t>(s.camera.heads);
-  plan.shadow_layers =
-      static_cast<std::uint32_t>(std::max<std::size_t>(setup.heads.front().shadow_from_world.size(), 1));
+  for (const HeadSetup& head : setup.heads)
+    plan.shadow_layers =
+        std::max(plan.shadow_layers, static_cast<std::uint32_t>(head.shadow_from_world.size()));
   plan.bloom = static_cast<float>(s.output.bloom);
   plan.tone_map = s.output.tone_map;
   plan.visibility = s.output.show == "visibility";
-  plan.environment = !s.lighting.environment.empty();
   plan.soft_shadows =
       std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
 
@@ -205,44 +198,37 @@ void set_up_plan(FrameSetup& setup, const Subject& subject, const RenderSettings
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
     plan.skip_unlit = choose_skip_unlit(s, device);
     plan.progressive = s.quality.maps == LightMaps::progressive;
-    plan.translucency = s.skin.translucency && !subject.skin.empty() && setup.lights > 0;
-    plan.all_enters = all_enters(scene, s);
-    plan.mm_per_unit = scene.mm_per_unit;
+    plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0;
+    plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
+                                  [&](const PlacedAsset& instance) { return all_enters(instance, s); });
   }
 
-  for (std::size_t i = 0; i < subject.skin.size(); ++i) {
-    plan.skin.push_back(skin_part(subject, i, s));
-    setup.gaussians = std::max(setup.gaussians, static_cast<int>(plan.skin.back().profile.terms.size()));
-  }
+  for (const techniques::SkinPart& part : plan.skin)
+    setup.gaussians = std::max(setup.gaussians, static_cast<int>(part.profile.terms.size()));
   if (!setup.technique->uses_profile) setup.gaussians = 0;
-
-  // Note whether there is anything beside skin, blended or not.
-  for (const scene::Primitive& p : scene.primitives) {
-    const scene::Material& material = scene.materials[static_cast<std::size_t>(p.material)];
-    if (material.skin) continue;
-    (material.alpha_mode == scene::AlphaMode::blend ? plan.has_blended : plan.has_surfaces) = true;
-  }
 
   set_up_batches(setup, s, device);
 }
 
 // Light from just outside the picture still arrives: as far as the widest Gaussian reaches.
-double clip_margin_m(const FrameSetup& setup, const Subject& subject, const RenderSettings& s) {
-  double reach_mm = 0;
+double clip_margin_m(const FrameSetup& setup, const RenderSettings& s) {
+  if (s.quality.clip_margin_mm) return *s.quality.clip_margin_mm / 1000;
+  double reach_m = 0;
   for (const techniques::SkinPart& part : setup.plan.skin)
-    reach_mm = std::max(reach_mm, 3 * std::sqrt(part.profile.max_variance_mm2()));
-  return s.quality.clip_margin_mm.value_or(reach_mm) / subject.scene->mm_per_unit;
+    reach_m = std::max(reach_m, 3 * std::sqrt(part.profile.max_variance_mm2()) / part.mm_per_unit);
+  return reach_m;
 }
 
 }  // namespace
 
-void warn_coarse(const Subject& subject, const FrameSetup& setup) {
+void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& setup) {
   const techniques::SkinPart* worst = nullptr;
   for (const techniques::SkinPart& part : setup.plan.skin)
     if (part.coarse && (!worst || part.least_texels_per_mm < worst->least_texels_per_mm)) worst = &part;
   if (!worst || !setup.technique->has_light_maps) return;
 
-  const auto number = static_cast<std::size_t>(worst - setup.plan.skin.data());
+  const MeshSource& source = setup.meshes[static_cast<std::size_t>(worst - setup.plan.skin.data())];
+  const Subject& subject = *subjects[source.instance];
   const double lost_mm =
       std::min(0.3 / worst->least_texels_per_mm, std::sqrt(worst->profile.max_variance_mm2()));
   warn(
@@ -250,36 +236,44 @@ void warn_coarse(const Subject& subject, const FrameSetup& setup) {
       "{:.2g} mm do not scatter there. A larger quality.map_size holds them, or texture coordinates that "
       "fill more "
       "of the square",
-      subject.scene->name, subject.skin[number].name, worst->least_texels_per_mm, lost_mm);
+      subject.scene->name, subject.skin[source.mesh].name, worst->least_texels_per_mm, lost_mm);
 }
 
-std::vector<std::uint32_t> sides_of_drawn_heads(const FrameSetup& setup) {
-  std::vector<std::uint32_t> sides;
+std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
+  std::vector<techniques::DrawnHead> drawn;
   for (const HeadSetup& head : setup.heads)
-    if (head.visible) sides.push_back(static_cast<std::uint32_t>(head.map_side));
-  return sides;
+    if (head.visible)
+      drawn.push_back({.model = head.model, .side = static_cast<std::uint32_t>(head.map_side)});
+  return drawn;
 }
 
-FrameSetup set_up(const Subject& subject, const RenderSettings& s, const DeviceTraits& device,
-                  const std::vector<scene::Light>& environment_lights) {
+FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects, const RenderSettings& s,
+                  const DeviceTraits& device,
+                  const std::optional<std::vector<scene::Light>>& environment_lights) {
+  DERMIS_ASSERT_EQ(subjects.size(), scene.instances.size());
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
+  const std::vector<PlacedHead> placed = placed_heads(scene, s);
+  const HeadSpheres spheres = head_spheres(scene, s);
 
-  const scene::Camera camera = choose_camera(*subject.scene, s, subject.sphere);
+  const scene::Camera camera = choose_camera(scene, s, spheres);
   setup.frame.camera = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
-  setup.d_ref = reference_distance(subject, s, camera);
+  setup.d_ref = reference_distance(*subjects.front(), s, camera);
 
-  const std::vector<glm::vec3> offsets = scene::head_row_offsets(s.camera.heads, subject.sphere.radius_m);
-  std::vector<scene::Light> lights = choose_lights(*subject.scene, s, subject.sphere, offsets);
-  lights.insert(lights.end(), environment_lights.begin(), environment_lights.end());
+  std::vector<scene::Light> lights = choose_lights(scene, s, spheres);
+  if (environment_lights) lights.insert(lights.end(), environment_lights->begin(), environment_lights->end());
   setup.lights = static_cast<int>(lights.size());
-  setup.environment_lights = static_cast<int>(environment_lights.size());
-  setup.heads = set_up_heads(subject, s, camera, setup.frame.camera, lights);
-  set_up_plan(setup, subject, s, lights, device);
+  setup.environment_lights = environment_lights ? static_cast<int>(environment_lights->size()) : 0;
+
+  setup.heads = set_up_heads(scene, subjects, placed, s, camera, setup.frame.camera, lights);
+  set_up_models(setup, scene, subjects, s);
+  setup.plan.environment = environment_lights.has_value();
+  set_up_plan(setup, scene, s, lights, device);
+  sort_heads(setup, s);
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;
-  frame.clip_margin_m = static_cast<float>(clip_margin_m(setup, subject, s));
+  frame.clip_margin_m = static_cast<float>(clip_margin_m(setup, s));
   frame.radiance_scale = static_cast<float>(std::exp2(s.output.exposure_ev.value_or(0)));
   frame.ambient = glm::vec3(static_cast<float>(s.lighting.ambient));
   frame.light_count = static_cast<std::uint32_t>(lights.size());

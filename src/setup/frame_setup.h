@@ -2,9 +2,12 @@
 /// From a scene and settings to what a plan and a frame need: cameras, lights, profiles, heads. No device.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "dermis/settings.h"
+#include "setup/placed_scene.h"
 #include "setup/subject.h"
 #include "shared/scene_io.h"
 #include "techniques/technique.h"
@@ -23,8 +26,11 @@ struct DeviceTraits {
 };
 
 struct HeadSetup {
-  int number = 0;  ///< in the row
-  glm::vec3 offset_m{0};
+  int number = 0;            ///< among the heads of the scene
+  std::size_t instance = 0;  ///< of the scene
+  Pose pose;
+  std::uint32_t model = 0;  ///< of the plan
+  glm::vec3 middle_m{0};    ///< of its skin
   std::vector<io::LightIo> lights;
   std::uint32_t first_shadow_layer = 0;
   std::vector<glm::mat4> shadow_from_world;
@@ -32,27 +38,36 @@ struct HeadSetup {
   bool visible = true;
 };
 
+/// A skin mesh of the plan.
+struct MeshSource {
+  std::size_t instance = 0;  ///< one of those that have it
+  std::uint32_t mesh = 0;    ///< among the meshes of its asset
+};
+
 struct FrameSetup {
   const techniques::Technique* technique = nullptr;
   techniques::FrameSettings plan;
-  std::vector<HeadSetup> heads;  ///< far to near
+  std::vector<HeadSetup> heads;    ///< in the order of the plan
+  std::vector<MeshSource> meshes;  ///< one for each of FrameSettings::skin
   io::FrameIo frame{};
   double d_ref = 0;  ///< see reference_distance()
   int lights = 0, gaussians = 0;
   int environment_lights = 0;  ///< those of the lights that an environment brings
 };
 
-/// Returns T of each head that is drawn, texels.
-std::vector<std::uint32_t> sides_of_drawn_heads(const FrameSetup& setup);
+/// Returns the heads that are drawn.
+std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup);
 
 /// Decides what a frame needs. `settings` have passed check_settings(): who calls this checks them before
-/// reading surroundings. `environment_lights`: besides those that the settings choose. Throws InputError: see
-/// choose_camera(); or a map budget that does not hold one head.
-FrameSetup set_up(const Subject& subject, const RenderSettings& settings, const DeviceTraits& device = {},
-                  const std::vector<scene::Light>& environment_lights = {});
+/// reading surroundings. `subjects`: one per instance. `environment_lights`: besides those that the settings
+/// choose; none: there is no environment, light from everywhere is uniform. Throws InputError: see
+/// placed_heads() and choose_camera(); or a map budget that does not hold one head.
+FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects,
+                  const RenderSettings& settings, const DeviceTraits& device = {},
+                  const std::optional<std::vector<scene::Light>>& environment_lights = {});
 
 /// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel: which mesh
 /// has fewest, how many, what that means and what helps.
-void warn_coarse(const Subject& subject, const FrameSetup& setup);
+void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& setup);
 
 }  // namespace dermis::setup

@@ -10,7 +10,7 @@
 
 namespace dermis::setup {
 
-reference::RenderSetup reference_setup(const scene::Scene& scene, const RenderSettings& s) {
+reference::RenderSetup reference_setup(const PlacedScene& scene, const RenderSettings& s) {
   check_settings(s);
   if (s.camera.heads != 1)
     throw input_error("", "camera.heads must be 1 for the reference, got {}", s.camera.heads);
@@ -19,13 +19,14 @@ reference::RenderSetup reference_setup(const scene::Scene& scene, const RenderSe
                       "output.width x output.height, {}x{}, has more than {} pixels, too many for the sums "
                       "of the reference",
                       s.output.width, s.output.height, 1 << 26);
-  const scene::BoundingSphere sphere = scene::skin_sphere(scene);
-  if (!(sphere.radius_m > 0))
+  if (placed_heads(scene, s).empty()) return {};
+  const HeadSpheres spheres = head_spheres(scene, s);
+  if (!(spheres.middle.radius_m > 0))
     throw input_error(scene.name, "has nothing to see: all its triangles lie at one point");
   reference::RenderSetup setup;
-  setup.camera = choose_camera(scene, s, sphere);
+  setup.camera = choose_camera(scene, s, spheres);
   setup.width = s.output.width, setup.height = s.output.height;
-  setup.lights = choose_lights(scene, s, sphere, scene::head_row_offsets(1, sphere.radius_m));
+  setup.lights = choose_lights(scene, s, spheres);
   setup.ambient = s.lighting.ambient;
   setup.radiance_scale = std::exp2(s.output.exposure_ev.value_or(0));
   setup.specular = s.lighting.specular, setup.white_albedo = s.lighting.white_albedo;

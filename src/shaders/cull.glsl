@@ -2,19 +2,19 @@
 // Finds triangles of a head that no pixel can show. Based on: [JG08] sec. 3, where a texel is culled if its
 // interpolated normal is more than 105 degrees from the (constant) view axis. On a coarse mesh that culls
 // visible texels, so here whole triangles are culled: all vertex normals are more than 105 degrees from the
-// true direction to the camera, and the triangle faces away. Needs
-// vertex_pull.glsl, frame.glsl.
+// true direction to the camera, and the triangle faces away. Needs vertex_pull.glsl, instance.glsl,
+// frame.glsl.
 layout(binding = 28, scalar) readonly buffer TurnedNeighbours {
   uint turned_neighbours[];
 };  // scene/turned.h
 const float cos_105_degrees = -0.2588190451;
 const uint always_kept = 0xFFFFFFFFu;  // as in scene/turned.h
 
-bool faces_away(uint first, vec3 offset_m) {
+bool faces_away(uint first) {
   const vec3 p = vertices[indices[first]].position_m;
   const vec3 ab = vertices[indices[first + 1]].position_m - p,
              ac = vertices[indices[first + 2]].position_m - p;
-  return dot(cross(ab, ac), to_eye(p + offset_m)) < 0.0;
+  return dot(world_direction(cross(ab, ac)), to_eye(world_position(p))) < 0.0;
 }
 
 // Returns whether a triangle is so thin on a map of this side that it may contain no texel centre: an
@@ -26,19 +26,19 @@ bool falls_between_texels(uint first, float map_side) {
   return abs(ab.x * ac.y - ab.y * ac.x) * map_side < 0.75 * (length(ab) + length(ac) + length(c - b));
 }
 
-bool triangle_culled(uint triangle, vec3 offset_m, float map_side) {
-  bool away = faces_away(3u * triangle, offset_m);
+bool triangle_culled(uint triangle, float map_side) {
+  bool away = faces_away(3u * triangle);
   for (uint i = 0u; i < 3u; ++i) {
     const VertexIo v = vertices[indices[3u * triangle + i]];
-    const vec3 eye = to_eye(v.position_m + offset_m);
-    away = away && dot(v.normal, eye) < cos_105_degrees * length(eye) * length(v.normal);
+    const vec3 eye = to_eye(world_position(v.position_m));
+    away = away && dot(world_direction(v.normal), eye) < cos_105_degrees * length(eye) * length(v.normal);
   }
   // A visible triangle without a texel reads the light of its neighbours.
   if (away)
     for (uint k = turned_neighbours[triangle]; k < turned_neighbours[triangle + 1u]; ++k) {
       if (turned_neighbours[k] == always_kept) return false;
       const uint first = 3u * turned_neighbours[k];
-      if (falls_between_texels(first, map_side) && !faces_away(first, offset_m)) return false;
+      if (falls_between_texels(first, map_side) && !faces_away(first)) return false;
     }
   return away;
 }

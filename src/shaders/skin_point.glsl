@@ -3,6 +3,7 @@
 // direct shading per pixel, so that both show the same skin. Buffers are uniform, not storage: some software
 // devices read zeros from storage in helper invocations, which breaks texture derivatives.
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
+#include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
 layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
 layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
@@ -13,7 +14,7 @@ layout(binding = 9) uniform sampler2D map_normal;
 layout(binding = 10) uniform sampler2D map_roughness;
 layout(binding = 11) uniform sampler2D map_occlusion;
 layout(binding = 12) uniform sampler2D map_specular;
-layout(binding = 27) uniform sampler2D bent_normal;  // over the unwrap: environment/occlusion.h
+layout(binding = 27) uniform sampler2D bent_normal;  // over the unwrap, in the asset's coordinates: environment/occlusion.h
 layout(binding = 29) uniform sampler2D sky_direct;   // likewise: environment::SkyLight
 layout(binding = 30) uniform sampler2D sky_bounced;
 layout(constant_id = 13) const
@@ -95,7 +96,8 @@ float skin_open(ShadingPoint s, vec2 unwrap) {
 vec3 entering_surroundings(ShadingPoint s, vec3 n, vec2 unwrap) {
   if (!environment || off_map) return surroundings_irradiance(n) * skin_occlusion(s);
   // The maps hold the normal of the mesh; a mapped normal faces another part of the sky.
-  const vec4 seen = textureLod(bent_normal, unwrap, 0.0), bounced = textureLod(sky_bounced, unwrap, 0.0);
+  const vec4 in_asset = textureLod(bent_normal, unwrap, 0.0), bounced = textureLod(sky_bounced, unwrap, 0.0);
+  const vec4 seen = vec4(world_direction(in_asset.xyz), in_asset.w);
   const vec3 mapped = surroundings_irradiance(normalize(n + seen.xyz)),
              unmapped = surroundings_irradiance(normalize(s.normal + seen.xyz));
   vec3 e = max(

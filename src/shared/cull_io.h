@@ -5,12 +5,11 @@
 DERMIS_IO_BEGIN
 // What decides, with the camera, which triangles of a head its light maps leave out: see shaders/cull.glsl.
 struct CullIo {
-  vec3 offset_m;   // of this head
   uint can_cull;   // 0: both sides of this material are visible
   float map_side;  // of its light maps, texels
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::CullIo) == 20);
+static_assert(sizeof(dermis::io::CullIo) == 8);
 #endif
 #endif

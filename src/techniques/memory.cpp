@@ -6,7 +6,8 @@
 namespace dermis::techniques {
 
 MapMemory map_memory(const Technique& technique, FrameSettings settings) {
-  settings.heads = settings.heads_per_batch = 1;
+  settings.heads.resize(1);
+  settings.heads_per_batch = 1;
   settings.meshes_per_batch = 1;
   passes::FramePlan plan;
   const FrameOutputs outputs = technique.maps(plan, settings);

@@ -23,7 +23,7 @@ std::uint32_t entering_size(const FrameSettings& s) {
 }  // namespace
 
 FrameReport screen_report(const FrameSettings&, std::span<const std::uint32_t> counters,
-                          std::span<const std::uint32_t>) {
+                          std::span<const DrawnHead>) {
   return {.skin_pixels = counters[counter_skin_pixels], .optimise = {}, .mask = {}, .maps = {}};
 }
 
@@ -33,11 +33,13 @@ FrameOutputs screen_maps(passes::FramePlan& plan, const FrameSettings& settings)
   return out;
 }
 
-std::vector<GutterSize> no_gutters(const FrameSettings&, std::span<const std::uint32_t>) { return {}; }
+std::vector<GutterSize> no_gutters(const FrameSettings&, std::span<const DrawnHead>) { return {}; }
 
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
                   std::uint32_t mesh) {
-  return label_part(label(what, settings, head), settings, mesh);
+  const std::string name = label(what, settings, head);
+  if (settings.model_of(head).meshes < 2) return name;
+  return fmt::format("{} part {}", name, settings.skin[mesh].in_model);
 }
 
 std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh) {
@@ -45,7 +47,7 @@ std::string label_part(std::string_view what, const FrameSettings& settings, std
 }
 
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head) {
-  return settings.heads > 1 ? fmt::format("{} head {}", what, head) : std::string(what);
+  return settings.heads.size() > 1 ? fmt::format("{} head {}", what, head) : std::string(what);
 }
 
 Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters)
@@ -94,20 +96,27 @@ void Screen::add_surfaces(std::uint32_t head) {
   const passes::Surface::In in{shadow_, colour_, depth_};
   const bool clear = !cleared_;
   // A scene without any skin still needs its targets cleared.
-  if (settings_.has_surfaces || clear)
+  if (settings_.model_of(head).has_surfaces || clear)
     plan_->add<passes::Surface>(label("surfaces", settings_, head), in,
                                 {.instance = head,
                                  .samples = settings_.samples,
                                  .clear = take_clear(),
                                  .environment = settings_.environment,
                                  .soft_shadows = settings_.soft_shadows});
-  if (settings_.has_blended)
-    plan_->add<passes::Surface>(label("blended surfaces", settings_, head), in,
-                                {.instance = head,
-                                 .samples = settings_.samples,
-                                 .environment = settings_.environment,
-                                 .soft_shadows = settings_.soft_shadows,
-                                 .blended = true});
+}
+
+void Screen::add_blended(std::uint32_t first_head, std::uint32_t heads) {
+  bool any = false;
+  for (std::uint32_t i = 0; i < heads; ++i) any = any || settings_.model_of(first_head + i).has_blended;
+  if (!any) return;
+
+  plan_->add<passes::Surface>(label("blended surfaces", settings_, first_head), {shadow_, colour_, depth_},
+                              {.instance = first_head,
+                               .instances = heads,
+                               .samples = settings_.samples,
+                               .environment = settings_.environment,
+                               .soft_shadows = settings_.soft_shadows,
+                               .blended = true});
 }
 
 std::vector<frame::TextureId> Screen::shadow_maps() const {

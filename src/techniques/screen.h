@@ -28,8 +28,10 @@ class Screen {
 
   /// Adds the shadow maps of all lights for one head.
   void add_shadow(std::uint32_t head);
-  /// Adds the parts of one head that are not skin: opaque, then blended.
+  /// Adds the opaque parts of one head that are not skin.
   void add_surfaces(std::uint32_t head);
+  /// Adds the blended parts of heads whose shadow maps are there, far to near, over all that is drawn.
+  void add_blended(std::uint32_t first_head, std::uint32_t heads = 1);
   /// Adds resolve, bloom and tone map, and shows the shadow maps. The last call.
   FrameOutputs finish();
 
@@ -45,15 +47,15 @@ class Screen {
 /// Technique::maps, report and gutters for techniques without light maps.
 FrameOutputs screen_maps(passes::FramePlan& plan, const FrameSettings& settings);
 FrameReport screen_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                          std::span<const std::uint32_t> sides);
-std::vector<GutterSize> no_gutters(const FrameSettings& settings, std::span<const std::uint32_t> sides);
+                          std::span<const DrawnHead> drawn);
+std::vector<GutterSize> no_gutters(const FrameSettings& settings, std::span<const DrawnHead> drawn);
 
-/// Return the name of a pass: "shadow" for one head, "shadow head 3" for one of several; and for one of a
-/// head's skin meshes "irradiance head 3 part 1".
+/// Return the name of a pass: "shadow" for one head, "shadow head 3" for one of several; and for one of its
+/// skin meshes, as the plan counts them, "final head 3 part 1".
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head);
 std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
                   std::uint32_t mesh);
-/// Returns "stretch" for one skin mesh, "stretch part 1" for one of several.
+/// Returns "stretch" for one skin mesh of the plan, "stretch part 1" for one of several.
 std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh);
 
 }  // namespace dermis::techniques

@@ -19,10 +19,15 @@
 
 namespace dermis::techniques {
 
-/// One skin mesh as the plan needs to know it. Texels per mm are those of a map of T_max texels per side; of
-/// any other map, uv per mm (texture coordinates, 0..1) times its side.
+/// One skin mesh as the plan needs to know it, in mm of its asset: an instance of scale s has a profile that
+/// is s times narrower there. Texels per mm are those of a map of T_max texels per side; of any other map, uv
+/// per mm (texture coordinates, 0..1) times its side.
 struct SkinPart {
   gaussians::SumOfGaussians profile;
+  double mm_per_unit = 1000;  ///< mm of the asset per metre of the world
+  /// Number of the mesh whose unwrap this is: instances of an asset that differ in their profile share it.
+  std::uint32_t unwrap = 0;
+  std::uint32_t in_model = 0;    ///< number among the meshes of its model
   double max_uv_per_mm = 1;      ///< a twentieth of the skin has more
   double even_uv_per_mm = 1;     ///< if the skin filled the map evenly
   double max_texels_per_mm = 1;  ///< a twentieth of the skin has more
@@ -34,6 +39,13 @@ struct SkinPart {
   bool cut_out = false;  ///< some of its materials have an alpha test
   bool emits = false;    ///< some of them emit light
   bool operator==(const SkinPart&) const = default;
+};
+
+/// Instances of an asset that have the same profile and scale.
+struct Model {
+  std::uint32_t first_mesh = 0, meshes = 0;  ///< of FrameSettings::skin
+  bool has_surfaces = false, has_blended = false;
+  bool operator==(const Model&) const = default;
 };
 
 /// Skips what is not seen. Based on: [JG08] sec. 3 to 5.
@@ -53,7 +65,8 @@ struct FrameSettings {
   std::uint32_t map_size = 2048;             ///< T_max, texels per side
   std::uint32_t shadow_size = 2048;          ///< texels per side
   std::uint32_t shadow_layers = 1;           ///< of one head, at least 1
-  std::uint32_t heads = 1;
+  /// The model of each head, in the order in which they are drawn.
+  std::vector<std::uint32_t> heads{0};
   /// Heads that are lit and blurred together. The pool has a square for each skin mesh of each of them, and
   /// there are as many sets of shadow maps.
   std::uint32_t heads_per_batch = 1;
@@ -65,18 +78,21 @@ struct FrameSettings {
   /// All that casts shadows is skin whose whole albedo acts after scattering (mix 0), so that all light
   /// enters it: no map has to store which part does.
   bool all_enters = false;
-  double mm_per_unit = 1000;  ///< of the scene
   /// by_alpha, by_depth or by_tiles, of the texels that cull and clip have left unlit
   passes::SkipUnlit skip_unlit = passes::SkipUnlit::by_tiles;
   bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
   bool visibility = false;     ///< also makes the map that `output.show` "visibility" shows
-  std::vector<SkinPart> skin;  ///< one per skin mesh of the scene
-  bool has_surfaces = false, has_blended = false;
+  std::vector<SkinPart> skin;  ///< the skin meshes of all models
+  std::vector<Model> models{1};
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
   bool soft_shadows = false;  ///< some light has a radius
   float bloom = 0;            ///< 0..1
   ToneMap tone_map = ToneMap::natural;
   bool operator==(const FrameSettings&) const = default;
+
+  std::uint32_t head_count() const { return static_cast<std::uint32_t>(heads.size()); }
+  const Model& model_of(std::uint32_t head) const { return models[heads[head]]; }
+  std::uint32_t most_meshes() const;  ///< of a model
 };
 
 /// A map that the settings' `show` can name, and how it becomes a picture.
@@ -104,7 +120,8 @@ struct FrameOutputs {
   std::map<std::string, Shown> shows;  ///< by name: "irradiance", "shadow:0", ...
   /// That grow with the heads and skin meshes of a batch; techniques/memory.h sums them.
   std::vector<frame::TextureId> light_maps, shadow_maps;
-  /// Where the light of each head and skin mesh lies, for passes::Instance; none without light maps.
+  /// Where the light of each head and of each of its skin meshes lies, for passes::Instance; none without
+  /// light maps.
   std::vector<std::vector<passes::MapPlace>> map_places;
 };
 
@@ -116,6 +133,12 @@ struct FrameReport {
   bool translucency = false;
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0;
   std::uint64_t unshaded_reads = 0, transmission_misses = 0;
+};
+
+/// A head that a frame draws.
+struct DrawnHead {
+  std::uint32_t model = 0;
+  std::uint32_t side = 0;  ///< T, texels
 };
 
 /// Gutters that a frame reads: those of one skin mesh, for light maps of side x side texels.
@@ -138,13 +161,13 @@ struct Technique {
   FrameOutputs (*maps)(passes::FramePlan& plan, const FrameSettings& settings);
 
   /// Returns what a frame of these settings has computed. `counters`: as read back from
-  /// FrameOutputs::counters. `sides`: T of each head that is drawn, texels.
+  /// FrameOutputs::counters.
   FrameReport (*report)(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                        std::span<const std::uint32_t> sides);
+                        std::span<const DrawnHead> drawn);
 
   /// Returns the gutters that must be there before such a frame is drawn: passes::GpuScene makes them. May
   /// name one twice.
-  std::vector<GutterSize> (*gutters)(const FrameSettings& settings, std::span<const std::uint32_t> sides);
+  std::vector<GutterSize> (*gutters)(const FrameSettings& settings, std::span<const DrawnHead> drawn);
 };
 
 /// Returns all techniques, in the order in which users see them; the first is the default.

@@ -102,14 +102,13 @@ void FinalPass::prepare(gpu::PipelineLibrary& library) {
   terms_ = make_terms(library.device(), settings.terms);
   if (settings.mixes || settings.terms.coarse) mixed_ = make_pipelines(library, Lit::mixed, false);
   if (settings.off_map) off_map_ = make_pipelines(library, Lit::at_pixel, true);
-  if (through()) through_ = ThroughBindings(library, {*settings.through}, settings.mm_per_unit);
+  if (through()) through_ = ThroughBindings(library, {*settings.through});
   samplers_ = LightingSamplers(library);
 }
 
 io::FinalPassIo FinalPass::final_io(const FrameData& frame) const {
   const Instance& instance = instance_of(frame, settings.square);
-  io::FinalPassIo io{.offset_m = instance.offset_m,
-                     .weights = {},
+  io::FinalPassIo io{.weights = {},
                      .map_origin = used_square(frame, settings.square).origin,
                      .map_side = instance.map_side,
                      .slot = 0,
@@ -135,7 +134,7 @@ float FinalPass::share_at_pixel(std::size_t term, const Instance& instance) cons
 }
 
 void FinalPass::offer_light(Bindings& bindings, const frame::Resources& resources,
-                            const FrameData& frame) const {
+                            const Instance& instance) const {
   static constexpr std::array names{"light_0", "light_1", "light_2", "light_3",
                                     "light_4", "light_5", "light_6", "light_7"};
   static_assert(names.size() == MOST_TERMS);
@@ -143,7 +142,7 @@ void FinalPass::offer_light(Bindings& bindings, const frame::Resources& resource
   // A binding without a term is never read, but a sampled texture must be bound.
   for (std::size_t i = 0; i < names.size(); ++i)
     bindings.add(names[i], i < in.lights.size() ? resources.linear(in.lights[i])
-                                                : resources.linear(frame.scene->white()));
+                                                : resources.linear(instance.scene->white()));
   bindings.add("Terms", terms_);
 }
 
@@ -153,19 +152,20 @@ void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
 
   begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear);
   if (instance.visible) {
+    const std::uint32_t mesh = mesh_in_asset(frame, settings.square);
     Bindings bindings;
     bindings.add("Frame", frame.frame_io);
     samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
-    samplers_.offer_sky(bindings, frame, settings.square.mesh);
+    samplers_.offer_sky(bindings, instance, mesh);
     if (through()) through_.offer(bindings, resources, in.entering, in.shadow, 0);
-    offer_light(bindings, resources, frame);
+    offer_light(bindings, resources, instance);
 
     bool mixed = settings.terms.coarse;
     for (std::size_t i = 0; i < settings.weights.size(); ++i)
       mixed = mixed || share_at_pixel(i, instance) > 0;
 
     draw_skin(
-        cmd, *frame.scene, settings.square.mesh, bindings,
+        cmd, instance, mesh, bindings,
         [&](const GpuDraw& draw, const GpuMaterial& material) {
           return pipelines_of(draw, mixed).of(material);
         },

@@ -135,7 +135,7 @@ vec3 mirrored_surroundings(ShadingPoint s, vec3 n, vec3 n_geometric, vec3 v, Ski
   if (!environment) return frame.ambient * (all * open);
 
   const vec3 mirrored = reflect(-v, n),
-             turned = off_map ? vec3(0.0) : textureLod(bent_normal, unwrap, 0.0).xyz,
+             turned = off_map ? vec3(0.0) : world_direction(textureLod(bent_normal, unwrap, 0.0).xyz),
              sky = normalize(n_geometric + turned);
   const float above = clamp(1.0 + 1.3 * dot(mirrored, n_geometric), 0.0,
                             1.0);  // a mapped normal may reflect directions below the surface

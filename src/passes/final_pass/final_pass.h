@@ -61,8 +61,7 @@ class FinalPass {
     TermsOnMap terms;
     float texels_per_mm = 0;  ///< mean of the unwrap, at T_max
     /// The profile, if there is transmitted light, also for the part lit per pixel. See Irradiance.
-    std::optional<gaussians::SumOfGaussians> through;
-    double mm_per_unit = 1000;  ///< of the scene
+    std::optional<ThroughMesh> through;
   } settings;
   struct In {
     std::vector<frame::TextureId> lights;  ///< RGBA16F pools, one per term
@@ -85,7 +84,7 @@ class FinalPass {
   enum class Lit : std::uint8_t { on_map, mixed, at_pixel };
   Pipelines make_pipelines(gpu::PipelineLibrary& library, Lit lit, bool off_map) const;
   const Pipelines& pipelines_of(const GpuDraw& draw, bool mixed) const;
-  void offer_light(Bindings& bindings, const frame::Resources& resources, const FrameData& frame) const;
+  void offer_light(Bindings& bindings, const frame::Resources& resources, const Instance& instance) const;
   float share_at_pixel(std::size_t term, const Instance& instance) const;
   io::FinalPassIo final_io(const FrameData& frame) const;
   Pipelines mapped_, mixed_;  // all terms from the maps; some of their light per pixel

@@ -3,6 +3,7 @@
 #include "passes/final_pass/final_pass_io.h"
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
+#include "shaders/instance.glsl"
 layout(push_constant, scalar) uniform Push { FinalPassIo io; };
 #include "shaders/frame.glsl"
 invariant gl_Position;  // unshaded_reads.frag tests against the depth written here
@@ -17,9 +18,9 @@ layout(location = 7) flat out vec2 out_unwrap_c;
 layout(location = 8) out float out_uv_per_mm;  // texture coordinates per mm: geometric mean of two directions
 void main() {
   const VertexIo v = pulled_vertex();
-  out_position_m = v.position_m + io.offset_m;
-  out_normal = v.normal;
-  out_tangent = v.tangent;
+  out_position_m = world_position(v.position_m);
+  out_normal = world_direction(v.normal);
+  out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);
   out_uv = vec4(v.uv0, v.uv1);
   out_colour = v.colour;
   out_unwrap = v.unwrap;

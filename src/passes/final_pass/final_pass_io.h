@@ -5,7 +5,6 @@
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 struct FinalPassIo {
-  vec3 offset_m;             // of this head
   vec3 weights[MOST_TERMS];  // of the profile, narrow to wide; a channel sums to 1
   uvec2 map_origin;          // of the head's square in the pool of light maps
   uint map_side;             // T, texels
@@ -21,6 +20,6 @@ struct SkinTermsIo {
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::FinalPassIo) == 128);
+static_assert(sizeof(dermis::io::FinalPassIo) == 116);
 #endif
 #endif

@@ -41,8 +41,7 @@ void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, con
       .add("light_0", resources.nearest(in.light))
       .add("Terms", terms_)
       .add("Counters", resources.buffer(in.counters));
-  const io::FinalPassIo io{.offset_m = instance.offset_m,
-                           .weights = {},
+  const io::FinalPassIo io{.weights = {},
                            .map_origin = square.origin,
                            .map_side = square.side,
                            .slot = settings.slot,
@@ -50,7 +49,7 @@ void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, con
 
   cmd.begin_rendering({}, gpu::DepthTarget{.texture = &depth}, {depth.desc().width, depth.desc().height});
   draw_skin(
-      cmd, *frame.scene, square.mesh, bindings,
+      cmd, instance, mesh_in_asset(frame, square), bindings,
       [&](const GpuDraw& draw, const GpuMaterial& material) {
         return draw.on_map ? pipelines_[material.double_sided][material.cut_out] : nullptr;
       },

@@ -30,13 +30,16 @@ void Gutters::refresh(gpu::Cmd& cmd, const frame::Resources& resources, const Gp
 }
 
 void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const auto& skin = frame.scene->skin;
+  const auto mesh_of = [&](const MapSquare& square) -> const GpuMesh& {
+    return instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
+  };
+
   if (settings.what == What::stretch)
     for (const MapSquare& square : settings.squares)
-      refresh(cmd, resources, skin[square.mesh], {0, 0}, resources.texture(in.target).desc().width);
+      refresh(cmd, resources, mesh_of(square), {0, 0}, resources.texture(in.target).desc().width);
   else
     for (const UsedSquare& square : used_squares(frame, settings.squares))
-      refresh(cmd, resources, skin[square.mesh], square.origin, square.side);
+      refresh(cmd, resources, mesh_of(square), square.origin, square.side);
 }
 
 }  // namespace dermis::passes

@@ -31,7 +31,7 @@ void Irradiance::prepare(gpu::PipelineLibrary& library) {
   if (through) {
     desc.fragment = fmt::format("irradiance_through_{}.frag", in.joining.size() + 1);
     desc.colour_formats.assign(in.joining.size() + 1, light_format);
-    through_ = ThroughBindings(library, settings.through, settings.mm_per_unit);
+    through_ = ThroughBindings(library, settings.through);
   }
   samplers_ = LightingSamplers(library);
 
@@ -41,9 +41,9 @@ void Irradiance::prepare(gpu::PipelineLibrary& library) {
     gpu::GraphicsDesc variant = desc;
     variant.constants.emplace_back("cut_out", cut_out ? 1u : 0u);
     if (!through) pipelines_[cut_out].push_back(&library.graphics(variant));
-    for (const gaussians::SumOfGaussians& profile : settings.through) {
+    for (const ThroughMesh& mesh : settings.through) {
       gpu::GraphicsDesc of_mesh = variant;
-      of_mesh.constants.emplace_back("through_terms", static_cast<std::uint32_t>(profile.terms.size()));
+      of_mesh.constants.emplace_back("through_terms", static_cast<std::uint32_t>(mesh.profile.terms.size()));
       of_mesh.constants.emplace_back("entering_stored", in.entering.valid() ? 1u : 0u);
       pipelines_[cut_out].push_back(&library.graphics(of_mesh));
     }
@@ -61,18 +61,18 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   const bool through = !settings.through.empty();
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     const Instance& instance = instance_of(frame, square);
+    const std::uint32_t mesh = mesh_in_asset(frame, square);
+    const std::size_t entry = through ? through_.entry_of(square.mesh) : 0;
     Bindings bindings;
     bindings.add("Frame", frame.frame_io);
     samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
-    samplers_.offer_sky(bindings, frame, square.mesh);
-    if (through) through_.offer(bindings, resources, in.entering, in.shadow, square.mesh);
+    samplers_.offer_sky(bindings, instance, mesh);
+    if (through) through_.offer(bindings, resources, in.entering, in.shadow, entry);
 
     cmd.begin_rendering_area(targets, {}, square.area(), true);
     draw_skin(
-        cmd, *frame.scene, square.mesh, bindings,
-        [&](const GpuDraw&, const GpuMaterial& material) {
-          return pipelines_[material.cut_out][through ? square.mesh : 0];
-        },
+        cmd, instance, mesh, bindings,
+        [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out][entry]; },
         [&](const GpuMaterial& material) { return cull_io(instance, material); });
     cmd.end_rendering();
   }

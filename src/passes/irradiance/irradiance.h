@@ -25,10 +25,9 @@ class Irradiance {
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
     bool clip = false;          ///< leaves out skin outside the picture and its margin
     bool cut_out = false;       ///< leaves out what the alpha test of some material cuts away
-    /// Profiles of 1 to 8 terms, one per skin mesh, for transmitted light (passes/transmission.h). Empty: no
-    /// transmitted light.
-    std::vector<gaussians::SumOfGaussians> through;
-    double mm_per_unit = 1000;  ///< of the scene
+    /// For transmitted light (passes/transmission.h): the profiles of the skin meshes in `squares`, of 1 to 8
+    /// terms. Empty: no transmitted light.
+    std::vector<ThroughMesh> through;
   } settings;
   struct In {
     frame::TextureId light;          ///< RGBA16F pool; the used squares are cleared here
@@ -46,7 +45,7 @@ class Irradiance {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  // [cut out]: one each, or with `through` one per skin mesh
+  // [cut out]: one each, or with `through` one for each of its entries
   std::array<std::vector<const gpu::Pipeline*>, 2> pipelines_;
   ThroughBindings through_;
   LightingSamplers samplers_;
@@ -71,7 +70,7 @@ class TransmissionMisses {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  std::vector<const gpu::Pipeline*> pipelines_;  // one per skin mesh
+  std::vector<const gpu::Pipeline*> pipelines_;  // one for each entry of `through`
   ThroughBindings through_;
   LightingSamplers samplers_;
 };

@@ -2,6 +2,7 @@
 // The vertex stage of passes that draw a head in its texture coordinates. CLIP: with clip distances.
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
+#include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
 #include "shaders/cull.glsl"
 #include "shared/cull_io.h"
@@ -23,9 +24,9 @@ out gl_PerVertex {
 #endif
 void main() {
   const VertexIo v = pulled_vertex();
-  out_position_m = v.position_m + io.offset_m;
-  out_normal = v.normal;
-  out_tangent = v.tangent;
+  out_position_m = world_position(v.position_m);
+  out_normal = world_direction(v.normal);
+  out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);
   out_uv = vec4(v.uv0, v.uv1);
   out_colour = v.colour;
   out_chart = charts[gl_VertexIndex / 3];
@@ -34,6 +35,6 @@ void main() {
 #ifdef CLIP
   for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = distance_inside(i, out_position_m);
 #endif
-  if (cull && io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.offset_m, io.map_side))
+  if (cull && io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.map_side))
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -24,29 +24,30 @@ void TransmissionMisses::prepare(gpu::PipelineLibrary& library) {
                                        {"entering_stored", in.entering.valid() ? 1u : 0u},
                                        {"through_terms", 0u}}};
   pipelines_.clear();
-  for (const gaussians::SumOfGaussians& profile : irradiance.through) {
-    desc.constants.back().second = static_cast<std::uint32_t>(profile.terms.size());
+  for (const ThroughMesh& mesh : irradiance.through) {
+    desc.constants.back().second = static_cast<std::uint32_t>(mesh.profile.terms.size());
     pipelines_.push_back(&library.graphics(desc));
   }
   samplers_ = LightingSamplers(library);
-  through_ = ThroughBindings(library, irradiance.through, irradiance.mm_per_unit);
+  through_ = ThroughBindings(library, irradiance.through);
 }
 
 void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources,
                                 const FrameData& frame) const {
   for (const UsedSquare& square : used_squares(frame, settings.irradiance.squares)) {
     const Instance& instance = instance_of(frame, square);
+    const std::uint32_t mesh = mesh_in_asset(frame, square);
+    const std::size_t entry = through_.entry_of(square.mesh);
     Bindings bindings;
     bindings.add("Frame", frame.frame_io);
     samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
-    samplers_.offer_sky(bindings, frame, square.mesh);
-    through_.offer(bindings, resources, in.entering, in.shadow, square.mesh);
+    samplers_.offer_sky(bindings, instance, mesh);
+    through_.offer(bindings, resources, in.entering, in.shadow, entry);
     bindings.add("Counters", resources.buffer(in.counters));
 
     cmd.begin_rendering_area({}, {}, square.area(), true);
     draw_skin(
-        cmd, *frame.scene, square.mesh, bindings,
-        [&](const GpuDraw&, const GpuMaterial&) { return pipelines_[square.mesh]; },
+        cmd, instance, mesh, bindings, [&](const GpuDraw&, const GpuMaterial&) { return pipelines_[entry]; },
         [&](const GpuMaterial& material) { return cull_io(instance, material); });
     cmd.end_rendering();
   }

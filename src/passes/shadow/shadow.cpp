@@ -42,27 +42,28 @@ bool Shadow::casts(const GpuMaterial& material, bool cut_out) {
   return material.alpha_mode == (cut_out ? scene::AlphaMode::mask : scene::AlphaMode::opaque);
 }
 
-void Shadow::draw_skin(gpu::Cmd& cmd, const FrameData& frame, bool cut_out, const io::ShadowIo& io) const {
+void Shadow::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
+                       const io::ShadowIo& io) const {
   Bindings bindings;
-  bindings.add("Frame", frame.frame_io).add("Placements", frame.scene->unmoved);
-  for (std::size_t mesh = 0; mesh < frame.scene->skin.size(); ++mesh)
+  bindings.add("Frame", frame.frame_io).add("Placements", instance.scene->unmoved);
+  for (std::size_t mesh = 0; mesh < instance.scene->skin.size(); ++mesh)
     passes::draw_skin(
-        cmd, *frame.scene, mesh, bindings,
+        cmd, instance, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) {
           return casts(material, cut_out) ? pipelines_[true][cut_out][material.mixed] : nullptr;
         },
         [&](const GpuMaterial&) { return io; });
 }
 
-void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, bool cut_out,
+void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
                            const io::ShadowIo& io) const {
-  const GpuSurfaces& surfaces = frame.scene->surfaces;
+  const GpuSurfaces& surfaces = instance.scene->surfaces;
   for (const GpuSurfaces::Group& group : surfaces.groups) {
-    const GpuMaterial& material = frame.scene->material(group.material);
+    const GpuMaterial& material = instance.look->material(group.material);
     if (!casts(material, cut_out)) continue;
     const gpu::Pipeline& pipeline = *pipelines_[false][cut_out][false];
     Bindings bindings;
-    bindings.add("Frame", frame.frame_io);
+    bindings.add("Frame", frame.frame_io).add("Instance", instance.transform);
     surfaces.offer(bindings, group.page);
     material.offer(bindings);
     bindings.bind(cmd, pipeline);
@@ -87,10 +88,9 @@ void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fram
 
     if (layer < instance.shadow_from_world.size()) {
       const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
-                            .offset_m = instance.offset_m,
                             .grow = 2.0f / static_cast<float>(shadow.desc().width)};
-      for (const bool cut_out : {false, true}) draw_skin(cmd, frame, cut_out, io);
-      for (const bool cut_out : {false, true}) draw_surfaces(cmd, frame, cut_out, io);
+      for (const bool cut_out : {false, true}) draw_skin(cmd, frame, instance, cut_out, io);
+      for (const bool cut_out : {false, true}) draw_surfaces(cmd, frame, instance, cut_out, io);
     }
     cmd.end_rendering();
   }

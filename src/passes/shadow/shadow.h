@@ -35,8 +35,10 @@ class Shadow {
 
  private:
   static bool casts(const GpuMaterial& material, bool cut_out);
-  void draw_skin(gpu::Cmd& cmd, const FrameData& frame, bool cut_out, const io::ShadowIo& io) const;
-  void draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, bool cut_out, const io::ShadowIo& io) const;
+  void draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
+                 const io::ShadowIo& io) const;
+  void draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
+                     const io::ShadowIo& io) const;
   const gpu::Pipeline* pipelines_[2][2][2] = {};  // [skin][cut out][mixed]
 };
 

@@ -3,6 +3,7 @@
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
 #include "shaders/placement.glsl"
+#include "shaders/instance.glsl"
 #include "passes/shadow/shadow_io.h"
 // Geometry enlarged by a texel covers every texel that it touches, so that maps smaller than the depth map
 // miss no thin rim.
@@ -16,11 +17,11 @@ void main() {
   out_uv0 = v.uv0;
   out_uv1 = v.uv1;
   out_colour = v.colour;
-  gl_Position = io.shadow_from_world *
-                vec4(placed_position(placements[gl_InstanceIndex], v.position_m) + io.offset_m, 1.0);
+  const vec3 in_asset_m = placed_position(placements[gl_InstanceIndex], v.position_m);
+  gl_Position = io.shadow_from_world * vec4(world_position(in_asset_m), 1.0);
   if (grown) {
     const mat4 m = io.shadow_from_world;
     const float texel_m = io.grow * abs(gl_Position.w) / length(vec3(m[0][0], m[1][0], m[2][0]));
-    gl_Position += m * vec4(texel_m * placed_vertex().normal, 0.0);
+    gl_Position += m * vec4(texel_m * world_direction(placed_vertex().normal), 0.0);
   }
 }

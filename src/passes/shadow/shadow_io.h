@@ -5,8 +5,7 @@
 DERMIS_IO_BEGIN
 struct ShadowIo {
   mat4 shadow_from_world;
-  vec3 offset_m;  // of this head
-  float grow;     // one texel of this map, in width and height of the clip volume; see shadow.vert
+  float grow;  // one texel of this map, in width and height of the clip volume; see shadow.vert
 };
 DERMIS_IO_END
 #endif

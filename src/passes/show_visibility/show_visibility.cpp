@@ -34,7 +34,7 @@ void ShowVisibility::record(gpu::Cmd& cmd, const frame::Resources& resources, co
   const gpu::ColourTarget colour{.texture = &resources.texture(in.picture), .clear = no_light};
   cmd.begin_rendering(std::span(&colour, 1), {}, {instance.map_side, instance.map_side}, true);
   draw_skin(
-      cmd, *frame.scene, settings.square.mesh, bindings,
+      cmd, instance, mesh_in_asset(frame, settings.square), bindings,
       [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out]; },
       [&](const GpuMaterial& material) { return cull_io(instance, material); });
   cmd.end_rendering();

@@ -2,6 +2,7 @@
 #version 460
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
+#include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
 #include "shaders/cull.glsl"
 #include "shared/cull_io.h"
@@ -12,9 +13,9 @@ layout(location = 2) out vec4 out_uv;
 layout(location = 3) out vec4 out_colour;
 void main() {
   const VertexIo v = pulled_vertex();
-  out_position_m = v.position_m + io.offset_m;
+  out_position_m = world_position(v.position_m);
   out_uv = vec4(v.uv0, v.uv1);
   out_colour = v.colour;
-  out_culled = io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.offset_m, io.map_side) ? 1u : 0u;
+  out_culled = io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.map_side) ? 1u : 0u;
   gl_Position = vec4(v.unwrap * 2.0 - 1.0, 0.5, 1.0);
 }

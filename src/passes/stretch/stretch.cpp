@@ -27,7 +27,7 @@ void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
   const gpu::Texture& target = resources.texture(in.stretch);
   const gpu::ColourTarget colour{.texture = &target, .clear = no_light};
   cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
-  draw_skin(cmd, *frame.scene, settings.mesh, {},
+  draw_skin(cmd, instance_of(frame, settings.square), mesh_in_asset(frame, settings.square), {},
             [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out]; });
   cmd.end_rendering();
 }

@@ -6,14 +6,14 @@
 #pragma once
 
 #include "frame/graph.h"
-#include "passes/frame_data.h"
+#include "passes/light_pool.h"
 
 namespace dermis::passes {
 
 class Stretch {
  public:
   struct Settings {
-    std::uint32_t mesh = 0;
+    MapSquare square;  ///< of any instance with the mesh
     /// every_frame if skin meshes take turns with the map, else once
     frame::Runs runs = frame::Runs::once;  ///< a rigid mesh keeps its metric
     bool cut_out = false;                  ///< some of its skin is cut out, and belongs to no chart

@@ -4,10 +4,21 @@
 #include <algorithm>
 
 #include "frame/resources.h"
-#include "passes/surface/surface_io.h"
 #include "passes/targets.h"
 
 namespace dermis::passes {
+namespace {
+
+// Whole instances, so that their parts do not interleave.
+void sort_far_to_near(std::vector<const Instance*>& instances, const FrameData& frame) {
+  const auto distance = [&](const Instance* instance) {
+    return glm::distance(instance->middle_m, frame.camera.eye_m);
+  };
+  std::stable_sort(instances.begin(), instances.end(),
+                   [&](const Instance* a, const Instance* b) { return distance(a) > distance(b); });
+}
+
+}  // namespace
 
 Surface::Out Surface::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
@@ -36,31 +47,37 @@ void Surface::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const Instance& instance = frame.instances[settings.instance];
-  if (!instance.visible && !settings.clear) return;
-  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear);
+  std::vector<const Instance*> visible;
+  for (std::uint32_t i = 0; i < settings.instances; ++i)
+    if (const Instance& instance = frame.instances[settings.instance + i]; instance.visible)
+      visible.push_back(&instance);
+  if (visible.empty() && !settings.clear) return;
 
-  if (instance.visible && settings.blended) draw_blended(cmd, resources, frame, instance);
-  if (instance.visible && !settings.blended) draw_groups(cmd, resources, frame, instance);
+  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear);
+  if (settings.blended) sort_far_to_near(visible, frame);
+  for (const Instance* instance : visible)
+    if (settings.blended)
+      draw_blended(cmd, resources, frame, *instance);
+    else
+      draw_groups(cmd, resources, frame, *instance);
   cmd.end_rendering();
 }
 
 void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-                   const Instance& instance, std::uint32_t page, int material_number) const {
-  const GpuMaterial& material = frame.scene->material(material_number);
+                   const Instance& instance, std::uint32_t page, int number) const {
+  const GpuMaterial& material = instance.look->material(number);
   const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
   Bindings bindings;
-  bindings.add("Frame", frame.frame_io);
-  frame.scene->surfaces.offer(bindings, page);
+  bindings.add("Frame", frame.frame_io).add("Instance", instance.transform);
+  instance.scene->surfaces.offer(bindings, page);
   material.offer(bindings);
   samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
   bindings.bind(cmd, pipeline);
-  cmd.push(pipeline, io::SurfaceIo{.offset_m = instance.offset_m});
 }
 
 void Surface::draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                           const Instance& instance) const {
-  for (const GpuSurfaces::Group& group : frame.scene->surfaces.groups) {
+  for (const GpuSurfaces::Group& group : instance.scene->surfaces.groups) {
     bind(cmd, resources, frame, instance, group.page, group.material);
     for (const GpuSurfaces::Draw& draw : group.draws)
       cmd.draw(draw.index_count, draw.placements, draw.first_index, draw.first_placement);
@@ -70,9 +87,9 @@ void Surface::draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, cons
 void Surface::draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                            const Instance& instance) const {
   std::vector<const GpuSurfaces::Blended*> parts;
-  for (const GpuSurfaces::Blended& part : frame.scene->surfaces.blended) parts.push_back(&part);
+  for (const GpuSurfaces::Blended& part : instance.scene->surfaces.blended) parts.push_back(&part);
   const auto distance = [&](const GpuSurfaces::Blended* part) {
-    return glm::distance(part->centre_m + instance.offset_m, frame.camera.eye_m);
+    return glm::distance(instance.world_from_asset * glm::vec4(part->centre_m, 1), frame.camera.eye_m);
   };
   std::stable_sort(parts.begin(), parts.end(),
                    [&](const GpuSurfaces::Blended* a, const GpuSurfaces::Blended* b) {

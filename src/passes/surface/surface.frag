@@ -5,7 +5,6 @@
 #version 460
 #include "shared/scene_io.h"
 #include "shaders/half.glsl"
-#include "passes/surface/surface_io.h"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 #include "shaders/frame.glsl"
 layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };

@@ -14,7 +14,8 @@ namespace dermis::passes {
 class Surface {
  public:
   struct Settings {
-    std::uint32_t instance = 0;
+    std::uint32_t instance = 0;   ///< the first that it draws
+    std::uint32_t instances = 1;  ///< how many: only the blended parts of several may be drawn at once
     std::uint32_t samples = 1;
     bool clear = false;         ///< the first to draw into the targets
     bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
@@ -33,7 +34,7 @@ class Surface {
 
  private:
   void bind(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-            const Instance& instance, std::uint32_t page, int material_number) const;
+            const Instance& instance, std::uint32_t page, int number) const;
   void draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                    const Instance& instance) const;
   void draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,

@@ -3,8 +3,7 @@
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
 #include "shaders/placement.glsl"
-#include "passes/surface/surface_io.h"
-layout(push_constant, scalar) uniform Push { SurfaceIo io; };
+#include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
@@ -13,9 +12,9 @@ layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;
 void main() {
   const VertexIo v = placed_vertex();
-  out_position_m = v.position_m + io.offset_m;
-  out_normal = v.normal;
-  out_tangent = v.tangent;
+  out_position_m = world_position(v.position_m);
+  out_normal = world_direction(v.normal);
+  out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);
   out_uv = vec4(v.uv0, v.uv1);
   out_colour = v.colour;
   gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);

@@ -11,9 +11,10 @@ namespace {
 FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
   Screen screen(plan, settings);
 
-  for (std::uint32_t head = 0; head < settings.heads; ++head) {
+  for (std::uint32_t head = 0; head < settings.head_count(); ++head) {
+    const Model& model = settings.model_of(head);
     screen.add_shadow(head);
-    for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh)
+    for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh)
       plan.add<passes::FinalPass>(label("final", settings, head, mesh),
                                   {{}, screen.shadow(), screen.colour(), screen.depth()},
                                   {.square = {.instance = head, .mesh = mesh},
@@ -28,6 +29,7 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
                                    .terms = {},
                                    .through = {}});
     screen.add_surfaces(head);
+    screen.add_blended(head);
   }
 
   return screen.finish();

@@ -35,27 +35,29 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
                                  .largest_side = settings.map_size,
                                  .coarse = part.coarse};
 
-  plan.add<passes::FinalPass>(label("final", settings, square.instance, square.mesh),
-                              {{maps.blurred().begin(), maps.blurred().begin() + count},
-                               screen.shadow(),
-                               screen.colour(),
-                               screen.depth(),
-                               screen.entering()},
-                              {.square = square,
-                               .samples = settings.samples,
-                               .clear = screen.take_clear(),
-                               .weights = weights(part.profile),
-                               .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
-                               .environment = settings.environment,
-                               .soft_shadows = settings.soft_shadows,
-                               .off_map = part.off_map,
-                               .cut_out = part.cut_out,
-                               .emits = part.emits,
-                               .mixes = settings.optimise.depth,
-                               .terms = terms,
-                               .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
-                               .through = settings.translucency ? std::optional(part.profile) : std::nullopt,
-                               .mm_per_unit = settings.mm_per_unit});
+  plan.add<passes::FinalPass>(
+      label("final", settings, square.instance, square.mesh),
+      {{maps.blurred().begin(), maps.blurred().begin() + count},
+       screen.shadow(),
+       screen.colour(),
+       screen.depth(),
+       screen.entering()},
+      {.square = square,
+       .samples = settings.samples,
+       .clear = screen.take_clear(),
+       .weights = weights(part.profile),
+       .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
+       .environment = settings.environment,
+       .soft_shadows = settings.soft_shadows,
+       .off_map = part.off_map,
+       .cut_out = part.cut_out,
+       .emits = part.emits,
+       .mixes = settings.optimise.depth,
+       .terms = terms,
+       .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
+       .through = settings.translucency
+                      ? std::optional(passes::ThroughMesh{square.mesh, part.profile, part.mm_per_unit})
+                      : std::nullopt});
 
   for (const Level& level : maps.levels())
     plan.add<passes::UnshadedReads>(

@@ -56,6 +56,13 @@ std::vector<MapSquare> of_mesh(const std::vector<MapSquare>& all, std::uint32_t 
   return squares;
 }
 
+std::vector<std::uint32_t> meshes_of(const std::vector<MapSquare>& all) {
+  std::vector<std::uint32_t> meshes;
+  for (const MapSquare& square : all)
+    if (meshes.empty() || meshes.back() != square.mesh) meshes.push_back(square.mesh);
+  return meshes;
+}
+
 std::string at(std::string_view what, const Level& level) {
   return level.halvings > 0 ? fmt::format("{} 1/{}", what, 1u << level.halvings) : std::string(what);
 }
@@ -80,8 +87,16 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
   const gpu::TextureDesc map{
       .width = settings.map_size, .height = settings.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   const auto lifetime = pool_.splits_heads() ? frame::Lifetime::transient : frame::Lifetime::persistent;
-  for (std::uint32_t mesh = 0; mesh < pool_.meshes_per_batch(); ++mesh)
-    stretch_.push_back(plan.texture(label_part("stretch", settings, mesh), map, lifetime));
+  std::uint32_t maps = pool_.splits_heads() ? pool_.meshes_per_batch() : 0;
+  if (!pool_.splits_heads())
+    for (const SkinPart& part : settings.skin) maps = std::max(maps, part.unwrap + 1);
+  for (std::uint32_t number = 0; number < maps; ++number)
+    stretch_.push_back(plan.texture(label_part("stretch", settings, number), map, lifetime));
+}
+
+frame::TextureId LightMaps::stretch(std::uint32_t mesh) const {
+  const SkinPart& part = settings_->skin[mesh];
+  return stretch_[pool_.splits_heads() ? part.in_model % pool_.meshes_per_batch() : part.unwrap];
 }
 
 Level LightMaps::make_level(std::uint32_t halvings) {
@@ -139,7 +154,7 @@ std::vector<frame::TextureId> LightMaps::textures() const {
 }
 
 std::string LightMaps::name(std::string_view what) const {
-  const bool several = settings_->heads > settings_->heads_per_batch || pool_.splits_heads();
+  const bool several = settings_->head_count() > settings_->heads_per_batch || pool_.splits_heads();
   return several ? fmt::format("{} batch {}", what, batch_) : std::string(what);
 }
 
@@ -147,13 +162,13 @@ std::string LightMaps::name(std::string_view what, std::uint32_t mesh) const {
   return name(label_part(what, *settings_, mesh));
 }
 
-void LightMaps::add_stretch(std::uint32_t mesh) {
+void LightMaps::add_stretch(const MapSquare& square) {
+  const std::uint32_t mesh = square.mesh;
   const frame::Runs runs = pool_.splits_heads() ? frame::Runs::every_frame : frame::Runs::once;
   plan_->add<passes::Stretch>(label_part("stretch", *settings_, mesh), {stretch(mesh)},
-                              {.mesh = mesh, .runs = runs, .cut_out = settings_->skin[mesh].cut_out});
-  plan_->add<Gutters>(
-      label_part("stretch gutters", *settings_, mesh), {stretch(mesh)},
-      {.squares = {{.instance = 0, .mesh = mesh}}, .what = Gutters::What::stretch, .runs = runs});
+                              {.square = square, .runs = runs, .cut_out = settings_->skin[mesh].cut_out});
+  plan_->add<Gutters>(label_part("stretch gutters", *settings_, mesh), {stretch(mesh)},
+                      {.squares = {square}, .what = Gutters::What::stretch, .runs = runs});
 }
 
 void LightMaps::add_light(const std::vector<MapSquare>& all) {
@@ -167,10 +182,11 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
       .soft_shadows = settings_->soft_shadows,
       .clip = settings_->optimise.clip,
       .cut_out = std::any_of(skin.begin(), skin.end(), [](const SkinPart& part) { return part.cut_out; }),
-      .through = {},
-      .mm_per_unit = settings_->mm_per_unit};
+      .through = {}};
   if (settings_->translucency)
-    for (const SkinPart& part : skin) irradiance.through.push_back(part.profile);
+    for (const std::uint32_t mesh : meshes_of(all))
+      irradiance.through.push_back(
+          {.mesh = mesh, .profile = skin[mesh].profile, .mm_per_unit = skin[mesh].mm_per_unit});
 
   plan_->add<passes::Irradiance>(
       name("irradiance"), {level.light, screen_->shadow(), screen_->entering(), transmitted_}, irradiance);
@@ -181,7 +197,7 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
                                            {screen_->shadow(), screen_->entering(), screen_->counters()},
                                            {.irradiance = irradiance, .slot = counter_transmission_misses});
 
-  for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
+  for (const std::uint32_t mesh : meshes_of(all))
     plan_->add<passes::Count>(
         name("count texels", mesh), {level.light, screen_->counters()},
         {.slot = mesh_counter(mesh, 0, counter_lit_texels), .squares = of_mesh(all, mesh)});
@@ -217,28 +233,26 @@ void LightMaps::add_dilation(const Level& level, const std::vector<MapSquare>& a
   plan_->add<passes::Tiles>(name(at("border tiles", level)), {level.border, screen_->counters()},
                             {.squares = all, .what = passes::Tiles::What::border});
 
-  for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
-    if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
-      plan_->add<passes::Dilate>(name(at("dilate", level), mesh), {level.light, stretch(mesh), level.border},
-                                 {squares});
+  for (const std::uint32_t mesh : meshes_of(all))
+    plan_->add<passes::Dilate>(name(at("dilate", level), mesh), {level.light, stretch(mesh), level.border},
+                               {of_mesh(all, mesh)});
   if (level.halvings > 0) return;
 
   for (std::size_t g = 0; g < transmitted_.size(); ++g)
-    for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
+    for (const std::uint32_t mesh : meshes_of(all))
       plan_->add<passes::Dilate>(name(fmt::format("dilate joining {}", g + 1), mesh),
                                  {transmitted_[g], stretch(mesh), level.border}, {of_mesh(all, mesh)});
 }
 
 // Counts the texels that convolutions do not skip.
 void LightMaps::add_masked_counts(const Level& level, const std::vector<MapSquare>& all) {
-  for (std::uint32_t mesh = all.front().mesh; mesh <= all.back().mesh; ++mesh)
-    if (const std::vector<MapSquare> squares = of_mesh(all, mesh); !squares.empty())
-      plan_->add<passes::Count>(name(at("count masked texels", level), mesh),
-                                {level.light, screen_->counters()},
-                                {.slot = mesh_counter(mesh, level.halvings, counter_masked_texels),
-                                 .threshold = 0.5f,
-                                 .absolute = true,
-                                 .squares = squares});
+  for (const std::uint32_t mesh : meshes_of(all))
+    plan_->add<passes::Count>(name(at("count masked texels", level), mesh),
+                              {level.light, screen_->counters()},
+                              {.slot = mesh_counter(mesh, level.halvings, counter_masked_texels),
+                               .threshold = 0.5f,
+                               .absolute = true,
+                               .squares = of_mesh(all, mesh)});
 }
 
 // Lists the tiles that hold light, and clears the others in every map that the blurs of this level write.

@@ -42,6 +42,8 @@ passes::MapSquare on_level(passes::MapSquare square, const Level& level);
 std::vector<passes::MapSquare> on_level(std::vector<passes::MapSquare> squares, const Level& level);
 /// Returns those of one skin mesh.
 std::vector<passes::MapSquare> of_mesh(const std::vector<passes::MapSquare>& all, std::uint32_t mesh);
+/// Returns the skin meshes that squares sorted by mesh have, each once.
+std::vector<std::uint32_t> meshes_of(const std::vector<passes::MapSquare>& all);
 
 /// The maps of all skin meshes, and the passes up to the first blur. `all` are the squares of one batch,
 /// sorted by mesh.
@@ -53,8 +55,8 @@ class LightMaps {
   /// Counts batches, for the names of the passes that follow.
   void begin_batch() { ++batch_; }
 
-  /// Stores the metric of the unwrap of a mesh. [DLE07] sec. 3.4.
-  void add_stretch(std::uint32_t mesh);
+  /// Stores the metric of the unwrap of a square's mesh. [DLE07] sec. 3.4.
+  void add_stretch(const passes::MapSquare& square);
   /// Lights the skin meshes of a batch and prepares their maps for blurring.
   void add_light(const std::vector<passes::MapSquare>& all);
   /// Downsamples the light of one skin mesh to the maps of `level`, and prepares these for blurring.
@@ -71,7 +73,7 @@ class LightMaps {
   /// joins the light of that level. All meshes and batches share it.
   frame::TextureId halved_transmitted(std::size_t group, const Level& level) const;
   /// Returns the stretch map of a mesh. Meshes that take turns with a square take turns with this, too.
-  frame::TextureId stretch(std::uint32_t mesh) const { return stretch_[mesh % pool_.meshes_per_batch()]; }
+  frame::TextureId stretch(std::uint32_t mesh) const;
   /// Returns all maps of the pool.
   std::vector<frame::TextureId> textures() const;
 
@@ -95,7 +97,7 @@ class LightMaps {
   std::vector<std::uint32_t> halvings_;
   std::vector<Level> levels_;
   std::vector<frame::TextureId> blurred_;
-  std::vector<frame::TextureId> stretch_;      // one per skin mesh of a batch
+  std::vector<frame::TextureId> stretch_;      // by unwrap, or by turn of the meshes of a head
   std::vector<frame::TextureId> transmitted_;  // with translucency: of the second and third group of terms
   std::map<std::pair<std::size_t, std::uint32_t>, frame::TextureId> halved_transmitted_;  // group, halvings
 };

@@ -22,27 +22,34 @@ std::uint32_t MapPool::columns() const {
   return splits_heads() ? std::bit_ceil(least) : least;
 }
 
-passes::MapPlace MapPool::place(std::uint32_t head, std::uint32_t mesh) const {
+passes::MapPlace MapPool::place(std::uint32_t head, std::uint32_t mesh_in_model) const {
   const std::uint32_t index =
-      head % settings_->heads_per_batch * meshes_per_batch() + mesh % meshes_per_batch();
+      head % settings_->heads_per_batch * meshes_per_batch() + mesh_in_model % meshes_per_batch();
   return {.index = index,
           .origin = glm::uvec2(index % columns(), index / columns()) * settings_->map_size,
           .largest_side = settings_->map_size};
 }
 
 std::vector<std::vector<passes::MapPlace>> MapPool::places() const {
-  std::vector<std::vector<passes::MapPlace>> all(settings_->heads);
-  for (std::uint32_t head = 0; head < settings_->heads; ++head)
-    for (std::uint32_t mesh = 0; mesh < meshes(); ++mesh) all[head].push_back(place(head, mesh));
+  std::vector<std::vector<passes::MapPlace>> all(settings_->head_count());
+  for (std::uint32_t head = 0; head < settings_->head_count(); ++head)
+    for (std::uint32_t mesh = 0; mesh < settings_->model_of(head).meshes; ++mesh)
+      all[head].push_back(place(head, mesh));
   return all;
 }
 
 std::vector<passes::MapSquare> MapPool::squares(std::uint32_t first_head, std::uint32_t heads,
-                                                std::uint32_t first_mesh, std::uint32_t end_mesh) const {
+                                                std::uint32_t mesh_batch) const {
   std::vector<passes::MapSquare> all;
-  for (std::uint32_t mesh = first_mesh; mesh < end_mesh; ++mesh)
-    for (std::uint32_t head = first_head; head < first_head + heads; ++head)
-      all.push_back({.instance = head, .mesh = mesh});
+  for (std::uint32_t head = first_head; head < first_head + heads; ++head) {
+    const Model& model = settings_->model_of(head);
+    const std::uint32_t end = std::min((mesh_batch + 1) * meshes_per_batch(), model.meshes);
+    for (std::uint32_t mesh = mesh_batch * meshes_per_batch(); mesh < end; ++mesh)
+      all.push_back({.instance = head, .mesh = model.first_mesh + mesh});
+  }
+
+  std::stable_sort(all.begin(), all.end(),
+                   [](const passes::MapSquare& a, const passes::MapSquare& b) { return a.mesh < b.mesh; });
   return all;
 }
 

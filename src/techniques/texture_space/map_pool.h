@@ -21,16 +21,17 @@ class MapPool {
   /// Of the pool.
   std::uint32_t squares() const { return settings_->heads_per_batch * meshes_per_batch(); }
 
-  passes::MapPlace place(std::uint32_t head, std::uint32_t mesh) const;
-  std::vector<std::vector<passes::MapPlace>> places() const;  ///< [head][mesh]
-  /// Of some heads and some skin meshes, mesh by mesh.
+  passes::MapPlace place(std::uint32_t head, std::uint32_t mesh_in_model) const;
+  std::vector<std::vector<passes::MapPlace>> places() const;  ///< [head][mesh in its model]
+  /// Of some heads and those of their skin meshes that take turn `mesh_batch`; mesh by mesh, as the plan
+  /// counts them.
   std::vector<passes::MapSquare> squares(std::uint32_t first_head, std::uint32_t heads,
-                                         std::uint32_t first_mesh, std::uint32_t end_mesh) const;
+                                         std::uint32_t mesh_batch) const;
   /// A texture that holds all squares at T_max >> halvings.
   gpu::TextureDesc texture(std::uint32_t halvings, VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) const;
 
  private:
-  std::uint32_t meshes() const { return static_cast<std::uint32_t>(settings_->skin.size()); }
+  std::uint32_t meshes() const { return settings_->most_meshes(); }
   std::uint32_t columns() const;
 
   const FrameSettings* settings_;

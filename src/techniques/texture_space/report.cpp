@@ -36,12 +36,16 @@ Work work_of(const SkinPart& part, const std::vector<std::uint32_t>& halvings) {
   return work;
 }
 
+bool has_mesh(const Model& model, std::uint32_t mesh) {
+  return mesh >= model.first_mesh && mesh - model.first_mesh < model.meshes;
+}
+
 // The figures of a frame from its counters; docs/measuring.md says what each means.
 class Figures {
  public:
   Figures(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-          std::span<const std::uint32_t> sides)
-      : settings_(settings), counters_(counters), sides_(sides) {
+          std::span<const DrawnHead> drawn)
+      : settings_(settings), counters_(counters), drawn_(drawn) {
     const std::vector<std::uint32_t> halvings = halvings_of_terms(settings);
     for (const SkinPart& part : settings.skin) work_.push_back(work_of(part, halvings));
   }
@@ -70,7 +74,7 @@ class Figures {
     for (std::uint32_t mesh = 0; mesh < work_.size(); ++mesh)
       for (std::uint32_t halvings = 0; halvings < levels; ++halvings) {
         const LevelWork& work = work_[mesh][halvings];
-        if (work.halved) sum += used_texels(halvings);
+        if (work.halved) sum += used_texels(mesh, halvings);
         sum += convolved_at_once(mesh, halvings) * work.convolutions;
       }
     return sum;
@@ -81,12 +85,13 @@ class Figures {
     return counters_[mesh_counter(mesh, halvings, which)];
   }
 
-  std::uint64_t used_texels(std::uint32_t halvings) const {
+  std::uint64_t used_texels(std::uint32_t mesh, std::uint32_t halvings) const {
     std::uint64_t sum = 0;
-    for (const std::uint32_t side : sides_) {
-      const std::uint64_t halved = passes::halved_side(side, settings_.map_size, halvings);
-      sum += halved * halved;
-    }
+    for (const DrawnHead& head : drawn_)
+      if (has_mesh(settings_.models[head.model], mesh)) {
+        const std::uint64_t halved = passes::halved_side(head.side, settings_.map_size, halvings);
+        sum += halved * halved;
+      }
     return sum;
   }
 
@@ -97,12 +102,13 @@ class Figures {
       case passes::SkipUnlit::by_tiles:
         return std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counted(mesh, halvings, counter_tiles);
       case passes::SkipUnlit::by_depth: return counted(mesh, halvings, counter_masked_texels);
-      default: return used_texels(halvings);
+      default: return used_texels(mesh, halvings);
     }
   }
 
   const FrameSettings& settings_;
-  std::span<const std::uint32_t> counters_, sides_;
+  std::span<const std::uint32_t> counters_;
+  std::span<const DrawnHead> drawn_;
   std::vector<Work> work_;  // by skin mesh
 };
 
@@ -123,11 +129,11 @@ std::string name_of(passes::SkipUnlit skip) {
 }  // namespace
 
 FrameReport texture_space_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                                 std::span<const std::uint32_t> sides) {
+                                 std::span<const DrawnHead> drawn) {
   DERMIS_ASSERT_EQ(counters.size(), counter_count(settings.skin.size()));
-  const Figures figures(settings, counters, sides);
+  const Figures figures(settings, counters, drawn);
 
-  FrameReport report = screen_report(settings, counters, sides);
+  FrameReport report = screen_report(settings, counters, drawn);
   report.optimise = names_of(settings.optimise);
   if (is_sparse(settings)) report.mask = name_of(settings.skip_unlit);
   report.maps = settings.progressive ? "progressive" : "full";
@@ -141,7 +147,7 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
 }
 
 std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
-                                              std::span<const std::uint32_t> sides) {
+                                              std::span<const DrawnHead> drawn) {
   const std::vector<std::uint32_t> halvings = halvings_of_terms(settings);
   std::vector<GutterSize> sizes;
 
@@ -155,9 +161,11 @@ std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
     };
 
     add(settings.map_size);  // of the stretch map
-    for (const std::uint32_t side : sides)
+    for (const DrawnHead& head : drawn) {
+      if (!has_mesh(settings.models[head.model], mesh)) continue;
       for (std::uint32_t level = 0; level < levels; ++level)
-        if (level == 0 || work[level].halved) add(passes::halved_side(side, settings.map_size, level));
+        if (level == 0 || work[level].halved) add(passes::halved_side(head.side, settings.map_size, level));
+    }
   }
   return sizes;
 }

@@ -11,8 +11,8 @@
 namespace dermis::techniques {
 
 FrameReport texture_space_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                                 std::span<const std::uint32_t> sides);
+                                 std::span<const DrawnHead> drawn);
 std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
-                                              std::span<const std::uint32_t> sides);
+                                              std::span<const DrawnHead> drawn);
 
 }  // namespace dermis::techniques

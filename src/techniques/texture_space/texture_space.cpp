@@ -2,7 +2,9 @@
 #include "techniques/texture_space/texture_space.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "passes/show_visibility/show_visibility.h"
 #include "techniques/screen.h"
@@ -17,60 +19,82 @@ namespace {
 
 using passes::MapSquare;
 
-// Makes the map that shows which texels of the nearest head's first skin mesh are lit.
+// What `show` names: the first skin mesh of the last head that has skin. Heads are drawn far to near then.
+MapSquare shown_square(const FrameSettings& s) {
+  std::uint32_t head = s.head_count() - 1;
+  while (head > 0 && s.model_of(head).meshes == 0) --head;
+  return {.instance = head, .mesh = s.model_of(head).first_mesh};
+}
+
+// Makes the map that shows which of its texels are lit.
 frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s) {
   const gpu::TextureDesc map{
       .width = s.map_size, .height = s.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   const frame::TextureId visibility = plan.texture("visibility", map, frame::Lifetime::persistent);
   plan.add<passes::ShowVisibility>("visibility", {visibility},
-                                   {.square = {.instance = s.heads - 1, .mesh = 0},
+                                   {.square = shown_square(s),
                                     .cull = s.optimise.cull,
                                     .clip = s.optimise.clip,
-                                    .cut_out = s.skin.front().cut_out});
+                                    .cut_out = s.skin[shown_square(s).mesh].cut_out});
   return visibility;
 }
 
-// Names what `show` can name: squares of the nearest head's first skin mesh (heads are drawn far to near),
-// and the metric of its unwrap.
+// Names what `show` can name: maps of the shown square, and the metric of its unwrap.
 void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& s, const LightMaps& maps) {
+  const MapSquare square = shown_square(s);
   const auto light = [&](frame::TextureId map) {
-    const glm::uvec2 origin = maps.pool().place(s.heads - 1, 0).origin;
+    const glm::uvec2 origin = maps.pool().place(square.instance, 0).origin;
     return Shown{.map = map, .as = Shown::As::light, .origin = origin, .used_square = true};
   };
   out.shows["irradiance"] = light(maps.levels().front().light);
   for (std::size_t k = 0; k < maps.blurred().size(); ++k)
     out.shows[fmt::format("blur:{}", k)] = light(maps.blurred()[k]);
 
-  out.shows["stretch"] = {.map = maps.stretch(0)};
-  out.shows["texel-density"] = {.map = maps.stretch(0), .as = Shown::As::texel_density};
+  out.shows["stretch"] = {.map = maps.stretch(square.mesh)};
+  out.shows["texel-density"] = {.map = maps.stretch(square.mesh), .as = Shown::As::texel_density};
   if (s.visibility) out.shows["visibility"] = {.map = add_visibility(plan, s), .used_square = true};
   for (const auto& [name, shown] : out.shows) plan.read_back(shown.map);
 }
 
+// Squares of the first head that has each unwrap.
+std::vector<MapSquare> one_of_each_unwrap(const FrameSettings& s) {
+  std::map<std::uint32_t, MapSquare> found;
+  for (std::uint32_t head = 0; head < s.head_count(); ++head)
+    for (std::uint32_t i = 0; i < s.model_of(head).meshes; ++i) {
+      const std::uint32_t mesh = s.model_of(head).first_mesh + i;
+      found.try_emplace(s.skin[mesh].unwrap, MapSquare{.instance = head, .mesh = mesh});
+    }
+
+  std::vector<MapSquare> squares;
+  for (const auto& [unwrap, square] : found) squares.push_back(square);
+  return squares;
+}
+
 // The steps of the table in docs/techniques.md, in its order.
 FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
-  const auto meshes = static_cast<std::uint32_t>(s.skin.size());
-  Screen screen(plan, s, counter_count(meshes));
+  Screen screen(plan, s, counter_count(s.skin.size()));
   std::optional<LightMaps> maps;
-  if (meshes > 0) maps.emplace(plan, s, screen);
+  if (!s.skin.empty()) maps.emplace(plan, s, screen);
   const MapPool pool(s);
 
   // Stretch, once: a rigid mesh keeps its metric, unless another mesh takes its map.
-  for (std::uint32_t mesh = 0; mesh < meshes && !pool.splits_heads(); ++mesh) maps->add_stretch(mesh);
+  if (!pool.splits_heads())
+    for (const MapSquare& square : one_of_each_unwrap(s)) maps->add_stretch(square);
 
-  for (std::uint32_t first_head = 0; first_head < s.heads; first_head += s.heads_per_batch) {
-    const std::uint32_t heads = std::min(s.heads_per_batch, s.heads - first_head);
+  for (std::uint32_t first_head = 0; first_head < s.head_count(); first_head += s.heads_per_batch) {
+    const std::uint32_t heads = std::min(s.heads_per_batch, s.head_count() - first_head);
     for (std::uint32_t i = 0; i < heads; ++i) screen.add_shadow(first_head + i);
 
     // Light and blur. The first meshes come last, so that what `show` reads is of the first one.
     for (std::uint32_t batch = pool.mesh_batches(); batch-- > 0; maps->begin_batch()) {
-      const std::uint32_t first = batch * pool.meshes_per_batch();
-      const std::uint32_t end = std::min(first + pool.meshes_per_batch(), meshes);
-      const std::vector<MapSquare> squares = pool.squares(first_head, heads, first, end);
+      const std::vector<MapSquare> squares = pool.squares(first_head, heads, batch);
+      if (squares.empty()) continue;
 
-      for (std::uint32_t mesh = first; mesh < end && pool.splits_heads(); ++mesh) maps->add_stretch(mesh);
+      // Without turns of meshes, stretch maps are there.
+      for (const MapSquare& square : squares)
+        if (pool.splits_heads()) maps->add_stretch(square);
       maps->add_light(squares);
-      for (std::uint32_t mesh = first; mesh < end; ++mesh)
+      for (const std::uint32_t mesh : meshes_of(squares))
         add_convolution(plan, s, *maps, mesh, of_mesh(squares, mesh));
 
       // Others take these squares afterwards: draw what they hold now.
@@ -80,10 +104,12 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
 
     // Draw the heads, skin first.
     for (std::uint32_t head = first_head; head < first_head + heads; ++head) {
-      for (std::uint32_t mesh = 0; mesh < meshes && !pool.splits_heads(); ++mesh)
-        add_final(plan, s, screen, *maps, {.instance = head, .mesh = mesh});
+      const Model& model = s.model_of(head);
+      for (std::uint32_t i = 0; i < model.meshes && !pool.splits_heads(); ++i)
+        add_final(plan, s, screen, *maps, {.instance = head, .mesh = model.first_mesh + i});
       screen.add_surfaces(head);
     }
+    screen.add_blended(first_head, heads);
   }
 
   FrameOutputs out = screen.finish();

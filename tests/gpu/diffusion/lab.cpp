@@ -50,10 +50,10 @@ class Paint {
     const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
     cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
     passes::Bindings bindings;
-    frame.scene->skin[0].offer(bindings);
+    frame.instances[0].scene->skin[0].offer(bindings);
     bindings.bind(cmd, *pipeline_);
     cmd.push(*pipeline_, settings.io);
-    for (const passes::GpuDraw& draw : frame.scene->skin[0].draws)
+    for (const passes::GpuDraw& draw : frame.instances[0].scene->skin[0].draws)
       cmd.draw(draw.index_count, 1, draw.first_index);
     cmd.end_rendering();
   }
@@ -106,7 +106,8 @@ Result run(const Experiment& e) {
     for (glm::vec3& g : skin[0].metric) g.y = 0;
   gaussians::SumOfGaussians profile;
   for (const double v : e.variances_mm2) profile.terms.push_back({.variance_mm2 = v, .weight = {}});
-  passes::GpuScene gpu_scene(bench()->library, e.scene, skin, {});
+  passes::GpuScene gpu_scene(bench()->library, e.scene, skin);
+  const passes::GpuLook look = gpu_scene.make_look(bench()->device, {});
   if (e.gutters)
     gpu_scene.make_gutters(bench()->device, 0, skin[0], static_cast<std::uint32_t>(e.map_size),
                            passes::gutter_width(profile, density));
@@ -140,8 +141,9 @@ Result run(const Experiment& e) {
     first = false;
   }
   passes::FrameData data;
-  data.scene = &gpu_scene;
   data.instances.resize(1);
+  data.instances[0].scene = &gpu_scene;
+  data.instances[0].look = &look;
   data.instances[0].map_side = side;
   frame::Executor executor(bench()->library, plan);
   executor.draw(data, frame::whole_frame);

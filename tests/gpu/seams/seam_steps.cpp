@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/seams/seam_steps.h"
+#include "api/scene_state.h"
 
 #include <algorithm>
 #include <array>
@@ -28,16 +29,17 @@ struct Sample {
 class Pixels {
  public:
   Pixels(const Scene& scene, const RenderSettings& settings)
-      : view_(setup::reference_setup(scene.data(), settings)), rays_(scene.data()) {
+      : view_(setup::reference_setup(api::placed_scene(scene), settings)), rays_(api::only_asset(scene)) {
     const glm::dvec3 light_m(view_.lights.at(0).position_m);
 
     samples_.resize(static_cast<std::size_t>(view_.width) * static_cast<std::size_t>(view_.height));
     for (int y = 0; y < view_.height; ++y)
       for (int x = 0; x < view_.width; ++x) {
         const std::optional<rays::Hit> hit = rays_.nearest(reference::camera_ray(view_, x + 0.5, y + 0.5));
-        if (!hit || !rays::is_skin(scene.data(), scene.data().primitives[hit->primitive])) continue;
+        if (!hit || !rays::is_skin(api::only_asset(scene), api::only_asset(scene).primitives[hit->primitive]))
+          continue;
 
-        const rays::SurfacePoint point = rays::surface_point(scene.data(), *hit);
+        const rays::SurfacePoint point = rays::surface_point(api::only_asset(scene), *hit);
         const glm::dvec3 way = light_m - point.shadow_origin_m;
         const rays::Ray to_light{
             .origin_m = point.shadow_origin_m, .direction = glm::normalize(way), .t_max_m = glm::length(way)};

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <glm/gtc/constants.hpp>
 
+#include "api/scene_state.h"
 #include "dermis/reference.h"
 #include "gpu/support/failure.h"
 #include "gpu/support/heads.h"
@@ -116,7 +117,7 @@ TEST(SoftShadow, OfASphereIsItsHorizon) {
 // is.
 TEST(SoftShadow, OfALightInsideTheScene) {
   for (const double radius : {0.002, 0.02, 100.0}) {
-    scene::Scene made = plate_over_floor(0.1).data();
+    scene::Scene made = api::only_asset(plate_over_floor(0.1));
     scene::Light lamp;
     lamp.type = scene::LightType::point;
     lamp.colour = glm::vec3(0.02f);

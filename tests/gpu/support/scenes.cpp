@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/support/scenes.h"
+#include "api/asset_state.h"
 
 #include <memory>
 #include <utility>
@@ -8,7 +9,9 @@
 
 namespace dermis::tests {
 
-Scene wrap(scene::Scene data) { return Scene(std::make_shared<const scene::Scene>(std::move(data))); }
+Scene wrap(scene::Scene data) {
+  return Scene(Asset::State::make(std::make_shared<const scene::Scene>(std::move(data))));
+}
 
 Scene sphere(double radius_m) { return wrap(scene::sphere(radius_m)); }
 

@@ -3,6 +3,7 @@
 // and not missed in the picture.
 #include <glm/glm.hpp>
 
+#include "api/scene_state.h"
 #include "gpu/support/heads.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
@@ -61,10 +62,10 @@ class OnTheScan : public WithScan {
   void SetUp() override {
     WithScan::SetUp();
     if (IsSkipped()) return;
-    static const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(scan().data());
+    static const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(api::only_asset(scan()));
     ASSERT_EQ(meshes.size(), 1u);
     mesh = &meshes.front();
-    sphere = scene::skin_sphere(scan().data());
+    sphere = scene::skin_sphere(api::only_asset(scan()));
   }
   const scene::SkinMesh* mesh = nullptr;
   scene::BoundingSphere sphere;

@@ -17,6 +17,14 @@ struct Case {
   techniques::FrameSettings settings;
 };
 
+// Some heads of one model with some equal skin meshes.
+void set_heads(techniques::FrameSettings& s, std::uint32_t heads, std::size_t parts, bool more = false) {
+  s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .mean_texels_per_mm = 4});
+  for (std::uint32_t i = 0; i < parts; ++i) s.skin[i].unwrap = s.skin[i].in_model = i;
+  s.models = {{.meshes = static_cast<std::uint32_t>(parts), .has_surfaces = more, .has_blended = more}};
+  s.heads.assign(heads, 0);
+}
+
 std::vector<Case> cases() {
   std::vector<Case> all;
 
@@ -30,10 +38,8 @@ std::vector<Case> cases() {
                                         .samples = samples,
                                         .map_size = 64,
                                         .shadow_size = 64,
-                                        .shadow_layers = 2,
-                                        .heads = heads};
-            s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
-            s.has_surfaces = s.has_blended = more;
+                                        .shadow_layers = 2};
+            set_heads(s, heads, parts, more);
             s.bloom = more ? 0.05f : 0.0f;
             s.translucency = more && parts > 0 && technique->has_light_maps;
             all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique->name, heads,
@@ -47,12 +53,12 @@ std::vector<Case> cases() {
     for (const std::size_t parts : {1u, 2u})
       for (const bool sparse : {false, true}) {
         techniques::FrameSettings s{
-            .width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64, .heads = 3};
+            .width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64};
+        set_heads(s, 3, parts);
         s.heads_per_batch = 2;
         s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
         s.skip_unlit = skip;
         s.translucency = true;
-        s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4});
         all.push_back({fmt::format("two batches, {} skin parts, skip unlit {}{}", parts,
                                    static_cast<int>(skip), sparse ? ", cull and clip" : ""),
                        &techniques::find_technique("texture-space"), std::move(s)});
@@ -122,11 +128,11 @@ TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
        {passes::SkipUnlit::by_alpha, passes::SkipUnlit::by_depth, passes::SkipUnlit::by_tiles})
     for (const bool more : {false, true}) {
       techniques::FrameSettings s{
-          .width = 64, .height = 48, .map_size = 256, .shadow_size = 64, .shadow_layers = 3, .heads = 4};
+          .width = 64, .height = 48, .map_size = 256, .shadow_size = 64, .shadow_layers = 3};
+      set_heads(s, 4, 1);
       s.optimise = {.cull = true, .depth = true, .clip = true};
       s.skip_unlit = skip;
       s.translucency = s.progressive = more;
-      s.skin.assign(1, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .mean_texels_per_mm = 4});
 
       const techniques::Technique& technique = techniques::find_technique("texture-space");
       const auto bytes = [&](std::uint32_t heads_per_batch) {
@@ -150,8 +156,7 @@ TEST(TechniqueFrames, PartsTakeTurnsWithTheirMaps) {
       s.optimise = {.cull = true, .depth = true, .clip = true};
       s.translucency = true;
       s.progressive = progressive;
-      s.skin.assign(parts,
-                    {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .mean_texels_per_mm = 4});
+      set_heads(s, 1, parts);
       passes::FramePlan plan;
       techniques::find_technique("texture-space").build(plan, s);
       return plan;

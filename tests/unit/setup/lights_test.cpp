@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "alone.h"
 #include "dermis/error.h"
 #include "scene/primitives.h"
 #include "setup/frame_setup.h"
@@ -16,7 +17,7 @@ namespace {
 FrameSetup set_up_under(scene::LightType type) {
   scene::Scene made = scene::plane(0.1);
   made.lights.push_back({.name = "lamp", .type = type, .position_m = {0, 0, 1}});
-  return set_up(examine(std::make_shared<const scene::Scene>(std::move(made))), RenderSettings{});
+  return set_up_alone(examine(std::make_shared<const scene::Scene>(std::move(made))), RenderSettings{});
 }
 
 TEST(Lights, EachTypeHasItsNumber) {

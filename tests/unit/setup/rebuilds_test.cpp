@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 
+#include "alone.h"
 #include "builtin_head/builtin_head.h"
 #include "dermis/error.h"
 #include "environment/environment.h"
@@ -69,10 +70,10 @@ FrameSetup set_up_frame(const Frame& frame) {
   check_settings(frame.settings);
   static const environment::Split studio =
       environment::split_sources(environment::from_name_or_file("studio"));
-  std::vector<scene::Light> environment_lights;
+  std::optional<std::vector<scene::Light>> environment_lights;
   if (!frame.settings.lighting.environment.empty())
     environment_lights = setup::environment_lights(studio.sources, frame.settings);
-  return set_up(frame.subject, frame.settings, {}, environment_lights);
+  return set_up_alone(frame.subject, frame.settings, environment_lights);
 }
 
 // Values to try; those that are out of range are left out by who tries them.

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// Assets: heads with all that belongs to them (meshes, materials, maps), from a file, from arrays, or built
+/// in. An Asset is a cheap handle; copies share what they hold, and nothing ever changes it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dermis/hooks.h"
+#include "dermis/light.h"
+
+namespace dermis {
+
+struct SceneOptions {
+  double unit_scale = 1;      ///< multiplies every length of the file; glTF says metres
+  std::string skin_material;  ///< this material is skin; empty: extras.dermis, else the name contains "skin",
+                              ///< else the only one
+  /// For all maps of the asset, 1e6 bytes, 1 to 1e6: as decoded and on the device with their levels, 9.3
+  /// bytes per texel, 14.7 of colour maps. Over it the largest maps are halved while they are read, with a
+  /// note.
+  double texture_budget_mb = 2000;
+};
+
+class Asset {
+ public:
+  /// Loads glTF 2.0, .gltf or .glb. Warns of doubtful things. Takes seconds with large maps. Throws
+  /// - InputError: one line with file and place;
+  /// - Cancelled: a hook has ended the work.
+  static Asset load(const std::filesystem::path& path, const SceneOptions& options = {},
+                    const Hooks& hooks = {});
+  /// Makes the head that is built into the library; no file needed. Takes seconds. Throws Cancelled as load()
+  /// does.
+  static Asset built_in(const Hooks& hooks = {});
+
+  const std::string& name() const;             ///< file name, or "built-in"
+  std::vector<std::string> materials() const;  ///< their names
+  std::vector<std::string> cameras() const;    ///< those of the file; CameraSettings::name takes one
+  std::vector<Light> lights() const;           ///< those of the file, in the asset's own coordinates
+
+  bool operator==(const Asset& other) const {
+    return state_ == other.state_;
+  }  ///< the same, not an equal one
+
+  struct State;  // of the library
+
+ private:
+  friend struct State;
+  explicit Asset(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+  std::shared_ptr<const State> state_;
+};
+
+}  // namespace dermis

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "dermis/asset.h"
+
+#include <numbers>
+
+#include "api/asset_state.h"
+#include "builtin_head/builtin_head.h"
+#include "core/hooks.h"
+#include "scene/load.h"
+#include "settings/check.h"
+
+namespace dermis {
+namespace {
+
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+
+LightType type_of(scene::LightType type) {
+  switch (type) {
+    case scene::LightType::directional: return LightType::directional;
+    case scene::LightType::spot: return LightType::spot;
+    case scene::LightType::point: break;
+  }
+  return LightType::point;
+}
+
+std::array<double, 3> values_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
+  const HookScope scope(hooks);
+  check_ranges(options);
+  scene::LoadOptions load;
+  load.unit_scale = options.unit_scale;
+  load.skin_material = options.skin_material;
+  load.texture_budget_mb = options.texture_budget_mb;
+  return State::make(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)));
+}
+
+Asset Asset::built_in(const Hooks& hooks) {
+  const HookScope scope(hooks);
+  return State::make(std::make_shared<const scene::Scene>(builtin_head::make()));
+}
+
+const std::string& Asset::name() const { return state_->data->name; }
+
+std::vector<std::string> Asset::materials() const {
+  std::vector<std::string> names;
+  for (const scene::Material& material : state_->data->materials) names.push_back(material.name);
+  return names;
+}
+
+std::vector<std::string> Asset::cameras() const {
+  std::vector<std::string> names;
+  for (const scene::Camera& camera : state_->data->cameras) names.push_back(camera.name);
+  return names;
+}
+
+std::vector<Light> Asset::lights() const {
+  std::vector<Light> lights;
+  for (const scene::Light& light : state_->data->lights)
+    lights.push_back({.name = light.name,
+                      .type = type_of(light.type),
+                      .colour = values_of(light.colour),
+                      .position_m = values_of(light.position_m),
+                      .direction = values_of(light.direction),
+                      .range_m = light.range_m,
+                      .inner_cone_deg = light.inner_cone_rad * degrees_per_radian,
+                      .outer_cone_deg = light.outer_cone_rad * degrees_per_radian,
+                      .radius = light.radius});
+  return lights;
+}
+
+}  // namespace dermis

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "api/scene_on_device.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "core/cache.h"
+#include "core/hooks.h"
+#include "core/warnings.h"
+
+namespace dermis::api {
+namespace {
+
+// Adds the time until its end to that of an asset.
+class UploadTime {
+ public:
+  explicit UploadTime(SharedAsset& asset) : asset_(&asset) {}
+  UploadTime(const UploadTime&) = delete;
+  UploadTime& operator=(const UploadTime&) = delete;
+  ~UploadTime() {
+    asset_->upload_ms +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  SharedAsset* asset_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void upload_asset(gpu::PipelineLibrary& library, SharedAsset& asset) {
+  if (asset.gpu) return;
+  const UploadTime time(asset);
+  asset.gpu.emplace(library, *asset.subject.scene, asset.subject.skin);
+}
+
+// Finds what each point of the skin sees of its surroundings.
+void add_bent_normals(gpu::Device& device, SharedAsset& asset) {
+  const std::size_t meshes = asset.subject.skin.size();
+  if (asset.bent_normal.size() == meshes) return;
+
+  const UploadTime time(asset);
+  Steps steps("what the skin sees of its surroundings", meshes - asset.bent_normal.size());
+  for (std::size_t i = asset.bent_normal.size(); i < meshes; ++i) {
+    environment::Occlusion seen =
+        environment::cached_occlusion(*asset.subject.scene, asset.subject.skin[i], cache::default_folder(),
+                                      {.side = environment::occlusion_side(meshes)});
+    asset.gpu->skin[i].bent_normal =
+        passes::unwrap_map(device, asset.gpu->skin[i].name + " bent normal", seen.side, seen.values);
+    // Free what the device has now; each new sky needs only the rest.
+    seen.values = {};
+    asset.bent_normal.push_back(std::move(seen));
+    steps.done();
+  }
+}
+
+template <class Shared, class Matches>
+std::shared_ptr<const Shared> find_shared(const std::vector<std::shared_ptr<const Shared>>& all,
+                                          const Matches& matches) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return matches(*one); });
+  return found == all.end() ? nullptr : *found;
+}
+
+}  // namespace
+
+std::vector<const setup::Subject*> SceneOnDevice::subjects() const {
+  std::vector<const setup::Subject*> subjects;
+  for (const AssetPointer& asset : assets_) subjects.push_back(&asset->subject);
+  return subjects;
+}
+
+std::vector<scene::BoundingSphere> SceneOnDevice::skin_spheres() const {
+  std::vector<scene::BoundingSphere> spheres;
+  for (const AssetPointer& asset : assets_) spheres.push_back(asset->subject.sphere);
+  return spheres;
+}
+
+std::vector<AssetPointer> SceneOnDevice::different_assets() const {
+  std::vector<AssetPointer> different;
+  for (const AssetPointer& asset : assets_)
+    if (std::find(different.begin(), different.end(), asset) == different.end()) different.push_back(asset);
+  return different;
+}
+
+double SceneOnDevice::upload_ms() const {
+  double sum = 0;
+  for (const AssetPointer& asset : different_assets()) sum += asset->upload_ms;
+  return sum;
+}
+
+void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedScene& scene,
+                           const RenderSettings& settings, const setup::FrameSetup& setup,
+                           const std::shared_ptr<const setup::EnvironmentLight>& environment,
+                           const SceneOnDevice& before) {
+  const WarningGroup group;
+  gpu::Device& device = library.device();
+  for (const AssetPointer& asset : different_assets()) {
+    upload_asset(library, *asset);
+    if (environment) add_bent_normals(device, *asset);
+  }
+
+  make_looks(device, scene, settings, before);
+  make_skies(device, scene, settings, environment, before);
+
+  for (const techniques::GutterSize& size : setup.technique->gutters(setup.plan, setup::drawn_heads(setup))) {
+    const setup::MeshSource& source = setup.meshes[size.mesh];
+    SharedAsset& asset = *assets_[source.instance];
+    const UploadTime time(asset);
+    asset.gpu->make_gutters(device, source.mesh, asset.subject.skin[source.mesh], size.side,
+                            size.width_texels);
+  }
+}
+
+void SceneOnDevice::make_looks(gpu::Device& device, const setup::PlacedScene& scene,
+                               const RenderSettings& settings, const SceneOnDevice& before) {
+  looks_.clear();
+  for (std::size_t i = 0; i < assets_.size(); ++i) {
+    passes::LookSettings wanted{.mix = scene.instances[i].mix, .tint = scene.instances[i].tint};
+    if (settings.skin.mix) wanted.mix = static_cast<float>(*settings.skin.mix);
+    const auto matches = [&](const SharedLook& look) {
+      return look.asset == assets_[i] && look.settings == wanted;
+    };
+
+    std::shared_ptr<const SharedLook> look = find_shared(looks_, matches);
+    if (!look) look = find_shared(before.looks_, matches);
+    if (!look)
+      look = std::make_shared<const SharedLook>(
+          SharedLook{assets_[i], wanted, assets_[i]->gpu->make_look(device, wanted)});
+    looks_.push_back(std::move(look));
+  }
+}
+
+void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& scene,
+                               const RenderSettings& settings,
+                               const std::shared_ptr<const setup::EnvironmentLight>& environment,
+                               const SceneOnDevice& before) {
+  skies_.clear();
+  if (!environment) return;
+  const double rotation_deg = settings.lighting.environment_rotation_deg;
+  for (std::size_t i = 0; i < assets_.size(); ++i) {
+    const glm::mat3& rotation = scene.instances[i].pose.rotation;
+    const auto matches = [&](const SharedSky& sky) {
+      return sky.asset == assets_[i] && sky.sky.is_of(*environment, rotation_deg, rotation);
+    };
+
+    std::shared_ptr<const SharedSky> sky = find_shared(skies_, matches);
+    if (!sky) sky = find_shared(before.skies_, matches);
+    if (!sky)
+      sky = std::make_shared<const SharedSky>(SharedSky{
+          assets_[i],
+          setup::sky_on_skin(device, environment, rotation_deg, rotation, assets_[i]->bent_normal)});
+    skies_.push_back(std::move(sky));
+  }
+}
+
+std::vector<setup::InstanceOnDevice> SceneOnDevice::instances() const {
+  std::vector<setup::InstanceOnDevice> instances;
+  for (std::size_t i = 0; i < assets_.size(); ++i)
+    instances.push_back({.scene = &*assets_[i]->gpu,
+                         .look = &looks_[i]->look,
+                         .sky = skies_.empty() ? std::span<const passes::SkyMaps>{} : skies_[i]->sky.maps});
+  return instances;
+}
+
+}  // namespace dermis::api

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/// The assets of a scene on the device, and what its instances add to them: looks, and the light of the sky.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "passes/gpu_scene.h"
+#include "setup/environment_light.h"
+#include "setup/frame_data.h"
+#include "setup/subject.h"
+
+namespace dermis::api {
+
+/// An asset, examined and (once a frame has found room) on the device; shared by all that show it.
+struct SharedAsset {
+  setup::Subject subject;
+  std::optional<passes::GpuScene> gpu;  ///< looks point into it: never moved
+  /// one per skin mesh, once an environment was asked for; values are on the device only
+  std::vector<environment::Occlusion> bent_normal;
+  double upload_ms = 0;
+  bool warned_coarse = false;  ///< once is enough, however many views follow
+};
+using AssetPointer = std::shared_ptr<SharedAsset>;
+
+/// Materials of an asset for instances that change them alike.
+struct SharedLook {
+  AssetPointer asset;
+  passes::LookSettings settings;
+  passes::GpuLook look;
+};
+
+/// What the skin of an asset sees of the sky, for instances that are turned alike.
+struct SharedSky {
+  AssetPointer asset;
+  setup::SkyOnSkin sky;
+};
+
+/// All that a frame shows of a scene. Holds what it points to.
+class SceneOnDevice {
+ public:
+  SceneOnDevice() = default;
+  /// `assets`: one per instance.
+  explicit SceneOnDevice(std::vector<AssetPointer> assets) : assets_(std::move(assets)) {}
+
+  std::vector<const setup::Subject*> subjects() const;      ///< one per instance
+  std::vector<scene::BoundingSphere> skin_spheres() const;  ///< one per instance, in its asset
+  std::vector<AssetPointer> different_assets() const;       ///< each once
+  double upload_ms() const;
+
+  /// Brings the scene to the device, but for what is there, also of `before`, the same frame's last scene:
+  /// assets, looks, with an environment what the skin sees of it, and the gutters that the frame reads.
+  void upload(gpu::PipelineLibrary& library, const setup::PlacedScene& scene, const RenderSettings& settings,
+              const setup::FrameSetup& setup,
+              const std::shared_ptr<const setup::EnvironmentLight>& environment, const SceneOnDevice& before);
+
+  std::vector<setup::InstanceOnDevice> instances() const;  ///< after upload()
+
+ private:
+  void make_looks(gpu::Device& device, const setup::PlacedScene& scene, const RenderSettings& settings,
+                  const SceneOnDevice& before);
+  void make_skies(gpu::Device& device, const setup::PlacedScene& scene, const RenderSettings& settings,
+                  const std::shared_ptr<const setup::EnvironmentLight>& environment,
+                  const SceneOnDevice& before);
+
+  // By instance.
+  std::vector<AssetPointer> assets_;
+  std::vector<std::shared_ptr<const SharedLook>> looks_;
+  std::vector<std::shared_ptr<const SharedSky>> skies_;  // empty without an environment
+};
+
+}  // namespace dermis::api

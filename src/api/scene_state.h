@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+/// What a Scene holds, and how the rest of the library reads it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dermis/scene.h"
+#include "setup/placed_scene.h"
+
+namespace dermis {
+
+struct Scene::State {
+  struct PlacedInstance {
+    InstanceId id{};
+    Instance instance;
+    setup::Pose pose;  ///< of world_from_asset
+    std::optional<gaussians::SumOfGaussians> profile;
+    InstanceChanges changes;
+  };
+  struct PlacedLight {
+    LightId id{};
+    SceneLight light;
+  };
+
+  std::string name;  ///< empty: that of the asset
+  std::vector<PlacedInstance> instances;
+  std::vector<PlacedLight> lights;
+  std::optional<EnvironmentPixels> environment;
+  std::uint64_t light_changes = 0, environment_changes = 0;
+  std::uint32_t next_id = 1;
+
+  static Scene make(State state) {
+    Scene scene;
+    *scene.state_ = std::move(state);
+    return scene;
+  }
+};
+
+namespace api {
+
+/// Returns what the asset of a scene of one instance holds.
+const scene::Scene& only_asset(const Scene& scene);
+
+/// Returns the scene as a frame or the reference takes it. `spheres`: that around the skin of each instance's
+/// asset, in its own coordinates.
+setup::PlacedScene placed_scene(const Scene& scene, const std::vector<scene::BoundingSphere>& spheres);
+/// Likewise, and finds the spheres.
+setup::PlacedScene placed_scene(const Scene& scene);
+
+/// Returns the light of a rig or of the world, in the world.
+scene::Light placed_light(const Light& light, const setup::Pose& world_from_rig);
+
+}  // namespace api
+}  // namespace dermis

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "setup/models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "passes/final_pass/final_pass.h"
+#include "setup/choose.h"
+
+namespace dermis::setup {
+namespace {
+
+// What the heads of a model have in common.
+struct ModelKey {
+  const Subject* subject = nullptr;
+  float scale = 1;
+  std::optional<gaussians::SumOfGaussians> profile;
+  bool operator==(const ModelKey&) const = default;
+};
+
+// Whether a twentieth of the skin has so few texels that terms are lit at the pixel there.
+void fill_coarse(techniques::SkinPart& part, const scene::UnwrapDensity& density, double map_size) {
+  if (!(density.uv_per_mm.mean > 0) || !(density.area_mm2 > 0)) return;
+  part.even_uv_per_mm = 1 / std::sqrt(density.area_mm2);
+  part.least_texels_per_mm = density.uv_per_mm.p05 * map_size;
+  const double widest_mm = std::sqrt(part.profile.max_variance_mm2());
+  part.coarse = passes::is_coarse(static_cast<float>(widest_mm), static_cast<float>(part.least_texels_per_mm),
+                                  static_cast<float>(part.even_uv_per_mm * map_size));
+}
+
+// In the millimetres of an asset that is shown at this scale.
+gaussians::SumOfGaussians in_asset(gaussians::SumOfGaussians profile, double scale) {
+  for (gaussians::Gaussian& term : profile.terms) term.variance_mm2 /= scale * scale;
+  return profile;
+}
+
+techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const RenderSettings& s) {
+  const Subject& subject = *model.subject;
+  const scene::SkinMesh& mesh = subject.skin[number];
+  const scene::UnwrapDensity& density = subject.densities[number];
+  const auto material = static_cast<std::size_t>(mesh.triangle_material.front());
+
+  techniques::SkinPart part;
+  part.in_model = static_cast<std::uint32_t>(number);
+  part.profile = choose_profile(subject.scene->materials[material], s, model.profile);
+  part.mm_per_unit = subject.scene->mm_per_unit;
+  if (model.scale != 1) {
+    part.profile = in_asset(part.profile, double{model.scale});
+    part.mm_per_unit /= double{model.scale};
+  }
+
+  // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not
+  // wrong in width.
+  part.max_uv_per_mm = density.largest_uv_per_mm.p95;
+  part.max_texels_per_mm = std::max(part.max_uv_per_mm * s.quality.map_size, 1e-6);
+  part.mean_texels_per_mm = density.uv_per_mm.mean * s.quality.map_size;
+  fill_coarse(part, density, s.quality.map_size);
+
+  part.off_map = scene::has_chartless(mesh);
+  for (const int index : mesh.triangle_material) {
+    const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];
+    part.cut_out = part.cut_out || of_triangle.alpha_mode == scene::AlphaMode::mask;
+    part.emits = part.emits || of_triangle.emissive != glm::vec3(0);
+  }
+  return part;
+}
+
+// Notes whether there is anything beside skin, blended or not.
+void fill_surfaces(techniques::Model& model, const scene::Scene& scene) {
+  for (const scene::Primitive& p : scene.primitives) {
+    const scene::Material& material = scene.materials[static_cast<std::size_t>(p.material)];
+    if (material.skin) continue;
+    (material.alpha_mode == scene::AlphaMode::blend ? model.has_blended : model.has_surfaces) = true;
+  }
+}
+
+}  // namespace
+
+void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
+                   const RenderSettings& s) {
+  techniques::FrameSettings& plan = setup.plan;
+  plan.models.clear();
+  std::vector<ModelKey> keys;
+  std::map<const Subject*, std::uint32_t> first_unwraps;
+  std::uint32_t unwraps = 0;
+
+  for (HeadSetup& head : setup.heads) {
+    const PlacedAsset& instance = scene.instances[head.instance];
+    const ModelKey key{
+        .subject = subjects[head.instance], .scale = head.pose.scale, .profile = instance.profile};
+    const auto found = std::find(keys.begin(), keys.end(), key);
+    head.model = static_cast<std::uint32_t>(found - keys.begin());
+    if (found != keys.end()) continue;
+
+    const auto meshes = static_cast<std::uint32_t>(key.subject->skin.size());
+    const auto [unwrap, is_new] = first_unwraps.try_emplace(key.subject, unwraps);
+    if (is_new) unwraps += meshes;
+
+    techniques::Model model{.first_mesh = static_cast<std::uint32_t>(plan.skin.size()), .meshes = meshes};
+    fill_surfaces(model, *key.subject->scene);
+    for (std::uint32_t mesh = 0; mesh < meshes; ++mesh) {
+      plan.skin.push_back(skin_part(key, mesh, s));
+      plan.skin.back().unwrap = unwrap->second + mesh;
+      setup.meshes.push_back({.instance = head.instance, .mesh = mesh});
+    }
+    plan.models.push_back(model);
+    keys.push_back(key);
+  }
+}
+
+}  // namespace dermis::setup

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "setup/placed_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+#include "scene/framing.h"
+
+namespace dermis::setup {
+namespace {
+
+constexpr double most_skew = 1e-4;  // of a rigid transform, relative
+
+scene::Camera placed(scene::Camera camera, const Pose& pose) {
+  glm::mat4 rigid(pose.rotation);
+  rigid[3] = glm::vec4(pose.origin_m, 1);
+  camera.world_from_camera[3] = glm::vec4(glm::vec3(camera.world_from_camera[3]) * pose.scale, 1);
+  camera.world_from_camera = rigid * camera.world_from_camera;
+  camera.znear_m *= pose.scale;
+  camera.ymag_m *= pose.scale;
+  if (camera.zfar_m) *camera.zfar_m *= pose.scale;
+  return camera;
+}
+
+void require_instances(const PlacedScene& scene) {
+  if (scene.instances.empty()) throw input_error(scene.name, "has no instances: there is nothing to see");
+}
+
+}  // namespace
+
+glm::vec3 Pose::position_in_asset(const glm::vec3& p_m) const {
+  return glm::transpose(rotation) * (p_m - origin_m) / scale;
+}
+
+scene::BoundingSphere Pose::sphere(const scene::BoundingSphere& s) const {
+  return {position(s.centre_m), s.radius_m * scale};
+}
+
+glm::mat4x3 Pose::matrix() const {
+  const glm::mat3 scaled = rotation * scale;
+  return {scaled[0], scaled[1], scaled[2], origin_m};
+}
+
+std::optional<Pose> pose_of(const std::array<double, 16>& m) {
+  const auto column = [&](std::size_t c) { return glm::dvec3(m[4 * c], m[4 * c + 1], m[4 * c + 2]); };
+  if (!std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); })) return {};
+  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) return {};
+
+  // The largest entry first, so that squares neither overflow nor vanish.
+  const glm::dmat3 axes(column(0), column(1), column(2));
+  double largest = 0;
+  for (glm::length_t c = 0; c < 3; ++c)
+    for (glm::length_t r = 0; r < 3; ++r) largest = std::max(largest, std::abs(axes[c][r]));
+  if (!(largest > 0)) return {};
+
+  const double determinant = glm::determinant(axes / largest);
+  if (!(determinant > 0)) return {};  // flat or mirrored
+  const double scale = std::cbrt(determinant) * largest;
+  const glm::dmat3 rotation = axes / scale;
+  const glm::dmat3 squared = glm::transpose(rotation) * rotation;
+  for (glm::length_t c = 0; c < 3; ++c)
+    for (glm::length_t r = 0; r < 3; ++r)
+      if (!(std::abs(squared[c][r] - (c == r ? 1 : 0)) <= most_skew)) return {};
+
+  const Pose pose{
+      .rotation = glm::mat3(rotation), .scale = static_cast<float>(scale), .origin_m = glm::vec3(column(3))};
+  const bool in_range = pose.scale >= 1e-6f && pose.scale <= 1e6f && glm::length(pose.origin_m) <= 1e9f;
+  return in_range ? std::optional(pose) : std::nullopt;
+}
+
+std::vector<PlacedHead> placed_heads(const PlacedScene& scene, const RenderSettings& s) {
+  require_instances(scene);
+  std::vector<PlacedHead> heads;
+  if (s.camera.heads > 1) {
+    if (scene.instances.size() > 1)
+      throw input_error("", "camera.heads must be 1 for a scene of {} instances, got {}",
+                        scene.instances.size(), s.camera.heads);
+    const PlacedAsset& one = scene.instances.front();
+    const float radius_m = one.pose.sphere(one.sphere).radius_m;
+    for (const glm::vec3& offset : scene::head_row_offsets(s.camera.heads, radius_m)) {
+      PlacedHead& head = heads.emplace_back(PlacedHead{.instance = 0, .pose = one.pose});
+      head.pose.origin_m += offset;
+    }
+    return heads;
+  }
+
+  for (const PlacedAsset& instance : scene.instances)
+    heads.push_back({.instance = heads.size(), .pose = instance.pose});
+  return heads;
+}
+
+HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
+  require_instances(scene);
+  HeadSpheres spheres;
+  const PlacedAsset& first = scene.instances.front();
+  if (scene.instances.size() == 1) {
+    spheres.middle = spheres.framed = first.pose.sphere(first.sphere);
+    spheres.offsets_m = scene::head_row_offsets(s.camera.heads, spheres.middle.radius_m);
+    return spheres;
+  }
+
+  glm::dvec3 sum(0);
+  std::vector<scene::BoundingSphere> all;
+  for (const PlacedAsset& instance : scene.instances) {
+    all.push_back(instance.pose.sphere(instance.sphere));
+    sum += glm::dvec3(all.back().centre_m);
+    spheres.middle.radius_m = std::max(spheres.middle.radius_m, all.back().radius_m);
+  }
+  spheres.middle.centre_m = glm::vec3(sum / static_cast<double>(all.size()));
+
+  spheres.framed.centre_m = spheres.middle.centre_m;
+  for (const scene::BoundingSphere& sphere : all) {
+    const glm::vec3 offset = sphere.centre_m - spheres.middle.centre_m;
+    spheres.offsets_m.push_back(offset);
+    spheres.framed.radius_m = std::max(spheres.framed.radius_m, glm::length(offset) + sphere.radius_m);
+  }
+  return spheres;
+}
+
+std::vector<scene::Camera> placed_cameras(const PlacedScene& scene) {
+  std::vector<scene::Camera> cameras;
+  for (const PlacedAsset& instance : scene.instances)
+    for (const scene::Camera& camera : instance.asset->cameras)
+      cameras.push_back(placed(camera, instance.pose));
+  return cameras;
+}
+
+}  // namespace dermis::setup

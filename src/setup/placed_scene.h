@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+/// A scene as a frame or the reference takes it: assets, each with its pose, and lights in the world.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dermis/settings.h"
+#include "gaussians/sum.h"
+#include "scene/scene.h"
+
+namespace dermis::setup {
+
+/// From the coordinates of an asset to the world: a rotation, one scale, then a shift.
+struct Pose {
+  glm::mat3 rotation{1};
+  float scale = 1;
+  glm::vec3 origin_m{0};
+
+  glm::vec3 direction(const glm::vec3& d) const { return rotation * d; }
+  glm::vec3 position(const glm::vec3& p_m) const { return rotation * p_m * scale + origin_m; }
+  /// From the world to the asset.
+  glm::vec3 position_in_asset(const glm::vec3& p_m) const;
+  scene::BoundingSphere sphere(const scene::BoundingSphere& s) const;
+  glm::mat4x3 matrix() const;
+  bool is_identity() const { return *this == Pose{}; }
+  bool operator==(const Pose&) const = default;
+};
+
+/// Returns the pose of a column-major 4x4 matrix; none unless it is rigid with one positive scale, to 1e-4.
+std::optional<Pose> pose_of(const std::array<double, 16>& world_from_asset);
+
+struct PlacedAsset {
+  std::shared_ptr<const scene::Scene> asset;
+  scene::BoundingSphere sphere;  ///< of the asset's skin, in its own coordinates
+  Pose pose;
+  bool visible = true;
+  // Instead of those of the materials.
+  std::optional<gaussians::SumOfGaussians> profile;
+  std::optional<float> mix;
+  glm::vec3 tint{1};  ///< multiplies the colour of the skin
+};
+
+struct PlacedScene {
+  std::string name;  ///< for messages
+  std::vector<PlacedAsset> instances;
+  std::vector<scene::Light> lights;  ///< in the world
+};
+
+/// A head of a frame: an instance, or one of a row of them.
+struct PlacedHead {
+  std::size_t instance = 0;
+  Pose pose;
+};
+
+/// Returns the instances, or the row of camera.heads of a single one. Throws InputError: no instance, or a
+/// row of several.
+std::vector<PlacedHead> placed_heads(const PlacedScene& scene, const RenderSettings& settings);
+
+/// What cameras and rigs are placed by: spheres around the skin of the heads.
+struct HeadSpheres {
+  scene::BoundingSphere middle;      ///< about the middle of the heads, as large as the largest of them
+  std::vector<glm::vec3> offsets_m;  ///< of each head from there
+  scene::BoundingSphere framed;      ///< holds all instances; of a row, the middle head
+};
+HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& settings);
+
+/// Returns the cameras of all instances, in the world.
+std::vector<scene::Camera> placed_cameras(const PlacedScene& scene);
+
+/// Returns one asset that shows the same: copies of all visible instances in the world, with materials of
+/// their own. Of a single one that is as its asset is, returns that. For what knows no instances, such as the
+/// reference. Takes memory for each copy.
+std::shared_ptr<const scene::Scene> flattened(const PlacedScene& scene);
+
+}  // namespace dermis::setup

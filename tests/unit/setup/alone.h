@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Sets up a frame of one asset, where it stands, with its own lights.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "setup/frame_setup.h"
+
+namespace dermis::setup {
+
+inline PlacedScene alone(const Subject& subject) {
+  PlacedScene scene{.name = subject.scene->name, .instances = {}, .lights = subject.scene->lights};
+  scene.instances.push_back({.asset = subject.scene, .sphere = subject.sphere, .profile = {}, .mix = {}});
+  return scene;
+}
+
+inline FrameSetup set_up_alone(const Subject& subject, const RenderSettings& settings,
+                               const std::optional<std::vector<scene::Light>>& environment_lights = {}) {
+  return set_up(alone(subject), std::array{&subject}, settings, {}, environment_lights);
+}
+
+}  // namespace dermis::setup
