@@ -14,7 +14,8 @@ layout(binding = 9) uniform sampler2D map_normal;
 layout(binding = 10) uniform sampler2D map_roughness;
 layout(binding = 11) uniform sampler2D map_occlusion;
 layout(binding = 12) uniform sampler2D map_specular;
-layout(binding = 27) uniform sampler2D bent_normal;  // over the unwrap, in the asset's coordinates: environment/occlusion.h
+// Over the unwrap, in the asset's coordinates: environment/occlusion.h.
+layout(binding = 27) uniform sampler2D bent_normal;
 layout(binding = 29) uniform sampler2D sky_direct;   // likewise: environment::SkyLight
 layout(binding = 30) uniform sampler2D sky_bounced;
 layout(constant_id = 13) const

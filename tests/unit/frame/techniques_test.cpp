@@ -68,9 +68,26 @@ std::vector<Case> cases() {
   parts.meshes_per_batch = 2;
   parts.optimise = {.cull = true, .depth = true, .clip = true};
   parts.translucency = parts.progressive = true;
-  parts.skin.assign(3, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .mean_texels_per_mm = 4});
+  set_heads(parts, 1, 3);
   all.push_back(
       {"2 of 3 skin parts at a time", &techniques::find_technique("texture-space"), std::move(parts)});
+
+  // Heads of two assets, one of them with two profiles, in batches that hold some of each.
+  for (const std::uint32_t heads_per_batch : {1u, 3u, 5u}) {
+    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 64, .shadow_size = 64};
+    set_heads(s, 5, 4);
+    s.skin[3].unwrap = s.skin[2].unwrap;
+    for (std::uint32_t i = 2; i < 4; ++i) s.skin[i].in_model = 0;
+    s.models = {{.first_mesh = 0, .meshes = 2, .has_surfaces = true, .has_blended = true},
+                {.first_mesh = 2, .meshes = 1},
+                {.first_mesh = 3, .meshes = 1}};
+    s.heads = {0, 1, 2, 0, 1};
+    s.heads_per_batch = heads_per_batch;
+    s.optimise = {.cull = true, .depth = true, .clip = true};
+    s.translucency = s.progressive = true;
+    all.push_back({fmt::format("three models, {} heads at a time", heads_per_batch),
+                   &techniques::find_technique("texture-space"), std::move(s)});
+  }
   return all;
 }
 
