@@ -89,6 +89,15 @@ struct Picture {
 
 class PreparedFrame;
 
+/// What a renderer has asked its device for so far. A steady frame of a session adds one submission.
+struct DeviceCounters {
+  std::uint64_t allocations = 0;  ///< of memory from the driver
+  std::uint64_t buffers = 0, images = 0, pipelines = 0;
+  std::uint64_t submissions = 0;
+  std::uint64_t waits = 0;       ///< for work that had not completed
+  std::uint64_t idle_waits = 0;  ///< of these, for all that was submitted
+};
+
 /// Renders scenes on one device.
 class Renderer {
  public:
@@ -126,9 +135,12 @@ class Renderer {
   /// Returns what the validation layer has said so far; empty unless Options::validate.
   std::vector<std::string> validation_messages() const;
 
+  DeviceCounters counters() const;
+
   struct State;  // of the library
 
  private:
+  friend class Session;
   std::shared_ptr<State> state_;
 };
 

@@ -162,6 +162,25 @@ void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames
   }
 }
 
+void fill_device(Statistics& statistics, gpu::Device& device) {
+  const gpu::DeviceSummary& summary = device.summary();
+  statistics.device = summary.name;
+  statistics.driver = summary.driver;
+  statistics.api = summary.api;
+  statistics.image_bytes = device.image_bytes();
+  statistics.buffer_bytes = device.buffer_bytes();
+  statistics.peak_bytes = device.peak_bytes();
+}
+
+void fill_picture(Picture& picture, const RenderSettings& settings, std::span<const std::byte> halves,
+                  std::span<const std::byte> display) {
+  picture.width = settings.output.width;
+  picture.height = settings.output.height;
+  picture.linear_rgba = floats_of_halves(halves);
+  picture.display_rgba.resize(display.size());
+  std::memcpy(picture.display_rgba.data(), display.data(), display.size());
+}
+
 std::vector<float> read_before_bloom(frame::GraphExecutor& executor, const techniques::FrameOutputs& out) {
   return floats_of_halves(gpu::read_back(executor.device(), executor.resources().texture(out.before_bloom),
                                          executor.layout_of(out.before_bloom)));
@@ -174,12 +193,7 @@ void read_picture(Picture& picture, frame::GraphExecutor& executor, const techni
   };
 
   if (settings.output.show == "picture") {
-    picture.width = settings.output.width;
-    picture.height = settings.output.height;
-    picture.linear_rgba = floats_of_halves(read(out.picture, 0));
-    const std::vector<std::byte> display = read(out.display, 0);
-    picture.display_rgba.resize(display.size());
-    std::memcpy(picture.display_rgba.data(), display.data(), display.size());
+    fill_picture(picture, settings, read(out.picture, 0), read(out.display, 0));
     return;
   }
 

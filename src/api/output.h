@@ -25,6 +25,13 @@ void fill_counts(Statistics& statistics, std::span<const setup::Subject* const> 
                  const RenderSettings& settings, const setup::FrameSetup& setup,
                  std::span<const std::byte> counters);
 
+/// Fills in what the device is, and its memory.
+void fill_device(Statistics& statistics, gpu::Device& device);
+
+/// Fills in size and pixels of a picture, from half floats RGBA and display values RGBA8.
+void fill_picture(Picture& picture, const RenderSettings& settings, std::span<const std::byte> halves,
+                  std::span<const std::byte> display);
+
 /// The picture before bloom, linear RGBA.
 std::vector<float> read_before_bloom(frame::GraphExecutor& executor, const techniques::FrameOutputs& out);
 

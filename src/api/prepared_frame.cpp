@@ -5,38 +5,28 @@
 
 #include "api/exposure.h"
 #include "api/output.h"
-#include "api/renderer_state.h"
-#include "api/scene_on_device.h"
-#include "api/scene_state.h"
-#include "core/error.h"
+#include "api/planned_frame.h"
 #include "core/log.h"
 #include "dermis/cancelled.h"
-#include "frame/executor.h"
-#include "setup/frame_data.h"
-#include "setup/frame_setup.h"
+#include "gpu/frame_memory.h"
 
 namespace dermis {
 
 struct PreparedFrame::State {
-  std::shared_ptr<Renderer::State> renderer;
+  State(std::shared_ptr<Renderer::State> renderer, const Scene& scene)
+      : source(scene), frame(std::move(renderer)) {}
+
   Scene source;
   RenderSettings settings;
-  api::SceneOnDevice scene;
-  std::shared_ptr<const setup::EnvironmentLight> environment_light;
-  setup::FrameSetup setup;
-  techniques::FrameOutputs outputs;
-  std::optional<frame::Executor<passes::FrameData>> executor;
+  api::PlannedFrame frame;
+  gpu::FrameMemory memory{frame.device(), "frame"};
   passes::FrameData data;
   std::vector<frame::FrameTime> times;  ///< since the last change
   std::vector<std::byte> counters;      ///< of this view; empty: not counted yet
-  double pipeline_ms = 0;
-  bool ready = false;                 ///< false: set() has thrown half way
-  bool changed = true;                ///< `data`, since the last frame
-  std::optional<double> exposure_ev;  ///< given or chosen; none: it was to be chosen, and no skin is lit
+  bool changed = true;                  ///< `data`, since the last frame
+  std::optional<double> exposure_ev;    ///< given or chosen; none: it was to be chosen, and no skin is lit
 
-  gpu::Device& device() { return renderer->device; }
   void set(const Scene& wanted_scene, const RenderSettings& wanted);
-  void plan(const RenderSettings& wanted, const setup::FrameSetup& next);
   std::optional<double> measure_exposure();
   void draw(bool with_statistics);
   void count();
@@ -44,51 +34,14 @@ struct PreparedFrame::State {
 };
 
 void PreparedFrame::State::set(const Scene& wanted_scene, const RenderSettings& wanted) {
-  const gpu::DeviceLimits& limits = device().limits();
-  setup::check_settings(wanted);
-  api::check_device_limits(wanted, limits);
-
-  api::SceneOnDevice next_scene(renderer->assets_of(wanted_scene));
-  const setup::PlacedScene placed = api::placed_scene(wanted_scene, next_scene.skin_spheres());
-  const setup::DeviceTraits traits{.software = limits.software,
-                                   .memory_bytes = device().summary().memory_bytes,
-                                   .max_image_side = limits.max_image_side};
-  const std::shared_ptr<const setup::EnvironmentLight> next_environment =
-      renderer->environment_light(wanted_scene, wanted);
-  std::optional<std::vector<scene::Light>> environment_lights;
-  if (next_environment) environment_lights = setup::environment_lights(next_environment->sources, wanted);
-  setup::FrameSetup next = setup::set_up(placed, next_scene.subjects(), wanted, traits, environment_lights);
-
-  const std::uint64_t layers = std::uint64_t{next.plan.shadow_layers} * next.plan.heads_per_batch;
-  if (layers > limits.max_array_layers)
-    throw input_error(wanted_scene.name(),
-                      "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
-                      "a smaller lighting.rig_lights uses fewer ({} of them are in the environment)",
-                      next.lights, layers, next.plan.heads_per_batch, limits.max_array_layers,
-                      next.environment_lights);
-  bool warned = true;
-  for (const api::AssetPointer& asset : next_scene.different_assets())
-    warned = std::exchange(asset->warned_coarse, true) && warned;
-  if (!warned) setup::warn_coarse(next_scene.subjects(), next);
-  if (next_environment) setup::fill_environment(next.frame, *next_environment, wanted);
-
-  // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
-  // on its maps. An unknown `show` is refused while the frame is still as it was.
-  if (!executor || next.plan != setup.plan || next.technique != setup.technique)
-    plan(wanted, next);
-  else
-    api::check_show(outputs, wanted);
-
-  // Count as unready until all below is done: any of it may throw.
-  ready = false;
-
-  setup = std::move(next);
+  frame.set(wanted_scene, wanted);
+  // Unready until all below is done: any of it may throw.
+  frame.make_unready();
   settings = wanted;
   source = wanted_scene;
-  next_scene.upload(renderer->library, placed, settings, setup, next_environment, scene);
-  data = setup::frame_data(device(), setup, outputs, next_scene.instances(), next_environment.get());
-  scene = std::move(next_scene);
-  environment_light = next_environment;
+  memory.clear();
+  data = frame.data(memory);
+  memory.upload();
   changed = true;
 
   exposure_ev = wanted.output.exposure_ev;
@@ -97,63 +50,50 @@ void PreparedFrame::State::set(const Scene& wanted_scene, const RenderSettings& 
     warn("{}: no lit skin in the picture, so an automatic output.exposure_ev is 0", source.name());
   times.clear();
   counters.clear();
-  ready = true;
+  frame.make_ready();
 }
 
 // Draws frames of the same view with white skin that does not reflect at its surface: they show the light on
 // the skin. Exposes the view by what is found, and returns that; none: no lit skin, 0 EV.
 std::optional<double> PreparedFrame::State::measure_exposure() {
-  const auto expose = [&](io::FrameIo frame, double ev) {
-    frame.radiance_scale = static_cast<float>(std::exp2(ev));
-    data.frame_io = setup::frame_buffer(device(), frame);
+  const auto expose = [&](io::FrameIo io, double ev) {
+    io.radiance_scale = static_cast<float>(std::exp2(ev));
+    memory.replace(data.frame_io, std::span<const io::FrameIo>(&io, 1));
+    memory.upload();
     changed = true;
   };
 
-  io::FrameIo white = setup.frame;
+  io::FrameIo white = frame.setup().frame;
   white.white_albedo = 1;
   white.specular_on = 0;
   const std::optional<double> ev = api::choose_exposure([&](double tried_ev) {
     expose(white, tried_ev);
     draw(false);
-    return api::mean_skin_luminance(api::read_before_bloom(*executor, outputs));
+    return api::mean_skin_luminance(api::read_before_bloom(frame.executor(), frame.outputs()));
   });
 
-  expose(setup.frame, ev.value_or(0));
+  expose(frame.setup().frame, ev.value_or(0));
   return ev;
 }
 
-void PreparedFrame::State::plan(const RenderSettings& wanted, const setup::FrameSetup& next) {
-  passes::FramePlan made;
-  const techniques::FrameOutputs made_outputs = next.technique->build(made, next.plan);
-  api::check_show(made_outputs, wanted);
-  ready = false;
-  executor.reset();  // its memory first: two frames may not fit
-  const double before = renderer->library.creation_ms();
-  executor.emplace(renderer->library, made);
-  pipeline_ms = renderer->library.creation_ms() - before;
-  renderer->library.save_cache();
-  outputs = made_outputs;
-}
-
 void PreparedFrame::State::draw(bool with_statistics) {
-  if (renderer->options.poison) executor->poison();
-  executor->draw(data, {.changed = changed, .statistics = with_statistics});
+  if (frame.renderer().options.poison) frame.executor().poison();
+  frame.executor().draw(data, {.changed = changed, .statistics = with_statistics});
   changed = false;
 }
 
 // The first frame of a view warms up (the first use of a pipeline compiles on software devices), makes what
 // lasts, and counts.
 void PreparedFrame::State::count() {
-  if (!ready)
+  if (!frame.is_ready())
     throw Cancelled(source.name() + ": the frame was stopped while it was prepared; set() prepares it again");
   if (!counters.empty()) return;
   draw(true);
-  counters = gpu::read_back(device(), executor->resources().buffer(outputs.counters));
+  counters = gpu::read_back(frame.device(), frame.executor().resources().buffer(frame.outputs().counters));
 }
 
 PreparedFrame Renderer::prepare(const Scene& scene, const RenderSettings& settings) {
-  auto state =
-      std::make_unique<PreparedFrame::State>(PreparedFrame::State{.renderer = state_, .source = scene});
+  auto state = std::make_unique<PreparedFrame::State>(state_, scene);
   state_->preparing(scene, [&] { state->set(scene, settings); });
   return PreparedFrame(std::move(state));
 }
@@ -167,19 +107,19 @@ void PreparedFrame::set(const RenderSettings& settings) { set(Scene(state_->sour
 
 void PreparedFrame::set(const Scene& scene, const RenderSettings& settings) {
   try {
-    state_->renderer->preparing(scene, [&] { state_->set(scene, settings); });
+    state_->frame.renderer().preparing(scene, [&] { state_->set(scene, settings); });
   } catch (const InputError&) { throw; } catch (...) {
     // The frame may be half changed: refuse to draw it until a set() succeeds.
-    state_->ready = false;
+    state_->frame.make_unready();
     throw;
   }
 }
 
 double PreparedFrame::draw() {
-  return state_->renderer->drawing(state_->source, [&] {
+  return state_->frame.renderer().drawing(state_->source, [&] {
     state_->count();
-    if (state_->renderer->options.poison) state_->executor->poison();
-    state_->times.push_back(state_->executor->run(state_->data));
+    if (state_->frame.renderer().options.poison) state_->frame.executor().poison();
+    state_->times.push_back(state_->frame.executor().run(state_->data));
     return state_->times.back().total_ms;
   });
 }
@@ -193,7 +133,7 @@ std::vector<PassStatistics> PreparedFrame::last_passes() const {
 }
 
 Picture PreparedFrame::picture() {
-  return state_->renderer->drawing(state_->source, [&] { return state_->picture(); });
+  return state_->frame.renderer().drawing(state_->source, [&] { return state_->picture(); });
 }
 
 Picture PreparedFrame::State::picture() {
@@ -201,25 +141,19 @@ Picture PreparedFrame::State::picture() {
   Picture picture;
   Statistics& statistics = picture.statistics;
 
-  statistics.timing = executor->separate_submissions() ? "submit" : "timestamp";
+  statistics.timing = frame.executor().separate_submissions() ? "submit" : "timestamp";
   if (!times.empty()) api::fill_times(statistics, times);
-  api::fill_counts(statistics, scene.subjects(), settings, setup, counters);
-  statistics.upload_ms = scene.upload_ms();
-  statistics.pipeline_ms = pipeline_ms;
+  api::fill_counts(statistics, frame.scene().subjects(), settings, frame.setup(), counters);
+  statistics.upload_ms = frame.scene().upload_ms();
+  statistics.pipeline_ms = frame.pipeline_ms();
 
-  const gpu::DeviceSummary& summary = device().summary();
-  statistics.device = summary.name;
-  statistics.driver = summary.driver;
-  statistics.api = summary.api;
-  statistics.image_bytes = device().image_bytes();
-  statistics.buffer_bytes = device().buffer_bytes();
-  statistics.peak_bytes = device().peak_bytes();
-
+  api::fill_device(statistics, frame.device());
   statistics.exposure_ev = exposure_ev.value_or(0);
   if (!settings.output.exposure_ev && exposure_ev)
-    statistics.skin_mean = api::mean_skin_luminance(api::read_before_bloom(*executor, outputs));
+    statistics.skin_mean =
+        api::mean_skin_luminance(api::read_before_bloom(frame.executor(), frame.outputs()));
 
-  api::read_picture(picture, *executor, outputs, settings, setup);
+  api::read_picture(picture, frame.executor(), frame.outputs(), settings, frame.setup());
   return picture;
 }
 

@@ -63,6 +63,17 @@ std::vector<std::string> Renderer::validation_messages() const {
   return state_->device.validation_messages();
 }
 
+DeviceCounters Renderer::counters() const {
+  const gpu::DeviceCounters& c = state_->device.counters();
+  return {.allocations = c.allocations,
+          .buffers = c.buffers,
+          .images = c.images,
+          .pipelines = c.pipelines,
+          .submissions = c.submissions,
+          .waits = c.waits,
+          .idle_waits = c.idle_waits};
+}
+
 Picture Renderer::render(const Scene& scene, const RenderSettings& settings) {
   PreparedFrame frame = prepare(scene, settings);
   for (int i = 0; i < settings.output.frames; ++i) frame.draw();

@@ -59,6 +59,7 @@ struct Device::State {
   VkCommandPool pool = VK_NULL_HANDLE;
   VkSemaphore timeline = VK_NULL_HANDLE;
   std::uint64_t submitted = 0;  ///< serial of the last submission
+  DeviceCounters counters;
   std::uint32_t recording = 0;  ///< command buffers begun and neither submitted nor discarded
 
   struct Retired {
@@ -325,6 +326,7 @@ std::uint64_t Device::submit(VkCommandBuffer commands) {
   check(s.vk.vkQueueSubmit2(s.queue, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit2");
 
   --s.recording;
+  ++s.counters.submissions;
   s.in_flight.emplace_back(++s.submitted, commands);
   return s.submitted;
 }
@@ -332,6 +334,11 @@ std::uint64_t Device::submit(VkCommandBuffer commands) {
 void Device::wait(std::uint64_t serial) {
   State& s = *state_;
   DERMIS_ASSERT_LE(serial, s.submitted);
+  if (!has_completed(serial)) {
+    ++s.counters.waits;
+    if (serial == s.submitted) ++s.counters.idle_waits;
+  }
+
   VkSemaphoreWaitInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO;
   info.semaphoreCount = 1;
@@ -340,6 +347,17 @@ void Device::wait(std::uint64_t serial) {
   check(s.vk.vkWaitSemaphores(s.device, &info, std::numeric_limits<std::uint64_t>::max()),
         "vkWaitSemaphores");
   s.recycle_commands();
+}
+
+bool Device::has_completed(std::uint64_t serial) const {
+  std::uint64_t now = 0;
+  const State& s = *state_;
+  return s.vk.vkGetSemaphoreCounterValue(s.device, s.timeline, &now) == VK_SUCCESS && now >= serial;
+}
+
+DeviceCounters& Device::counters() {
+  state_->counters.allocations = state_->memory->allocations();
+  return state_->counters;
 }
 
 void Device::run(const std::function<void(VkCommandBuffer)>& record) {

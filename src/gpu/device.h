@@ -60,6 +60,15 @@ struct DeviceLimits {
   bool software = false;  ///< timestamps between raster passes are not reliable there
 };
 
+/// What a device has been asked for so far. A steady frame adds submissions alone.
+struct DeviceCounters {
+  std::uint64_t allocations = 0;  ///< of memory from the driver
+  std::uint64_t buffers = 0, images = 0, pipelines = 0;
+  std::uint64_t submissions = 0;
+  std::uint64_t waits = 0;       ///< for a submission that had not completed
+  std::uint64_t idle_waits = 0;  ///< of these, for all that was submitted
+};
+
 class Buffer;
 class Texture;
 struct BufferDesc;
@@ -113,6 +122,7 @@ class Device {
   /// Frees commands that will not be submitted (recording them failed).
   void discard(VkCommandBuffer commands);
   void wait(std::uint64_t serial);  ///< DeviceError if the device is lost
+  bool has_completed(std::uint64_t serial) const;
   /// Begins, records, submits and waits.
   void run(const std::function<void(VkCommandBuffer)>& record);
 
@@ -121,6 +131,8 @@ class Device {
   void collect();
   /// Calls `free` once all work recorded so far has completed (now, if nothing is in flight).
   void retire(std::function<void()> free);
+
+  DeviceCounters& counters();
 
   MemoryPool& memory();
   std::uint64_t image_bytes() const;  ///< currently allocated for textures

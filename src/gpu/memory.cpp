@@ -117,6 +117,7 @@ MemoryPool::Block* MemoryPool::new_block(const Request& request, std::uint32_t t
   const VkResult result = vk_->vkAllocateMemory(device_, &info, nullptr, &memory);
   if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) return nullptr;
   check(result, "vkAllocateMemory");
+  ++allocations_;
 
   auto block = std::make_unique<Block>();
   block->memory = memory;

@@ -46,8 +46,9 @@ class MemoryPool {
   const VkPhysicalDeviceMemoryProperties& properties() const { return properties_; }
   std::uint64_t image_bytes() const { return image_bytes_; }
   std::uint64_t buffer_bytes() const { return buffer_bytes_; }
-  std::uint64_t peak_bytes() const { return peak_bytes_; }  ///< largest sum of the two so far
-  std::uint64_t reserved_bytes() const;                     ///< currently allocated from the driver
+  std::uint64_t peak_bytes() const { return peak_bytes_; }    ///< largest sum of the two so far
+  std::uint64_t reserved_bytes() const;                       ///< currently allocated from the driver
+  std::uint64_t allocations() const { return allocations_; }  ///< from the driver, so far
 
  private:
   struct Request;
@@ -67,6 +68,7 @@ class MemoryPool {
   std::vector<std::unique_ptr<Block>> blocks_;
   std::array<std::uint64_t, VK_MAX_MEMORY_HEAPS> heap_used_{};
   std::uint64_t image_bytes_ = 0, buffer_bytes_ = 0, peak_bytes_ = 0;
+  std::uint64_t allocations_ = 0;
   std::size_t live_ = 0;
 };
 

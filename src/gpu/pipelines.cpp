@@ -354,6 +354,7 @@ const Pipeline& PipelineLibrary::compute(const std::string& shader, const Consta
     check(s.device->vk().vkCreateComputePipelines(s.device->handle(), s.cache, 1, &info, nullptr,
                                                   &pipeline.handle),
           "vkCreateComputePipelines");
+    ++s.device->counters().pipelines;
   } catch (...) {
     s.destroy(*entry);
     throw;
@@ -402,6 +403,7 @@ const Pipeline& PipelineLibrary::graphics(const GraphicsDesc& desc) {
     check(s.device->vk().vkCreateGraphicsPipelines(s.device->handle(), s.cache, 1, &info, nullptr,
                                                    &pipeline.handle),
           "vkCreateGraphicsPipelines");
+    ++s.device->counters().pipelines;
   } catch (...) {
     s.destroy(*entry);
     throw;

@@ -110,6 +110,7 @@ RawBuffer create_raw_buffer(Device& device, const std::string& name, const Buffe
   RawBuffer raw;
   check(device.vk().vkCreateBuffer(device.handle(), &info, nullptr, &raw.handle),
         fmt::format("vkCreateBuffer for '{}' ({:.1f} MiB)", name, mib(desc.bytes)));
+  ++device.counters().buffers;
 
   // Memory, as a part of a block that the pool shares out.
   try {
@@ -172,6 +173,7 @@ Texture::Texture(Device& device, std::string name, const TextureDesc& desc)
   check_texture_limits(device, name_, desc, info.usage);
   check(device.vk().vkCreateImage(device.handle(), &info, nullptr, &handle_),
         fmt::format("vkCreateImage for '{}' ({:.1f} MiB)", name_, mib(bytes_of(desc))));
+  ++device.counters().images;
 
   // From here on the image has to be given back if a step fails: no destructor runs for what a constructor
   // leaves half made.

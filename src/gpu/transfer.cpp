@@ -9,6 +9,7 @@
 #include "gpu/raw.h"
 #include "gpu/resources.h"
 #include "gpu/texture_upload.h"
+#include "gpu/transfer.h"
 
 namespace dermis::gpu {
 namespace {
@@ -197,6 +198,43 @@ void poison(Device& device, const Texture& texture) {
   });
 }
 
+namespace {
+
+void record_copy(Device& device, VkCommandBuffer commands, const Texture& from, VkImageLayout layout,
+                 std::uint32_t layer, VkBuffer to) {
+  const TextureDesc& desc = from.desc();
+  VkBufferImageCopy copy{};
+  copy.imageSubresource = {aspect_of(desc.format), 0, layer, 1};
+  copy.imageExtent = {desc.width, desc.height, 1};
+
+  barrier(device, commands, &from, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  device.vk().vkCmdCopyImageToBuffer(commands, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1,
+                                     &copy);
+  barrier(device, commands, &from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout);
+}
+
+void record_copy(Device& device, VkCommandBuffer commands, const Buffer& from, VkBuffer to) {
+  const VkBufferCopy copy{0, 0, from.desc().bytes};
+  barrier(device, commands, nullptr, {}, {});
+  device.vk().vkCmdCopyBuffer(commands, from.handle(), to, 1, &copy);
+  barrier(device, commands, nullptr, {}, {});
+}
+
+}  // namespace
+
+void record_read_back(Device& device, VkCommandBuffer commands, const Texture& from, VkImageLayout layout,
+                      const Buffer& to) {
+  const TextureDesc& desc = from.desc();
+  DERMIS_ASSERT_EQ(desc.samples, 1u);
+  DERMIS_ASSERT_EQ(std::uint64_t{desc.width} * desc.height * texel_bytes(desc.format), to.desc().bytes);
+  record_copy(device, commands, from, layout, 0, to.handle());
+}
+
+void record_read_back(Device& device, VkCommandBuffer commands, const Buffer& from, const Buffer& to) {
+  DERMIS_ASSERT_EQ(from.desc().bytes, to.desc().bytes);
+  record_copy(device, commands, from, to.handle());
+}
+
 std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLayout layout,
                                  std::uint32_t layer) {
   const TextureDesc& desc = from.desc();
@@ -208,14 +246,7 @@ std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLay
   const Staging staging(device, from.name(), bytes, BufferPlace::readback);
 
   device.run([&](VkCommandBuffer commands) {
-    VkBufferImageCopy copy{};
-    copy.imageSubresource = {aspect_of(desc.format), 0, layer, 1};
-    copy.imageExtent = {desc.width, desc.height, 1};
-
-    barrier(device, commands, &from, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-    device.vk().vkCmdCopyImageToBuffer(commands, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                       staging.handle(), 1, &copy);
-    barrier(device, commands, &from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout);
+    record_copy(device, commands, from, layout, layer, staging.handle());
   });
   return {staging.mapped(), staging.mapped() + bytes};
 }
@@ -223,12 +254,7 @@ std::vector<std::byte> read_back(Device& device, const Texture& from, VkImageLay
 std::vector<std::byte> read_back(Device& device, const Buffer& from) {
   const std::uint64_t bytes = from.desc().bytes;
   const Staging staging(device, from.name(), bytes, BufferPlace::readback);
-  device.run([&](VkCommandBuffer commands) {
-    const VkBufferCopy copy{0, 0, bytes};
-    barrier(device, commands, nullptr, {}, {});
-    device.vk().vkCmdCopyBuffer(commands, from.handle(), staging.handle(), 1, &copy);
-    barrier(device, commands, nullptr, {}, {});
-  });
+  device.run([&](VkCommandBuffer commands) { record_copy(device, commands, from, staging.handle()); });
   return {staging.mapped(), staging.mapped() + bytes};
 }
 

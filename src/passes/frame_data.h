@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frame/plan.h"
+#include "gpu/cmd.h"
 #include "gpu/resources.h"
 #include "passes/gpu_scene.h"
 #include "shared/scene_io.h"
@@ -31,13 +32,13 @@ struct Instance {
   const GpuScene* scene = nullptr;  ///< shared by all instances of the asset
   const GpuLook* look = nullptr;    ///< its materials
   std::span<const SkyMaps> sky;     ///< one per skin mesh of the asset; only with an environment
-  gpu::Buffer transform;            ///< InstanceIo
+  gpu::BufferBinding transform;     ///< InstanceIo
   glm::mat4x3 world_from_asset{1};
   glm::vec3 middle_m{0};         ///< of its skin, in the world
   std::uint32_t first_mesh = 0;  ///< of its skin, among the skin meshes of the plan
-  gpu::Buffer lights;            ///< LightIo[]
+  gpu::BufferBinding lights;     ///< LightIo[]
   /// mat4[], one per layer of the shadow maps; those of other heads are zero
-  gpu::Buffer shadow_matrices;
+  gpu::BufferBinding shadow_matrices;
   std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
   /// T: the used side of the square of its light maps, texels
@@ -46,9 +47,10 @@ struct Instance {
   bool visible = true;               ///< false: wholly outside the picture, not drawn
 };
 
+/// Buffers lie in the memory of the frame, which must outlive this.
 struct FrameData {
   io::CameraIo camera{};                      ///< that of frame_io
-  gpu::Buffer frame_io;                       ///< FrameIo
+  gpu::BufferBinding frame_io;                ///< FrameIo
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
   std::vector<Instance> instances;            ///< at least one
 };

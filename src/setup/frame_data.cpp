@@ -17,23 +17,20 @@ io::InstanceIo instance_io(const Pose& pose) {
           .scale = pose.scale};
 }
 
-passes::Instance instance_of(gpu::Device& device, const HeadSetup& head) {
-  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
   passes::Instance instance;
   instance.world_from_asset = head.pose.matrix();
   instance.middle_m = head.middle_m;
   const io::InstanceIo io = instance_io(head.pose);
-  instance.transform =
-      gpu::make_buffer(device, "instance", std::span(&io, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  instance.transform = memory.add(std::span<const io::InstanceIo>(&io, 1));
   instance.map_side = static_cast<std::uint32_t>(head.map_side);
   instance.visible = head.visible;
-  instance.lights = gpu::make_buffer(device, "lights", std::span<const io::LightIo>(head.lights), storage);
+  instance.lights = memory.add(std::span<const io::LightIo>(head.lights));
 
   // Leave room in front, so that layers of the map that heads share number the matrices, too.
   std::vector<glm::mat4> matrices(head.first_shadow_layer, glm::mat4(0));
   matrices.insert(matrices.end(), head.shadow_from_world.begin(), head.shadow_from_world.end());
-  instance.shadow_matrices =
-      gpu::make_buffer(device, "shadow matrices", std::span<const glm::mat4>(matrices), storage);
+  instance.shadow_matrices = memory.add(std::span<const glm::mat4>(matrices));
   instance.first_shadow_layer = head.first_shadow_layer;
   instance.shadow_from_world = head.shadow_from_world;
   return instance;
@@ -41,21 +38,17 @@ passes::Instance instance_of(gpu::Device& device, const HeadSetup& head) {
 
 }  // namespace
 
-gpu::Buffer frame_buffer(gpu::Device& device, const io::FrameIo& frame) {
-  return gpu::make_buffer(device, "frame", std::span(&frame, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-}
-
-passes::FrameData frame_data(gpu::Device& device, const FrameSetup& setup,
+passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
                              const techniques::FrameOutputs& outputs,
                              std::span<const InstanceOnDevice> instances,
                              const EnvironmentLight* environment) {
   passes::FrameData data;
   data.camera = setup.frame.camera;
-  data.frame_io = frame_buffer(device, setup.frame);
+  data.frame_io = memory.add(std::span<const io::FrameIo>(&setup.frame, 1));
   if (environment) data.environment = &environment->map;
 
   for (const HeadSetup& head : setup.heads) {
-    passes::Instance instance = instance_of(device, head);
+    passes::Instance instance = instance_of(memory, head);
     const InstanceOnDevice& on_device = instances[head.instance];
     instance.scene = on_device.scene;
     instance.look = on_device.look;

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "gpu/frame_memory.h"
 #include "passes/frame_data.h"
 #include "setup/environment_light.h"
 #include "setup/frame_setup.h"
@@ -17,15 +18,12 @@ struct InstanceOnDevice {
   std::span<const passes::SkyMaps> sky;  ///< as passes::Instance
 };
 
-/// Uploads what passes read while they record a frame of `setup`: camera, lights, poses, and where light lies
-/// in the maps of `outputs`, which its plan has made. `instances`, by their numbers in the scene, and
-/// `environment`, which may be null, must outlive the result.
-passes::FrameData frame_data(gpu::Device& device, const FrameSetup& setup,
+/// Writes what passes read while they record a frame of `setup`: camera, lights, poses, and where light lies
+/// in the maps of `outputs`, which its plan has made. `memory`, `instances`, by their numbers in the scene,
+/// and `environment`, which may be null, must outlive the result.
+passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
                              const techniques::FrameOutputs& outputs,
                              std::span<const InstanceOnDevice> instances,
                              const EnvironmentLight* environment);
-
-/// Returns the part of them that all passes share: camera, exposure, light from everywhere.
-gpu::Buffer frame_buffer(gpu::Device& device, const io::FrameIo& frame);
 
 }  // namespace dermis::setup

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/// Sessions: frames of a scene that changes while it is looked at.
+///
+///   dermis::Session session(renderer);
+///   for (;;) {
+///     scene.set_transform(head, pose);
+///     const dermis::Ticket ticket = session.draw(scene, settings);
+///     ...                                         // the device draws
+///     show(session.picture(ticket));
+///   }
+///
+/// draw() returns before the device has drawn. Camera, lights, transforms, exposure and the rotation of an
+/// environment change from frame to frame without waiting for the device, without an allocation on it and
+/// with one submission. What makes a new plan (RenderSettings of the structure, a number of instances, a
+/// profile or a scale that no instance had) or needs new maps costs that once. A picture is the same to the
+/// bit as that of Renderer::render().
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "dermis/renderer.h"
+
+namespace dermis {
+
+/// What one frame shows: a camera. Its target has the size that OutputSettings have.
+struct View {
+  CameraSettings camera{};
+};
+
+/// Names a frame of a session.
+enum class Ticket : std::uint64_t {};
+
+/// One thread at a time may use a session and its renderer. A session keeps the device alive.
+class Session {
+ public:
+  struct Options {
+    /// Frames that may be on their way at a time, 1 to 3: draw() waits for the one before these. Each takes
+    /// memory for its picture and for what changes per frame, but not for maps.
+    int frames_in_flight = 2;
+    bool statistics = false;  ///< counts what each frame computes: Statistics of its picture; costs time
+  };
+
+  explicit Session(const Renderer& renderer) : Session(renderer, Options{}) {}
+  /// Throws InputError: a number out of range.
+  Session(const Renderer& renderer, const Options& options);
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+  ~Session();
+
+  /// Draws the scene as it is now. `settings.output.exposure_ev` must be given, and `output.show` be
+  /// "picture". Throws as Renderer::render() does; after an InputError the session is as before.
+  Ticket draw(const Scene& scene, const RenderSettings& settings);
+  /// Likewise, as these views see it in place of settings.camera; camera.heads stays that of the settings.
+  /// One view per frame so far: throws InputError for another number.
+  Ticket draw(const Scene& scene, const RenderSettings& settings, std::span<const View> views);
+
+  /// Returns whether picture() would not wait. Throws InputError: see picture().
+  bool is_ready(Ticket ticket) const;
+
+  /// Returns the frame; waits for it, but not for later ones. May be called again, until as many frames have
+  /// been drawn after it as may be in flight. Throws InputError: a ticket of an earlier frame or of another
+  /// session.
+  Picture picture(Ticket ticket) const;
+
+  struct State;  // of the library
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace dermis

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "api/planned_frame.h"
+
+#include <utility>
+
+#include "api/output.h"
+#include "api/scene_state.h"
+#include "core/error.h"
+
+namespace dermis::api {
+namespace {
+
+void check_layers(const Scene& scene, const setup::FrameSetup& setup, const gpu::DeviceLimits& limits) {
+  const std::uint64_t layers = std::uint64_t{setup.plan.shadow_layers} * setup.plan.heads_per_batch;
+  if (layers > limits.max_array_layers)
+    throw input_error(scene.name(),
+                      "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
+                      "a smaller lighting.rig_lights uses fewer ({} of them are in the environment)",
+                      setup.lights, layers, setup.plan.heads_per_batch, limits.max_array_layers,
+                      setup.environment_lights);
+}
+
+// Once for each asset is enough, however many views follow.
+void warn_coarse_once(const SceneOnDevice& scene, const setup::FrameSetup& setup) {
+  bool warned = true;
+  for (const AssetPointer& asset : scene.different_assets())
+    warned = std::exchange(asset->warned_coarse, true) && warned;
+  if (!warned) setup::warn_coarse(scene.subjects(), setup);
+}
+
+}  // namespace
+
+bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings) {
+  const gpu::DeviceLimits& limits = device().limits();
+  setup::check_settings(settings);
+  check_device_limits(settings, limits);
+
+  SceneOnDevice next_scene(renderer_->assets_of(scene));
+  const setup::PlacedScene placed = placed_scene(scene, next_scene.skin_spheres());
+  const setup::DeviceTraits traits{.software = limits.software,
+                                   .memory_bytes = device().summary().memory_bytes,
+                                   .max_image_side = limits.max_image_side};
+  const std::shared_ptr<const setup::EnvironmentLight> next_environment =
+      renderer_->environment_light(scene, settings);
+  std::optional<std::vector<scene::Light>> environment_lights;
+  if (next_environment) environment_lights = setup::environment_lights(next_environment->sources, settings);
+
+  setup::FrameSetup next = setup::set_up(placed, next_scene.subjects(), settings, traits, environment_lights);
+  check_layers(scene, next, limits);
+  warn_coarse_once(next_scene, next);
+  if (next_environment) setup::fill_environment(next.frame, *next_environment, settings);
+
+  // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
+  // on its maps. An unknown `show` is refused while the frame is still as it was. The memory of a plan holds
+  // the metric of its meshes: other assets need another one, even if all their numbers are equal.
+  std::vector<AssetPointer> unwrap_assets = next_scene.different_assets();
+  const bool plans = !executor_ || next.plan != setup_.plan || next.technique != setup_.technique ||
+                     unwrap_assets != unwrap_assets_;
+  if (plans)
+    plan(settings, next);
+  else
+    check_show(outputs_, settings);
+
+  // Count as unready until all below is done: any of it may throw.
+  ready_ = false;
+  setup_ = std::move(next);
+  next_scene.upload(renderer_->library, placed, settings, setup_, next_environment, scene_);
+  unwrap_assets_ = std::move(unwrap_assets);
+  scene_ = std::move(next_scene);
+  environment_ = next_environment;
+  ready_ = true;
+  return plans;
+}
+
+void PlannedFrame::plan(const RenderSettings& settings, const setup::FrameSetup& next) {
+  passes::FramePlan made;
+  const techniques::FrameOutputs made_outputs = next.technique->build(made, next.plan);
+  check_show(made_outputs, settings);
+
+  ready_ = false;
+  executor_.reset();  // its memory first: two frames may not fit
+  const double before = renderer_->library.creation_ms();
+  executor_.emplace(renderer_->library, made);
+  pipeline_ms_ = renderer_->library.creation_ms() - before;
+  renderer_->library.save_cache();
+  outputs_ = made_outputs;
+}
+
+passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory) const {
+  return setup::frame_data(memory, setup_, outputs_, scene_.instances(), environment_.get());
+}
+
+}  // namespace dermis::api

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+/// A frame with its plan, memory and pipelines, and its scene on the device: what a PreparedFrame and a
+/// Session have in common.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "api/renderer_state.h"
+#include "api/scene_on_device.h"
+#include "frame/executor.h"
+#include "setup/frame_setup.h"
+
+namespace dermis::api {
+
+class PlannedFrame {
+ public:
+  explicit PlannedFrame(std::shared_ptr<Renderer::State> renderer) : renderer_(std::move(renderer)) {}
+
+  /// Sets scene and settings. Makes a plan with its memory unless that of the last frame serves, and uploads
+  /// what is new. Returns whether it made a plan.
+  ///
+  /// Throws InputError: the frame is as before. Throws DeviceError or Cancelled: the frame cannot be drawn
+  /// until this succeeds.
+  bool set(const Scene& scene, const RenderSettings& settings);
+
+  /// False if the last set() has thrown half way.
+  bool is_ready() const { return ready_; }
+  void make_unready() { ready_ = false; }
+  void make_ready() { ready_ = true; }
+
+  /// Writes what changes per frame.
+  passes::FrameData data(gpu::FrameMemory& memory) const;
+
+  gpu::Device& device() const { return renderer_->device; }
+  Renderer::State& renderer() const { return *renderer_; }
+  frame::Executor<passes::FrameData>& executor() { return *executor_; }
+  const techniques::FrameOutputs& outputs() const { return outputs_; }
+  const setup::FrameSetup& setup() const { return setup_; }
+  const SceneOnDevice& scene() const { return scene_; }
+  double pipeline_ms() const { return pipeline_ms_; }
+
+ private:
+  void plan(const RenderSettings& settings, const setup::FrameSetup& next);
+
+  std::shared_ptr<Renderer::State> renderer_;
+  SceneOnDevice scene_;
+  std::shared_ptr<const setup::EnvironmentLight> environment_;
+  setup::FrameSetup setup_;
+  techniques::FrameOutputs outputs_;
+  std::optional<frame::Executor<passes::FrameData>> executor_;
+  /// Of the meshes whose metric the memory of the plan holds, in the order of their unwraps.
+  std::vector<AssetPointer> unwrap_assets_;
+  double pipeline_ms_ = 0;
+  bool ready_ = false;
+};
+
+}  // namespace dermis::api
