@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gaussians/scatter_profile.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/error.h"
