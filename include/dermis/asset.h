@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Assets: heads with all that belongs to them (meshes, materials, maps), from a file, from arrays, or built
-/// in. An Asset is a cheap handle; copies share what they hold, and nothing ever changes it.
+/// in. An Asset is a cheap handle; copies share what they hold, and nothing ever changes it. Any number of
+/// threads may use one.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +13,8 @@
 #include "dermis/light.h"
 
 namespace dermis {
+
+struct AssetArrays;  // dermis/asset_arrays.h
 
 struct SceneOptions {
   double unit_scale = 1;      ///< multiplies every length of the file; glTF says metres
@@ -30,6 +33,12 @@ class Asset {
   /// - Cancelled: a hook has ended the work.
   static Asset load(const std::filesystem::path& path, const SceneOptions& options = {},
                     const Hooks& hooks = {});
+  /// Makes the asset that a glTF file with the same content gives, without lights and cameras: see
+  /// dermis/asset_arrays.h. Copies the arrays. Of `options`, unit_scale must be 1. Throws
+  /// - InputError: one line with asset, mesh and place;
+  /// - Cancelled: a hook has ended the work.
+  static Asset from_arrays(const AssetArrays& arrays, const SceneOptions& options = {},
+                           const Hooks& hooks = {});
   /// Makes the head that is built into the library; no file needed. Takes seconds. Throws Cancelled as load()
   /// does.
   static Asset built_in(const Hooks& hooks = {});
@@ -39,14 +48,12 @@ class Asset {
   std::vector<std::string> cameras() const;    ///< those of the file; CameraSettings::name takes one
   std::vector<Light> lights() const;           ///< those of the file, in the asset's own coordinates
 
-  bool operator==(const Asset& other) const {
-    return state_ == other.state_;
-  }  ///< the same, not an equal one
+  /// Compares identity, not contents.
+  bool operator==(const Asset& other) const { return state_ == other.state_; }
 
   struct State;  // of the library
 
  private:
-  friend struct State;
   explicit Asset(std::shared_ptr<const State> state) : state_(std::move(state)) {}
   std::shared_ptr<const State> state_;
 };

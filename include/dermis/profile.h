@@ -4,6 +4,7 @@
 ///
 ///   dermis::ScatterProfile p = dermis::profile_of_skin({.melanin = 0.02, .haemoglobin = 0.01});
 ///   dermis::write_profile(p, "skin.json");                 // render --profile skin.json
+///   dermis::ProfileTable model = dermis::model_table(p);   // R(r) and its noise; reflectance(p, r): the fit
 ///
 /// Everything throws dermis::InputError for values out of range, and Cancelled if a hook ends the work.
 /// Nothing depends on the number of threads; equal input gives equal bits.
@@ -11,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,19 +21,40 @@
 
 namespace dermis {
 
+/// R(r) of each colour channel as the model computed it, before the fit; opaque, for model_table().
+struct ModelCurves;
+
+/// R(r) of each colour channel at some radii.
+struct ProfileTable {
+  std::vector<double> r_mm;  ///< rising, evenly in log r; at most 1e-3 of the light leaves nearer or further
+  std::vector<std::array<double, 3>> reflectance_per_mm2;  ///< as many
+  /// As many: the noise of Monte-Carlo, one standard deviation; it shrinks as 1 / sqrt(photons). 0 of other
+  /// models.
+  std::vector<std::array<double, 3>> standard_error_per_mm2;
+};
+
 /// R(r) = total * sum_i w_i exp(-r^2 / (2 v_i)) / (2 pi v_i), r in mm, per colour channel (linear Rec.709).
 struct ScatterProfile {
   std::string name;
-  std::string model;                           ///< which model made it
-  std::vector<double> variances_mm2;           ///< 1 to 8, rising
-  std::vector<std::array<double, 3>> weights;  ///< as many, >= 0, summing to 1 per channel
-  std::array<double, 3> error_percent{};       ///< of the fit, docs/theory.md
-  std::array<double, 3> total_reflectance{};   ///< 0..1: model_total, cut to 1
+  std::string model;                                 ///< which model made it
+  std::vector<double> variances_mm2;                 ///< 1 to 8, > 0, rising
+  std::vector<std::array<double, 3>> weights;        ///< as many, >= 0, summing to 1 per channel within 1e-3
+  std::array<double, 3> error_percent{};             ///< of the fit, docs/theory.md
+  std::array<double, 3> total_reflectance{1, 1, 1};  ///< 0..1: model_total, cut to 1
   /// 1 / sigma_t'; of the equivalent half-space where skin has layers
   std::array<double, 3> mean_free_path_mm{};
   std::array<double, 3> diffuse_mean_free_path_mm{};  ///< 1 / sigma_tr; 0 where there is no absorption
-  std::array<double, 3>
-      model_total{};  ///< what the model itself reflects; "beam" can give more light back than entered
+  /// what the model itself reflects; "beam" can give more light back than entered
+  std::array<double, 3> model_total{};
+
+  // What profile_of_...() add, and no file keeps.
+  std::string model_reason;  ///< why ProfileModel::automatic chose the model; empty if it was asked for
+  /// null of a profile that profile_of_...() has not made; shared by copies
+  std::shared_ptr<const ModelCurves> model_curves;
+  /// Of Monte-Carlo, as the fit sees it: 100 sqrt(Int r error^2 dr / Int r R^2 dr). 0 of other models.
+  std::array<double, 3> noise_percent{};
+  /// 0..1, of the light: photons that were given up after 200,000 scatterings
+  std::array<double, 3> missing_light{};
 };
 
 /// A homogeneous half-space per channel.
@@ -85,6 +108,24 @@ ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& o
 /// (CIE76).
 SpectralSkin skin_of_colour(const std::string& colour, double* delta_e = nullptr, const Hooks& hooks = {});
 
+/// R(r) as the model computed it, with its noise, at 24 radii per decade that tables of all profiles share.
+/// Up to 3 s where skin has layers, else milliseconds. Throws InputError if the profile has no model_curves,
+/// Cancelled if a hook ends the work.
+ProfileTable model_table(const ScatterProfile& profile, const Hooks& hooks = {});
+
+/// R(r) of the fit [1/mm^2], per channel, r_mm >= 0: the equation above. Its integral over the plane is
+/// total_reflectance.
+std::array<double, 3> reflectance(const ScatterProfile& profile, double r_mm);
+
+/// Throws InputError for what no picture can be made with: no term or more than 8, weights that are fewer or
+/// more than variances, a variance that is not > 0 or does not rise, a weight below 0, weights of a channel
+/// that do not sum to 1, a total outside 0..1, whatever is not finite. Every function that takes a profile
+/// calls it.
+void check_profile(const ScatterProfile& profile);
+
+/// A published profile by name ("skin"), else a profile file; with the checks of `render --profile`.
+/// `normalise` divides weights by their sum.
+ScatterProfile load_profile(const std::string& name_or_path, bool normalise = false);
 /// The profile file that render --profile takes, atomically.
 void write_profile(const ScatterProfile& profile, const std::string& path);
 

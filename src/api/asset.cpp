@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "dermis/asset.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "api/asset_state.h"
 #include "builtin_head/builtin_head.h"
+#include "core/error.h"
 #include "core/hooks.h"
+#include "scene/from_arrays.h"
 #include "scene/load.h"
 #include "settings/check.h"
 
@@ -23,18 +26,32 @@ LightType type_of(scene::LightType type) {
   return LightType::point;
 }
 
+scene::LoadOptions load_options(const SceneOptions& options) {
+  check_ranges(options);
+  scene::LoadOptions load;
+  load.unit_scale = options.unit_scale;
+  load.skin_material = options.skin_material;
+  load.texture_budget_mb = options.texture_budget_mb;
+  return load;
+}
+
 std::array<double, 3> values_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
 Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
   const HookScope scope(hooks);
-  check_ranges(options);
-  scene::LoadOptions load;
-  load.unit_scale = options.unit_scale;
-  load.skin_material = options.skin_material;
-  load.texture_budget_mb = options.texture_budget_mb;
+  const scene::LoadOptions load = load_options(options);
   return State::make(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)));
+}
+
+Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options, const Hooks& hooks) {
+  const HookScope scope(hooks);
+  if (options.unit_scale != 1)
+    throw input_error("", "unit_scale must be 1 for arrays, whose unit is the metre, got {}",
+                      options.unit_scale);
+  const scene::LoadOptions load = load_options(options);
+  return State::make(std::make_shared<const scene::Scene>(scene::scene_from_arrays(arrays, load)));
 }
 
 Asset Asset::built_in(const Hooks& hooks) {
@@ -66,7 +83,7 @@ std::vector<Light> Asset::lights() const {
                       .direction = values_of(light.direction),
                       .range_m = light.range_m,
                       .inner_cone_deg = light.inner_cone_rad * degrees_per_radian,
-                      .outer_cone_deg = light.outer_cone_rad * degrees_per_radian,
+                      .outer_cone_deg = std::min(light.outer_cone_rad * degrees_per_radian, 90.0),
                       .radius = light.radius});
   return lights;
 }

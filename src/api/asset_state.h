@@ -15,7 +15,10 @@ struct Asset::State {
   static Asset make(std::shared_ptr<const scene::Scene> data) {
     return Asset(std::make_shared<const State>(State{std::move(data)}));
   }
-  static const std::shared_ptr<const scene::Scene>& of(const Asset& asset) { return asset.state_->data; }
+  /// Null for an asset that was moved away.
+  static std::shared_ptr<const scene::Scene> of(const Asset& asset) {
+    return asset.state_ ? asset.state_->data : nullptr;
+  }
 };
 
 }  // namespace dermis

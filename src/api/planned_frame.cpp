@@ -64,7 +64,10 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings) {
   // Count as unready until all below is done: any of it may throw.
   ready_ = false;
   setup_ = std::move(next);
-  next_scene.upload(renderer_->library, placed, settings, setup_, next_environment, scene_);
+  const std::vector<techniques::DrawnHead> drawn =
+      all_sizes_ ? (plans ? setup::every_size(setup_, settings) : std::vector<techniques::DrawnHead>{})
+                 : setup::drawn_heads(setup_);
+  next_scene.upload(renderer_->library, placed, settings, setup_, drawn, next_environment, scene_);
   unwrap_assets_ = std::move(unwrap_assets);
   scene_ = std::move(next_scene);
   environment_ = next_environment;

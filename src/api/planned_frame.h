@@ -16,7 +16,10 @@ namespace dermis::api {
 
 class PlannedFrame {
  public:
-  explicit PlannedFrame(std::shared_ptr<Renderer::State> renderer) : renderer_(std::move(renderer)) {}
+  /// `all_sizes`: a plan brings what it needs for light maps of every size with it, so that a head may come
+  /// nearer without an upload.
+  explicit PlannedFrame(std::shared_ptr<Renderer::State> renderer, bool all_sizes = false)
+      : renderer_(std::move(renderer)), all_sizes_(all_sizes) {}
 
   /// Sets scene and settings. Makes a plan with its memory unless that of the last frame serves, and uploads
   /// what is new. Returns whether it made a plan.
@@ -53,6 +56,7 @@ class PlannedFrame {
   /// Of the meshes whose metric the memory of the plan holds, in the order of their unwraps.
   std::vector<AssetPointer> unwrap_assets_;
   double pipeline_ms_ = 0;
+  bool all_sizes_ = false;
   bool ready_ = false;
 };
 

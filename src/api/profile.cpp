@@ -2,48 +2,35 @@
 // Implements include/dermis/profile.h.
 #include <algorithm>
 
-#include "api/scatter_profile.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/hooks.h"
+#include "core/one_line.h"
 #include "dermis/profile.h"
 #include "gaussians/fit.h"
 #include "gaussians/json.h"
+#include "gaussians/scatter_profile.h"
 #include "optics/presets.h"
 #include "optics/skin_colour.h"
 #include "profile/equivalent.h"
+#include "profile/noise.h"
 #include "profile/spectral.h"
+#include "profile/table.h"
 #include "settings/check.h"
 #include "settings/profile_fields.h"
 
 namespace dermis {
+
+struct ModelCurves {
+  explicit ModelCurves(std::array<profile::ProfilePtr, 3> of) : profiles(std::move(of)) {}
+  std::array<profile::ProfilePtr, 3> profiles;
+};
+
 namespace {
 
 profile::MonteCarloOptions photons_of(const ProfileOptions& options) {
   return {.photons = options.photons, .seed = options.seed, .cache = {}};
 }
-
-}  // namespace
-
-namespace api {
-gaussians::SumOfGaussians sum_of(const ScatterProfile& from) {
-  if (from.variances_mm2.size() != from.weights.size())
-    throw input_error("profile", "{} variances and {} weights", from.variances_mm2.size(),
-                      from.weights.size());
-  gaussians::SumOfGaussians sum{.name = from.name,
-                                .model = from.model,
-                                .terms = {},
-                                .total_reflectance = from.total_reflectance,
-                                .error_percent = from.error_percent,
-                                .mean_free_path_mm = from.mean_free_path_mm,
-                                .diffuse_mean_free_path_mm = from.diffuse_mean_free_path_mm};
-  for (std::size_t i = 0; i < from.weights.size(); ++i)
-    sum.terms.push_back({from.variances_mm2[i], from.weights[i]});
-  return sum;
-}
-}  // namespace api
-
-namespace {
 
 static_assert(std::get<0>(fields_of<ProfileOptions>).about.most == gaussians::max_terms);
 
@@ -51,16 +38,10 @@ static_assert(std::get<0>(fields_of<ProfileOptions>).about.most == gaussians::ma
 ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made,
                       const optics::RgbMedium* medium, double eta, const ProfileOptions& options) {
   const gaussians::SumOfGaussians sum = gaussians::fit_shared(made.profiles, options.gaussians, name);
-  ScatterProfile out{.name = name,
-                     .model = made.profiles[0]->name(),
-                     .variances_mm2 = {},
-                     .weights = {},
-                     .error_percent = sum.error_percent};
-
-  for (const gaussians::Gaussian& term : sum.terms) {
-    out.variances_mm2.push_back(term.variance_mm2);
-    out.weights.push_back(term.weight);
-  }
+  ScatterProfile out = gaussians::scatter_profile(sum);
+  out.model = made.profiles[0]->name();
+  out.model_reason = made.reason;
+  out.model_curves = std::make_shared<const ModelCurves>(made.profiles);
 
   for (int c = 0; c < 3; ++c) {
     const optics::Medium one =
@@ -70,6 +51,10 @@ ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& 
     out.total_reflectance[c] = std::min(out.model_total[c], 1.0);
     out.mean_free_path_mm[c] = one.mean_free_path().mm;
     out.diffuse_mean_free_path_mm[c] = diffuse_mm < 1e9 ? diffuse_mm : 0;
+    if (const auto sampled = profile::sampled(*made.profiles[c])) {
+      out.noise_percent[c] = sampled->noise_percent;
+      out.missing_light[c] = sampled->cut;
+    }
   }
 
   return out;
@@ -127,8 +112,30 @@ SpectralSkin skin_of_colour(const std::string& colour, double* delta_e, const Ho
   return optics::spectral_skin(match.skin);
 }
 
+ProfileTable model_table(const ScatterProfile& profile, const Hooks& hooks) {
+  const HookScope scope(hooks);
+  if (profile.model_curves == nullptr)
+    throw input_error("", "profile '{}' has no curves of a model: it was read, or put together by hand",
+                      one_line(profile.name, 80));
+  return profile::table_of(profile.model_curves->profiles);
+}
+
+std::array<double, 3> reflectance(const ScatterProfile& profile, double r_mm) {
+  const gaussians::SumOfGaussians sum = gaussians::checked_sum(profile);
+  if (!(r_mm >= 0)) throw input_error("", "r_mm must be >= 0, got {}", r_mm);
+  std::array<double, 3> values{};
+  for (int c = 0; c < 3; ++c) values[c] = gaussians::evaluate(gaussians::channel(sum, c), r_mm);
+  return values;
+}
+
+void check_profile(const ScatterProfile& profile) { gaussians::checked_sum(profile); }
+
+ScatterProfile load_profile(const std::string& name_or_path, bool normalise) {
+  return gaussians::scatter_profile(gaussians::from_name_or_file(name_or_path, normalise));
+}
+
 void write_profile(const ScatterProfile& profile, const std::string& path) {
-  write_file(path, gaussians::to_json(api::sum_of(profile)));
+  write_file(path, gaussians::to_json(gaussians::checked_sum(profile)));
 }
 
 }  // namespace dermis

@@ -97,6 +97,8 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
         s.lighting.environment_rotation_deg);
 
   job.profiles.resize(scene.materials.size());
+  const std::size_t first_material =
+      skin.empty() ? 0 : static_cast<std::size_t>(skin.front().triangle_material.front());
   for (const scene::SkinMesh& mesh : skin) {
     // One profile per mesh, that of its first triangle, as the renderer has it.
     const scene::Material& first = scene.materials[static_cast<std::size_t>(mesh.triangle_material.front())];
@@ -106,8 +108,14 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
       if (of.terms.empty()) of = profile;
     }
 
-    if (job.model == reference::Model::volume && &mesh == &skin.front())
-      job.medium = choose_medium(r.medium, profile, first.ior);
+    if (job.model != reference::Model::volume) continue;
+    const optics::RgbMedium medium = choose_medium(r.medium, profile, first.ior);
+    if (&mesh == &skin.front())
+      job.medium = medium;
+    else if (r.medium.empty() && profile.terms != job.profiles[first_material].terms)
+      throw input_error(placed.name,
+                        "its skin has several profiles, and the model 'volume' follows light in one medium; "
+                        "skin.profile or medium names one for all");
   }
 
   if (job.model == reference::Model::volume) {

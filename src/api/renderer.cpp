@@ -27,7 +27,7 @@ std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
   };
 
   for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
-    const std::shared_ptr<const scene::Scene>& data = Asset::State::of(placed.instance.asset);
+    const std::shared_ptr<const scene::Scene> data = Asset::State::of(placed.instance.asset);
     api::AssetPointer asset = find(different, data);
     if (!asset) {
       asset = find(last_assets, data);
@@ -100,7 +100,7 @@ std::string describe_plan(const Scene& scene, const RenderSettings& settings, bo
   std::vector<const setup::Subject*> subjects;
   std::vector<scene::BoundingSphere> spheres;
   for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
-    const std::shared_ptr<const scene::Scene>& asset = Asset::State::of(placed.instance.asset);
+    const std::shared_ptr<const scene::Scene> asset = Asset::State::of(placed.instance.asset);
     auto found = examined.find(asset);
     if (found == examined.end()) found = examined.emplace(asset, setup::examine(asset)).first;
     subjects.push_back(&found->second);

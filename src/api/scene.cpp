@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "api/asset_state.h"
-#include "api/scatter_profile.h"
 #include "api/scene_state.h"
 #include "core/assert.h"
 #include "core/error.h"
 #include "environment/environment.h"
+#include "gaussians/scatter_profile.h"
 #include "scene/framing.h"
 
 namespace dermis {
@@ -47,7 +47,7 @@ setup::Pose checked_pose(const std::array<double, 16>& world_from_asset) {
   const std::optional<setup::Pose> pose = setup::pose_of(world_from_asset);
   if (!pose)
     throw input_error("",
-                      "world_from_asset must be rigid with one positive scale (1e-6 to 1e6): a rotation "
+                      "world_from_asset must be rigid with one positive scale (1e-3 to 1e3): a rotation "
                       "times a number, a shift of up to 1e9 m, and 0 0 0 1 in the last row");
   return *pose;
 }
@@ -98,12 +98,15 @@ glm::dvec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}
 
 Scene::Scene() : state_(std::make_unique<State>()) {}
 Scene::Scene(const Scene& other) : state_(std::make_unique<State>(*other.state_)) {}
-Scene::Scene(Scene&& other) noexcept = default;
+Scene::Scene(Scene&& other) noexcept : state_(std::exchange(other.state_, std::make_unique<State>())) {}
 Scene& Scene::operator=(const Scene& other) {
   if (this != &other) state_ = std::make_unique<State>(*other.state_);
   return *this;
 }
-Scene& Scene::operator=(Scene&& other) noexcept = default;
+Scene& Scene::operator=(Scene&& other) noexcept {
+  std::swap(state_, other.state_);
+  return *this;
+}
 Scene::~Scene() = default;
 
 Scene::Scene(const Asset& asset) : Scene() {
@@ -127,6 +130,7 @@ std::string Scene::name() const {
 }
 
 InstanceId Scene::add(const Instance& instance) {
+  if (!Asset::State::of(instance.asset)) throw input_error("", "an instance has no asset: it was moved away");
   State::PlacedInstance placed{.id = InstanceId{state_->next_id},
                                .instance = instance,
                                .pose = checked_pose(instance.world_from_asset),
@@ -134,7 +138,7 @@ InstanceId Scene::add(const Instance& instance) {
                                .changes = {.pose = next_change(), .material = next_change()}};
   check_mix(instance.mix);
   check_tint(instance.tint);
-  if (instance.profile) placed.profile = api::sum_of(*instance.profile);
+  if (instance.profile) placed.profile = gaussians::checked_sum(*instance.profile);
 
   ++state_->next_id;
   state_->instances.push_back(std::move(placed));
@@ -162,6 +166,10 @@ void Scene::set_transform(InstanceId id, const std::array<double, 16>& world_fro
   placed.pose = checked_pose(world_from_asset);
   placed.instance.world_from_asset = world_from_asset;
   placed.changes.pose = next_change();
+  // The lights of its rig move with it.
+  if (std::any_of(state_->lights.begin(), state_->lights.end(),
+                  [&](const State::PlacedLight& light) { return light.light.rig == id; }))
+    state_->light_changes = placed.changes.pose;
 }
 
 void Scene::set_visible(InstanceId id, bool visible) {
@@ -173,7 +181,7 @@ void Scene::set_visible(InstanceId id, bool visible) {
 void Scene::set_profile(InstanceId id, const std::optional<ScatterProfile>& profile) {
   State::PlacedInstance& placed = *find(state_->instances, id, "instance");
   std::optional<gaussians::SumOfGaussians> sum;
-  if (profile) sum = api::sum_of(*profile);
+  if (profile) sum = gaussians::checked_sum(*profile);
   placed.profile = std::move(sum);
   placed.instance.profile = profile;
   placed.changes.material = next_change();

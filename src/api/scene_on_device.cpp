@@ -90,6 +90,7 @@ double SceneOnDevice::upload_ms() const {
 
 void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedScene& scene,
                            const RenderSettings& settings, const setup::FrameSetup& setup,
+                           std::span<const techniques::DrawnHead> drawn,
                            const std::shared_ptr<const setup::EnvironmentLight>& environment,
                            const SceneOnDevice& before) {
   const WarningGroup group;
@@ -102,7 +103,7 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
   make_looks(device, scene, settings, before);
   make_skies(device, scene, settings, environment, before);
 
-  for (const techniques::GutterSize& size : setup.technique->gutters(setup.plan, setup::drawn_heads(setup))) {
+  for (const techniques::GutterSize& size : setup.technique->gutters(setup.plan, drawn)) {
     const setup::MeshSource& source = setup.meshes[size.mesh];
     SharedAsset& asset = *assets_[source.instance];
     const UploadTime time(asset);

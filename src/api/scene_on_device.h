@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "passes/gpu_scene.h"
@@ -50,9 +51,9 @@ class SceneOnDevice {
   double upload_ms() const;
 
   /// Brings the scene to the device, but for what is there, also of `before`, the same frame's last scene:
-  /// assets, looks, with an environment what the skin sees of it, and the gutters that the frame reads.
+  /// assets, looks, with an environment what the skin sees of it, and the gutters for heads `drawn`.
   void upload(gpu::PipelineLibrary& library, const setup::PlacedScene& scene, const RenderSettings& settings,
-              const setup::FrameSetup& setup,
+              const setup::FrameSetup& setup, std::span<const techniques::DrawnHead> drawn,
               const std::shared_ptr<const setup::EnvironmentLight>& environment, const SceneOnDevice& before);
 
   std::vector<setup::InstanceOnDevice> instances() const;  ///< after upload()

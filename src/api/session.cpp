@@ -52,7 +52,7 @@ void check_request(const RenderSettings& settings, std::span<const View> views) 
 
 struct Session::State {
   State(std::shared_ptr<Renderer::State> renderer, const Options& wanted)
-      : options(wanted), frame(std::move(renderer)) {
+      : options(wanted), frame(std::move(renderer), true) {
     for (int i = 0; i < options.frames_in_flight; ++i)
       slots.push_back(std::make_unique<Slot>(frame.device(), slots.size()));
   }

@@ -18,7 +18,6 @@ namespace dermis::gaussians {
 namespace {
 
 constexpr std::array channel_names = {"red", "green", "blue"};
-constexpr double weight_tolerance = 1e-3;
 constexpr double any = std::numeric_limits<double>::max();
 constexpr std::uint64_t max_file_bytes = std::uint64_t{1} << 20;
 constexpr json::Limits limits{.depth = 8, .values = 10'000};

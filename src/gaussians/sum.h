@@ -40,5 +40,6 @@ struct SumOfGaussians {
 };
 
 inline constexpr int max_terms = 8;
+inline constexpr double weight_tolerance = 1e-3;  ///< of the sum of a channel's weights, which is 1
 
 }  // namespace dermis::gaussians

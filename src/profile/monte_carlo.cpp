@@ -181,26 +181,57 @@ MonteCarloProfile::MonteCarloProfile(const ScatterScene& scene, const MonteCarlo
     inner_mm_ = std::min(inner_mm_, layer.medium.mean_free_path().mm);
 }
 
-double MonteCarloProfile::at(double radius_mm) const {
+double MonteCarloProfile::centre_mm(std::size_t ring) const {
   const auto& edges = result_->reflected.edges_mm();
-  // For rings 1 and up; ring 0 begins at 0 and has no centre in log r.
-  const auto centre = [&](std::size_t ring) { return std::sqrt(edges[ring] * edges[ring + 1]); };
-  const auto density = [&](std::size_t ring) { return result_->reflected.density_per_mm2(ring); };
-  const std::size_t last = edges.size() - 2;
-  if (radius_mm >= edges.back()) return 0;
+  return std::sqrt(edges[ring] * edges[ring + 1]);
+}
 
-  // Light scattered once grows like 1/r.
-  if (radius_mm <= centre(1)) return density(1) * centre(1) / std::max(radius_mm, 1e-300);
+MonteCarloProfile::Between MonteCarloProfile::between(double radius_mm) const {
+  const auto& edges = result_->reflected.edges_mm();
+  const std::size_t last = edges.size() - 2;
+  if (radius_mm <= centre_mm(1)) return {1, 1, 0};
   std::size_t i =
       static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), radius_mm) - edges.begin()) - 1;
-  if (radius_mm < centre(i)) --i;
-  if (i >= last) return density(last);
+  if (radius_mm < centre_mm(i)) --i;
+  if (i >= last) return {last, last, 0};
+  return {i, i + 1, std::log(radius_mm / centre_mm(i)) / std::log(centre_mm(i + 1) / centre_mm(i))};
+}
+
+double MonteCarloProfile::at(double radius_mm) const {
+  const Annuli& rings = result_->reflected;
+  if (radius_mm >= rings.edges_mm().back()) return 0;
+
+  // Light scattered once grows like 1/r.
+  const double first_mm = centre_mm(1);
+  if (radius_mm <= first_mm) return rings.density_per_mm2(1) * first_mm / std::max(radius_mm, 1e-300);
 
   // A straight line in log-log; linear where a ring is empty and has no logarithm.
-  const double part = std::log(radius_mm / centre(i)) / std::log(centre(i + 1) / centre(i));
-  const double below = density(i), above = density(i + 1);
-  if (below <= 0 || above <= 0) return below + part * (above - below);
-  return below * std::pow(above / below, part);
+  const Between b = between(radius_mm);
+  const double below = rings.density_per_mm2(b.below), above = rings.density_per_mm2(b.above);
+  if (b.below == b.above) return below;
+  if (below <= 0 || above <= 0) return below + b.part * (above - below);
+  return below * std::pow(above / below, b.part);
+}
+
+double MonteCarloProfile::standard_error_at(double radius_mm) const {
+  const Annuli& rings = result_->reflected;
+  const auto& edges = rings.edges_mm();
+  if (radius_mm >= edges.back()) return 0;
+  const auto error = [&](std::size_t ring) {
+    return result_->reflected_error[ring] /
+           (pi * (edges[ring + 1] * edges[ring + 1] - edges[ring] * edges[ring]));
+  };
+
+  const double first_mm = centre_mm(1);
+  if (radius_mm <= first_mm) return error(1) * first_mm / std::max(radius_mm, 1e-300);
+
+  // at() in both cases; its derivatives by the two rings are R (1 - t) / R_below and R t / R_above in
+  // log-log.
+  const Between b = between(radius_mm);
+  if (b.below == b.above) return error(b.below);
+  const double below = rings.density_per_mm2(b.below), above = rings.density_per_mm2(b.above);
+  if (below <= 0 || above <= 0) return std::hypot((1 - b.part) * error(b.below), b.part * error(b.above));
+  return at(radius_mm) * std::hypot((1 - b.part) * error(b.below) / below, b.part * error(b.above) / above);
 }
 
 }  // namespace dermis::profile

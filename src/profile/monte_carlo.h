@@ -86,6 +86,8 @@ class MonteCarloProfile final : public RadialProfile {
   MonteCarloProfile(const ScatterScene& scene, const MonteCarloOptions& options);
 
   double at(double radius_mm) const override;
+  /// Of the rings beside r, whose errors are taken as independent.
+  double standard_error_at(double radius_mm) const override;
   double hankel(double k_per_mm) const override { return result_->reflected.hankel(k_per_mm); }
   double total() const override { return result_->reflected.total(); }
   double within(double radius_mm) const override { return result_->reflected.within(radius_mm); }
@@ -98,6 +100,15 @@ class MonteCarloProfile final : public RadialProfile {
   const MonteCarloResult& result() const { return *result_; }
 
  private:
+  /// The rings between whose centres a radius lies, and how far it is on the way in log r. Both are the same
+  /// ring in the middle of the first and past the middle of the last.
+  struct Between {
+    std::size_t below = 0, above = 0;
+    double part = 0;
+  };
+  Between between(double radius_mm) const;
+  double centre_mm(std::size_t ring) const;  ///< for rings 1 and up: ring 0 has no centre in log r
+
   std::shared_ptr<const MonteCarloResult> result_;
   double inner_mm_;
 };

@@ -22,6 +22,8 @@ class RadialProfile {
 
   /// Returns R(r) [1/mm^2], r > 0 in mm.
   virtual double at(double radius_mm) const = 0;
+  /// Returns the standard error of R(r) [1/mm^2]; 0 of models that are not sampled.
+  virtual double standard_error_at(double /*radius_mm*/) const { return 0; }
   /// Returns R^(k), dimensionless, k >= 0 in 1/mm. Models without a closed form use rings, 46 per decade
   /// (1e-3 of the total).
   virtual double hankel(double k_per_mm) const { return annuli().hankel(k_per_mm); }

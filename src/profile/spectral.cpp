@@ -91,6 +91,13 @@ double WeightedProfile::at(double radius_mm) const {
   return sum;
 }
 
+double WeightedProfile::standard_error_at(double radius_mm) const {
+  double sum = 0;
+  for (const Part& part : parts_)
+    sum = std::hypot(sum, part.weight * part.profile->standard_error_at(radius_mm));
+  return sum;
+}
+
 double WeightedProfile::hankel(double k_per_mm) const {
   double sum = 0;
   for (const Part& part : parts_) sum += part.weight * part.profile->hankel(k_per_mm);

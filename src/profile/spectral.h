@@ -29,6 +29,8 @@ class WeightedProfile final : public RadialProfile {
   WeightedProfile(std::vector<Part> parts, double total, std::string name, const std::string& where);
 
   double at(double radius_mm) const override;
+  /// The errors of the parts are independent.
+  double standard_error_at(double radius_mm) const override;
   double hankel(double k_per_mm) const override;
   double within(double radius_mm) const override;
   /// Finds the radius by bisection on within().

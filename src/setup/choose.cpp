@@ -20,12 +20,12 @@ std::vector<scene::Light> lights_of(const PlacedScene& scene, const RenderSettin
     for (const PlacedLight& light : s.lighting.placed_lights)
       lamps.push_back({fmt::format("light {}", lamps.size() + 1), light.azimuth_deg, light.elevation_deg,
                        glm::dvec3(light.irradiance)});
-    return scene::light_rig(spheres.middle, lamps, spheres.offsets_m);
+    return scene::light_rig(spheres.framed, lamps, spheres.offsets_m);
   }
   if (!s.lighting.rig_lights && !scene.lights.empty()) return scene.lights;
   const int count = s.lighting.rig_lights.value_or(2);
   return count == 0 ? std::vector<scene::Light>{}
-                    : scene::light_rig(spheres.middle, count, spheres.offsets_m);
+                    : scene::light_rig(spheres.framed, count, spheres.offsets_m);
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSe
     for (scene::Light& light : lights) {
       // A directional light as if it stood where the rig does.
       const double distance = light.type == scene::LightType::directional
-                                  ? scene::rig_distance_radii * spheres.middle.radius_m
+                                  ? scene::rig_distance_radii * spheres.framed.radius_m
                                   : 1;
       light.radius = static_cast<float>(*s.lighting.light_radius_m / distance);
     }

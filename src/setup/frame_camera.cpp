@@ -99,6 +99,14 @@ int map_side(const Subject& subject, const RenderSettings& s, const scene::Camer
   return std::min(s.quality.map_size, side_step * std::max(1, static_cast<int>(steps)));
 }
 
+std::vector<int> map_sides(const RenderSettings& s) {
+  std::vector<int> sides{s.quality.map_size};
+  if (!s.quality.depth) return sides;
+  for (int side = (s.quality.map_size - 1) / side_step * side_step; side > 0; side -= side_step)
+    sides.push_back(side);
+  return sides;
+}
+
 bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose) {
   const scene::BoundingSphere sphere = pose.sphere(subject.casters);
   const glm::vec4 centre(sphere.centre_m, 1);

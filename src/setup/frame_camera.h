@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "dermis/settings.h"
 #include "setup/placed_scene.h"
@@ -24,6 +25,9 @@ double reference_distance(const Subject& subject, const RenderSettings& settings
 /// the map from being too small). Orthographic: pixels per mm over texels per mm in place of d_ref / d.
 int map_side(const Subject& subject, const RenderSettings& settings, const scene::Camera& camera,
              const Pose& pose);
+
+/// Returns all that map_side() may return, largest first.
+std::vector<int> map_sides(const RenderSettings& settings);
 
 /// Returns whether any part of the head may lie in the picture: its sphere against the planes.
 bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose);

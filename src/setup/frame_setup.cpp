@@ -86,11 +86,15 @@ void sort_heads(FrameSetup& setup, const RenderSettings& s) {
                                   [](const techniques::Model& model) { return model.has_blended; });
   const bool by_model = s.output.show == "picture" && (!blends || setup.heads.size() <= plan.heads_per_batch);
 
+  // What `show` names is of the last head: the nearest that has something to show.
+  const auto shows = [&](const HeadSetup& head) { return head.visible && plan.models[head.model].meshes > 0; };
+  const bool shows_picture = s.output.show == "picture";
   const auto distance = [&](const HeadSetup& head) {
     return glm::distance(head.middle_m, setup.frame.camera.eye_m);
   };
   std::stable_sort(setup.heads.begin(), setup.heads.end(), [&](const HeadSetup& a, const HeadSetup& b) {
     if (by_model && a.model != b.model) return a.model < b.model;
+    if (!shows_picture && shows(a) != shows(b)) return shows(b);
     return distance(a) > distance(b);
   });
 
@@ -237,6 +241,14 @@ void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& set
       "fill more "
       "of the square",
       subject.scene->name, subject.skin[source.mesh].name, worst->least_texels_per_mm, lost_mm);
+}
+
+std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const RenderSettings& settings) {
+  std::vector<techniques::DrawnHead> heads;
+  for (std::uint32_t model = 0; model < setup.plan.models.size(); ++model)
+    for (const int side : map_sides(settings))
+      heads.push_back({.model = model, .side = static_cast<std::uint32_t>(side)});
+  return heads;
 }
 
 std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {

@@ -55,6 +55,9 @@ struct FrameSetup {
   int environment_lights = 0;  ///< those of the lights that an environment brings
 };
 
+/// Returns a head of each model for each size of map that one may have, near to far.
+std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const RenderSettings& settings);
+
 /// Returns the heads that are drawn.
 std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup);
 

@@ -25,6 +25,20 @@ scene::Camera placed(scene::Camera camera, const Pose& pose) {
   return camera;
 }
 
+// To five digits.
+double rounded(double scale) {
+  const double step = std::pow(10.0, std::floor(std::log10(scale)) - 5);
+  const double steps = std::round(scale / step);
+  // Division by a whole number keeps 1 and its likes exact.
+  return step < 1 ? steps / std::round(1 / step) : steps * step;
+}
+
+// An identity stays what it is, to the bit.
+glm::dmat3 orthonormal(const glm::dmat3& m) {
+  const glm::dvec3 x = glm::normalize(m[0]), y = glm::normalize(m[1] - x * glm::dot(x, m[1]));
+  return {x, y, glm::cross(x, y)};
+}
+
 void require_instances(const PlacedScene& scene) {
   if (scene.instances.empty()) throw input_error(scene.name, "has no instances: there is nothing to see");
 }
@@ -58,17 +72,17 @@ std::optional<Pose> pose_of(const std::array<double, 16>& m) {
 
   const double determinant = glm::determinant(axes / largest);
   if (!(determinant > 0)) return {};  // flat or mirrored
-  const double scale = std::cbrt(determinant) * largest;
+  const double scale = rounded(std::cbrt(determinant) * largest);
   const glm::dmat3 rotation = axes / scale;
   const glm::dmat3 squared = glm::transpose(rotation) * rotation;
   for (glm::length_t c = 0; c < 3; ++c)
     for (glm::length_t r = 0; r < 3; ++r)
       if (!(std::abs(squared[c][r] - (c == r ? 1 : 0)) <= most_skew)) return {};
 
-  const Pose pose{
-      .rotation = glm::mat3(rotation), .scale = static_cast<float>(scale), .origin_m = glm::vec3(column(3))};
-  const bool in_range = pose.scale >= 1e-6f && pose.scale <= 1e6f && glm::length(pose.origin_m) <= 1e9f;
-  return in_range ? std::optional(pose) : std::nullopt;
+  if (scale < 1e-3 || scale > 1e3 || !(glm::length(column(3)) <= 1e9)) return {};
+  return Pose{.rotation = glm::mat3(orthonormal(rotation)),
+              .scale = static_cast<float>(scale),
+              .origin_m = glm::vec3(column(3))};
 }
 
 std::vector<PlacedHead> placed_heads(const PlacedScene& scene, const RenderSettings& s) {
@@ -102,21 +116,25 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
     return spheres;
   }
 
-  glm::dvec3 sum(0);
+  const bool any_visible = std::any_of(scene.instances.begin(), scene.instances.end(),
+                                       [](const PlacedAsset& instance) { return instance.visible; });
   std::vector<scene::BoundingSphere> all;
-  for (const PlacedAsset& instance : scene.instances) {
-    all.push_back(instance.pose.sphere(instance.sphere));
-    sum += glm::dvec3(all.back().centre_m);
-    spheres.middle.radius_m = std::max(spheres.middle.radius_m, all.back().radius_m);
-  }
-  spheres.middle.centre_m = glm::vec3(sum / static_cast<double>(all.size()));
+  for (const PlacedAsset& instance : scene.instances)
+    if (instance.visible || !any_visible) all.push_back(instance.pose.sphere(instance.sphere));
 
-  spheres.framed.centre_m = spheres.middle.centre_m;
+  // The middle of the box around them.
+  glm::vec3 low(INFINITY), high(-INFINITY);
   for (const scene::BoundingSphere& sphere : all) {
-    const glm::vec3 offset = sphere.centre_m - spheres.middle.centre_m;
-    spheres.offsets_m.push_back(offset);
-    spheres.framed.radius_m = std::max(spheres.framed.radius_m, glm::length(offset) + sphere.radius_m);
+    low = glm::min(low, sphere.centre_m - sphere.radius_m);
+    high = glm::max(high, sphere.centre_m + sphere.radius_m);
+    spheres.middle.radius_m = std::max(spheres.middle.radius_m, sphere.radius_m);
   }
+  spheres.middle.centre_m = spheres.framed.centre_m = (low + high) / 2.0f;
+
+  for (const scene::BoundingSphere& sphere : all)
+    spheres.framed.radius_m =
+        std::max(spheres.framed.radius_m,
+                 glm::distance(sphere.centre_m, spheres.framed.centre_m) + sphere.radius_m);
   return spheres;
 }
 

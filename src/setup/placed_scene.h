@@ -30,7 +30,8 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// Returns the pose of a column-major 4x4 matrix; none unless it is rigid with one positive scale, to 1e-4.
+/// Returns the pose of a column-major 4x4 matrix; none unless it is rigid to 1e-4, with one scale of 1e-3 to
+/// 1e3. Scales are rounded to 1e-5, so that the roundings of a host's floats make no difference.
 std::optional<Pose> pose_of(const std::array<double, 16>& world_from_asset);
 
 struct PlacedAsset {
@@ -63,8 +64,8 @@ std::vector<PlacedHead> placed_heads(const PlacedScene& scene, const RenderSetti
 /// What cameras and rigs are placed by: spheres around the skin of the heads.
 struct HeadSpheres {
   scene::BoundingSphere middle;      ///< about the middle of the heads, as large as the largest of them
-  std::vector<glm::vec3> offsets_m;  ///< of each head from there
-  scene::BoundingSphere framed;      ///< holds all instances; of a row, the middle head
+  scene::BoundingSphere framed;      ///< holds all visible instances; of a row, the middle head
+  std::vector<glm::vec3> offsets_m;  ///< of the heads of a row, which the rig around `framed` must reach too
 };
 HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& settings);
 

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Decodes the pictures of a file: headers first, then as large as the budget allows.
-#include <algorithm>
 #include <condition_variable>
 #include <map>
 #include <mutex>
 #include <new>
-#include <queue>
 
 #include "core/error.h"
 #include "core/hooks.h"
-#include "core/log.h"
 #include "core/one_line.h"
 #include "core/parallel.h"
 #include "image/codec.h"
-#include "image/shrink.h"
 #include "scene/gltf/finish.h"
+#include "scene/texture_budget.h"
 
 namespace dermis::scene::gltf {
 
@@ -23,82 +20,14 @@ namespace {
 // The most that decoders may hold at a time beside the pictures that they return.
 constexpr std::uint64_t passing_limit_bytes = 1'000'000'000;
 
-/// Calls body(map, colour) for every map of a material; the only list of them.
-template <class Body>
-void for_each_map(Material& m, const Body& body) {
-  for (MapRef* map : {&m.base_colour_map, &m.emissive_map, &m.specular_colour_map})
-    if (map->present()) body(*map, true);
-  for (MapRef* map : {&m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.specular_map})
-    if (map->present()) body(*map, false);
-  for (MapRef* map : {&m.skin_settings.specular, &m.skin_settings.roughness, &m.skin_settings.displacement})
-    if (map->present()) body(*map, false);
-}
-
-/// One use of a picture of the file.
-struct Use {
-  int source = 0;  ///< index into Document::images
-  bool colour = false;
-  image::PictureHeader header;
+/// What the header of a picture says.
+struct Header {
+  image::PictureHeader picture;
   std::uint64_t encoded_bytes = 0;
-  int halvings = 0;
-  int image = -1;  ///< index into Scene::images
-
-  std::pair<int, bool> key() const { return {source, colour}; }
-  int width() const { return image::halved(header.width, halvings); }
-  int height() const { return image::halved(header.height, halvings); }
-  std::uint64_t bytes() const { return map_bytes(width(), height(), colour); }
-  std::uint64_t passing_bytes() const {
-    return encoded_bytes + image::passing_bytes(header, {.halvings = halvings});
-  }
 };
 
 std::string place_of(const Document& document, int source) {
   return fmt::format("{}: image '{}'", document.file, one_line(document.images[source].name, 80));
-}
-
-/// Returns each pair of a picture and its use (colour or data) once, in the order of the file.
-std::vector<Use> uses_of(Scene& scene) {
-  std::map<std::pair<int, bool>, bool> found;
-  for (Material& m : scene.materials)
-    for_each_map(m, [&](const MapRef& map, bool colour) { found[{map.image, colour}] = true; });
-  std::vector<Use> uses;
-  for (const auto& [key, used] : found) uses.push_back({.source = key.first, .colour = key.second});
-  return uses;
-}
-
-/// Halves the largest map (the first of equal ones) until all are within the budget.
-void fit(const Document& document, std::uint64_t budget_bytes, std::vector<Use>& uses) {
-  std::uint64_t wanted = 0;
-  std::priority_queue<std::pair<std::uint64_t, std::size_t>> largest;  // bytes, uses from the end
-  for (std::size_t i = 0; i < uses.size(); ++i) {
-    wanted += uses[i].bytes();
-    largest.emplace(uses[i].bytes(), uses.size() - i);
-  }
-  for (std::uint64_t sum = wanted; sum > budget_bytes;) {
-    const auto [bytes, from_end] = largest.top();
-    largest.pop();
-    Use& use = uses[uses.size() - from_end];
-    if (use.width() == 1 && use.height() == 1)
-      throw input_error(document.file, "its {} maps do not fit into the texture budget of {} bytes",
-                        uses.size(), budget_bytes);
-    ++use.halvings;
-    sum -= bytes - use.bytes();
-    largest.emplace(use.bytes(), from_end);
-  }
-
-  constexpr std::size_t named = 3;
-  std::vector<std::string> lines;
-  std::size_t halved = 0;
-  for (const Use& use : uses) {
-    if (use.halvings == 0 || ++halved > named) continue;
-    const std::string& name = document.images[use.source].name;
-    lines.push_back(fmt::format("'{}' is {} x {} pixels, read as {} x {}", one_line(name, 80),
-                                use.header.width, use.header.height, use.width(), use.height()));
-  }
-  if (halved > named) lines.push_back(fmt::format("and {} more", halved - named));
-  if (halved > 0)
-    note("{}: its maps would take {} MB, the texture budget is {} MB (texture_budget_mb): {}", document.file,
-         wanted / 1'000'000, budget_bytes / 1'000'000, fmt::join(lines, "; "));
 }
 
 /// Admits threads while the bytes that they hold together are within the limit; always admits one alone.
@@ -136,43 +65,37 @@ class Pass {
 
 }  // namespace
 
-std::uint64_t map_bytes(int width, int height, bool colour) {
-  const std::uint64_t pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-  return pixels * 4 + pixels * (colour ? 8 : 4) * 4 / 3;
-}
-
 void decode_images(const Document& document, Bytes& bytes, const ImageLimits& limits, Scene& scene) {
   image::DecodeLimits decode;
   decode.max_side = limits.max_side;
-  std::vector<Use> uses = uses_of(scene);
-  for (Use& use : uses) {
+  std::vector<MapUse> uses = map_uses(scene);
+  std::map<int, Header> headers;  // by source
+  for (MapUse& use : uses) {
     const EncodedImage encoded = bytes.image(use.source);
-    use.header = image::read_header8(encoded.bytes(), place_of(document, use.source), decode);
-    use.encoded_bytes = encoded.bytes().size();
+    const image::PictureHeader header =
+        image::read_header8(encoded.bytes(), place_of(document, use.source), decode);
+    headers[use.source] = {header, encoded.bytes().size()};
+    use.name = document.images[use.source].name;
+    use.full_width = header.width;
+    use.full_height = header.height;
   }
-  fit(document, limits.budget_bytes, uses);
-
-  // A picture of full size serves both as colour and as data; averages of a halved one differ.
-  std::vector<const Use*> decoded;
-  for (Use& use : uses) {
-    const bool same = !decoded.empty() && decoded.back()->source == use.source &&
-                      decoded.back()->halvings == 0 && use.halvings == 0;
-    if (!same) decoded.push_back(&use);
-    use.image = static_cast<int>(decoded.size()) - 1;
-  }
+  fit_to_budget(document.file, limits.budget_bytes, uses);
+  const std::vector<const MapUse*> decoded = number_images(uses);
 
   Gate gate;
   scene.images.resize(decoded.size());
   Steps images("reading maps", decoded.size());
   parallel_for(decoded.size(), [&](std::size_t i) {
-    const Use& use = *decoded[i];
+    const MapUse& use = *decoded[i];
+    const Header& header = headers.at(use.source);
     const std::string where = place_of(document, use.source);
-    const Pass pass(gate, use.passing_bytes());
+    const image::Shrink shrink{.halvings = use.halvings, .srgb = use.colour};
+    const Pass pass(gate, header.encoded_bytes + image::passing_bytes(header.picture, shrink));
     try {
       const EncodedImage encoded = bytes.image(use.source);
-      auto pixels = std::make_shared<const image::Image8>(image::decode_image8(
-          encoded.bytes(), where, decode, {.halvings = use.halvings, .srgb = use.colour}));
-      scene.images[i] = {document.images[use.source].name, std::move(pixels)};
+      auto pixels =
+          std::make_shared<const image::Image8>(image::decode_image8(encoded.bytes(), where, decode, shrink));
+      scene.images[i] = {use.name, std::move(pixels)};
     } catch (const std::bad_alloc&) {
       throw input_error(
           where, "needs more memory than there is for {} x {} pixels; a smaller texture_budget_mb takes less",
@@ -180,11 +103,7 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
     }
     images.done();
   });
-  for (Material& m : scene.materials)
-    for_each_map(m, [&](MapRef& map, bool colour) {
-      const auto use = std::ranges::lower_bound(uses, std::pair(map.image, colour), {}, &Use::key);
-      map.image = use->image;
-    });
+  point_maps_at_images(uses, scene);
 }
 
 }  // namespace dermis::scene::gltf

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "scene/gltf/value.h"
+#include "scene/material_source.h"
 #include "scene/scene.h"
 
 namespace dermis::scene::gltf {
@@ -129,13 +130,6 @@ struct Skin {
   std::vector<int> joints;
 };
 
-/// A material as read; the map's `image` is still an index into Document::images.
-struct MaterialSource {
-  Material material;
-  std::optional<bool> says_skin;  ///< extras.dermis: its `skin`, or true if it does not say
-  bool has_ior = false;
-};
-
 struct Document {
   std::string file;              ///< for messages
   std::filesystem::path folder;  ///< external files are relative to it
@@ -145,6 +139,8 @@ struct Document {
   std::vector<Accessor> accessors;
   std::vector<ImageSource> images;
   std::vector<Texture> textures;
+  /// images of maps are indices into `images`; says_skin is extras.dermis: its `skin`, or true if it does
+  /// not say
   std::vector<MaterialSource> materials;
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;

@@ -1,33 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/finish.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
-
-#include "core/one_line.h"
-#include "core/warnings.h"
 
 namespace dermis::scene::gltf {
 
 namespace {
-
-constexpr float skin_ior = 1.4f;  // F0 of skin 0.028
-
-bool says_skin(const std::string& name) {
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower.find("skin") != std::string::npos;
-}
-
-std::string quoted_names(const std::vector<MaterialSource>& materials) {
-  std::vector<std::string> names;
-  for (const MaterialSource& m : materials)
-    names.push_back(fmt::format("'{}'", one_line(m.material.name, 80)));
-  if (names.size() > 20) names.resize(20);
-  return fmt::format("{}", fmt::join(names, ", "));
-}
 
 /// Returns the rotation of a node without its scale; it looks along -Z.
 glm::dmat3 rotation_of(const glm::dmat4& world) {
@@ -86,65 +64,9 @@ std::vector<MaterialSource> used_materials(const Document& document, MaterialNum
   }
   if (numbers.of.contains(-1)) {
     numbers.of[-1] = static_cast<int>(used.size());
-    used.emplace_back().material.name = "default";
+    used.push_back(default_material());
   }
   return used;
-}
-
-namespace {
-
-/// Makes blended skin a surface, as lashes are: light cannot spread in what is blended over something else.
-void make_blended_skin_surface(const Document& document, std::vector<MaterialSource>& materials) {
-  std::vector<MaterialSource> blended;
-  for (MaterialSource& m : materials) {
-    if (!m.material.skin || m.material.alpha_mode != AlphaMode::blend) continue;
-    m.material.skin = false;
-    blended.push_back(m);
-  }
-  if (!blended.empty())
-    warn(
-        "{}: skin with alphaMode BLEND is drawn as a blended surface, and no light spreads in it: {}; OPAQUE "
-        "or MASK draws it as skin",
-        document.file, quoted_names(blended));
-}
-
-}  // namespace
-
-void choose_skin(const Document& document, const std::string& skin_material,
-                 std::vector<MaterialSource>& materials) {
-  bool any = false;
-  const auto choose = [&](const auto& is_skin) {
-    for (MaterialSource& m : materials) {
-      m.material.skin = is_skin(m);
-      any |= m.material.skin;
-    }
-  };
-  // A material with "skin": false is skin only by SceneOptions::skin_material.
-  const auto may_be = [](const MaterialSource& m) { return m.says_skin.value_or(true); };
-
-  if (!skin_material.empty()) {
-    choose([&](const MaterialSource& m) { return m.material.name == skin_material; });
-    if (!any)
-      throw input_error(document.file, "no material is called '{}'; there are: {}", skin_material,
-                        quoted_names(materials));
-  }
-
-  // In this order: what the file says, what the names say, the only material.
-  if (!any) choose([](const MaterialSource& m) { return m.says_skin.value_or(false); });
-  if (!any) choose([&](const MaterialSource& m) { return may_be(m) && says_skin(m.material.name); });
-  if (!any && materials.size() == 1) choose(may_be);
-
-  if (!any) {
-    const std::string line = fmt::format("{}: no material is skin; name one with skin_material: {}",
-                                         document.file, quoted_names(materials));
-    warn_of(line, document.file, line);
-  }
-
-  make_blended_skin_surface(document, materials);
-  for (MaterialSource& m : materials) {
-    if (m.material.skin && !m.has_ior) m.material.ior = skin_ior;
-    if (!m.material.skin) m.material.skin_settings = {};
-  }
 }
 
 void place_lights_and_cameras(const Document& document, double unit_scale, Scene& scene) {

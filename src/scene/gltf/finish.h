@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Completes the Scene: materials in use, which of them are skin, their pictures, lights and cameras in the
-// world.
+// Completes the Scene: materials in use, their pictures, lights and cameras in the world.
 #pragma once
 
 #include "scene/gltf/place.h"
@@ -12,21 +11,10 @@ namespace dermis::scene::gltf {
 /// stays empty.
 std::vector<MaterialSource> used_materials(const Document& document, MaterialNumbers& numbers);
 
-/// Decides which materials are skin: `skin_material` if not empty, else those with extras.dermis, else those
-/// whose name contains "skin", else the only one; gives skin its default index of refraction. Warns if there
-/// is none. Blended skin is drawn as a surface, with a warning that names it. Throws InputError if no
-/// material is called skin_material.
-void choose_skin(const Document& document, const std::string& skin_material,
-                 std::vector<MaterialSource>& materials);
-
 struct ImageLimits {
   int max_side = 16384;            ///< pixels; larger pictures are rejected
-  std::uint64_t budget_bytes = 0;  ///< of map_bytes() over all maps
+  std::uint64_t budget_bytes = 0;  ///< of map_bytes() over all maps, scene/texture_budget.h
 };
-
-/// Returns the memory of a map: its pixels, 4 bytes each, and its mip levels on the device, 4/3 times 4 bytes
-/// per pixel; 8 for colours, which some devices store as half floats.
-std::uint64_t map_bytes(int width, int height, bool colour);
 
 /// Decodes the pictures that the materials use and points the maps at Scene::images. Reads all headers before
 /// it decodes the first picture. While all maps together exceed the budget, the largest is downsampled by 2:

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/mesh.h"
 
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace dermis::scene::gltf {
@@ -32,38 +30,6 @@ std::vector<std::uint32_t> as_triangles(std::vector<std::uint32_t> corners, int 
   return triangles;
 }
 
-void check_indices(const Document& document, const MeshPrimitive& primitive,
-                   const std::vector<std::uint32_t>& indices, std::size_t vertices) {
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    if (indices[i] >= vertices)
-      throw input_error(document.file, "{}: index {} is {}, there are {} vertices", primitive.place, i,
-                        indices[i], vertices);
-}
-
-void check_finite(const Document& document, const MeshPrimitive& primitive, const char* name,
-                  const std::vector<float>& values, int components) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!std::isfinite(values[i]))
-      throw input_error(document.file, "{}: {} of vertex {} is not finite", primitive.place, name,
-                        i / components);
-}
-
-/// Returns the vertices that triangles use, in their order; empty if all are used. Renumbers the indices.
-std::vector<std::uint32_t> drop_unused(std::vector<std::uint32_t>& indices, std::size_t vertices) {
-  constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> number(vertices, unused);
-  for (const std::uint32_t i : indices) number[i] = 0;
-  std::vector<std::uint32_t> kept;
-  for (std::size_t i = 0; i < vertices; ++i) {
-    if (number[i] == unused) continue;
-    number[i] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(static_cast<std::uint32_t>(i));
-  }
-  if (kept.size() == vertices) return {};
-  for (std::uint32_t& i : indices) i = number[i];
-  return kept;
-}
-
 /// Reads a primitive's attributes: from Draco data those that it names, from accessors the rest.
 class Source {
  public:
@@ -90,7 +56,7 @@ class Source {
   std::vector<float> finite(const std::string& name, int components,
                             const std::vector<std::uint32_t>& order) {
     std::vector<float> values = attribute(name, components, order);
-    check_finite(document_, primitive_, name.c_str(), values, components);
+    check_finite({document_.file, primitive_.place}, name, values, components);
     return values;
   }
 
@@ -140,7 +106,7 @@ LocalMesh read_mesh(const Document& document, Bytes& bytes, const MeshPrimitive&
   const std::size_t vertices = claimed_vertices(document, primitive);
 
   mesh.indices = source.corners();
-  check_indices(document, primitive, mesh.indices, vertices);
+  check_indices({document.file, primitive.place}, mesh.indices, vertices);
   // Draco data holds single triangles, whatever the mode says.
   mesh.indices = as_triangles(std::move(mesh.indices), primitive.draco ? mode_triangles : primitive.mode);
   mesh.original = drop_unused(mesh.indices, vertices);

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
-// One primitive of a mesh in its own coordinates: triangles and attributes as float arrays, before nodes,
-// skins and morph targets are applied.
+// Reads one primitive of a mesh, before nodes, skins and morph targets are applied.
 #pragma once
 
 #include "scene/gltf/bytes.h"
+#include "scene/local_mesh.h"
 
 namespace dermis::scene::gltf {
-
-/// Arrays hold `vertices` times their number of components; an absent attribute is empty. Every index is
-/// below `vertices`, every vertex is used, and all numbers but normals and tangents are finite.
-struct LocalMesh {
-  std::size_t vertices = 0;
-  std::vector<std::uint32_t> indices;  ///< triangles
-  /// element of the accessors of each vertex; empty: the same index
-  std::vector<std::uint32_t> original;
-  std::vector<float> positions, normals, tangents;    ///< 3, 3, 4 each
-  std::array<std::vector<float>, 2> uvs;              ///< 2 each
-  std::vector<float> colours;                         ///< 4 each
-  std::array<std::vector<float>, 2> joints, weights;  ///< 4 each
-};
 
 /// Return the triangles and vertices that a primitive claims; 0 triangles for points and lines.
 std::uint64_t claimed_triangles(const Document& document, const MeshPrimitive& primitive);

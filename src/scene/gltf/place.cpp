@@ -5,19 +5,17 @@
 #include <cmath>
 
 #include "core/warnings.h"
+#include "scene/complete.h"
 #include "scene/gltf/skinning.h"
+#include "scene/limits.h"
 #include "scene/placement.h"
 
 namespace dermis::scene::gltf {
 
 namespace {
 
-// Far beyond any head; keeps squares and sums of float positions finite.
-constexpr double largest_position_m = 1e6;
-constexpr float largest_uv = 1e5f;  // more repeats of a map than any picture shows
 // Limit on work: vertices times active morph targets, per vertex limit.
 constexpr std::uint64_t morph_passes = 2;
-constexpr std::size_t most_skin_nodes = 1024;  // half a minute per frame on a software driver
 
 /// Applies the node's morph targets to the local mesh (glTF 2.0, 3.7.2.2).
 void apply_morphs(Bytes& bytes, const MeshPrimitive& primitive, const std::vector<double>& weights,
@@ -38,58 +36,8 @@ void apply_morphs(Bytes& bytes, const MeshPrimitive& primitive, const std::vecto
   }
 }
 
-/// Returns whether the file's tangents are usable: with normals, a direction and a handedness.
-bool usable_tangents(const LocalMesh& mesh, const std::vector<Vertex>& placed) {
-  if (mesh.tangents.empty() || mesh.normals.empty()) return false;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    const bool has_sign = std::abs(std::abs(mesh.tangents[i * 4 + 3]) - 1) < 0.01f;
-    if (!has_sign || placed[i].normal == glm::vec3(0) || glm::vec3(placed[i].tangent) == glm::vec3(0))
-      return false;
-  }
-  return true;
-}
-
-/// Normalises; returns zero if there is no direction, which make_missing_normals fills in.
-glm::vec3 unit_or_zero(const glm::dvec3& v) {
-  const double length = glm::length(v);
-  return length > 1e-30 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0);
-}
-
-glm::dvec3 vec3_at(const std::vector<float>& values, std::size_t i, int components) {
-  return {values[i * components], values[i * components + 1], values[i * components + 2]};
-}
-
-Vertex place_vertex(const LocalMesh& mesh, std::size_t i, const Frame& frame) {
-  Vertex v;
-  v.position_m = glm::vec3(frame.matrix * glm::dvec4(vec3_at(mesh.positions, i, 3), 1));
-  v.normal =
-      mesh.normals.empty() ? glm::vec3(0) : unit_or_zero(frame.normal_matrix * vec3_at(mesh.normals, i, 3));
-  if (!mesh.tangents.empty()) {
-    const glm::dvec3 n(v.normal), t = glm::dmat3(frame.matrix) * vec3_at(mesh.tangents, i, 4);
-    const float w = mesh.tangents[i * 4 + 3] < 0 ? -1.0f : 1.0f;
-    v.tangent = glm::vec4(unit_or_zero(t - n * glm::dot(n, t)), frame.mirrored ? -w : w);
-  }
-  if (!mesh.uvs[0].empty()) v.uv0 = {mesh.uvs[0][i * 2], mesh.uvs[0][i * 2 + 1]};
-  if (!mesh.uvs[1].empty()) v.uv1 = {mesh.uvs[1][i * 2], mesh.uvs[1][i * 2 + 1]};
-  for (int c = 0; c < 4 && !mesh.colours.empty(); ++c)
-    v.colour[c] = std::clamp(mesh.colours[i * 4 + c], 0.0f, 1.0f);
-  return v;
-}
-
-void check_position(const Document& document, const MeshPrimitive& primitive, const glm::vec3& position_m,
-                    std::size_t i) {
-  const glm::vec3 p = glm::abs(position_m);
-  if (!(p.x <= largest_position_m && p.y <= largest_position_m && p.z <= largest_position_m))
-    throw input_error(document.file, "{}: vertex {} lies at ({}, {}, {}) m, more than {} m from the origin",
-                      primitive.place, i, position_m.x, position_m.y, position_m.z, largest_position_m);
-}
-
-void check_coordinates(const Document& document, const MeshPrimitive& primitive, const Vertex& v,
-                       std::size_t i) {
-  for (const glm::vec2& uv : {v.uv0, v.uv1})
-    if (std::abs(uv.x) > largest_uv || std::abs(uv.y) > largest_uv)
-      throw input_error(document.file, "{}: texture coordinates ({}, {}) of vertex {} are out of range",
-                        primitive.place, uv.x, uv.y, i);
+void check_both_sets(const MeshPlace& place, const Vertex& v, std::size_t i) {
+  for (const glm::vec2& uv : {v.uv0, v.uv1}) check_coordinates(place, uv, i);
 }
 
 /// Returns a primitive without its vertices.
@@ -113,8 +61,8 @@ Primitive place(const Document& document, const MeshPrimitive& source, const Loc
     const Frame frame = frames.at(mesh, i);
     mirrored += frame.mirrored ? 1 : 0;
     out.vertices[i] = place_vertex(mesh, i, frame);
-    check_position(document, source, out.vertices[i].position_m, i);
-    check_coordinates(document, source, out.vertices[i], i);
+    check_position({document.file, source.place}, out.vertices[i].position_m, i);
+    check_both_sets({document.file, source.place}, out.vertices[i], i);
   }
 
   if (mirrored * 2 > mesh.vertices)  // a mirrored mesh is inside out: restores the winding
@@ -139,7 +87,7 @@ SharedMesh share(const Document& document, const MeshPrimitive& source, const Lo
   glm::dvec3 low(INFINITY), high(-INFINITY);
   for (std::size_t i = 0; i < mesh.vertices; ++i) {
     out.vertices[i] = place_vertex(mesh, i, Frame{});
-    check_coordinates(document, source, out.vertices[i], i);
+    check_both_sets({document.file, source.place}, out.vertices[i], i);
     const glm::dvec3 p(out.vertices[i].position_m);
     low = glm::min(low, p);
     high = glm::max(high, p);
@@ -171,7 +119,8 @@ void add_placement(const Document& document, const MeshPrimitive& source, const 
     reach += glm::abs(placement.world_from_mesh[axis]) * shared.half[axis];
   if (reach.x < largest_position_m && reach.y < largest_position_m && reach.z < largest_position_m) return;
   for (std::uint32_t i = 0; i < primitive.vertices.size(); ++i)
-    check_position(document, source, world_position_m(primitive, primitive.placements.size() - 1, i), i);
+    check_position({document.file, source.place},
+                   world_position_m(primitive, primitive.placements.size() - 1, i), i);
 }
 
 /// Returns whether a node only transforms the whole mesh.
@@ -257,11 +206,7 @@ void check_skin_nodes(const Document& document, const MaterialNumbers& materials
     });
   }
 
-  if (count > most_skin_nodes)
-    throw input_error(document.file,
-                      "has {} nodes of skin, each with a light map of its own; at most {} can be drawn: join "
-                      "their meshes, or name another material with skin_material",
-                      count, most_skin_nodes);
+  scene::check_skin_nodes(document.file, count);
 }
 
 Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumbers& materials,

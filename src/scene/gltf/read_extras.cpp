@@ -7,6 +7,7 @@
 #include "gaussians/json.h"
 #include "gaussians/known.h"
 #include "scene/gltf/document.h"
+#include "scene/limits.h"
 
 namespace dermis::scene::gltf {
 
@@ -40,7 +41,7 @@ MapRef read_channel_map(const Document& document, const Value& value, const MapR
   MapRef map = read_map(document, value.at("texture"), shared);
   const std::optional<Value> given = value.find("channel");
   map.channel = given ? read_channel(*given) : channel;
-  map.scale = static_cast<float>(value.number_or("scale", 1, 0, 1000));
+  map.scale = static_cast<float>(value.number_or("scale", 1, 0, largest_map_factor));
   return map;
 }
 
@@ -61,20 +62,20 @@ gaussians::SumOfGaussians read_profile(const Document& document, const Value& va
 
 std::vector<SpecularLobe> read_lobes(const Value& value) {
   const std::size_t size = value.array_size();
-  if (size > 2) value.fail("must have 1 or 2 lobes, has {}", size);
+  if (size > most_lobes) value.fail("must have 1 or 2 lobes, has {}", size);
   std::vector<SpecularLobe> lobes;
   double sum = 0;
   for (std::size_t i = 0; i < size; ++i) {
     const Value pair = value.element(i);
     if (pair.array_size() != 2) pair.fail("must be [factor on m, weight]");
     const double m_factor = pair.element(0).number(), weight = pair.element(1).number();
-    if (!(m_factor > 0 && m_factor <= 100))
-      pair.fail("the factor on m must be over 0 and up to 100, is {}", m_factor);
+    if (!(m_factor > 0 && m_factor <= largest_lobe_factor))
+      pair.fail("the factor on m must be over 0 and up to {}, is {}", largest_lobe_factor, m_factor);
     if (!(weight >= 0 && weight <= 1)) pair.fail("the weight must be 0 to 1, is {}", weight);
     lobes.push_back({static_cast<float>(m_factor), static_cast<float>(weight)});
     sum += weight;
   }
-  if (std::abs(sum - 1) > 1e-3) value.fail("the weights must sum to 1, they sum to {}", sum);
+  if (std::abs(sum - 1) > lobe_weight_tolerance) value.fail("the weights must sum to 1, they sum to {}", sum);
   return lobes;
 }
 
@@ -83,7 +84,7 @@ void read_displacement(const Document& document, const Value& value, const MapRe
   value.only_keys({"texture", "mm", "middle"});
   into.displacement = read_map(document, value.at("texture"), shared);
   value.at("mm");
-  into.displacement_mm = static_cast<float>(value.number_or("mm", 0, 0, 100));
+  into.displacement_mm = static_cast<float>(value.number_or("mm", 0, 0, largest_displacement_mm));
   into.displacement_middle = static_cast<float>(value.number_or("middle", 0.5, 0, 1));
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/warnings.h"
 #include "scene/gltf/document.h"
+#include "scene/limits.h"
 
 namespace dermis::scene::gltf {
 
@@ -89,17 +90,16 @@ void read_metallic_roughness(const Document& document, const Value& value, Mater
 }
 
 void read_material_extensions(const Document& document, const Value& value, MaterialSource& source) {
-  constexpr float largest = 1e6f;  // radiance beyond any half float
   Material& material = source.material;
 
   if (const auto strength = extension(value, "KHR_materials_emissive_strength"))
-    material.emissive *= factor(*strength, "emissiveStrength", 1, largest);
+    material.emissive *= factor(*strength, "emissiveStrength", 1, largest_radiance);
 
   if (const auto ior = extension(value, "KHR_materials_ior")) {
     source.has_ior = true;
-    material.ior = factor(*ior, "ior", 1.5, 100);
+    material.ior = factor(*ior, "ior", 1.5, largest_ior);
     // 0 means "Fresnel of 1 everywhere", as for an infinite index.
-    if (material.ior == 0) material.ior = 100;
+    if (material.ior == 0) material.ior = largest_ior;
     if (material.ior < 1) ior->fail("ior must be 0 or at least 1, is {}", material.ior);
   }
 
@@ -107,7 +107,8 @@ void read_material_extensions(const Document& document, const Value& value, Mate
     material.specular = factor(*specular, "specularFactor", 1);
     material.specular_map = map_member(document, *specular, "specularTexture");
     material.specular_map.channel = 3;
-    material.specular_colour = colour_member(*specular, "specularColorFactor", glm::vec3(1), largest);
+    material.specular_colour =
+        colour_member(*specular, "specularColorFactor", glm::vec3(1), largest_radiance);
     material.specular_colour_map = map_member(document, *specular, "specularColorTexture");
   }
 
@@ -134,7 +135,7 @@ MaterialSource read_material(const Document& document, const Value& value) {
   material.emissive = colour_member(value, "emissiveFactor", glm::vec3(0), 1);
   material.emissive_map = map_member(document, value, "emissiveTexture");
   material.alpha_mode = read_alpha_mode(value);
-  material.alpha_cutoff = factor(value, "alphaCutoff", 0.5, 1e6);
+  material.alpha_cutoff = factor(value, "alphaCutoff", 0.5, largest_cutoff);
   material.double_sided = value.boolean_or("doubleSided", false);
 
   read_material_extensions(document, value, source);

@@ -5,19 +5,6 @@
 
 namespace dermis::scene::gltf {
 
-namespace {
-
-Frame frame_of(const glm::dmat4& matrix) {
-  // Cofactors are |M| M^-T without division by |M|. Its sign is removed, so that normals keep pointing
-  // outwards under a mirror.
-  const glm::dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
-  const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
-  const bool mirrored = glm::dot(x, cofactors[0]) < 0;
-  return {matrix, mirrored ? -cofactors : cofactors, mirrored};
-}
-
-}  // namespace
-
 const std::vector<glm::dmat4>& JointMatrices::of(int node) {
   const int number = document_.nodes[node].skin;
   const auto [entry, is_new] = by_skin_.try_emplace(number);

@@ -6,13 +6,6 @@
 
 namespace dermis::scene::gltf {
 
-struct Frame {
-  glm::dmat4 matrix{1};
-  /// inverse transpose up to a positive factor; valid for flat (singular) matrices
-  glm::dmat3 normal_matrix{1};
-  bool mirrored = false;
-};
-
 /// The joints' matrices (world from bind pose), computed once per skin for all its nodes.
 class JointMatrices {
  public:

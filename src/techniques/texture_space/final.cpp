@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/texture_space/final.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "passes/final_pass/final_pass.h"
@@ -59,7 +60,10 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
                       ? std::optional(passes::ThroughMesh{square.mesh, part.profile, part.mm_per_unit})
                       : std::nullopt});
 
-  for (const Level& level : maps.levels())
+  // A short profile does not reach the small maps of a longer one beside it.
+  for (const Level& level : maps.levels()) {
+    const auto first = std::find(maps.halvings().begin(), maps.halvings().end(), level.halvings);
+    if (first - maps.halvings().begin() >= count) continue;
     plan.add<passes::UnshadedReads>(
         label(at("count unshaded reads", level), settings, square.instance, square.mesh),
         {level.blurred.front(), screen.depth(), screen.counters()},
@@ -68,6 +72,7 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
          .cut_out = part.cut_out,
          .slot = counter_unshaded_reads,
          .terms = terms});
+  }
 }
 
 }  // namespace dermis::techniques

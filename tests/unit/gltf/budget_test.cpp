@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "image/codec.h"
-#include "scene/gltf/finish.h"
+#include "scene/texture_budget.h"
 #include "support.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -106,9 +106,8 @@ TEST(TextureBudget, APictureThatIsColourAndDataIsHalvedForEach) {
   const auto& colour = *scene.images[static_cast<std::size_t>(material.base_colour_map.image)].pixels;
   const auto& data = *scene.images[static_cast<std::size_t>(material.normal_map.image)].pixels;
   EXPECT_NE(material.base_colour_map.image, material.normal_map.image);
-  EXPECT_LE(
-      gltf::map_bytes(colour.width, colour.height, true) + gltf::map_bytes(data.width, data.height, false),
-      1'000'000u);
+  EXPECT_LE(map_bytes(colour.width, colour.height, true) + map_bytes(data.width, data.height, false),
+            1'000'000u);
 }
 
 TEST(TextureBudget, EveryHeaderIsReadBeforeAnyPictureIsDecoded) {

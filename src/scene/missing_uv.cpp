@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf/missing_uv.h"
+#include "scene/missing_uv.h"
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -9,23 +8,11 @@
 
 #include "core/one_line.h"
 #include "core/warnings.h"
+#include "scene/material_source.h"
 
-namespace dermis::scene::gltf {
+namespace dermis::scene {
 
 namespace {
-
-constexpr std::array maps_of_material{&Material::base_colour_map,    &Material::metallic_roughness_map,
-                                      &Material::normal_map,         &Material::occlusion_map,
-                                      &Material::emissive_map,       &Material::specular_map,
-                                      &Material::specular_colour_map};
-constexpr std::array maps_of_skin{&SkinMaterial::specular, &SkinMaterial::roughness,
-                                  &SkinMaterial::displacement};
-
-template <class MaterialOrConst, class Visit>
-void for_each_map(MaterialOrConst& material, const Visit& visit) {
-  for (const auto map : maps_of_material) visit(material.*map);
-  for (const auto map : maps_of_skin) visit(material.skin_settings.*map);
-}
 
 bool lacks(const std::array<bool, 2>& has_uv, const MapRef& map) {
   return map.present() && !has_uv[static_cast<std::size_t>(map.uv_set)];
@@ -33,18 +20,18 @@ bool lacks(const std::array<bool, 2>& has_uv, const MapRef& map) {
 
 bool has_map_without_uv(const Material& material, const std::array<bool, 2>& has_uv) {
   bool any = false;
-  for_each_map(material, [&](const MapRef& map) { any = any || lacks(has_uv, map); });
+  for_each_map(material, [&](const MapRef& map, bool) { any = any || lacks(has_uv, map); });
   return any;
 }
 
 Material without_such_maps(Material material, const std::array<bool, 2>& has_uv) {
-  for_each_map(material, [&](MapRef& map) {
+  for_each_map(material, [&](MapRef& map, bool) {
     if (lacks(has_uv, map)) map = {};
   });
   return material;
 }
 
-void warn_of_missing_uv(const Document& document, const Primitive& primitive, bool skin, bool lost_maps) {
+void warn_of_missing_uv(const std::string& file, const Primitive& primitive, bool skin, bool lost_maps) {
   const bool unlit_map = skin && !primitive.has_uv;
   if (!unlit_map && !lost_maps) return;
 
@@ -53,13 +40,13 @@ void warn_of_missing_uv(const Document& document, const Primitive& primitive, bo
                         ? "no texture coordinates, so skin is lit without scattering"
                         : "no texture coordinates, so skin is lit without scattering, its maps left out";
   const std::string name = one_line(primitive.name, 80);
-  warn_of(fmt::format("{}: {}", document.file, why), name,
-          fmt::format("{}: '{}': {}", document.file, name, why));
+  warn_of(fmt::format("{}: {}", file, why), name, fmt::format("{}: '{}': {}", file, name, why));
 }
 
 }  // namespace
 
-void leave_out_maps_without_uv(const Document& document, const Placed& placed, Scene& scene) {
+void leave_out_maps_without_uv(const std::string& file, const std::vector<std::array<bool, 2>>& has_uv,
+                               Scene& scene) {
   const std::vector<Material> whole = scene.materials;
   std::vector<std::uint8_t> used(whole.size(), 0);  // materials used unchanged
   std::map<std::pair<int, std::array<bool, 2>>, int> without;
@@ -68,26 +55,25 @@ void leave_out_maps_without_uv(const Document& document, const Placed& placed, S
   // place and its pictures are not read.
   for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
     const auto number = static_cast<std::size_t>(scene.primitives[i].material);
-    if (!has_map_without_uv(whole[number], placed.has_uv[i])) used[number] = 1;
+    if (!has_map_without_uv(whole[number], has_uv[i])) used[number] = 1;
   }
 
   for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
     Primitive& primitive = scene.primitives[i];
     const auto number = static_cast<std::size_t>(primitive.material);
-    const bool lost = has_map_without_uv(whole[number], placed.has_uv[i]);
-    warn_of_missing_uv(document, primitive, whole[number].skin, lost);
+    const bool lost = has_map_without_uv(whole[number], has_uv[i]);
+    warn_of_missing_uv(file, primitive, whole[number].skin, lost);
     if (!lost) continue;
 
-    const auto [entry, is_new] =
-        without.try_emplace({primitive.material, placed.has_uv[i]}, primitive.material);
+    const auto [entry, is_new] = without.try_emplace({primitive.material, has_uv[i]}, primitive.material);
     if (is_new && std::exchange(used[number], 1) != 0) {
       entry->second = static_cast<int>(scene.materials.size());
-      scene.materials.push_back(without_such_maps(whole[number], placed.has_uv[i]));
+      scene.materials.push_back(without_such_maps(whole[number], has_uv[i]));
     } else if (is_new) {
-      scene.materials[number] = without_such_maps(whole[number], placed.has_uv[i]);
+      scene.materials[number] = without_such_maps(whole[number], has_uv[i]);
     }
     primitive.material = entry->second;
   }
 }
 
-}  // namespace dermis::scene::gltf
+}  // namespace dermis::scene

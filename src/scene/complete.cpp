@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "scene/complete.h"
+
+#include <algorithm>
+
+#include "scene/limits.h"
+#include "scene/placement.h"
+#include "scene/tangents.h"
+
+namespace dermis::scene {
+
+namespace {
+
+constexpr float least_height_m = 0.10f, most_height_m = 0.60f;
+
+void complete_surface(Primitive& primitive, const Material& material, bool has_tangents) {
+  make_missing_normals(primitive);
+  // Fine normals of a displacement map use the tangents too; if there are both, the normal map's coordinates
+  // count.
+  const MapRef& normal = material.normal_map;
+  const MapRef& map = normal.present() ? normal : material.skin_settings.displacement;
+  if (has_tangents && map.transform == MapRef{}.transform) return;
+  make_tangents(primitive, map.transform, map.uv_set);
+}
+
+}  // namespace
+
+void complete_surfaces(const std::vector<bool>& has_tangents, Scene& scene) {
+  for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+    Primitive& primitive = scene.primitives[i];
+    complete_surface(primitive, scene.materials[static_cast<std::size_t>(primitive.material)],
+                     has_tangents[i]);
+  }
+}
+
+void check_skin_nodes(const std::string& file, std::size_t count) {
+  if (count > most_skin_nodes)
+    throw input_error(file,
+                      "has {} nodes of skin, each with a light map of its own; at most {} can be drawn: join "
+                      "their meshes, or name another material with skin_material",
+                      count, most_skin_nodes);
+}
+
+void warn_of_size(const std::string& file, const Scene& scene) {
+  float low = 0, high = 0;
+  bool any = false;
+
+  for (const Primitive& p : scene.primitives) {
+    if (!scene.materials[static_cast<std::size_t>(p.material)].skin) continue;
+    for_each_position(p, [&](const glm::vec3& position_m) {
+      low = any ? std::min(low, position_m.y) : position_m.y;
+      high = any ? std::max(high, position_m.y) : position_m.y;
+      any = true;
+    });
+  }
+
+  const float height = high - low;
+  if (any && (height < least_height_m || height > most_height_m)) {
+    const std::string line = fmt::format(
+        "{}: the skin is {:.4g} m high, a head has 0.1 to 0.6 m; light spreads by mm, so give the right size "
+        "with unit_scale",
+        file, height);
+    warn_of(line, file, line);
+  }
+}
+
+}  // namespace dermis::scene

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Materials as a file or a host gives them, and which of them are skin.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace dermis::scene {
+
+/// A material as given; MapRef::image is still a number of its source.
+struct MaterialSource {
+  Material material;
+  std::optional<bool> says_skin;  ///< whether it says itself that it is skin
+  bool has_ior = false;
+};
+
+/// Returns the material of a primitive that names none: glTF's default.
+MaterialSource default_material();
+
+/// Decides which materials are skin: `skin_material` if not empty, else those that say so, else those whose
+/// name contains "skin", else the only one; gives skin its default index of refraction. Warns if there is
+/// none. Blended skin is drawn as a surface, with a warning that names it. `file` is for messages. Throws
+/// InputError if no material is called skin_material.
+void choose_skin(const std::string& file, const std::string& skin_material,
+                 std::vector<MaterialSource>& materials);
+
+/// Calls visit(map, colour) for every map of a material, present or not; `colour`: the map holds colours in
+/// sRGB. The only list of them.
+template <class MaterialOrConst, class Visit>
+void for_each_map(MaterialOrConst& m, const Visit& visit) {
+  for (auto* map : {&m.base_colour_map, &m.emissive_map, &m.specular_colour_map}) visit(*map, true);
+  for (auto* map : {&m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.specular_map})
+    visit(*map, false);
+  for (auto* map : {&m.skin_settings.specular, &m.skin_settings.roughness, &m.skin_settings.displacement})
+    visit(*map, false);
+}
+
+}  // namespace dermis::scene
