@@ -21,7 +21,7 @@ struct Light {
   /// at a distance of d metres (spot, point).
   std::array<double, 3> colour{1, 1, 1};
   std::array<double, 3> position_m{0, 0, 0};  ///< spot, point
-  /// In which light travels (directional, spot); of any length but 0.
+  /// The direction in which light travels (directional, spot); of any length but 0.
   std::array<double, 3> direction{0, 0, -1};
   double range_m = 0;          ///< nothing arrives from further away (spot, point); 0: no limit
   double inner_cone_deg = 0;   ///< half angle within which a spot is even: 0 to below outer_cone_deg

@@ -160,7 +160,8 @@ class PreparedFrame {
   /// Cancelled it cannot be drawn until a set() succeeds: draw() and picture() throw Cancelled.
   void set(const RenderSettings& settings);
   /// Likewise, of an edited scene or of another one. Costs what has changed: moved instances and lights cost
-  /// little; a new asset is uploaded; a profile or a scale that no instance had makes a new plan.
+  /// little, but a turned instance under an environment some 15 ms and 4 MB per skin mesh; a new asset is
+  /// uploaded; another number of instances, and a profile or a scale that none had, make a new plan.
   void set(const Scene& scene, const RenderSettings& settings);
 
   /// Draws one frame and returns its time, ms. Before the first after a change, draws another

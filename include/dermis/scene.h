@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Scenes: instances of assets, lights, surroundings. A Scene is a value: copies do not share edits, only the
-/// assets. Editing is cheap; what it costs is done when a frame needs it.
+/// Scenes: instances of assets, lights, an environment. A Scene is a value: copies share the assets, but no
+/// edits. Edits are cheap: the next frame does the work.
 ///
 ///   dermis::Scene scene;
 ///   const dermis::Asset head = dermis::Asset::load("head.glb");
@@ -9,7 +9,8 @@
 ///   scene.set_transform(second, {1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 0,  0.3, 0, 0, 1});
 ///
 /// A transform is column-major, 4x4: element 4 * column + row, columns multiplied by vectors from the right,
-/// as GLSL and glm have it. Metres, right-handed, +Y up. One thread at a time may use a Scene.
+/// as GLSL and glm have it. Metres, right-handed, +Y up. Any number of threads may read a Scene while none
+/// edits it.
 #pragma once
 
 #include <array>
@@ -28,15 +29,15 @@
 
 namespace dermis {
 
-/// Surroundings from pixels, in place of a file.
+/// An environment from pixels, in place of a file.
 struct EnvironmentPixels {
-  int width = 0, height = 0;  ///< 1 to 16384; twice as wide as high
+  int width = 0, height = 0;  ///< at most 4096 x 2048 pixels; meant to be twice as wide as high
   /// Linear Rec.709 radiance, width x height x 3 values, rows from top to bottom, as LightingSettings has
   /// files: the middle of the picture lies behind the head. Shared, and must not change.
   std::shared_ptr<const std::vector<float>> rgb{};
 };
 
-/// An asset, placed.
+/// An asset, placed. Instances cast no shadows on each other in a Renderer; they do in render_reference().
 struct Instance {
   Asset asset;
   std::string name{};  ///< for messages and files
@@ -57,7 +58,8 @@ enum class LightId : std::uint32_t {};
 /// A light of a scene.
 struct SceneLight {
   Light light;
-  /// In whose coordinates the light stands: it moves with this instance, and lights all. None: the world.
+  /// The instance that the light moves with, in whose asset's coordinates it stands; it still lights all
+  /// instances. None: it stands in the world.
   std::optional<InstanceId> rig{};
 };
 
@@ -115,7 +117,7 @@ class Scene {
   const std::optional<EnvironmentPixels>& environment() const;
 
   InstanceChanges changes(InstanceId id) const;
-  std::uint64_t light_changes() const;
+  std::uint64_t light_changes() const;  ///< also grows when an instance with a rig of lights moves
   std::uint64_t environment_changes() const;
 
   struct State;  // of the library

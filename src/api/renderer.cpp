@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dermis/renderer.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -20,23 +21,24 @@ Renderer::State::State(const Options& wanted)
 
 std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
   std::vector<api::AssetPointer> of_instances, different;
-  const auto find = [](const std::vector<api::AssetPointer>& in, const auto& data) -> api::AssetPointer {
-    for (const api::AssetPointer& asset : in)
-      if (asset->subject.scene == data) return asset;
-    return nullptr;
-  };
+  std::map<std::shared_ptr<const scene::Scene>, api::AssetPointer> known;
+  std::erase_if(live_assets, [&](const std::weak_ptr<api::SharedAsset>& live) {
+    const api::AssetPointer asset = live.lock();
+    if (asset) known[asset->subject.scene] = asset;
+    return !asset;
+  });
 
   for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
     const std::shared_ptr<const scene::Scene> data = Asset::State::of(placed.instance.asset);
-    api::AssetPointer asset = find(different, data);
+    api::AssetPointer& asset = known[data];
     if (!asset) {
-      asset = find(last_assets, data);
-      if (!asset)
-        asset = std::make_shared<api::SharedAsset>(api::SharedAsset{.subject = setup::examine(data)});
-      different.push_back(asset);
+      asset = std::make_shared<api::SharedAsset>(api::SharedAsset{.subject = setup::examine(data)});
+      live_assets.push_back(asset);
     }
     of_instances.push_back(asset);
   }
+  for (const api::AssetPointer& asset : of_instances)
+    if (std::find(different.begin(), different.end(), asset) == different.end()) different.push_back(asset);
 
   last_assets = std::move(different);
   return of_instances;

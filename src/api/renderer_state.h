@@ -30,7 +30,7 @@ struct Renderer::State {
     return call(scene, Hooks{.log = options.hooks.log}, work);
   }
 
-  /// Returns the asset of each instance: those of the last scene, else examines them.
+  /// Returns the asset of each instance: those that a frame holds or the last scene had, else examines them.
   std::vector<api::AssetPointer> assets_of(const Scene& scene);
 
   /// Returns the cached environment if unchanged, else loads it; null if there is none.
@@ -40,7 +40,8 @@ struct Renderer::State {
   Options options;
   gpu::Device device;
   gpu::PipelineLibrary library;
-  std::vector<api::AssetPointer> last_assets;  ///< each once
+  std::vector<api::AssetPointer> last_assets;                ///< of the last scene, each once
+  std::vector<std::weak_ptr<api::SharedAsset>> live_assets;  ///< those and what other frames hold
   std::shared_ptr<const setup::EnvironmentLight> last_environment;
   bool broken = false;  ///< by a mistake of ours: what is on the device may be half-done
 

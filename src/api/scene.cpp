@@ -81,6 +81,8 @@ void check_light(const Light& light) {
 void check_environment(const EnvironmentPixels& e) {
   if (!e.rgb) throw input_error("", "environment.rgb must not be null");
   environment::check_size("environment", e.width, e.height, e.rgb->size());
+  if (!std::all_of(e.rgb->begin(), e.rgb->end(), [](float value) { return std::isfinite(value); }))
+    throw input_error("", "environment.rgb has a value that is not finite");
 }
 
 scene::LightType type_of(LightType type) {

@@ -57,7 +57,8 @@ void add_bent_normals(gpu::Device& device, SharedAsset& asset) {
 template <class Shared, class Matches>
 std::shared_ptr<const Shared> find_shared(const std::vector<std::shared_ptr<const Shared>>& all,
                                           const Matches& matches) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return matches(*one); });
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one && matches(*one); });
   return found == all.end() ? nullptr : *found;
 }
 
@@ -101,7 +102,7 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
   }
 
   make_looks(device, scene, settings, before);
-  make_skies(device, scene, settings, environment, before);
+  make_skies(device, scene, setup, settings, environment, before);
 
   for (const techniques::GutterSize& size : setup.technique->gutters(setup.plan, drawn)) {
     const setup::MeshSource& source = setup.meshes[size.mesh];
@@ -132,13 +133,18 @@ void SceneOnDevice::make_looks(gpu::Device& device, const setup::PlacedScene& sc
 }
 
 void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& scene,
-                               const RenderSettings& settings,
+                               const setup::FrameSetup& setup, const RenderSettings& settings,
                                const std::shared_ptr<const setup::EnvironmentLight>& environment,
                                const SceneOnDevice& before) {
-  skies_.clear();
+  skies_.assign(assets_.size(), nullptr);
   if (!environment) return;
+  std::vector<bool> shown(assets_.size(), false);
+  for (const setup::HeadSetup& head : setup.heads)
+    shown[head.instance] = shown[head.instance] || head.visible;
+
   const double rotation_deg = settings.lighting.environment_rotation_deg;
   for (std::size_t i = 0; i < assets_.size(); ++i) {
+    if (!shown[i]) continue;
     const glm::mat3& rotation = scene.instances[i].pose.rotation;
     const auto matches = [&](const SharedSky& sky) {
       return sky.asset == assets_[i] && sky.sky.is_of(*environment, rotation_deg, rotation);
@@ -150,7 +156,7 @@ void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& sc
       sky = std::make_shared<const SharedSky>(SharedSky{
           assets_[i],
           setup::sky_on_skin(device, environment, rotation_deg, rotation, assets_[i]->bent_normal)});
-    skies_.push_back(std::move(sky));
+    skies_[i] = std::move(sky);
   }
 }
 
@@ -159,7 +165,8 @@ std::vector<setup::InstanceOnDevice> SceneOnDevice::instances() const {
   for (std::size_t i = 0; i < assets_.size(); ++i)
     instances.push_back({.scene = &*assets_[i]->gpu,
                          .look = &looks_[i]->look,
-                         .sky = skies_.empty() ? std::span<const passes::SkyMaps>{} : skies_[i]->sky.maps});
+                         .sky = skies_[i] ? std::span<const passes::SkyMaps>(skies_[i]->sky.maps)
+                                          : std::span<const passes::SkyMaps>{}});
   return instances;
 }
 

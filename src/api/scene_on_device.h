@@ -61,14 +61,15 @@ class SceneOnDevice {
  private:
   void make_looks(gpu::Device& device, const setup::PlacedScene& scene, const RenderSettings& settings,
                   const SceneOnDevice& before);
-  void make_skies(gpu::Device& device, const setup::PlacedScene& scene, const RenderSettings& settings,
+  void make_skies(gpu::Device& device, const setup::PlacedScene& scene, const setup::FrameSetup& setup,
+                  const RenderSettings& settings,
                   const std::shared_ptr<const setup::EnvironmentLight>& environment,
                   const SceneOnDevice& before);
 
   // By instance.
   std::vector<AssetPointer> assets_;
   std::vector<std::shared_ptr<const SharedLook>> looks_;
-  std::vector<std::shared_ptr<const SharedSky>> skies_;  // empty without an environment
+  std::vector<std::shared_ptr<const SharedSky>> skies_;  // null where none is needed
 };
 
 }  // namespace dermis::api

@@ -87,7 +87,9 @@ void sort_heads(FrameSetup& setup, const RenderSettings& s) {
   const bool by_model = s.output.show == "picture" && (!blends || setup.heads.size() <= plan.heads_per_batch);
 
   // What `show` names is of the last head: the nearest that has something to show.
-  const auto shows = [&](const HeadSetup& head) { return head.visible && plan.models[head.model].meshes > 0; };
+  const auto shows = [&](const HeadSetup& head) {
+    return head.visible && plan.models[head.model].meshes > 0;
+  };
   const bool shows_picture = s.output.show == "picture";
   const auto distance = [&](const HeadSetup& head) {
     return glm::distance(head.middle_m, setup.frame.camera.eye_m);

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "gaussians/json.h"
 #include "passes/final_pass/final_pass.h"
 #include "setup/choose.h"
 
@@ -44,7 +45,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
 
   techniques::SkinPart part;
   part.in_model = static_cast<std::uint32_t>(number);
-  part.profile = choose_profile(subject.scene->materials[material], s, model.profile);
+  part.profile = model.profile ? *model.profile : choose_profile(subject.scene->materials[material], s);
   part.mm_per_unit = subject.scene->mm_per_unit;
   if (model.scale != 1) {
     part.profile = in_asset(part.profile, double{model.scale});
@@ -83,13 +84,17 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
   techniques::FrameSettings& plan = setup.plan;
   plan.models.clear();
   std::vector<ModelKey> keys;
+  std::optional<gaussians::SumOfGaussians> for_all;
+  if (!s.skin.profile.empty())
+    for_all = gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile);
   std::map<const Subject*, std::uint32_t> first_unwraps;
   std::uint32_t unwraps = 0;
 
   for (HeadSetup& head : setup.heads) {
     const PlacedAsset& instance = scene.instances[head.instance];
-    const ModelKey key{
-        .subject = subjects[head.instance], .scale = head.pose.scale, .profile = instance.profile};
+    const ModelKey key{.subject = subjects[head.instance],
+                       .scale = head.pose.scale,
+                       .profile = for_all ? for_all : instance.profile};
     const auto found = std::find(keys.begin(), keys.end(), key);
     head.model = static_cast<std::uint32_t>(found - keys.begin());
     if (found != keys.end()) continue;

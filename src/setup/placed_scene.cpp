@@ -132,9 +132,8 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
   spheres.middle.centre_m = spheres.framed.centre_m = (low + high) / 2.0f;
 
   for (const scene::BoundingSphere& sphere : all)
-    spheres.framed.radius_m =
-        std::max(spheres.framed.radius_m,
-                 glm::distance(sphere.centre_m, spheres.framed.centre_m) + sphere.radius_m);
+    spheres.framed.radius_m = std::max(
+        spheres.framed.radius_m, glm::distance(sphere.centre_m, spheres.framed.centre_m) + sphere.radius_m);
   return spheres;
 }
 
