@@ -79,9 +79,14 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   leave_out_maps_without_uv(document, placed, scene);
   steps.done();
 
-  for (std::size_t i = 0; i < scene.primitives.size(); ++i)
-    complete_surface(scene.primitives[i], scene.materials[scene.primitives[i].material],
-                     placed.file_tangents[i]);
+  {
+    Steps surfaces("completing surfaces", scene.primitives.size());
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+      complete_surface(scene.primitives[i], scene.materials[scene.primitives[i].material],
+                       placed.file_tangents[i]);
+      surfaces.done();
+    }
+  }
   steps.done();
 
   place_lights_and_cameras(document, options.unit_scale, scene);
