@@ -252,6 +252,9 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
 
   ReferencePicture out;
   out.complete = sample(tracer, r, fingerprint, film);
+
+  // The call may have been ended: what it has is still to be handed over.
+  const HookScope outside{CallContext{}};
   out.picture = picture_of(film, s.output.tone_map);
   out.variance_rgba = film.variance().values;
   out.samples = static_cast<int>(film.samples());
