@@ -3,6 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 
 namespace dermis::cli {
 
@@ -16,7 +17,11 @@ void add_plan_command(CLI::App& app, int&) {
   command->add_flag("--dot", *dot, "for Graphviz");
   command->add_option("-o,--output", *output, "file, or - for standard output");
   command->callback([=] {
-    write_text(*output, describe_plan(open_scene(*arguments), arguments->settings, *dot));
+    const Scene scene = open_scene(*arguments);
+    const CatchInterrupts here;
+    const std::string plan = describe_plan(scene, arguments->settings, *dot, terminal_hooks());
+    show_line("");
+    write_text(*output, plan);
     save_settings(*arguments);
   });
 }

@@ -83,22 +83,31 @@ std::string statistics_json(const ReferenceArguments& a, const std::string& scen
 void run(ReferenceArguments& a, int& exit_status) {
   check_files(a);
   ReferenceSettings reference = *a.reference;
-  const bool terminal = ::isatty(STDERR_FILENO);
-  if (terminal) reference.progress = show_progress;
   reference.resume = a.resume;
   reference.checkpoint = a.output + ".resume";
   const Scene scene = open_scene(a);
-  reference.stop = &catch_interrupts();
+
+  // From the first sample on, the line says more than how far the work is.
+  Hooks hooks = terminal_hooks();
+  const bool terminal = ::isatty(STDERR_FILENO);
+  if (terminal) {
+    const auto sampled = std::make_shared<bool>(false);
+    reference.after_sample = [sampled](const ReferenceProgress& p) {
+      *sampled = true;
+      show_progress(p);
+    };
+    hooks.progress = [sampled, show = hooks.progress](const WorkProgress& work) {
+      return *sampled || show(work);
+    };
+  }
+  catch_interrupts();
 
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
-  const ReferencePicture out = render_reference(scene, a.settings, reference);
+  const ReferencePicture out = render_reference(scene, a.settings, reference, hooks);
   const Cost cost{.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
                   .cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC};
   if (terminal) fmt::print(stderr, "\r\033[K");
-  if (out.samples == 0)
-    throw input_error(a.output, "stopped before every pixel had a sample: nothing to write");
-
   out.picture.save(a.output);
   save_settings(a);
   if (!a.variance.empty()) out.save_variance(a.variance);

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -168,14 +167,9 @@ class Run {
   }
 
   void render_truth() {
-    ReferenceSettings r = settings_.reference;
-    r.stop = settings_.hooks.stop;
-    if (::isatty(STDERR_FILENO))
-      r.progress = [](const ReferenceProgress& p) {
-        show_line(fmt::format("reference: {} samples, noise {:.2f} %", p.samples, p.noise_percent));
-      };
+    const ReferenceSettings& r = settings_.reference;
     const auto start = Clock::now();
-    const ReferencePicture picture = render_reference(scene_, settings_.render, r);
+    const ReferencePicture picture = render_reference(scene_, settings_.render, r, settings_.hooks);
     check_stopped();
     all_.reference_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     all_.model = name_of(r.model);

@@ -11,11 +11,10 @@
 /// through the medium, so a difference to "bssrdf" is the error of diffusion theory.
 ///
 /// Takes minutes to hours. The picture depends on settings and seed only: threads, stops and checkpoints do
-/// not change a bit of it.
+/// not change a bit of it. Hooks (dermis/hooks.h) that end it leave the samples that there are.
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -52,16 +51,14 @@ struct ReferenceSettings {
   std::optional<double> noise_percent;
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0 (all cores) to 4096
-  /// Written every half minute and when stopped. Not removed at the end: that is for the caller. Empty: none.
+  /// Written every half minute, and when hooks end the work. Not removed at the end: that is for the caller.
+  /// Empty: none. If it cannot be written, the work goes on, with a warning.
   std::filesystem::path checkpoint;
   /// Go on from the checkpoint, or begin anew (with a note) if there is no such file.
   bool resume = false;
-  /// Another thread or a signal sets it to end with the samples that there are. Not owned; may be null.
-  const std::atomic<bool>* stop = nullptr;
-  /// Receives warnings and notes (dermis/hooks.h). Empty: standard error.
-  LogSink log{};
-  /// Called by the calling thread after each sample of all pixels. May be empty.
-  std::function<void(const ReferenceProgress&)> progress{};
+  /// Called by the calling thread after each sample of all pixels: what Hooks::progress does not tell. May be
+  /// empty.
+  std::function<void(const ReferenceProgress&)> after_sample{};
 };
 
 /// The truth, and how far to trust it.
@@ -72,7 +69,7 @@ struct ReferencePicture {
   std::vector<float> variance_rgba;
   int samples = 0;             ///< per pixel
   double noise_percent = 100;  ///< as ReferenceProgress
-  bool complete = false;       ///< false: stopped; with 0 samples the picture is black
+  bool complete = false;       ///< false: a hook has ended the work
   /// Of the model "volume": walks that left through a hole or a fold of the mesh, which counts as absorbed;
   /// per cent of all.
   double lost_percent = 0;
@@ -85,9 +82,11 @@ struct ReferencePicture {
 /// skin.translucency, output.bloom, output.frames, output.show) is not used; camera.heads must be 1 and
 /// output.exposure_ev given. Throws
 /// - InputError: a setting out of range, an unknown name or medium, a checkpoint of another picture;
-/// - DeviceError: too little memory for the triangles.
+/// - DeviceError: too little memory for the triangles;
+/// - Cancelled: a hook has ended the work before every pixel had a sample. Later it returns what there is;
+/// - what a hook throws, once the checkpoint is written.
 ReferencePicture render_reference(const Scene& scene, const RenderSettings& settings,
-                                  const ReferenceSettings& reference = {});
+                                  const ReferenceSettings& reference = {}, const Hooks& hooks = {});
 
 /// A part of a picture: which pixels show it.
 struct PictureRegion {

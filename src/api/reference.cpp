@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "api/memory.h"
 #include "api/scene_state.h"
@@ -83,18 +85,28 @@ void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>&
          scene.name, open);
 }
 
+// Steps of the work before the first sample.
+constexpr std::size_t tracer_steps = 4, set_up_steps = 4 + tracer_steps;
+
 // `scene`: that of `placed`, flattened.
 reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scene,
-                      const std::optional<EnvironmentPixels>& environment, const RenderSettings& s,
-                      const ReferenceSettings& r) {
+                      const std::optional<EnvironmentPixels>& environment_pixels, const RenderSettings& s,
+                      const ReferenceSettings& r, Steps& steps) {
   const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
+  steps.done();
+
   reference::Job job;
   job.model = r.model == ReferenceModel::volume ? reference::Model::volume : reference::Model::bssrdf;
   job.setup = setup::reference_setup(placed, s);
-  if (const auto source = setup::choose_environment(s, environment))
+  if (const auto source = setup::choose_environment(s, environment_pixels)) {
+    environment::Environment environment = setup::read_environment(*source);
+    steps.done();
     job.setup.environment = std::make_shared<const reference::EnvironmentSampler>(
-        setup::read_environment(*source), s.lighting.environment_intensity,
-        s.lighting.environment_rotation_deg);
+        std::move(environment), s.lighting.environment_intensity, s.lighting.environment_rotation_deg);
+    steps.done();
+  } else {
+    steps.done(2);
+  }
 
   job.profiles.resize(scene.materials.size());
   const std::size_t first_material =
@@ -125,6 +137,7 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
     optics::check(job.medium, "medium");
     warn_if_open(scene, skin);
   }
+  steps.done();
   return job;
 }
 
@@ -139,35 +152,93 @@ Picture picture_of(const reference::Film& film, ToneMap tone_map) {
   return picture;
 }
 
-/// Says how far it is, and keeps the checkpoint young.
+/// Says how far the samples are, and keeps the checkpoint young.
 class Watch {
  public:
-  Watch(const ReferenceSettings& settings, int samples_before, std::uint64_t fingerprint)
-      : settings_(&settings), before_(samples_before), fingerprint_(fingerprint) {}
+  Watch(const ReferenceSettings& settings, const reference::Film& film, std::uint64_t fingerprint)
+      : settings_(settings),
+        film_(film),
+        fingerprint_(fingerprint),
+        before_(static_cast<int>(film.samples())),
+        // Up to a noise, nobody knows how many samples it takes: these are shares of the work.
+        count_(settings.noise_percent ? 1000 : static_cast<std::size_t>(samples_of(settings))),
+        steps_("ground truth", count_) {
+    tell(film.noise_percent());
+  }
 
-  void after_pass(const reference::Film& film) {
-    if (settings_->progress) {
-      const int samples = static_cast<int>(film.samples());
-      const double noise = film.noise_percent(), seconds = seconds_since(start_);
-      double most = samples_of(*settings_);
-      // Noise falls with the square root of the samples.
-      if (settings_->noise_percent)
-        most = std::min(most, samples * std::pow(noise / *settings_->noise_percent, 2));
-      const double left = std::max(0.0, most - samples) * seconds / std::max(1, samples - before_);
-      settings_->progress({samples, samples_of(*settings_), noise, seconds, left});
-    }
-    if (!settings_->checkpoint.empty() && seconds_since(saved_) > checkpoint_seconds) {
-      save_checkpoint(settings_->checkpoint, film, fingerprint_);
+  void after_pass() {
+    if (!settings_.checkpoint.empty() && seconds_since(saved_) > checkpoint_seconds) {
+      save();
       saved_ = Clock::now();
+    }
+
+    const int samples = static_cast<int>(film_.samples());
+    const double noise = settings_.noise_percent || settings_.after_sample ? film_.noise_percent() : 0;
+    if (settings_.after_sample) {
+      const double seconds = seconds_since(start_);
+      const double left = std::max(0.0, most(noise) - samples) * seconds / std::max(1, samples - before_);
+      settings_.after_sample({samples, samples_of(settings_), noise, seconds, left});
+    }
+    tell(noise);
+  }
+
+  /// Writes the checkpoint, if there is something to keep. A disk that is full must not cost the picture.
+  void save() const {
+    if (settings_.checkpoint.empty() || film_.samples() == 0) return;
+    try {
+      save_checkpoint(settings_.checkpoint, film_, fingerprint_);
+    } catch (const InputError& error) {
+      warn_once("checkpoint", fmt::format("no checkpoint to resume from: {}", error.what()));
     }
   }
 
  private:
-  const ReferenceSettings* settings_;
-  int before_;
+  /// Returns an estimate of the samples at the end: noise falls with their square root.
+  double most(double noise_percent) const {
+    double most = samples_of(settings_);
+    if (settings_.noise_percent)
+      most = std::min(most, film_.samples() * std::pow(noise_percent / *settings_.noise_percent, 2));
+    return most;
+  }
+
+  void tell(double noise_percent) {
+    const double share = std::min(1.0, film_.samples() / std::max(1.0, most(noise_percent)));
+    const auto reached = static_cast<std::size_t>(std::lround(share * static_cast<double>(count_)));
+    const std::size_t more = reached - std::min(reached, told_);
+    told_ += more;
+    steps_.done(more);
+  }
+
+  const ReferenceSettings& settings_;
+  const reference::Film& film_;
   std::uint64_t fingerprint_;
+  int before_;
+  std::size_t count_, told_ = 0;
+  Steps steps_;
   Clock::time_point start_ = Clock::now(), saved_ = start_;
 };
+
+/// Samples until the limit is reached or a hook ends it. Returns whether the limit was reached.
+bool sample(const reference::Tracer& tracer, const ReferenceSettings& r, std::uint64_t fingerprint,
+            reference::Film& film) {
+  Watch watch(r, film, fingerprint);
+  bool complete = false;
+  try {
+    complete = reference::render(tracer, film,
+                                 {.samples = static_cast<std::uint32_t>(samples_of(r)),
+                                  .noise_percent = r.noise_percent,
+                                  .seed = r.seed,
+                                  .threads = r.threads},
+                                 [&](const reference::Film&) { watch.after_pass(); });
+  } catch (...) {
+    watch.save();
+    throw;
+  }
+
+  if (!complete) watch.save();
+  if (!complete && film.samples() == 0) throw Cancelled("stopped before every pixel had a sample");
+  return complete;
+}
 
 ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
   check_ranges(r);
@@ -177,30 +248,27 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
         "an automatic output.exposure_ev is of the renderer; give the reference the number that a "
         "picture with it reports");
 
-  const ToneMap tone_map = s.output.tone_map;
   const setup::PlacedScene placed = api::placed_scene(scene);
   const std::shared_ptr<const scene::Scene> flat = setup::flattened(placed);
-  const reference::Job job = set_up(placed, *flat, scene.environment(), s, r);
+  std::optional<Steps> steps(std::in_place, "preparing the ground truth", set_up_steps);
+  const reference::Job job = set_up(placed, *flat, scene.environment(), s, r, *steps);
   reference::Film film(s.output.width, s.output.height);
   const std::uint64_t fingerprint = r.checkpoint.empty() ? 0 : reference::fingerprint(*flat, job, r.seed);
   if (r.resume && !r.checkpoint.empty() && !load_checkpoint(r.checkpoint, film, fingerprint))
     note("{}: no such file, so this run begins at the beginning", r.checkpoint.string());
 
+  std::optional<Steps> tracer_step(std::in_place, "tracer", 1, tracer_steps);
   const reference::Tracer tracer(*flat, job);
-  Watch watch(r, static_cast<int>(film.samples()), fingerprint);
+  tracer_step.reset();
+  steps->done(tracer_steps);
+  steps.reset();
+
   ReferencePicture out;
-  out.complete = reference::render(tracer, film,
-                                   {.samples = static_cast<std::uint32_t>(samples_of(r)),
-                                    .noise_percent = r.noise_percent,
-                                    .seed = r.seed,
-                                    .threads = r.threads,
-                                    .stop = r.stop},
-                                   [&](const reference::Film& f) { watch.after_pass(f); });
+  out.complete = sample(tracer, r, fingerprint, film);
 
-  if (!out.complete && film.samples() > 0 && !r.checkpoint.empty())
-    save_checkpoint(r.checkpoint, film, fingerprint);
-
-  out.picture = picture_of(film, tone_map);
+  // The call may have been ended: what it has is still to be handed over.
+  const HookScope outside{CallContext{}};
+  out.picture = picture_of(film, s.output.tone_map);
   out.variance_rgba = film.variance().values;
   out.samples = static_cast<int>(film.samples());
   out.noise_percent = film.noise_percent();
@@ -211,8 +279,9 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
 
 }  // namespace
 
-ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r) {
-  const HookScope scope(Hooks{.log = r.log});
+ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r,
+                                  const Hooks& hooks) {
+  const HookScope scope(hooks);
   return api::naming_the_scene(scene, [&] { return rendered(scene, s, r); });
 }
 

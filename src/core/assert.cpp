@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/assert.h"
 
+#include "core/log.h"
 #include "dermis/error.h"
 
 namespace dermis {
@@ -8,6 +9,15 @@ namespace dermis {
 void assertion_failed(std::string_view expression, std::string_view values, const char* file, int line) {
   throw InternalError(fmt::format("internal error: {}{}{} ({}:{})", expression, values.empty() ? "" : ": ",
                                   values, file, line));
+}
+
+bool mistake_noted(std::string_view expression, const char* file, int line) noexcept {
+  try {
+    warn("internal error: {} ({}:{})", expression, file, line);
+  } catch (...) {
+    // No memory for the line.
+  }
+  return false;
 }
 
 }  // namespace dermis

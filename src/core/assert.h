@@ -12,7 +12,13 @@ namespace dermis {
 [[noreturn]] void assertion_failed(std::string_view expression, std::string_view values, const char* file,
                                    int line);
 
+/// Warns of a mistake of ours, and returns false.
+bool mistake_noted(std::string_view expression, const char* file, int line) noexcept;
+
 }  // namespace dermis
+
+/// Returns the condition, and warns if it does not hold: for destructors, which cannot throw.
+#define DERMIS_HOLDS(condition) ((condition) || ::dermis::mistake_noted(#condition, __FILE__, __LINE__))
 
 #define DERMIS_ASSERT(condition)                                                      \
   do {                                                                                \

@@ -152,19 +152,24 @@ std::optional<std::vector<std::byte>> read(const fs::path& file, std::uint64_t m
   return bytes;
 }
 
-void write(const fs::path& file, std::vector<std::byte> bytes, std::uint64_t limit) {
-  if (file.empty()) return;
+bool write(const fs::path& file, std::vector<std::byte> bytes, std::uint64_t limit) {
+  if (file.empty()) return false;
   const std::string seal = seal_of(bytes);
   const auto sealing = std::as_bytes(std::span(seal));
   bytes.insert(bytes.end(), sealing.begin(), sealing.end());
-  if (bytes.size() > limit) return;
+  if (bytes.size() > limit) return false;
 
   std::error_code ignored;  // if the folder cannot be created, the write reports it
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
   evict(file, bytes.size(), limit);
   try {
     write_file(file, bytes);
-  } catch (const InputError& error) { warn("not kept for the next run: {}", error.what()); }
+    return true;
+  } catch (const InputError& error) {
+    constexpr const char* kind = "not kept for the next run";
+    warn_once(kind, fmt::format("{}: {}", kind, error.what()));
+    return false;
+  }
 }
 
 std::vector<Usage> usage(const fs::path& folder) { return sum_of(entries_of(folder)); }

@@ -32,8 +32,9 @@ std::optional<std::vector<std::byte>> read(const std::filesystem::path& file, st
 
 /// Writes the bytes and their checksum (a last line of text, "checksum 0123456789abcdef"); creates the folder
 /// if needed. Then removes the least recently used files until the folder is within the limit. Does not keep
-/// a file larger than the limit. Warns on failure.
-void write(const std::filesystem::path& file, std::vector<std::byte> bytes,
+/// a file larger than the limit. Returns whether it was written. If it cannot be, a call of the library warns
+/// once, whatever else it cannot write.
+bool write(const std::filesystem::path& file, std::vector<std::byte> bytes,
            std::uint64_t limit = limit_bytes());
 
 /// Files of one kind: "occlusion", "monte-carlo", "pipelines", "unfinished" (left by a run that ended while

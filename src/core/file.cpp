@@ -34,9 +34,10 @@ bool is_stream(const fs::path& path) {
 void write_bytes(const fs::path& to, std::span<const std::byte> bytes, const fs::path& named) {
   File file(std::fopen(to.c_str(), "wb"));
   if (!file) throw input_error(named.string(), "cannot be written: {}", std::strerror(errno));
+  // A full disk may show when the buffer is flushed, and on a network when the file is closed.
   const bool written =
       bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-  if (!written || std::fflush(file.get()) != 0)
+  if (!written || std::fflush(file.get()) != 0 || std::fclose(file.release()) != 0)
     throw input_error(named.string(), "cannot be written: {}", std::strerror(errno));
 }
 

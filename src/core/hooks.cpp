@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <mutex>
+#include <set>
 #include <utility>
 
 #include "core/log.h"
@@ -11,9 +12,14 @@
 namespace dermis {
 
 struct CallContext::Call {
+  /// What enclosing calls share.
+  struct Shared {
+    std::mutex mutex;              ///< keeps two threads out of the hooks
+    std::set<std::string> warned;  ///< of what warn_once() has warned
+  };
+
   Hooks hooks;
-  /// Keeps two threads out of the hooks. Enclosing calls share it.
-  std::shared_ptr<std::mutex> mutex = std::make_shared<std::mutex>();
+  std::shared_ptr<Shared> shared = std::make_shared<Shared>();
   std::atomic<bool> cancelled{false};  ///< set when `progress` has returned false
 
   bool stopped() const {
@@ -34,7 +40,7 @@ std::shared_ptr<CallContext::Call> call_within(const std::shared_ptr<CallContext
   call->hooks = hooks;
   if (outer == nullptr) return call;
 
-  call->mutex = outer->mutex;
+  call->shared = outer->shared;
   if (!hooks.log) call->hooks.log = outer->hooks.log;
   if (!hooks.progress) call->hooks.progress = outer->hooks.progress;
   if (hooks.stop == nullptr) call->hooks.stop = outer->hooks.stop;
@@ -45,8 +51,10 @@ std::shared_ptr<CallContext::Call> call_within(const std::shared_ptr<CallContext
 
 CallContext current_context() { return current; }
 
+bool is_cancelled(const CallContext& context) { return context.call != nullptr && context.call->stopped(); }
+
 void stop_if_cancelled(const CallContext& context) {
-  if (context.call == nullptr || !context.call->stopped()) return;
+  if (!is_cancelled(context)) return;
   throw Cancelled(context.steps == nullptr ? "stopped" : "stopped: " + context.steps->what());
 }
 
@@ -62,7 +70,7 @@ void log_line(LogLevel level, const std::string& line) {
                stderr);
     return;
   }
-  const Lock lock(*call->mutex);
+  const Lock lock(call->shared->mutex);
   const HookScope outside{CallContext{}};  // a hook may call the library: that call is its own
   try {
     call->hooks.log(level, line);
@@ -71,15 +79,25 @@ void log_line(LogLevel level, const std::string& line) {
   }
 }
 
-Steps::Steps(std::string what, std::size_t count)
+void warn_once(const std::string& kind, const std::string& line) {
+  if (const std::shared_ptr<CallContext::Call> call = current.call) {
+    const Lock lock(call->shared->mutex);
+    if (!call->shared->warned.insert(kind).second) return;
+  }
+  log_line(LogLevel::warning, line);
+}
+
+Steps::Steps(std::string what, std::size_t count, std::size_t of_outer)
     : what_(std::move(what)), count_(std::max<std::size_t>(count, 1)), outer_(current) {
   stop_if_cancelled(current);
   if (outer_.steps != nullptr) {
-    const Lock lock(*outer_.call->mutex);
+    const Lock lock(outer_.call->shared->mutex);
     const Steps& outer = *outer_.steps;
     what_ = outer.what_;
-    width_ = outer.width_ / static_cast<double>(outer.count_);
-    from_ = outer.from_ + width_ * static_cast<double>(std::min(outer.done_, outer.count_ - 1));
+    const double step = outer.width_ / static_cast<double>(outer.count_);
+    const std::size_t first = std::min(outer.done_, outer.count_ - 1);
+    from_ = outer.from_ + step * static_cast<double>(first);
+    width_ = step * static_cast<double>(std::min(of_outer, outer.count_ - first));
   }
   if (current.call != nullptr) current.steps = this;
 }
@@ -88,12 +106,12 @@ Steps::~Steps() {
   if (outer_.call != nullptr) current.steps = outer_.steps;
 }
 
-void Steps::done() {
+void Steps::done(std::size_t steps) {
   const std::shared_ptr<CallContext::Call>& call = outer_.call;
   if (call == nullptr) return;
 
-  const Lock lock(*call->mutex);
-  if (done_ < count_) ++done_;
+  const Lock lock(call->shared->mutex);
+  done_ += std::min(steps, count_ - done_);
   const double share = from_ + width_ * static_cast<double>(done_) / static_cast<double>(count_);
 
   // Steps of the outer work may run at the same time: what is reported never falls.

@@ -23,6 +23,8 @@ struct CallContext {
 /// Returns the context of the current thread, to be handed to the threads that help.
 CallContext current_context();
 
+/// Returns whether the caller has ended the work.
+bool is_cancelled(const CallContext& context);
 /// Throws Cancelled if the caller has ended the work.
 void stop_if_cancelled(const CallContext& context);
 
@@ -42,20 +44,22 @@ class HookScope {
 };
 
 /// Counts the finished steps of long work, by any thread, and tells the caller how far the work is. A step
-/// may count steps of its own: they are shares of that step, under the name of the outermost work.
+/// may count steps of its own: they are shares of that step, or of several, under the name of the outermost
+/// work.
 ///
 ///   Steps rows("what the skin sees of its surroundings", side);
 ///   parallel_for(side, [&](std::size_t row) { ...; rows.done(); });
 class Steps {
  public:
-  /// Throws Cancelled if the caller has ended the work.
-  Steps(std::string what, std::size_t count);
+  /// `of_outer`: how many steps of the enclosing work these are. Throws Cancelled if the caller has ended the
+  /// work.
+  Steps(std::string what, std::size_t count, std::size_t of_outer = 1);
   ~Steps();
   Steps(const Steps&) = delete;
   Steps& operator=(const Steps&) = delete;
 
-  /// Ends one step. Throws Cancelled if the caller ends the work, and whatever its hook throws.
-  void done();
+  /// Ends one step, or several. Throws Cancelled if the caller ends the work, and whatever its hook throws.
+  void done(std::size_t steps = 1);
 
   const std::string& what() const { return what_; }
 

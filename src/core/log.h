@@ -14,6 +14,9 @@ namespace dermis {
 /// Passes one line to the log.
 void log_line(LogLevel level, const std::string& line);
 
+/// Warns, unless the call of the library that this thread works for has warned of the same kind before.
+void warn_once(const std::string& kind, const std::string& line);
+
 template <class... Args>
 void warn(fmt::format_string<Args...> format, Args&&... args) {
   log_line(LogLevel::warning, fmt::format(format, std::forward<Args>(args)...));

@@ -8,6 +8,7 @@
 
 #include "core/assert.h"
 #include "core/error.h"
+#include "core/hooks.h"
 #include "gaussians/projection.h"
 
 namespace dermis::gaussians {
@@ -16,6 +17,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using std::numbers::pi;
+
+constexpr const char* work_name = "fitting Gaussians";
+// Of a fit of three channels, whose other steps evaluate a profile each.
+constexpr std::size_t search_steps = 3;
 
 /// Bounds and starting points of the search.
 struct Range {
@@ -34,10 +39,13 @@ void keep_apart(VectorXd& log_variance) {
 
 /// Minimises over the log-variances by Levenberg-Marquardt, until steps hardly reduce the residual.
 Projected descend(std::span<const Target> channels, VectorXd& log_variance, const Range& range) {
+  constexpr int most_steps = 150;
+  Steps steps(work_name, most_steps);
   Projected here = project(channels, log_variance, range.any_sign);
   double damping = 1e-3;
 
-  for (int step = 0, stalled = 0; step < 150 && stalled < 3 && damping < 1e9; ++step) {
+  for (int step = 0, stalled = 0; step < most_steps && stalled < 3 && damping < 1e9; ++step) {
+    steps.done();
     Eigen::MatrixXd normal = here.normal;
     const double floor = 1e-12 * std::max(normal.trace(), 1e-300);
     for (Index j = 0; j < normal.rows(); ++j) normal(j, j) += damping * normal(j, j) + floor;
@@ -102,17 +110,21 @@ struct Solution {
 /// fewer.
 Solution search(std::span<const Target> channels, const Range& range, int terms) {
   Solution best;
+  constexpr std::size_t most_descents = 6;
+  Steps descents(work_name, terms > 1 ? most_descents : 2, search_steps);
   std::vector<VectorXd> starts{
       spread(range, terms),
       spread({.low = range.low + 0.2 * (range.high - range.low), .high = range.high}, terms)};
   if (terms > 1) {
     VectorXd smaller = spread(range, terms - 1);
     descend(channels, smaller, range);
+    descents.done();
     for (VectorXd& start : with_one_more(smaller)) starts.push_back(std::move(start));
   }
 
   for (VectorXd& start : starts) {
     Projected end = descend(channels, start, range);
+    descents.done();
     if (best.log_variance.size() == 0 || end.residual2 < best.projected.residual2)
       best = {start, std::move(end)};
   }
@@ -175,6 +187,7 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
                           const std::string& name) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
 
+  Steps steps(work_name, 3 + search_steps);
   std::vector<Target> targets;
   Range range{.low = 1e300, .high = -1e300, .floor = 1e300};
   constexpr const char* colour[] = {"red", "green", "blue"};
@@ -184,9 +197,11 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
     range = {.low = std::min(range.low, one.low),
              .high = std::max(range.high, one.high),
              .floor = std::min(range.floor, one.floor)};
+    steps.done();
   }
 
   const Solution solution = search(targets, range, terms);
+  steps.done(search_steps);
   SumOfGaussians sum;
   sum.name = name;
   for (int c = 0; c < 3; ++c) {

@@ -38,7 +38,8 @@ enum class Weights { non_negative, any_sign };
 
 /// Fits `terms` (1 to 8) Gaussians of variance > 0 to a profile: minimises Int r (R - S)^2 dr, [JG08] eq. 2,
 /// in R^ where that is known in closed form. Deterministic. Returns fewer terms if two would coincide. Throws
-/// InputError if the profile is 0 everywhere.
+/// InputError if the profile is 0 everywhere. Counts steps (core/hooks.h): may take seconds, and throws
+/// Cancelled if its caller ends it.
 ///
 /// If R has a 1/r pole (light scattered once, Burley), Int r R^2 dr diverges at 0. Then R and S are compared
 /// as a narrow Gaussian beam sees them, see core_variance_mm2(): Int k (R^ - S^)^2 e^{-v k^2} dk. Terms much

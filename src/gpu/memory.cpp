@@ -2,10 +2,11 @@
 #include "gpu/memory.h"
 
 #include <algorithm>
+#include <new>
+#include <utility>
 
 #include "core/assert.h"
 #include "core/error.h"
-#include "core/log.h"
 #include "gpu/device.h"
 
 namespace dermis::gpu {
@@ -45,8 +46,7 @@ MemoryPool::MemoryPool(const DeviceTable& vk, VkDevice device,
     : vk_(&vk), device_(device), properties_(properties), max_allocation_bytes_(max_allocation_bytes) {}
 
 MemoryPool::~MemoryPool() {
-  // A destructor cannot throw what a mistake of ours throws.
-  if (live_ != 0) warn("internal error: {} allocations of device memory were not freed", live_);
+  static_cast<void>(DERMIS_HOLDS(live_.empty()));
   while (!blocks_.empty()) release(blocks_.back().get());
 }
 
@@ -131,7 +131,7 @@ MemoryPool::Block* MemoryPool::new_block(const Request& request, std::uint32_t t
   return blocks_.emplace_back(std::move(block)).get();
 }
 
-MemoryPool::Allocation* MemoryPool::place_in(Block& block, const Request& request) {
+std::unique_ptr<MemoryPool::Allocation> MemoryPool::place_in(Block& block, const Request& request) {
   for (auto range = block.free.begin(); range != block.free.end(); ++range) {
     const auto [start, bytes] = *range;
     const std::uint64_t offset = align_up(start, request.needs.alignment);
@@ -141,18 +141,19 @@ MemoryPool::Allocation* MemoryPool::place_in(Block& block, const Request& reques
     block.free.erase(range);
     if (offset > start) block.free[start] = offset - start;
     if (end < start + bytes) block.free[end] = start + bytes - end;
-    return new Allocation{.memory = block.memory,
-                          .offset = offset,
-                          .bytes = request.needs.size,
-                          .mapped = request.place == BufferPlace::device ? nullptr : block.mapped + offset,
-                          .image = block.image,
-                          .block = &block};
+    return std::make_unique<Allocation>(
+        Allocation{.memory = block.memory,
+                   .offset = offset,
+                   .bytes = request.needs.size,
+                   .mapped = request.place == BufferPlace::device ? nullptr : block.mapped + offset,
+                   .image = block.image,
+                   .block = &block});
   }
   return nullptr;
 }
 
-MemoryPool::Allocation* MemoryPool::try_allocate(const Request& request,
-                                                 const std::vector<std::uint32_t>& types) {
+std::unique_ptr<MemoryPool::Allocation> MemoryPool::try_allocate(const Request& request,
+                                                                 const std::vector<std::uint32_t>& types) {
   const bool image = request.image != VK_NULL_HANDLE;
   const std::uint64_t bytes = request.needs.size;
   for (const std::uint32_t type : types) {
@@ -161,7 +162,7 @@ MemoryPool::Allocation* MemoryPool::try_allocate(const Request& request,
     const bool dedicated = request.dedicated || bytes > usual / 2;
     for (const auto& block : blocks_) {
       if (dedicated || block->dedicated || block->type != type || block->image != image) continue;
-      if (Allocation* made = place_in(*block, request)) return made;
+      if (std::unique_ptr<Allocation> made = place_in(*block, request)) return made;
     }
     Block* block = new_block(request, type, dedicated ? bytes : usual, dedicated);
     // A heap without room for a block may have room for this one resource.
@@ -175,7 +176,7 @@ MemoryPool::Allocation* MemoryPool::allocate(const Request& request) {
   const bool image = request.image != VK_NULL_HANDLE;
   const std::uint64_t bytes = request.needs.size;
   const std::vector<std::uint32_t> types = types_for(request.needs.memoryTypeBits, request.place);
-  Allocation* made = try_allocate(request, types);
+  std::unique_ptr<Allocation> made = try_allocate(request, types);
   if (!made && release_empty()) made = try_allocate(request, types);
   if (!made) {
     const std::uint32_t heap = types.empty() ? 0 : properties_.memoryTypes[types.front()].heapIndex;
@@ -185,10 +186,11 @@ MemoryPool::Allocation* MemoryPool::allocate(const Request& request) {
         "smaller maps or a smaller picture",
         request.name, mib(bytes), mib(properties_.memoryHeaps[heap].size), mib(heap_used_[heap]));
   }
-  ++live_;
+  Allocation* const allocation = made.get();
+  live_.emplace(allocation, std::move(made));
   (image ? image_bytes_ : buffer_bytes_) += bytes;
   peak_bytes_ = std::max(peak_bytes_, image_bytes_ + buffer_bytes_);
-  return made;
+  return allocation;
 }
 
 MemoryPool::Allocation* MemoryPool::allocate_buffer(const std::string& name, VkBuffer buffer,
@@ -224,13 +226,9 @@ MemoryPool::Allocation* MemoryPool::allocate_image(const std::string& name, VkIm
   return allocate({.name = name, .needs = needs.memoryRequirements, .dedicated = dedicated, .image = image});
 }
 
-void MemoryPool::free(Allocation* allocation) {
-  DERMIS_ASSERT(allocation != nullptr);
-  Block& block = *allocation->block;
-
-  // Merges the range with adjacent free ones.
-  auto [at, inserted] = block.free.emplace(allocation->offset, allocation->bytes);
-  DERMIS_ASSERT(inserted);
+// Merges the range with adjacent free ones.
+void MemoryPool::return_range(Block& block, std::uint64_t offset, std::uint64_t bytes) {
+  auto at = block.free.emplace(offset, bytes).first;
   if (const auto next = std::next(at); next != block.free.end() && at->first + at->second == next->first) {
     at->second += next->second;
     block.free.erase(next);
@@ -242,10 +240,21 @@ void MemoryPool::free(Allocation* allocation) {
       block.free.erase(at);
     }
   }
+}
+
+void MemoryPool::free(Allocation* allocation) noexcept {
+  const auto found = live_.find(allocation);
+  if (!DERMIS_HOLDS(found != live_.end())) return;
+
+  Block& block = *allocation->block;
+  try {
+    return_range(block, allocation->offset, allocation->bytes);
+  } catch (const std::bad_alloc&) {
+    // The range is lost until the block is freed with the pool.
+  }
 
   (allocation->image ? image_bytes_ : buffer_bytes_) -= allocation->bytes;
-  --live_;
-  delete allocation;
+  live_.erase(found);
   if (!block.is_empty()) return;
 
   // Keeps one empty block per kind, for staging buffers.

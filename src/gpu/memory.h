@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "gpu/resources.h"
@@ -35,13 +36,14 @@ class MemoryPool {
              std::uint64_t max_allocation_bytes);
   MemoryPool(const MemoryPool&) = delete;
   MemoryPool& operator=(const MemoryPool&) = delete;
-  ~MemoryPool();  ///< asserts that all was freed
+  ~MemoryPool();  ///< warns if something was not freed
 
   /// Return memory for a buffer or an image; the caller binds it. Throw DeviceError if it does not fit (names
   /// the size and the heap).
   Allocation* allocate_buffer(const std::string& name, VkBuffer buffer, BufferPlace place);
   Allocation* allocate_image(const std::string& name, VkImage image);
-  void free(Allocation* allocation);
+  /// Warns of memory that is not, or no longer, of this pool: destructors call it.
+  void free(Allocation* allocation) noexcept;
 
   const VkPhysicalDeviceMemoryProperties& properties() const { return properties_; }
   std::uint64_t image_bytes() const { return image_bytes_; }
@@ -53,9 +55,10 @@ class MemoryPool {
  private:
   struct Request;
   Allocation* allocate(const Request& request);
-  Allocation* try_allocate(const Request& request, const std::vector<std::uint32_t>& types);
+  std::unique_ptr<Allocation> try_allocate(const Request& request, const std::vector<std::uint32_t>& types);
   Block* new_block(const Request& request, std::uint32_t type, std::uint64_t bytes, bool dedicated);
-  Allocation* place_in(Block& block, const Request& request);
+  std::unique_ptr<Allocation> place_in(Block& block, const Request& request);
+  static void return_range(Block& block, std::uint64_t offset, std::uint64_t bytes);
   std::vector<std::uint32_t> types_for(std::uint32_t allowed, BufferPlace place) const;
   void map(Block& block);
   void release(Block* block);
@@ -69,7 +72,7 @@ class MemoryPool {
   std::array<std::uint64_t, VK_MAX_MEMORY_HEAPS> heap_used_{};
   std::uint64_t image_bytes_ = 0, buffer_bytes_ = 0, peak_bytes_ = 0;
   std::uint64_t allocations_ = 0;
-  std::size_t live_ = 0;
+  std::unordered_map<Allocation*, std::unique_ptr<Allocation>> live_;
 };
 
 }  // namespace dermis::gpu

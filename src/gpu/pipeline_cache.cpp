@@ -44,13 +44,13 @@ std::vector<std::byte> load_pipeline_cache(const std::filesystem::path& file,
   return {bytes.begin(), bytes.end()};
 }
 
-void save_pipeline_cache(const std::filesystem::path& file, const VkPhysicalDeviceProperties& properties,
+bool save_pipeline_cache(const std::filesystem::path& file, const VkPhysicalDeviceProperties& properties,
                          std::span<const std::byte> bytes) {
   const Header header = header_for(properties, bytes);
   std::vector<std::byte> all(sizeof(Header) + bytes.size());
   std::memcpy(all.data(), &header, sizeof(Header));
   if (!bytes.empty()) std::memcpy(all.data() + sizeof(Header), bytes.data(), bytes.size());
-  cache::write(file, std::move(all));
+  return cache::write(file, std::move(all));
 }
 
 }  // namespace dermis::gpu

@@ -18,8 +18,9 @@ namespace dermis::gpu {
 std::vector<std::byte> load_pipeline_cache(const std::filesystem::path& file,
                                            const VkPhysicalDeviceProperties& properties);
 
-/// Writes the file completely or not at all; creates up to two missing folders of the path. Warns on failure.
-void save_pipeline_cache(const std::filesystem::path& file, const VkPhysicalDeviceProperties& properties,
+/// Writes the file completely or not at all; creates missing folders of the path. Returns whether it was
+/// written, and warns if it cannot be.
+bool save_pipeline_cache(const std::filesystem::path& file, const VkPhysicalDeviceProperties& properties,
                          std::span<const std::byte> bytes);
 
 }  // namespace dermis::gpu

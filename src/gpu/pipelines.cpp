@@ -241,6 +241,7 @@ struct PipelineLibrary::State {
   std::filesystem::path cache_file;
   VkPipelineCache cache = VK_NULL_HANDLE;
   std::vector<std::byte> loaded;  ///< content of the cache file
+  bool cannot_save = false;       ///< once is enough, however many frames are prepared
   std::map<std::string, std::unique_ptr<Entry>> entries;
   std::vector<std::pair<SamplerDesc, VkSampler>> samplers;
   double creation_ms = 0;
@@ -438,8 +439,8 @@ VkSampler PipelineLibrary::sampler(const SamplerDesc& desc) {
 }
 
 void PipelineLibrary::save_cache() const {
-  const State& s = *state_;
-  if (s.cache_file.empty()) return;
+  State& s = *state_;
+  if (s.cache_file.empty() || s.cannot_save) return;
   std::size_t bytes = 0;
   check(s.device->vk().vkGetPipelineCacheData(s.device->handle(), s.cache, &bytes, nullptr),
         "vkGetPipelineCacheData");
@@ -447,7 +448,8 @@ void PipelineLibrary::save_cache() const {
   check(s.device->vk().vkGetPipelineCacheData(s.device->handle(), s.cache, &bytes, data.data()),
         "vkGetPipelineCacheData");
   data.resize(bytes);
-  if (data != s.loaded || s.loaded.empty()) save_pipeline_cache(s.cache_file, s.device->properties(), data);
+  if (data != s.loaded || s.loaded.empty())
+    s.cannot_save = !save_pipeline_cache(s.cache_file, s.device->properties(), data);
 }
 
 double PipelineLibrary::creation_ms() const { return state_->creation_ms; }

@@ -86,7 +86,7 @@ using ShaderSource = std::function<std::span<const std::uint32_t>(std::string_vi
 
 /// Makes each pipeline once and keeps it. With a cache file, driver code is kept between runs. save_cache()
 /// replaces a file that is missing, damaged or from another driver (atomically); if it cannot be written, it
-/// warns.
+/// warns and does not try again.
 class PipelineLibrary {
  public:
   PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file = {});

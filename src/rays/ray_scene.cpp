@@ -2,12 +2,16 @@
 #include "rays/ray_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <tuple>
+#include <type_traits>
 
 #include "core/error.h"
+#include "core/hooks.h"
 #include "rays/alpha_test.h"
 #include "rays/embree.h"
 #include "scene/placement.h"
@@ -19,6 +23,14 @@ namespace {
 struct Copy {
   std::uint32_t primitive = 0, copy = 0;
 };
+
+// A reference that is given back, whatever is thrown meanwhile.
+struct Release {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using OwnScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
+using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Release>;
 
 // A context that gathers hits. Embree passes the filter a pointer to the context, which is the first member.
 struct Gather {
@@ -105,36 +117,43 @@ struct RayScene::Scenes {
     if (alpha == scene::AlphaMode::mask) rtcAttachGeometryByID(cut_out, g, number);
   }
 
+  // Sorts the triangles of a scene into a tree. Embree asks from its own threads whether to go on.
+  static void commit(RTCScene scene) {
+    CallContext context = current_context();
+    rtcSetSceneProgressMonitorFunction(
+        scene, [](void* asked, double) { return !is_cancelled(*static_cast<const CallContext*>(asked)); },
+        &context);
+    rtcCommitScene(scene);
+    rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+    stop_if_cancelled(context);
+  }
+
   // Attaches one tree over the triangles of the mesh, and a matrix per placement.
   void attach_placed(RTCGeometry mesh, const scene::Primitive& primitive, scene::AlphaMode alpha,
                      std::uint32_t first_number) const {
-    RTCScene triangles = new_scene();
-    rtcAttachGeometry(triangles, mesh);
-    rtcCommitScene(triangles);
+    const OwnScene triangles(new_scene());
+    rtcAttachGeometry(triangles.get(), mesh);
+    commit(triangles.get());
     for (std::uint32_t i = 0; i < primitive.placements.size(); ++i) {
       const glm::mat4x3 matrix(primitive.placements[i].world_from_mesh);
-      RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-      rtcSetGeometryInstancedScene(g, triangles);
-      rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &matrix);
-      rtcCommitGeometry(g);
-      attach(g, alpha, first_number + i);
-      rtcReleaseGeometry(g);
+      const Geometry g(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
+      rtcSetGeometryInstancedScene(g.get(), triangles.get());
+      rtcSetGeometryTransform(g.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &matrix);
+      rtcCommitGeometry(g.get());
+      attach(g.get(), alpha, first_number + i);
     }
-    rtcReleaseScene(triangles);
   }
 
-  RTCGeometry geometry(const scene::Primitive& primitive) const {
-    RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  Geometry geometry(const scene::Primitive& primitive) const {
+    Geometry g(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-        g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), primitive.vertices.size()));
+        g.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), primitive.vertices.size()));
     auto* indices = static_cast<std::uint32_t*>(
-        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-                                primitive.indices.size() / 3));
-    if (!vertices || !indices) {
-      rtcReleaseGeometry(g);
+        rtcSetNewGeometryBuffer(g.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(std::uint32_t), primitive.indices.size() / 3));
+    if (!vertices || !indices)
       throw device_error("Embree: too little memory for '{}' ({} vertices)", primitive.name,
                          primitive.vertices.size());
-    }
     for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
       std::memcpy(vertices + 3 * i, &primitive.vertices[i].position_m, 12);
     std::copy(primitive.indices.begin(), primitive.indices.end(), indices);
@@ -143,6 +162,9 @@ struct RayScene::Scenes {
 };
 
 RayScene::RayScene(const scene::Scene& scene) : scene_(&scene), scenes_(std::make_unique<Scenes>()) {
+  const std::array trees{scenes_->all, scenes_->solid, scenes_->cut_out, scenes_->skin,
+                         scenes_->skin_gathered};
+  Steps steps("sorting the triangles", scene.primitives.size() + trees.size());
   for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
     const scene::Primitive& primitive = scene.primitives[i];
     if (primitive.indices.empty()) continue;
@@ -152,29 +174,30 @@ RayScene::RayScene(const scene::Scene& scene) : scene_(&scene), scenes_(std::mak
       scenes_->copies.push_back({i, copy});
     has_cut_outs_ = has_cut_outs_ || alpha == scene::AlphaMode::mask;
 
-    RTCGeometry g = scenes_->geometry(primitive);
-    rtcCommitGeometry(g);
+    const Geometry g = scenes_->geometry(primitive);
+    rtcCommitGeometry(g.get());
     if (primitive.placements.empty())
-      scenes_->attach(g, alpha, number);
+      scenes_->attach(g.get(), alpha, number);
     else
-      scenes_->attach_placed(g, primitive, alpha, number);
+      scenes_->attach_placed(g.get(), primitive, alpha, number);
     if (is_skin(scene, primitive)) {
       for (const std::uint32_t index : primitive.indices) {
         const glm::dvec3 p(primitive.vertices[index].position_m);
         low_m_ = glm::min(low_m_, p);
         high_m_ = glm::max(high_m_, p);
       }
-      rtcAttachGeometryByID(scenes_->skin, g, number);
-      RTCGeometry gathered = scenes_->geometry(primitive);
-      rtcSetGeometryIntersectFilterFunction(gathered, gather_hit);
-      rtcCommitGeometry(gathered);
-      rtcAttachGeometryByID(scenes_->skin_gathered, gathered, number);
-      rtcReleaseGeometry(gathered);
+      rtcAttachGeometryByID(scenes_->skin, g.get(), number);
+      const Geometry gathered = scenes_->geometry(primitive);
+      rtcSetGeometryIntersectFilterFunction(gathered.get(), gather_hit);
+      rtcCommitGeometry(gathered.get());
+      rtcAttachGeometryByID(scenes_->skin_gathered, gathered.get(), number);
     }
-    rtcReleaseGeometry(g);
+    steps.done();
   }
-  for (RTCScene s : {scenes_->all, scenes_->solid, scenes_->cut_out, scenes_->skin, scenes_->skin_gathered})
-    rtcCommitScene(s);
+  for (RTCScene tree : trees) {
+    Scenes::commit(tree);
+    steps.done();
+  }
   if (const RTCError error = rtcGetDeviceError(scenes_->device); error != RTC_ERROR_NONE)
     throw device_error("Embree: error {} while it sorted the triangles of '{}'", static_cast<int>(error),
                        scene.name);

@@ -37,7 +37,8 @@ inline double stand_off_m(const glm::dvec3& p) {
 
 class RayScene {
  public:
-  /// Keeps a reference to the scene. Throws DeviceError if Embree cannot start.
+  /// Keeps a reference to the scene. Counts steps (core/hooks.h): takes seconds for millions of triangles.
+  /// Throws DeviceError if Embree cannot start, and Cancelled if its caller ends it.
   explicit RayScene(const scene::Scene& scene);
   ~RayScene();
   RayScene(const RayScene&) = delete;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/hooks.h"
+
 namespace dermis::reference {
 namespace {
 
@@ -46,12 +48,15 @@ EnvironmentSampler::EnvironmentSampler(environment::Environment picture, double 
   columns_ = std::min(pixels.width, 2 * most_rows);
   cumulative_.reserve(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_));
   double sum = 0;
-  for (int y = 0; y < rows_; ++y)
+  Steps rows("preparing the environment", static_cast<std::size_t>(rows_));
+  for (int y = 0; y < rows_; ++y) {
     for (int x = 0; x < columns_; ++x) {
       sum += solid_angle(y) * mean_brightness(pixels, pixels_of(x, columns_, pixels.width),
                                               pixels_of(y, rows_, pixels.height));
       cumulative_.push_back(sum);
     }
+    rows.done();
+  }
   if (sum > 0)
     for (double& value : cumulative_) value /= sum;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 
+#include "core/hooks.h"
 #include "reference/shading.h"
 #include "scene/fine_normals.h"
 #include "scene/unwrap.h"
@@ -23,6 +24,7 @@ std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::o
 
   const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
   std::vector<ShadingMaterial> materials;
+  Steps steps("reading materials", scene.materials.size());
   for (const scene::Material& m : scene.materials) {
     ShadingMaterial made{.source = &m, .skin = m.skin};
     made.mix_before = mix.value_or(m.skin_settings.mix_or_default());
@@ -48,6 +50,7 @@ std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::o
       made.normal.map.scale = 1;
     }
     materials.push_back(std::move(made));
+    steps.done();
   }
   return materials;
 }

@@ -3,7 +3,6 @@
 // any time.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <optional>
 
@@ -16,12 +15,13 @@ struct Limits {
   /// ends sooner when Film::noise_percent() is at most this, but not before 32 samples
   std::optional<double> noise_percent;
   std::uint64_t seed = 1;
-  int threads = 0;                          ///< 0: all cores
-  const std::atomic<bool>* stop = nullptr;  ///< set: discards the current pass, keeps those before it
+  int threads = 0;  ///< 0: all cores
 };
 
 /// Adds passes to the film until a limit is reached; calls after_pass after each. Returns true if the limit
-/// was reached, false if stopped. Sample k of a pixel is the same for any number of threads and stops.
+/// was reached, false if the caller of the library has ended the work (core/hooks.h), or after_pass throws
+/// Cancelled: then the current pass is discarded. Sample k of a pixel is the same for any number of threads
+/// and stops. Each pass counts as one step of the enclosing work.
 bool render(const Tracer& tracer, Film& film, const Limits& limits,
             const std::function<void(const Film&)>& after_pass = {});
 

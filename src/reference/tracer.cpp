@@ -3,15 +3,27 @@
 
 #include <cmath>
 
+#include "core/hooks.h"
 #include "profile/monte_carlo.h"
 #include "rays/alpha_test.h"
 #include "reference/camera_ray.h"
 
 namespace dermis::reference {
+namespace {
+
+/// Ends a step and makes the next part.
+template <class Make>
+auto next(Steps& steps, const Make& make) {
+  steps.done();
+  return make();
+}
+
+}  // namespace
 
 glm::dvec3 diffuse_total(const optics::RgbMedium& medium) {
   glm::dvec3 total(1);
-  for (int c = 0; c < 3; ++c) {
+  Steps channels("how light spreads in skin", 3);
+  for (int c = 0; c < 3; ++c, channels.done()) {
     const optics::Medium& m = medium[static_cast<std::size_t>(c)];
     if (m.sigma_a_per_mm == 0) continue;  // all light returns
     profile::ScatterScene scene = profile::scene_of(m);
@@ -21,12 +33,17 @@ glm::dvec3 diffuse_total(const optics::RgbMedium& medium) {
   return total;
 }
 
-Tracer::Tracer(const scene::Scene& scene, const Job& job)
-    : job_(job), rays_(scene), shading_(rays_, job.setup), medium_(job.medium, scene.mm_per_unit) {
+Tracer::Tracer(const scene::Scene& scene, const Job& job, Steps steps)
+    : job_(job),
+      rays_(scene),
+      shading_(next(steps, [&] { return Shading(rays_, job.setup); })),
+      medium_(job.medium, scene.mm_per_unit) {
+  steps.done();
   if (job.model == Model::bssrdf)
     for (const gaussians::SumOfGaussians& profile : job.profiles)
       diffusion_.emplace_back(profile, scene.mm_per_unit);
   if (job.model == Model::volume) medium_total_ = diffuse_total(job.medium);
+  steps.done();
 }
 
 glm::dvec3 Tracer::from_the_medium(const rays::SurfacePoint& s, const glm::dvec3& to_eye,

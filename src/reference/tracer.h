@@ -5,6 +5,7 @@
 #include <atomic>
 #include <vector>
 
+#include "core/hooks.h"
 #include "reference/diffusion.h"
 #include "reference/shading.h"
 #include "reference/walk.h"
@@ -13,9 +14,10 @@ namespace dermis::reference {
 
 class Tracer {
  public:
-  /// Keeps a reference to the scene. Throws InputError for a medium whose channels differ in g or eta,
-  /// DeviceError if Embree cannot start.
-  Tracer(const scene::Scene& scene, const Job& job);
+  /// Keeps a reference to the scene. Counts steps (core/hooks.h): may take seconds. Throws InputError for a
+  /// medium whose channels differ in g or eta, DeviceError if Embree cannot start, and Cancelled if its
+  /// caller ends it.
+  Tracer(const scene::Scene& scene, const Job& job) : Tracer(scene, job, Steps("sorting the scene", 3)) {}
 
   struct Sample {
     glm::dvec3 radiance{0};  ///< times radiance_scale
@@ -35,6 +37,7 @@ class Tracer {
   WalkCount walks() const { return {walks_.load(), lost_.load()}; }
 
  private:
+  Tracer(const scene::Scene& scene, const Job& job, Steps steps);
   glm::dvec3 skin_radiance(rays::SurfacePoint& s, double side, const glm::dvec3& to_eye, Random& random,
                            std::vector<rays::Hit>& scratch) const;
   glm::dvec3 from_the_medium(const rays::SurfacePoint& s, const glm::dvec3& to_eye, Random& random) const;

@@ -215,7 +215,8 @@ class Finder {
 }  // namespace
 
 std::vector<Region> find(const rays::RayScene& rays, const reference::RenderSetup& setup) {
-  Steps steps("finding the regions of the picture", 1 + setup.lights.size());
+  constexpr std::size_t masks = 9;
+  Steps steps("finding the regions of the picture", 1 + setup.lights.size() + masks);
   const Finder finder(rays, setup);
   steps.done();
 
@@ -229,6 +230,7 @@ std::vector<Region> find(const rays::RayScene& rays, const reference::RenderSetu
   std::vector<Region> all;
   const auto add = [&](const char* name, Mask mask) {
     all.push_back({.name = name, .mask = std::move(mask)});
+    steps.done();
   };
 
   add("skin", finder.skin());

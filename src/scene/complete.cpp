@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/hooks.h"
 #include "scene/limits.h"
 #include "scene/placement.h"
 #include "scene/tangents.h"
@@ -26,10 +27,12 @@ void complete_surface(Primitive& primitive, const Material& material, bool has_t
 }  // namespace
 
 void complete_surfaces(const std::vector<bool>& has_tangents, Scene& scene) {
+  Steps steps("completing surfaces", scene.primitives.size());
   for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
     Primitive& primitive = scene.primitives[i];
     complete_surface(primitive, scene.materials[static_cast<std::size_t>(primitive.material)],
                      has_tangents[i]);
+    steps.done();
   }
 }
 

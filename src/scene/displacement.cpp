@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/assert.h"
+#include "core/hooks.h"
 #include "core/parallel.h"
 
 namespace dermis::scene {
@@ -79,6 +80,8 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
   // Extends a row by what its taps reach beyond it: wraps once per texel instead of once per tap.
   const int first = across.front().first,
             end = across.back().first + static_cast<int>(across.back().weights.size());
+  Steps steps("smoothing heights",
+              static_cast<std::size_t>(heights.height) + static_cast<std::size_t>(target.height));
   parallel_for(static_cast<std::size_t>(heights.height), [&](std::size_t y) {
     std::vector<float> line;
     line.reserve(static_cast<std::size_t>(end - first));
@@ -92,6 +95,7 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
       for (std::size_t k = 0; k < t.weights.size(); ++k) sum += t.weights[k] * from[k];
       rows.at(x, static_cast<int>(y)) = static_cast<float>(sum * mm_per_step);
     }
+    steps.done();
   });
 
   parallel_for(static_cast<std::size_t>(target.height), [&](std::size_t y) {
@@ -101,6 +105,7 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
       float* to = &result.at(0, static_cast<int>(y));
       for (int x = 0; x < target.width; ++x) to[x] += t.weights[k] * from[x];
     }
+    steps.done();
   });
   return result;
 }
@@ -156,15 +161,19 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
   const glm::dvec2 sigma(
       std::max(height_smoothing_texels(settings.displacement_mm, texel_mm.x), 0.5 * shrink.x),
       std::max(height_smoothing_texels(settings.displacement_mm, texel_mm.y), 0.5 * shrink.y));
+  Steps steps("deriving fine normals", 3);
   Field h = smooth_heights(heights, settings, target, sigma);
+  steps.done();
   if (base != nullptr && settings.only_finer_than_base && other.x < source.x && other.y < source.y) {
     const glm::dvec2 base_texel = glm::dvec2(source) / glm::dvec2(other);
     const Field coarse = smooth_heights(heights, settings, target, glm::max(base_texel, sigma));
     for (std::size_t i = 0; i < h.values.size(); ++i) h.values[i] -= coarse.values[i];
   }
+  steps.done();
 
   image::Image8 normals{target.width, target.height, {}};
   normals.rgba.assign(h.values.size() * 4, 255);
+  Steps rows("normals", static_cast<std::size_t>(target.height));
   parallel_for(static_cast<std::size_t>(target.height), [&](std::size_t row) {
     const int y = static_cast<int>(row), up = wrapped(y - 1, target.height, settings.wrap_v),
               down = wrapped(y + 1, target.height, settings.wrap_v);
@@ -183,6 +192,7 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
       std::uint8_t* out = normals.at(x, y);
       for (int c = 0; c < 3; ++c) out[c] = encoded(n[c]);
     }
+    rows.done();
   });
   return normals;
 }

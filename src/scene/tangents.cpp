@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/assert.h"
+#include "core/hooks.h"
 #include "scene/weld.h"
 
 namespace dermis::scene {
@@ -141,6 +142,7 @@ void make_tangents(Primitive& primitive, const glm::mat3x2& normal_map_transform
   };
   for (Vertex& v : primitive.vertices) v.tangent = glm::vec4(0, 0, 0, 1);
 
+  Steps steps("tangents", 3);
   std::vector<TriangleFrame> frames(primitive.indices.size() / 3);
   for (std::size_t t = 0; t < frames.size(); ++t) {
     const auto vertex = [&](std::size_t k) -> const Vertex& {
@@ -151,11 +153,14 @@ void make_tangents(Primitive& primitive, const glm::mat3x2& normal_map_transform
                                {coordinate(vertex(0)), coordinate(vertex(1)), coordinate(vertex(2))});
   }
   split_mirrored(primitive, frames);
+  steps.done();
 
   std::vector<Vertex>& vertices = primitive.vertices;
   std::vector<glm::dvec2> uv;
   for (const Vertex& v : vertices) uv.push_back(coordinate(v));
   const std::vector<std::uint32_t> weld = weld_corners(vertices, uv);
+  steps.done();
+
   // as painted, mirrored
   std::vector<std::array<glm::dvec3, 2>> sum(vertices.size(), {glm::dvec3(0), glm::dvec3(0)});
   for (std::size_t i = 0; i < primitive.indices.size(); ++i) {

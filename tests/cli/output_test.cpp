@@ -32,6 +32,18 @@ TEST_F(Output, FoldersAndEndings) {
   expect_refused(run({"plan", scene, "-o", (folder() / "none" / "p.txt").string()}), "does not exist");
 }
 
+// The cache, too, cannot be written: a warning comes before the error.
+TEST_F(Output, AFullDiskIsAnErrorThatLeavesNothing) {
+  const std::string scene = head();
+  expect_refused(render({scene}, {.file_bytes = 600}), "picture.png: cannot be written");
+  expect_refused(run({"plan", scene, "-o", (folder() / "p.txt").string()}, {.file_bytes = 600}),
+                 "p.txt: cannot be written");
+  EXPECT_FALSE(fs::exists(folder() / "p.txt"));
+
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  expect_refused(run({"plan", scene, "-o", "/dev/full"}), "/dev/full: cannot be written");
+}
+
 TEST_F(Output, StatisticsAloneOnStandardOutput) {
   const Result result = render({head(), "--stats", "-"});
   ASSERT_TRUE(expect_rendered(result));

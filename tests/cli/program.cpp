@@ -21,14 +21,19 @@ constexpr double limit_s = 300;  // for what hangs: no program that works comes 
 
 // Between fork and exec: only calls that are safe there.
 [[noreturn]] void become(const fs::path& out, const fs::path& err, char* const* arguments,
-                         char* const* variables, std::uint64_t address_space_bytes) {
+                         char* const* variables, const Surroundings& surroundings) {
   const int out_file = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600),
             err_file = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, 0), ::dup2(out_file, 1), ::dup2(err_file, 2);
-  if (address_space_bytes != 0) {
-    const rlimit limit{address_space_bytes, address_space_bytes};
+  if (const rlim_t bytes = surroundings.address_space_bytes; bytes != 0) {
+    const rlimit limit{bytes, bytes};
     ::setrlimit(RLIMIT_AS, &limit);
+  }
+  if (const rlim_t bytes = surroundings.file_bytes; bytes != 0) {
+    const rlimit limit{bytes, bytes};
+    ::signal(SIGXFSZ, SIG_IGN);  // else the system ends the program instead of refusing to write
+    ::setrlimit(RLIMIT_FSIZE, &limit);
   }
   ::execve(arguments[0], arguments, variables);
   ::_exit(127);
@@ -65,7 +70,7 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
   const fs::path log = folder().string() + ".log";
   const fs::path out = log.string() + ".out", err = log.string() + ".err";
   const pid_t child = ::fork();
-  if (child == 0) become(out, err, argv.data(), envp.data(), surroundings.address_space_bytes);
+  if (child == 0) become(out, err, argv.data(), envp.data(), surroundings);
 
   const double allowed_s = surroundings.kill_after_s > 0 ? surroundings.kill_after_s : limit_s;
   const auto start = std::chrono::steady_clock::now();

@@ -23,6 +23,7 @@ struct Result {
 struct Surroundings {
   std::vector<std::string> variables;     ///< "NAME=value", on top of those of the test
   std::uint64_t address_space_bytes = 0;  ///< 0: no limit
+  std::uint64_t file_bytes = 0;           ///< no file becomes longer, as on a full disk; 0: no limit
   double kill_after_s = 0;                ///< 0: only the limit of a test, 300 s
   double interrupt_after_s = 0;           ///< Ctrl-C after so long; 0: none
 };

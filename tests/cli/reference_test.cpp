@@ -83,6 +83,12 @@ TEST_F(Reference, CtrlCWritesWhatThereIsAndResumeGoesOn) {
   EXPECT_EQ(reference("whole.exr", {"--samples", "2", "--resume"}).status, 0);
 }
 
+TEST_F(Reference, AFullDiskIsAnErrorThatLeavesNothing) {
+  const Result result = reference("a.exr", {"--samples", "2"}, {.file_bytes = 600});
+  expect_refused(result, "a.exr: cannot be written");
+  EXPECT_FALSE(fs::exists(folder() / "a.exr"));
+}
+
 TEST_F(Reference, StatisticsHoldTheSettingsOfTheRun) {
   const std::string stats = in_folder("stats.json"), saved = in_folder("saved.json");
   const Result first = reference("a.exr", {"--samples", "2", "--seed", "18446744073709551615", "--orbit",

@@ -13,6 +13,7 @@
 #include <draco/mesh/mesh.h>
 #pragma GCC diagnostic pop
 
+#include "core/hooks.h"
 #include "scene/gltf/mesh.h"
 
 namespace dermis::scene::gltf {
@@ -131,6 +132,7 @@ DracoMesh decode_draco(const Document& document, Bytes& bytes, const MeshPrimiti
   const std::span<const std::byte> compressed = bytes.view(primitive.draco->view);
   check_claim(compressed, corners / 3, where);
 
+  Steps steps("decoding", 2 + primitive.draco->attributes.size());
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(compressed.data()), compressed.size());
   draco::Decoder decoder;
@@ -138,6 +140,7 @@ DracoMesh decode_draco(const Document& document, Bytes& bytes, const MeshPrimiti
   if (!decoded.ok())
     throw input_error(where, "the Draco data is damaged: {}", decoded.status().error_msg_string());
   const draco::Mesh& mesh = *decoded.value();
+  steps.done();
 
   DracoMesh out;
   out.vertices = mesh.num_points();
@@ -147,9 +150,13 @@ DracoMesh decode_draco(const Document& document, Bytes& bytes, const MeshPrimiti
 
   for (draco::FaceIndex face(0); face < mesh.num_faces(); ++face)
     for (int corner = 0; corner < 3; ++corner) out.indices.push_back(mesh.face(face)[corner].value());
-  for (const auto& [semantic, id] : primitive.draco->attributes)
+  steps.done();
+
+  for (const auto& [semantic, id] : primitive.draco->attributes) {
     out.attributes[semantic] =
         read_attribute(mesh, id, document.accessors[primitive.attributes.at(semantic)], where);
+    steps.done();
+  }
   return out;
 }
 

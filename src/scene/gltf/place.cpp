@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/hooks.h"
 #include "core/warnings.h"
 #include "scene/complete.h"
 #include "scene/gltf/skinning.h"
@@ -214,13 +215,19 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
   const std::vector<int> nodes = shown_nodes(document);
   const std::vector<glm::dmat4> world = world_matrices(document, options.unit_scale);
   std::vector<int> users(document.meshes.size());
-  for (const int n : nodes)
-    if (document.nodes[n].mesh >= 0) ++users[document.nodes[n].mesh];
+  std::size_t primitives = 0;
+  for (const int n : nodes) {
+    if (document.nodes[n].mesh < 0) continue;
+    ++users[document.nodes[n].mesh];
+    primitives += document.meshes[document.nodes[n].mesh].primitives.size();
+  }
 
   std::map<const MeshPrimitive*, LocalMesh> read;  // read once, placed often
   std::map<const MeshPrimitive*, SharedMesh> shared;
   JointMatrices joints(document, bytes, world);
   Placed placed;
+  Steps steps("placing meshes", primitives);
+  std::size_t begun = 0;
   for (const int n : nodes) {
     const Node& node = document.nodes[n];
     if (node.mesh < 0) continue;
@@ -229,6 +236,7 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
     const Frames frames(document, world[n], joints.of(n));
     const bool several = users[node.mesh] > 1, rigid = is_rigid(node, weights);
     for (const MeshPrimitive& primitive : mesh.primitives) {
+      if (begun++ > 0) steps.done();
       if (claimed_triangles(document, primitive) == 0) continue;
       const int material = materials.of.at(primitive.material);
       const bool skin = materials.skin[static_cast<std::size_t>(material)];

@@ -3,7 +3,6 @@
 // it is told to, and several renderers do not affect each other.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -18,6 +17,7 @@
 #include "scene/primitives.h"
 #include "support/files.h"
 #include "support/thrown.h"
+#include "support/variable.h"
 
 namespace dermis::tests {
 namespace {
@@ -27,22 +27,6 @@ RenderSettings lit_by_a_studio() {
   s.lighting.environment = "studio";
   return s;
 }
-
-// Gives an environment variable another value for the length of a test.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    ::setenv(name, value.c_str(), 1);
-  }
-  ~Variable() { ::setenv(name_, before_.c_str(), 1); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::string before_;
-};
 
 // The pictures of one renderer in one thread, and what it said.
 struct Host {
@@ -62,9 +46,10 @@ struct Host {
   }
 };
 
-// Both bake what the skin sees of the studio, and write it and their pipelines to one folder.
+// Both bake what the skin sees of the studio, and write it and their pipelines to one folder. `./run tsan`
+// runs it under the thread sanitizer.
 TEST(TwoRenderers, DrawInTwoThreadsWithOneSceneAndOneCache) {
-  constexpr int frames = 10;
+  constexpr int frames = 50;
   const TempFolder folder;
   const Variable cache("XDG_CACHE_HOME", folder.path().string());
   const Scene scene = wrap(scene::sphere(0.0713, 6));

@@ -5,6 +5,7 @@
 
 #include "fixture.h"
 #include "gpu/raw.h"
+#include "support/log_lines.h"
 
 namespace dermis::gpu {
 namespace {
@@ -145,6 +146,25 @@ class SmallHeap : public GpuTest {
   std::unique_ptr<MemoryPool> pool_;
   std::vector<RawBuffer> held_;
 };
+
+// Destructors free memory: a mistake there must not end the program.
+TEST_F(SmallHeap, WhatIsFreedTwiceIsAWarning) {
+  ASSERT_EQ(take(mib), "");
+  MemoryPool::Allocation* const allocation = held_.back().allocation;
+  let_go();
+  tests::LogLines said;
+  pool_->free(allocation);
+  pool_->free(nullptr);
+  ASSERT_EQ(said.warnings.size(), 2u);
+  EXPECT_EQ(said.warnings[0].find("internal error: "), 0u) << said.warnings[0];
+
+  ASSERT_EQ(take(mib), "");
+  const VkBuffer left = held_.back().handle;
+  held_.clear();
+  pool_.reset();
+  EXPECT_EQ(said.warnings.size(), 3u) << "something was never freed";
+  device().vk().vkDestroyBuffer(device().handle(), left, nullptr);
+}
 
 TEST_F(SmallHeap, IsFilledToTheBrimAndThenSaysSo) {
   std::string said;

@@ -11,6 +11,9 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "core/error.h"
+#include "core/file.h"
+#include "support/full_disk.h"
 #include "support/log_lines.h"
 
 namespace dermis::cache {
@@ -140,6 +143,30 @@ TEST_F(Cache, AFolderThatCannotBeWrittenIsAWarning) {
   EXPECT_FALSE(read(folder_ / "deep" / "occlusion-1.bin", most));
   ASSERT_EQ(said_.warnings.size(), 1u);
   EXPECT_NE(said_.warnings[0].find("not kept for the next run"), std::string::npos);
+}
+
+TEST_F(Cache, AFullDiskIsOneWarningAndLeavesNothing) {
+  EXPECT_TRUE(write(file(1), bytes_of(1000, 1)));
+  {
+    const tests::FullDisk full;
+    EXPECT_FALSE(write(file(1), bytes_of(2000, 2)));
+    EXPECT_FALSE(write(folder_ / "monte-carlo-0.txt", bytes_of(2000, 2)));
+    EXPECT_FALSE(write(folder_ / "pipelines.bin", bytes_of(100'000, 2)));
+  }
+  ASSERT_EQ(said_.warnings.size(), 1u) << "one for this call, whatever else cannot be written";
+  EXPECT_NE(said_.warnings[0].find("not kept for the next run"), std::string::npos) << said_.warnings[0];
+
+  EXPECT_EQ(read(file(1), most), bytes_of(1000, 1)) << "what was there stays whole";
+  EXPECT_FALSE(fs::exists(folder_ / "monte-carlo-0.txt"));
+  EXPECT_FALSE(fs::exists(folder_ / "pipelines.bin"));
+  EXPECT_EQ(usage(folder_)[3].files, 0u) << "something half-written is left";
+  EXPECT_TRUE(write(file(1), bytes_of(2000, 2))) << "there is room again";
+}
+
+// A device tells of a full disk when its buffer is flushed.
+TEST_F(Cache, WhatDoesNotFitOnADeviceIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  EXPECT_THROW(write_file("/dev/full", bytes_of(10, 0)), InputError);
 }
 
 TEST_F(Cache, FolderAndLimitComeFromTheEnvironment) {

@@ -122,6 +122,24 @@ TEST_F(Progress, StepsWithinAStepAreSharesOfIt) {
   EXPECT_EQ(shares_, (std::vector<double>{.125, .25, .375, .5, .5, .625, .75, .875, 1, 1}));
 }
 
+TEST_F(Progress, StepsMayBeSharesOfSeveralOuterOnes) {
+  const HookScope scope(hooks_);
+  Steps passes("passes", 10);
+  {
+    Steps rows("rows", 4, 8);
+    for (int row = 0; row < 4; ++row) rows.done();
+  }
+  passes.done(8);
+  {
+    Steps rows("rows", 2, 8);  // two are left
+    rows.done(2);
+  }
+  passes.done(8);
+  ASSERT_EQ(shares_.size(), 7u);
+  const std::vector<double> expected{.2, .4, .6, .8, .8, 1, 1};
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(shares_[i], expected[i], 1e-12);
+}
+
 TEST_F(Progress, NeverFallsWhereOuterStepsAreParallel) {
   const HookScope scope(hooks_);
   Steps heads("heads", 16);

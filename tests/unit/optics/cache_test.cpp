@@ -15,6 +15,8 @@
 #include "profile/monte_carlo.h"
 #include "profile/noise.h"
 #include "profile/spectral.h"
+#include "support/full_disk.h"
+#include "support/log_lines.h"
 
 namespace dermis {
 namespace {
@@ -77,6 +79,25 @@ TEST(MonteCarloCache, AWholeFileIsUsed) {
   EXPECT_NE(first.get(), second.get());
   EXPECT_EQ(first->reflected.energies(), second->reflected.energies());
   EXPECT_EQ(first->cut, second->cut);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(MonteCarloCache, AFullDiskCostsNoResult) {
+  const auto folder = std::filesystem::temp_directory_path() / "dermis_cache_full";
+  std::filesystem::remove_all(folder);
+  const profile::MonteCarloOptions options{.photons = 2000, .seed = 9, .cache = folder};
+  tests::LogLines said;
+  double total = 0;
+  {
+    const tests::FullDisk full;
+    total = profile::monte_carlo(scene, options)->reflected_total;
+  }
+  EXPECT_GT(total, 0);
+  EXPECT_EQ(said.warnings.size(), 1u);
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  forget();
+  EXPECT_EQ(profile::monte_carlo(scene, options)->reflected_total, total);
+  EXPECT_FALSE(std::filesystem::is_empty(folder)) << "there is room again";
   std::filesystem::remove_all(folder);
 }
 

@@ -2,10 +2,12 @@
 // Equal bits, whatever happens to a run: threads, stops, checkpoints.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/hooks.h"
 #include "reference/checkpoint.h"
 #include "scene/primitives.h"
 #include "unit/reference/scenes.h"
@@ -37,11 +39,13 @@ TEST_P(Run, GoesOnFromACheckpointAsIfItHadNotStopped) {
   const Tracer tracer(scene_, s);
   const auto path = std::filesystem::path(testing::TempDir()) / "dermis_run.resume";
   const std::uint64_t mark = fingerprint(scene_, s, 7);
-  std::atomic<bool> stop{false};
   Film film(40, 40);
-  const bool complete = render(tracer, film, {.samples = 6, .noise_percent = {}, .seed = 7, .stop = &stop},
-                               [&](const Film& f) { stop = f.samples() == 2; });
-  EXPECT_FALSE(complete);
+  {
+    std::atomic<bool> stop{false};
+    const HookScope scope(Hooks{.stop = &stop});
+    EXPECT_FALSE(render(tracer, film, {.samples = 6, .noise_percent = {}, .seed = 7},
+                        [&](const Film& f) { stop = f.samples() == 2; }));
+  }
   ASSERT_EQ(film.samples(), 2u);
   save_checkpoint(path, film, mark);
 
