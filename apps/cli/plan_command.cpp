@@ -16,8 +16,11 @@ void add_plan_command(CLI::App& app, int&) {
   command->add_flag("--dot", *dot, "for Graphviz");
   command->add_option("-o,--output", *output, "file, or - for standard output");
   command->callback([=] {
-    write_text(*output, describe_plan(open_scene(*arguments), arguments->settings, *dot));
+    check_scene_output(*arguments, {*output});
+    const Scene scene = open_scene(*arguments);
+    write_text(*output, describe_plan(scene, arguments->settings, *dot));
     save_settings(*arguments);
+    save_scene(*arguments, scene);
   });
 }
 

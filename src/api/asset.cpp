@@ -4,7 +4,9 @@
 #include <numbers>
 
 #include "api/asset_state.h"
+#include "api/scene_file.h"
 #include "builtin_head/builtin_head.h"
+#include "core/error.h"
 #include "core/hooks.h"
 #include "scene/load.h"
 #include "settings/check.h"
@@ -30,16 +32,20 @@ std::array<double, 3> values_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
   const HookScope scope(hooks);
   check_ranges(options);
+  if (api::open_scene_file(path))
+    throw input_error(path.string(), "is a scene file, and an asset is glTF; give a scene file alone");
+
   scene::LoadOptions load;
   load.unit_scale = options.unit_scale;
   load.skin_material = options.skin_material;
   load.texture_budget_mb = options.texture_budget_mb;
-  return State::make(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)));
+  return State::make(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)),
+                     State::Source{.file = std::filesystem::absolute(path), .options = options});
 }
 
 Asset Asset::built_in(const Hooks& hooks) {
   const HookScope scope(hooks);
-  return State::make(std::make_shared<const scene::Scene>(builtin_head::make()));
+  return State::make(std::make_shared<const scene::Scene>(builtin_head::make()), State::Source{});
 }
 
 const std::string& Asset::name() const { return state_->data->name; }

@@ -85,7 +85,7 @@ void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>&
 
 // `scene`: that of `placed`, flattened.
 reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scene,
-                      const std::optional<EnvironmentPixels>& environment, const RenderSettings& s,
+                      const std::optional<SceneEnvironment>& environment, const RenderSettings& s,
                       const ReferenceSettings& r) {
   const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
   reference::Job job;

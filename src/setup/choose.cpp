@@ -59,7 +59,10 @@ scene::Camera choose_camera(const PlacedScene& scene, const RenderSettings& s, c
   const bool orbits = s.camera.orbit_deg != std::array<double, 2>{0, 0};
   const bool one_head = scene.instances.size() == 1 && s.camera.heads == 1;
   if (!cameras.empty() && !orbits && one_head) return with_fov(cameras.front());
-  return scene::framing_camera(spheres.framed, aspect, s.camera.orbit_deg[0], s.camera.orbit_deg[1], fov);
+  const auto [azimuth, elevation] = s.camera.orbit_deg;
+  return spheres.framed.size() == 1
+             ? scene::framing_camera(spheres.framed.front(), aspect, azimuth, elevation, fov)
+             : scene::framing_camera(spheres.framed, aspect, azimuth, elevation, fov);
 }
 
 std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSettings& s,

@@ -97,26 +97,22 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
   HeadSpheres spheres;
   const PlacedAsset& first = scene.instances.front();
   if (scene.instances.size() == 1) {
-    spheres.middle = spheres.framed = first.pose.sphere(first.sphere);
+    spheres.middle = first.pose.sphere(first.sphere);
+    spheres.framed = {spheres.middle};
     spheres.offsets_m = scene::head_row_offsets(s.camera.heads, spheres.middle.radius_m);
     return spheres;
   }
 
   glm::dvec3 sum(0);
-  std::vector<scene::BoundingSphere> all;
   for (const PlacedAsset& instance : scene.instances) {
-    all.push_back(instance.pose.sphere(instance.sphere));
-    sum += glm::dvec3(all.back().centre_m);
-    spheres.middle.radius_m = std::max(spheres.middle.radius_m, all.back().radius_m);
+    const scene::BoundingSphere sphere = instance.pose.sphere(instance.sphere);
+    sum += glm::dvec3(sphere.centre_m);
+    spheres.middle.radius_m = std::max(spheres.middle.radius_m, sphere.radius_m);
+    spheres.framed.push_back(sphere);
   }
-  spheres.middle.centre_m = glm::vec3(sum / static_cast<double>(all.size()));
-
-  spheres.framed.centre_m = spheres.middle.centre_m;
-  for (const scene::BoundingSphere& sphere : all) {
-    const glm::vec3 offset = sphere.centre_m - spheres.middle.centre_m;
-    spheres.offsets_m.push_back(offset);
-    spheres.framed.radius_m = std::max(spheres.framed.radius_m, glm::length(offset) + sphere.radius_m);
-  }
+  spheres.middle.centre_m = glm::vec3(sum / static_cast<double>(spheres.framed.size()));
+  for (const scene::BoundingSphere& sphere : spheres.framed)
+    spheres.offsets_m.push_back(sphere.centre_m - spheres.middle.centre_m);
   return spheres;
 }
 

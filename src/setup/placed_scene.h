@@ -64,7 +64,7 @@ std::vector<PlacedHead> placed_heads(const PlacedScene& scene, const RenderSetti
 struct HeadSpheres {
   scene::BoundingSphere middle;      ///< about the middle of the heads, as large as the largest of them
   std::vector<glm::vec3> offsets_m;  ///< of each head from there
-  scene::BoundingSphere framed;      ///< holds all instances; of a row, the middle head
+  std::vector<scene::BoundingSphere> framed;  ///< all instances; of a row, the middle head
 };
 HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& settings);
 
