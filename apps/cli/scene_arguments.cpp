@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "api/scene_file.h"
 #include "cli/brief_log.h"
 #include "cli/command.h"
 #include "cli/progress.h"

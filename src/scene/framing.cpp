@@ -130,8 +130,8 @@ Camera framing_camera(const BoundingSphere& sphere, double aspect, double azimut
   return camera_at(sphere, distance_m, azimuth_deg, elevation_deg, fov_y_deg);
 }
 
-Camera framing_camera(std::span<const BoundingSphere> spheres, double aspect, double azimuth_deg,
-                      double elevation_deg, double fov_y_deg, double fill) {
+Camera group_camera(std::span<const BoundingSphere> spheres, double aspect, double azimuth_deg,
+                    double elevation_deg, double fov_y_deg, double fill) {
   require_fov(fov_y_deg);
   require_aspect(aspect);
   const glm::dmat3 axes(look(glm::dvec3(0), azimuth_deg, elevation_deg));

@@ -62,7 +62,7 @@ scene::Camera choose_camera(const PlacedScene& scene, const RenderSettings& s, c
   const auto [azimuth, elevation] = s.camera.orbit_deg;
   return spheres.framed.size() == 1
              ? scene::framing_camera(spheres.framed.front(), aspect, azimuth, elevation, fov)
-             : scene::framing_camera(spheres.framed, aspect, azimuth, elevation, fov);
+             : scene::group_camera(spheres.framed, aspect, azimuth, elevation, fov);
 }
 
 std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSettings& s,
