@@ -4,9 +4,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/layout.h"
 #include "dermis/reference.h"
 #include "dermis/renderer.h"
 #include "settings/json.h"
@@ -29,8 +32,10 @@ enum class SceneUse { render, plan, reference, comparison, bench };
 /// What render, plan, reference and later commands have in common.
 struct SceneArguments {
   SceneUse use = SceneUse::render;
-  std::string scene;          ///< path; empty: the built-in head
-  std::string save_settings;  ///< file; empty: none
+  std::string scene;                ///< path; empty: the built-in head. Of commands that take one file
+  std::vector<std::string> scenes;  ///< the same of those that take several; none: the built-in head
+  std::optional<Layout> layout;
+  std::string save_settings, save_scene;  ///< files; empty: none
   SceneOptions options;
   RenderSettings settings;
   std::optional<ReferenceSettings> reference;  ///< of commands that compute ground truth
@@ -41,6 +46,10 @@ Scene open_scene(const SceneArguments& arguments);
 SettingsFile settings_file(const SceneArguments& arguments);
 /// Writes the settings to the file that --save-settings names, if it does.
 void save_settings(const SceneArguments& arguments);
+/// Throws InputError if the file of --save-scene cannot be written, or is one of `outputs` too.
+void check_scene_output(const SceneArguments& arguments, std::initializer_list<std::string> outputs);
+/// Writes the scene to the file that --save-scene names, if it does.
+void save_scene(const SceneArguments& arguments, const Scene& scene);
 
 /// The title of the options of ground truth in the help.
 inline constexpr const char* truth_group = "Ground truth";

@@ -17,12 +17,14 @@ void add_plan_command(CLI::App& app, int&) {
   command->add_flag("--dot", *dot, "for Graphviz");
   command->add_option("-o,--output", *output, "file, or - for standard output");
   command->callback([=] {
+    check_scene_output(*arguments, {*output});
     const Scene scene = open_scene(*arguments);
     const CatchInterrupts here;
     const std::string plan = describe_plan(scene, arguments->settings, *dot, terminal_hooks());
     show_line("");
     write_text(*output, plan);
     save_settings(*arguments);
+    save_scene(*arguments, scene);
   });
 }
 

@@ -43,6 +43,7 @@ void check_own_name(const std::string& path, const char* option, std::initialize
 
 void check_files(const ReferenceArguments& a) {
   check_picture_name(a.output);
+  check_scene_output(a, {a.output, a.variance, a.stats});
   if (!a.stats.empty() && a.stats != "-") check_own_name(a.stats, "--stats", {a.output, a.variance});
   if (a.variance.empty()) return;
   if (std::filesystem::path(a.variance).extension() != ".exr")
@@ -110,6 +111,7 @@ void run(ReferenceArguments& a, int& exit_status) {
   if (terminal) fmt::print(stderr, "\r\033[K");
   out.picture.save(a.output);
   save_settings(a);
+  save_scene(a, scene);
   if (!a.variance.empty()) out.save_variance(a.variance);
   if (!a.stats.empty()) write_text(a.stats, statistics_json(a, scene.name(), out, cost));
   if (a.stats != "-") fmt::print("{}", summary(a, out, cost));

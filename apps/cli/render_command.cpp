@@ -36,6 +36,7 @@ std::string summary(const Statistics& s) {
 
 void check_outputs(const RenderArguments& a) {
   check_picture_name(a.output);
+  check_scene_output(a, {a.output, a.stats});
   if (a.stats.empty() || a.stats == "-") return;
   check_writable(a.stats);
   if (same_file(a.stats, a.output))
@@ -76,6 +77,7 @@ void render(const RenderArguments& a, int& exit_status) {
 
   picture.save(a.output);
   save_settings(a);
+  save_scene(a, scene);
   if (!a.stats.empty()) write_text(a.stats, picture.statistics.json());
   if (a.stats != "-") fmt::print("{}", summary(picture.statistics));
 }

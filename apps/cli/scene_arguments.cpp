@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "api/scene_file.h"
 #include "cli/brief_log.h"
 #include "cli/command.h"
 #include "cli/progress.h"
@@ -17,6 +18,8 @@
 
 namespace dermis::cli {
 namespace {
+
+constexpr std::string_view built_in = "built-in";
 
 // WIDTHxHEIGHT. CLI11 turns a false into exit status 2; sizes that parse but make no sense are refused by the
 // renderer.
@@ -187,21 +190,81 @@ void add_settings_files(CLI::App& command, SceneArguments& arguments) {
       ->group("Settings");
 }
 
+void add_scene(CLI::App& command, SceneArguments& arguments) {
+  if (arguments.use == SceneUse::comparison) {
+    command
+        .add_option("--scene", arguments.scene,
+                    "techniques against ground truth: a .gltf, .glb or scene file, or 'built-in' for the "
+                    "built-in head")
+        ->group("Scene");
+    return;
+  }
+  if (arguments.use == SceneUse::bench) {
+    command.add_option("SCENE", arguments.scene, ".gltf or .glb file; without one, the built-in head");
+    return;
+  }
+
+  command
+      .add_option(
+          "SCENE", arguments.scenes,
+          "a .gltf, .glb or scene file (docs/scenes.md), or several .gltf and .glb beside each other; "
+          "'built-in', or nothing: the built-in head")
+      ->default_str("");
+  const auto read = [&arguments](const std::string& name) {
+    arguments.layout = find_name<Layout>("--layout", name);
+  };
+  command
+      .add_option_function<std::string>(
+          "--layout", read,
+          fmt::format(
+              "of several files: {}, 1.6 radii of the larger neighbour apart. Their own lights have no "
+              "common world and are left out: without a word of the lights, the rig stands around all",
+              fmt::join(names_of<Layout>, ", ")))
+      ->type_name("NAME")
+      ->default_str("row")
+      ->group("Scene");
+  command
+      .add_option("--save-scene", arguments.save_scene,
+                  "write the scene of this run, files and where they stand, as a scene file")
+      ->type_name("FILE")
+      ->group("Scene");
+}
+
+// Before anything is loaded, which may take long.
+void check_scenes(const SceneArguments& a) {
+  if (a.layout && a.scenes.size() < 2)
+    throw input_error("--layout", "places several files beside each other, and there is {}",
+                      a.scenes.empty() ? "none" : "one");
+  if (a.scenes.size() > 1 && a.settings.camera.heads > 1)
+    throw input_error("", "camera.heads must be 1 for several files, got {}", a.settings.camera.heads);
+}
+
+Asset open_asset(const std::string& file, const SceneArguments& arguments, const Hooks& hooks) {
+  return file == built_in ? Asset::built_in(hooks) : Asset::load(file, arguments.options, hooks);
+}
+
+// A file that is given twice is loaded once.
+Scene open_scenes(const SceneArguments& arguments, const Hooks& hooks) {
+  std::vector<Asset> assets;
+  for (const std::string& file : arguments.scenes) {
+    const auto before = std::find_if(
+        arguments.scenes.begin(), arguments.scenes.begin() + static_cast<std::ptrdiff_t>(assets.size()),
+        [&](const std::string& other) {
+          return other == file || (file != built_in && other != built_in && same_file(other, file));
+        });
+    const auto number = static_cast<std::size_t>(before - arguments.scenes.begin());
+    assets.push_back(number < assets.size() ? Asset(assets[number]) : open_asset(file, arguments, hooks));
+  }
+  return laid_out(assets, arguments.layout.value_or(Layout::row));
+}
+
 }  // namespace
 
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use) {
   command.option_defaults()->always_capture_default();
   arguments.use = use;
 
-  if (use == SceneUse::comparison)
-    command
-        .add_option(
-            "--scene", arguments.scene,
-            "techniques against ground truth: .gltf or .glb file, or 'built-in' for the built-in head")
-        ->group("Scene");
-  else
-    command.add_option("SCENE", arguments.scene, ".gltf or .glb file; without one, the built-in head");
-
+  add_scene(command, arguments);
   add_settings_files(command, arguments);
   for_each_setting(arguments.options,
                    [&](const std::string&, const About& about, auto& value, std::string_view) {
@@ -236,12 +299,36 @@ void save_settings(const SceneArguments& arguments) {
   write_file(arguments.save_settings, to_json(settings_file(arguments)));
 }
 
+void check_scene_output(const SceneArguments& arguments, std::initializer_list<std::string> outputs) {
+  const std::string& file = arguments.save_scene;
+  if (file.empty()) return;
+  check_writable(file);
+  std::vector<std::string> taken(outputs);
+  taken.push_back(arguments.save_settings);
+  // The scene file that was read may be written again.
+  if (arguments.scenes.size() > 1)
+    taken.insert(taken.end(), arguments.scenes.begin(), arguments.scenes.end());
+  for (const std::string& other : taken)
+    if (!other.empty() && other != "-" && same_file(file, other))
+      throw input_error(file, "is also another file of this command; --save-scene needs its own");
+}
+
+void save_scene(const SceneArguments& arguments, const Scene& scene) {
+  if (!arguments.save_scene.empty()) scene.save(arguments.save_scene);
+}
+
 Scene open_scene(const SceneArguments& arguments) {
   if (!arguments.save_settings.empty()) check_writable(arguments.save_settings);
-  const bool built_in =
-      arguments.scene.empty() || (arguments.use == SceneUse::comparison && arguments.scene == "built-in");
+  check_scenes(arguments);
+
   const Hooks hooks = terminal_hooks();
-  Scene scene = built_in ? Scene::built_in(hooks) : Scene::load(arguments.scene, arguments.options, hooks);
+  const bool takes_several = arguments.use != SceneUse::comparison && arguments.use != SceneUse::bench;
+  const std::string only =
+      takes_several && !arguments.scenes.empty() ? arguments.scenes.front() : arguments.scene;
+  const bool has_file = !only.empty() && (arguments.use == SceneUse::bench || only != built_in);
+  Scene scene = arguments.scenes.size() > 1 ? open_scenes(arguments, hooks)
+                : has_file                  ? Scene::load(only, arguments.options, hooks)
+                                            : Scene::built_in(hooks);
   show_line("");
   return scene;
 }

@@ -29,8 +29,9 @@
 
 namespace dermis {
 
-/// An environment from pixels, in place of a file.
-struct EnvironmentPixels {
+/// An environment: that of a file, or pixels.
+struct SceneEnvironment {
+  std::string file{};         ///< as LightingSettings::environment names them; empty: the pixels
   int width = 0, height = 0;  ///< at most 4096 x 2048 pixels; meant to be twice as wide as high
   /// Linear Rec.709 radiance, width x height x 3 values, rows from top to bottom, as LightingSettings has
   /// files: the middle of the picture lies behind the head. Shared, and must not change.
@@ -83,14 +84,20 @@ class Scene {
   Scene& operator=(Scene&&) noexcept;
   ~Scene();
 
-  /// Loads a glTF file as a scene of one instance: Scene(Asset::load(...)); or the scene that save() wrote.
-  /// Throws as Asset::load() does.
+  /// Loads a glTF file as a scene of one instance: Scene(Asset::load(...)); or a scene file (docs/scenes.md),
+  /// known by its content, where `options` are what its assets do not say themselves. Throws as Asset::load()
+  /// does.
   static Scene load(const std::filesystem::path& path, const SceneOptions& options = {},
                     const Hooks& hooks = {});
   /// Scene(Asset::built_in(...)).
   static Scene built_in(const Hooks& hooks = {});
 
-  /// Names the asset, or how many instances there are.
+  /// Writes a scene file, atomically: load() of it gives an equal scene, and the same picture to the bit.
+  /// Assets stay in their files, which it names relative to itself. Throws InputError: an asset that is of no
+  /// file, or surroundings of pixels (says which); the file cannot be written, or holds one of the assets.
+  void save(const std::filesystem::path& path) const;
+
+  /// Names the scene file or the asset, or how many instances there are.
   std::string name() const;
 
   // All that follow throw InputError: an id that is not of this scene; a number out of its range or not
@@ -113,8 +120,8 @@ class Scene {
   void set_light(LightId id, const SceneLight& light);
 
   /// LightingSettings::environment, where it names one, wins over these.
-  void set_environment(const std::optional<EnvironmentPixels>& environment);
-  const std::optional<EnvironmentPixels>& environment() const;
+  void set_environment(const std::optional<SceneEnvironment>& environment);
+  const std::optional<SceneEnvironment>& environment() const;
 
   InstanceChanges changes(InstanceId id) const;
   std::uint64_t light_changes() const;  ///< also grows when an instance with a rig of lights moves

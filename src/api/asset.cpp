@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "api/asset_state.h"
+#include "api/scene_file.h"
 #include "builtin_head/builtin_head.h"
 #include "core/error.h"
 #include "core/hooks.h"
@@ -42,7 +43,11 @@ std::array<double, 3> values_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
   const HookScope scope(hooks);
   const scene::LoadOptions load = load_options(options);
-  return State::make(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)));
+  if (api::open_scene_file(path))
+    throw input_error(path.string(), "is a scene file, and an asset is glTF; give a scene file alone");
+
+  return State::make(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)),
+                     State::Source{.file = std::filesystem::absolute(path), .options = options});
 }
 
 Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options, const Hooks& hooks) {
@@ -56,7 +61,7 @@ Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options,
 
 Asset Asset::built_in(const Hooks& hooks) {
   const HookScope scope(hooks);
-  return State::make(std::make_shared<const scene::Scene>(builtin_head::make()));
+  return State::make(std::make_shared<const scene::Scene>(builtin_head::make()), State::Source{});
 }
 
 const std::string& Asset::name() const { return state_->data->name; }

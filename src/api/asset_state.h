@@ -2,7 +2,9 @@
 /// What an Asset holds, for the library and its tests.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "dermis/asset.h"
 #include "scene/scene.h"
@@ -10,15 +12,23 @@
 namespace dermis {
 
 struct Asset::State {
-  std::shared_ptr<const scene::Scene> data;
+  /// What an asset was loaded from.
+  struct Source {
+    std::filesystem::path file;  ///< absolute; empty: built in
+    SceneOptions options;
+  };
 
-  static Asset make(std::shared_ptr<const scene::Scene> data) {
-    return Asset(std::make_shared<const State>(State{std::move(data)}));
+  std::shared_ptr<const scene::Scene> data;
+  std::optional<Source> source;  ///< none: made in memory
+
+  static Asset make(std::shared_ptr<const scene::Scene> data, std::optional<Source> source = {}) {
+    return Asset(std::make_shared<const State>(State{std::move(data), std::move(source)}));
   }
   /// Null for an asset that was moved away.
   static std::shared_ptr<const scene::Scene> of(const Asset& asset) {
     return asset.state_ ? asset.state_->data : nullptr;
   }
+  static const std::optional<Source>& source_of(const Asset& asset) { return asset.state_->source; }
 };
 
 }  // namespace dermis

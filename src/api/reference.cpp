@@ -90,7 +90,7 @@ constexpr std::size_t tracer_steps = 4, set_up_steps = 4 + tracer_steps;
 
 // `scene`: that of `placed`, flattened.
 reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scene,
-                      const std::optional<EnvironmentPixels>& environment_pixels, const RenderSettings& s,
+                      const std::optional<SceneEnvironment>& of_scene, const RenderSettings& s,
                       const ReferenceSettings& r, Steps& steps) {
   const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
   steps.done();
@@ -98,7 +98,7 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
   reference::Job job;
   job.model = r.model == ReferenceModel::volume ? reference::Model::volume : reference::Model::bssrdf;
   job.setup = setup::reference_setup(placed, s);
-  if (const auto source = setup::choose_environment(s, environment_pixels)) {
+  if (const auto source = setup::choose_environment(s, of_scene)) {
     environment::Environment environment = setup::read_environment(*source);
     steps.done();
     job.setup.environment = std::make_shared<const reference::EnvironmentSampler>(

@@ -8,9 +8,12 @@
 #include <utility>
 
 #include "api/asset_state.h"
+#include "api/scene_file.h"
 #include "api/scene_state.h"
 #include "core/assert.h"
 #include "core/error.h"
+#include "core/file.h"
+#include "core/hooks.h"
 #include "environment/environment.h"
 #include "gaussians/scatter_profile.h"
 #include "scene/framing.h"
@@ -74,12 +77,16 @@ void check_light(const Light& light) {
   }
   if (light.type != LightType::spot) return;
   const double outer = light.outer_cone_deg, inner = light.inner_cone_deg;
-  require(outer > 0 && outer <= 90, "light.outer_cone_deg", "over 0, at most 90", outer);
+  // A right angle that was rounded to a float is a little more.
+  require(outer > 0 && outer <= 90.001, "light.outer_cone_deg", "over 0, at most 90", outer);
   require(inner >= 0 && inner < outer, "light.inner_cone_deg", "0 to below light.outer_cone_deg", inner);
 }
 
-void check_environment(const EnvironmentPixels& e) {
-  if (!e.rgb) throw input_error("", "environment.rgb must not be null");
+void check_environment(const SceneEnvironment& e) {
+  if (!e.file.empty() && e.rgb)
+    throw input_error("", "environment.file and environment.rgb exclude each other");
+  if (!e.file.empty()) return;
+  if (!e.rgb) throw input_error("", "environment.rgb must not be null where environment.file is empty");
   environment::check_size("environment", e.width, e.height, e.rgb->size());
   if (!std::all_of(e.rgb->begin(), e.rgb->end(), [](float value) { return std::isfinite(value); }))
     throw input_error("", "environment.rgb has a value that is not finite");
@@ -120,7 +127,13 @@ Scene::Scene(const Asset& asset) : Scene() {
 }
 
 Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
-  return Scene(Asset::load(path, options, hooks));
+  const HookScope scope(hooks);
+  if (const auto file = api::open_scene_file(path)) return api::load_scene_file(file->root(), path, options);
+  return Scene(Asset::load(path, options));
+}
+
+void Scene::save(const std::filesystem::path& path) const {
+  write_file(path, api::scene_file_text(*this, path));
 }
 
 Scene Scene::built_in(const Hooks& hooks) { return Scene(Asset::built_in(hooks)); }
@@ -232,13 +245,13 @@ void Scene::set_light(LightId id, const SceneLight& light) {
   state_->light_changes = next_change();
 }
 
-void Scene::set_environment(const std::optional<EnvironmentPixels>& environment) {
+void Scene::set_environment(const std::optional<SceneEnvironment>& environment) {
   if (environment) check_environment(*environment);
   state_->environment = environment;
   state_->environment_changes = next_change();
 }
 
-const std::optional<EnvironmentPixels>& Scene::environment() const { return state_->environment; }
+const std::optional<SceneEnvironment>& Scene::environment() const { return state_->environment; }
 
 InstanceChanges Scene::changes(InstanceId id) const {
   return find(state_->instances, id, "instance")->changes;

@@ -29,7 +29,7 @@ struct Scene::State {
   std::string name;  ///< empty: that of the asset
   std::vector<PlacedInstance> instances;
   std::vector<PlacedLight> lights;
-  std::optional<EnvironmentPixels> environment;
+  std::optional<SceneEnvironment> environment;
   std::uint64_t light_changes = 0, environment_changes = 0;
   std::uint32_t next_id = 1;
 

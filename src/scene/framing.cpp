@@ -35,6 +35,11 @@ void require_fov(double fov_y_deg) {
     throw input_error("fov_deg", "must be between 0 and 180 degrees, got {}", fov_y_deg);
 }
 
+void require_aspect(double aspect) {
+  if (!(aspect > 0) || !std::isfinite(aspect))
+    throw input_error("camera", "aspect must be > 0, got {}", aspect);
+}
+
 Camera camera_at(const BoundingSphere& sphere, double distance_m, double azimuth_deg, double elevation_deg,
                  double fov_y_deg) {
   Camera camera;
@@ -118,12 +123,45 @@ Camera framing_camera(const BoundingSphere& sphere, double aspect, double azimut
                       double fov_y_deg, double fill) {
   require_sphere(sphere);
   require_fov(fov_y_deg);
-  if (!(aspect > 0) || !std::isfinite(aspect))
-    throw input_error("camera", "aspect must be > 0, got {}", aspect);
+  require_aspect(aspect);
   // A ball at distance d has the half angle asin(R/d), which is R / sqrt(d^2 - R^2) on the picture plane.
   const double half_side = fill * std::tan(0.5 * fov_y_deg * radians_per_degree) * std::min(1.0, aspect);
   const double distance_m = sphere.radius_m * std::sqrt(1 + 1 / (half_side * half_side));
   return camera_at(sphere, distance_m, azimuth_deg, elevation_deg, fov_y_deg);
+}
+
+Camera group_camera(std::span<const BoundingSphere> spheres, double aspect, double azimuth_deg,
+                    double elevation_deg, double fov_y_deg, double fill) {
+  require_fov(fov_y_deg);
+  require_aspect(aspect);
+  const glm::dmat3 axes(look(glm::dvec3(0), azimuth_deg, elevation_deg));
+  const auto in_view = [&](const BoundingSphere& s) { return glm::transpose(axes) * glm::dvec3(s.centre_m); };
+
+  glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
+  BoundingSphere middle;
+  for (const BoundingSphere& sphere : spheres) {
+    low = glm::min(low, in_view(sphere) - double{sphere.radius_m});
+    high = glm::max(high, in_view(sphere) + double{sphere.radius_m});
+    middle.radius_m = std::max(middle.radius_m, sphere.radius_m);
+  }
+  require_sphere(middle);
+  const glm::dvec3 centre = 0.5 * (low + high);
+  middle.centre_m = glm::vec3(axes * centre);
+
+  // The eye stands so far back that each ball touches the planes of the filled part at most: from a plane of
+  // half angle a through the eye, a ball at (x, z) is (distance - z) sin a - |x| cos a away.
+  const double half_height = fill * std::tan(0.5 * fov_y_deg * radians_per_degree);
+  const double half_angles[] = {std::atan(half_height * aspect), std::atan(half_height)};
+  double distance_m = 0;
+  for (const BoundingSphere& sphere : spheres) {
+    const glm::dvec3 at = in_view(sphere) - centre;
+    for (glm::length_t axis = 0; axis < 2; ++axis) {
+      const double a = half_angles[axis];
+      const double beside = double{sphere.radius_m} + std::abs(at[axis]) * std::cos(a);
+      distance_m = std::max(distance_m, at.z + beside / std::sin(a));
+    }
+  }
+  return camera_at(middle, distance_m, azimuth_deg, elevation_deg, fov_y_deg);
 }
 
 Camera distance_camera(const BoundingSphere& middle_head, double distance_radii, double fov_y_deg) {

@@ -37,6 +37,11 @@ glm::dvec3 head_direction(double azimuth_deg, double elevation_deg);
 Camera framing_camera(const BoundingSphere& sphere, double aspect, double azimuth_deg = 0,
                       double elevation_deg = 0, double fov_y_deg = 20, double fill = 0.95);
 
+/// Returns a camera that looks at the middle of the spheres, as near as their outlines all stay within `fill`
+/// of the picture. Throws as framing_camera().
+Camera group_camera(std::span<const BoundingSphere> spheres, double aspect, double azimuth_deg = 0,
+                    double elevation_deg = 0, double fov_y_deg = 20, double fill = 0.95);
+
 /// Returns the camera of the paper's test, `distance_radii` (> 0) sphere radii in front of the centre of the
 /// middle head. Throws InputError if distance_radii is not a positive number, or the sphere empty.
 Camera distance_camera(const BoundingSphere& middle_head, double distance_radii, double fov_y_deg = 20);

@@ -9,6 +9,7 @@
 #include "settings/fields.h"
 #include "settings/names.h"
 #include "settings/profile_fields.h"
+#include "settings/scene_fields.h"
 
 namespace dermis {
 namespace {
@@ -106,9 +107,17 @@ void read_fields(const json::Value& json, Settings& into) {
 }
 
 template <class Settings>
-void read_object(const json::Value& json, Settings& into) {
-  json.object().only_keys(keys_of<Settings>());
+void read_object_with(const json::Value& json, const Keys& others, Settings& into) {
+  Keys known = others;
+  const Keys own = keys_of<Settings>();
+  known.insert(known.end(), own.begin(), own.end());
+  json.object().only_keys(known);
   read_fields(json, into);
+}
+
+template <class Settings>
+void read_object(const json::Value& json, Settings& into) {
+  read_object_with(json, {}, into);
 }
 
 }  // namespace
@@ -127,6 +136,18 @@ ordered_json json_of(const SettingsFile& settings) {
 ordered_json json_of(const ProfileOptions& options) { return object_of(options); }
 ordered_json json_of(const Coefficients& coefficients) { return object_of(coefficients); }
 ordered_json json_of(const SpectralSkin& skin) { return object_of(skin); }
+ordered_json json_of(const Instance& instance) { return object_of(instance); }
+ordered_json json_of(const Light& light) { return object_of(light); }
+
+void read_json(const json::Value& object, const Keys& others, SceneOptions& into) {
+  read_object_with(object, others, into);
+}
+void read_json(const json::Value& object, const Keys& others, Instance& into) {
+  read_object_with(object, others, into);
+}
+void read_json(const json::Value& object, const Keys& others, Light& into) {
+  read_object_with(object, others, into);
+}
 
 std::string to_json(const SettingsFile& settings) {
   // Names of files need not be UTF-8.

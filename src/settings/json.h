@@ -7,11 +7,14 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "dermis/profile.h"
 #include "dermis/reference.h"
 #include "dermis/scene.h"
 #include "dermis/settings.h"
+#include "json/value.h"
 
 namespace dermis {
 
@@ -30,7 +33,16 @@ nlohmann::ordered_json json_of(const SettingsFile& settings);
 nlohmann::ordered_json json_of(const ProfileOptions& options);
 nlohmann::ordered_json json_of(const Coefficients& coefficients);
 nlohmann::ordered_json json_of(const SpectralSkin& skin);
+nlohmann::ordered_json json_of(const Instance& instance);  ///< without asset and profile
+nlohmann::ordered_json json_of(const Light& light);
 std::string to_json(const SettingsFile& settings);
+
+// Read an object; what it does not name stays as it is. InputError: a key that is neither of a row nor among
+// `others` (lists those that are known), another type, an option out of its range.
+using Keys = std::vector<std::string_view>;
+void read_json(const json::Value& object, const Keys& others, SceneOptions& into);
+void read_json(const json::Value& object, const Keys& others, Instance& into);
+void read_json(const json::Value& object, const Keys& others, Light& into);
 
 /// Reads a file of at most 1 MiB into `settings`; what it does not name stays as it is. InputError names file
 /// and setting: a key that is not known (lists those that are), another type, a value out of range.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/names.h"
+#include "dermis/light.h"
 #include "dermis/profile.h"
 #include "dermis/reference.h"
 #include "dermis/settings.h"
@@ -18,6 +19,9 @@ inline constexpr std::array<std::string_view, 2> names_of<LightMaps>{"full", "pr
 template <>
 inline constexpr std::array<std::string_view, 6> names_of<ToneMap>{"natural", "neutral", "agx",
                                                                    "filmic",  "srgb",    "linear"};
+
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<LightType>{"directional", "spot", "point"};
 
 template <>
 inline constexpr std::array<std::string_view, 2> names_of<ReferenceModel>{"bssrdf", "volume"};

@@ -20,12 +20,11 @@ std::vector<scene::Light> lights_of(const PlacedScene& scene, const RenderSettin
     for (const PlacedLight& light : s.lighting.placed_lights)
       lamps.push_back({fmt::format("light {}", lamps.size() + 1), light.azimuth_deg, light.elevation_deg,
                        glm::dvec3(light.irradiance)});
-    return scene::light_rig(spheres.framed, lamps, spheres.offsets_m);
+    return scene::light_rig(spheres.lit, lamps, spheres.offsets_m);
   }
   if (!s.lighting.rig_lights && !scene.lights.empty()) return scene.lights;
   const int count = s.lighting.rig_lights.value_or(2);
-  return count == 0 ? std::vector<scene::Light>{}
-                    : scene::light_rig(spheres.framed, count, spheres.offsets_m);
+  return count == 0 ? std::vector<scene::Light>{} : scene::light_rig(spheres.lit, count, spheres.offsets_m);
 }
 
 }  // namespace
@@ -59,7 +58,10 @@ scene::Camera choose_camera(const PlacedScene& scene, const RenderSettings& s, c
   const bool orbits = s.camera.orbit_deg != std::array<double, 2>{0, 0};
   const bool one_head = scene.instances.size() == 1 && s.camera.heads == 1;
   if (!cameras.empty() && !orbits && one_head) return with_fov(cameras.front());
-  return scene::framing_camera(spheres.framed, aspect, s.camera.orbit_deg[0], s.camera.orbit_deg[1], fov);
+  const auto [azimuth, elevation] = s.camera.orbit_deg;
+  return spheres.framed.size() == 1
+             ? scene::framing_camera(spheres.framed.front(), aspect, azimuth, elevation, fov)
+             : scene::group_camera(spheres.framed, aspect, azimuth, elevation, fov);
 }
 
 std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSettings& s,
@@ -68,9 +70,8 @@ std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSe
   if (s.lighting.light_radius_m)
     for (scene::Light& light : lights) {
       // A directional light as if it stood where the rig does.
-      const double distance = light.type == scene::LightType::directional
-                                  ? scene::rig_distance_radii * spheres.framed.radius_m
-                                  : 1;
+      const double distance =
+          light.type == scene::LightType::directional ? scene::rig_distance_radii * spheres.lit.radius_m : 1;
       light.radius = static_cast<float>(*s.lighting.light_radius_m / distance);
     }
   return lights;

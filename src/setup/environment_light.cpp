@@ -36,9 +36,10 @@ bool EnvironmentSource::operator==(const EnvironmentSource& other) const {
 }
 
 std::optional<EnvironmentSource> choose_environment(const RenderSettings& settings,
-                                                    const std::optional<EnvironmentPixels>& of_scene) {
+                                                    const std::optional<SceneEnvironment>& of_scene) {
   EnvironmentSource source{.name = settings.lighting.environment};
   if (source.name.empty() && !of_scene) return {};
+  if (source.name.empty()) source.name = of_scene->file;
   if (source.name.empty())
     source.pixels = *of_scene;
   else

@@ -21,15 +21,15 @@ namespace dermis::setup {
 
 /// Which environment a frame has.
 struct EnvironmentSource {
-  std::string name{};  ///< LightingSettings::environment, unless there are pixels
-  EnvironmentPixels pixels{};
+  std::string name{};                         ///< a file or "studio"; empty: the pixels
+  SceneEnvironment pixels{};                  ///< without a file
   std::filesystem::file_time_type written{};  ///< of the file
   bool operator==(const EnvironmentSource& other) const;
 };
 
-/// Returns the environment that the settings name, else the scene's pixels, else none.
+/// Returns the environment that the settings name, else the scene's, else none.
 std::optional<EnvironmentSource> choose_environment(const RenderSettings& settings,
-                                                    const std::optional<EnvironmentPixels>& of_scene);
+                                                    const std::optional<SceneEnvironment>& of_scene);
 
 /// Reads it. Throws InputError: see environment::from_name_or_file and from_pixels.
 environment::Environment read_environment(const EnvironmentSource& source);

@@ -111,29 +111,30 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
   HeadSpheres spheres;
   const PlacedAsset& first = scene.instances.front();
   if (scene.instances.size() == 1) {
-    spheres.middle = spheres.framed = first.pose.sphere(first.sphere);
+    spheres.middle = first.pose.sphere(first.sphere);
+    spheres.lit = spheres.middle;
+    spheres.framed = {spheres.middle};
     spheres.offsets_m = scene::head_row_offsets(s.camera.heads, spheres.middle.radius_m);
     return spheres;
   }
 
   const bool any_visible = std::any_of(scene.instances.begin(), scene.instances.end(),
                                        [](const PlacedAsset& instance) { return instance.visible; });
-  std::vector<scene::BoundingSphere> all;
-  for (const PlacedAsset& instance : scene.instances)
-    if (instance.visible || !any_visible) all.push_back(instance.pose.sphere(instance.sphere));
-
-  // The middle of the box around them.
   glm::vec3 low(INFINITY), high(-INFINITY);
-  for (const scene::BoundingSphere& sphere : all) {
+  for (const PlacedAsset& instance : scene.instances) {
+    if (!instance.visible && any_visible) continue;
+    const scene::BoundingSphere sphere = instance.pose.sphere(instance.sphere);
     low = glm::min(low, sphere.centre_m - sphere.radius_m);
     high = glm::max(high, sphere.centre_m + sphere.radius_m);
     spheres.middle.radius_m = std::max(spheres.middle.radius_m, sphere.radius_m);
+    spheres.framed.push_back(sphere);
   }
-  spheres.middle.centre_m = spheres.framed.centre_m = (low + high) / 2.0f;
 
-  for (const scene::BoundingSphere& sphere : all)
-    spheres.framed.radius_m = std::max(
-        spheres.framed.radius_m, glm::distance(sphere.centre_m, spheres.framed.centre_m) + sphere.radius_m);
+  // The middle of the box around them.
+  spheres.middle.centre_m = spheres.lit.centre_m = (low + high) / 2.0f;
+  for (const scene::BoundingSphere& sphere : spheres.framed)
+    spheres.lit.radius_m = std::max(spheres.lit.radius_m,
+                                    glm::distance(sphere.centre_m, spheres.lit.centre_m) + sphere.radius_m);
   return spheres;
 }
 

@@ -63,9 +63,10 @@ std::vector<PlacedHead> placed_heads(const PlacedScene& scene, const RenderSetti
 
 /// What cameras and rigs are placed by: spheres around the skin of the heads.
 struct HeadSpheres {
-  scene::BoundingSphere middle;      ///< about the middle of the heads, as large as the largest of them
-  scene::BoundingSphere framed;      ///< holds all visible instances; of a row, the middle head
-  std::vector<glm::vec3> offsets_m;  ///< of the heads of a row, which the rig around `framed` must reach too
+  scene::BoundingSphere middle;  ///< about the middle of the heads, as large as the largest of them
+  std::vector<scene::BoundingSphere> framed;  ///< all visible instances; of a row, the middle head
+  scene::BoundingSphere lit;         ///< that the rig stands around: all of them, or the middle head of a row
+  std::vector<glm::vec3> offsets_m;  ///< of the heads of a row, which the rig must reach too
 };
 HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& settings);
 

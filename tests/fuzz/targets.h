@@ -18,11 +18,12 @@ bool png(Bytes file);     ///< the checksum of each chunk is made right first
 bool jpeg(Bytes file);
 bool hdr(Bytes file);
 bool exr(Bytes file);
-bool profile(Bytes json);    ///< a sum of Gaussians
-bool layers(Bytes json);     ///< layers of tissue
-bool table(Bytes csv);       ///< R(r) as numbers
-bool exchange(Bytes text);   ///< parameters of another engine
-bool benchmark(Bytes json);  ///< a record of `dermis bench --json`
+bool scene_file(Bytes json);  ///< a scene, without its assets
+bool profile(Bytes json);     ///< a sum of Gaussians
+bool layers(Bytes json);      ///< layers of tissue
+bool table(Bytes csv);        ///< R(r) as numbers
+bool exchange(Bytes text);    ///< parameters of another engine
+bool benchmark(Bytes json);   ///< a record of `dermis bench --json`
 /// One byte that chooses (even: a whole file; odd: what follows its header, behind a right checksum), then
 /// the bytes.
 bool checkpoint(Bytes choice_and_bytes);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Profiles in all the forms in which they are read, and records of the benchmark.
+// Scene files, profiles in all the forms in which they are read, and records of the benchmark.
 #include <cmath>
+#include <memory>
 #include <string>
 
+#include "api/scene_file.h"
+#include "api/scene_state.h"
 #include "cli/bench/recorded.h"
 #include "gaussians/exchange.h"
 #include "gaussians/json.h"
@@ -11,6 +14,30 @@
 #include "support.h"
 
 namespace dermis::fuzz {
+namespace {
+
+/// The text that is written of what was read of this one.
+std::string written_again(std::string_view text) {
+  const std::filesystem::path path = scratch_folder() / "scene.json";
+  const json::Document document(text, path.string(), api::scene_file_limits);
+  const api::SceneFile file = api::read_scene_file(document.root(), path, {});
+
+  Scene::State state = file.scene.state();
+  for (std::size_t i = 0; i < state.instances.size(); ++i)
+    state.instances[i].instance.asset = Asset::State::make(std::make_shared<const scene::Scene>(),
+                                                           file.assets.at(file.asset_of_instance.at(i)));
+  return api::scene_file_text(Scene::State::make(std::move(state)), path);
+}
+
+}  // namespace
+
+bool scene_file(Bytes json) {
+  return accepts([&] {
+    // What is written of it reads back to the same text.
+    const std::string text = written_again(as_text(json));
+    DERMIS_ASSERT_EQ(written_again(text), text);
+  });
+}
 
 bool profile(Bytes json) {
   return accepts([&] {

@@ -319,7 +319,7 @@ TEST(Instances, AFrameFollowsItsScene) {
 }
 
 TEST(Instances, AnEnvironmentOfPixelsIsThatOfTheFile) {
-  EnvironmentPixels pixels{.width = 8, .height = 4};
+  SceneEnvironment pixels{.width = 8, .height = 4};
   auto rgb = std::make_shared<std::vector<float>>(8 * 4 * 3, 0.2f);
   for (int i = 0; i < 3; ++i) (*rgb)[static_cast<std::size_t>(3 * (8 + 5) + i)] = 2.0f;
   pixels.rgb = rgb;

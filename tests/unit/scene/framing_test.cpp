@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "dermis/error.h"
 #include "scan.h"
@@ -78,6 +81,42 @@ TEST(Framing, OutlineFillsTheSmallerSide) {
     }
 }
 
+// How far the outline of a sphere reaches from the middle of the picture to each side, as a share of its
+// half.
+std::array<double, 4> reaches(const Camera& camera, const BoundingSphere& sphere, double aspect) {
+  const glm::dvec3 at(glm::inverse(glm::dmat4(camera.world_from_camera)) *
+                      glm::dvec4(glm::dvec3(sphere.centre_m), 1));
+  std::array<double, 4> shares{};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double half = std::tan(10 * degrees) * (axis == 0 ? aspect : 1);
+    const double towards = std::atan2(at[axis], -at.z),
+                 wide = std::asin(sphere.radius_m / std::hypot(at[axis], at.z));
+    shares[2 * axis] = std::tan(towards + wide) / half;
+    shares[2 * axis + 1] = -std::tan(towards - wide) / half;
+  }
+  return shares;
+}
+
+TEST(Framing, OfAGroupFillsThePictureAndHoldsAll) {
+  const std::vector<std::vector<BoundingSphere>> groups = {
+      {head, {{0.5f, 0.2f, -0.3f}, 0.15f}, {{1.0f, 0.2f, -0.3f}, 0.1f}, {{1.4f, 0.3f, -0.2f}, 0.2f}},
+      {head, {{0.1f, 0.8f, 0.5f}, 0.3f}},
+      {head, head}};
+  for (const std::vector<BoundingSphere>& group : groups)
+    for (const double aspect : {0.5, 1.0, 16.0 / 9})
+      for (const double azimuth : {0.0, 40.0, -135.0}) {
+        const Camera camera = group_camera(group, aspect, azimuth, 15, 20);
+        double most = 0;
+        for (const BoundingSphere& sphere : group)
+          for (const double reach : reaches(camera, sphere, aspect)) most = std::max(most, reach);
+        EXPECT_NEAR(most, 0.95, 1e-5) << group.size() << " " << aspect << " " << azimuth;
+      }
+
+  // Of one sphere it is the camera of that sphere.
+  const Camera one = framing_camera(head, 1.5, 30, 10), group = group_camera({&head, 1}, 1.5, 30, 10);
+  EXPECT_NEAR(glm::distance(eye_of(one), eye_of(group)), 0, 1e-6);
+}
+
 TEST(Framing, StaysRigidStraightAbove) {
   for (const double elevation : {0.0, 90.0, -90.0}) {
     const glm::dmat3 r(framing_camera(head, 1, 30, elevation).world_from_camera);
@@ -92,6 +131,9 @@ TEST(Framing, StaysRigidStraightAbove) {
 TEST(Framing, RefusesNonsense) {
   EXPECT_THROW(framing_camera({{}, 0}, 1), InputError);
   EXPECT_THROW(framing_camera(head, 0), InputError);
+  EXPECT_THROW(group_camera({}, 1), InputError);
+  EXPECT_THROW(group_camera({&head, 1}, 0), InputError);
+  EXPECT_THROW(group_camera({&head, 1}, 1, 0, 0, 180), InputError);
   EXPECT_THROW(framing_camera(head, 1, 0, 0, 180), InputError);
   EXPECT_THROW(distance_camera(head, 0), InputError);
   EXPECT_THROW(distance_camera(head, std::nan("")), InputError);
