@@ -26,13 +26,16 @@ inline constexpr auto fields_of<Light> = std::tuple{
     Field{"type", &Light::type, {.help = "where it comes from"}},
     Field{"colour",
           &Light::colour,
-          {.help = "irradiance on a surface that faces it; times d^2 of a spot or point at d metres"}},
+          {.help = "irradiance on a surface that faces it, red, green and blue, 0 to 1e9; of a spot or point "
+                   "at d metres it "
+                   "is divided by d^2"}},
     Field{"position_m", &Light::position_m, {.help = "of a spot or point", .unit = "m"}},
     Field{"direction",
           &Light::direction,
           {.help = "in which the light of a directional or spot travels, of any length but 0"}},
-    Field{
-        "range_m", &Light::range_m, {.help = "nothing arrives from further away; 0: no limit", .unit = "m"}},
+    Field{"range_m",
+          &Light::range_m,
+          {.help = "nothing arrives from further away, of a spot or point; 0: no limit", .unit = "m"}},
     Field{"inner_cone_deg",
           &Light::inner_cone_deg,
           {.help = "half angle within which a spot is even", .unit = "degrees"}},

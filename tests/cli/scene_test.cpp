@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Several files in one picture, and scene files: what --save-scene writes gives the same picture again.
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -40,8 +42,8 @@ class SceneFiles : public Program {
   }
 };
 
-double shift_of(const json& scene, std::size_t instance) {
-  return scene["instances"][instance]["world_from_asset"][12].get<double>();
+double shift_of(const json& scene, std::size_t instance, std::size_t axis) {
+  return scene["instances"][instance]["world_from_asset"][12 + axis].get<double>();
 }
 
 TEST_F(SceneFiles, GiveTheSamePictureAgain) {
@@ -53,7 +55,7 @@ TEST_F(SceneFiles, GiveTheSamePictureAgain) {
   EXPECT_EQ(read_text(saved()), text);
 
   const json scene = saved_scene();
-  EXPECT_EQ(scene["assets"].size(), 2u) << "a file that is given twice is one asset";
+  EXPECT_EQ(scene["assets"].size(), 2u);
   EXPECT_EQ(scene["instances"].size(), 4u);
 }
 
@@ -87,13 +89,33 @@ TEST_F(SceneFiles, ARowOfOneFileIsThatOfHeads) {
   EXPECT_NE(with({head, head, head}), with({head, head, head, "--layout", "grid"}));
 }
 
+// Wherever their files have them.
 TEST_F(SceneFiles, NeighboursStandByTheLargerOne) {
-  rendered({small(), large(), small(), "--layout", "row", "--save-scene", saved()});
-  const json row = saved_scene();
+  TinyMesh mesh;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) mesh.positions[i] += i % 3 == 0 ? 5.0f : -1.0f;
+  const std::string moved =
+      file("moved.gltf", tiny_gltf(mesh, [](json& root) {
+             root["accessors"][0]["min"] = {4.9, -1.1, -1}, root["accessors"][0]["max"] = {5.1, -0.9, -1};
+           }));
+  rendered({small(), large(), moved, "--layout", "row", "--save-scene", saved()});
+
   const double step_m = 1.6 * 0.2 * std::sqrt(2.0);
-  EXPECT_NEAR(shift_of(row, 0), -step_m, 1e-5);
-  EXPECT_NEAR(shift_of(row, 1), 0, 1e-12);
-  EXPECT_NEAR(shift_of(row, 2), step_m, 1e-5);
+  const std::array<double, 3> expected[] = {{-step_m, 0, 0}, {0, 0, 0}, {step_m - 5, 1, 1}};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(shift_of(saved_scene(), i, axis), expected[i][axis], 1e-5) << i << " " << axis;
+}
+
+// One asset takes less memory of the device than two that are alike.
+TEST_F(SceneFiles, AFileThatIsGivenTwiceIsOneAsset) {
+  const std::string head = small(), copy = file("copy.gltf", tiny_gltf());
+  const auto bytes = [&](const std::string& other) {
+    const Result result = render({head, other, "--stats", "-"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    return json::parse(result.out)["memory_bytes"]["buffers"].get<std::int64_t>();
+  };
+  EXPECT_LT(bytes(head), bytes(copy));
+  EXPECT_EQ(bytes(head), bytes((folder() / "." / "small.gltf").string()));
 }
 
 TEST_F(SceneFiles, AreTakenByOtherCommands) {

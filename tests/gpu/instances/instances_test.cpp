@@ -333,5 +333,26 @@ TEST(Instances, AnEnvironmentOfPixelsIsThatOfTheFile) {
   EXPECT_GT(skin_range(lit).high, 1.1f * skin_range(lit).low) << "one side is brighter";
 }
 
+TEST(Instances, AnEnvironmentByNameIsThatOfTheSettings) {
+  Scene scene(Asset::State::make(std::make_shared<const scene::Scene>(scene::sphere(0.06))));
+  RenderSettings s = settings_for(48);
+  s.lighting.rig_lights = 0;
+  const Picture uniform = renderer().render(scene, s);
+  s.lighting.environment = "studio";
+  const Picture by_settings = renderer().render(scene, s);
+
+  s.lighting.environment.clear();
+  scene.set_environment(SceneEnvironment{.file = "studio"});
+  expect_equal_bits(renderer().render(scene, s), by_settings);
+  EXPECT_NE(uniform.linear_rgba, by_settings.linear_rgba);
+
+  const SceneEnvironment both{
+      .file = "studio", .width = 2, .height = 1, .rgb = std::make_shared<std::vector<float>>(6, 1.0f)};
+  EXPECT_NE(thrown<InputError>([&] { scene.set_environment(both); }).find("exclude each other"),
+            std::string::npos);
+  EXPECT_NE(thrown<InputError>([&] { scene.set_environment(SceneEnvironment{}); }).find("must not be null"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace dermis::tests

@@ -88,6 +88,14 @@ TEST(SceneFileByHand, NamesARigByNameOrNumber) {
   EXPECT_FALSE(rig_of(R"("rig": 2)"));
 }
 
+TEST(SceneFileByHand, IsAsTheDocsShowIt) {
+  const std::string page = read_text(std::filesystem::path(DERMIS_SOURCE_DIR) / "docs" / "scenes.md");
+  const std::size_t begin = page.find("```json\n") + 8;
+  const api::SceneFile file = read(page.substr(begin, page.find("\n```", begin) - begin));
+  EXPECT_EQ(file.scene.instances().size(), 2u);
+  EXPECT_EQ(file.scene.lights().size(), 1u);
+}
+
 TEST(HostileSceneFile, TheTop) {
   refuse("", "is not valid JSON");
   refuse("[]", "must be an object");

@@ -15,6 +15,7 @@
 #include "settings/json.h"
 #include "settings/names.h"
 #include "settings/profile_fields.h"
+#include "settings/scene_fields.h"
 #include "support/written_table.h"
 
 namespace dermis {
@@ -58,14 +59,18 @@ std::string table(const std::string& parent = "") {
   const Settings settings;
   const nlohmann::ordered_json defaults = json_of(settings);
   constexpr bool has_plan = std::is_same_v<Settings, RenderSettings>;
-  std::string text = "| setting | what it is | values | default | option |";
-  text += has_plan ? " new plan |\n|---|---|---|---|---|---|\n" : "\n|---|---|---|---|---|\n";
+  constexpr bool has_options = !std::is_same_v<Settings, Light>;
+  std::string text = has_options ? "| setting | what it is | values | default | option |"
+                                 : "| member | what it is | values | default |\n|---|---|---|---|\n";
+  if (has_options)
+    text += has_plan ? " new plan |\n|---|---|---|---|---|---|\n" : "\n|---|---|---|---|---|\n";
 
   for_each_setting(
       settings, [&](const std::string& path, const About& about, const auto& value, std::string_view) {
         const std::string option = about.option.empty() ? "" : fmt::format("`--{}`", about.option);
-        text += fmt::format("| `{}` | {} | {} | {} | {} |", path_of(parent, path), about.help,
-                            range_of(about, value), default_of(defaults, path, about), option);
+        text += fmt::format("| `{}` | {} | {} | {} |", path_of(parent, path), about.help,
+                            range_of(about, value), default_of(defaults, path, about));
+        if (has_options) text += fmt::format(" {} |", option);
         text += has_plan ? fmt::format(" {} |\n", about.rebuilds ? "yes" : "") : "\n";
       });
   return text;
@@ -82,6 +87,8 @@ TEST(Settings, TheDocsShowTheRows) {
   expect_in_docs("profile", table<ProfileOptions>());
   expect_in_docs("spectral skin", table<SpectralSkin>());
   expect_in_docs("coefficients", table<Coefficients>());
+  tests::expect_table("docs/scenes.md", "lights", "build/release/tests/unit/settings/test_settings",
+                      table<Light>());
 }
 
 template <class Settings>
