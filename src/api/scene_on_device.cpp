@@ -104,12 +104,15 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
   make_looks(device, scene, settings, before);
   make_skies(device, scene, setup, settings, environment, before);
 
-  for (const techniques::GutterSize& size : setup.technique->gutters(setup.plan, drawn)) {
+  const std::vector<techniques::GutterSize> sizes = setup.technique->gutters(setup.plan, drawn);
+  Steps steps("making gutters", sizes.size());
+  for (const techniques::GutterSize& size : sizes) {
     const setup::MeshSource& source = setup.meshes[size.mesh];
     SharedAsset& asset = *assets_[source.instance];
     const UploadTime time(asset);
     asset.gpu->make_gutters(device, source.mesh, asset.subject.skin[source.mesh], size.side,
                             size.width_texels);
+    steps.done();
   }
 }
 
