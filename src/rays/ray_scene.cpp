@@ -24,6 +24,13 @@ struct Copy {
   std::uint32_t primitive = 0, copy = 0;
 };
 
+// The thread sanitizer does not see how the threads of Embree wait for each other: there it has one.
+#ifdef __SANITIZE_THREAD__
+constexpr const char* device_settings = "threads=1,set_affinity=0";
+#else
+constexpr const char* device_settings = nullptr;
+#endif
+
 // A reference that is given back, whatever is thrown meanwhile.
 struct Release {
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
@@ -89,7 +96,7 @@ struct RayScene::Scenes {
   RTCScene all = nullptr, solid = nullptr, cut_out = nullptr, skin = nullptr, skin_gathered = nullptr;
   std::vector<Copy> copies;  // by geometry number, in all of these scenes
 
-  Scenes() : device(rtcNewDevice(nullptr)) {
+  Scenes() : device(rtcNewDevice(device_settings)) {
     if (!device)
       throw device_error("Embree could not start: error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
     for (RTCScene* scene : {&all, &solid, &cut_out, &skin, &skin_gathered}) *scene = new_scene();
