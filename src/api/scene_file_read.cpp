@@ -208,9 +208,9 @@ class Reader {
 std::optional<json::Document> open_scene_file(const fs::path& path) {
   // A pipe is not opened: the reader of glTF refuses it.
   std::error_code error;
-  if (!fs::is_regular_file(path, error) || first_character(path) != '{') return {};
+  if (!fs::is_regular_file(path, error)) return {};
   const std::uintmax_t size = fs::file_size(path, error);
-  if (error || size > most_bytes) return {};
+  if (error || size > most_bytes || first_character(path) != '{') return {};
 
   const std::vector<std::byte> bytes = read_file(path, most_bytes);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());

@@ -132,9 +132,16 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
 
   // The middle of the box around them.
   spheres.middle.centre_m = spheres.lit.centre_m = (low + high) / 2.0f;
-  for (const scene::BoundingSphere& sphere : spheres.framed)
-    spheres.lit.radius_m = std::max(spheres.lit.radius_m,
-                                    glm::distance(sphere.centre_m, spheres.lit.centre_m) + sphere.radius_m);
+  for (const scene::BoundingSphere& sphere : spheres.framed) {
+    spheres.offsets_m.push_back(sphere.centre_m - spheres.middle.centre_m);
+    spheres.lit.radius_m =
+        std::max(spheres.lit.radius_m, glm::length(spheres.offsets_m.back()) + sphere.radius_m);
+  }
+
+  if (spheres.lit.radius_m < static_cast<float>(scene::rig_distance_radii) * spheres.middle.radius_m)
+    spheres.lit = spheres.middle;
+  else
+    spheres.offsets_m.clear();
   return spheres;
 }
 

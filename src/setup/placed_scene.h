@@ -65,8 +65,9 @@ std::vector<PlacedHead> placed_heads(const PlacedScene& scene, const RenderSetti
 struct HeadSpheres {
   scene::BoundingSphere middle;  ///< about the middle of the heads, as large as the largest of them
   std::vector<scene::BoundingSphere> framed;  ///< all visible instances; of a row, the middle head
-  scene::BoundingSphere lit;         ///< that the rig stands around: all of them, or the middle head of a row
-  std::vector<glm::vec3> offsets_m;  ///< of the heads of a row, which the rig must reach too
+  /// What the rig stands around: the middle as long as all heads lie within its lamps, else all heads.
+  scene::BoundingSphere lit;
+  std::vector<glm::vec3> offsets_m;  ///< from there to heads that the rig must reach too
 };
 HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& settings);
 
