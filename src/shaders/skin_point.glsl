@@ -16,7 +16,7 @@ layout(binding = 11) uniform sampler2D map_occlusion;
 layout(binding = 12) uniform sampler2D map_specular;
 // Over the unwrap, in the asset's coordinates: environment/occlusion.h.
 layout(binding = 27) uniform sampler2D bent_normal;
-layout(binding = 29) uniform sampler2D sky_direct;   // likewise: environment::SkyLight
+layout(binding = 29) uniform sampler2D sky_direct;  // likewise: environment::SkyLight
 layout(binding = 30) uniform sampler2D sky_bounced;
 layout(constant_id = 13) const
     bool off_map = false;  // the point is not on the unwrap: its occlusion is not known
