@@ -41,7 +41,7 @@ function(dermis_install)
     COMPONENT development)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/dermis DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
     COMPONENT development
-    FILES_MATCHING PATTERN "*.h")
+    FILES_MATCHING PATTERN "*.h" PATTERN "*.glsl")
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/dermisConfig.cmake.in
     ${PROJECT_BINARY_DIR}/package/dermisConfig.cmake
     INSTALL_DESTINATION ${folder})

@@ -89,6 +89,11 @@ struct Picture {
 
 class PreparedFrame;
 
+namespace vulkan {
+struct Host;        // dermis/vulkan.h
+class HostFrames;
+}  // namespace vulkan
+
 /// What a renderer has asked its device for so far. A steady frame of a session adds one submission.
 struct DeviceCounters {
   std::uint64_t allocations = 0;  ///< of memory from the driver
@@ -117,6 +122,9 @@ class Renderer {
   Renderer() : Renderer(Options{}) {}
   /// Opens the device. Throws DeviceError: no driver, no such device, a feature that dermis needs is missing.
   explicit Renderer(const Options& options);
+  /// Uses a host's device: see dermis/vulkan.h. Throws InputError: a null handle; DeviceError: it lacks what
+  /// dermis needs.
+  explicit Renderer(const vulkan::Host& host, const Hooks& hooks = {});
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
@@ -141,6 +149,7 @@ class Renderer {
 
  private:
   friend class Session;
+  friend class vulkan::HostFrames;
   std::shared_ptr<State> state_;
 };
 

@@ -30,22 +30,24 @@ void warn_coarse_once(const SceneOnDevice& scene, const setup::FrameSetup& setup
 
 }  // namespace
 
-bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings) {
+bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
+                       const std::optional<setup::HostSetup>& host) {
   const gpu::DeviceLimits& limits = device().limits();
   setup::check_settings(settings);
   check_device_limits(settings, limits);
 
   SceneOnDevice next_scene(renderer_->assets_of(scene));
-  const setup::PlacedScene placed = placed_scene(scene, next_scene.skin_spheres());
-  const setup::DeviceTraits traits{.software = limits.software,
-                                   .memory_bytes = device().summary().memory_bytes,
-                                   .max_image_side = limits.max_image_side};
+  Input input{.placed = placed_scene(scene, next_scene.skin_spheres()),
+              .subjects = next_scene.subjects(),
+              .settings = settings,
+              .environment_lights = {},
+              .host = host};
   const std::shared_ptr<const setup::EnvironmentLight> next_environment =
       renderer_->environment_light(scene, settings);
-  std::optional<std::vector<scene::Light>> environment_lights;
-  if (next_environment) environment_lights = setup::environment_lights(next_environment->sources, settings);
+  if (next_environment)
+    input.environment_lights = setup::environment_lights(next_environment->sources, settings);
 
-  setup::FrameSetup next = setup::set_up(placed, next_scene.subjects(), settings, traits, environment_lights);
+  setup::FrameSetup next = set_up(input);
   check_layers(scene, next, limits);
   warn_coarse_once(next_scene, next);
   if (next_environment) setup::fill_environment(next.frame, *next_environment, settings);
@@ -65,14 +67,39 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings) {
   ready_ = false;
   setup_ = std::move(next);
   const std::vector<techniques::DrawnHead> drawn =
-      all_sizes_ ? (plans ? setup::every_size(setup_, settings) : std::vector<techniques::DrawnHead>{})
+      all_views_ ? (plans ? setup::every_size(setup_, settings) : std::vector<techniques::DrawnHead>{})
                  : setup::drawn_heads(setup_);
-  next_scene.upload(renderer_->library, placed, settings, setup_, drawn, next_environment, scene_);
+  next_scene.upload(renderer_->library, input.placed, settings, setup_, drawn, next_environment, scene_,
+                    host ? &*host : nullptr);
   unwrap_assets_ = std::move(unwrap_assets);
   scene_ = std::move(next_scene);
   environment_ = next_environment;
+  input_ = std::move(input);
   ready_ = true;
   return plans;
+}
+
+setup::FrameSetup PlannedFrame::set_up(const Input& input) const {
+  const gpu::DeviceLimits& limits = device().limits();
+  const setup::DeviceTraits traits{.software = limits.software,
+                                   .memory_bytes = device().summary().memory_bytes,
+                                   .max_image_side = limits.max_image_side};
+  return setup::set_up(input.placed, input.subjects, input.settings, traits, input.environment_lights,
+                       input.host ? &*input.host : nullptr);
+}
+
+void PlannedFrame::set_view(const CameraMatrices& camera, int width, int height) {
+  Input input = input_;
+  input.settings.camera.matrices = camera;
+  input.settings.output.width = width;
+  input.settings.output.height = height;
+  check_device_limits(input.settings, device().limits());
+
+  setup::FrameSetup next = set_up(input);
+  if (next.plan != setup_.plan || next.technique != setup_.technique)
+    throw input_error("", "this view needs what update() has not made; call it again");
+  if (environment_) setup::fill_environment(next.frame, *environment_, input.settings);
+  setup_ = std::move(next);
 }
 
 void PlannedFrame::plan(const RenderSettings& settings, const setup::FrameSetup& next) {

@@ -16,17 +16,23 @@ namespace dermis::api {
 
 class PlannedFrame {
  public:
-  /// `all_sizes`: a plan brings what it needs for light maps of every size with it, so that a head may come
-  /// nearer without an upload.
-  explicit PlannedFrame(std::shared_ptr<Renderer::State> renderer, bool all_sizes = false)
-      : renderer_(std::move(renderer)), all_sizes_(all_sizes) {}
+  /// `all_views`: a plan brings what it needs for every camera with it, light maps of every size for
+  /// instance, so that a head may come nearer without an upload.
+  explicit PlannedFrame(std::shared_ptr<Renderer::State> renderer, bool all_views = false)
+      : renderer_(std::move(renderer)), all_views_(all_views) {}
 
   /// Sets scene and settings. Makes a plan with its memory unless that of the last frame serves, and uploads
   /// what is new. Returns whether it made a plan.
   ///
   /// Throws InputError: the frame is as before. Throws DeviceError or Cancelled: the frame cannot be drawn
   /// until this succeeds.
-  bool set(const Scene& scene, const RenderSettings& settings);
+  bool set(const Scene& scene, const RenderSettings& settings,
+           const std::optional<setup::HostSetup>& host = {});
+
+  /// Takes the scene and the settings of the last set() as another camera sees them, in a picture of this
+  /// size. Makes nothing and uploads nothing. Throws InputError, and is as before: the camera is none, or
+  /// needs another plan.
+  void set_view(const CameraMatrices& camera, int width, int height);
 
   /// False if the last set() has thrown half way.
   bool is_ready() const { return ready_; }
@@ -45,18 +51,28 @@ class PlannedFrame {
   double pipeline_ms() const { return pipeline_ms_; }
 
  private:
+  /// What a setup is made of.
+  struct Input {
+    setup::PlacedScene placed;
+    std::vector<const setup::Subject*> subjects;  // of scene_, one per instance
+    RenderSettings settings;
+    std::optional<std::vector<scene::Light>> environment_lights;
+    std::optional<setup::HostSetup> host;
+  };
+  setup::FrameSetup set_up(const Input& input) const;
   void plan(const RenderSettings& settings, const setup::FrameSetup& next);
 
   std::shared_ptr<Renderer::State> renderer_;
   SceneOnDevice scene_;
   std::shared_ptr<const setup::EnvironmentLight> environment_;
   setup::FrameSetup setup_;
+  Input input_;
   techniques::FrameOutputs outputs_;
   std::optional<frame::Executor<passes::FrameData>> executor_;
   /// Of the meshes whose metric the memory of the plan holds, in the order of their unwraps.
   std::vector<AssetPointer> unwrap_assets_;
   double pipeline_ms_ = 0;
-  bool all_sizes_ = false;
+  bool all_views_ = false;
   bool ready_ = false;
 };
 

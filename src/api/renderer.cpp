@@ -8,6 +8,7 @@
 #include "api/asset_state.h"
 #include "api/renderer_state.h"
 #include "api/scene_state.h"
+#include "dermis/vulkan.h"
 #include "passes/shaders.h"
 #include "settings/names.h"
 #include "setup/frame_setup.h"
@@ -18,6 +19,12 @@ Renderer::State::State(const Options& wanted)
     : options(wanted),
       device({.select = wanted.device, .validate = wanted.validate}),
       library(device, passes::find_shader, gpu::default_pipeline_cache()) {}
+
+Renderer::State::State(const vulkan::Host& host, const Hooks& hooks)
+    : options{.hooks = hooks},
+      device(host),
+      library(device, passes::find_shader, gpu::default_pipeline_cache(), host.pipeline_cache,
+              host.find_shader) {}
 
 std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
   std::vector<api::AssetPointer> of_instances, different;
@@ -56,6 +63,10 @@ std::shared_ptr<const setup::EnvironmentLight> Renderer::State::environment_ligh
 Renderer::Renderer(const Options& options) {
   const HookScope scope(Hooks{.log = options.hooks.log});
   state_ = std::make_shared<State>(options);
+}
+Renderer::Renderer(const vulkan::Host& host, const Hooks& hooks) {
+  const HookScope scope(Hooks{.log = hooks.log});
+  state_ = std::make_shared<State>(host, hooks);
 }
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;

@@ -17,6 +17,7 @@ namespace dermis {
 
 struct Renderer::State {
   explicit State(const Options& wanted);
+  State(const vulkan::Host& host, const Hooks& hooks);
 
   /// Runs a call that prepares a frame of the scene, with all hooks. Throws InternalError for every call
   /// after the first one that did.

@@ -93,7 +93,7 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
                            const RenderSettings& settings, const setup::FrameSetup& setup,
                            std::span<const techniques::DrawnHead> drawn,
                            const std::shared_ptr<const setup::EnvironmentLight>& environment,
-                           const SceneOnDevice& before) {
+                           const SceneOnDevice& before, const setup::HostSetup* host) {
   const WarningGroup group;
   gpu::Device& device = library.device();
   for (const AssetPointer& asset : different_assets()) {
@@ -101,8 +101,8 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
     if (environment) add_bent_normals(device, *asset);
   }
 
-  make_looks(device, scene, settings, before);
-  make_skies(device, scene, setup, settings, environment, before);
+  make_looks(device, scene, settings, before, host);
+  make_skies(device, scene, setup, settings, environment, before, host);
 
   const std::vector<techniques::GutterSize> sizes = setup.technique->gutters(setup.plan, drawn);
   Steps steps("making gutters", sizes.size());
@@ -117,11 +117,16 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
 }
 
 void SceneOnDevice::make_looks(gpu::Device& device, const setup::PlacedScene& scene,
-                               const RenderSettings& settings, const SceneOnDevice& before) {
+                               const RenderSettings& settings, const SceneOnDevice& before,
+                               const setup::HostSetup* host) {
+  const std::span<const setup::HostMap> maps =
+      host ? std::span<const setup::HostMap>(host->maps) : std::span<const setup::HostMap>();
   looks_.clear();
   for (std::size_t i = 0; i < assets_.size(); ++i) {
-    passes::LookSettings wanted{.mix = scene.instances[i].mix, .tint = scene.instances[i].tint};
+    passes::LookSettings wanted{.mix = scene.instances[i].mix, .tint = scene.instances[i].tint, .maps = {}};
     if (settings.skin.mix) wanted.mix = static_cast<float>(*settings.skin.mix);
+    for (const setup::HostMap& map : maps)
+      if (map.instance == i) wanted.maps.push_back(map.map);
     const auto matches = [&](const SharedLook& look) {
       return look.asset == assets_[i] && look.settings == wanted;
     };
@@ -138,10 +143,11 @@ void SceneOnDevice::make_looks(gpu::Device& device, const setup::PlacedScene& sc
 void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& scene,
                                const setup::FrameSetup& setup, const RenderSettings& settings,
                                const std::shared_ptr<const setup::EnvironmentLight>& environment,
-                               const SceneOnDevice& before) {
+                               const SceneOnDevice& before, const setup::HostSetup* host) {
   skies_.assign(assets_.size(), nullptr);
   if (!environment) return;
   std::vector<bool> shown(assets_.size(), false);
+  for (std::size_t i = 0; host && i < shown.size(); ++i) shown[i] = scene.instances[i].visible;
   for (const setup::HeadSetup& head : setup.heads)
     shown[head.instance] = shown[head.instance] || head.visible;
 

@@ -48,23 +48,26 @@ class SceneOnDevice {
   std::vector<const setup::Subject*> subjects() const;      ///< one per instance
   std::vector<scene::BoundingSphere> skin_spheres() const;  ///< one per instance, in its asset
   std::vector<AssetPointer> different_assets() const;       ///< each once
+  const AssetPointer& asset(std::size_t instance) const { return assets_[instance]; }
   double upload_ms() const;
 
   /// Brings the scene to the device, but for what is there, also of `before`, the same frame's last scene:
   /// assets, looks, with an environment what the skin sees of it, and the gutters for heads `drawn`.
+  /// With a `host`: its maps, and all also for instances that the camera does not see.
   void upload(gpu::PipelineLibrary& library, const setup::PlacedScene& scene, const RenderSettings& settings,
               const setup::FrameSetup& setup, std::span<const techniques::DrawnHead> drawn,
-              const std::shared_ptr<const setup::EnvironmentLight>& environment, const SceneOnDevice& before);
+              const std::shared_ptr<const setup::EnvironmentLight>& environment, const SceneOnDevice& before,
+              const setup::HostSetup* host = nullptr);
 
   std::vector<setup::InstanceOnDevice> instances() const;  ///< after upload()
 
  private:
   void make_looks(gpu::Device& device, const setup::PlacedScene& scene, const RenderSettings& settings,
-                  const SceneOnDevice& before);
+                  const SceneOnDevice& before, const setup::HostSetup* host);
   void make_skies(gpu::Device& device, const setup::PlacedScene& scene, const setup::FrameSetup& setup,
                   const RenderSettings& settings,
                   const std::shared_ptr<const setup::EnvironmentLight>& environment,
-                  const SceneOnDevice& before);
+                  const SceneOnDevice& before, const setup::HostSetup* host);
 
   // By instance.
   std::vector<AssetPointer> assets_;

@@ -11,11 +11,23 @@ GraphExecutor::GraphExecutor(gpu::PipelineLibrary& library, const FrameGraph& gr
       layouts_(graph.textures().size(), VK_IMAGE_LAYOUT_UNDEFINED),
       separate_(library.device().limits().software || !library.device().limits().timestamps) {
   for (const TextureNode& node : graph.textures())
-    resources_.textures_.emplace_back(library.device(), node.name, node.desc);
+    if (node.lifetime == Lifetime::of_host)
+      resources_.textures_.emplace_back();
+    else
+      resources_.textures_.emplace_back(library.device(), node.name, node.desc);
   for (const BufferNode& node : graph.buffers())
     resources_.buffers_.emplace_back(library.device(), node.name, node.desc);
   resources_.nearest_ = library.sampler({.filter = gpu::Filter::nearest});
   resources_.linear_ = library.sampler({.filter = gpu::Filter::linear});
+}
+
+void GraphExecutor::set_texture_of_host(TextureId id, gpu::Texture texture) {
+  DERMIS_ASSERT(graph_.textures()[id.index].lifetime == Lifetime::of_host);
+  resources_.textures_[id.index] = std::move(texture);
+}
+
+bool GraphExecutor::is_of_host(const Barrier& b) const {
+  return b.is_texture && graph_.textures()[b.index].lifetime == Lifetime::of_host;
 }
 
 VkImageMemoryBarrier2 GraphExecutor::image_barrier(const Barrier& b) {
@@ -43,10 +55,11 @@ const GraphExecutor::Barriers& GraphExecutor::barriers_of(const FrameKind& kind)
 
 void GraphExecutor::record_barriers(gpu::Cmd& cmd, const std::vector<Barrier>& barriers) {
   std::vector<VkImageMemoryBarrier2> images;
-  // On one queue a barrier of a buffer has the same effect as one of all memory.
+  // On one queue a barrier of a buffer has the same effect as one of all memory. A target of the host keeps
+  // its layout, so that it needs no more either.
   std::vector<VkMemoryBarrier2> buffers;
   for (const Barrier& b : barriers)
-    if (b.is_texture)
+    if (b.is_texture && !is_of_host(b))
       images.push_back(image_barrier(b));
     else
       buffers.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, b.source_stages, b.source_access,
@@ -79,9 +92,9 @@ void GraphExecutor::record(VkCommandBuffer commands, const RecordPass& record_pa
 
 void GraphExecutor::poison() {
   for (std::size_t i = 0; i < resources_.textures_.size(); ++i) {
-    const bool lasts =
-        graph_.textures()[i].lifetime == Lifetime::persistent && layouts_[i] != VK_IMAGE_LAYOUT_UNDEFINED;
-    if (!lasts && resources_.textures_[i].desc().samples == 1) gpu::poison(device(), resources_.textures_[i]);
+    const Lifetime lifetime = graph_.textures()[i].lifetime;
+    const bool lasts = lifetime == Lifetime::persistent && layouts_[i] != VK_IMAGE_LAYOUT_UNDEFINED;
+    if (!lasts && lifetime != Lifetime::of_host && resources_.textures_[i].desc().samples == 1) gpu::poison(device(), resources_.textures_[i]);
   }
 }
 

@@ -31,6 +31,8 @@ class GraphExecutor {
   /// that no picture may show (gpu::poison). A driver that keeps contents which a frame declares undefined
   /// then reveals a pass that reads them.
   void poison();
+  /// Sets a texture of Lifetime::of_host for the frames that follow.
+  void set_texture_of_host(TextureId id, gpu::Texture texture);
   /// Returns the layout in which the last recorded frame leaves a texture.
   VkImageLayout layout_of(TextureId id) const { return layouts_[id.index]; }
   bool separate_submissions() const { return separate_; }
@@ -51,6 +53,7 @@ class GraphExecutor {
 
   VkImageMemoryBarrier2 image_barrier(const Barrier& b);
   const Barriers& barriers_of(const FrameKind& kind);
+  bool is_of_host(const Barrier& b) const;
   void record_barriers(gpu::Cmd& cmd, const std::vector<Barrier>& barriers);
 
   gpu::PipelineLibrary* library_;

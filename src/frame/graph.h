@@ -51,8 +51,9 @@ inline bool writes(Access access) { return row_of(access).written != 0; }
 
 enum class PassKind : std::uint8_t { compute, raster, copy };
 /// transient: contents are lost after the frame. persistent: contents are kept between frames (undefined in
-/// the first).
-enum class Lifetime : std::uint8_t { transient, persistent };
+/// the first). of_host: a target of the host's, another one in each frame; it has its layout before the frame
+/// and keeps it.
+enum class Lifetime : std::uint8_t { transient, persistent, of_host };
 
 template <class Desc>
 struct Node {

@@ -18,6 +18,15 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+std::string_view name_of(Lifetime lifetime) {
+  switch (lifetime) {
+    case Lifetime::transient: return "transient";
+    case Lifetime::persistent: return "persistent";
+    case Lifetime::of_host: return "of the host";
+  }
+  return "";
+}
+
 std::string size_of(const gpu::TextureDesc& desc) {
   std::string text = fmt::format("{}x{}", desc.width, desc.height);
   if (desc.layers > 1) text += fmt::format("x{}", desc.layers);
@@ -42,12 +51,12 @@ std::string print_text(const FrameGraph& graph) {
   for (const TextureNode& t : graph.textures())
     text += fmt::format("  {:<28} {:<20} {:<10} {:>9.2f} MB {}\n", t.name, size_of(t.desc),
                         gpu::format_name(t.desc.format), static_cast<double>(gpu::bytes_of(t.desc)) / 1e6,
-                        t.lifetime == Lifetime::persistent ? "persistent" : "transient");
+                        name_of(t.lifetime));
 
   if (!graph.buffers().empty()) text += "buffers\n";
   for (const BufferNode& b : graph.buffers())
     text += fmt::format("  {:<28} {:>9} bytes {}\n", b.name, b.desc.bytes,
-                        b.lifetime == Lifetime::persistent ? "persistent" : "transient");
+                        name_of(b.lifetime));
   return text;
 }
 

@@ -179,21 +179,6 @@ std::uint64_t device_memory_bytes(const InstanceTable& table, VkPhysicalDevice d
 
 std::span<const FormatNeed> format_needs() { return needed_formats; }
 
-RequiredFeatures::RequiredFeatures() {
-  features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-  features11.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES;
-  features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-  features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-  features.pNext = &features11;
-  features11.pNext = &features12;
-  features12.pNext = &features13;
-  require(features.features, needs10);
-  require(features12, needs12);
-  require(features13, needs13);
-}
-
-std::span<const char* const> RequiredFeatures::extensions() { return extension_names; }
-
 std::vector<std::string> missing_of(const DeviceFacts& facts) {
   std::vector<std::string> missing;
   const bool api = facts.api_version >= RequiredFeatures::api_version;
@@ -283,3 +268,22 @@ const Candidate& choose(std::span<const Candidate> sorted, const std::string& se
 }
 
 }  // namespace dermis::gpu
+
+namespace dermis::vulkan {
+
+RequiredFeatures::RequiredFeatures() {
+  features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+  features11.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES;
+  features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+  features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+  features.pNext = &features11;
+  features11.pNext = &features12;
+  features12.pNext = &features13;
+  gpu::require(features.features, gpu::needs10);
+  gpu::require(features12, gpu::needs12);
+  gpu::require(features13, gpu::needs13);
+}
+
+std::span<const char* const> RequiredFeatures::extensions() { return gpu::extension_names; }
+
+}  // namespace dermis::vulkan

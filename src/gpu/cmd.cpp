@@ -252,4 +252,14 @@ void Cmd::barrier(const VkDependencyInfo& dependencies) {
   device_->vk().vkCmdPipelineBarrier2(handle_, &dependencies);
 }
 
+void Cmd::barrier_all() {
+  VkMemoryBarrier2 all{};
+  all.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+  all.srcStageMask = all.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  all.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+  all.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+  barrier(
+      {.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &all});
+}
+
 }  // namespace dermis::gpu

@@ -90,6 +90,8 @@ class Cmd {
   void fill(const Buffer& to, std::uint32_t value);
   void clear(const Texture& to, std::array<float, 4> colour);  ///< in TRANSFER_DST layout
   void barrier(const VkDependencyInfo& dependencies);
+  /// Makes all that was written before visible to all that comes after.
+  void barrier_all();
 
  private:
   Device* device_;

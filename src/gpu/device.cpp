@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include "core/assert.h"
@@ -36,6 +37,19 @@ const char* text_of(VkResult result) {
   }
 }
 
+void check_host(const vulkan::Host& host) {
+  const auto need = [](bool given, const char* member) {
+    if (!given) throw input_error("vulkan::Host", "{} must not be null", member);
+  };
+  need(host.get_instance_proc_addr != nullptr, "get_instance_proc_addr");
+  need(host.instance != VK_NULL_HANDLE, "instance");
+  need(host.physical_device != VK_NULL_HANDLE, "physical_device");
+  need(host.device != VK_NULL_HANDLE, "device");
+  need(host.queue != VK_NULL_HANDLE, "queue");
+  if (!host.memory.allocate != !host.memory.free)
+    throw input_error("vulkan::Host", "memory needs both of its callbacks, or none");
+}
+
 }  // namespace
 
 void check(VkResult result, std::string_view what) {
@@ -44,8 +58,10 @@ void check(VkResult result, std::string_view what) {
 }
 
 struct Device::State {
-  bool external = false;
-  std::unique_ptr<Instance> instance;  ///< ours; null for an engine's device
+  bool of_host = false;
+  std::unique_ptr<Instance> instance;  ///< ours; null for a host's device
+  std::mutex* queue_mutex = nullptr;   ///< of the host; null: nobody else submits
+  vulkan::MemoryCallbacks memory_of_host;
   InstanceTable instance_table{};
   DeviceTable vk{};
   VkPhysicalDevice physical = VK_NULL_HANDLE;
@@ -62,8 +78,10 @@ struct Device::State {
   DeviceCounters counters;
   std::uint32_t recording = 0;  ///< command buffers begun and neither submitted nor discarded
 
+  std::uint64_t host_recorded = 0, host_finished = 0;  ///< frames of the host
+
   struct Retired {
-    std::uint64_t serial;
+    std::uint64_t serial, host_frame;  ///< freed when both have completed
     std::function<void()> free;
   };
   std::vector<Retired> retired;
@@ -79,7 +97,7 @@ struct Device::State {
   void find_limits(const Candidate& candidate, bool anisotropy);
   std::uint64_t completed() const;
   void recycle_commands();
-  void free_up_to(std::uint64_t serial);
+  void free_completed(std::uint64_t serial, std::uint64_t host_frame);
   /// Returns the serial at which all work recorded so far is done.
   std::uint64_t recorded() const { return submitted + recording; }
 };
@@ -95,11 +113,12 @@ Device::State::~State() {
     // Fails at once on a lost device, where nothing is in use any more.
     vk.vkWaitSemaphores(device, &info, std::numeric_limits<std::uint64_t>::max());
   }
-  free_up_to(std::numeric_limits<std::uint64_t>::max());
+  constexpr std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
+  free_completed(all, all);
   memory.reset();
   vk.vkDestroyCommandPool(device, pool, nullptr);
   vk.vkDestroySemaphore(device, timeline, nullptr);
-  if (!external) vk.vkDestroyDevice(device, nullptr);
+  if (!of_host) vk.vkDestroyDevice(device, nullptr);
 }
 
 void Device::State::create_device(const Candidate& candidate) {
@@ -161,7 +180,7 @@ void Device::State::set_up(const Candidate& candidate, bool anisotropy) {
   instance_table.get_properties2(physical, &all);
   VkPhysicalDeviceMemoryProperties heaps{};
   instance_table.get_memory_properties(physical, &heaps);
-  memory = std::make_unique<MemoryPool>(vk, device, heaps, maintenance3.maxMemoryAllocationSize);
+  memory = std::make_unique<MemoryPool>(vk, device, heaps, maintenance3.maxMemoryAllocationSize, memory_of_host);
 
   VkCommandPoolCreateInfo pool_info{};
   pool_info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
@@ -190,14 +209,14 @@ void Device::State::recycle_commands() {
     spare.push_back(entry.second);
     return true;
   });
-  if (!external) free_up_to(done);
+  free_completed(done, host_finished);
 }
 
-void Device::State::free_up_to(std::uint64_t serial) {
+void Device::State::free_completed(std::uint64_t serial, std::uint64_t host_frame) {
   // Freeing one object may retire another, so the list is moved out first.
   std::vector<Retired> due;
   std::erase_if(retired, [&](Retired& entry) {
-    if (entry.serial > serial) return false;
+    if (entry.serial > serial || entry.host_frame > host_frame) return false;
     due.push_back(std::move(entry));
     return true;
   });
@@ -219,22 +238,23 @@ Device::Device(const Options& options) : state_(std::make_unique<State>()) {
   s.vk.vkGetDeviceQueue(s.device, s.queue_family, 0, &s.queue);
 }
 
-Device::Device(const External& external) : state_(std::make_unique<State>()) {
-  DERMIS_ASSERT(external.get_instance_proc_addr && external.instance && external.physical_device &&
-                external.device && external.queue);
+Device::Device(const vulkan::Host& host) : state_(std::make_unique<State>()) {
+  check_host(host);
   State& s = *state_;
-  s.external = true;
-  s.instance_table = load_instance_table(external.get_instance_proc_addr, external.instance);
-  const Candidate candidate = examine(s.instance_table, external.physical_device, external.queue_family);
+  s.of_host = true;
+  s.queue_mutex = host.queue_mutex;
+  s.memory_of_host = host.memory;
+  s.instance_table = load_instance_table(host.get_instance_proc_addr, host.instance);
+  const Candidate candidate = examine(s.instance_table, host.physical_device, host.queue_family);
   if (!candidate.summary.missing.empty())
     throw device_error("{} cannot be used: {}", candidate.summary.name,
                        fmt::join(candidate.summary.missing, "; "));
-  s.device = external.device;
-  s.queue = external.queue;
-  s.queue_family = external.queue_family;
-  s.set_up(candidate, external.sampler_anisotropy && candidate.anisotropy);
+  s.device = host.device;
+  s.queue = host.queue;
+  s.queue_family = host.queue_family;
+  s.set_up(candidate, host.sampler_anisotropy && candidate.anisotropy);
   if (s.vk.vkCmdPushDescriptorSetKHR == nullptr)
-    throw device_error("the engine's device was made without {} (see RequiredFeatures)",
+    throw device_error("the host's device was made without {} (see RequiredFeatures)",
                        RequiredFeatures::extensions()[0]);
 }
 
@@ -323,7 +343,11 @@ std::uint64_t Device::submit(VkCommandBuffer commands) {
   info.pCommandBufferInfos = &command_info;
   info.signalSemaphoreInfoCount = 1;
   info.pSignalSemaphoreInfos = &signal;
-  check(s.vk.vkQueueSubmit2(s.queue, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit2");
+  {
+    std::unique_lock<std::mutex> lock;
+    if (s.queue_mutex) lock = std::unique_lock(*s.queue_mutex);
+    check(s.vk.vkQueueSubmit2(s.queue, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit2");
+  }
 
   --s.recording;
   ++s.counters.submissions;
@@ -371,18 +395,19 @@ void Device::run(const std::function<void(VkCommandBuffer)>& record) {
   wait(submit(commands));
 }
 
-void Device::collect() {
+void Device::begin_host_frame(std::uint64_t recorded, std::uint64_t finished) {
   State& s = *state_;
-  s.free_up_to(s.completed());
+  s.host_recorded = std::max(s.host_recorded, recorded);
+  s.host_finished = std::max(s.host_finished, finished);
+  s.free_completed(s.completed(), s.host_finished);
 }
 
 void Device::retire(std::function<void()> free) {
   State& s = *state_;
-  // An engine's command buffers are unknown until collect(); for ours the timeline says what has completed.
   std::uint64_t now = 0;
-  const bool known = !s.external && s.vk.vkGetSemaphoreCounterValue(s.device, s.timeline, &now) == VK_SUCCESS;
-  if (known && now >= s.recorded()) return free();
-  s.retired.push_back({s.recorded(), std::move(free)});
+  const bool known = s.vk.vkGetSemaphoreCounterValue(s.device, s.timeline, &now) == VK_SUCCESS;
+  if (known && now >= s.recorded() && s.host_finished >= s.host_recorded) return free();
+  s.retired.push_back({s.recorded(), s.host_recorded, std::move(free)});
 }
 
 const std::vector<std::string>& Device::validation_messages() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Vulkan 1.3 device, ours or an engine's. Owns only what it created: an external device keeps its instance,
-// queue and function pointers. Our function pointers are per device (a DeviceTable), never global.
+// A Vulkan 1.3 device, ours or a host's. Owns only what it created: a host keeps its instance, device and
+// queue. Our function pointers are per device (a DeviceTable), never global.
 #pragma once
 
 #include <array>
@@ -14,23 +14,12 @@
 #include <string_view>
 #include <vector>
 
+#include "dermis/vulkan.h"
 #include "gpu/vulkan.h"
 
 namespace dermis::gpu {
 
-/// Features that this library requires, published so that an engine can create a suitable device. Chain
-/// `features` into VkDeviceCreateInfo. Not copyable: the structures point at each other.
-struct RequiredFeatures {
-  RequiredFeatures();
-  RequiredFeatures(const RequiredFeatures&) = delete;
-  RequiredFeatures& operator=(const RequiredFeatures&) = delete;
-  static constexpr std::uint32_t api_version = VK_API_VERSION_1_3;
-  static std::span<const char* const> extensions();  ///< VK_KHR_push_descriptor
-  VkPhysicalDeviceFeatures2 features{};              ///< first of the chain
-  VkPhysicalDeviceVulkan11Features features11{};
-  VkPhysicalDeviceVulkan12Features features12{};  ///< scalarBlockLayout, timelineSemaphore, ...
-  VkPhysicalDeviceVulkan13Features features13{};  ///< dynamicRendering, synchronization2
-};
+using vulkan::RequiredFeatures;
 
 /// A physical device as `dermis info` shows it.
 struct DeviceSummary {
@@ -84,22 +73,12 @@ class Device {
     /// validation layer with synchronization validation; messages are counted and kept
     bool validate = false;
   };
-  /// An engine's device, created with RequiredFeatures. All handles must outlive this object.
-  struct External {
-    PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
-    VkInstance instance = VK_NULL_HANDLE;
-    VkPhysicalDevice physical_device = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE;
-    std::uint32_t queue_family = 0;
-    /// created with this feature too; without it samplers are isotropic
-    bool sampler_anisotropy = false;
-  };
 
   /// Throws DeviceError: no driver; no match (lists devices); a missing requirement (names it); validation
   /// layer not installed.
   explicit Device(const Options& options);
-  explicit Device(const External& external);
+  /// Uses a host's. Throws InputError: a handle is null.
+  explicit Device(const vulkan::Host& host);
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
   ~Device();  ///< waits for all submissions of this object
@@ -126,10 +105,11 @@ class Device {
   /// Begins, records, submits and waits.
   void run(const std::function<void(VkCommandBuffer)>& record);
 
-  /// For an external queue: declares that everything recorded so far has completed, so that retired objects
-  /// are freed.
-  void collect();
-  /// Calls `free` once all work recorded so far has completed (now, if nothing is in flight).
+  /// Says that commands of the host's frame `recorded` are about to be recorded, and that the device has
+  /// finished those of all frames up to `finished`: frees what only these needed.
+  void begin_host_frame(std::uint64_t recorded, std::uint64_t finished);
+  /// Calls `free` once all work recorded so far has completed, the host's frames included (now, if nothing is
+  /// in flight).
   void retire(std::function<void()> free);
 
   DeviceCounters& counters();

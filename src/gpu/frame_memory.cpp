@@ -32,15 +32,18 @@ void FrameMemory::replace_bytes(const BufferBinding& binding, std::span<const st
   std::memcpy(bytes_.data() + binding.offset, bytes.data(), bytes.size());
 }
 
+void FrameMemory::reserve() {
+  if (has_room()) return;
+  const std::uint64_t bytes = std::max<std::uint64_t>(least_bytes, 2 * bytes_.size());
+  staging_ = Buffer(*device_, name_ + " staging", {.bytes = bytes, .place = BufferPlace::upload});
+  on_device_ = Buffer(
+      *device_, name_,
+      {.bytes = bytes, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT});
+}
+
 void FrameMemory::record(VkCommandBuffer commands) {
   if (bytes_.empty()) return;
-  if (!staging_ || staging_.desc().bytes < bytes_.size()) {
-    const std::uint64_t bytes = std::max<std::uint64_t>(least_bytes, 2 * bytes_.size());
-    staging_ = Buffer(*device_, name_ + " staging", {.bytes = bytes, .place = BufferPlace::upload});
-    on_device_ = Buffer(
-        *device_, name_,
-        {.bytes = bytes, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT});
-  }
+  reserve();
   std::memcpy(staging_.mapped().data(), bytes_.data(), bytes_.size());
 
   const VkBufferCopy copy{0, 0, bytes_.size()};

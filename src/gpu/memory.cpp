@@ -42,8 +42,13 @@ std::uint64_t align_up(std::uint64_t offset, std::uint64_t alignment) {
 }  // namespace
 
 MemoryPool::MemoryPool(const DeviceTable& vk, VkDevice device,
-                       const VkPhysicalDeviceMemoryProperties& properties, std::uint64_t max_allocation_bytes)
-    : vk_(&vk), device_(device), properties_(properties), max_allocation_bytes_(max_allocation_bytes) {}
+                       const VkPhysicalDeviceMemoryProperties& properties, std::uint64_t max_allocation_bytes,
+                       vulkan::MemoryCallbacks of_host)
+    : vk_(&vk),
+      device_(device),
+      properties_(properties),
+      max_allocation_bytes_(max_allocation_bytes),
+      of_host_(std::move(of_host)) {}
 
 MemoryPool::~MemoryPool() {
   static_cast<void>(DERMIS_HOLDS(live_.empty()));
@@ -154,6 +159,7 @@ std::unique_ptr<MemoryPool::Allocation> MemoryPool::place_in(Block& block, const
 
 std::unique_ptr<MemoryPool::Allocation> MemoryPool::try_allocate(const Request& request,
                                                                  const std::vector<std::uint32_t>& types) {
+  if (of_host_.allocate) return ask_host(request, types);
   const bool image = request.image != VK_NULL_HANDLE;
   const std::uint64_t bytes = request.needs.size;
   for (const std::uint32_t type : types) {
@@ -170,6 +176,38 @@ std::unique_ptr<MemoryPool::Allocation> MemoryPool::try_allocate(const Request& 
     if (block) return place_in(*block, request);
   }
   return nullptr;
+}
+
+std::unique_ptr<MemoryPool::Allocation> MemoryPool::ask_host(const Request& request,
+                                                             const std::vector<std::uint32_t>& types) {
+  const bool mapped = request.place != BufferPlace::device;
+  vulkan::MemoryRequest wanted{.requirements = request.needs,
+                               .mapped = mapped,
+                               .dedicated = request.dedicated,
+                               .buffer = request.buffer,
+                               .image = request.image,
+                               .name = request.name.c_str()};
+  wanted.requirements.memoryTypeBits = 0;
+  for (const std::uint32_t type : types) wanted.requirements.memoryTypeBits |= 1u << type;
+
+  std::optional<vulkan::MemoryRange> range;
+  if (wanted.requirements.memoryTypeBits != 0) range = of_host_.allocate(wanted);
+  if (!range) return nullptr;
+  if (range->memory == VK_NULL_HANDLE || range->offset % request.needs.alignment != 0 ||
+      (mapped && range->mapped == nullptr)) {
+    of_host_.free(*range);
+    throw input_error("vulkan::MemoryCallbacks",
+                      "memory for '{}' must not be null, its offset be a multiple of {}{}", request.name,
+                      request.needs.alignment, mapped ? ", and it must be mapped" : "");
+  }
+
+  ++allocations_;
+  return std::make_unique<Allocation>(Allocation{.memory = range->memory,
+                                                 .offset = range->offset,
+                                                 .bytes = request.needs.size,
+                                                 .mapped = static_cast<std::byte*>(range->mapped),
+                                                 .image = request.image != VK_NULL_HANDLE,
+                                                 .range = *range});
 }
 
 MemoryPool::Allocation* MemoryPool::allocate(const Request& request) {
@@ -245,6 +283,13 @@ void MemoryPool::return_range(Block& block, std::uint64_t offset, std::uint64_t 
 void MemoryPool::free(Allocation* allocation) noexcept {
   const auto found = live_.find(allocation);
   if (!DERMIS_HOLDS(found != live_.end())) return;
+
+  if (!allocation->block) {
+    of_host_.free(allocation->range);
+    (allocation->image ? image_bytes_ : buffer_bytes_) -= allocation->bytes;
+    live_.erase(found);
+    return;
+  }
 
   Block& block = *allocation->block;
   try {

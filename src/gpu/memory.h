@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Allocates device memory in blocks. Each block serves one memory type and one kind of resource (linear or
 // optimal), so that neighbours never share a page of bufferImageGranularity. Large resources get their own
-// memory. One thread at a time.
+// memory. One thread at a time. A host may do the allocating: each resource is a request to it then.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "dermis/vulkan.h"
 #include "gpu/resources.h"
 #include "gpu/vulkan.h"
 
@@ -29,11 +30,12 @@ class MemoryPool {
     std::uint64_t bytes = 0;
     std::byte* mapped = nullptr;  ///< upload and readback only
     bool image = false;
-    Block* block = nullptr;
+    Block* block = nullptr;    ///< null: of the host
+    vulkan::MemoryRange range;  ///< of the host
   };
 
   MemoryPool(const DeviceTable& vk, VkDevice device, const VkPhysicalDeviceMemoryProperties& properties,
-             std::uint64_t max_allocation_bytes);
+             std::uint64_t max_allocation_bytes, vulkan::MemoryCallbacks of_host = {});
   MemoryPool(const MemoryPool&) = delete;
   MemoryPool& operator=(const MemoryPool&) = delete;
   ~MemoryPool();  ///< warns if something was not freed
@@ -58,6 +60,7 @@ class MemoryPool {
   std::unique_ptr<Allocation> try_allocate(const Request& request, const std::vector<std::uint32_t>& types);
   Block* new_block(const Request& request, std::uint32_t type, std::uint64_t bytes, bool dedicated);
   std::unique_ptr<Allocation> place_in(Block& block, const Request& request);
+  std::unique_ptr<Allocation> ask_host(const Request& request, const std::vector<std::uint32_t>& types);
   static void return_range(Block& block, std::uint64_t offset, std::uint64_t bytes);
   std::vector<std::uint32_t> types_for(std::uint32_t allowed, BufferPlace place) const;
   void map(Block& block);
@@ -68,6 +71,7 @@ class MemoryPool {
   VkDevice device_;
   VkPhysicalDeviceMemoryProperties properties_;
   std::uint64_t max_allocation_bytes_;
+  vulkan::MemoryCallbacks of_host_;
   std::vector<std::unique_ptr<Block>> blocks_;
   std::array<std::uint64_t, VK_MAX_MEMORY_HEAPS> heap_used_{};
   std::uint64_t image_bytes_ = 0, buffer_bytes_ = 0, peak_bytes_ = 0;

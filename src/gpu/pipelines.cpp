@@ -219,6 +219,42 @@ void FixedFunctions::fill(VkGraphicsPipelineCreateInfo& info) const {
   info.pDynamicState = &dynamic;
 }
 
+ShaderInterface reflect_of_host(std::span<const std::uint32_t> spirv, const std::string& name) {
+  try {
+    return reflect(spirv, name);
+  } catch (const InternalError& error) {
+    throw input_error("vulkan::Host::find_shader", "'{}' cannot be used: {}", name, error.what());
+  }
+}
+
+// A host's shader takes part in the same draws, so it must declare the same things; it may leave some out.
+void check_replacement(const std::string& name, std::span<const std::uint32_t> ours,
+                       std::span<const std::uint32_t> other) {
+  constexpr std::uint32_t magic = 0x07230203;
+  if (other.front() != magic)
+    throw input_error("vulkan::Host::find_shader", "'{}' is not SPIR-V in this machine's byte order", name);
+  const ShaderInterface expected = reflect(ours, name), has = reflect_of_host(other, name);
+
+  if (has.push_bytes != 0 && has.push_bytes != expected.push_bytes)
+    throw input_error("vulkan::Host::find_shader", "'{}' has {} bytes of push constants, dermis's has {}",
+                      name, has.push_bytes, expected.push_bytes);
+  if (has.workgroup != expected.workgroup || has.workgroup_constants != expected.workgroup_constants)
+    throw input_error("vulkan::Host::find_shader", "'{}' has workgroups of another size than dermis's", name);
+  for (const BindingSlot& slot : has.bindings) {
+    const auto same = std::ranges::find(expected.bindings, slot.binding, &BindingSlot::binding);
+    if (same == expected.bindings.end() || same->kind != slot.kind || same->count != slot.count ||
+        same->name != slot.name)
+      throw input_error("vulkan::Host::find_shader",
+                        "'{}' has a binding {} '{}' that dermis's has not, or of another kind", name,
+                        slot.binding, slot.name);
+  }
+  for (const auto& constant : expected.constants)
+    if (std::ranges::find(has.constants, constant) == has.constants.end())
+      throw input_error("vulkan::Host::find_shader",
+                        "'{}' lacks dermis's specialisation constant {} '{}'", name, constant.second,
+                        constant.first);
+}
+
 VkSamplerAddressMode address_of(Address address) {
   switch (address) {
     case Address::repeat: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
@@ -239,7 +275,9 @@ struct PipelineLibrary::State {
   Device* device = nullptr;
   ShaderSource shaders;
   std::filesystem::path cache_file;
+  ShaderSource replaced;  ///< by a host; may be empty
   VkPipelineCache cache = VK_NULL_HANDLE;
+  bool owns_cache = true;
   std::vector<std::byte> loaded;  ///< content of the cache file
   bool cannot_save = false;       ///< once is enough, however many frames are prepared
   std::map<std::string, std::unique_ptr<Entry>> entries;
@@ -249,7 +287,11 @@ struct PipelineLibrary::State {
   std::span<const std::uint32_t> code(const std::string& name) const {
     const std::span<const std::uint32_t> spirv = shaders(name);
     if (spirv.empty()) assertion_failed("there is a shader of this name", name, __FILE__, __LINE__);
-    return spirv;
+    const std::span<const std::uint32_t> other =
+        replaced ? replaced(name) : std::span<const std::uint32_t>();
+    if (other.empty()) return spirv;
+    check_replacement(name, spirv, other);
+    return other;
   }
   void create_layout(Entry& entry, VkShaderStageFlags stages);
   const Pipeline& keep(const std::string& key, std::unique_ptr<Entry> entry, Clock::time_point start);
@@ -310,16 +352,26 @@ void PipelineLibrary::State::create_cache() {
 }
 
 PipelineLibrary::PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file)
+    : PipelineLibrary(device, std::move(shaders), std::move(cache_file), VK_NULL_HANDLE, {}) {}
+
+PipelineLibrary::PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file,
+                                 VkPipelineCache of_host, ShaderSource replaced)
     : state_(std::make_unique<State>()) {
   state_->device = &device;
   state_->shaders = std::move(shaders);
-  state_->cache_file = std::move(cache_file);
-  state_->create_cache();
+  state_->replaced = std::move(replaced);
+  state_->owns_cache = of_host == VK_NULL_HANDLE;
+  if (state_->owns_cache) {
+    state_->cache_file = std::move(cache_file);
+    state_->create_cache();
+  } else {
+    state_->cache = of_host;
+  }
 }
 
 PipelineLibrary::~PipelineLibrary() {
   Device& device = *state_->device;
-  device.vk().vkDestroyPipelineCache(device.handle(), state_->cache, nullptr);
+  if (state_->owns_cache) device.vk().vkDestroyPipelineCache(device.handle(), state_->cache, nullptr);
   device.retire([state = std::shared_ptr<State>(std::move(state_))] {
     for (const auto& [key, entry] : state->entries) state->destroy(*entry);
     for (const auto& [desc, sampler] : state->samplers)

@@ -90,6 +90,11 @@ using ShaderSource = std::function<std::span<const std::uint32_t>(std::string_vi
 class PipelineLibrary {
  public:
   PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file = {});
+  /// Keeps driver code in a host's cache, which it does not own, if that is not null. `replaced`: shaders in
+  /// place of those of `shaders`; may be empty. Making a pipeline throws InputError if the interface of one
+  /// differs.
+  PipelineLibrary(Device& device, ShaderSource shaders, std::filesystem::path cache_file,
+                  VkPipelineCache of_host, ShaderSource replaced);
   PipelineLibrary(const PipelineLibrary&) = delete;
   PipelineLibrary& operator=(const PipelineLibrary&) = delete;
   ~PipelineLibrary();

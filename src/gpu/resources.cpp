@@ -155,7 +155,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 Buffer::~Buffer() { release(); }
 
 void Buffer::release() {
-  if (!handle_) return;
+  if (!handle_ || !device_) return;
   const RawBuffer raw{std::exchange(handle_, VK_NULL_HANDLE),
                       static_cast<MemoryPool::Allocation*>(std::exchange(allocation_, nullptr))};
   device_->retire([device = device_, raw] { destroy_raw_buffer(*device, raw); });
@@ -203,6 +203,9 @@ Texture::Texture(Device& device, std::string name, const TextureDesc& desc)
   device.set_name(VK_OBJECT_TYPE_IMAGE, as_number(handle_), name_);
   if (view_) device.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, as_number(view_), name_);
 }
+
+Texture::Texture(std::string name, const TextureDesc& desc, VkImageView of_host)
+    : name_(std::move(name)), desc_(desc), view_(of_host), layer_views_{of_host} {}
 
 Texture::Texture(Texture&& other) noexcept { *this = std::move(other); }
 

@@ -34,6 +34,8 @@ class Buffer {
   /// Throws DeviceError if over a limit of the device, or if memory does not suffice (names the size). The
   /// contents are undefined.
   Buffer(Device& device, std::string name, const BufferDesc& desc);
+  /// A host's buffer, which it owns; may be null.
+  Buffer(std::string name, VkBuffer of_host) : name_(std::move(name)), handle_(of_host) {}
   Buffer(Buffer&&) noexcept;
   Buffer& operator=(Buffer&&) noexcept;
   ~Buffer();
@@ -78,12 +80,15 @@ class Texture {
   /// Throws DeviceError if over a limit of the device, or if memory does not suffice (names size and limit).
   /// Contents and layout are undefined.
   Texture(Device& device, std::string name, const TextureDesc& desc);
+  /// A view of a host's image, whole: one layer and level if it is drawn to. Owns nothing. `desc`: its size
+  /// and format.
+  Texture(std::string name, const TextureDesc& desc, VkImageView of_host);
   Texture(Texture&&) noexcept;
   Texture& operator=(Texture&&) noexcept;
   ~Texture();
 
-  explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
-  VkImage handle() const { return handle_; }
+  explicit operator bool() const { return view_ != VK_NULL_HANDLE || handle_ != VK_NULL_HANDLE; }
+  VkImage handle() const { return handle_; }  ///< null of a host's
   VkImageView view() const { return view_; }  ///< all layers and mips; null if only for transfers
   /// Returns the view of one layer, mip 0, 2D, to render into. Asserts that `usage` has an attachment bit.
   VkImageView layer_view(std::uint32_t layer) const;

@@ -26,6 +26,7 @@ void draw_skin(gpu::Cmd& cmd, const Instance& instance, std::size_t number, cons
     Bindings all = bindings;
     all.add("Instance", instance.transform);
     mesh.offer(all);
+    if (number < instance.vertices.size()) all.add("Vertices", instance.vertices[number]);
     material.offer(all);
     all.bind(cmd, *pipeline);
     if constexpr (!std::is_null_pointer_v<IoOf>) cmd.push(*pipeline, io_of(material));

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,11 +22,18 @@ struct MapPlace {
   std::uint32_t index = 0;         ///< of the square
   glm::uvec2 origin{0};            ///< its corner in maps that are not halved, texels
   std::uint32_t largest_side = 0;  ///< T_max: its sides there
+  std::uint32_t batch = 0;         ///< turn of the pool in which the light is there
 };
 
 /// RGBA16F over the unwrap of a skin mesh, environment::SkyLight.
 struct SkyMaps {
   gpu::Texture direct, bounced;
+};
+
+/// A shadow map of a host, in the place of one layer.
+struct HostShadowMap {
+  const gpu::Texture* depth = nullptr;  ///< ready to be sampled; null: none
+  bool reversed = false;                ///< near is 1
 };
 
 /// One head in the frame: an asset, placed. Each has its own shadow maps.
@@ -41,11 +50,22 @@ struct Instance {
   gpu::BufferBinding shadow_matrices;
   std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
+  /// Images of a host for these layers, null where dermis draws them; empty: it draws all.
+  std::vector<HostShadowMap> host_shadows;
+  std::span<const gpu::Buffer> vertices;  ///< moved, one per skin mesh; empty: those of `scene`
   /// T: the used side of the square of its light maps, texels
   std::uint32_t map_side = 0;
   std::vector<MapPlace> map_places;  ///< one per skin mesh of the asset; empty where nothing has light maps
-  bool visible = true;               ///< false: wholly outside the picture, not drawn
+  bool visible = true;               ///< false: wholly outside the picture, not lit or drawn
+  bool drawn = true;                 ///< false: lit, but a host draws it
+  bool is_drawn() const { return visible && drawn; }
 };
+
+struct UsedSquare;
+
+/// Draws irradiance into squares of a map, RGBA16F, ready to be rendered to and cleared to 0.
+using DrawIrradiance =
+    std::function<void(gpu::Cmd& cmd, const gpu::Texture& map, std::span<const UsedSquare> squares)>;
 
 /// Buffers lie in the memory of the frame, which must outlive this.
 struct FrameData {
@@ -53,6 +73,8 @@ struct FrameData {
   gpu::BufferBinding frame_io;                ///< FrameIo
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
   std::vector<Instance> instances;            ///< at least one
+  std::optional<VkRect2D> area;               ///< part of the targets that is the picture; none: all
+  DrawIrradiance draw_irradiance;             ///< of a host
 };
 
 using FramePlan = frame::FramePlan<FrameData>;

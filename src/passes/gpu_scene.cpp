@@ -293,6 +293,16 @@ GpuLook GpuScene::make_look(gpu::Device& device, const LookSettings& settings) c
     constants.mix_before = settings.mix.value_or(constants.mix_before);
     if (material.skin) constants.base_colour *= glm::vec4(settings.tint, 1);
 
+    // A material that had none has no transform and takes the first coordinates: MapIo's of no map.
+    const int number = static_cast<int>(look.materials.size()) - 1;
+    for (const HostMap& map : settings.maps) {
+      if (map.material != number) continue;
+      const auto slot = static_cast<std::size_t>(map.map);
+      look.of_host.push_back(std::make_unique<gpu::Texture>("map of the host", gpu::TextureDesc{}, map.view));
+      material.maps[slot].texture = look.of_host.back().get();
+      constants.maps[map.map].present = 1;
+    }
+
     material.mixed = constants.mix_before > 0;
     material.buffer =
         gpu::make_buffer(device, "material " + material.name, std::span<const io::MaterialIo>(&constants, 1),

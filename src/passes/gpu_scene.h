@@ -42,9 +42,18 @@ struct GpuMaterial : MaterialMaps {
   void offer(Bindings& bindings) const;  ///< "Material", "map_base_colour", ...
 };
 
+/// An image of a host in place of a map of a material.
+struct HostMap {
+  int material = 0;
+  int map = MAP_BASE_COLOUR;  ///< or MAP_NORMAL
+  VkImageView view = VK_NULL_HANDLE;
+  bool operator==(const HostMap&) const = default;
+};
+
 /// The materials of a scene, as some of its instances show them.
 struct GpuLook {
   std::vector<GpuMaterial> materials;
+  std::vector<std::unique_ptr<gpu::Texture>> of_host;  ///< that the materials point to
   const GpuMaterial& material(int number) const { return materials[static_cast<std::size_t>(number)]; }
 };
 
@@ -52,6 +61,7 @@ struct GpuLook {
 struct LookSettings {
   std::optional<float> mix;  ///< 0..1, instead of the materials'
   glm::vec3 tint{1};         ///< multiplies the base colour of skin, linear
+  std::vector<HostMap> maps;
   bool operator==(const LookSettings&) const = default;
 };
 
@@ -75,6 +85,14 @@ struct GpuMesh {
     int width_texels = 0;
   };
   std::map<std::uint32_t, Gutters> gutters;
+  /// Vertices by the mesh of the asset's source that they come from, see GpuScene::make_sources.
+  struct Sources {
+    gpu::Buffer list;  ///< SourceVertexIo[]
+    std::uint32_t count = 0;
+    std::uint32_t source_vertices = 0;  ///< that the list names: the highest number, and one
+  };
+  std::map<int, Sources> sources;
+  const Sources* sources_of(int source_mesh) const;  ///< null: none of it is here
   /// see unwrap_map(), Occlusion::values of environment/occlusion.h; only under an environment
   gpu::Texture bent_normal;
   std::vector<GpuDraw> draws;
@@ -100,6 +118,10 @@ class GpuScene {
   /// wide, unless it has them as wide or wider.
   void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side,
                     int width_texels);
+
+  /// Makes the lists of the vertices of `mesh`, skin mesh `number`, that a host may move, unless they are
+  /// there.
+  void make_sources(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh);
 
   std::vector<GpuMesh> skin;                            ///< one per SkinMesh
   GpuSurfaces surfaces;                                 ///< everything else

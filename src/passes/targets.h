@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "gpu/cmd.h"
@@ -14,16 +15,27 @@ inline constexpr VkFormat light_format = VK_FORMAT_R16G16B16A16_SFLOAT;  ///< li
 inline constexpr VkFormat depth_format = VK_FORMAT_D32_SFLOAT;           ///< reversed: 0 is far
 inline constexpr std::array no_light{0.0f, 0.0f, 0.0f, 0.0f};
 
-/// Begins to draw into the whole picture. The first pass to do so clears it.
-inline void begin_picture(gpu::Cmd& cmd, const gpu::Texture& colour, const gpu::Texture& depth, bool clear) {
+/// What a picture is drawn into: dermis's own targets, or a host's.
+struct PictureFormat {
+  VkFormat colour = light_format, depth = depth_format;
+  bool reversed_depth = true;
+  VkCompareOp nearer() const {
+    return reversed_depth ? VK_COMPARE_OP_GREATER_OR_EQUAL : VK_COMPARE_OP_LESS_OR_EQUAL;
+  }
+  bool operator==(const PictureFormat&) const = default;
+};
+
+/// Begins to draw into the picture, or this part of it. The first pass to do so clears it.
+inline void begin_picture(gpu::Cmd& cmd, const gpu::Texture& colour, const gpu::Texture& depth, bool clear,
+                          const std::optional<VkRect2D>& area) {
   gpu::ColourTarget colour_target{.texture = &colour};
   gpu::DepthTarget depth_target{.texture = &depth};
   if (clear) {
     colour_target.clear = no_light;
     depth_target.clear = 0.0f;
   }
-  cmd.begin_rendering(std::span(&colour_target, 1), depth_target,
-                      {colour.desc().width, colour.desc().height});
+  const VkRect2D whole{{0, 0}, {colour.desc().width, colour.desc().height}};
+  cmd.begin_rendering_area(std::span(&colour_target, 1), depth_target, area.value_or(whole));
 }
 
 }  // namespace dermis::passes

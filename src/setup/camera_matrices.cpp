@@ -25,14 +25,6 @@ InputError projection_error(fmt::format_string<Args...> format, Args&&... args) 
   return input_error("camera.matrices.clip_from_camera", format, std::forward<Args>(args)...);
 }
 
-glm::dmat4 matrix_of(const std::array<double, 16>& values) {
-  glm::dmat4 matrix;
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row)
-      matrix[column][row] = values[static_cast<std::size_t>(4 * column + row)];
-  return matrix;
-}
-
 bool is_finite(const std::array<double, 16>& values) {
   return std::all_of(values.begin(), values.end(),
                      [](double v) { return std::isfinite(v) && std::abs(v) < 1e9; });
@@ -114,6 +106,21 @@ double near_m(const glm::dmat4& clip, bool perspective) {
 }
 
 }  // namespace
+
+glm::dmat4 matrix_of(const std::array<double, 16>& values) {
+  glm::dmat4 matrix;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      matrix[column][row] = values[static_cast<std::size_t>(4 * column + row)];
+  return matrix;
+}
+
+glm::dmat4 clip_from_world(const CameraMatrices& matrices) {
+  glm::dmat4 clip = matrix_of(matrices.clip_from_camera);
+  if (clip[1][1] < 0)
+    for (int column = 0; column < 4; ++column) clip[column][1] = -clip[column][1];
+  return clip * matrix_of(matrices.camera_from_world);
+}
 
 scene::Camera camera_of(const CameraMatrices& matrices) {
   if (!is_finite(matrices.camera_from_world)) throw view_error("must be numbers under 1e9");

@@ -12,4 +12,10 @@ namespace dermis::setup {
 /// orthographic, is mirrored, or has its near plane behind the eye, or shows nothing.
 scene::Camera camera_of(const CameraMatrices& matrices);
 
+/// Returns a column-major matrix of a host.
+glm::dmat4 matrix_of(const std::array<double, 16>& values);
+
+/// Returns clip_from_camera * camera_from_world as the host has it, but for clip y, which grows upwards.
+glm::dmat4 clip_from_world(const CameraMatrices& matrices);
+
 }  // namespace dermis::setup

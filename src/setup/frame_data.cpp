@@ -4,10 +4,8 @@
 #include <span>
 #include <utility>
 
-#include "shared/instance_io.h"
 
 namespace dermis::setup {
-namespace {
 
 io::InstanceIo instance_io(const Pose& pose) {
   return {.x_axis = pose.rotation[0],
@@ -17,6 +15,8 @@ io::InstanceIo instance_io(const Pose& pose) {
           .scale = pose.scale};
 }
 
+namespace {
+
 passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
   passes::Instance instance;
   instance.world_from_asset = head.pose.matrix();
@@ -25,6 +25,7 @@ passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
   instance.transform = memory.add(std::span<const io::InstanceIo>(&io, 1));
   instance.map_side = static_cast<std::uint32_t>(head.map_side);
   instance.visible = head.visible;
+  instance.drawn = head.drawn;
   instance.lights = memory.add(std::span<const io::LightIo>(head.lights));
 
   // Leave room in front, so that layers of the map that heads share number the matrices, too.
@@ -33,6 +34,7 @@ passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
   instance.shadow_matrices = memory.add(std::span<const glm::mat4>(matrices));
   instance.first_shadow_layer = head.first_shadow_layer;
   instance.shadow_from_world = head.shadow_from_world;
+  instance.host_shadows = head.host_shadows;
   return instance;
 }
 

@@ -8,6 +8,7 @@
 #include "passes/frame_data.h"
 #include "setup/environment_light.h"
 #include "setup/frame_setup.h"
+#include "shared/instance_io.h"
 
 namespace dermis::setup {
 
@@ -17,6 +18,8 @@ struct InstanceOnDevice {
   const passes::GpuLook* look = nullptr;
   std::span<const passes::SkyMaps> sky;  ///< as passes::Instance
 };
+
+io::InstanceIo instance_io(const Pose& pose);
 
 /// Writes what passes read while they record a frame of `setup`: camera, lights, poses, and where light lies
 /// in the maps of `outputs`, which its plan has made. `memory`, `instances`, by their numbers in the scene,

@@ -11,6 +11,7 @@
 #include "passes/blur/blur.h"
 #include "passes/shadow/fit.h"
 #include "scene/framing.h"
+#include "setup/camera_matrices.h"
 #include "setup/choose.h"
 #include "setup/frame_camera.h"
 #include "setup/models.h"
@@ -45,10 +46,17 @@ io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, st
   return out;
 }
 
+const HostShadow* host_shadow(const HostSetup* host, std::size_t light) {
+  if (!host) return nullptr;
+  const auto found = std::find_if(host->shadows.begin(), host->shadows.end(),
+                                  [&](const HostShadow& shadow) { return shadow.light == light; });
+  return found == host->shadows.end() ? nullptr : &*found;
+}
+
 std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Subject* const> subjects,
                                     const std::vector<PlacedHead>& placed_heads, const RenderSettings& s,
                                     const scene::Camera& camera, const io::CameraIo& frame_camera,
-                                    const std::vector<scene::Light>& lights) {
+                                    const std::vector<scene::Light>& lights, const HostSetup* host) {
   std::vector<HeadSetup> heads;
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
@@ -61,10 +69,17 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
                    .lights = {},
                    .shadow_from_world = {}};
 
-    for (const scene::Light& light : lights) {
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const HostShadow* of_host = host_shadow(host, i);
       const passes::ShadowFit fit =
-          passes::fit_shadow(light, placed.pose.sphere(subject.casters), s.quality.shadow_size);
-      head.lights.push_back(light_io(light, fit, head.shadow_from_world.size()));
+          of_host ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world},
+                                      .texel = of_host->texel}
+                  : passes::fit_shadow(lights[i], placed.pose.sphere(subject.casters), s.quality.shadow_size);
+      if (of_host) {
+        head.host_shadows.resize(head.shadow_from_world.size());
+        head.host_shadows.push_back({of_host->depth, of_host->reversed});
+      }
+      head.lights.push_back(light_io(lights[i], fit, head.shadow_from_world.size()));
       head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(),
                                     fit.shadow_from_world.end());
     }
@@ -84,7 +99,9 @@ void sort_heads(FrameSetup& setup, const RenderSettings& s) {
   const techniques::FrameSettings& plan = setup.plan;
   const bool blends = std::any_of(plan.models.begin(), plan.models.end(),
                                   [](const techniques::Model& model) { return model.has_blended; });
-  const bool by_model = s.output.show == "picture" && (!blends || setup.heads.size() <= plan.heads_per_batch);
+  // The plan of a host must serve every view.
+  const bool by_model = s.output.show == "picture" &&
+                        (plan.host || !blends || setup.heads.size() <= plan.heads_per_batch);
 
   // What `show` names is of the last head: the nearest that has something to show.
   const auto shows = [&](const HeadSetup& head) {
@@ -200,11 +217,18 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
   plan.soft_shadows =
       std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
 
+  if (plan.host) {
+    plan.width = plan.height = 1;
+    plan.bloom = 0;
+    plan.tone_map = ToneMap::linear;
+  }
+
   if (setup.technique->has_light_maps) {
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
     plan.skip_unlit = choose_skip_unlit(s, device);
     plan.progressive = s.quality.maps == LightMaps::progressive;
-    plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0;
+    plan.translucency =
+        s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
     plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
                                   [&](const PlacedAsset& instance) { return all_enters(instance, s); });
   }
@@ -263,7 +287,7 @@ std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
 
 FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects, const RenderSettings& s,
                   const DeviceTraits& device,
-                  const std::optional<std::vector<scene::Light>>& environment_lights) {
+                  const std::optional<std::vector<scene::Light>>& environment_lights, const HostSetup* host) {
   DERMIS_ASSERT_EQ(subjects.size(), scene.instances.size());
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
@@ -272,6 +296,8 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
 
   const scene::Camera camera = choose_camera(scene, s, spheres);
   setup.frame.camera = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
+  if (host && s.camera.matrices)
+    setup.frame.camera.clip_from_world = glm::mat4(clip_from_world(*s.camera.matrices));
   setup.d_ref = reference_distance(*subjects.front(), s, camera);
 
   std::vector<scene::Light> lights = choose_lights(scene, s, spheres);
@@ -279,10 +305,17 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   setup.lights = static_cast<int>(lights.size());
   setup.environment_lights = environment_lights ? static_cast<int>(environment_lights->size()) : 0;
 
-  setup.heads = set_up_heads(scene, subjects, placed, s, camera, setup.frame.camera, lights);
+  setup.heads = set_up_heads(scene, subjects, placed, s, camera, setup.frame.camera, lights, host);
   set_up_models(setup, scene, subjects, s);
+  if (host) {
+    setup.plan.host = host->part;
+    for (HeadSetup& head : setup.heads)
+      head.drawn = std::find(host->not_drawn.begin(), host->not_drawn.end(), head.instance) ==
+                   host->not_drawn.end();
+  }
   setup.plan.environment = environment_lights.has_value();
   set_up_plan(setup, scene, s, lights, device);
+  if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
   place_shadows(setup.heads, setup.plan);
 

@@ -34,8 +34,10 @@ struct HeadSetup {
   std::vector<io::LightIo> lights;
   std::uint32_t first_shadow_layer = 0;
   std::vector<glm::mat4> shadow_from_world;
-  int map_side = 0;  ///< T
+  std::vector<passes::HostShadowMap> host_shadows;  ///< one per layer; empty: there are none
+  int map_side = 0;                                 ///< T
   bool visible = true;
+  bool drawn = true;  ///< false: a host draws it
 };
 
 /// A skin mesh of the plan.
@@ -61,13 +63,41 @@ std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const Ren
 /// Returns the heads that are drawn.
 std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup);
 
+/// A shadow map of a host in place of one of ours.
+struct HostShadow {
+  std::size_t light = 0;             ///< number in PlacedScene::lights
+  glm::mat4 shadow_from_world{1};    ///< depth reversed, as passes::ShadowFit has it
+  float texel = 0;                   ///< likewise
+  const gpu::Texture* depth = nullptr;
+  bool reversed = false;  ///< as the host has it
+  bool operator==(const HostShadow&) const = default;
+};
+
+/// An image of a host in place of a map of an instance.
+struct HostMap {
+  std::size_t instance = 0;
+  passes::HostMap map;
+};
+
+/// The part of a host in a frame, with what its images are.
+struct HostSetup {
+  techniques::HostPart part;
+  std::uint32_t samples = 1;           ///< of its targets
+  std::vector<std::size_t> not_drawn;  ///< instances that are lit, but drawn by the host
+  std::vector<HostMap> maps;
+  std::vector<HostShadow> shadows;
+};
+
 /// Decides what a frame needs. `settings` have passed check_settings(): who calls this checks them before
 /// reading surroundings. `subjects`: one per instance. `environment_lights`: besides those that the settings
 /// choose; none: there is no environment, light from everywhere is uniform. Throws InputError: see
-/// placed_heads() and choose_camera(); or a map budget that does not hold one head.
+/// placed_heads() and choose_camera(); or a map budget that does not hold one head. With a `host`, the frame
+/// is for its targets: the plan does not depend on the size of the picture, and the matrices of the camera
+/// are the host's, depth included.
 FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects,
                   const RenderSettings& settings, const DeviceTraits& device = {},
-                  const std::optional<std::vector<scene::Light>>& environment_lights = {});
+                  const std::optional<std::vector<scene::Light>>& environment_lights = {},
+                  const HostSetup* host = nullptr);
 
 /// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel: which mesh
 /// has fewest, how many, what that means and what helps.

@@ -55,10 +55,14 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
   const gpu::TextureDesc screen{
       .width = settings.width, .height = settings.height, .samples = settings.samples};
   gpu::TextureDesc colour = screen, depth = screen;
-  colour.format = VK_FORMAT_R16G16B16A16_SFLOAT;
-  depth.format = VK_FORMAT_D32_SFLOAT;
-  colour_ = plan.texture("colour", colour);
-  depth_ = plan.texture("depth", depth);
+  colour.format = settings.picture_format().colour;
+  depth.format = settings.picture_format().depth;
+  const auto lifetime = settings.host ? frame::Lifetime::of_host : frame::Lifetime::transient;
+  if (settings.draws_picture()) {
+    colour_ = plan.texture("colour", colour, lifetime);
+    depth_ = plan.texture("depth", depth, lifetime);
+  }
+  cleared_ = settings.host.has_value();
 
   gpu::TextureDesc shadow{.width = settings.shadow_size,
                           .height = settings.shadow_size,
@@ -70,7 +74,9 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
   if (settings.translucency && !settings.all_enters) {
     gpu::TextureDesc entering = shadow;
     entering.width = entering.height = entering_size(settings);
-    if (entering.width < shadow.width) entering_depth_ = plan.texture("entering depths", entering);
+    // A host's shadow map leaves no depth to draw against.
+    const bool of_host = settings.host && settings.host->shadows;
+    if (of_host || entering.width < shadow.width) entering_depth_ = plan.texture("entering depths", entering);
     entering.format = VK_FORMAT_R8G8B8A8_UNORM;
     entering_ = plan.texture("entering maps", entering);
   }
@@ -86,13 +92,16 @@ void Screen::add_shadow(std::uint32_t head) {
   const bool apart = entering_depth_.valid();
   plan_->add<passes::Shadow>(label("shadow", settings_, head),
                              {shadow_, apart ? frame::TextureId{} : entering_},
-                             {.instance = head, .layers = layers});
+                             {.instance = head,
+                              .layers = layers,
+                              .host_maps = settings_.host && settings_.host->shadows});
   if (apart)
     plan_->add<passes::Shadow>(label("entering", settings_, head), {entering_depth_, entering_},
                                {.instance = head, .layers = layers, .grown = true});
 }
 
 void Screen::add_surfaces(std::uint32_t head) {
+  if (!settings_.draws_picture()) return;
   const passes::Surface::In in{shadow_, colour_, depth_};
   const bool clear = !cleared_;
   // A scene without any skin still needs its targets cleared.
@@ -100,6 +109,7 @@ void Screen::add_surfaces(std::uint32_t head) {
     plan_->add<passes::Surface>(label("surfaces", settings_, head), in,
                                 {.instance = head,
                                  .samples = settings_.samples,
+                                 .format = settings_.picture_format(),
                                  .clear = take_clear(),
                                  .environment = settings_.environment,
                                  .soft_shadows = settings_.soft_shadows});
@@ -108,12 +118,13 @@ void Screen::add_surfaces(std::uint32_t head) {
 void Screen::add_blended(std::uint32_t first_head, std::uint32_t heads) {
   bool any = false;
   for (std::uint32_t i = 0; i < heads; ++i) any = any || settings_.model_of(first_head + i).has_blended;
-  if (!any) return;
+  if (!any || !settings_.draws_picture()) return;
 
   plan_->add<passes::Surface>(label("blended surfaces", settings_, first_head), {shadow_, colour_, depth_},
                               {.instance = first_head,
                                .instances = heads,
                                .samples = settings_.samples,
+                               .format = settings_.picture_format(),
                                .environment = settings_.environment,
                                .soft_shadows = settings_.soft_shadows,
                                .blended = true});
@@ -128,21 +139,26 @@ std::vector<frame::TextureId> Screen::shadow_maps() const {
 
 FrameOutputs Screen::finish() {
   FrameOutputs out;
+  out.counters = counters_;
+  out.shadow_maps = shadow_maps();
+  if (settings_.host) {
+    out.host_colour = colour_;
+    out.host_depth = depth_;
+    return out;
+  }
+
   out.picture = settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour_}).picture : colour_;
   plan_->add<passes::Count>("count skin pixels", {out.picture, counters_},
                             {.slot = counter_skin_pixels, .threshold = 0.5f});
   out.before_bloom = out.picture;
   if (settings_.bloom > 0) out.picture = passes::add_bloom(*plan_, out.picture, settings_.bloom);
   out.display = plan_->add<passes::ToneMap>("tone map", {out.picture}, {settings_.tone_map}).display;
-  out.counters = counters_;
   plan_->read_back(out.before_bloom);
   if (settings_.bloom > 0) plan_->read_back(out.picture);
   plan_->read_back(out.display);
   plan_->read_back(shadow_);
   for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer)
     out.shows[fmt::format("shadow:{}", layer)] = {.map = shadow_, .as = Shown::As::depth, .layer = layer};
-
-  out.shadow_maps = shadow_maps();
   return out;
 }
 

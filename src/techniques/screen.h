@@ -15,6 +15,7 @@ class Screen {
   /// outlive this.
   Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters = screen_counters);
 
+  /// Valid if the frame draws a picture.
   frame::TextureId colour() const { return colour_; }
   frame::TextureId depth() const { return depth_; }
   frame::TextureId shadow() const { return shadow_; }
@@ -32,7 +33,7 @@ class Screen {
   void add_surfaces(std::uint32_t head);
   /// Adds the blended parts of heads whose shadow maps are there, far to near, over all that is drawn.
   void add_blended(std::uint32_t first_head, std::uint32_t heads = 1);
-  /// Adds resolve, bloom and tone map, and shows the shadow maps. The last call.
+  /// Adds resolve, bloom and tone map, and shows the shadow maps; nothing for a host. The last call.
   FrameOutputs finish();
 
  private:

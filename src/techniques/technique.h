@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include "gaussians/sum.h"
 #include "passes/frame_data.h"
 #include "passes/light_pool.h"
+#include "passes/targets.h"
 
 namespace dermis::techniques {
 
@@ -58,6 +60,15 @@ struct Optimise {
   bool operator==(const Optimise&) const = default;
 };
 
+/// What a host takes from a frame, and gives to it: see dermis/vulkan.h.
+struct HostPart {
+  std::optional<passes::PictureFormat> picture;  ///< the heads are drawn into its targets; none: they are not
+  bool scattered = false;                        ///< it reads the blurred light
+  bool irradiance = false;                       ///< it draws the irradiance
+  bool shadows = false;                          ///< it has shadow maps for some lights
+  bool operator==(const HostPart&) const = default;
+};
+
 /// The structure of a frame: a change makes a new plan. What changes per frame is passes::FrameData.
 struct FrameSettings {
   std::uint32_t width = 1280, height = 720;  ///< pixels
@@ -88,11 +99,17 @@ struct FrameSettings {
   bool soft_shadows = false;  ///< some light has a radius
   float bloom = 0;            ///< 0..1
   ToneMap tone_map = ToneMap::natural;
+  std::optional<HostPart> host;  ///< none: the frame ends as a picture of ours
   bool operator==(const FrameSettings&) const = default;
 
   std::uint32_t head_count() const { return static_cast<std::uint32_t>(heads.size()); }
   const Model& model_of(std::uint32_t head) const { return models[heads[head]]; }
   std::uint32_t most_meshes() const;  ///< of a model
+  bool draws_picture() const { return !host || host->picture; }
+  bool host_lights() const { return host && host->irradiance; }
+  passes::PictureFormat picture_format() const {
+    return host && host->picture ? *host->picture : passes::PictureFormat{};
+  }
 };
 
 /// A map that the settings' `show` can name, and how it becomes a picture.
@@ -117,6 +134,9 @@ struct FrameOutputs {
   frame::TextureId before_bloom;       ///< RGBA16F, as picture
   frame::TextureId display;            ///< RGBA8, after the tone map
   frame::BufferId counters;            ///< uint[]; Technique::report says what they mean
+  /// With FrameSettings::host, in place of the pictures. Targets of the host; the light that it reads,
+  /// RGBA16F, a layer per batch, see passes::ScatterSum.
+  frame::TextureId host_colour, host_depth, scattered;
   std::map<std::string, Shown> shows;  ///< by name: "irradiance", "shadow:0", ...
   /// That grow with the heads and skin meshes of a batch; techniques/memory.h sums them.
   std::vector<frame::TextureId> light_maps, shadow_maps;

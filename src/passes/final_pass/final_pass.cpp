@@ -77,12 +77,13 @@ FinalPass::Pipelines FinalPass::make_pipelines(gpu::PipelineLibrary& library, Li
                                              {"coarse", settings.terms.coarse ? 1u : 0u},
                                              {"cut_out", cut_out ? 1u : 0u},
                                              {"emits", emits ? 1u : 0u}},
-                               .colour_formats = {light_format},
-                               .depth_format = depth_format,
+                               .colour_formats = {settings.format.colour},
+                               .depth_format = settings.format.depth,
                                .samples = settings.samples,
                                .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
                                .depth_test = true,
-                               .depth_write = true};
+                               .depth_write = true,
+                               .depth_compare = settings.format.nearer()};
         if (through) {
           desc.constants.emplace_back("through_terms", terms);
           desc.constants.emplace_back("entering_stored", in.entering.valid() ? 1u : 0u);
@@ -148,10 +149,10 @@ void FinalPass::offer_light(Bindings& bindings, const frame::Resources& resource
 
 void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const Instance& instance = instance_of(frame, settings.square);
-  if (!instance.visible && !settings.clear) return;
+  if (!instance.is_drawn() && !settings.clear) return;
 
-  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear);
-  if (instance.visible) {
+  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear, frame.area);
+  if (instance.is_drawn()) {
     const std::uint32_t mesh = mesh_in_asset(frame, settings.square);
     Bindings bindings;
     bindings.add("Frame", frame.frame_io);

@@ -12,6 +12,7 @@
 #include "passes/final_pass/final_pass_io.h"
 #include "passes/light_pool.h"
 #include "passes/lighting.h"
+#include "passes/targets.h"
 #include "passes/transmission.h"
 
 namespace dermis::passes {
@@ -47,6 +48,7 @@ class FinalPass {
   struct Settings {
     MapSquare square;                           ///< not halved
     std::uint32_t samples = 1;                  ///< of the targets
+    PictureFormat format;                       ///< of the targets
     bool clear = false;                         ///< this pass is the first to draw into them
     std::vector<std::array<float, 3>> weights;  ///< one per term, 0 to 8; none = Lambert
     std::vector<std::uint32_t> halvings;        ///< of the term's map, one per term; the first is 0

@@ -12,6 +12,7 @@ Irradiance::Out Irradiance::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
   d.colour(in.light);
   d.sample(in.shadow);
+  if (settings.from_host) d.sample(in.host_irradiance);
   if (!settings.through.empty()) {
     DERMIS_ASSERT_LT(in.joining.size(), std::size_t{TRANSMISSION_GROUPS});
     if (in.entering.valid()) d.sample(in.entering);
@@ -22,11 +23,13 @@ Irradiance::Out Irradiance::declare(frame::Declare& d) {
 
 void Irradiance::prepare(gpu::PipelineLibrary& library) {
   gpu::GraphicsDesc desc{.vertex = settings.clip ? "irradiance_clipped.vert" : "irradiance.vert",
-                         .fragment = "irradiance.frag",
-                         .constants = {{"cull", settings.cull ? 1u : 0u},
-                                       {"environment", settings.environment ? 1u : 0u},
-                                       {"soft_shadows", settings.soft_shadows ? 1u : 0u}},
+                         .fragment = settings.from_host ? "irradiance_from_host.frag" : "irradiance.frag",
+                         .constants = {{"cull", settings.cull ? 1u : 0u}},
                          .colour_formats = {light_format}};
+  if (!settings.from_host) {
+    desc.constants.emplace_back("environment", settings.environment ? 1u : 0u);
+    desc.constants.emplace_back("soft_shadows", settings.soft_shadows ? 1u : 0u);
+  }
   const bool through = !settings.through.empty();
   if (through) {
     desc.fragment = fmt::format("irradiance_through_{}.frag", in.joining.size() + 1);
@@ -67,6 +70,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
     bindings.add("Frame", frame.frame_io);
     samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
     samplers_.offer_sky(bindings, instance, mesh);
+    if (settings.from_host) bindings.add("host_irradiance", resources.nearest(in.host_irradiance));
     if (through) through_.offer(bindings, resources, in.entering, in.shadow, entry);
 
     cmd.begin_rendering_area(targets, {}, square.area(), true);

@@ -25,6 +25,7 @@ class Irradiance {
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
     bool clip = false;          ///< leaves out skin outside the picture and its margin
     bool cut_out = false;       ///< leaves out what the alpha test of some material cuts away
+    bool from_host = false;     ///< the light is what a host has drawn, see HostIrradiance
     /// For transmitted light (passes/transmission.h): the profiles of the skin meshes in `squares`, of 1 to 8
     /// terms. Empty: no transmitted light.
     std::vector<ThroughMesh> through;
@@ -36,6 +37,7 @@ class Irradiance {
     /// With `through`: RGBA16F pools for the light that joins at the second and the third group of terms, as
     /// many as the mesh with most groups needs.
     std::vector<frame::TextureId> joining = {};
+    frame::TextureId host_irradiance = {};  ///< with `from_host`
   } in;
   struct Out {
     frame::TextureId light;

@@ -34,6 +34,16 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
 
         pipelines_[skin][cut_out][mixed] = &library.graphics(desc);
       }
+
+  if (!settings.host_maps) return;
+  DERMIS_ASSERT(!in.entering.valid());
+  host_map_ = &library.graphics({.vertex = "shadow_of_host.vert",
+                                 .fragment = "shadow_of_host.frag",
+                                 .constants = {},
+                                 .colour_formats = {},
+                                 .depth_format = depth_format,
+                                 .depth_write = true});
+  nearest_ = library.sampler({.filter = gpu::Filter::nearest});
 }
 
 // Returns whether a material casts a shadow in this round. Blended parts (lashes, brows) cast none, which
@@ -73,6 +83,14 @@ void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
   }
 }
 
+// Copies the host's depth texel by texel, from its nearest where it has another size.
+void Shadow::take_host_map(gpu::Cmd& cmd, const HostShadowMap& map, const gpu::Texture& shadow) const {
+  Bindings().add("host_depth", gpu::SampledBinding{map.depth, nearest_}).bind(cmd, *host_map_);
+  cmd.push(*host_map_, io::HostShadowIo{.texel = 1.0f / static_cast<float>(shadow.desc().width),
+                                        .reversed = map.reversed ? 1u : 0u});
+  cmd.draw(3);
+}
+
 void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::Texture& shadow = resources.texture(in.shadow);
   const Instance& instance = frame.instances[settings.instance];
@@ -86,7 +104,11 @@ void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fram
     cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
                         {shadow.desc().width, shadow.desc().height}, true);
 
-    if (layer < instance.shadow_from_world.size()) {
+    const bool of_host = settings.host_maps && layer < instance.host_shadows.size() &&
+                         instance.host_shadows[layer].depth;
+    if (of_host) {
+      take_host_map(cmd, instance.host_shadows[layer], shadow);
+    } else if (layer < instance.shadow_from_world.size()) {
       const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
                             .grow = 2.0f / static_cast<float>(shadow.desc().width)};
       for (const bool cut_out : {false, true}) draw_skin(cmd, frame, instance, cut_out, io);

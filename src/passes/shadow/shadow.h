@@ -19,6 +19,7 @@ class Shadow {
     /// Entering light is drawn separately, smaller than the depth map: geometry is enlarged by a texel along
     /// its normals, so that each point of the depth map finds an entry.
     bool grown = false;
+    bool host_maps = false;  ///< some layers come from a host: Instance::host_shadows
   } settings;
   struct In {
     frame::TextureId shadow;  ///< D32, square; this head's layers begin at Instance::first_shadow_layer
@@ -35,11 +36,14 @@ class Shadow {
 
  private:
   static bool casts(const GpuMaterial& material, bool cut_out);
+  void take_host_map(gpu::Cmd& cmd, const HostShadowMap& map, const gpu::Texture& shadow) const;
   void draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
                  const io::ShadowIo& io) const;
   void draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
                      const io::ShadowIo& io) const;
   const gpu::Pipeline* pipelines_[2][2][2] = {};  // [skin][cut out][mixed]
+  const gpu::Pipeline* host_map_ = nullptr;
+  VkSampler nearest_ = VK_NULL_HANDLE;
 };
 
 }  // namespace dermis::passes

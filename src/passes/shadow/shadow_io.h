@@ -7,5 +7,10 @@ struct ShadowIo {
   mat4 shadow_from_world;
   float grow;  // one texel of this map, in width and height of the clip volume; see shadow.vert
 };
+// See shadow_of_host.frag.
+struct HostShadowIo {
+  float texel;    // 1 / side of the map
+  uint reversed;  // the host's depth is: near is 1
+};
 DERMIS_IO_END
 #endif

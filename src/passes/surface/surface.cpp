@@ -33,13 +33,14 @@ void Surface::prepare(gpu::PipelineLibrary& library) {
                          .fragment = "surface.frag",
                          .constants = {{"environment", settings.environment ? 1u : 0u},
                                        {"soft_shadows", settings.soft_shadows ? 1u : 0u}},
-                         .colour_formats = {light_format},
-                         .depth_format = depth_format,
+                         .colour_formats = {settings.format.colour},
+                         .depth_format = settings.format.depth,
                          .samples = settings.samples,
                          .blend = settings.blended ? gpu::Blend::over : gpu::Blend::none,
                          .cull = gpu::Cull::back,
                          .depth_test = true,
-                         .depth_write = !settings.blended};
+                         .depth_write = !settings.blended,
+                         .depth_compare = settings.format.nearer()};
   single_sided_ = &library.graphics(desc);
   desc.cull = gpu::Cull::none;
   double_sided_ = &library.graphics(desc);
@@ -49,11 +50,11 @@ void Surface::prepare(gpu::PipelineLibrary& library) {
 void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   std::vector<const Instance*> visible;
   for (std::uint32_t i = 0; i < settings.instances; ++i)
-    if (const Instance& instance = frame.instances[settings.instance + i]; instance.visible)
+    if (const Instance& instance = frame.instances[settings.instance + i]; instance.is_drawn())
       visible.push_back(&instance);
   if (visible.empty() && !settings.clear) return;
 
-  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear);
+  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear, frame.area);
   if (settings.blended) sort_far_to_near(visible, frame);
   for (const Instance* instance : visible)
     if (settings.blended)

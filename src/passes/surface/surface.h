@@ -8,6 +8,7 @@
 #include "frame/graph.h"
 #include "passes/frame_data.h"
 #include "passes/lighting.h"
+#include "passes/targets.h"
 
 namespace dermis::passes {
 
@@ -16,7 +17,8 @@ class Surface {
   struct Settings {
     std::uint32_t instance = 0;   ///< the first that it draws
     std::uint32_t instances = 1;  ///< how many: only the blended parts of several may be drawn at once
-    std::uint32_t samples = 1;
+    std::uint32_t samples = 1;    ///< of the targets
+    PictureFormat format;         ///< of the targets
     bool clear = false;         ///< the first to draw into the targets
     bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae

@@ -5,6 +5,7 @@
 #include "shaders/placement.glsl"
 #include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
+invariant gl_Position;  // host_depth.vert has the same
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;

@@ -14,11 +14,13 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
   for (std::uint32_t head = 0; head < settings.head_count(); ++head) {
     const Model& model = settings.model_of(head);
     screen.add_shadow(head);
-    for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh)
+    for (std::uint32_t mesh = model.first_mesh;
+         settings.draws_picture() && mesh < model.first_mesh + model.meshes; ++mesh)
       plan.add<passes::FinalPass>(label("final", settings, head, mesh),
                                   {{}, screen.shadow(), screen.colour(), screen.depth()},
                                   {.square = {.instance = head, .mesh = mesh},
                                    .samples = settings.samples,
+                                   .format = settings.picture_format(),
                                    .clear = screen.take_clear(),
                                    .weights = {},
                                    .environment = settings.environment,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "passes/final_pass/final_pass.h"
+#include "passes/scatter_sum/scatter_sum.h"
 #include "techniques/texture_space/counters.h"
 
 namespace dermis::techniques {
@@ -27,14 +28,26 @@ std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
 
 }  // namespace
 
+void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, const LightMaps& maps,
+                     frame::TextureId sum, const passes::MapSquare& square) {
+  const SkinPart& part = settings.skin[square.mesh];
+  const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
+  plan.add<passes::ScatterSum>(label("scatter sum", settings, square.instance, square.mesh),
+                               {{maps.blurred().begin(), maps.blurred().begin() + count}, sum},
+                               {.square = square,
+                                .weights = weights(part.profile),
+                                .halvings = {maps.halvings().begin(), maps.halvings().begin() + count}});
+}
+
 void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
                const passes::MapSquare& square) {
+  if (!settings.draws_picture()) return;
   const SkinPart& part = settings.skin[square.mesh];
   const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
   const passes::TermsOnMap terms{.sigmas_mm = sigmas_mm(part.profile),
                                  .even_uv_per_mm = static_cast<float>(part.even_uv_per_mm),
                                  .largest_side = settings.map_size,
-                                 .coarse = part.coarse};
+                                 .coarse = part.coarse && !settings.host_lights()};
 
   plan.add<passes::FinalPass>(
       label("final", settings, square.instance, square.mesh),
@@ -45,6 +58,7 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
        screen.entering()},
       {.square = square,
        .samples = settings.samples,
+       .format = settings.picture_format(),
        .clear = screen.take_clear(),
        .weights = weights(part.profile),
        .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
@@ -53,12 +67,14 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
        .off_map = part.off_map,
        .cut_out = part.cut_out,
        .emits = part.emits,
-       .mixes = settings.optimise.depth,
+       .mixes = settings.optimise.depth && !settings.host_lights(),
        .terms = terms,
        .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
        .through = settings.translucency
                       ? std::optional(passes::ThroughMesh{square.mesh, part.profile, part.mm_per_unit})
                       : std::nullopt});
+
+  if (settings.host) return;
 
   // A short profile does not reach the small maps of a longer one beside it.
   for (const Level& level : maps.levels()) {

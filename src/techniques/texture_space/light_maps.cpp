@@ -8,6 +8,7 @@
 #include "passes/dilate/dilate.h"
 #include "passes/downsample/downsample.h"
 #include "passes/gutters/gutters.h"
+#include "passes/host_irradiance/host_irradiance.h"
 #include "passes/irradiance/irradiance.h"
 #include "passes/stretch/stretch.h"
 #include "passes/tiles/tiles.h"
@@ -82,6 +83,7 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
   }
 
   if (settings.translucency) make_transmitted();
+  if (settings.host_lights()) host_irradiance_ = plan.texture("host irradiance", pool_.texture(0));
 
   // A stretch map lasts from frame to frame, unless the skin meshes of a head take turns with it.
   const gpu::TextureDesc map{
@@ -147,6 +149,7 @@ std::vector<frame::TextureId> LightMaps::textures() const {
   std::vector<frame::TextureId> all = blurred_;
   all.insert(all.end(), transmitted_.begin(), transmitted_.end());
   for (const auto& [of, map] : halved_transmitted_) all.push_back(map);
+  if (host_irradiance_.valid()) all.push_back(host_irradiance_);
   for (const Level& level : levels_)
     for (const frame::TextureId map : {level.light, level.scratch, level.depth_mask})
       if (map.valid()) all.push_back(map);
@@ -182,14 +185,18 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
       .soft_shadows = settings_->soft_shadows,
       .clip = settings_->optimise.clip,
       .cut_out = std::any_of(skin.begin(), skin.end(), [](const SkinPart& part) { return part.cut_out; }),
+      .from_host = settings_->host_lights(),
       .through = {}};
   if (settings_->translucency)
     for (const std::uint32_t mesh : meshes_of(all))
       irradiance.through.push_back(
           {.mesh = mesh, .profile = skin[mesh].profile, .mm_per_unit = skin[mesh].mm_per_unit});
 
+  if (settings_->host_lights())
+    plan_->add<passes::HostIrradiance>(name("host irradiance"), {host_irradiance_}, {.squares = all});
   plan_->add<passes::Irradiance>(
-      name("irradiance"), {level.light, screen_->shadow(), screen_->entering(), transmitted_}, irradiance);
+      name("irradiance"),
+      {level.light, screen_->shadow(), screen_->entering(), transmitted_, host_irradiance_}, irradiance);
 
   // Count for the statistics.
   if (settings_->translucency)

@@ -98,6 +98,7 @@ class LightMaps {
   std::vector<Level> levels_;
   std::vector<frame::TextureId> blurred_;
   std::vector<frame::TextureId> stretch_;      // by unwrap, or by turn of the meshes of a head
+  frame::TextureId host_irradiance_;           // valid if a host draws the light
   std::vector<frame::TextureId> transmitted_;  // with translucency: of the second and third group of terms
   std::map<std::pair<std::size_t, std::uint32_t>, frame::TextureId> halved_transmitted_;  // group, halvings
 };

@@ -22,12 +22,18 @@ std::uint32_t MapPool::columns() const {
   return splits_heads() ? std::bit_ceil(least) : least;
 }
 
+std::uint32_t MapPool::batches() const {
+  const std::uint32_t heads = settings_->heads_per_batch;
+  return (settings_->head_count() + heads - 1) / heads * mesh_batches();
+}
+
 passes::MapPlace MapPool::place(std::uint32_t head, std::uint32_t mesh_in_model) const {
   const std::uint32_t index =
       head % settings_->heads_per_batch * meshes_per_batch() + mesh_in_model % meshes_per_batch();
   return {.index = index,
           .origin = glm::uvec2(index % columns(), index / columns()) * settings_->map_size,
-          .largest_side = settings_->map_size};
+          .largest_side = settings_->map_size,
+          .batch = head / settings_->heads_per_batch * mesh_batches() + mesh_in_model / meshes_per_batch()};
 }
 
 std::vector<std::vector<passes::MapPlace>> MapPool::places() const {

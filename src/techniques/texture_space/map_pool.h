@@ -21,6 +21,7 @@ class MapPool {
   /// Of the pool.
   std::uint32_t squares() const { return settings_->heads_per_batch * meshes_per_batch(); }
 
+  std::uint32_t batches() const;  ///< turns of the pool in a frame
   passes::MapPlace place(std::uint32_t head, std::uint32_t mesh_in_model) const;
   std::vector<std::vector<passes::MapPlace>> places() const;  ///< [head][mesh in its model]
   /// Of some heads and those of their skin meshes that take turn `mesh_batch`; mesh by mesh, as the plan

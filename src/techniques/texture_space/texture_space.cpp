@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "passes/scatter_sum/scatter_sum.h"
 #include "passes/show_visibility/show_visibility.h"
 #include "techniques/screen.h"
 #include "techniques/texture_space/convolution.h"
@@ -56,6 +57,15 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
   for (const auto& [name, shown] : out.shows) plan.read_back(shown.map);
 }
 
+// Makes the map of a host that reads the blurred light; not valid if there is none.
+frame::TextureId make_scattered(passes::FramePlan& plan, const FrameSettings& s, const MapPool& pool) {
+  if (!s.host || !s.host->scattered) return {};
+  gpu::TextureDesc desc = pool.texture(0);
+  desc.layers = pool.batches();
+  desc.array = true;
+  return plan.texture("scattered light", desc, frame::Lifetime::persistent);
+}
+
 // Squares of the first head that has each unwrap.
 std::vector<MapSquare> one_of_each_unwrap(const FrameSettings& s) {
   std::map<std::uint32_t, MapSquare> found;
@@ -76,6 +86,7 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
   std::optional<LightMaps> maps;
   if (!s.skin.empty()) maps.emplace(plan, s, screen);
   const MapPool pool(s);
+  const frame::TextureId scattered = maps ? make_scattered(plan, s, pool) : frame::TextureId{};
 
   // Stretch, once: a rigid mesh keeps its metric, unless another mesh takes its map.
   if (!pool.splits_heads())
@@ -96,6 +107,8 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
       maps->add_light(squares);
       for (const std::uint32_t mesh : meshes_of(squares))
         add_convolution(plan, s, *maps, mesh, of_mesh(squares, mesh));
+      for (const MapSquare& square : squares)
+        if (scattered.valid()) add_scatter_sum(plan, s, *maps, scattered, square);
 
       // Others take these squares afterwards: draw what they hold now.
       for (const MapSquare& square : squares)
@@ -116,7 +129,9 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
   if (!maps) return out;
   out.light_maps = maps->textures();
   out.map_places = pool.places();
-  add_shows(out, plan, s, *maps);
+  if (scattered.valid()) plan.add<passes::HandOver>("hand over scattered light", {scattered});
+  out.scattered = scattered;
+  if (!s.host) add_shows(out, plan, s, *maps);
   return out;
 }
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "api/host_records.h"
+
+namespace dermis::api {
+
+HostRecords::HostRecords(std::span<const setup::Subject* const> subjects) {
+  for (const setup::Subject* subject : subjects) {
+    for (const scene::SkinMesh& mesh : subject->skin)
+      unlit_.push_back({.uv_scale = mesh.unwrap_scale, .uv_offset = mesh.unwrap_offset});
+    first_.push_back(static_cast<std::uint32_t>(unlit_.size()));
+  }
+}
+
+std::vector<HostRecord> HostRecords::of(const passes::FrameData& frame,
+                                        const setup::FrameSetup& setup) const {
+  std::vector<HostRecord> records = unlit_;
+  for (std::size_t i = 0; i < frame.instances.size(); ++i) {
+    const passes::Instance& head = frame.instances[i];
+    const std::uint32_t first = first_[setup.heads[i].instance];
+    for (std::size_t mesh = 0; mesh < head.map_places.size(); ++mesh) {
+      HostRecord& record = records[first + mesh];
+      record.origin = head.map_places[mesh].origin;
+      record.side = static_cast<float>(head.map_side);
+      record.layer = head.map_places[mesh].batch;
+      record.lit = head.visible ? 1 : 0;
+    }
+  }
+  return records;
+}
+
+}  // namespace dermis::api

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#include "passes/host_depth/host_depth_io.h"
+#include "shared/scene_io.h"
+#include "shaders/vertex_pull.glsl"
+#include "shaders/placement.glsl"
+layout(push_constant, scalar) uniform Push { HostDepthIo io; };
+#define INSTANCE io.instance
+#include "shaders/instance.glsl"
+invariant gl_Position;  // equal to that of the picture
+layout(location = 0) out vec2 out_uv0;
+layout(location = 1) out vec2 out_uv1;
+layout(location = 2) out vec4 out_colour;
+void main() {
+  const VertexIo v = pulled_vertex();
+  out_uv0 = v.uv0;
+  out_uv1 = v.uv1;
+  out_colour = v.colour;
+  const vec3 position_m = world_position(placed_position(placements[gl_InstanceIndex], v.position_m));
+  gl_Position = io.clip_from_world * vec4(position_m, 1.0);
+}

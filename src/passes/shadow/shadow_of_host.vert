@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// A triangle over the whole map.
+#version 460
+void main() {
+  const vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
