@@ -2,6 +2,17 @@
 /// Assets: heads with all that belongs to them (meshes, materials, maps), from a file, from arrays, or built
 /// in. An Asset is a cheap handle; copies share what they hold, and nothing ever changes it. Any number of
 /// threads may use one.
+///
+/// Each mesh of an asset has a number, and each vertex of a mesh has one, both from 0, as its source has
+/// them, whatever dermis drops, splits or joins:
+/// - arrays: a mesh is an element of AssetArrays::meshes, a vertex one of its positions_m;
+/// - a file: a mesh is a primitive at a node. They are counted node by node in the order of the file's
+///   `nodes`, all primitives of the node's mesh in their order, shown or not, triangles or not; what two
+///   nodes show counts twice. Vertices are those of the accessors, or as Draco's decoder returns them. Copies
+///   of a mesh that is not skin, which nodes only move, turn and scale, are kept as one, with one of their
+///   numbers;
+/// - the head built in: one mesh.
+/// Coordinates of an asset are metres, after unit_scale and the nodes of a file.
 #pragma once
 
 #include <filesystem>

@@ -30,8 +30,8 @@
 
 namespace dermis {
 
-/// Triangles of one material. Per vertex: `positions_m`, and the other attributes that are not empty, which
-/// have as many elements.
+/// Triangles of one material; its number (dermis/asset.h) is its place in AssetArrays::meshes. Per vertex:
+/// `positions_m`, and the other attributes that are not empty, which have as many elements.
 struct AssetMesh {
   std::string name;   ///< for messages
   int material = -1;  ///< index into AssetArrays::materials; -1: white metal, glTF's default

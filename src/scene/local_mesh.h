@@ -19,7 +19,7 @@ namespace dermis::scene {
 struct LocalMesh {
   std::size_t vertices = 0;
   std::vector<std::uint32_t> indices;  ///< triangles
-  /// number in its source of each vertex; empty: the same number
+  /// number in its source of each vertex; empty: the same as here
   std::vector<std::uint32_t> original;
   std::vector<float> positions, normals, tangents;    ///< 3, 3, 4 each
   std::array<std::vector<float>, 2> uvs;              ///< 2 each

@@ -109,7 +109,17 @@ struct Primitive {
   /// Empty: one copy, whose vertices are in the world. Else vertices are in the mesh's own coordinates.
   /// Always empty for skin, whose metric is in mm. scene/placement.h reads both.
   std::vector<Placement> placements;
+  /// number of the mesh that it came from, as include/dermis/asset.h counts them
+  int source_mesh = 0;
+  /// Per vertex, its number in the arrays or accessors of that mesh. Empty: the same as here. See
+  /// source_vertex().
+  std::vector<std::uint32_t> source_vertices;
 };
+
+/// Returns the number that vertex `vertex` has in what the primitive came from.
+inline std::uint32_t source_vertex(const Primitive& primitive, std::uint32_t vertex) {
+  return primitive.source_vertices.empty() ? vertex : primitive.source_vertices[vertex];
+}
 
 /// A decoded map. Shared, so that copies of scenes are cheap.
 struct MapImage {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "core/assert.h"
@@ -73,6 +74,17 @@ std::vector<std::uint32_t> weld_corners(const std::vector<Vertex>& vertices,
   return weld_points(ids, 1.0);
 }
 
+/// Appends a copy of a vertex, which comes from where the vertex does.
+Vertex& append_copy(Primitive& primitive, std::uint32_t vertex) {
+  std::vector<std::uint32_t>& sources = primitive.source_vertices;
+  if (sources.empty()) {
+    sources.resize(primitive.vertices.size());
+    std::iota(sources.begin(), sources.end(), 0u);
+  }
+  sources.push_back(std::uint32_t{sources[vertex]});
+  return primitive.vertices.emplace_back(Vertex(primitive.vertices[vertex]));
+}
+
 /// Moves the mirrored corners of vertices that are used both ways to copies, so that every vertex has one
 /// handedness.
 void split_mirrored(Primitive& primitive, const std::vector<TriangleFrame>& frames) {
@@ -84,12 +96,11 @@ void split_mirrored(Primitive& primitive, const std::vector<TriangleFrame>& fram
   }
 
   std::vector<std::uint32_t> copy(before, 0);
-  for (std::size_t v = 0; v < before; ++v) {
+  for (std::uint32_t v = 0; v < before; ++v) {
     if (used[v] == 2) primitive.vertices[v].tangent.w = -1;
     if (used[v] != 3) continue;
     copy[v] = static_cast<std::uint32_t>(primitive.vertices.size());
-    primitive.vertices.push_back(primitive.vertices[v]);
-    primitive.vertices.back().tangent.w = -1;
+    append_copy(primitive, v).tangent.w = -1;
   }
 
   for (std::size_t i = 0; i < primitive.indices.size(); ++i) {

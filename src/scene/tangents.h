@@ -24,8 +24,8 @@ void make_missing_normals(Primitive& primitive);
 /// orientation of the coordinates. w is such that w * cross(normal, tangent) points to the top of the picture
 /// (-v), because glTF's normal maps have +Y up and v down: +1 where the picture appears as painted, -1 where
 /// it is mirrored. Vertices between both are split: the mirrored half moves to copies at the end of
-/// `vertices`, and indices follow. Where coordinates are degenerate the tangent is any unit vector
-/// perpendicular to the normal, w = 1. Always finite, unit, orthogonal to the normal.
+/// `vertices`, and indices and `source_vertices` follow. Where coordinates are degenerate the tangent is any
+/// unit vector perpendicular to the normal, w = 1. Always finite, unit, orthogonal to the normal.
 ///
 /// Departure: MikkTSpace also splits fans that touch in one vertex but share no edge, and reorders; here they
 /// share a tangent.

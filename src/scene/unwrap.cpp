@@ -15,9 +15,21 @@ void append_primitive(SkinMesh& mesh, const Primitive& primitive) {
   DERMIS_ASSERT_EQ(primitive.indices.size() % 3, std::size_t{0});
   const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+  if (!primitive.source_vertices.empty())
+    DERMIS_ASSERT_EQ(primitive.source_vertices.size(), primitive.vertices.size());
+  for (std::uint32_t v = 0; v < primitive.vertices.size(); ++v)
+    mesh.sources.push_back({primitive.source_mesh, source_vertex(primitive, v)});
   for (const std::uint32_t index : primitive.indices) mesh.indices.push_back(base + index);
   mesh.triangle_material.insert(mesh.triangle_material.end(), primitive.indices.size() / 3,
                                 primitive.material);
+}
+
+/// Appends a copy of a vertex at a place on the map, and returns its number.
+std::uint32_t append_copy(SkinMesh& mesh, std::uint32_t vertex, const glm::vec2& unwrap) {
+  mesh.vertices.push_back(Vertex(mesh.vertices[vertex]));
+  mesh.sources.push_back(SourceVertex(mesh.sources[vertex]));
+  mesh.unwrap.push_back(unwrap);
+  return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
 /// Gives triangles that are not on the map vertices of their own, all at one point: without area there they
@@ -35,11 +47,7 @@ void take_off_the_map(SkinMesh& mesh, const std::vector<bool>& on_map) {
       mesh.unwrap[vertex] = glm::vec2(0);
       continue;
     }
-    if (copy[vertex] == no_edge) {
-      copy[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
-      mesh.vertices.push_back(Vertex(mesh.vertices[vertex]));
-      mesh.unwrap.emplace_back(0);
-    }
+    if (copy[vertex] == no_edge) copy[vertex] = append_copy(mesh, vertex, glm::vec2(0));
     mesh.indices[i] = copy[vertex];
   }
 }
@@ -78,10 +86,7 @@ void assign_charts(SkinMesh& mesh, const std::vector<bool>& on_map) {
     if (owner[index] == chart[i / 3]) continue;
     const auto [entry, is_new] =
         copies.try_emplace({index, chart[i / 3]}, static_cast<std::uint32_t>(mesh.vertices.size()));
-    if (is_new) {
-      mesh.vertices.push_back(Vertex(mesh.vertices[index]));
-      mesh.unwrap.push_back(glm::vec2(mesh.unwrap[index]));
-    }
+    if (is_new) append_copy(mesh, index, glm::vec2(mesh.unwrap[index]));
     index = entry->second;
   }
 }

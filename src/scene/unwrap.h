@@ -18,11 +18,20 @@ inline constexpr int max_chart_id = 2046;
 /// of triangles that the map does not hold
 inline constexpr std::uint16_t no_chart = 0;
 
+/// Where a vertex came from: Primitive::source_mesh and source_vertex().
+struct SourceVertex {
+  int mesh = 0;
+  std::uint32_t vertex = 0;
+  bool operator==(const SourceVertex&) const = default;
+};
+
 /// One head. Every vertex belongs to one chart (vertices between charts are split; copies are at the end).
 struct SkinMesh {
   std::string name;              ///< of the first primitive, for messages
   int node = -1;                 ///< see skin_mesh_number()
   std::vector<Vertex> vertices;  ///< uv0 and uv1 raw
+  /// per vertex; vertices that were split have the same
+  std::vector<SourceVertex> sources;
   /// triangles in the order of the scene's primitives, so each material is a few runs
   std::vector<std::uint32_t> indices;
   std::vector<int> triangle_material;  ///< per triangle, index into Scene::materials

@@ -96,6 +96,7 @@ Primitive place(const AssetMesh& given, const Frame& frame, int material, int no
   out.node = node;
   out.has_uv = !mesh.uvs[0].empty();
   out.indices = mesh.indices;
+  out.source_vertices = mesh.original;
   out.vertices.reserve(mesh.vertices);
   for (std::size_t i = 0; i < mesh.vertices; ++i) out.vertices.push_back(place_vertex(mesh, i, frame));
 
@@ -135,9 +136,11 @@ Scene make(const AssetArrays& given, const LoadOptions& options) {
   units[3][3] = 1;
   const Frame frame = frame_of(units);
   Attributes has;
-  for (std::size_t i = 0; i < given.meshes.size(); ++i)
+  for (std::size_t i = 0; i < given.meshes.size(); ++i) {
     scene.primitives.push_back(
         place(given.meshes[i], frame, numbers.at(given.meshes[i].material), nodes[i], has));
+    scene.primitives.back().source_mesh = static_cast<int>(i);
+  }
   leave_out_maps_without_uv(name, has.uv, scene);
   steps.done();
 

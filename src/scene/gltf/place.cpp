@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/hooks.h"
 #include "core/warnings.h"
@@ -17,6 +18,8 @@ namespace {
 
 // Limit on work: vertices times active morph targets, per vertex limit.
 constexpr std::uint64_t morph_passes = 2;
+
+constexpr std::uint64_t largest_source_mesh = std::numeric_limits<int>::max();
 
 /// Applies the node's morph targets to the local mesh (glTF 2.0, 3.7.2.2).
 void apply_morphs(Bytes& bytes, const MeshPrimitive& primitive, const std::vector<double>& weights,
@@ -41,13 +44,20 @@ void check_both_sets(const MeshPlace& place, const Vertex& v, std::size_t i) {
   for (const glm::vec2& uv : {v.uv0, v.uv1}) check_coordinates(place, uv, i);
 }
 
+/// What a primitive says of itself besides its vertices.
+struct About {
+  int material = 0, node = -1, source_mesh = 0;
+};
+
 /// Returns a primitive without its vertices.
-Primitive without_vertices(const Document& document, const LocalMesh& mesh, int material, int node) {
+Primitive without_vertices(const Document& document, const LocalMesh& mesh, const About& about) {
   Primitive out;
-  const std::string& name = document.nodes[node].name;
-  out.name = name.empty() ? document.meshes[document.nodes[node].mesh].name : name;
-  out.material = material;
-  out.node = node;
+  const Node& node = document.nodes[about.node];
+  out.name = node.name.empty() ? document.meshes[node.mesh].name : node.name;
+  out.material = about.material;
+  out.node = about.node;
+  out.source_mesh = about.source_mesh;
+  out.source_vertices = mesh.original;
   out.has_uv = !mesh.uvs[0].empty();
   out.indices = mesh.indices;
   out.vertices.resize(mesh.vertices);
@@ -55,8 +65,8 @@ Primitive without_vertices(const Document& document, const LocalMesh& mesh, int 
 }
 
 Primitive place(const Document& document, const MeshPrimitive& source, const LocalMesh& mesh,
-                const Frames& frames, int material, int node) {
-  Primitive out = without_vertices(document, mesh, material, node);
+                const Frames& frames, const About& about) {
+  Primitive out = without_vertices(document, mesh, about);
   std::size_t mirrored = 0;
   for (std::size_t i = 0; i < mesh.vertices; ++i) {
     const Frame frame = frames.at(mesh, i);
@@ -81,10 +91,10 @@ struct SharedMesh {
 
 /// Adds a primitive without placements. Moves positions that are far from the mesh's own origin to it,
 /// because the device transforms with floats.
-SharedMesh share(const Document& document, const MeshPrimitive& source, const LocalMesh& mesh, int material,
-                 int node, Placed& placed) {
+SharedMesh share(const Document& document, const MeshPrimitive& source, const LocalMesh& mesh,
+                 const About& about, Placed& placed) {
   constexpr double far = 4;  // half sides of its box
-  Primitive& out = placed.primitives.emplace_back(without_vertices(document, mesh, material, node));
+  Primitive& out = placed.primitives.emplace_back(without_vertices(document, mesh, about));
   glm::dvec3 low(INFINITY), high(-INFINITY);
   for (std::size_t i = 0; i < mesh.vertices; ++i) {
     out.vertices[i] = place_vertex(mesh, i, Frame{});
@@ -159,6 +169,20 @@ std::vector<glm::dmat4> world_matrices(const Document& document, double unit_sca
   return world;
 }
 
+std::vector<int> first_source_meshes(const Document& document) {
+  std::vector<int> first;
+  first.reserve(document.nodes.size());
+  std::uint64_t next = 0;
+  for (const Node& node : document.nodes) {
+    first.push_back(static_cast<int>(next));
+    if (node.mesh >= 0) next += document.meshes[node.mesh].primitives.size();
+    if (next > largest_source_mesh)
+      throw input_error(document.file, "has more than {} primitives at its nodes, the limit",
+                        largest_source_mesh);
+  }
+  return first;
+}
+
 void check_limits(const Document& document, const LoadOptions& options) {
   const std::uint64_t max_triangles = options.max_triangles, max_vertices = max_triangles * 3;
   std::uint64_t triangles = 0, vertices = 0, morphed = 0, skipped = 0;
@@ -228,6 +252,7 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
   Placed placed;
   Steps steps("placing meshes", primitives);
   std::size_t begun = 0;
+  const std::vector<int> first_sources = first_source_meshes(document);
   for (const int n : nodes) {
     const Node& node = document.nodes[n];
     if (node.mesh < 0) continue;
@@ -238,15 +263,16 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
     for (const MeshPrimitive& primitive : mesh.primitives) {
       if (begun++ > 0) steps.done();
       if (claimed_triangles(document, primitive) == 0) continue;
-      const int material = materials.of.at(primitive.material);
-      const bool skin = materials.skin[static_cast<std::size_t>(material)];
+      const auto place_in_mesh = static_cast<int>(&primitive - mesh.primitives.data());
+      const About about{materials.of.at(primitive.material), n, first_sources[n] + place_in_mesh};
+      const bool skin = materials.skin[static_cast<std::size_t>(about.material)];
       if (several && !read.contains(&primitive))
         read.emplace(&primitive, read_mesh(document, bytes, primitive));
       if (several && rigid && !skin) {
         const LocalMesh& local = read.at(&primitive);
         if (local.indices.empty()) continue;
         if (!shared.contains(&primitive))
-          shared.emplace(&primitive, share(document, primitive, local, material, n, placed));
+          shared.emplace(&primitive, share(document, primitive, local, about, placed));
         const SharedMesh& mine = shared.at(&primitive);
         add_placement(document, primitive, mine, frames.of_node(), n, placed.primitives[mine.primitive]);
         continue;
@@ -255,7 +281,7 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
       if (local.indices.empty()) continue;
       apply_morphs(bytes, primitive, weights, local);
       frames.check_joints(local, primitive);
-      placed.primitives.push_back(place(document, primitive, local, frames, material, n));
+      placed.primitives.push_back(place(document, primitive, local, frames, about));
       placed.file_tangents.push_back(usable_tangents(local, placed.primitives.back().vertices));
       placed.has_uv.push_back({!local.uvs[0].empty(), !local.uvs[1].empty()});
     }

@@ -14,6 +14,9 @@ namespace dermis::scene::gltf {
 /// Returns the world matrices of all nodes, with unit scale.
 std::vector<glm::dmat4> world_matrices(const Document& document, double unit_scale);
 
+/// Returns, per node, the number of the first primitive of its mesh: see Primitive::source_mesh.
+std::vector<int> first_source_meshes(const Document& document);
+
 /// Returns the nodes of the shown scene, parents first.
 std::vector<int> shown_nodes(const Document& document);
 

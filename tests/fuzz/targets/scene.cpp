@@ -36,6 +36,9 @@ void check_scene(const Scene& scene) {
   for (const Primitive& primitive : scene.primitives) {
     DERMIS_ASSERT_LT(static_cast<std::size_t>(primitive.material), scene.materials.size());
     DERMIS_ASSERT_EQ(primitive.indices.size() % 3, 0u);
+    DERMIS_ASSERT_LE(0, primitive.source_mesh);
+    DERMIS_ASSERT(primitive.source_vertices.empty() ||
+                  primitive.source_vertices.size() == primitive.vertices.size());
     for (const std::uint32_t index : primitive.indices) DERMIS_ASSERT_LT(index, primitive.vertices.size());
     for (const Vertex& v : primitive.vertices) {
       check_finite(v.position_m);
@@ -64,6 +67,7 @@ void check_scene(const Scene& scene) {
 
 void check_skin(const SkinMesh& mesh) {
   DERMIS_ASSERT_EQ(mesh.unwrap.size(), mesh.vertices.size());
+  DERMIS_ASSERT_EQ(mesh.sources.size(), mesh.vertices.size());
   DERMIS_ASSERT_EQ(mesh.metric.size(), mesh.vertices.size());
   DERMIS_ASSERT_EQ(mesh.triangle_chart.size(), mesh.indices.size() / 3);
   for (const std::uint32_t index : mesh.indices) DERMIS_ASSERT_LT(index, mesh.vertices.size());
