@@ -90,7 +90,7 @@ struct Picture {
 class PreparedFrame;
 
 namespace vulkan {
-struct Host;        // dermis/vulkan.h
+struct Host;  // dermis/vulkan.h
 class HostFrames;
 }  // namespace vulkan
 

@@ -59,9 +59,9 @@ struct MemoryRequest {
 };
 struct MemoryRange {
   VkDeviceMemory memory = VK_NULL_HANDLE;
-  VkDeviceSize offset = 0;   ///< aligned as the request says
-  void* mapped = nullptr;    ///< address of `offset`, if the request says mapped
-  void* user = nullptr;      ///< of the host, a VmaAllocation for instance
+  VkDeviceSize offset = 0;  ///< aligned as the request says
+  void* mapped = nullptr;   ///< address of `offset`, if the request says mapped
+  void* user = nullptr;     ///< of the host, a VmaAllocation for instance
 };
 /// Both or none. Called from the thread that uses the renderer; must not call dermis.
 struct MemoryCallbacks {
@@ -135,7 +135,7 @@ struct FrameNumbers {
 /// Part of the host's buffer. 4-byte elements.
 struct VertexStream {
   VkBuffer buffer = VK_NULL_HANDLE;  ///< with STORAGE_BUFFER usage; null: as the asset has it
-  VkDeviceSize offset = 0;           ///< bytes, a multiple of 256; up to the buffer's end is read
+  VkDeviceSize offset = 0;           ///< bytes of the first element, a multiple of 4
   std::uint32_t stride = 12;         ///< bytes from element to element, a multiple of 4
 };
 

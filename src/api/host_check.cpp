@@ -11,9 +11,9 @@
 namespace dermis::api {
 namespace {
 
-constexpr std::array depth_formats{
-    VK_FORMAT_D16_UNORM,         VK_FORMAT_X8_D24_UNORM_PACK32, VK_FORMAT_D32_SFLOAT,
-    VK_FORMAT_D16_UNORM_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT,   VK_FORMAT_D32_SFLOAT_S8_UINT};
+constexpr std::array depth_formats{VK_FORMAT_D16_UNORM,         VK_FORMAT_X8_D24_UNORM_PACK32,
+                                   VK_FORMAT_D32_SFLOAT,        VK_FORMAT_D16_UNORM_S8_UINT,
+                                   VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT};
 
 constexpr std::uint32_t most_frames_in_flight = 8;
 constexpr std::size_t most_depth_targets = 16;
@@ -24,15 +24,14 @@ void check_samples(const char* what, std::uint32_t samples) {
 
 void check_format(const char* what, const gpu::Device& device, VkFormat format, VkFormatFeatureFlags needed,
                   VkImageUsageFlags usage, std::uint32_t samples) {
-  const auto can = device.format_supports(format, needed) ? device.image_format_properties(format, usage)
-                                                          : std::nullopt;
+  const auto can =
+      device.format_supports(format, needed) ? device.image_format_properties(format, usage) : std::nullopt;
   if (!can || !(can->sampleCounts & samples))
     throw input_error("", "{}: {} with {} samples is not a format that {} draws to as dermis does", what,
                       gpu::format_name(format), samples, device.summary().name);
 }
 
-void check_depth_format(const char* what, const gpu::Device& device, VkFormat format,
-                        std::uint32_t samples) {
+void check_depth_format(const char* what, const gpu::Device& device, VkFormat format, std::uint32_t samples) {
   if (std::find(depth_formats.begin(), depth_formats.end(), format) == depth_formats.end())
     throw input_error("", "{} must be a format of depth, got {}", what, gpu::format_name(format));
   check_format(what, device, format, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT,
@@ -67,13 +66,15 @@ void check_host_options(const vulkan::HostFrames::Options& options, const gpu::D
 
 void check_host_settings(const RenderSettings& settings) {
   if (!settings.output.exposure_ev)
-    throw input_error("", "an automatic output.exposure_ev needs frames of its own; give a host's frames a "
-                          "number");
+    throw input_error("",
+                      "an automatic output.exposure_ev needs frames of its own; give a host's frames a "
+                      "number");
   if (settings.output.show != "picture")
     throw input_error("", "output.show must be 'picture' in a host's frames, got '{}'", settings.output.show);
   if (settings.camera.heads != 1)
-    throw input_error("", "camera.heads must be 1 in a host's frames, whose scene has an instance for each "
-                          "head; got {}",
+    throw input_error("",
+                      "camera.heads must be 1 in a host's frames, whose scene has an instance for each "
+                      "head; got {}",
                       settings.camera.heads);
 }
 

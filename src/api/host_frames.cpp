@@ -24,9 +24,12 @@ HostFrames::State::State(std::shared_ptr<Renderer::State> renderer, const Option
 void HostFrames::State::update(const Scene& wanted, const RenderSettings& settings,
                                const HostInputs& wanted_inputs) {
   api::check_host_settings(settings);
-  const setup::HostSetup host = host_setup(options, wanted, settings, wanted_inputs, images);
+  HostImages next_images;
+  const setup::HostSetup host = host_setup(options, wanted, settings, wanted_inputs, next_images);
 
+  // What stands may point to the images of before until this has gone well.
   frame.set(wanted, settings, host);
+  images = std::move(next_images);
   // Unready until all below is done: any of it may throw.
   frame.make_unready();
   scene = wanted;
@@ -48,14 +51,12 @@ HostFrames::State::Filled HostFrames::State::fill(Slot& slot) {
   Filled filled{.data = frame.data(slot.memory), .records = {}};
   for (std::size_t i = 0; i < filled.data.instances.size(); ++i)
     filled.data.instances[i].vertices = move.vertices_of(frame.setup().heads[i].instance);
-  filled.records =
-      slot.memory.add(std::span<const api::HostRecord>(records.of(filled.data, frame.setup())));
+  filled.records = slot.memory.add(std::span<const api::HostRecord>(records.of(filled.data, frame.setup())));
   return filled;
 }
 
 void HostFrames::State::check_ready() const {
-  if (!frame.is_ready())
-    throw input_error("", "nothing to record: update() must succeed first");
+  if (!frame.is_ready()) throw input_error("", "nothing to record: update() must succeed first");
 }
 
 // Returns the slot of a frame that has finished.
@@ -92,35 +93,34 @@ void HostFrames::State::set_targets(const View& view) {
                         image);
   };
   const techniques::FrameOutputs& outputs = frame.outputs();
-  frame.executor().set_texture_of_host(
-      outputs.host_colour, texture("colour of the host", options.picture->colour_format,
-                                   VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, view.colour));
-  frame.executor().set_texture_of_host(
-      outputs.host_depth, texture("depth of the host", options.picture->depth_format,
-                                  VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, view.depth));
+  frame.executor().set_texture_of_host(outputs.host_colour,
+                                       texture("colour of the host", options.picture->colour_format,
+                                               VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, view.colour));
+  frame.executor().set_texture_of_host(outputs.host_depth,
+                                       texture("depth of the host", options.picture->depth_format,
+                                               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, view.depth));
 }
 
 passes::DrawIrradiance HostFrames::State::irradiance_drawer(const gpu::BufferBinding& records_at) const {
   if (!inputs.draw_irradiance) return {};
-  return [this, records_at](gpu::Cmd& cmd, const gpu::Texture& map,
-                            std::span<const passes::UsedSquare> used) {
-    std::vector<IrradianceSquare> squares;
-    for (const passes::UsedSquare& square : used) {
-      const setup::HeadSetup& head = frame.setup().heads[square.instance];
-      const std::uint32_t mesh =
-          square.mesh - frame.setup().plan.models[head.model].first_mesh;
-      squares.push_back({.instance = ids[head.instance],
-                         .skin_mesh = mesh,
-                         .area = square.area(),
-                         .record = records.number(head.instance, mesh)});
-    }
-    inputs.draw_irradiance(cmd.handle(), {.view = map.layer_view(0),
-                                          .extent = {map.desc().width, map.desc().height},
-                                          .squares = squares,
-                                          .records = records_at.buffer->handle(),
-                                          .records_offset = records_at.offset,
-                                          .records_bytes = records_at.bytes});
-  };
+  return
+      [this, records_at](gpu::Cmd& cmd, const gpu::Texture& map, std::span<const passes::UsedSquare> used) {
+        std::vector<IrradianceSquare> squares;
+        for (const passes::UsedSquare& square : used) {
+          const setup::HeadSetup& head = frame.setup().heads[square.instance];
+          const std::uint32_t mesh = square.mesh - frame.setup().plan.models[head.model].first_mesh;
+          squares.push_back({.instance = ids[head.instance],
+                             .skin_mesh = mesh,
+                             .area = square.area(),
+                             .record = records.number(head.instance, mesh)});
+        }
+        inputs.draw_irradiance(cmd.handle(), {.view = map.layer_view(0),
+                                              .extent = {map.desc().width, map.desc().height},
+                                              .squares = squares,
+                                              .records = records_at.buffer->handle(),
+                                              .records_offset = records_at.offset,
+                                              .records_bytes = records_at.bytes});
+      };
 }
 
 Recorded HostFrames::State::record(VkCommandBuffer commands, std::span<const View> views,
@@ -265,8 +265,8 @@ std::uint32_t HostFrames::record_of(InstanceId instance, std::uint32_t skin_mesh
 }
 
 std::array<double, 16> clip_from_world(const CameraMatrices& camera) {
-  const glm::dmat4 product = setup::matrix_of(camera.clip_from_camera) *
-                             setup::matrix_of(camera.camera_from_world);
+  const glm::dmat4 product =
+      setup::matrix_of(camera.clip_from_camera) * setup::matrix_of(camera.camera_from_world);
   std::array<double, 16> out{};
   for (int i = 0; i < 16; ++i) out[static_cast<std::size_t>(i)] = product[i / 4][i % 4];
   return out;

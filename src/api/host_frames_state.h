@@ -14,11 +14,8 @@
 
 namespace dermis::vulkan {
 
-/// Host images that a setup points to. Kept: they are compared by address.
-struct HostImages {
-  std::vector<std::unique_ptr<gpu::Texture>> shadows;
-  std::vector<LightShadow> shadow_inputs;
-};
+/// Images of a host that a setup points to.
+using HostImages = std::vector<std::unique_ptr<gpu::Texture>>;
 
 struct HostFrames::State {
   State(std::shared_ptr<Renderer::State> renderer, const Options& wanted);
@@ -62,8 +59,8 @@ struct HostFrames::State {
   passes::DrawIrradiance irradiance_drawer(const gpu::BufferBinding& records_at) const;
 };
 
-/// Returns what a setup needs of a host's options and inputs. Throws InputError for inputs that do not fit
-/// the scene or the settings; `images` are as before then.
+/// Returns what a setup needs of a host's options and inputs; it points to what it adds to `images`. Throws
+/// InputError for inputs that do not fit the scene or the settings.
 setup::HostSetup host_setup(const HostFrames::Options& options, const Scene& scene,
                             const RenderSettings& settings, const HostInputs& inputs, HostImages& images);
 

@@ -10,17 +10,14 @@
 namespace dermis::api {
 namespace {
 
-constexpr std::uint64_t offset_alignment = 256;
-
 // Returns a stream as shaders read it, up to its last element; not given: empty.
 passes::DeformStream stream_of(const char* what, const vulkan::VertexStream& stream, std::uint32_t vertices,
                                const gpu::Buffer& buffer, const gpu::DeviceLimits& limits) {
   if (stream.buffer == VK_NULL_HANDLE) return {};
   if (stream.stride < 12 || stream.stride % 4 != 0 || stream.stride > 4096)
     throw input_error("", "{}.stride must be a multiple of 4 from 12 to 4096, got {}", what, stream.stride);
-  if (stream.offset % offset_alignment != 0)
-    throw input_error("", "{}.offset must be a multiple of {}, got {}", what, offset_alignment,
-                      stream.offset);
+  if (stream.offset % 4 != 0)
+    throw input_error("", "{}.offset must be a multiple of 4, got {}", what, stream.offset);
   const std::uint64_t bytes = std::uint64_t{vertices - 1} * stream.stride + 12;
   if (bytes > limits.max_storage_buffer_bytes)
     throw input_error("", "{} has {} bytes, shaders of this device read {}", what, bytes,
@@ -34,9 +31,9 @@ HostMoves::Moved HostMoves::make(const AssetPointer& asset) const {
   gpu::Device& device = library_->device();
   Moved moved{.asset = asset, .vertices = {}};
   for (const passes::GpuMesh& mesh : asset->gpu->skin)
-    moved.vertices.emplace_back(device, mesh.name + " moved vertices",
-                                gpu::BufferDesc{.bytes = mesh.vertices.desc().bytes,
-                                                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    moved.vertices.emplace_back(
+        device, mesh.name + " moved vertices",
+        gpu::BufferDesc{.bytes = mesh.vertices.desc().bytes, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   device.run([&](VkCommandBuffer commands) {
     gpu::Cmd cmd(device, commands);
     for (std::size_t i = 0; i < moved.vertices.size(); ++i)
@@ -57,8 +54,8 @@ void HostMoves::keep(const SceneOnDevice& scene, std::span<const InstanceId> ids
       throw input_error("", "deformed: instance {} is not in the scene", static_cast<std::uint32_t>(id));
     const AssetPointer& asset = scene.asset(static_cast<std::size_t>(found - ids.begin()));
     const auto before = moved_.find(id);
-    kept[id] = before != moved_.end() && before->second.asset == asset ? std::move(before->second)
-                                                                       : make(asset);
+    kept[id] =
+        before != moved_.end() && before->second.asset == asset ? std::move(before->second) : make(asset);
   }
 
   if (!kept.empty() && !deform_) deform_.emplace(*library_);

@@ -111,18 +111,17 @@ setup::HostSetup host_setup(const HostFrames::Options& options, const Scene& sce
   for (const MaterialImage& image : inputs.images) host.maps.push_back(host_map(scene, ids, image));
 
   if (!inputs.shadows.empty() && (settings.lighting.rig_lights || !settings.lighting.placed_lights.empty()))
-    throw input_error("", "shadows are of lights of the scene, which lighting.rig_lights and "
-                          "lighting.placed_lights replace");
-  HostImages next;
+    throw input_error("",
+                      "shadows are of lights of the scene, which lighting.rig_lights and "
+                      "lighting.placed_lights replace");
   for (const LightShadow& shadow : inputs.shadows) {
     setup::HostShadow of_light = host_shadow(scene, shadow);
-    next.shadows.push_back(std::make_unique<gpu::Texture>(
+    images.push_back(std::make_unique<gpu::Texture>(
         "shadow map of the host",
         gpu::TextureDesc{.width = shadow.extent.width, .height = shadow.extent.height}, shadow.depth));
-    of_light.depth = next.shadows.back().get();
+    of_light.depth = images.back().get();
     host.shadows.push_back(of_light);
   }
-  images = std::move(next);
   return host;
 }
 

@@ -94,7 +94,8 @@ void GraphExecutor::poison() {
   for (std::size_t i = 0; i < resources_.textures_.size(); ++i) {
     const Lifetime lifetime = graph_.textures()[i].lifetime;
     const bool lasts = lifetime == Lifetime::persistent && layouts_[i] != VK_IMAGE_LAYOUT_UNDEFINED;
-    if (!lasts && lifetime != Lifetime::of_host && resources_.textures_[i].desc().samples == 1) gpu::poison(device(), resources_.textures_[i]);
+    if (!lasts && lifetime != Lifetime::of_host && resources_.textures_[i].desc().samples == 1)
+      gpu::poison(device(), resources_.textures_[i]);
   }
 }
 

@@ -55,8 +55,7 @@ std::string print_text(const FrameGraph& graph) {
 
   if (!graph.buffers().empty()) text += "buffers\n";
   for (const BufferNode& b : graph.buffers())
-    text += fmt::format("  {:<28} {:>9} bytes {}\n", b.name, b.desc.bytes,
-                        name_of(b.lifetime));
+    text += fmt::format("  {:<28} {:>9} bytes {}\n", b.name, b.desc.bytes, name_of(b.lifetime));
   return text;
 }
 

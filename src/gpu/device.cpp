@@ -180,7 +180,8 @@ void Device::State::set_up(const Candidate& candidate, bool anisotropy) {
   instance_table.get_properties2(physical, &all);
   VkPhysicalDeviceMemoryProperties heaps{};
   instance_table.get_memory_properties(physical, &heaps);
-  memory = std::make_unique<MemoryPool>(vk, device, heaps, maintenance3.maxMemoryAllocationSize, memory_of_host);
+  memory =
+      std::make_unique<MemoryPool>(vk, device, heaps, maintenance3.maxMemoryAllocationSize, memory_of_host);
 
   VkCommandPoolCreateInfo pool_info{};
   pool_info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;

@@ -30,7 +30,7 @@ class MemoryPool {
     std::uint64_t bytes = 0;
     std::byte* mapped = nullptr;  ///< upload and readback only
     bool image = false;
-    Block* block = nullptr;    ///< null: of the host
+    Block* block = nullptr;     ///< null: of the host
     vulkan::MemoryRange range;  ///< of the host
   };
 

@@ -250,9 +250,8 @@ void check_replacement(const std::string& name, std::span<const std::uint32_t> o
   }
   for (const auto& constant : expected.constants)
     if (std::ranges::find(has.constants, constant) == has.constants.end())
-      throw input_error("vulkan::Host::find_shader",
-                        "'{}' lacks dermis's specialisation constant {} '{}'", name, constant.second,
-                        constant.first);
+      throw input_error("vulkan::Host::find_shader", "'{}' lacks dermis's specialisation constant {} '{}'",
+                        name, constant.second, constant.first);
 }
 
 VkSamplerAddressMode address_of(Address address) {
@@ -287,8 +286,7 @@ struct PipelineLibrary::State {
   std::span<const std::uint32_t> code(const std::string& name) const {
     const std::span<const std::uint32_t> spirv = shaders(name);
     if (spirv.empty()) assertion_failed("there is a shader of this name", name, __FILE__, __LINE__);
-    const std::span<const std::uint32_t> other =
-        replaced ? replaced(name) : std::span<const std::uint32_t>();
+    const std::span<const std::uint32_t> other = replaced ? replaced(name) : std::span<const std::uint32_t>();
     if (other.empty()) return spirv;
     check_replacement(name, spirv, other);
     return other;

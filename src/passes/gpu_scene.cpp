@@ -21,6 +21,7 @@
 #include "scene/fine_normals.h"
 #include "scene/turned.h"
 #include "shared/gutters_io.h"
+#include "shared/sources_io.h"
 
 namespace dermis::passes {
 namespace {
@@ -328,6 +329,30 @@ void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene
   if (!list.empty())
     made.list =
         gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
+}
+
+const GpuMesh::Sources* GpuMesh::sources_of(int source_mesh) const {
+  const auto found = sources.find(source_mesh);
+  return found == sources.end() ? nullptr : &found->second;
+}
+
+void GpuScene::make_sources(gpu::Device& device, std::size_t number, const scene::SkinMesh& skin_mesh) {
+  GpuMesh& mesh = skin[number];
+  if (!mesh.sources.empty()) return;
+  std::map<int, std::vector<io::SourceVertexIo>> lists;
+  for (std::uint32_t v = 0; v < skin_mesh.sources.size(); ++v)
+    lists[skin_mesh.sources[v].mesh].push_back({.vertex = v, .source = skin_mesh.sources[v].vertex});
+
+  std::map<int, GpuMesh::Sources> made;
+  for (const auto& [source_mesh, list] : lists) {
+    GpuMesh::Sources& sources = made[source_mesh];
+    sources.count = static_cast<std::uint32_t>(list.size());
+    for (const io::SourceVertexIo& vertex : list)
+      sources.source_vertices = std::max(sources.source_vertices, vertex.source + 1);
+    sources.list = gpu::make_buffer(device, fmt::format("{} of source {}", mesh.name, source_mesh),
+                                    std::span<const io::SourceVertexIo>(list), storage);
+  }
+  mesh.sources = std::move(made);
 }
 
 const gpu::Texture& GpuScene::texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image,

@@ -4,7 +4,6 @@
 #include <span>
 #include <utility>
 
-
 namespace dermis::setup {
 
 io::InstanceIo instance_io(const Pose& pose) {

@@ -72,9 +72,9 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const HostShadow* of_host = host_shadow(host, i);
       const passes::ShadowFit fit =
-          of_host ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world},
-                                      .texel = of_host->texel}
-                  : passes::fit_shadow(lights[i], placed.pose.sphere(subject.casters), s.quality.shadow_size);
+          of_host
+              ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world}, .texel = of_host->texel}
+              : passes::fit_shadow(lights[i], placed.pose.sphere(subject.casters), s.quality.shadow_size);
       if (of_host) {
         head.host_shadows.resize(head.shadow_from_world.size());
         head.host_shadows.push_back({of_host->depth, of_host->reversed});
@@ -100,8 +100,8 @@ void sort_heads(FrameSetup& setup, const RenderSettings& s) {
   const bool blends = std::any_of(plan.models.begin(), plan.models.end(),
                                   [](const techniques::Model& model) { return model.has_blended; });
   // The plan of a host must serve every view.
-  const bool by_model = s.output.show == "picture" &&
-                        (plan.host || !blends || setup.heads.size() <= plan.heads_per_batch);
+  const bool by_model =
+      s.output.show == "picture" && (plan.host || !blends || setup.heads.size() <= plan.heads_per_batch);
 
   // What `show` names is of the last head: the nearest that has something to show.
   const auto shows = [&](const HeadSetup& head) {
@@ -227,8 +227,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
     plan.skip_unlit = choose_skip_unlit(s, device);
     plan.progressive = s.quality.maps == LightMaps::progressive;
-    plan.translucency =
-        s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
+    plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
     plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
                                   [&](const PlacedAsset& instance) { return all_enters(instance, s); });
   }
@@ -310,8 +309,8 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   if (host) {
     setup.plan.host = host->part;
     for (HeadSetup& head : setup.heads)
-      head.drawn = std::find(host->not_drawn.begin(), host->not_drawn.end(), head.instance) ==
-                   host->not_drawn.end();
+      head.drawn =
+          std::find(host->not_drawn.begin(), host->not_drawn.end(), head.instance) == host->not_drawn.end();
   }
   setup.plan.environment = environment_lights.has_value();
   set_up_plan(setup, scene, s, lights, device);

@@ -65,9 +65,9 @@ std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup);
 
 /// A shadow map of a host in place of one of ours.
 struct HostShadow {
-  std::size_t light = 0;             ///< number in PlacedScene::lights
-  glm::mat4 shadow_from_world{1};    ///< depth reversed, as passes::ShadowFit has it
-  float texel = 0;                   ///< likewise
+  std::size_t light = 0;           ///< number in PlacedScene::lights
+  glm::mat4 shadow_from_world{1};  ///< depth reversed, as passes::ShadowFit has it
+  float texel = 0;                 ///< likewise
   const gpu::Texture* depth = nullptr;
   bool reversed = false;  ///< as the host has it
   bool operator==(const HostShadow&) const = default;

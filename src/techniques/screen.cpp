@@ -90,11 +90,9 @@ bool Screen::take_clear() { return !std::exchange(cleared_, true); }
 void Screen::add_shadow(std::uint32_t head) {
   const std::uint32_t layers = std::max(settings_.shadow_layers, 1u);
   const bool apart = entering_depth_.valid();
-  plan_->add<passes::Shadow>(label("shadow", settings_, head),
-                             {shadow_, apart ? frame::TextureId{} : entering_},
-                             {.instance = head,
-                              .layers = layers,
-                              .host_maps = settings_.host && settings_.host->shadows});
+  plan_->add<passes::Shadow>(
+      label("shadow", settings_, head), {shadow_, apart ? frame::TextureId{} : entering_},
+      {.instance = head, .layers = layers, .host_maps = settings_.host && settings_.host->shadows});
   if (apart)
     plan_->add<passes::Shadow>(label("entering", settings_, head), {entering_depth_, entering_},
                                {.instance = head, .layers = layers, .grown = true});

@@ -131,9 +131,9 @@ struct Shown {
 struct FrameOutputs {
   /// RGBA16F, linear, with bloom; alpha = share of the pixel that is skin
   frame::TextureId picture;
-  frame::TextureId before_bloom;       ///< RGBA16F, as picture
-  frame::TextureId display;            ///< RGBA8, after the tone map
-  frame::BufferId counters;            ///< uint[]; Technique::report says what they mean
+  frame::TextureId before_bloom;  ///< RGBA16F, as picture
+  frame::TextureId display;       ///< RGBA8, after the tone map
+  frame::BufferId counters;       ///< uint[]; Technique::report says what they mean
   /// With FrameSettings::host, in place of the pictures. Targets of the host; the light that it reads,
   /// RGBA16F, a layer per batch, see passes::ScatterSum.
   frame::TextureId host_colour, host_depth, scattered;

@@ -3,6 +3,7 @@
 #version 460
 #include "passes/deform/deform_io.h"
 #include "shared/scene_io.h"
+#include "shared/sources_io.h"
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { DeformIo io; };
 layout(binding = 0, scalar) buffer Vertices { VertexIo vertices[]; };
@@ -23,20 +24,20 @@ void main() {
   const uint to = sources[i].vertex, from = sources[i].source;
 
   if (io.position_stride != 0u) {
-    const uint at = from * io.position_stride;
+    const uint at = io.first_position + from * io.position_stride;
     vertices[to].position_m = vec3(positions_m[at], positions_m[at + 1], positions_m[at + 2]);
   }
 
   vec3 n = vertices[to].normal;
   if (io.normal_stride != 0u) {
-    const uint at = from * io.normal_stride;
+    const uint at = io.first_normal + from * io.normal_stride;
     n = unit_or(vec3(normals[at], normals[at + 1], normals[at + 2]), n);
     vertices[to].normal = n;
   }
 
   vec3 t = vertices[to].tangent.xyz;
   if (io.tangent_stride != 0u) {
-    const uint at = from * io.tangent_stride;
+    const uint at = io.first_tangent + from * io.tangent_stride;
     t = unit_or(vec3(tangents[at], tangents[at + 1], tangents[at + 2]), t);
   }
   // Perpendicular to the new normal, also where the host gives no tangents.

@@ -10,9 +10,9 @@ namespace dermis::passes {
 /// A stream of a host, 3 floats per vertex.
 struct DeformStream {
   const gpu::Buffer* buffer = nullptr;  ///< null: not given
-  std::uint64_t offset = 0;             ///< bytes, a multiple of 256
-  std::uint64_t bytes = 0;
-  std::uint32_t stride = 0;  ///< floats
+  std::uint64_t offset = 0;             ///< bytes of the first vertex, a multiple of 4
+  std::uint64_t bytes = 0;              ///< from there
+  std::uint32_t stride = 0;             ///< floats
 };
 
 struct DeformStreams {

@@ -6,14 +6,10 @@ DERMIS_IO_BEGIN
 struct DeformIo {
   uint count;                                           // of the vertices to write
   uint position_stride, normal_stride, tangent_stride;  // floats; 0: not given
-};
-// A vertex of a skin mesh and the vertex of its source that it is a copy of.
-struct SourceVertexIo {
-  uint vertex, source;
+  uint first_position, first_normal, first_tangent;     // floats from where the stream is bound
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::DeformIo) == 16);
-static_assert(sizeof(dermis::io::SourceVertexIo) == 8);
+static_assert(sizeof(dermis::io::DeformIo) == 28);
 #endif
 #endif

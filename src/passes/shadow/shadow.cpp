@@ -104,8 +104,8 @@ void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fram
     cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
                         {shadow.desc().width, shadow.desc().height}, true);
 
-    const bool of_host = settings.host_maps && layer < instance.host_shadows.size() &&
-                         instance.host_shadows[layer].depth;
+    const bool of_host =
+        settings.host_maps && layer < instance.host_shadows.size() && instance.host_shadows[layer].depth;
     if (of_host) {
       take_host_map(cmd, instance.host_shadows[layer], shadow);
     } else if (layer < instance.shadow_from_world.size()) {

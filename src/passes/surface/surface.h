@@ -19,10 +19,10 @@ class Surface {
     std::uint32_t instances = 1;  ///< how many: only the blended parts of several may be drawn at once
     std::uint32_t samples = 1;    ///< of the targets
     PictureFormat format;         ///< of the targets
-    bool clear = false;         ///< the first to draw into the targets
-    bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
-    bool soft_shadows = false;  ///< lights with a radius cast penumbrae
-    bool blended = false;       ///< draws only the blended parts, over the picture
+    bool clear = false;           ///< the first to draw into the targets
+    bool environment = false;     ///< light from FrameData::environment, else FrameIo::ambient
+    bool soft_shadows = false;    ///< lights with a radius cast penumbrae
+    bool blended = false;         ///< draws only the blended parts, over the picture
   } settings;
   struct In {
     frame::TextureId shadow, colour, depth;

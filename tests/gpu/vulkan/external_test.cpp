@@ -75,7 +75,7 @@ class Engine {
     destroy(instance, nullptr);
   }
 
-  Device::External external() const {
+  vulkan::Host host() const {
     return {.get_instance_proc_addr = get_,
             .instance = instance,
             .physical_device = physical,
@@ -189,7 +189,7 @@ class External : public testing::Test {
 TEST_F(External, RecordsIntoTheEnginesCommandsAndSubmitsNothing) {
   Engine& engine = *engine_;
   {
-    Device device(engine.external());
+    Device device(engine.host());
     PipelineLibrary library(device, test_vulkan::find_shader);
     const Buffer in = make_buffer<float>(device, "in", numbers, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     const Buffer out(device, "out", {.bytes = 16, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
@@ -217,13 +217,14 @@ TEST_F(External, RecordsIntoTheEnginesCommandsAndSubmitsNothing) {
   EXPECT_EQ(engine.vk.vkDeviceWaitIdle(engine.device), VK_SUCCESS);  // the engine's device is still its own
 }
 
-TEST_F(External, RetiredObjectsLiveUntilCollect) {
+TEST_F(External, RetiredObjectsLiveUntilTheFrameHasFinished) {
   Engine& engine = *engine_;
-  Device device(engine.external());
+  Device device(engine.host());
   PipelineLibrary library(device, test_vulkan::find_shader);
   const Buffer out(device, "out", {.bytes = 16, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   Buffer in = make_buffer<float>(device, "in", numbers, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   const std::uint64_t held = device.buffer_bytes();
+  device.begin_host_frame(1, 0);
   engine.begin();
   record_fill(device, library, engine.commands, in, out);
   in = {};
@@ -231,12 +232,12 @@ TEST_F(External, RetiredObjectsLiveUntilCollect) {
   EXPECT_EQ(device.buffer_bytes(), held);
   engine.submit_and_wait();
   EXPECT_EQ(device.buffer_bytes(), held);
-  device.collect();
+  device.begin_host_frame(2, 1);
   EXPECT_LT(device.buffer_bytes(), held);
 }
 
 TEST_F(External, SharesTheProcessWithADeviceOfOurs) {
-  Device theirs(engine_->external());
+  Device theirs(engine_->host());
   Device ours(Device::Options{});
   for (Device* device : {&theirs, &ours, &theirs}) {
     PipelineLibrary library(*device, test_vulkan::find_shader);
