@@ -269,9 +269,8 @@ const Candidate& choose(std::span<const Candidate> sorted, const std::string& se
 
 }  // namespace dermis::gpu
 
-namespace dermis::vulkan {
-
-RequiredFeatures::RequiredFeatures() {
+// Part of the public header, so not of this namespace.
+dermis::vulkan::RequiredFeatures::RequiredFeatures() {
   features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
   features11.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES;
   features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
@@ -279,11 +278,11 @@ RequiredFeatures::RequiredFeatures() {
   features.pNext = &features11;
   features11.pNext = &features12;
   features12.pNext = &features13;
-  gpu::require(features.features, gpu::needs10);
-  gpu::require(features12, gpu::needs12);
-  gpu::require(features13, gpu::needs13);
+  dermis::gpu::require(features.features, dermis::gpu::needs10);
+  dermis::gpu::require(features12, dermis::gpu::needs12);
+  dermis::gpu::require(features13, dermis::gpu::needs13);
 }
 
-std::span<const char* const> RequiredFeatures::extensions() { return gpu::extension_names; }
-
-}  // namespace dermis::vulkan
+std::span<const char* const> dermis::vulkan::RequiredFeatures::extensions() {
+  return dermis::gpu::extension_names;
+}

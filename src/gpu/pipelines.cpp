@@ -10,6 +10,7 @@
 #include "gpu/device.h"
 #include "gpu/formats.h"
 #include "gpu/pipeline_cache.h"
+#include "gpu/replaced_shader.h"
 
 namespace dermis::gpu {
 namespace {
@@ -217,41 +218,6 @@ void FixedFunctions::fill(VkGraphicsPipelineCreateInfo& info) const {
   info.pDepthStencilState = &depth;
   info.pColorBlendState = &blend;
   info.pDynamicState = &dynamic;
-}
-
-ShaderInterface reflect_of_host(std::span<const std::uint32_t> spirv, const std::string& name) {
-  try {
-    return reflect(spirv, name);
-  } catch (const InternalError& error) {
-    throw input_error("vulkan::Host::find_shader", "'{}' cannot be used: {}", name, error.what());
-  }
-}
-
-// A host's shader takes part in the same draws, so it must declare the same things; it may leave some out.
-void check_replacement(const std::string& name, std::span<const std::uint32_t> ours,
-                       std::span<const std::uint32_t> other) {
-  constexpr std::uint32_t magic = 0x07230203;
-  if (other.front() != magic)
-    throw input_error("vulkan::Host::find_shader", "'{}' is not SPIR-V in this machine's byte order", name);
-  const ShaderInterface expected = reflect(ours, name), has = reflect_of_host(other, name);
-
-  if (has.push_bytes != 0 && has.push_bytes != expected.push_bytes)
-    throw input_error("vulkan::Host::find_shader", "'{}' has {} bytes of push constants, dermis's has {}",
-                      name, has.push_bytes, expected.push_bytes);
-  if (has.workgroup != expected.workgroup || has.workgroup_constants != expected.workgroup_constants)
-    throw input_error("vulkan::Host::find_shader", "'{}' has workgroups of another size than dermis's", name);
-  for (const BindingSlot& slot : has.bindings) {
-    const auto same = std::ranges::find(expected.bindings, slot.binding, &BindingSlot::binding);
-    if (same == expected.bindings.end() || same->kind != slot.kind || same->count != slot.count ||
-        same->name != slot.name)
-      throw input_error("vulkan::Host::find_shader",
-                        "'{}' has a binding {} '{}' that dermis's has not, or of another kind", name,
-                        slot.binding, slot.name);
-  }
-  for (const auto& constant : expected.constants)
-    if (std::ranges::find(has.constants, constant) == has.constants.end())
-      throw input_error("vulkan::Host::find_shader", "'{}' lacks dermis's specialisation constant {} '{}'",
-                        name, constant.second, constant.first);
 }
 
 VkSamplerAddressMode address_of(Address address) {

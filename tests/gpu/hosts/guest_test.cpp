@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -11,6 +12,7 @@
 
 #include "dermis/error.h"
 #include "dermis/renderer.h"
+#include "gpu/support/host.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
@@ -29,12 +31,24 @@ RenderSettings lit_by_a_studio() {
 }
 
 // The pictures of one renderer in one thread, and what it said.
-struct Host {
+struct Program {
   std::vector<std::vector<float>> pictures;
   std::vector<std::string> lines;
 
   void draw(const Scene& scene, int frames) {
-    Renderer own({.hooks = {.log = [this](LogLevel, const std::string& line) { lines.push_back(line); }}});
+    Renderer own({.hooks = hooks()});
+    draw_with(own, scene, frames);
+  }
+  void draw_on(const vulkan::Host& host, const Scene& scene, int frames) {
+    Renderer own(host, hooks());
+    draw_with(own, scene, frames);
+  }
+
+ private:
+  Hooks hooks() {
+    return {.log = [this](LogLevel, const std::string& line) { lines.push_back(line); }};
+  }
+  void draw_with(Renderer& own, const Scene& scene, int frames) {
     RenderSettings s = lit_by_a_studio();
     PreparedFrame frame = own.prepare(scene, s);
     for (int i = 0; i < frames; ++i) {
@@ -53,7 +67,7 @@ TEST(TwoRenderers, DrawInTwoThreadsWithOneSceneAndOneCache) {
   const TempFolder folder;
   const Variable cache("XDG_CACHE_HOME", folder.path().string());
   const Scene scene = wrap(scene::sphere(0.0713, 6));
-  Host first, second, alone;
+  Program first, second, alone;
   {
     const std::jthread a([&] { first.draw(scene, frames); });
     const std::jthread b([&] { second.draw(scene, frames); });
@@ -63,6 +77,32 @@ TEST(TwoRenderers, DrawInTwoThreadsWithOneSceneAndOneCache) {
   EXPECT_TRUE(first.pictures == alone.pictures);
   EXPECT_TRUE(second.pictures == alone.pictures);
   EXPECT_TRUE(alone.lines.empty()) << "a damaged file? " << alone.lines.front();
+}
+
+// One device of a host, one queue, which both submit to, and one cache of pipelines.
+TEST(TwoRenderers, DrawInTwoThreadsOnOneDeviceOfAHost) {
+  constexpr int frames = 50;
+  const TempFolder folder;
+  const Variable cache("XDG_CACHE_HOME", folder.path().string());
+  const Scene scene = wrap(scene::sphere(0.0713, 6));
+  Host host;
+  std::mutex queue;
+  vulkan::Host shared = host.vulkan();
+  shared.queue_mutex = &queue;
+  VkPipelineCacheCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
+  ASSERT_EQ(host.vk().vkCreatePipelineCache(shared.device, &info, nullptr, &shared.pipeline_cache),
+            VK_SUCCESS);
+
+  Program first, second, alone;
+  {
+    const std::jthread a([&] { first.draw_on(shared, scene, frames); });
+    const std::jthread b([&] { second.draw_on(shared, scene, frames); });
+  }
+  host.vk().vkDestroyPipelineCache(shared.device, shared.pipeline_cache, nullptr);
+  alone.draw(scene, frames);
+  EXPECT_TRUE(first.pictures == alone.pictures);
+  EXPECT_TRUE(second.pictures == alone.pictures);
+  EXPECT_EQ(host.messages(), std::vector<std::string>{});
 }
 
 TEST(Cache, APictureNeedsNone) {
