@@ -2,6 +2,7 @@
 #include "device.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <span>
@@ -16,6 +17,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL keep_message(VkDebugUtilsMessageSeverityFlagBitsE
                                             VkDebugUtilsMessageTypeFlagsEXT,
                                             const VkDebugUtilsMessengerCallbackDataEXT* data,
                                             void* messages) {
+  // At once: some are said while the device is destroyed.
+  std::fprintf(stderr, "validation: %s\n", data->pMessage);
   static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
   return VK_FALSE;
 }
@@ -163,10 +166,9 @@ void Device::make_device() {
   std::stable_sort(devices.begin(), devices.end(),
                    [](VkPhysicalDevice a, VkPhysicalDevice b) { return rank_of(a) < rank_of(b); });
 
-  VkResult result = VK_ERROR_INITIALIZATION_FAILED;
   for (const VkPhysicalDevice physical : devices)
-    if (result = try_device(physical); result == VK_SUCCESS) return;
-  check(result, "vkCreateDevice: no device has what dermis needs;");
+    if (try_device(physical) == VK_SUCCESS) return;
+  throw std::runtime_error("no Vulkan device has what dermis needs, of " + std::to_string(count));
 }
 
 VkResult Device::try_device(VkPhysicalDevice physical) {

@@ -81,7 +81,7 @@ class Device {
   dermis::vulkan::Host host() const;  ///< what dermis::Renderer takes
 
   bool validated() const { return vk_.messenger != VK_NULL_HANDLE; }
-  /// What the validation layer has said so far, one element per message.
+  /// What the validation layer has said so far, one element per message; standard error has it too.
   const std::vector<std::string>& messages() const { return messages_; }
 
   /// `samples` above 1: only to be drawn to and resolved.

@@ -270,7 +270,6 @@ int main(int argc, char** argv) {
     host::write_ppm(arguments->picture, picture);
     if (!arguments->linear.empty()) host::write_pfm(arguments->linear, picture);
 
-    for (const std::string& message : device.messages()) std::fprintf(stderr, "%s\n", message.c_str());
     std::printf("%s: %d frames, the last of %u x %u pixels, on %s, %s\n", arguments->picture.c_str(),
                 arguments->frames, picture.width, picture.height, device.name().c_str(),
                 device.validated() ? (std::to_string(device.messages().size()) + " messages").c_str()
