@@ -12,7 +12,7 @@ quiet() { "$@" > "$place/log" 2>&1 || { cat "$place/log"; fail "failed: $*"; }; 
 
 quiet "$cmake" --install "$build_folder" --component development --prefix "$place/installed"
 headers=$(cd "$place/installed/include" && find . -type f | sort | tr '\n' ' ')
-expected=$(cd "$source_folder/include" && find . -name '*.h' | sort | tr '\n' ' ')
+expected=$(cd "$source_folder/include" && find . -type f | sort | tr '\n' ' ')
 [ "$headers" = "$expected" ] || fail "installed headers are '$headers', not '$expected'"
 if grep -rlF -e "$source_folder" -e "$build_folder" \
   "$place/installed/include" "$place"/installed/lib*/cmake; then

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Way (iii): the host's own shading of skin, around the light that dermis has spread in it.
+//
+// What differs from dermis: one lobe of reflection in place of two; a fit in place of the tabulated albedo of
+// the reflection; no shadow on highlights; nothing of the environment, of maps and of emission, because the
+// scene has none.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "host.glsl"
+
+// Where the host binds what HostFrames::record() returns.
+#define DERMIS_SET 0
+#define DERMIS_LIGHT_BINDING 1
+#define DERMIS_RECORDS_BINDING 2
+#include "dermis/scattered.glsl"
+
+layout(location = 0) in vec3 position_m;
+layout(location = 1) in vec3 normal;
+layout(location = 2) centroid in vec2 uv;
+layout(location = 0) out vec4 colour;
+
+const float strength = 0.18, f0 = 0.028;  // of the reflection; skin has an index of refraction of 1.4
+const float mix_before = 0.5;  // dermis's default: half of the albedo acted before the light spread
+
+// Returns the radiance that is reflected per irradiance on a surface that faces the light: Beckmann's lobe,
+// with Schlick's Fresnel. Based on: Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF
+// Model, EG 2001, eq. 6.
+float reflected(vec3 n, vec3 v, vec3 l, float slope) {
+  const vec3 h_raw = l + v, h = normalize(h_raw);
+  const float n_h2 = max(dot(n, h), 1e-3) * max(dot(n, h), 1e-3), slope2 = slope * slope;
+  const float lobe = exp(-(1.0 - n_h2) / (n_h2 * slope2)) / (slope2 * n_h2 * n_h2);
+  const float fresnel = f0 + (1.0 - f0) * pow(1.0 - max(dot(v, h), 0.0), 5.0);
+  return strength * lobe * fresnel / dot(h_raw, h_raw) * max(dot(n, l), 0.0);
+}
+
+void main() {
+  const vec3 n = normalize(normal), v = normalize(eye_m.xyz - position_m);
+
+  // What the reflection sends back does not come out of the skin: its share of light from this direction.
+  const float kept = 1.0 - (0.015 + 0.26 * pow(1.0 - max(dot(n, v), 0.0), 4.5));
+  const vec3 diffuse = dermis_scattered(record, uv) * pow(albedo.rgb, vec3(1.0 - mix_before)) * kept;
+
+  const float slope = 0.85 * albedo.w * albedo.w;  // between dermis's two lobes, 0.75 and 1.3
+  colour = vec4(diffuse + lamp_irradiance.rgb * reflected(n, v, to_lamp.xyz, slope), 1.0);
+}
