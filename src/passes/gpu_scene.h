@@ -77,6 +77,8 @@ struct GpuMesh {
   std::map<std::uint32_t, Gutters> gutters;
   /// see unwrap_map(), Occlusion::values of environment/occlusion.h; only under an environment
   gpu::Texture bent_normal;
+  /// vec2[], regions::parts_of_skin() at the vertices; empty until labels are drawn
+  gpu::Buffer parts;
   std::vector<GpuDraw> draws;
 
   void offer(Bindings& bindings) const;  ///< "Vertices", "Indices", "Charts", "TurnedNeighbours"

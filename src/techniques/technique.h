@@ -82,6 +82,7 @@ struct FrameSettings {
   passes::SkipUnlit skip_unlit = passes::SkipUnlit::by_tiles;
   bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
   bool visibility = false;     ///< also makes the map that `output.show` "visibility" shows
+  bool labels = false;         ///< also draws FrameOutputs::label_surface and label_names
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
@@ -114,8 +115,10 @@ struct Shown {
 struct FrameOutputs {
   /// RGBA16F, linear, with bloom; alpha = share of the pixel that is skin
   frame::TextureId picture;
-  frame::TextureId before_bloom;       ///< RGBA16F, as picture
-  frame::TextureId display;            ///< RGBA8, after the tone map
+  frame::TextureId before_bloom;  ///< RGBA16F, as picture
+  frame::TextureId display;       ///< RGBA8, after the tone map
+  /// LabelSurfaceIo and LabelNamesIo of passes/labels; not valid without labels.
+  frame::TextureId label_surface, label_names;
   frame::BufferId counters;            ///< uint[]; Technique::report says what they mean
   std::map<std::string, Shown> shows;  ///< by name: "irradiance", "shadow:0", ...
   /// That grow with the heads and skin meshes of a batch; techniques/memory.h sums them.
