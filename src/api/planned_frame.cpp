@@ -46,6 +46,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings) {
   if (next_environment) environment_lights = setup::environment_lights(next_environment->sources, settings);
 
   setup::FrameSetup next = setup::set_up(placed, next_scene.subjects(), settings, traits, environment_lights);
+  next.plan.labels = options_.labels;
   check_layers(scene, next, limits);
   warn_coarse_once(next_scene, next);
   if (next_environment) setup::fill_environment(next.frame, *next_environment, settings);
@@ -65,8 +66,9 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings) {
   ready_ = false;
   setup_ = std::move(next);
   const std::vector<techniques::DrawnHead> drawn =
-      all_sizes_ ? (plans ? setup::every_size(setup_, settings) : std::vector<techniques::DrawnHead>{})
-                 : setup::drawn_heads(setup_);
+      options_.all_sizes
+          ? (plans ? setup::every_size(setup_, settings) : std::vector<techniques::DrawnHead>{})
+          : setup::drawn_heads(setup_);
   next_scene.upload(renderer_->library, placed, settings, setup_, drawn, next_environment, scene_);
   unwrap_assets_ = std::move(unwrap_assets);
   scene_ = std::move(next_scene);
