@@ -13,12 +13,14 @@
 /// environment change from frame to frame without waiting for the device, without an allocation on it and
 /// with one submission. What makes a new plan (RenderSettings of the structure, a number of instances, a
 /// profile or a scale that no instance had) or needs new maps costs that once. A picture is the same to the
-/// bit as that of Renderer::render().
+/// bit as that of Renderer::render(). Labels say for each pixel what it shows, if the session is asked for
+/// them.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "dermis/renderer.h"
 
@@ -32,6 +34,37 @@ struct View {
 /// Names a frame of a session.
 enum class Ticket : std::uint64_t {};
 
+/// What each pixel of a frame shows, unfiltered: one sample at its middle, never averaged over several and
+/// never blended, so that a number is always one that the scene has. Of the opaque and cut-out parts of all
+/// visible instances, culled and cut out as in the picture. Blended parts (lashes, brows) leave no label:
+/// what lies behind them does. Rows from top to bottom, without padding; the size of the picture.
+struct Labels {
+  int width = 0, height = 0;  ///< pixels
+
+  /// 0: nothing is there. Else 1 + the number of the instance in Scene::instances(), hidden ones counted. In
+  /// a row of camera.heads, 1 + the number of the head, from that which stands farthest towards -X.
+  std::vector<std::uint32_t> instance;
+  /// 0: nothing is there. Else 1 + the number of the material in Asset::materials() of the instance's asset,
+  /// which are the names.
+  std::vector<std::uint32_t> material;
+  /// Metres from the eye, along the direction in which the camera looks, not along the ray; under an
+  /// orthographic camera from the plane through its eye. At least the distance of the near plane. Infinity:
+  /// nothing is there.
+  std::vector<float> depth_m;
+  /// Three values per pixel: the vertices' normals, interpolated, without normal maps. Of unit length, in the
+  /// world, on the side of the surface that is seen: as everywhere, interpolated ones may lean away from the
+  /// eye by a little near an outline. 0 0 0: nothing is there.
+  std::vector<float> normal;
+  /// Two values per pixel: the asset's first set of texture coordinates as they are in the file, v down,
+  /// before the transform of a map; any number. 0 0 where nothing is, and where the mesh has none.
+  std::vector<float> uv;
+  enum Region : std::uint8_t { no_region, nose, ear, other_skin };
+  /// A Region: nose and ears of a head that looks along +Z in its asset's coordinates, found from its shape
+  /// as picture_regions() finds them (docs/truth.md), at the vertices of the skin. `other_skin` is the rest
+  /// of the skin, and all skin that is no such head; `no_region` is nothing, or no skin.
+  std::vector<std::uint8_t> region;
+};
+
 /// One thread at a time may use a session and its renderer. A session keeps the device alive.
 class Session {
  public:
@@ -40,6 +73,10 @@ class Session {
     /// memory for its picture and for what changes per frame, but not for maps.
     int frames_in_flight = 2;
     bool statistics = false;  ///< counts what each frame computes: Statistics of its picture; costs time
+    /// Draws labels() with each frame: one more pass, which is one more time all visible triangles. Takes 36
+    /// bytes of memory per pixel, and 32 for each frame in flight. Nose and ears of an asset are found at its
+    /// first use: a tenth of a second for 20,000 triangles.
+    bool labels = false;
   };
 
   explicit Session(const Renderer& renderer) : Session(renderer, Options{}) {}
@@ -63,6 +100,10 @@ class Session {
   /// been drawn after it as may be in flight. Throws InputError: a ticket of an earlier frame or of another
   /// session.
   Picture picture(Ticket ticket) const;
+
+  /// Returns the labels of the frame, as picture() returns its picture. They do not depend on technique,
+  /// samples and light. Throws InputError as picture() does, and if Options::labels was not set.
+  Labels labels(Ticket ticket) const;
 
   struct State;  // of the library
 

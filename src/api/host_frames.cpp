@@ -13,7 +13,7 @@
 namespace dermis::vulkan {
 
 HostFrames::State::State(std::shared_ptr<Renderer::State> renderer, const Options& wanted)
-    : options(wanted), frame(std::move(renderer), true) {
+    : options(wanted), frame(std::move(renderer), {.all_views = true}) {
   for (std::uint32_t i = 0; i < options.frames_in_flight; ++i)
     slots.push_back(std::make_unique<Slot>(frame.device(), slots.size()));
   for (const DepthTargets& depth : options.depths)

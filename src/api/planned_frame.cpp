@@ -48,6 +48,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
     input.environment_lights = setup::environment_lights(next_environment->sources, settings);
 
   setup::FrameSetup next = set_up(input);
+  next.plan.labels = options_.labels;
   check_layers(scene, next, limits);
   warn_coarse_once(next_scene, next);
   if (next_environment) setup::fill_environment(next.frame, *next_environment, settings);
@@ -67,8 +68,9 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
   ready_ = false;
   setup_ = std::move(next);
   const std::vector<techniques::DrawnHead> drawn =
-      all_views_ ? (plans ? setup::every_size(setup_, settings) : std::vector<techniques::DrawnHead>{})
-                 : setup::drawn_heads(setup_);
+      options_.all_views
+          ? (plans ? setup::every_size(setup_, settings) : std::vector<techniques::DrawnHead>{})
+          : setup::drawn_heads(setup_);
   next_scene.upload(renderer_->library, input.placed, settings, setup_, drawn, next_environment, scene_,
                     host ? &*host : nullptr);
   unwrap_assets_ = std::move(unwrap_assets);
@@ -96,6 +98,7 @@ void PlannedFrame::set_view(const CameraMatrices& camera, int width, int height)
   check_device_limits(input.settings, device().limits());
 
   setup::FrameSetup next = set_up(input);
+  next.plan.labels = options_.labels;
   if (next.plan != setup_.plan || next.technique != setup_.technique)
     throw input_error("", "this view needs what update() has not made; call it again");
   if (environment_) setup::fill_environment(next.frame, *environment_, input.settings);

@@ -16,10 +16,16 @@ namespace dermis::api {
 
 class PlannedFrame {
  public:
-  /// `all_views`: a plan brings what it needs for every camera with it, light maps of every size for
-  /// instance, so that a head may come nearer without an upload.
-  explicit PlannedFrame(std::shared_ptr<Renderer::State> renderer, bool all_views = false)
-      : renderer_(std::move(renderer)), all_views_(all_views) {}
+  struct Options {
+    /// A plan brings what it needs for every camera with it, light maps of every size for instance, so that a
+    /// head may come nearer without an upload.
+    bool all_views = false;
+    bool labels = false;  ///< plans have techniques::FrameSettings::labels
+  };
+
+  explicit PlannedFrame(std::shared_ptr<Renderer::State> renderer) : PlannedFrame(std::move(renderer), {}) {}
+  PlannedFrame(std::shared_ptr<Renderer::State> renderer, const Options& options)
+      : renderer_(std::move(renderer)), options_(options) {}
 
   /// Sets scene and settings. Makes a plan with its memory unless that of the last frame serves, and uploads
   /// what is new. Returns whether it made a plan.
@@ -63,6 +69,7 @@ class PlannedFrame {
   void plan(const RenderSettings& settings, const setup::FrameSetup& next);
 
   std::shared_ptr<Renderer::State> renderer_;
+  Options options_;
   SceneOnDevice scene_;
   std::shared_ptr<const setup::EnvironmentLight> environment_;
   setup::FrameSetup setup_;
@@ -72,7 +79,6 @@ class PlannedFrame {
   /// Of the meshes whose metric the memory of the plan holds, in the order of their unwraps.
   std::vector<AssetPointer> unwrap_assets_;
   double pipeline_ms_ = 0;
-  bool all_views_ = false;
   bool ready_ = false;
 };
 

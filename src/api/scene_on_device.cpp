@@ -8,6 +8,7 @@
 #include "core/cache.h"
 #include "core/hooks.h"
 #include "core/warnings.h"
+#include "regions/parts.h"
 
 namespace dermis::api {
 namespace {
@@ -52,6 +53,18 @@ void add_bent_normals(gpu::Device& device, SharedAsset& asset) {
     asset.bent_normal.push_back(std::move(seen));
     steps.done();
   }
+}
+
+// Finds nose and ears, for labels.
+void add_parts(gpu::Device& device, SharedAsset& asset) {
+  if (asset.has_parts) return;
+  const UploadTime time(asset);
+  const auto parts = regions::parts_of_skin(*asset.subject.scene, asset.subject.skin);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    asset.gpu->skin[i].parts =
+        gpu::make_buffer(device, asset.gpu->skin[i].name + " parts", std::span<const glm::vec2>(parts[i]),
+                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  asset.has_parts = true;
 }
 
 template <class Shared, class Matches>
@@ -99,6 +112,7 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
   for (const AssetPointer& asset : different_assets()) {
     upload_asset(library, *asset);
     if (environment) add_bent_normals(device, *asset);
+    if (setup.plan.labels) add_parts(device, *asset);
   }
 
   make_looks(device, scene, settings, before, host);

@@ -20,6 +20,7 @@ struct SharedAsset {
   std::optional<passes::GpuScene> gpu;  ///< looks point into it: never moved
   /// one per skin mesh, once an environment was asked for; values are on the device only
   std::vector<environment::Occlusion> bent_normal;
+  bool has_parts = false;  ///< GpuMesh::parts of each skin mesh, once labels were asked for
   double upload_ms = 0;
   bool warned_coarse = false;  ///< once is enough, however many views follow
 };
@@ -52,7 +53,8 @@ class SceneOnDevice {
   double upload_ms() const;
 
   /// Brings the scene to the device, but for what is there, also of `before`, the same frame's last scene:
-  /// assets, looks, with an environment what the skin sees of it, and the gutters for heads `drawn`.
+  /// assets, looks, with an environment what the skin sees of it, with labels the parts of the skin, and the
+  /// gutters for heads `drawn`.
   /// With a `host`: its maps, and all also for instances that the camera does not see.
   void upload(gpu::PipelineLibrary& library, const setup::PlacedScene& scene, const RenderSettings& settings,
               const setup::FrameSetup& setup, std::span<const techniques::DrawnHead> drawn,

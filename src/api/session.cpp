@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/labels.h"
 #include "api/output.h"
 #include "api/planned_frame.h"
 #include "core/error.h"
@@ -19,7 +20,8 @@ struct Slot {
   Slot(gpu::Device& device, std::size_t number) : memory(device, fmt::format("frame {}", number)) {}
 
   gpu::FrameMemory memory;
-  gpu::Buffer picture, display, counters;  // read back; empty until a frame needs them
+  // Read back; empty until a frame needs them.
+  gpu::Buffer picture, display, counters, label_surface, label_names;
   RenderSettings settings;
   setup::FrameSetup setup;
   api::SceneOnDevice scene;
@@ -52,7 +54,7 @@ void check_request(const RenderSettings& settings, std::span<const View> views) 
 
 struct Session::State {
   State(std::shared_ptr<Renderer::State> renderer, const Options& wanted)
-      : options(wanted), frame(std::move(renderer), true) {
+      : options(wanted), frame(std::move(renderer), {.all_views = true, .labels = wanted.labels}) {
     for (int i = 0; i < options.frames_in_flight; ++i)
       slots.push_back(std::make_unique<Slot>(frame.device(), slots.size()));
   }
@@ -67,6 +69,7 @@ struct Session::State {
   void record(VkCommandBuffer commands, Slot& slot, const passes::FrameData& data);
   const Slot& slot_of(Ticket ticket) const;
   Picture picture(const Slot& slot) const;
+  Labels labels(const Slot& slot) const;
 };
 
 void Session::State::draw(const Scene& scene, const RenderSettings& settings) {
@@ -114,6 +117,12 @@ void Session::State::record(VkCommandBuffer commands, Slot& slot, const passes::
   };
   copy(outputs.picture, slot.picture);
   copy(outputs.display, slot.display);
+  if (options.labels) {
+    make_readback(device, slot.label_surface, "label surfaces to read", 16 * pixels);
+    make_readback(device, slot.label_names, "label names to read", 16 * pixels);
+    copy(outputs.label_surface, slot.label_surface);
+    copy(outputs.label_names, slot.label_names);
+  }
 
   const gpu::Buffer& counters = resources.buffer(outputs.counters);
   slot.counter_bytes = counters.desc().bytes;
@@ -145,6 +154,13 @@ Picture Session::State::picture(const Slot& slot) const {
   api::fill_device(picture.statistics, device);
   picture.statistics.exposure_ev = *slot.settings.output.exposure_ev;
   return picture;
+}
+
+Labels Session::State::labels(const Slot& slot) const {
+  if (!options.labels) throw input_error("", "this session draws no labels: its Options do not ask for them");
+  frame.device().wait(slot.serial);
+  return api::labels_of(slot.settings.output.width, slot.settings.output.height, slot.label_surface.mapped(),
+                        slot.label_names.mapped());
 }
 
 Session::Session(const Renderer& renderer, const Options& options) {
@@ -179,6 +195,11 @@ bool Session::is_ready(Ticket ticket) const {
 Picture Session::picture(Ticket ticket) const {
   const Slot& slot = state_->slot_of(ticket);
   return state_->picture(slot);
+}
+
+Labels Session::labels(Ticket ticket) const {
+  const Slot& slot = state_->slot_of(ticket);
+  return state_->labels(slot);
 }
 
 }  // namespace dermis

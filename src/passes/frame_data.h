@@ -38,6 +38,7 @@ struct HostShadowMap {
 
 /// One head in the frame: an asset, placed. Each has its own shadow maps.
 struct Instance {
+  std::uint32_t number = 0;         ///< among the heads of the scene, however the plan sorts them
   const GpuScene* scene = nullptr;  ///< shared by all instances of the asset
   const GpuLook* look = nullptr;    ///< its materials
   std::span<const SkyMaps> sky;     ///< one per skin mesh of the asset; only with an environment

@@ -95,6 +95,8 @@ struct GpuMesh {
   const Sources* sources_of(int source_mesh) const;  ///< null: none of it is here
   /// see unwrap_map(), Occlusion::values of environment/occlusion.h; only under an environment
   gpu::Texture bent_normal;
+  /// vec2[], regions::parts_of_skin() at the vertices; empty until labels are drawn
+  gpu::Buffer parts;
   std::vector<GpuDraw> draws;
 
   void offer(Bindings& bindings) const;  ///< "Vertices", "Indices", "Charts", "TurnedNeighbours"

@@ -90,18 +90,18 @@ std::optional<HeadFrame> HeadFrame::find(const rays::RayScene& rays) {
   return frame;
 }
 
-bool HeadFrame::on_nose(const glm::dvec3& position_m) const {
+double HeadFrame::inside_nose(const glm::dvec3& position_m) const {
   // From between the wings to the root, where the ridge is narrow.
   const glm::dvec3 low(0, -0.03, -0.14), high(0, 0.42, -0.24);
   constexpr double low_radius = 0.22, high_radius = 0.12;
   const glm::dvec3 p = in_half_breadths(position_m);
   const double along = std::clamp(glm::dot(p - low, high - low) / glm::dot(high - low, high - low), 0.0, 1.0);
-  return glm::distance(p, glm::mix(low, high, along)) <= std::lerp(low_radius, high_radius, along);
+  return std::lerp(low_radius, high_radius, along) - glm::distance(p, glm::mix(low, high, along));
 }
 
-bool HeadFrame::beside_the_head(const glm::dvec3& position_m) const {
+double HeadFrame::inside_sides(const glm::dvec3& position_m) const {
   const glm::dvec3 p = in_half_breadths(position_m);
-  return std::abs(p.x) > 0.6 && p.y > -0.35 && p.y < 0.9 && p.z < -0.7;
+  return std::min({std::abs(p.x) - 0.6, p.y + 0.35, 0.9 - p.y, -0.7 - p.z});
 }
 
 double thickness_m(const rays::RayScene& rays, const rays::SurfacePoint& s) {

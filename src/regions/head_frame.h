@@ -22,11 +22,18 @@ class HeadFrame {
   /// otherwise.
   static std::optional<HeadFrame> find(const rays::RayScene& rays);
 
-  /// Returns whether the point is on the nose, within a cone along its ridge.
-  bool on_nose(const glm::dvec3& position_m) const;
-  /// Returns whether the point may be on an ear: at the side, as high as the face, well behind the tip of the
-  /// nose. Thin parts there are ears.
-  bool beside_the_head(const glm::dvec3& position_m) const;
+  /// Returns how far the point is inside the nose, a cone along its ridge: half breadths, negative outside.
+  double inside_nose(const glm::dvec3& position_m) const;
+  bool on_nose(const glm::dvec3& position_m) const { return inside_nose(position_m) >= 0; }
+  /// Returns how far the point is from where no ear can be, half breadths: an ear is at the side, as high as
+  /// the face, well behind the tip of the nose. Negative: there. Thin parts beside the head are ears.
+  double inside_sides(const glm::dvec3& position_m) const;
+  bool beside_the_head(const glm::dvec3& position_m) const { return inside_sides(position_m) > 0; }
+
+  /// Skin beside the head is thin below this, 22 mm on an adult: an ear's root may be filled.
+  double ear_thickness_m() const { return 0.25 * half_breadth_m_; }
+  /// What is no farther from thin skin there is part of the ear: its bowl is not wider than twice 8 mm.
+  double ear_closing_m() const { return 0.09 * half_breadth_m_; }
 
   double half_breadth_m() const { return half_breadth_m_; }
   glm::dvec3 nose_tip_m() const { return tip_m_; }

@@ -23,9 +23,6 @@ constexpr double shadow_reach_mm = 5;       // twice the sigma of skin's widest 
 constexpr double seam_reach_mm = 3;
 constexpr double thin_mm = 10;
 constexpr double fold_gap_mm = 5, fold_reach_mm = 3;
-// Of half the breadth of the head: 22 mm, since an ear's root may be filled; the bowl of an ear is not wider
-// than twice 8 mm.
-constexpr double ear_thickness = 0.25, ear_closing = 0.09;
 // neighbours on one surface are not farther apart than this, unless it is nearly edge-on
 constexpr double continuous_pixels = 4;
 
@@ -80,9 +77,9 @@ class Finder {
   Mask ears() const {
     if (!frame_) return none();
     const auto beside = [&](const Seen& s) { return frame_->beside_the_head(s.point.position_m); };
-    const Mask thin = where(
-        [&](const Seen& s) { return beside(s) && s.thickness < ear_thickness * frame_->half_breadth_m(); });
-    return both(grown(thin, ear_closing * frame_->half_breadth_m()), where(beside));
+    const Mask thin =
+        where([&](const Seen& s) { return beside(s) && s.thickness < frame_->ear_thickness_m(); });
+    return both(grown(thin, frame_->ear_closing_m()), where(beside));
   }
   Mask thin_parts() const {
     return where([&](const Seen& s) { return s.thickness < metres(thin_mm); });

@@ -18,6 +18,7 @@ namespace {
 
 passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
   passes::Instance instance;
+  instance.number = static_cast<std::uint32_t>(head.number);
   instance.world_from_asset = head.pose.matrix();
   instance.middle_m = head.middle_m;
   const io::InstanceIo io = instance_io(head.pose);

@@ -5,6 +5,7 @@
 
 #include "passes/bloom/bloom.h"
 #include "passes/count/count.h"
+#include "passes/labels/labels.h"
 #include "passes/resolve/resolve.h"
 #include "passes/shadow/shadow.h"
 #include "passes/surface/surface.h"
@@ -135,6 +136,15 @@ std::vector<frame::TextureId> Screen::shadow_maps() const {
   return maps;
 }
 
+void Screen::add_labels(FrameOutputs& out) {
+  const passes::Labels::Out labels =
+      plan_->add<passes::Labels>("labels", {}, {.width = settings_.width, .height = settings_.height});
+  out.label_surface = labels.surface;
+  out.label_names = labels.names;
+  plan_->read_back(out.label_surface);
+  plan_->read_back(out.label_names);
+}
+
 FrameOutputs Screen::finish() {
   FrameOutputs out;
   out.counters = counters_;
@@ -151,6 +161,7 @@ FrameOutputs Screen::finish() {
   out.before_bloom = out.picture;
   if (settings_.bloom > 0) out.picture = passes::add_bloom(*plan_, out.picture, settings_.bloom);
   out.display = plan_->add<passes::ToneMap>("tone map", {out.picture}, {settings_.tone_map}).display;
+  if (settings_.labels) add_labels(out);
   plan_->read_back(out.before_bloom);
   if (settings_.bloom > 0) plan_->read_back(out.picture);
   plan_->read_back(out.display);

@@ -33,10 +33,12 @@ class Screen {
   void add_surfaces(std::uint32_t head);
   /// Adds the blended parts of heads whose shadow maps are there, far to near, over all that is drawn.
   void add_blended(std::uint32_t first_head, std::uint32_t heads = 1);
-  /// Adds resolve, bloom and tone map, and shows the shadow maps; nothing for a host. The last call.
+  /// Adds resolve, bloom, tone map and labels, and shows the shadow maps; nothing for a host. The last call.
   FrameOutputs finish();
 
  private:
+  void add_labels(FrameOutputs& out);
+
   passes::FramePlan* plan_;
   FrameSettings settings_;
   frame::TextureId colour_, depth_, shadow_, entering_;

@@ -93,6 +93,7 @@ struct FrameSettings {
   passes::SkipUnlit skip_unlit = passes::SkipUnlit::by_tiles;
   bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
   bool visibility = false;     ///< also makes the map that `output.show` "visibility" shows
+  bool labels = false;         ///< also draws FrameOutputs::label_surface and label_names
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
@@ -133,7 +134,9 @@ struct FrameOutputs {
   frame::TextureId picture;
   frame::TextureId before_bloom;  ///< RGBA16F, as picture
   frame::TextureId display;       ///< RGBA8, after the tone map
-  frame::BufferId counters;       ///< uint[]; Technique::report says what they mean
+  /// LabelSurfaceIo and LabelNamesIo of passes/labels; not valid without labels.
+  frame::TextureId label_surface, label_names;
+  frame::BufferId counters;  ///< uint[]; Technique::report says what they mean
   /// With FrameSettings::host, in place of the pictures. Targets of the host; the light that it reads,
   /// RGBA16F, a layer per batch, see passes::ScatterSum.
   frame::TextureId host_colour, host_depth, scattered;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "api/asset_state.h"
+#include "gpu/sessions/poses.h"
 #include "gpu/support/heads.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
@@ -32,11 +33,6 @@ RenderSettings orbit(RenderSettings settings, double share, double radius_m) {
   return settings;
 }
 
-std::array<double, 16> turned(double angle_rad, double shift_m) {
-  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
-  return {c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, shift_m, 0, 0, 1};
-}
-
 Asset ball() { return Asset::State::make(std::make_shared<const scene::Scene>(scene::sphere(0.06))); }
 
 SceneLight sun(double angle_rad) {
@@ -52,18 +48,22 @@ std::string name_of_counters(const DeviceCounters& c) {
 // Camera, exposure, pose and light change in every frame. From the fourth on, no allocation, no pipeline, no
 // wait for all that was submitted, one submission per frame, and memory stays as it is.
 void expect_steady(const Scene& at_first, InstanceId turning, const RenderSettings& settings, int frames,
-                   double radius_m) {
+                   double radius_m, bool labels = false) {
   Scene scene = at_first;
   const LightId light = scene.lights().front();
-  Session session(renderer(), {.frames_in_flight = 2});
+  Session session(renderer(), {.frames_in_flight = 2, .labels = labels});
   DeviceCounters before;
+  Ticket last{};
 
   for (int i = 0; i < frames; ++i) {
     if (i == 3) before = renderer().counters();
     const double share = static_cast<double>(i) / frames;
     scene.set_transform(turning, turned(0.3 * i, 0.01 * std::sin(i)));
     scene.set_light(light, sun(0.1 * i));
-    session.draw(scene, orbit(settings, share, radius_m));
+    const Ticket ticket = session.draw(scene, orbit(settings, share, radius_m));
+    // To ask for the last frame is to wait for all that was submitted.
+    if (labels && i > 0) { EXPECT_EQ(session.labels(last).width, settings.output.width); }
+    last = ticket;
   }
 
   const DeviceCounters after = renderer().counters();
@@ -77,6 +77,14 @@ TEST(Sessions, ASteadyFrameIsOneSubmission) {
   scene.add({.asset = ball(), .world_from_asset = turned(0, 0.2), .tint = {0.5, 0.4, 0.3}});
   scene.add_light(sun(0));
   expect_steady(scene, head, small_settings("texture-space", 64, 128), 40, 0.8);
+}
+
+TEST(Sessions, AndSoWithLabels) {
+  Scene scene;
+  const InstanceId head = scene.add({.asset = Asset::built_in()});
+  scene.add({.asset = ball(), .world_from_asset = turned(0, 0.2)});
+  scene.add_light(sun(0));
+  expect_steady(scene, head, small_settings("texture-space", 64, 128), 12, 0.8, true);
 }
 
 // The distance to the nearest point changes with the angle, and with it the size of the light maps.

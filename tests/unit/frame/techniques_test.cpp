@@ -41,9 +41,10 @@ std::vector<Case> cases() {
                                         .shadow_layers = 2};
             set_heads(s, heads, parts, more);
             s.bloom = more ? 0.05f : 0.0f;
+            s.labels = more;
             s.translucency = more && parts > 0 && technique->has_light_maps;
             all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique->name, heads,
-                                       parts, samples, more ? ", surfaces, bloom" : ""),
+                                       parts, samples, more ? ", surfaces, bloom, labels" : ""),
                            technique, std::move(s)});
           }
 
@@ -131,6 +132,26 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
   }
 
   EXPECT_GT(removed, 500u);
+}
+
+// Who asks for labels gets one more pass at the end, and the frame before it is as it was.
+TEST(TechniqueFrames, GrowByThePassOfLabels) {
+  for (const techniques::Technique* technique : techniques::techniques()) {
+    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 64, .shadow_size = 64};
+    set_heads(s, 2, 2, true);
+    passes::FramePlan without, with;
+    EXPECT_FALSE(technique->build(without, s).label_surface.valid());
+    s.labels = true;
+    EXPECT_TRUE(technique->build(with, s).label_surface.valid());
+
+    ASSERT_EQ(with.passes().size(), without.passes().size() + 1);
+    for (std::size_t p = 0; p < without.passes().size(); ++p) {
+      EXPECT_EQ(with.passes()[p].name, without.passes()[p].name);
+      EXPECT_NE(without.passes()[p].name, "labels");
+    }
+    EXPECT_EQ(with.passes().back().name, "labels");
+    EXPECT_EQ(with.passes().back().runs, Runs::every_frame);
+  }
 }
 
 std::uint64_t texture_bytes(const FrameGraph& plan) {

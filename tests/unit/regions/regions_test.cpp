@@ -10,8 +10,10 @@
 #include "builtin_head/builtin_head.h"
 #include "reference/camera_ray.h"
 #include "regions/head_frame.h"
+#include "regions/parts.h"
 #include "scene/framing.h"
 #include "scene/primitives.h"
+#include "scene/unwrap.h"
 #include "unit/reference/scenes.h"
 
 namespace dermis::regions {
@@ -164,6 +166,74 @@ TEST(Regions, OfTheBuiltInHead) {
   const std::vector<Region> behind = find(rays, framed(head, 160, 180));
   EXPECT_EQ(named(behind, "nose").pixels, 0u);
   EXPECT_GT(named(behind, "ears").pixels, 40u);
+}
+
+TEST(Parts, OfTheBuiltInHeadsVertices) {
+  const scene::Scene head = builtin_head::make({.map_size = 64});
+  const rays::RayScene rays(head);
+  const std::optional<HeadFrame> frame = HeadFrame::find(rays);
+  ASSERT_TRUE(frame);
+  const std::vector<scene::SkinMesh> skin = scene::skin_meshes(head);
+  const auto parts = parts_of_skin(head, skin);
+  ASSERT_EQ(parts.size(), skin.size());
+
+  std::array<int, 3> count{};  // nose, right ear, left ear
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    ASSERT_EQ(parts[i].size(), skin[i].vertices.size());
+    for (std::size_t v = 0; v < parts[i].size(); ++v) {
+      const glm::dvec3 p(skin[i].vertices[v].position_m);
+      EXPECT_EQ(parts[i][v].x > 0, frame->on_nose(p));
+      if (parts[i][v].y > 0) { EXPECT_TRUE(frame->beside_the_head(p)); }
+      count[0] += parts[i][v].x > 0;
+      count[p.x > 0 ? 2 : 1] += parts[i][v].y > 0;
+    }
+  }
+  EXPECT_GT(count[0], 100);
+  EXPECT_GT(count[1], 100);
+  EXPECT_NEAR(count[1], count[2], 0.1 * count[1]) << "the head is symmetric";
+
+  const scene::Scene ball = scene::sphere(0.1);
+  const auto of_ball = parts_of_skin(ball, scene::skin_meshes(ball));
+  for (const glm::vec2& part : of_ball.front()) EXPECT_EQ(part, glm::vec2(-1));
+}
+
+// A triangle of an ear, grown about its middle until its corners lie farther from it than an ear's skin is
+// closed.
+TEST(Parts, OfLargeTriangles) {
+  const scene::Scene head = builtin_head::make({.map_size = 64});
+  const rays::RayScene rays(head);
+  const std::optional<HeadFrame> frame = HeadFrame::find(rays);
+  ASSERT_TRUE(frame);
+  scene::SkinMesh mesh = scene::skin_meshes(head).front();
+
+  int tried = 0;
+  for (std::size_t t = 0; t + 2 < mesh.indices.size() && tried < 10; t += 30) {
+    std::array<glm::dvec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.vertices[mesh.indices[t + k]].position_m;
+    rays::SurfacePoint middle;
+    middle.position_m = (corners[0] + corners[1] + corners[2]) / 3.0;
+    middle.face_normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    if (frame->inside_sides(middle.position_m) < 0.25) continue;
+    if (thickness_m(rays, middle) > 0.9 * frame->ear_thickness_m()) continue;
+
+    scene::SkinMesh large;
+    const double shortest_m =
+        std::min({glm::distance(corners[0], middle.position_m), glm::distance(corners[1], middle.position_m),
+                  glm::distance(corners[2], middle.position_m)});
+    const double growth = 1.2 * frame->ear_closing_m() / shortest_m;
+    for (const glm::dvec3& corner : corners)
+      large.vertices.push_back(
+          {.position_m = glm::vec3(middle.position_m + growth * (corner - middle.position_m))});
+    large.indices = {0, 1, 2};
+    if (std::any_of(large.vertices.begin(), large.vertices.end(), [&](const scene::Vertex& v) {
+          return !frame->beside_the_head(glm::dvec3(v.position_m));
+        }))
+      continue;
+    ++tried;
+    const auto of_large = parts_of_skin(head, std::span(&large, 1));
+    for (const glm::vec2& part : of_large.front()) EXPECT_GT(part.y, 0);
+  }
+  EXPECT_GT(tried, 0);
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "api/labels.h"
+
+#include <cstring>
+
+#include "core/assert.h"
+#include "passes/labels/labels_io.h"
+
+namespace dermis::api {
+
+static_assert(Labels::nose == LABEL_REGION_NOSE && Labels::ear == LABEL_REGION_EAR &&
+              Labels::other_skin == LABEL_REGION_OTHER_SKIN);
+
+Labels labels_of(int width, int height, std::span<const std::byte> surface,
+                 std::span<const std::byte> names) {
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  DERMIS_ASSERT_EQ(surface.size(), pixels * sizeof(io::LabelSurfaceIo));
+  DERMIS_ASSERT_EQ(names.size(), pixels * sizeof(io::LabelNamesIo));
+
+  Labels out{.width = width, .height = height};
+  out.instance.resize(pixels);
+  out.material.resize(pixels);
+  out.depth_m.resize(pixels);
+  out.normal.resize(3 * pixels);
+  out.uv.resize(2 * pixels);
+  out.region.resize(pixels);
+
+  for (std::size_t i = 0; i < pixels; ++i) {
+    io::LabelSurfaceIo s;
+    io::LabelNamesIo n;
+    std::memcpy(&s, &surface[i * sizeof s], sizeof s);
+    std::memcpy(&n, &names[i * sizeof n], sizeof n);
+    out.instance[i] = n.instance;
+    out.material[i] = n.material_and_region & ((1u << LABEL_REGION_SHIFT) - 1);
+    out.region[i] = static_cast<std::uint8_t>(n.material_and_region >> LABEL_REGION_SHIFT);
+    out.depth_m[i] = s.depth_m;
+    for (int k = 0; k < 3; ++k) out.normal[3 * i + static_cast<std::size_t>(k)] = s.normal[k];
+    for (int k = 0; k < 2; ++k) out.uv[2 * i + static_cast<std::size_t>(k)] = n.uv[k];
+  }
+  return out;
+}
+
+}  // namespace dermis::api

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "passes/labels/labels.h"
+
+#include <array>
+#include <limits>
+
+#include "frame/resources.h"
+#include "passes/draw_skin.h"
+#include "passes/targets.h"
+
+namespace dermis::passes {
+namespace {
+
+constexpr VkFormat surface_format = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat names_format = VK_FORMAT_R32G32B32A32_UINT;
+constexpr std::array no_surface{0.0f, 0.0f, 0.0f, std::numeric_limits<float>::infinity()};
+constexpr std::array no_names{0.0f, 0.0f, 0.0f, 0.0f};  // the bits of the number 0, too
+
+io::LabelsIo labels_io(const Instance& instance, const GpuMaterial& material) {
+  const auto number = &material - instance.look->materials.data();
+  return {.instance = instance.number + 1, .material = static_cast<std::uint32_t>(number) + 1};
+}
+
+}  // namespace
+
+Labels::Out Labels::declare(frame::Declare& d) {
+  d.kind(frame::PassKind::raster);
+  gpu::TextureDesc desc{.width = settings.width, .height = settings.height, .format = surface_format};
+  out_.surface = d.create("label surfaces", desc);
+  desc.format = names_format;
+  out_.names = d.create("label names", desc);
+  desc.format = depth_format;
+  depth_ = d.create("label depths", desc);
+
+  d.colour(out_.surface);
+  d.colour(out_.names);
+  d.depth(depth_);
+  return out_;
+}
+
+void Labels::prepare(gpu::PipelineLibrary& library) {
+  for (const bool skin : {false, true})
+    for (const bool double_sided : {false, true})
+      for (const bool cut_out : {false, true})
+        pipelines_[skin][double_sided][cut_out] =
+            &library.graphics({.vertex = "labels.vert",
+                               .fragment = "labels.frag",
+                               .constants = {{"skin", skin ? 1u : 0u}, {"cut_out", cut_out ? 1u : 0u}},
+                               .colour_formats = {surface_format, names_format},
+                               .depth_format = depth_format,
+                               .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
+                               .depth_test = true,
+                               .depth_write = true});
+}
+
+void Labels::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  const std::array targets{
+      gpu::ColourTarget{.texture = &resources.texture(out_.surface), .clear = no_surface},
+      gpu::ColourTarget{.texture = &resources.texture(out_.names), .clear = no_names}};
+  const gpu::DepthTarget depth{.texture = &resources.texture(depth_), .clear = 0.0f, .store = false};
+
+  cmd.begin_rendering(targets, depth, {settings.width, settings.height});
+  for (const Instance& instance : frame.instances) {
+    if (!instance.visible) continue;
+    draw_skin(cmd, frame, instance);
+    draw_surfaces(cmd, frame, instance);
+  }
+  cmd.end_rendering();
+}
+
+const gpu::Pipeline* Labels::pipeline_of(const GpuMaterial& material, bool skin) const {
+  return pipelines_[skin][material.double_sided][material.alpha_mode == scene::AlphaMode::mask];
+}
+
+void Labels::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const {
+  for (std::size_t mesh = 0; mesh < instance.scene->skin.size(); ++mesh) {
+    Bindings bindings;
+    bindings.add("Frame", frame.frame_io)
+        .add("Placements", instance.scene->unmoved)
+        .add("Parts", instance.scene->skin[mesh].parts);
+    passes::draw_skin(
+        cmd, instance, mesh, bindings,
+        [&](const GpuDraw&, const GpuMaterial& material) { return pipeline_of(material, true); },
+        [&](const GpuMaterial& material) { return labels_io(instance, material); });
+  }
+}
+
+void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const {
+  const GpuSurfaces& surfaces = instance.scene->surfaces;
+  for (const GpuSurfaces::Group& group : surfaces.groups) {
+    const GpuMaterial& material = instance.look->material(group.material);
+    const gpu::Pipeline& pipeline = *pipeline_of(material, false);
+    Bindings bindings;
+    bindings.add("Frame", frame.frame_io)
+        .add("Instance", instance.transform)
+        .add("Parts", instance.scene->unmoved);  // any buffer: only skin reads it
+    surfaces.offer(bindings, group.page);
+    material.offer(bindings);
+    bindings.bind(cmd, pipeline);
+    cmd.push(pipeline, labels_io(instance, material));
+    for (const GpuSurfaces::Draw& draw : group.draws)
+      cmd.draw(draw.index_count, draw.placements, draw.first_index, draw.first_placement);
+  }
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#ifndef DERMIS_PASSES_LABELS_IO_H
+#define DERMIS_PASSES_LABELS_IO_H
+#include "shared/types.h"
+DERMIS_IO_BEGIN
+struct LabelsIo {
+  uint instance;  // its label: 1 + its number
+  uint material;  // likewise
+};
+
+// What the pass writes per pixel; zeros where nothing is, but an infinite depth.
+struct LabelSurfaceIo {
+  vec3 normal;    // unit, world, of the side that is seen
+  float depth_m;  // along the axis of the camera
+};
+struct LabelNamesIo {
+  uint instance;
+  uint material_and_region;  // the region in the uppermost byte
+  vec2 uv;                   // the bits of floats
+};
+DERMIS_IO_END
+
+#define LABEL_REGION_SHIFT 24
+#define LABEL_REGION_NOSE 1u
+#define LABEL_REGION_EAR 2u
+#define LABEL_REGION_OTHER_SKIN 3u
+
+#ifdef __cplusplus
+static_assert(sizeof(dermis::io::LabelSurfaceIo) == 16);
+static_assert(sizeof(dermis::io::LabelNamesIo) == 16);
+#endif
+#endif
