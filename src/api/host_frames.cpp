@@ -135,6 +135,10 @@ Recorded HostFrames::State::record(VkCommandBuffer commands, std::span<const Vie
     api::check_handle("view.depth", view.depth != VK_NULL_HANDLE);
   }
   Slot& slot = begin(numbers);
+  setup::camera_of(view.camera);  // refuses what is none
+  if (options.picture && setup::is_reversed(view.camera) != options.picture->reversed_depth)
+    throw input_error("", "view.camera has depth that {} with the distance; picture.reversed_depth is {}",
+                      options.picture->reversed_depth ? "grows" : "falls", options.picture->reversed_depth);
   frame.set_view(view.camera, static_cast<int>(area.extent.width), static_cast<int>(area.extent.height));
 
   last = numbers;

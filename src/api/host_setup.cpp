@@ -49,6 +49,9 @@ setup::HostShadow host_shadow(const Scene& scene, const LightShadow& shadow) {
   const auto found = std::find(lights.begin(), lights.end(), shadow.light);
   if (found == lights.end())
     throw input_error("", "shadows: light {} is not in the scene", static_cast<std::uint32_t>(shadow.light));
+  if (scene.light(shadow.light).light.type == LightType::point)
+    throw input_error("", "shadows: light {} shines to all sides, which one map does not hold",
+                      static_cast<std::uint32_t>(shadow.light));
   api::check_handle("shadows.depth", shadow.depth != VK_NULL_HANDLE);
   api::check_finite("shadows.clip_from_world", shadow.clip_from_world);
   if (shadow.extent.width < 1 || shadow.extent.height < 1 || shadow.extent.width > 65536 ||
@@ -116,6 +119,9 @@ setup::HostSetup host_setup(const HostFrames::Options& options, const Scene& sce
                       "lighting.placed_lights replace");
   for (const LightShadow& shadow : inputs.shadows) {
     setup::HostShadow of_light = host_shadow(scene, shadow);
+    if (std::any_of(host.shadows.begin(), host.shadows.end(),
+                    [&](const setup::HostShadow& before) { return before.light == of_light.light; }))
+      throw input_error("", "shadows: light {} has two", static_cast<std::uint32_t>(shadow.light));
     images.push_back(std::make_unique<gpu::Texture>(
         "shadow map of the host",
         gpu::TextureDesc{.width = shadow.extent.width, .height = shadow.extent.height}, shadow.depth));

@@ -122,6 +122,12 @@ glm::dmat4 clip_from_world(const CameraMatrices& matrices) {
   return clip * matrix_of(matrices.camera_from_world);
 }
 
+bool is_reversed(const CameraMatrices& matrices) {
+  const Upright camera = upright(matrices);
+  // As near_m() has it.
+  return camera.perspective ? camera.clip_from_camera[3][2] > 0 : camera.clip_from_camera[2][2] > 0;
+}
+
 scene::Camera camera_of(const CameraMatrices& matrices) {
   if (!is_finite(matrices.camera_from_world)) throw view_error("must be numbers under 1e9");
   if (!is_finite(matrices.clip_from_camera)) throw projection_error("must be numbers under 1e9");

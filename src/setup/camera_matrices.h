@@ -12,6 +12,9 @@ namespace dermis::setup {
 /// orthographic, is mirrored, or has its near plane behind the eye, or shows nothing.
 scene::Camera camera_of(const CameraMatrices& matrices);
 
+/// Returns whether depth falls with the distance. Throws as camera_of() does.
+bool is_reversed(const CameraMatrices& matrices);
+
 /// Returns a column-major matrix of a host.
 glm::dmat4 matrix_of(const std::array<double, 16>& values);
 

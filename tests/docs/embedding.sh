@@ -40,6 +40,13 @@ if build/compare frame.pfm $((frames - 1)) > said; then
   fail "another frame compares as equal: $(cat said)"
 fi
 
+# Ways (ii) and (iv): ends with 1 if the layer says something, if the bar throws no shadow on the skin, or if
+# frames ask the device for something.
+quiet build/shadows_of_the_host shadows.ppm
+cp shadows.ppm again.ppm
+quiet build/shadows_of_the_host shadows.ppm
+cmp shadows.ppm again.ppm || fail "two runs of shadows_of_the_host differ"
+
 # One frame has no resize, and nothing in flight before it.
 quiet build/embedding one.ppm --frames 1 --validate
 

@@ -89,6 +89,8 @@ TEST_F(EmbeddedHostility, UpdatesThatDoNotFit) {
   Frame frame;
   Scene scene = lit_ball();
   const InstanceId head = scene.instances().front(), none{12345};
+  const LightId point = scene.add_light(
+      {.light = {.type = LightType::point, .colour = {0.1, 0.1, 0.1}, .position_m = {0, 0.3, 0.3}}});
   const RenderSettings settings = frame_settings();
   frame.frames->update(scene, settings);
 
@@ -107,6 +109,12 @@ TEST_F(EmbeddedHostility, UpdatesThatDoNotFit) {
   const std::array<double, 16> zero{};
   std::array<double, 16> nan = vulkan::clip_from_world(front_camera());
   nan[5] = std::numeric_limits<double>::quiet_NaN();
+  const vulkan::LightShadow twice{.light = light,
+                                  .depth = view,
+                                  .extent = {64, 64},
+                                  .clip_from_world = vulkan::clip_from_world(front_camera())};
+  vulkan::LightShadow to_all_sides = twice;
+  to_all_sides.light = point;
   const auto drawer = [](VkCommandBuffer, const vulkan::IrradianceTarget&) {};
   const std::vector<std::pair<vulkan::HostInputs, RenderSettings>> wrong{
       {{.drawn_by_host = {none}}, settings},
@@ -123,6 +131,8 @@ TEST_F(EmbeddedHostility, UpdatesThatDoNotFit) {
                      .extent = {0, 1000000000},
                      .clip_from_world = vulkan::clip_from_world(front_camera())}}},
        settings},
+      {{.shadows = {to_all_sides}}, settings},
+      {{.shadows = {twice, twice}}, settings},
       {{.draw_irradiance = drawer}, lambert}};
   for (std::size_t i = 0; i < wrong.size(); ++i)
     EXPECT_THROW(frame.frames->update(scene, wrong[i].second, wrong[i].first), InputError) << i;
@@ -175,7 +185,8 @@ TEST_F(EmbeddedHostility, FramesThatCannotBeRecorded) {
          [](vulkan::View& v) {
            v.area = {{1, 1}, {~0u, ~0u}};
          }},
-        {"no camera", [](vulkan::View& v) { v.camera = {}; }}};
+        {"no camera", [](vulkan::View& v) { v.camera = {}; }},
+        {"other depth", [](vulkan::View& v) { v.camera = front_camera(false); }}};
     for (const auto& [what, change] : changes) {
       vulkan::View wrong = good;
       change(wrong);
