@@ -38,10 +38,9 @@ void HostFrames::State::update(const Scene& wanted, const RenderSettings& settin
   ids = scene.instances();
   move.keep(frame.scene(), ids, inputs.deformed);
 
-  for (const std::unique_ptr<Slot>& slot : slots) {
-    fill(*slot);
-    slot->memory.reserve();
-  }
+  // All frames take as much, whatever their camera.
+  fill(*slots.front());
+  for (const std::unique_ptr<Slot>& slot : slots) slot->memory.reserve(slots.front()->memory.bytes());
   frame.make_ready();
 }
 
@@ -135,10 +134,6 @@ Recorded HostFrames::State::record(VkCommandBuffer commands, std::span<const Vie
     api::check_handle("view.depth", view.depth != VK_NULL_HANDLE);
   }
   Slot& slot = begin(numbers);
-  setup::camera_of(view.camera);  // refuses what is none
-  if (options.picture && setup::is_reversed(view.camera) != options.picture->reversed_depth)
-    throw input_error("", "view.camera has depth that {} with the distance; picture.reversed_depth is {}",
-                      options.picture->reversed_depth ? "grows" : "falls", options.picture->reversed_depth);
   frame.set_view(view.camera, static_cast<int>(area.extent.width), static_cast<int>(area.extent.height));
 
   last = numbers;

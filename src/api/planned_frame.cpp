@@ -6,6 +6,7 @@
 #include "api/output.h"
 #include "api/scene_state.h"
 #include "core/error.h"
+#include "setup/camera_matrices.h"
 
 namespace dermis::api {
 namespace {
@@ -39,7 +40,6 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
   SceneOnDevice next_scene(renderer_->assets_of(scene));
   Input input{.placed = placed_scene(scene, next_scene.skin_spheres()),
               .subjects = next_scene.subjects(),
-              .settings = settings,
               .environment_lights = {},
               .host = host};
   const std::shared_ptr<const setup::EnvironmentLight> next_environment =
@@ -47,8 +47,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
   if (next_environment)
     input.environment_lights = setup::environment_lights(next_environment->sources, settings);
 
-  setup::FrameSetup next = set_up(input);
-  next.plan.labels = options_.labels;
+  setup::FrameSetup next = set_up(input, settings);
   check_layers(scene, next, limits);
   warn_coarse_once(next_scene, next);
   if (next_environment) setup::fill_environment(next.frame, *next_environment, settings);
@@ -77,31 +76,37 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
   scene_ = std::move(next_scene);
   environment_ = next_environment;
   input_ = std::move(input);
+  settings_ = settings;
   ready_ = true;
   return plans;
 }
 
-setup::FrameSetup PlannedFrame::set_up(const Input& input) const {
+setup::FrameSetup PlannedFrame::set_up(const Input& input, const RenderSettings& settings) const {
   const gpu::DeviceLimits& limits = device().limits();
   const setup::DeviceTraits traits{.software = limits.software,
                                    .memory_bytes = device().summary().memory_bytes,
                                    .max_image_side = limits.max_image_side};
-  return setup::set_up(input.placed, input.subjects, input.settings, traits, input.environment_lights,
-                       input.host ? &*input.host : nullptr);
+  setup::FrameSetup setup = setup::set_up(input.placed, input.subjects, settings, traits,
+                                          input.environment_lights, input.host ? &*input.host : nullptr);
+  setup.plan.labels = options_.labels;
+  return setup;
 }
 
 void PlannedFrame::set_view(const CameraMatrices& camera, int width, int height) {
-  Input input = input_;
-  input.settings.camera.matrices = camera;
-  input.settings.output.width = width;
-  input.settings.output.height = height;
-  check_device_limits(input.settings, device().limits());
+  RenderSettings settings = settings_;
+  settings.camera.matrices = camera;
+  settings.output.width = width;
+  settings.output.height = height;
+  check_device_limits(settings, device().limits());
 
-  setup::FrameSetup next = set_up(input);
-  next.plan.labels = options_.labels;
+  setup::FrameSetup next = set_up(input_, settings);
+  const std::optional<passes::PictureFormat>& picture = next.plan.host->picture;
+  if (picture && setup::is_reversed(camera) != picture->reversed_depth)
+    throw input_error("", "view.camera has depth that {} with the distance; picture.reversed_depth is {}",
+                      picture->reversed_depth ? "grows" : "falls", picture->reversed_depth);
   if (next.plan != setup_.plan || next.technique != setup_.technique)
     throw input_error("", "this view needs what update() has not made; call it again");
-  if (environment_) setup::fill_environment(next.frame, *environment_, input.settings);
+  if (environment_) setup::fill_environment(next.frame, *environment_, settings);
   setup_ = std::move(next);
 }
 

@@ -36,8 +36,8 @@ class PlannedFrame {
            const std::optional<setup::HostSetup>& host = {});
 
   /// Takes the scene and the settings of the last set() as another camera sees them, in a picture of this
-  /// size. Makes nothing and uploads nothing. Throws InputError, and is as before: the camera is none, or
-  /// needs another plan.
+  /// size. Makes nothing and uploads nothing. Throws InputError, and is as before: the camera is none, its
+  /// depth runs the other way than the host's, or it needs another plan.
   void set_view(const CameraMatrices& camera, int width, int height);
 
   /// False if the last set() has thrown half way.
@@ -61,11 +61,10 @@ class PlannedFrame {
   struct Input {
     setup::PlacedScene placed;
     std::vector<const setup::Subject*> subjects;  // of scene_, one per instance
-    RenderSettings settings;
     std::optional<std::vector<scene::Light>> environment_lights;
     std::optional<setup::HostSetup> host;
   };
-  setup::FrameSetup set_up(const Input& input) const;
+  setup::FrameSetup set_up(const Input& input, const RenderSettings& settings) const;
   void plan(const RenderSettings& settings, const setup::FrameSetup& next);
 
   std::shared_ptr<Renderer::State> renderer_;
@@ -73,7 +72,8 @@ class PlannedFrame {
   SceneOnDevice scene_;
   std::shared_ptr<const setup::EnvironmentLight> environment_;
   setup::FrameSetup setup_;
-  Input input_;
+  Input input_;  // and settings_: of the last set()
+  RenderSettings settings_;
   techniques::FrameOutputs outputs_;
   std::optional<frame::Executor<passes::FrameData>> executor_;
   /// Of the meshes whose metric the memory of the plan holds, in the order of their unwraps.

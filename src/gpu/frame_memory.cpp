@@ -32,18 +32,18 @@ void FrameMemory::replace_bytes(const BufferBinding& binding, std::span<const st
   std::memcpy(bytes_.data() + binding.offset, bytes.data(), bytes.size());
 }
 
-void FrameMemory::reserve() {
-  if (has_room()) return;
-  const std::uint64_t bytes = std::max<std::uint64_t>(least_bytes, 2 * bytes_.size());
-  staging_ = Buffer(*device_, name_ + " staging", {.bytes = bytes, .place = BufferPlace::upload});
+void FrameMemory::reserve(std::uint64_t bytes) {
+  if (staging_ && staging_.desc().bytes >= bytes) return;
+  const std::uint64_t room = std::max<std::uint64_t>(least_bytes, 2 * bytes);
+  staging_ = Buffer(*device_, name_ + " staging", {.bytes = room, .place = BufferPlace::upload});
   on_device_ = Buffer(
       *device_, name_,
-      {.bytes = bytes, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT});
+      {.bytes = room, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT});
 }
 
 void FrameMemory::record(VkCommandBuffer commands) {
   if (bytes_.empty()) return;
-  reserve();
+  reserve(bytes_.size());
   std::memcpy(staging_.mapped().data(), bytes_.data(), bytes_.size());
 
   const VkBufferCopy copy{0, 0, bytes_.size()};

@@ -38,11 +38,10 @@ class FrameMemory {
     replace_bytes(binding, std::as_bytes(data));
   }
 
-  /// Makes the buffers for arrays as large as the present ones, so that record() does not. Arrays of later
-  /// frames may take as much. Throws DeviceError if memory does not suffice.
-  void reserve();
-  /// Returns whether record() would make no buffers.
-  bool has_room() const { return staging_ && staging_.desc().bytes >= bytes_.size(); }
+  std::uint64_t bytes() const { return bytes_.size(); }  ///< of all arrays
+  /// Makes buffers for arrays of so many bytes, so that record() does not. Throws DeviceError if memory does
+  /// not suffice.
+  void reserve(std::uint64_t bytes);
 
   /// Records the copy of all arrays to the device, and the barrier after it. Makes larger buffers first if
   /// they have grown; throws DeviceError if memory does not suffice.

@@ -12,7 +12,7 @@ namespace dermis::setup {
 /// orthographic, is mirrored, or has its near plane behind the eye, or shows nothing.
 scene::Camera camera_of(const CameraMatrices& matrices);
 
-/// Returns whether depth falls with the distance. Throws as camera_of() does.
+/// Returns whether depth falls with the distance. Of a camera: camera_of() does not throw.
 bool is_reversed(const CameraMatrices& matrices);
 
 /// Returns a column-major matrix of a host.
