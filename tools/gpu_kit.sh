@@ -112,7 +112,7 @@ pack_programs() {
 pack_vulkan() {
   local path name
   path=$(find_library libvulkan.so.1)
-  [[ -n $path ]] || fail "libvulkan.so.1, the Vulkan loader, is not here (Debian, Ubuntu: apt install libvulkan1)"
+  [[ -n $path ]] || fail "libvulkan.so.1, the loader, is not here (Debian, Ubuntu: apt install libvulkan1)"
   pack_library libvulkan.so.1 "$path" lib
   pack_libraries lib "$path"
   for name in libX11.so.6 libXext.so.6; do
@@ -131,7 +131,7 @@ pack_validation_layer() {
   manifest=/usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json
   path=$(find /usr/lib /usr/lib64 -name "$library" -print -quit 2>/dev/null || true)
   if [[ ! -r $manifest || -z $path ]]; then
-    note "the validation layer is not here and not packed (Debian, Ubuntu: apt install vulkan-validationlayers)"
+    note "the validation layer is not here and not packed (apt install vulkan-validationlayers)"
     rmdir "$kit/share/vulkan/explicit_layer.d"
     return
   fi
@@ -156,8 +156,8 @@ pack_scan() {
   for name in "$root"/assets/heads/lee-perry-smith*.gltf; do put "$name" "$into/$(basename "$name")"; done
   cat >"$kit/licences/lee-perry-smith.txt" <<'TEXT'
 assets/heads: "Infinite, 3D Head Scan" by Lee Perry-Smith (Infinite-Realities, www.ir-ltd.net), CC BY 3.0
-(https://creativecommons.org/licenses/by/3.0/), based on a work at www.triplegangers.com. The manifests scale it
-to metres and add a material, cameras and lights.
+(https://creativecommons.org/licenses/by/3.0/), based on a work at www.triplegangers.com. The manifests scale
+it to metres and add a material, cameras and lights.
 TEXT
 }
 

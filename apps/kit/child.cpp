@@ -151,8 +151,7 @@ Ended run(const Command& command, const std::atomic<bool>& stop) {
 
   int status = 0;
   rusage used{};
-  while (::wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
-  }
+  while (::wait4(child, &status, 0, &used) < 0 && errno == EINTR) {}
   ended.seconds = seconds_now() - start;
   ended.peak_mb = 1024e-6 * static_cast<double>(used.ru_maxrss);
   if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);

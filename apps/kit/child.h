@@ -12,8 +12,8 @@
 namespace dermis::kit {
 
 struct Command {
-  std::vector<std::string> words;  ///< the program first, relative to `folder`
-  std::filesystem::path folder;    ///< where it runs
+  std::vector<std::string> words;                              ///< the program first, relative to `folder`
+  std::filesystem::path folder;                                ///< where it runs
   std::vector<std::pair<std::string, std::string>> variables;  ///< of its environment, beside ours
   double most_seconds = 600;                                   ///< then it is ended
 };

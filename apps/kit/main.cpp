@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// kit: measures everything on the machine it was unpacked on, and writes one JSON and one page. run_kit starts
-// it with the libraries that it needs.
+// kit: measures everything on the machine it was unpacked on, and writes one JSON and one page. run_kit
+// starts it with the libraries that it needs.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -31,36 +33,45 @@ struct Arguments {
   std::vector<std::string> only;
 };
 
+void check_part(const std::string& name) {
+  if (std::ranges::find(parts, name) == std::end(parts))
+    throw CLI::ValidationError("--only",
+                               fmt::format("'{}' is no part; there are: {}", name, fmt::join(parts, ", ")));
+}
+
 void add_arguments(CLI::App& app, Arguments& a) {
-  auto* quick = app.add_flag("--quick", a.quick,
-                             "each kind of measurement in a small size: a quarter of an hour of a software "
-                             "driver, a few minutes of a GPU");
-  app.add_flag("--smoke", a.smoke, "only whether everything starts; its figures say nothing")->excludes(quick);
+  app.add_flag("--quick", a.quick,
+               "each kind of measurement in a small size: a quarter of an hour of a software "
+               "driver, a few minutes of a GPU");
+  app.add_flag("--smoke", a.smoke, "only whether everything starts; its figures say nothing");
   app.add_option("--out", a.out, "folder for the results; made if it is not there");
   app.add_option("--only", a.only, "some parts alone")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("PART,PART,..")
       ->default_str(fmt::format("{}", fmt::join(parts, ",")))
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(parts), std::end(parts))));
+      ->each(check_part);
   app.footer(
       "Writes kit-DEVICE.json and kit-DEVICE.html. Ctrl-C ends with what there is; a second one writes\n"
-      "nothing. Exit status: 0 everything holds; 1 something does not, or it was stopped; 2 the command line\n"
+      "nothing. Exit status: 0 everything holds; 1 something does not, or it was stopped; 2 the command "
+      "line\n"
       "cannot be parsed. `run_kit dermis ...` is the packed program itself.");
 }
 
 int measure(const Arguments& a, const std::string& command, const fs::path& kit) {
   const std::atomic<bool>& stop = cli::catch_interrupts();
+  Task task{.kit = kit,
+            .scratch = {},
+            .extent = a.quick   ? Extent::quick
+                      : a.smoke ? Extent::smoke
+                                : Extent::full,
+            .only = {a.only.begin(), a.only.end()},
+            .stop = &stop};
+  Json devices = find_devices(task);
+
   const fs::path results = fs::absolute(a.out);
   const Scratch scratch(results);
-  const Task task{.kit = kit,
-                  .scratch = scratch.path(),
-                  .extent = a.quick   ? Extent::quick
-                            : a.smoke ? Extent::smoke
-                                      : Extent::full,
-                  .only = {a.only.begin(), a.only.end()},
-                  .stop = &stop};
-  Json devices = find_devices(task);
+  task.scratch = scratch.path();
   const fs::path name = results / ("kit-" + file_part(devices.front().at("name")));
   const std::string json = name.string() + ".json", html = name.string() + ".html";
   check_writable(json);
@@ -99,14 +110,16 @@ int main(int argc, char** argv) {
   add_arguments(app, arguments);
   try {
     app.parse(argc, argv);
+    if (arguments.quick && arguments.smoke) throw CLI::ValidationError("--smoke", "is not for --quick");
   } catch (const CLI::ParseError& error) { return app.exit(error) == 0 ? 0 : 2; }
 
   try {
-    const fs::path bin = program_folder();
-    if (bin.empty()) throw input_error("", "cannot find the folder it was unpacked in; start it by its path");
+    char bin[PATH_MAX];
+    if (!find_program_folder(bin))
+      throw input_error("", "cannot find the folder it was unpacked in; start it by its path");
     std::vector<std::string> words(argv, argv + argc);
     words[0] = "./run_kit";
-    return measure(arguments, quoted(words), bin.parent_path());
+    return measure(arguments, quoted(words), fs::path(bin).parent_path());
   } catch (const std::exception& error) {
     cli::show_line("");
     fmt::print(stderr, "run_kit: {}\n", error.what());

@@ -18,6 +18,7 @@
 #include "core/error.h"
 #include "dermis/renderer.h"
 #include "kit/results.h"
+#include "techniques/technique.h"
 
 namespace dermis::kit {
 namespace {
@@ -48,6 +49,10 @@ Json machine() {
           {"memory_bytes", std::uint64_t{memory.totalram} * memory.mem_unit},
           {"system", fmt::format("{} {} {}", system.sysname, system.release, system.machine)},
           {"c_library", ::gnu_get_libc_version()}};
+}
+
+bool has_light_maps(const std::string& technique) {
+  return techniques::find_technique(technique).has_light_maps;
 }
 
 // What the loader says of drivers that it could not open: "ERROR: ...", one line each, the first of them.
@@ -118,19 +123,18 @@ void Measurement::fail(const std::string& what, const std::string& why) {
 
 void Measurement::run() {
   const auto start = std::chrono::steady_clock::now();
-  Ended ended;
-  // A smoke run draws it among the switches anyway.
   const std::string probe = place("probe.png");
-  kit::Command command{.words = {"bin/dermis", "render", heads_.light(), "--size", "32x20", "--map-size",
+  const kit::Command command{.words = {"bin/dermis", "render", heads_.light(), "--size", "32x20", "--map-size",
                                  "32", "--shadow-size", "32", "--validate", "-o", probe},
                        .folder = task_.kit,
                        .variables = {{"XDG_CACHE_HOME", place("cache")}},
                        .most_seconds = most_seconds_of_a_picture};
-  ended = kit::run(command, *task_.stop);
+  const Ended ended = kit::run(command, *task_.stop);
   validated_ = ended.err.find("validation needs the layer") == std::string::npos;
   record_["validated"] = validated_;
   fmt::print("{}, {}; {} the validation layer\n", record_.value("device", ""), record_.value("driver", ""),
              validated_ ? "under" : "without");
+  std::fflush(stdout);
 
   using Part = Json (Measurement::*)();
   constexpr Part functions[] = {&Measurement::switches, &Measurement::equality, &Measurement::invariants,
@@ -194,6 +198,8 @@ Json Measurement::switches() {
     for (const std::string& technique : techniques_)
       for (const Switch& change : kit::switches(task_.extent)) {
         if (stopped()) return all;
+        if (task_.extent == Extent::quick && is_of_light_maps(change.path) && !has_light_maps(technique))
+          continue;
         // What is built in is the same in every picture, and takes seconds to make.
         if (head == Heads::built_in && subjects.size() > 1 && !change.path.empty()) continue;
 
@@ -205,8 +211,11 @@ Json Measurement::switches() {
 
         const std::string what = fmt::format("{}, {}, {} {}", head, technique, change.path, change.text);
         Ended ended;
-        Json note = {{"scene", head}, {"technique", technique}, {"setting", change.path},
-                     {"value", change.value()}, {"offered", true}};
+        Json note = {{"scene", head},
+                     {"technique", technique},
+                     {"setting", change.path},
+                     {"value", change.value()},
+                     {"offered", true}};
         note.update(render(what, words, place("switch.png"), ended));
         note["settings"] = settings;
         // What a technique has not, it says so.
@@ -249,7 +258,10 @@ Json Measurement::equality() {
         fail(what, ended[0].ok() ? ended[1].why() : ended[0].why());
       else if (!equal || !counted)
         fail(what, equal ? "counts differ" : "pictures differ");
-      Json note = {{"scene", head}, {"technique", technique}, {"equal", equal}, {"counts_equal", counted},
+      Json note = {{"scene", head},
+                   {"technique", technique},
+                   {"equal", equal},
+                   {"counts_equal", counted},
                    {"command", notes[0]["command"]}};
       if (both) {
         note["bytes"] = fs::file_size(pictures[0]);
@@ -283,15 +295,25 @@ Json Measurement::invariants() {
 
 Json Measurement::frames() {
   Json all = Json::array();
-  const bool smoke = task_.extent == Extent::smoke;
-  const std::string frames = task_.extent == Extent::full ? "9" : smoke ? "1" : "3";
+  const bool full = task_.extent == Extent::full, smoke = task_.extent == Extent::smoke;
   std::vector<std::vector<std::string>> variants{{}, {"--optimise", "none"}, {"--technique", "lambert"}};
   if (smoke) variants.resize(1);
 
   for (const std::vector<std::string>& variant : variants) {
     if (stopped()) break;
-    std::vector<std::string> words{heads_.main(), "--size", smoke ? "96x60" : "1280x720", "--map-size",
-                                   smoke ? "64" : "1024", "--frames", frames};
+    std::vector<std::string> words{heads_.main(),
+                                   "--size",
+                                   full    ? "1280x720"
+                                   : smoke ? "96x60"
+                                           : "640x360",
+                                   "--map-size",
+                                   full    ? "1024"
+                                   : smoke ? "64"
+                                           : "512",
+                                   "--frames",
+                                   full    ? "9"
+                                   : smoke ? "1"
+                                           : "3"};
     words.insert(words.end(), variant.begin(), variant.end());
     const fs::path picture = place(fmt::format("frame-{}.png", all.size()));
     const std::string what = quoted(words);
@@ -309,7 +331,8 @@ Json Measurement::bench() {
   const std::string file = place("bench.json");
   std::vector<std::string> words{"bin/dermis", "bench"};
   if (heads_.main() != Heads::built_in) words.push_back(heads_.main());
-  if (task_.extent == Extent::quick) words.emplace_back("--quick");
+  if (task_.extent == Extent::quick)
+    words.insert(words.end(), {"--quick", "--distances", "2.5,50", "--rounds", "2"});
   if (task_.extent == Extent::smoke)
     words.insert(words.end(), {"--size", "64x40", "--map-size", "64", "--shadow-size", "64", "--heads", "1",
                                "--distances", "2.5", "--rounds", "1", "--picture-samples", "1"});
@@ -356,9 +379,9 @@ Json Measurement::crowds() {
     if (stopped()) break;
     std::vector<std::string> words;
     for (std::size_t i = 0; i < crowd.heads; ++i) words.push_back(faces[i % faces.size()]);
-    words.insert(words.end(), {"--layout", "grid", "--size", crowd.size, "--map-size", crowd.map,
-                               "--shadow-size", crowd.map, "--lights", "2", "--frames",
-                               task_.extent == Extent::full ? "9" : "1"});
+    words.insert(words.end(),
+                 {"--layout", "grid", "--size", crowd.size, "--map-size", crowd.map, "--shadow-size",
+                  crowd.map, "--lights", "2", "--frames", task_.extent == Extent::full ? "9" : "1"});
     const std::string what = fmt::format("{} heads of {} assets", crowd.heads, faces.size());
     const fs::path picture = place(fmt::format("crowd-{}.png", crowd.heads));
     Ended ended;
@@ -385,12 +408,20 @@ Json Measurement::memory() {
   Json all = Json::array();
   for (const auto& [heads, map] : cases) {
     if (stopped()) break;
-    const std::vector<std::string> words{
-        heads_.main(), "--heads", heads, "--distance", "10", "--size",
-        task_.extent == Extent::full ? "1920x1200" : "480x300", "--map-size", map, "--shadow-size", map};
+    const std::vector<std::string> words{heads_.main(),
+                                         "--heads",
+                                         heads,
+                                         "--distance",
+                                         "10",
+                                         "--size",
+                                         task_.extent == Extent::full ? "1920x1200" : "480x300",
+                                         "--map-size",
+                                         map,
+                                         "--shadow-size",
+                                         map};
     Ended ended;
-    Json note = render(fmt::format("memory of {} heads, maps of {}", heads, map), words, place("memory.png"),
-                       ended);
+    Json note =
+        render(fmt::format("memory of {} heads, maps of {}", heads, map), words, place("memory.png"), ended);
     if (!ended.ok() && !ended.stopped) fail("memory " + quoted(words), ended.why());
     note["heads"] = std::stoi(heads);
     note["map_size"] = std::stoi(map);

@@ -6,21 +6,19 @@
 
 #include <climits>
 #include <cstdlib>
-#include <string>
+#include <cstring>
 
 namespace dermis::kit {
 
-/// Returns the folder of the running program, without links; empty if it cannot be found. Needs no /proc.
-inline std::string program_folder() {
+/// Writes the folder of the running program, without links, to `folder` (PATH_MAX bytes). Returns whether it
+/// was found. Needs no /proc.
+inline bool find_program_folder(char* folder) {
   // The kernel notes the path that the program was started by, relative to the folder it was started in:
   // call this before that changes.
   const auto* name = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
-  char real[PATH_MAX];
-  if (name == nullptr || ::realpath(name, real) == nullptr) return {};
-
-  const std::string path(real);
-  const std::size_t slash = path.rfind('/');
-  return slash == 0 ? "/" : path.substr(0, slash);
+  if (name == nullptr || ::realpath(name, folder) == nullptr) return false;
+  *std::strrchr(folder, '/') = '\0';
+  return true;
 }
 
 }  // namespace dermis::kit

@@ -30,6 +30,10 @@ struct Switch {
 /// text, in the order of the settings. A smoke run has two of them.
 std::vector<Switch> switches(Extent extent);
 
+/// Whether a technique without light maps has no use for the setting. A full run switches it there, too: it
+/// must not harm.
+bool is_of_light_maps(const std::string& path);
+
 /// Settings that stay as they are: where the picture goes, and how large it is.
 bool is_fixed(const std::string& path);
 

@@ -27,7 +27,8 @@ std::string result_of(const nlohmann::ordered_json& note, const Ended& ended);
 /// Returns why it failed, one line.
 std::string why_not(const nlohmann::ordered_json& note, const Ended& ended);
 
-/// Returns the reads of texels that were never lit, in all variants of a cell of `dermis bench`.
+/// Returns the reads of texels that were never lit, in all variants of a cell of `dermis bench` but the one
+/// that is clipped without a margin.
 std::uint64_t unshaded_reads(const nlohmann::ordered_json& cell);
 
 /// Keeps of the statistics of many similar pictures what differs: times, counts and memory.

@@ -2,8 +2,8 @@
 // What a frame of a session costs the host, and what it asks of the device: an orbit around a head, and the
 // same with 16 and with 256 instances of it, each of which turns.
 //   sessions_bench OUT.json HEAD [FRAMES [INSTANCES...]]
-// 480 x 540 pixels, light maps of 512; 1, 16 and 256 instances unless told. Ends with 1 if a frame after the third allocates memory, makes a
-// buffer, an image or a pipeline, or waits for all that was submitted.
+// 480 x 540 pixels, light maps of 512; 1, 16 and 256 instances unless told. Ends with 1 if a frame after the
+// third allocates memory, makes a buffer, an image or a pipeline, or waits for all that was submitted.
 #include <fmt/format.h>
 
 #include <algorithm>
