@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# gpu_kit.sh make   Packs the program, its measurements and heads into one archive for a machine with a GPU and
-# nothing else: docs/gpu.md. The archive appears under its name only when complete. The first problem ends the
-# run: one line, exit status 1.
+# gpu_kit.sh make   Packs the program, its measurements and heads into one archive for a machine with a GPU
+# and nothing else: docs/gpu.md. The archive appears under its name only when complete. The first problem ends
+# the run: one line, exit status 1.
 set -euo pipefail
 export LC_ALL=C
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -19,8 +19,9 @@ usage: tools/gpu_kit.sh make [options]
   --build DIR  where dermis is built (default build/release)
   --no-build   pack what is there, build nothing
 
-The scan is packed if its files are in assets/heads or in the asset cache, three heads if they are in the asset
-cache: $DERMIS_ASSET_CACHE, else ../shared/assets. What is not there is a note; the built-in head always is.
+The scan is packed if its files are in assets/heads or in the asset cache, three heads if they are in the
+asset cache: $DERMIS_ASSET_CACHE, else ../shared/assets. What is not there is a note; the built-in head is a
+part of the program.
 HELP
 }
 
@@ -66,7 +67,9 @@ find_library() {
 }
 
 # Is part of the C library, which every system has.
-is_c_library() { [[ $1 =~ ^(ld-linux.*|libc|libm|libdl|librt|libpthread|libresolv|libutil|libmvec)\.so\.[0-9]+$ ]]; }
+is_c_library() {
+  [[ $1 =~ ^(ld-linux.*|libc|libm|libdl|librt|libpthread|libresolv|libutil|libmvec)\.so\.[0-9]+$ ]]
+}
 
 # A driver may need these, too, in its own version: each has a folder, and run_kit decides.
 folder_of() {

@@ -124,11 +124,12 @@ void Measurement::fail(const std::string& what, const std::string& why) {
 void Measurement::run() {
   const auto start = std::chrono::steady_clock::now();
   const std::string probe = place("probe.png");
-  const kit::Command command{.words = {"bin/dermis", "render", heads_.light(), "--size", "32x20", "--map-size",
-                                 "32", "--shadow-size", "32", "--validate", "-o", probe},
+  kit::Command command{.words = {"bin/dermis", "render", heads_.light(), "--validate", "-o", probe},
                        .folder = task_.kit,
                        .variables = {{"XDG_CACHE_HOME", place("cache")}},
                        .most_seconds = most_seconds_of_a_picture};
+  for (const char* word : {"--size", "32x20", "--map-size", "32", "--shadow-size", "32"})
+    command.words.emplace_back(word);
   const Ended ended = kit::run(command, *task_.stop);
   validated_ = ended.err.find("validation needs the layer") == std::string::npos;
   record_["validated"] = validated_;

@@ -4,8 +4,11 @@
 # nothing else, or a driver beside it. Nothing there is found by accident: no shell, no /proc, no /usr.
 source "$(dirname "$0")/../tools/expect.sh"
 build=$2
-make_kit() { call "$root/tools/gpu_kit.sh" make --no-build --build "$build" "$@"; }
-work_left() { [[ -n $(find "$scratch/tmp" "$scratch/out" -mindepth 1) ]]; }
+tool=$root/tools/gpu_kit.sh
+make_kit() { call "$tool" make --no-build --build "$build" "$@"; }
+nothing_left() { [[ -z $(find "$scratch/tmp" "$scratch/out" -mindepth 1) ]]; }
+runs() { kill -0 "$1" 2>/dev/null; }
+skip() { printf '%s:1: Skipped\n%s\n' "$0" "$1"; finish; }
 mkdir "$scratch/tmp" "$scratch/out"
 export TMPDIR=$scratch/tmp PATH=$PATH:/usr/sbin:/sbin
 chroot=$(command -v chroot)
@@ -15,32 +18,32 @@ refused() {
   check "$1: exit status $2" status_is "$2"
   check "$1: one line" says_one_line
   check "$1: says why" says "$3"
-  check "$1: leaves nothing" bash -c "! $(declare -f work_left); scratch='$scratch'; ! work_left"
+  check "$1: leaves nothing" nothing_left
 }
-call "$root/tools/gpu_kit.sh" bake
+call "$tool" bake
 refused "an unknown command" 2 "unknown command 'bake'; known: make, help"
-call "$root/tools/gpu_kit.sh" make --wrong
+call "$tool" make --wrong
 refused "an unknown option" 2 "unknown option '--wrong'; known: -o, --build, --no-build, --help"
-call "$root/tools/gpu_kit.sh" make -o
+call "$tool" make -o
 refused "an option without a value" 2 "-o needs a value"
-call "$root/tools/gpu_kit.sh" make --build "$scratch/none"
+call "$tool" make --build "$scratch/none"
 refused "no build" 1 "$scratch/none: no such folder"
 make_kit -o "$scratch/none/kit.tar.gz"
 refused "no folder for the archive" 1 "$scratch/none: not a folder that can be written to"
 mkdir "$scratch/empty"
-call "$root/tools/gpu_kit.sh" make --no-build --build "$scratch/empty" -o "$scratch/out/kit.tar.gz"
+call "$tool" make --no-build --build "$scratch/empty" -o "$scratch/out/kit.tar.gz"
 refused "a build without programs" 1 "apps/kit/run_kit is not there"
 
 # One that is stopped half-way leaves nothing either.
-"$root/tools/gpu_kit.sh" make --no-build --build "$build" -o "$scratch/out/kit.tar.gz" >"$scratch/output" 2>&1 &
+archive=$scratch/out/kit.tar.gz
+"$tool" make --no-build --build "$build" -o "$archive" >"$scratch/output" 2>&1 &
 maker=$!
-until work_left || ! kill -0 $maker 2>/dev/null; do sleep 0.05; done
+while nothing_left && runs $maker; do sleep 0.05; done
 kill -TERM $maker 2>/dev/null
 wait $maker
-check "stopped: exit status 130" test $? -eq 130
-check "stopped: leaves nothing" bash -c "$(declare -f work_left); scratch='$scratch'; ! work_left"
+check "stopped half-way: exit status 130" test $? -eq 130
+check "stopped half-way: leaves nothing" nothing_left
 
-archive="$scratch/out/kit.tar.gz"
 make_kit -o "$archive"
 check "the kit is made" status_is 0
 check "the archive is there, and nothing beside it" test "$(ls -A "$scratch/out")" = kit.tar.gz
@@ -83,8 +86,7 @@ if ! chroot "$bare" "$place/dermis-kit/run_kit" --help >/dev/null 2>&1; then
 fi
 if ! "${inside[@]}" "$bare" "$place/dermis-kit/run_kit" --help >"$scratch/output" 2>&1; then
   cat "$scratch/output"
-  printf '%s:1: Skipped\nno root file system of our own can be entered: chroot, and unshare --user\n' "$0"
-  finish
+  skip "no root file system of our own can be entered: chroot, and unshare --user"
 fi
 within() { call env -i "${variables[@]}" "${inside[@]}" "$@"; }
 variables=(HOME=/)
@@ -118,33 +120,40 @@ within "$bare" "$run_kit"
 one_line "a library is gone" 1 "run_kit: the packed program does not start: " "$bare"
 mv "$scratch/libembree"* "$kit/lib"
 
-# A driver that lacks something, as the program tells of it. (What it finds missing, its own tests show.)
-cp -r "$kit" "$scratch/lacking"
-cat >"$scratch/lacking/bin/dermis" <<'SCRIPT'
-#!/bin/sh
-echo '{"devices": [{"name": "Old GPU", "usable": false, "missing": ["needs Vulkan 1.3, this driver has 1.1"]}]}'
-SCRIPT
-call "$scratch/lacking/run_kit" --smoke --out "$scratch/lacking/results"
-one_line "a driver that lacks something" 1 "Old GPU: needs Vulkan 1.3, this driver has 1.1" "$scratch/lacking"
-rm -r "$scratch/lacking"
+# A stand-in for the program: what the launcher hands on, and devices that lack something (what the program
+# finds missing, its own tests show).
+cp -r "$kit" "$scratch/stand-in"
+stand_in() {
+  printf '#!/bin/sh\n%s\n' "$1" >"$scratch/stand-in/bin/dermis"
+  call env -u LD_LIBRARY_PATH "$scratch/stand-in/run_kit" "${@:2}"
+}
+stand_in 'echo "$LD_LIBRARY_PATH"' dermis
+check "libraries of the system that are new enough are used" bash -c "
+  grep -q 'stand-in/lib' '$scratch/output' && ! grep -qE 'lib/(libstdc|libgcc|libz)' '$scratch/output'"
+stand_in 'echo "$LD_LIBRARY_PATH"; case $LD_LIBRARY_PATH in */lib/libz*) ;; *) exit 1 ;; esac' dermis
+check "one that is too old is the kit's" says "stand-in/lib/libz"
+check "and that one alone" bash -c "! grep -qE 'lib/(libstdc|libgcc)' '$scratch/output'"
+lacks='"name": "Old GPU", "usable": false, "missing": ["needs Vulkan 1.3, this driver has 1.1"]'
+stand_in "echo '{\"devices\": [{$lacks}]}'" --smoke --out "$scratch/stand-in/results"
+one_line "a driver that lacks something" 1 "Old GPU: needs Vulkan 1.3" "$scratch/stand-in"
+rm -r "$scratch/stand-in"
 
 # The software driver, and what it needs.
 manifest=$(compgen -G '/usr/share/vulkan/icd.d/lvp_icd*.json' | head -n 1)
 driver=$(sed -n 's/.*"library_path": *"\([^"]*\)".*/\1/p' "${manifest:-/dev/null}")
 if [[ $driver != /* ]]; then driver=$(find /usr/lib -name "${driver:-none}" -print -quit); fi
-if [[ -z $driver ]]; then
-  printf '%s:2: Skipped\nthe software driver is not here (Debian, Ubuntu: apt install mesa-vulkan-drivers)\n' "$0"
-  finish
-fi
+if [[ -z $driver ]]; then skip "the software driver is not here (apt install mesa-vulkan-drivers)"; fi
 # shellcheck disable=SC2046
 copy_to "$bare" "$driver" $(needs_of "$driver")
 
-# As a container has NVIDIA's: no manifest where loaders look, and neither a C++ library nor those of a desktop.
+# As a container has NVIDIA's: no manifest where loaders look, and neither a C++ library nor those of a
+# desktop.
 odd=$bare/usr/local/nvidia/share/vulkan/icd.d
 mkdir -p "$odd"
 sed "s|\"library_path\": *\"[^\"]*\"|\"library_path\": \"$driver\"|" "$manifest" >"$odd/nvidia_icd.json"
 mkdir "$scratch/away"
-for name in libstdc++.so.6 libgcc_s.so.1 libz.so.1 libxcb.so.1 libXau.so.6 libXdmcp.so.6 libbsd.so.0 libmd.so.0; do
+for name in libstdc++.so.6 libgcc_s.so.1 libz.so.1 \
+  libxcb.so.1 libXau.so.6 libXdmcp.so.6 libbsd.so.0 libmd.so.0; do
   find "$bare/lib" "$bare/usr/lib" -name "$name" -exec cp --parents {} "$scratch/away" \; -delete 2>/dev/null
 done
 within "$bare" "$run_kit" dermis info
@@ -158,15 +167,20 @@ within "$bare" "$run_kit" --smoke --out /file
 one_line "a file where the results should go" 1 "run_kit: /file: cannot be" "$bare"
 
 # Where this system lets us mount: a folder that is read-only, and one that is full.
+# mounted OPTIONS COMMAND...: with a file system at /mounted that is gone afterwards
 mounted() {
-  unshare --mount bash -c 'mount '"$1"' "$2/mounted" && exec env -i HOME=/ "$(command -v chroot)" "$2" "${@:3}"' - "$@" </dev/null
+  local options=$1
+  shift
+  # shellcheck disable=SC2016
+  call unshare --mount bash -c 'mount -t tmpfs -o "$1" none "$2/mounted" &&
+    exec env -i HOME=/ "$(command -v chroot)" "${@:2}"' - "$options" "$bare" "$@"
 }
 mkdir "$bare/mounted"
 if unshare --mount mount -t tmpfs none "$bare/mounted" 2>/dev/null; then
-  call mounted "-t tmpfs -o ro none" "$bare" "$run_kit" --smoke --out /mounted
+  mounted ro "$run_kit" --smoke --out /mounted
   one_line "a folder that is read-only" 1 "run_kit: /mounted: " "$bare"
   check "a folder that is read-only: says so" says "Read-only file system"
-  call mounted "-t tmpfs -o size=1m none" "$bare" "$run_kit" --smoke --out /mounted
+  mounted size=1m "$run_kit" --smoke --out /mounted
   one_line "a full disk" 1 "MB are free there, 100 are needed" "$bare"
 else
   echo "note: no mounts here: a read-only folder and a full disk are not tried"
@@ -175,7 +189,7 @@ fi
 # Killed, it leaves no results; the next run clears up.
 start() { env -i HOME=/ "${inside[@]}" "$bare" "$run_kit" "$@" >"$scratch/output" 2>&1 & kit_pid=$!; }
 start --smoke --out /results
-until compgen -G "$bare/results/.kit-*/cache" >/dev/null || ! kill -0 $kit_pid 2>/dev/null; do sleep 0.05; done
+until compgen -G "$bare/results/.kit-*/cache" >/dev/null || ! runs $kit_pid; do sleep 0.05; done
 kill -KILL $kit_pid
 wait $kit_pid 2>/dev/null
 left=$(compgen -G "$bare/results/.kit-*")
@@ -184,7 +198,7 @@ check "killed: its folder is left" test -d "$left"
 
 # Stopped in order, it writes the parts until then.
 start --smoke --out /results --only equality,sessions
-until grep -q '^equality' "$scratch/output" || ! kill -0 $kit_pid 2>/dev/null; do sleep 0.05; done
+until grep -q '^equality' "$scratch/output" || ! runs $kit_pid; do sleep 0.05; done
 kill -TERM $kit_pid
 status=0
 wait $kit_pid || status=$?
