@@ -135,6 +135,9 @@ void Measurement::run() {
   record_["validated"] = validated_;
   fmt::print("{}, {}; {} the validation layer\n", record_.value("device", ""), record_.value("driver", ""),
              validated_ ? "under" : "without");
+  for (const Json& device : record_["devices"])
+    for (const Json& missing : device.value("missing", Json::array()))
+      fmt::print("note: {}: {}\n", device.value("name", "?"), missing.get<std::string>());
   std::fflush(stdout);
 
   using Part = Json (Measurement::*)();
