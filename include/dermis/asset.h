@@ -15,6 +15,7 @@
 /// Coordinates of an asset are metres, after unit_scale and the nodes of a file.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -35,6 +36,14 @@ struct SceneOptions {
   /// bytes per texel, 14.7 of colour maps. Over it the largest maps are halved while they are read, with a
   /// note.
   double texture_budget_mb = 2000;
+};
+
+/// Bounds of an asset's skin, or of all of it if nothing is skin; in its coordinates, metres.
+struct AssetBounds {
+  std::array<double, 3> low_m{}, high_m{};  ///< corners of the box
+  /// The sphere around the middle of the box whose radius is the unit of distances (CameraSettings, lamps).
+  std::array<double, 3> centre_m{};
+  double radius_m = 0;
 };
 
 class Asset {
@@ -58,6 +67,7 @@ class Asset {
   std::vector<std::string> materials() const;  ///< their names
   std::vector<std::string> cameras() const;    ///< those of the file; CameraSettings::name takes one
   std::vector<Light> lights() const;           ///< those of the file, in the asset's own coordinates
+  AssetBounds bounds() const;                  ///< reads all vertices
 
   /// Compares identity, not contents.
   bool operator==(const Asset& other) const { return state_ == other.state_; }

@@ -9,6 +9,7 @@
 #include "builtin_head/builtin_head.h"
 #include "core/error.h"
 #include "core/hooks.h"
+#include "scene/framing.h"
 #include "scene/from_arrays.h"
 #include "scene/load.h"
 #include "settings/check.h"
@@ -76,6 +77,14 @@ std::vector<std::string> Asset::cameras() const {
   std::vector<std::string> names;
   for (const scene::Camera& camera : state_->data->cameras) names.push_back(camera.name);
   return names;
+}
+
+AssetBounds Asset::bounds() const {
+  const scene::Bounds bounds = scene::skin_bounds(*state_->data);
+  return {.low_m = values_of(bounds.low_m),
+          .high_m = values_of(bounds.high_m),
+          .centre_m = values_of(bounds.sphere.centre_m),
+          .radius_m = double{bounds.sphere.radius_m}};
 }
 
 std::vector<Light> Asset::lights() const {
