@@ -18,6 +18,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,10 @@ struct SceneOptions {
   double unit_scale = 1;      ///< multiplies every length of the file; glTF says metres
   std::string skin_material;  ///< this material is skin; empty: extras.dermis, else the name contains "skin",
                               ///< else the only one
+  /// The pose: that of an animation of the file at a time in seconds, clamped to the clip. Neither: as the
+  /// file has it at rest. A time alone: of the first animation; a clip alone: at its begin. Arrays have none.
+  std::string clip{};
+  std::optional<double> time_s{};
   /// For all maps of the asset, 1e6 bytes, 1 to 1e6: as decoded and on the device with their levels, 9.3
   /// bytes per texel, 14.7 of colour maps. Over it the largest maps are halved while they are read, with a
   /// note.
@@ -66,6 +71,7 @@ class Asset {
   const std::string& name() const;             ///< file name, or "built-in"
   std::vector<std::string> materials() const;  ///< their names
   std::vector<std::string> cameras() const;    ///< those of the file; CameraSettings::name takes one
+  std::vector<std::string> clips() const;      ///< names of the file's animations; "0", "1" ... if unnamed
   std::vector<Light> lights() const;           ///< those of the file, in the asset's own coordinates
   AssetBounds bounds() const;                  ///< reads all vertices
 
