@@ -17,12 +17,12 @@ namespace {
 
 constexpr int map_size = 256;
 
-// The built-in head has about 0.5 texels per mm of a map of 256. These terms are told apart by T: from near
-// to far, fewer and fewer of them are wide enough to be read from the map.
+// The built-in head has 0.58 texels per mm of a map of 256. These terms are told apart by T: from near to
+// far, fewer and fewer of them are wide enough to be read from the map.
 const std::vector<gaussians::Gaussian> wide_terms{
     {.variance_mm2 = 0.01, .weight = {0.1, 0.2, 0.3}}, {.variance_mm2 = 0.1, .weight = {0.1, 0.2, 0.2}},
-    {.variance_mm2 = 1, .weight = {0.1, 0.2, 0.2}},    {.variance_mm2 = 4, .weight = {0.2, 0.1, 0.1}},
-    {.variance_mm2 = 16, .weight = {0.2, 0.2, 0.1}},   {.variance_mm2 = 64, .weight = {0.3, 0.1, 0.1}}};
+    {.variance_mm2 = 0.5, .weight = {0.1, 0.2, 0.2}},  {.variance_mm2 = 2, .weight = {0.2, 0.1, 0.1}},
+    {.variance_mm2 = 6, .weight = {0.2, 0.2, 0.1}},    {.variance_mm2 = 16, .weight = {0.3, 0.1, 0.1}}};
 
 RenderSettings settings_at(double distance) {
   RenderSettings s = with_profile(small_settings("texture-space", 64, map_size), "wide terms", wide_terms);
@@ -65,7 +65,7 @@ RenderSettings settings_near_and_far() {
 
 TEST(TermsByNeed, AHeadFarAwayHasNoLightMap) {
   for (const bool translucency : {false, true}) {
-    RenderSettings s = settings_at(400);
+    RenderSettings s = settings_at(60);
     s.skin.translucency = translucency;
     const Statistics st = renderer().render(head(), s).statistics;
     EXPECT_EQ(st.mapped_terms, std::vector<int>{0});
@@ -118,16 +118,16 @@ TEST(TermsByNeed, NarrowTermsOfAFarHeadAreNotBlurred) {
 // A chain that starts at a wide term starts from the irradiance, with all of the variance of that term.
 // Narrow terms of next to no weight are lit per pixel far away: what remains is the profile without them.
 TEST(TermsByNeed, TheChainStartsFromTheIrradiance) {
-  const std::vector<gaussians::Gaussian> wide{{.variance_mm2 = 6, .weight = {0.4, 0.5, 0.6}},
-                                              {.variance_mm2 = 16, .weight = {0.3, 0.2, 0.2}},
-                                              {.variance_mm2 = 64, .weight = {0.3, 0.3, 0.2}}};
-  std::vector<gaussians::Gaussian> all{{.variance_mm2 = 0.3, .weight = {1e-15, 1e-15, 1e-15}},
-                                       {.variance_mm2 = 1.2, .weight = {1e-15, 1e-15, 1e-15}}};
+  const std::vector<gaussians::Gaussian> wide{{.variance_mm2 = 1.3, .weight = {0.4, 0.5, 0.6}},
+                                              {.variance_mm2 = 5.2, .weight = {0.3, 0.2, 0.2}},
+                                              {.variance_mm2 = 20.8, .weight = {0.3, 0.3, 0.2}}};
+  std::vector<gaussians::Gaussian> all{{.variance_mm2 = 0.16, .weight = {1e-15, 1e-15, 1e-15}},
+                                       {.variance_mm2 = 0.64, .weight = {1e-15, 1e-15, 1e-15}}};
   all.insert(all.end(), wide.begin(), wide.end());
 
   for (const BlurMask mask : {BlurMask::alpha, BlurMask::depth, BlurMask::tiles}) {
     SCOPED_TRACE(name_of(mask));
-    RenderSettings s = settings_at(8);
+    RenderSettings s = settings_at(6.2);
     s.quality.mask = mask;
     s.skin.translucency = false;
     const Picture whole = renderer().render(head(), with_profile(s, "all terms", all));
