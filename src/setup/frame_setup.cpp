@@ -278,9 +278,11 @@ std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const Ren
 
 std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
   std::vector<techniques::DrawnHead> drawn;
-  for (const HeadSetup& head : setup.heads)
+  for (std::uint32_t i = 0; i < setup.heads.size(); ++i) {
+    const HeadSetup& head = setup.heads[i];
     if (head.visible)
-      drawn.push_back({.model = head.model, .side = static_cast<std::uint32_t>(head.map_side)});
+      drawn.push_back({.model = head.model, .side = static_cast<std::uint32_t>(head.map_side), .head = i});
+  }
   return drawn;
 }
 

@@ -38,6 +38,12 @@ layout(location = 0) out vec4 out_radiance;
 #include "passes/final_pass/coarse_share.glsl"
 #include "passes/final_pass/light_point.glsl"
 
+// Returns whether a term is read from its map. A map without weight may not have been written, and 0 times
+// NaN is NaN. nothing(): see switches.glsl.
+bool is_read(int term) {
+  return term < term_count && (!direct || io.weights[term] != vec3(float(nothing())));
+}
+
 // Returns the part of a term that is read from its map.
 vec3 mapped_weight(int term) { return (1.0 - coarse_share(terms.sigma_mm[term])) * io.weights[term]; }
 
@@ -77,14 +83,14 @@ vec3 emitted(ShadingPoint s) {
 vec3 scattered() {
   const vec2 at = light_point(in_unwrap) / vec2(textureSize(light_0, 0));
   vec3 sum = vec3(0.0);
-  if (term_count > 0) sum += mapped_weight(0) * light_of(light_0, 0, at);
-  if (term_count > 1) sum += mapped_weight(1) * light_of(light_1, 1, at);
-  if (term_count > 2) sum += mapped_weight(2) * light_of(light_2, 2, at);
-  if (term_count > 3) sum += mapped_weight(3) * light_of(light_3, 3, at);
-  if (term_count > 4) sum += mapped_weight(4) * light_of(light_4, 4, at);
-  if (term_count > 5) sum += mapped_weight(5) * light_of(light_5, 5, at);
-  if (term_count > 6) sum += mapped_weight(6) * light_of(light_6, 6, at);
-  if (term_count > 7) sum += mapped_weight(7) * light_of(light_7, 7, at);
+  if (is_read(0)) sum += mapped_weight(0) * light_of(light_0, 0, at);
+  if (is_read(1)) sum += mapped_weight(1) * light_of(light_1, 1, at);
+  if (is_read(2)) sum += mapped_weight(2) * light_of(light_2, 2, at);
+  if (is_read(3)) sum += mapped_weight(3) * light_of(light_3, 3, at);
+  if (is_read(4)) sum += mapped_weight(4) * light_of(light_4, 4, at);
+  if (is_read(5)) sum += mapped_weight(5) * light_of(light_5, 5, at);
+  if (is_read(6)) sum += mapped_weight(6) * light_of(light_6, 6, at);
+  if (is_read(7)) sum += mapped_weight(7) * light_of(light_7, 7, at);
   return sum;
 }
 
