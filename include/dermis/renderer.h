@@ -66,6 +66,9 @@ struct Statistics {
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0, unshaded_reads = 0;
   std::uint64_t transmission_misses = 0;  ///< light through the body that was looked up where none was stored
   std::vector<int> used_size;             ///< T of each head in the row, texels; 0: skipped
+  /// Of each head: Gaussians that are read from light maps, the widest ones; the others are lit per pixel.
+  /// 0: the head has no light maps in this frame.
+  std::vector<int> mapped_terms;
   /// Device memory of the whole renderer: textures now, buffers now, the largest sum of both so far.
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;
 

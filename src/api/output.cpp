@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "image/colour.h"
 #include "settings/names.h"
+#include "techniques/mapped_terms.h"
 
 namespace dermis::api {
 namespace {
@@ -85,6 +86,32 @@ std::vector<std::uint8_t> display_values(const std::vector<float>& rgba, bool is
   return display;
 }
 
+// Throws InputError if the nearest head does not read the map that `show` names, so that it is not made. The
+// map is that of its first skin mesh.
+void check_light_is_stored(const techniques::Shown& shown, const std::string& name,
+                           const setup::FrameSetup& setup) {
+  using Needs = techniques::Shown::Needs;
+  const auto head = std::find_if(setup.heads.rbegin(), setup.heads.rend(), [&](const setup::HeadSetup& h) {
+    return setup.plan.models[h.model].meshes > 0;
+  });
+  if (shown.needs == Needs::nothing || head == setup.heads.rend()) return;
+
+  const std::uint32_t mesh = setup.plan.models[head->model].first_mesh;
+  const auto side = static_cast<std::uint32_t>(head->map_side);
+  const passes::MappedTerms mapped = techniques::mapped_terms(setup.plan, mesh, side);
+  if (!mapped.any)
+    throw input_error("",
+                      "output.show '{}' is not stored from here: with {} of {} texels per side all terms are "
+                      "lit per pixel; quality.depth false stores it",
+                      name, side, setup.plan.map_size);
+  if (shown.needs == Needs::term && shown.term < mapped.first_written)
+    throw input_error(
+        "",
+        "output.show '{}' is not stored from here: with {} of {} texels per side the terms before "
+        "blur:{} are lit per pixel; quality.depth false stores it",
+        name, side, setup.plan.map_size, mapped.first_written);
+}
+
 }  // namespace
 
 void check_device_limits(const RenderSettings& s, const gpu::DeviceLimits& limits) {
@@ -97,8 +124,15 @@ void check_device_limits(const RenderSettings& s, const gpu::DeviceLimits& limit
   check("quality.shadow_size", s.quality.shadow_size);
 }
 
-void check_show(const techniques::FrameOutputs& out, const RenderSettings& settings) {
-  if (settings.output.show == "picture" || out.shows.count(settings.output.show)) return;
+void check_show(const techniques::FrameOutputs& out, const RenderSettings& settings,
+                const setup::FrameSetup& setup) {
+  if (settings.output.show == "picture") return;
+  const auto found = out.shows.find(settings.output.show);
+  if (found != out.shows.end()) {
+    check_light_is_stored(found->second, found->first, setup);
+    return;
+  }
+
   std::string names = "picture";
   for (const auto& [name, shown] : out.shows) names += ", " + name;
   throw input_error("", "output.show '{}' is not known to this technique; there are: {}",
@@ -146,6 +180,16 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   st.used_size.resize(setup.heads.size());
   for (const setup::HeadSetup& head : setup.heads)
     st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;
+
+  st.mapped_terms.resize(setup.heads.size());
+  for (const setup::HeadSetup& head : setup.heads) {
+    const techniques::Model& model = setup.plan.models[head.model];
+    int& most = st.mapped_terms[static_cast<std::size_t>(head.number)];
+    for (std::uint32_t mesh = model.first_mesh; head.visible && mesh < model.first_mesh + model.meshes;
+         ++mesh)
+      most = std::max(most,
+                      techniques::mapped_count(setup.plan, mesh, static_cast<std::uint32_t>(head.map_side)));
+  }
 }
 
 void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames) {

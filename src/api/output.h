@@ -13,8 +13,10 @@ namespace dermis::api {
 /// InputError: a size over what the device can do, with both numbers.
 void check_device_limits(const RenderSettings& settings, const gpu::DeviceLimits& limits);
 
-/// Throws InputError if settings.show is unknown to the technique; lists the names that it knows.
-void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& settings);
+/// Throws InputError if settings.show is unknown to the technique (lists the names that it knows), or is
+/// light that a frame of `setup` does not store (says why).
+void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& settings,
+                const setup::FrameSetup& setup);
 
 /// Fills in the times of at least one frame: medians, shortest, longest.
 void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames);

@@ -61,7 +61,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
   if (plans)
     plan(settings, next);
   else
-    check_show(outputs_, settings);
+    check_show(outputs_, settings, next);
 
   // Count as unready until all below is done: any of it may throw.
   ready_ = false;
@@ -113,7 +113,7 @@ void PlannedFrame::set_view(const CameraMatrices& camera, int width, int height)
 void PlannedFrame::plan(const RenderSettings& settings, const setup::FrameSetup& next) {
   passes::FramePlan made;
   const techniques::FrameOutputs made_outputs = next.technique->build(made, next.plan);
-  check_show(made_outputs, settings);
+  check_show(made_outputs, settings, next);
 
   ready_ = false;
   executor_.reset();  // its memory first: two frames may not fit

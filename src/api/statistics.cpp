@@ -48,7 +48,8 @@ std::string Statistics::json() const {
                  {"launched", launched},
                  {"unshaded_reads", unshaded_reads},
                  {"transmission_misses", transmission_misses},
-                 {"used_size", used_size}};
+                 {"used_size", used_size},
+                 {"mapped_terms", mapped_terms}};
 
   j["memory_bytes"] = {{"images", image_bytes}, {"buffers", buffer_bytes}, {"peak", peak_bytes}};
   return j.dump(2) + "\n";

@@ -13,6 +13,7 @@
 #include "gpu/cmd.h"
 #include "gpu/resources.h"
 #include "passes/gpu_scene.h"
+#include "passes/mapped_terms.h"
 #include "shared/scene_io.h"
 
 namespace dermis::passes {
@@ -57,8 +58,9 @@ struct Instance {
   /// T: the used side of the square of its light maps, texels
   std::uint32_t map_side = 0;
   std::vector<MapPlace> map_places;  ///< one per skin mesh of the asset; empty where nothing has light maps
-  bool visible = true;               ///< false: wholly outside the picture, not lit or drawn
-  bool drawn = true;                 ///< false: lit, but a host draws it
+  std::vector<MappedTerms> mapped_terms;  ///< likewise; empty: all
+  bool visible = true;                    ///< false: wholly outside the picture, not lit or drawn
+  bool drawn = true;                      ///< false: lit, but a host draws it
   bool is_drawn() const { return visible && drawn; }
 };
 

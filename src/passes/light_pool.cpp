@@ -7,6 +7,11 @@ VkRect2D UsedSquare::area() const {
   return {{static_cast<std::int32_t>(origin.x), static_cast<std::int32_t>(origin.y)}, {side, side}};
 }
 
+MappedTerms terms_of(const FrameData& frame, const MapSquare& square) {
+  const std::vector<MappedTerms>& terms = instance_of(frame, square).mapped_terms;
+  return terms.empty() ? MappedTerms{} : terms[mesh_in_asset(frame, square)];
+}
+
 UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
   const Instance& instance = instance_of(frame, square);
   UsedSquare used{square};
@@ -23,7 +28,15 @@ UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares) {
   std::vector<UsedSquare> used;
   for (const MapSquare& square : squares)
-    if (instance_of(frame, square).visible) used.push_back(used_square(frame, square));
+    if (instance_of(frame, square).visible && terms_of(frame, square).any)
+      used.push_back(used_square(frame, square));
+  return used;
+}
+
+std::vector<UsedSquare> blurred_squares(const FrameData& frame, const std::vector<MapSquare>& squares,
+                                        std::uint32_t step) {
+  std::vector<UsedSquare> used = used_squares(frame, squares);
+  std::erase_if(used, [&](const UsedSquare& s) { return terms_of(frame, s).first_step > step; });
   return used;
 }
 

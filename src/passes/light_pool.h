@@ -37,6 +37,9 @@ inline std::uint32_t mesh_in_asset(const FrameData& frame, const MapSquare& squa
   return square.mesh - instance_of(frame, square).first_mesh;
 }
 
+/// Returns which terms are read from the maps of a square in this frame.
+MappedTerms terms_of(const FrameData& frame, const MapSquare& square);
+
 /// A square as a frame uses it.
 struct UsedSquare : MapSquare {
   std::uint32_t index = 0;  ///< of the square in its pool
@@ -45,8 +48,11 @@ struct UsedSquare : MapSquare {
   VkRect2D area() const;
 };
 UsedSquare used_square(const FrameData& frame, const MapSquare& square);
-/// Returns the squares of visible heads.
+/// Returns the squares that hold light in this frame: of visible heads that read at least one term from them.
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares);
+/// Returns those whose chain of blurs has begun with this step of blur_steps(), or before.
+std::vector<UsedSquare> blurred_squares(const FrameData& frame, const std::vector<MapSquare>& squares,
+                                        std::uint32_t step);
 
 /// How a convolution skips texels without light, and so how it runs.
 enum class SkipUnlit : std::uint8_t {

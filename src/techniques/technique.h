@@ -108,6 +108,12 @@ struct FrameSettings {
   std::uint32_t most_meshes() const;  ///< of a model
   bool draws_picture() const { return !host || host->picture; }
   bool host_lights() const { return host && host->irradiance; }
+  /// Where a map is smaller than T_max, narrow terms are lit per pixel: passes::direct_share(). Light that a
+  /// host draws is known in the maps alone.
+  bool mixes() const { return optimise.depth && !host_lights(); }
+  /// Maps hold the terms that pixels read, and no others: mapped_terms.h. A host that reads the blurred light
+  /// reads all of it.
+  bool terms_by_need() const { return mixes() && !(host && host->scattered); }
   passes::PictureFormat picture_format() const {
     return host && host->picture ? *host->picture : passes::PictureFormat{};
   }
@@ -126,6 +132,10 @@ struct Shown {
   std::uint32_t layer = 0;
   glm::uvec2 origin{0};      ///< of the rectangle that is shown, texels
   bool used_square = false;  ///< its sides are T of the nearest head; else the whole map is shown
+  /// Light of that head: of this term, or of all. There only if the head reads it, see mapped_terms.h.
+  enum class Needs : std::uint8_t { nothing, irradiance, term };
+  Needs needs = Needs::nothing;
+  std::uint32_t term = 0;
 };
 
 /// What a plan makes. The executor of the plan owns the textures and the buffer; these are handles.
@@ -162,6 +172,7 @@ struct FrameReport {
 struct DrawnHead {
   std::uint32_t model = 0;
   std::uint32_t side = 0;  ///< T, texels
+  std::uint32_t head = 0;  ///< among FrameSettings::heads; has no meaning for Technique::gutters
 };
 
 /// Gutters that a frame reads: those of one skin mesh, for light maps of side x side texels.

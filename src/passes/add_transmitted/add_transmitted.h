@@ -11,9 +11,11 @@ class AddTransmitted : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
+    std::uint32_t next_step = 0;  ///< of the chain of blurs
   } settings;
   struct In {
     frame::TextureId light;  ///< RGBA16F pool: blurred so far
+    frame::TextureId start;  ///< the same for heads that have not been blurred before `next_step`
     /// RGBA16F pool: transmitted light; changed in place to the sum where there is light, with its alpha
     frame::TextureId through;
   } in;

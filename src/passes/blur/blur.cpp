@@ -16,6 +16,7 @@ namespace dermis::passes {
 Blur::Out Blur::declare(frame::Declare& d) {
   d.kind(drawn() ? frame::PassKind::raster : frame::PassKind::compute);
   d.sample(in.light);
+  if (in.start.valid()) d.sample(in.start);
   d.sample(in.stretch);
   if (drawn())
     d.colour(in.target);
@@ -68,9 +69,19 @@ float Blur::averaged_texels2(const FrameData& frame, const UsedSquare& square) c
   return (1 - 1 / (r * r)) / 12;
 }
 
-void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+// Returns whether a head enters the chain with this step.
+bool Blur::enters(const FrameData& frame, const UsedSquare& square) const {
+  return settings.chain && terms_of(frame, square).first_step == settings.chain->number;
+}
+
+std::vector<UsedSquare> Blur::squares_of(const FrameData& frame) const {
+  return settings.chain ? blurred_squares(frame, settings.squares, settings.chain->number)
+                        : used_squares(frame, settings.squares);
+}
+
+void Blur::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const {
   Bindings bindings;
-  bindings.add("light_in", resources.nearest(in.light))
+  bindings.add("light_in", resources.nearest(light))
       .add("stretch", resources.nearest(in.stretch))
       .add("Kernels", kernels_);
 
@@ -80,11 +91,22 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
       .add("TileCounts", tiled ? resources.buffer(in.lists.counts) : kernels_);
   if (!drawn()) bindings.add("light_out", resources.storage(in.target));
   bindings.bind(cmd, *pipeline_);
+}
 
-  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
-    cmd.push(*pipeline_, io::BlurIo{.variance_mm2 = static_cast<float>(settings.variance_mm2),
+void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  const bool tiled = settings.skip_unlit == SkipUnlit::by_tiles;
+  frame::TextureId bound;
+
+  for (const UsedSquare& square : squares_of(frame)) {
+    const bool enters = this->enters(frame, square);
+    const frame::TextureId light = enters && in.start.valid() ? in.start : in.light;
+    if (light != bound) bind(cmd, resources, light);
+    bound = light;
+
+    const double variance_mm2 = enters ? settings.chain->total_mm2 : settings.variance_mm2;
+    cmd.push(*pipeline_, io::BlurIo{.variance_mm2 = static_cast<float>(variance_mm2),
                                     .axis = settings.axis,
-                                    .texel_averaged = settings.texel_averaged ? 1u : 0u,
+                                    .texel_averaged = enters || settings.texel_averaged ? 1u : 0u,
                                     .origin = square.origin,
                                     .side = square.side,
                                     .square = square.index,
@@ -130,8 +152,8 @@ std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, doubl
   return blur_steps(variances, max_texels_per_mm);
 }
 
-int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm) {
-  double widest_mm2 = 0;
+int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm, double first_mm2) {
+  double widest_mm2 = first_mm2;
   for (const BlurStep& step : blur_steps(profile, max_texels_per_mm))
     widest_mm2 = std::max(widest_mm2, step.variance_mm2);
   const double reach = std::ceil(kernel_reach * std::sqrt(widest_mm2) * max_texels_per_mm) + 2;

@@ -16,6 +16,13 @@
 
 namespace dermis::passes {
 
+/// The place of a step in the chain of blurs of a skin mesh. Heads enter the chain at different steps:
+/// MappedTerms::first_step.
+struct ChainStep {
+  std::uint32_t number = 0;
+  double total_mm2 = 0;  ///< variance of this step and all before: what a head that enters here blurs by
+};
+
 class Blur {
  public:
   struct Settings {
@@ -26,12 +33,16 @@ class Blur {
     SkipUnlit skip_unlit = SkipUnlit::never;
     /// the first step after Downsample: halvings of the map that Downsample has read
     std::optional<std::uint32_t> halvings_before;
+    /// Set: leaves out heads that enter the chain at a later step; those that enter here start from
+    /// In::start, texel-averaged, by total_mm2. None: all heads blur by variance_mm2.
+    std::optional<ChainStep> chain;
   } settings;
   struct In {
     frame::TextureId light, stretch;
     frame::TextureId target;           ///< RGBA16F pool of the same size
     TileLists lists = {};              ///< with SkipUnlit::by_tiles
     frame::TextureId depth_mask = {};  ///< with SkipUnlit::by_depth
+    frame::TextureId start = {};       ///< with `chain` and axis 0: the light before any blur
   } in;
   struct Out {
     frame::TextureId light;
@@ -44,6 +55,9 @@ class Blur {
   bool drawn() const {
     return settings.skip_unlit != SkipUnlit::never && settings.skip_unlit != SkipUnlit::by_tiles;
   }
+  bool enters(const FrameData& frame, const UsedSquare& square) const;
+  std::vector<UsedSquare> squares_of(const FrameData& frame) const;
+  void bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const;
   void draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const;
   float averaged_texels2(const FrameData& frame, const UsedSquare& square) const;
   const gpu::Pipeline* pipeline_ = nullptr;
@@ -64,7 +78,8 @@ std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, doubl
 
 inline constexpr int max_gutter_width = 96;  ///< texels
 
-/// Returns the texels beside a seam that the widest step reads, at most max_gutter_width.
-int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
+/// Returns the texels beside a seam that the widest step reads, at most max_gutter_width. first_mm2: of the
+/// step with which a chain starts that leaves narrow terms out.
+int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm, double first_mm2 = 0);
 
 }  // namespace dermis::passes

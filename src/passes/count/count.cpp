@@ -21,17 +21,18 @@ void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
       .add("picture", resources.nearest(in.picture))
       .add("Counters", resources.buffer(in.counters))
       .bind(cmd, pipeline());
-  const auto count = [&](glm::uvec2 origin, glm::uvec2 extent) {
+  const auto count = [&](glm::uvec2 origin, glm::uvec2 extent, std::uint32_t slot) {
     const io::CountIo io{.origin = origin,
                          .extent = extent,
-                         .slot = settings.slot,
+                         .slot = slot,
                          .threshold = settings.threshold,
                          .absolute = settings.absolute ? 1u : 0u};
     dispatch(cmd, io, extent.x, extent.y);
   };
-  if (settings.squares.empty()) count({0, 0}, {picture.desc().width, picture.desc().height});
+  if (settings.squares.empty()) count({0, 0}, {picture.desc().width, picture.desc().height}, settings.slot);
   for (const UsedSquare& square : used_squares(frame, settings.squares))
-    count(square.origin, glm::uvec2(square.side));
+    count(square.origin, glm::uvec2(square.side),
+          settings.slot + square.instance * settings.slots_per_instance);
 }
 
 ClearCounters::Out ClearCounters::declare(frame::Declare& d) {

@@ -13,19 +13,27 @@ Downsample::Out Downsample::declare(frame::Declare& d) {
   compute(d, "downsample.comp");
   DERMIS_ASSERT_EQ(settings.from.size(), settings.to.size());
   d.sample(in.light);
+  d.sample(in.start);
   d.sample(in.stretch);
   d.write(in.target);
   return {in.target};
 }
 
 void Downsample::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  Bindings()
-      .add("light_in", resources.nearest(in.light))
-      .add("stretch", resources.nearest(in.stretch))
-      .add("light_out", resources.storage(in.target))
-      .bind(cmd, pipeline());
+  frame::TextureId bound;
   for (std::size_t i = 0; i < settings.to.size(); ++i) {
-    if (!instance_of(frame, settings.to[i]).visible) continue;
+    const MappedTerms terms = terms_of(frame, settings.to[i]);
+    if (!instance_of(frame, settings.to[i]).visible || !terms.any) continue;
+
+    const frame::TextureId light = terms.first_step < settings.next_step ? in.light : in.start;
+    if (light != bound)
+      Bindings()
+          .add("light_in", resources.nearest(light))
+          .add("stretch", resources.nearest(in.stretch))
+          .add("light_out", resources.storage(in.target))
+          .bind(cmd, pipeline());
+    bound = light;
+
     const UsedSquare from = used_square(frame, settings.from[i]), to = used_square(frame, settings.to[i]);
     const io::DownsampleIo io{
         .origin = to.origin, .side = to.side, .ratio = from.side / to.side, .from = from.origin};

@@ -15,10 +15,13 @@ class Downsample : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> from, to;  ///< the same squares in the larger and in the smaller pool
+    std::uint32_t next_step = 0;      ///< of the chain of blurs
   } settings;
   struct In {
     frame::TextureId light, stretch;
     frame::TextureId target;  ///< RGBA16F pool
+    /// Of the size of `light`: read for heads that have not been blurred before `next_step`.
+    frame::TextureId start;
   } in;
   struct Out {
     frame::TextureId light;

@@ -44,6 +44,11 @@ float direct_share(float sigma_texels, float shrink) {
   return smoothstep(1, 1.4f, shrink) * (1 - smoothstep(0.35f, 0.8f, sigma_texels));
 }
 
+float share_at_pixel(float sigma_mm, float texels_per_mm, std::uint32_t largest_side, std::uint32_t side) {
+  const float shrink = static_cast<float>(largest_side) / static_cast<float>(side);
+  return direct_share(sigma_mm * texels_per_mm / shrink, shrink);
+}
+
 FinalPass::Out FinalPass::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
   DERMIS_ASSERT_EQ(in.lights.size(), settings.weights.size());
@@ -93,15 +98,32 @@ FinalPass::Pipelines FinalPass::make_pipelines(gpu::PipelineLibrary& library, Li
   return out;
 }
 
-const FinalPass::Pipelines& FinalPass::pipelines_of(const GpuDraw& draw, bool mixed) const {
+const FinalPass::Pipelines& FinalPass::pipelines_of(const GpuDraw& draw, Lit lit) const {
   if (!draw.on_map) return off_map_;
-  return mixed ? mixed_ : mapped_;
+  switch (lit) {
+    case Lit::on_map: return mapped_;
+    case Lit::mixed: return mixed_;
+    case Lit::at_pixel: break;
+  }
+  return at_pixel_;
+}
+
+FinalPass::Lit FinalPass::lit_of(const Instance& instance) const {
+  bool mixed = settings.terms.coarse, mapped = settings.weights.empty();
+  for (std::size_t i = 0; i < settings.weights.size(); ++i) {
+    const float share = share_of(i, instance);
+    mixed = mixed || share > 0;
+    mapped = mapped || share < 1;
+  }
+  if (!mapped) return Lit::at_pixel;
+  return mixed ? Lit::mixed : Lit::on_map;
 }
 
 void FinalPass::prepare(gpu::PipelineLibrary& library) {
   mapped_ = make_pipelines(library, settings.weights.empty() ? Lit::at_pixel : Lit::on_map, false);
   terms_ = make_terms(library.device(), settings.terms);
   if (settings.mixes || settings.terms.coarse) mixed_ = make_pipelines(library, Lit::mixed, false);
+  if (settings.mixes) at_pixel_ = make_pipelines(library, Lit::at_pixel, false);
   if (settings.off_map) off_map_ = make_pipelines(library, Lit::at_pixel, true);
   if (through()) through_ = ThroughBindings(library, {*settings.through});
   samplers_ = LightingSamplers(library);
@@ -117,7 +139,7 @@ io::FinalPassIo FinalPass::final_io(const FrameData& frame) const {
 
   for (std::size_t i = 0; i < settings.weights.size(); ++i) {
     const auto& [r, g, b] = settings.weights[i];
-    io.weights[i] = (1 - share_at_pixel(i, instance)) * glm::vec3(r, g, b);
+    io.weights[i] = (1 - share_of(i, instance)) * glm::vec3(r, g, b);
 
     // In 4 bits how often the term's map is halved.
     const std::uint32_t side =
@@ -127,11 +149,10 @@ io::FinalPassIo FinalPass::final_io(const FrameData& frame) const {
   return io;
 }
 
-float FinalPass::share_at_pixel(std::size_t term, const Instance& instance) const {
+float FinalPass::share_of(std::size_t term, const Instance& instance) const {
   if (!settings.mixes) return 0;
-  const float shrink =
-      static_cast<float>(settings.terms.largest_side) / static_cast<float>(instance.map_side);
-  return direct_share(settings.terms.sigmas_mm[term] * settings.texels_per_mm / shrink, shrink);
+  return share_at_pixel(settings.terms.sigmas_mm[term], settings.texels_per_mm, settings.terms.largest_side,
+                        instance.map_side);
 }
 
 void FinalPass::offer_light(Bindings& bindings, const frame::Resources& resources,
@@ -161,14 +182,11 @@ void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
     if (through()) through_.offer(bindings, resources, in.entering, in.shadow, 0);
     offer_light(bindings, resources, instance);
 
-    bool mixed = settings.terms.coarse;
-    for (std::size_t i = 0; i < settings.weights.size(); ++i)
-      mixed = mixed || share_at_pixel(i, instance) > 0;
-
+    const Lit lit = lit_of(instance);
     draw_skin(
         cmd, instance, mesh, bindings,
         [&](const GpuDraw& draw, const GpuMaterial& material) {
-          return pipelines_of(draw, mixed).of(material);
+          return pipelines_of(draw, lit).of(material);
         },
         [&, io = final_io(frame)](const GpuMaterial&) { return io; });
   }

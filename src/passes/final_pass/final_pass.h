@@ -22,6 +22,9 @@ namespace dermis::passes {
 /// sharp, while that Gaussian is not visible at the pixel. Departs from [JG08] sec. 4, which reads all from
 /// the small map. Changes smoothly with T, so that nothing pops, and is 0 at T_max.
 float direct_share(float sigma_texels, float shrink);
+/// Returns it for a Gaussian of this width on a map of `side` texels per side (T). texels_per_mm: the mean of
+/// the unwrap on a map of `largest_side` (T_max).
+float share_at_pixel(float sigma_mm, float texels_per_mm, std::uint32_t largest_side, std::uint32_t side);
 
 /// Returns the part of a term, 0..1, that is lit per pixel because the map, at T_max, has too few texels
 /// here. Texels spread light by half their side (box and bilinear tent: a variance of a quarter), so a
@@ -85,11 +88,13 @@ class FinalPass {
   };
   enum class Lit : std::uint8_t { on_map, mixed, at_pixel };
   Pipelines make_pipelines(gpu::PipelineLibrary& library, Lit lit, bool off_map) const;
-  const Pipelines& pipelines_of(const GpuDraw& draw, bool mixed) const;
+  const Pipelines& pipelines_of(const GpuDraw& draw, Lit lit) const;
+  Lit lit_of(const Instance& instance) const;
   void offer_light(Bindings& bindings, const frame::Resources& resources, const Instance& instance) const;
-  float share_at_pixel(std::size_t term, const Instance& instance) const;
+  float share_of(std::size_t term, const Instance& instance) const;
   io::FinalPassIo final_io(const FrameData& frame) const;
   Pipelines mapped_, mixed_;  // all terms from the maps; some of their light per pixel
+  Pipelines at_pixel_;        // no term from the maps
   Pipelines off_map_;         // of triangles without a chart
   bool through() const {
     return settings.through && (settings.mixes || settings.off_map || settings.terms.coarse);
@@ -106,12 +111,15 @@ class UnshadedReads {
   struct Settings {
     MapSquare square;
     std::uint32_t samples = 1;
-    bool cut_out = false;    ///< as of FinalPass
-    std::uint32_t slot = 0;  ///< of the counters
-    TermsOnMap terms;        ///< as of FinalPass
+    bool cut_out = false;          ///< as of FinalPass
+    std::uint32_t slot = 0;        ///< of the counters
+    TermsOnMap terms;              ///< as of FinalPass
+    std::uint32_t first_term = 0;  ///< that of the first of `lights`
   } settings;
   struct In {
-    frame::TextureId light, depth;
+    std::vector<frame::TextureId>
+        lights;  ///< RGBA16F pools of one size, one per term; reads the first that is read
+    frame::TextureId depth;
     frame::BufferId counters;
   } in;
   struct Out {};

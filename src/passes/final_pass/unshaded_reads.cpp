@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "frame/resources.h"
 #include "passes/draw_skin.h"
 #include "passes/final_pass/final_pass.h"
@@ -10,7 +12,7 @@ namespace dermis::passes {
 UnshadedReads::Out UnshadedReads::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
   d.runs(frame::Runs::for_statistics);
-  d.sample(in.light);
+  for (const frame::TextureId light : in.lights) d.sample(light);
   d.depth(in.depth);
   d.write(in.counters);
   return {};
@@ -33,12 +35,17 @@ void UnshadedReads::prepare(gpu::PipelineLibrary& library) {
 
 void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const Instance& instance = instance_of(frame, settings.square);
-  if (!instance.visible) return;
+  const MappedTerms mapped = terms_of(frame, settings.square);
+  if (!instance.visible || !mapped.any) return;
+
+  // Wide terms of a near head are in smaller maps: this size may hold none that is read.
+  const std::uint32_t read = std::max(mapped.first_read, settings.first_term) - settings.first_term;
+  if (read >= in.lights.size()) return;
   const gpu::Texture& depth = resources.texture(in.depth);
   const UsedSquare square = used_square(frame, settings.square);
   Bindings bindings;
   bindings.add("Frame", frame.frame_io)
-      .add("light_0", resources.nearest(in.light))
+      .add("light_0", resources.nearest(in.lights[read]))
       .add("Terms", terms_)
       .add("Counters", resources.buffer(in.counters));
   const io::FinalPassIo io{.weights = {},

@@ -38,7 +38,7 @@ void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
     for (const MapSquare& square : settings.squares)
       refresh(cmd, resources, mesh_of(square), {0, 0}, resources.texture(in.target).desc().width);
   else
-    for (const UsedSquare& square : used_squares(frame, settings.squares))
+    for (const UsedSquare& square : blurred_squares(frame, settings.squares, settings.step))
       refresh(cmd, resources, mesh_of(square), square.origin, square.side);
 }
 

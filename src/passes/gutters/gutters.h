@@ -15,6 +15,8 @@ class Gutters : public ComputePass {
     std::vector<MapSquare> squares;
     What what = What::light;
     frame::Runs runs = frame::Runs::every_frame;  ///< once: of a map that lasts
+    /// light: leaves out heads that enter the chain of blurs after this step
+    std::uint32_t step = ~0u;
   } settings;
   struct In {
     frame::TextureId target;  ///< RGBA16F pool, changed in place

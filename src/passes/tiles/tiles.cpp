@@ -78,7 +78,8 @@ void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     io::TilesIo io = tiles_io(square, in.lists);
     io.border = settings.what == What::border ? 1 : 0;
-    io.slot = settings.first_slot + settings.slot_stride * square.mesh;
+    io.slot = settings.first_slot + settings.slots_per_instance * square.instance +
+              settings.slots_per_mesh * mesh_in_asset(frame, square);
     dispatch_tiles(cmd, pipeline(), io);
   }
 }
@@ -88,21 +89,22 @@ IdleTiles::Out IdleTiles::declare(frame::Declare& d) {
   d.read(in.lists.tiles);
   d.read(in.lists.counts);
   d.indirect(in.lists.arguments);
-  for (const frame::TextureId map : in.maps) d.write(map);
+  for (const In::Map& map : in.maps) d.write(map.light);
   return {};
 }
 
 void IdleTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::Buffer& arguments = resources.buffer(in.lists.arguments);
 
-  for (const frame::TextureId map : in.maps) {
+  for (const In::Map& map : in.maps) {
     Bindings()
         .add("Tiles", resources.buffer(in.lists.tiles))
         .add("TileCounts", resources.buffer(in.lists.counts))
-        .add("light", resources.storage(map))
+        .add("light", resources.storage(map.light))
         .bind(cmd, pipeline());
 
     for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+      if (terms_of(frame, square).first_written > map.term) continue;
       cmd.push(pipeline(),
                io::IdleIo{.origin = square.origin,
                           .side = square.side,

@@ -47,8 +47,8 @@ class Tiles : public ComputePass {
   struct Settings {
     std::vector<MapSquare> squares;
     What what = What::lit;
-    std::uint32_t first_slot = 0;  ///< of the counters: lit tiles, one per mesh
-    std::uint32_t slot_stride = 1;
+    std::uint32_t first_slot = 0;  ///< of the counters: lit tiles, one per skin mesh of each instance
+    std::uint32_t slots_per_instance = 0, slots_per_mesh = 0;
   } settings;
   struct In {
     TileLists lists;           ///< made from their classes
@@ -67,7 +67,12 @@ class IdleTiles : public ComputePass {
   } settings;
   struct In {
     TileLists lists;
-    std::vector<frame::TextureId> maps;  ///< RGBA16F pools
+    struct Map {
+      frame::TextureId light;  ///< RGBA16F pool
+      /// The term that it holds. Heads do without maps of terms before MappedTerms::first_written.
+      std::uint32_t term = ~0u;
+    };
+    std::vector<Map> maps;
   } in;
   struct Out {};
   Out declare(frame::Declare& d);

@@ -25,7 +25,7 @@ class Convolution {
         full_size_(squares),
         squares_(squares),
         level_(&maps.levels().front()),
-        light_(level_->light) {}
+        light_{.blurred = level_->light, .start = level_->light} {}
 
   void add() {
     const SkinPart& part = settings_->skin[mesh_];
@@ -50,8 +50,9 @@ class Convolution {
   void add_step(const passes::BlurStep& step, std::size_t term) {
     passes::Blur::Settings blur{.squares = squares_,
                                 .variance_mm2 = step.variance_mm2,
-                                .texel_averaged = step_ == 0,
+                                .texel_averaged = light_.next_step == 0,
                                 .skip_unlit = skip_unlit(*settings_)};
+    total_mm2_ += step.variance_mm2;
     // The light is smooth enough by now for smaller maps.
     if (maps_->halvings()[term] != level_->halvings) {
       blur.halvings_before = level_->halvings;
@@ -59,15 +60,21 @@ class Convolution {
       blur.squares = squares_;
     }
 
-    const std::string name = fmt::format("blur {}", step_++);
+    const std::uint32_t number = light_.next_step++;
+    blur.chain = passes::ChainStep{.number = number, .total_mm2 = total_mm2_};
+    const std::string name = fmt::format("blur {}", number);
     const frame::TextureId stretch = maps_->stretch(mesh_), target = maps_->blurred()[term];
-    plan_->add<passes::Blur>(maps_->name(name + " u", mesh_),
-                             {light_, stretch, level_->scratch, level_->lit, level_->depth_mask}, blur);
+    plan_->add<passes::Blur>(
+        maps_->name(name + " u", mesh_),
+        {light_.blurred, stretch, level_->scratch, level_->lit, level_->depth_mask, light_.start}, blur);
     blur.axis = 1;
     plan_->add<passes::Blur>(maps_->name(name + " v", mesh_),
                              {level_->scratch, stretch, target, level_->lit, level_->depth_mask}, blur);
-    plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {target}, {.squares = squares_});
-    light_ = target;
+    plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {target},
+                        {.squares = squares_, .step = number});
+
+    light_.blurred = target;
+    if (!settings_->terms_by_need()) light_.start = target;
   }
 
   void go_on_in_smaller_maps(const Level& level) {
@@ -75,7 +82,7 @@ class Convolution {
     maps_->add_halved(level, light_, squares_, smaller);
     squares_ = std::move(smaller);
     level_ = &level;
-    light_ = level.light;
+    light_.blurred = light_.start = level.light;
   }
 
   // Adds the light that the terms from here on bring through the body to what the terms before have spread;
@@ -85,17 +92,17 @@ class Convolution {
     if (level_->halvings > 0) {
       const std::string name = at(fmt::format("downsample joining {}", group), *level_);
       const passes::Downsample::In in{through, maps_->stretch(mesh_),
-                                      maps_->halved_transmitted(group, *level_)};
+                                      maps_->halved_transmitted(group, *level_), through};
       through =
           plan_->add<passes::Downsample>(maps_->name(name, mesh_), in, {.from = full_size_, .to = squares_})
               .light;
     }
 
     const std::string name = fmt::format("add transmitted {}", group);
-    light_ =
-        plan_->add<passes::AddTransmitted>(maps_->name(name, mesh_), {light_, through}, {.squares = squares_})
-            .light;
-    plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {light_}, {.squares = squares_});
+    plan_->add<passes::AddTransmitted>(maps_->name(name, mesh_), {light_.blurred, light_.start, through},
+                                       {.squares = squares_, .next_step = light_.next_step});
+    plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {through}, {.squares = squares_});
+    light_.blurred = light_.start = through;
   }
 
   passes::FramePlan* plan_;
@@ -104,8 +111,8 @@ class Convolution {
   std::uint32_t mesh_;
   std::vector<MapSquare> full_size_, squares_;  // squares_: on level_
   const Level* level_;                          // the maps in which the next step blurs
-  frame::TextureId light_;                      // what it blurs
-  std::size_t step_ = 0;
+  ChainLight light_;                            // what it blurs
+  double total_mm2_ = 0;                        // of all steps so far
 };
 
 }  // namespace

@@ -13,10 +13,11 @@ namespace dermis::techniques {
 enum Counter : std::uint32_t {
   counter_unshaded_reads = screen_counters,
   counter_transmission_misses,
-  counter_meshes  ///< the first of MeshCounter, which stand here for each skin mesh and each size of its maps
+  counter_squares  ///< the first of SquareCounter, which stand here for each size of the maps of each square
 };
 
-enum MeshCounter : std::uint32_t {
+/// Of one skin mesh of one head.
+enum SquareCounter : std::uint32_t {
   counter_lit_texels,
   counter_masked_texels,
   counter_tiles,
@@ -24,11 +25,18 @@ enum MeshCounter : std::uint32_t {
 };
 inline constexpr std::uint32_t counter_mesh_stride = counter_level_stride * (passes::max_halvings + 1);
 
-inline std::size_t counter_count(std::size_t skin_meshes) {
-  return counter_meshes + counter_mesh_stride * skin_meshes;
+/// Returns the slots of a head.
+inline std::uint32_t counter_head_stride(const FrameSettings& settings) {
+  return counter_mesh_stride * settings.most_meshes();
 }
-inline std::uint32_t mesh_counter(std::uint32_t mesh, std::uint32_t halvings, MeshCounter which) {
-  return counter_meshes + counter_mesh_stride * mesh + counter_level_stride * halvings + which;
+inline std::size_t counter_count(const FrameSettings& settings) {
+  return counter_squares + std::size_t{counter_head_stride(settings)} * settings.head_count();
+}
+inline std::uint32_t square_counter(const FrameSettings& settings, std::uint32_t head,
+                                    std::uint32_t mesh_in_model, std::uint32_t halvings,
+                                    SquareCounter which) {
+  return counter_squares + counter_head_stride(settings) * head + counter_mesh_stride * mesh_in_model +
+         counter_level_stride * halvings + which;
 }
 
 }  // namespace dermis::techniques

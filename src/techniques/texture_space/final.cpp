@@ -67,7 +67,7 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
        .off_map = part.off_map,
        .cut_out = part.cut_out,
        .emits = part.emits,
-       .mixes = settings.optimise.depth && !settings.host_lights(),
+       .mixes = settings.mixes(),
        .terms = terms,
        .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
        .through = settings.translucency
@@ -82,12 +82,13 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
     if (first - maps.halvings().begin() >= count) continue;
     plan.add<passes::UnshadedReads>(
         label(at("count unshaded reads", level), settings, square.instance, square.mesh),
-        {level.blurred.front(), screen.depth(), screen.counters()},
+        {level.blurred, screen.depth(), screen.counters()},
         {.square = on_level(square, level),
          .samples = settings.samples,
          .cut_out = part.cut_out,
          .slot = counter_unshaded_reads,
-         .terms = terms});
+         .terms = terms,
+         .first_term = level.first_term});
   }
 }
 

@@ -76,8 +76,10 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
       halvings_(halvings_of_terms(settings)) {
   // A level per size, a blurred map per term.
   for (std::size_t k = 0; k < halvings_.size(); ++k) {
-    if (levels_.empty() || levels_.back().halvings != halvings_[k])
+    if (levels_.empty() || levels_.back().halvings != halvings_[k]) {
       levels_.push_back(make_level(halvings_[k]));
+      levels_.back().first_term = static_cast<std::uint32_t>(k);
+    }
     blurred_.push_back(plan.texture(fmt::format("light {}", k), pool_.texture(halvings_[k])));
     levels_.back().blurred.push_back(blurred_.back());
   }
@@ -207,16 +209,19 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
   for (const std::uint32_t mesh : meshes_of(all))
     plan_->add<passes::Count>(
         name("count texels", mesh), {level.light, screen_->counters()},
-        {.slot = mesh_counter(mesh, 0, counter_lit_texels), .squares = of_mesh(all, mesh)});
+        {.slot = square_counter(*settings_, 0, skin[mesh].in_model, 0, counter_lit_texels),
+         .slots_per_instance = counter_head_stride(*settings_),
+         .squares = of_mesh(all, mesh)});
 
   add_masks(level, all);
 }
 
-void LightMaps::add_halved(const Level& level, frame::TextureId light, const std::vector<MapSquare>& from,
+void LightMaps::add_halved(const Level& level, const ChainLight& light, const std::vector<MapSquare>& from,
                            const std::vector<MapSquare>& to) {
   const std::uint32_t mesh = to.front().mesh;
-  plan_->add<passes::Downsample>(name(at("downsample", level), mesh), {light, stretch(mesh), level.light},
-                                 {.from = from, .to = to});
+  plan_->add<passes::Downsample>(name(at("downsample", level), mesh),
+                                 {light.blurred, stretch(mesh), level.light, light.start},
+                                 {.from = from, .to = to, .next_step = light.next_step});
   add_masks(level, to);
 }
 
@@ -256,7 +261,9 @@ void LightMaps::add_masked_counts(const Level& level, const std::vector<MapSquar
   for (const std::uint32_t mesh : meshes_of(all))
     plan_->add<passes::Count>(name(at("count masked texels", level), mesh),
                               {level.light, screen_->counters()},
-                              {.slot = mesh_counter(mesh, level.halvings, counter_masked_texels),
+                              {.slot = square_counter(*settings_, 0, settings_->skin[mesh].in_model,
+                                                      level.halvings, counter_masked_texels),
+                               .slots_per_instance = counter_head_stride(*settings_),
                                .threshold = 0.5f,
                                .absolute = true,
                                .squares = of_mesh(all, mesh)});
@@ -264,14 +271,16 @@ void LightMaps::add_masked_counts(const Level& level, const std::vector<MapSquar
 
 // Lists the tiles that hold light, and clears the others in every map that the blurs of this level write.
 void LightMaps::add_tiles(const Level& level, const std::vector<MapSquare>& all) {
-  std::vector<frame::TextureId> maps = level.blurred;
-  maps.push_back(level.scratch);
+  std::vector<passes::IdleTiles::In::Map> maps{{.light = level.scratch}};
+  for (std::uint32_t i = 0; i < level.blurred.size(); ++i)
+    maps.push_back({.light = level.blurred[i], .term = level.first_term + i});
   plan_->add<passes::ClearTiles>(name(at("clear tiles", level)), {level.lit});
   plan_->add<passes::TileClasses>(name(at("tile classes", level)), {level.light, level.lit}, {all});
   plan_->add<passes::Tiles>(name(at("tiles", level)), {level.lit, screen_->counters()},
                             {.squares = all,
-                             .first_slot = mesh_counter(0, level.halvings, counter_tiles),
-                             .slot_stride = counter_mesh_stride});
+                             .first_slot = square_counter(*settings_, 0, 0, level.halvings, counter_tiles),
+                             .slots_per_instance = counter_head_stride(*settings_),
+                             .slots_per_mesh = counter_mesh_stride});
   plan_->add<passes::IdleTiles>(name(at("idle tiles", level)), {level.lit, maps}, {.squares = all});
 }
 

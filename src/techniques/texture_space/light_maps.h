@@ -32,9 +32,18 @@ struct Level {
   frame::TextureId light;                 ///< what its first convolution reads
   frame::TextureId scratch;               ///< between the two axes of a blur
   frame::TextureId depth_mask;            ///< valid with SkipUnlit::by_depth
+  std::uint32_t first_term = 0;           ///< that of the first of `blurred`
   std::vector<frame::TextureId> blurred;  ///< of the terms that end here
   passes::TileLists border;               ///< tiles that Dilate fills; valid if the light is sparse
   passes::TileLists lit;                  ///< tiles to blur; valid with SkipUnlit::by_tiles
+};
+
+/// Where the light of a skin mesh is between two steps of its chain of blurs. Heads enter the chain at
+/// different steps: see passes::MappedTerms.
+struct ChainLight {
+  frame::TextureId blurred;     ///< of heads that have entered
+  frame::TextureId start;       ///< of the others; the same before the first step, and where all enter there
+  std::uint32_t next_step = 0;  ///< of passes::blur_steps()
 };
 
 /// Return the same squares in the maps of a level.
@@ -60,7 +69,7 @@ class LightMaps {
   /// Lights the skin meshes of a batch and prepares their maps for blurring.
   void add_light(const std::vector<passes::MapSquare>& all);
   /// Downsamples the light of one skin mesh to the maps of `level`, and prepares these for blurring.
-  void add_halved(const Level& level, frame::TextureId light, const std::vector<passes::MapSquare>& from,
+  void add_halved(const Level& level, const ChainLight& light, const std::vector<passes::MapSquare>& from,
                   const std::vector<passes::MapSquare>& to);
 
   const MapPool& pool() const { return pool_; }

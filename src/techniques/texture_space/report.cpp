@@ -5,6 +5,7 @@
 
 #include "passes/blur/blur.h"
 #include "shared/tiles_io.h"
+#include "techniques/mapped_terms.h"
 #include "techniques/texture_space/counters.h"
 #include "techniques/texture_space/light_maps.h"
 
@@ -21,19 +22,33 @@ struct LevelWork {
 };
 using Work = std::array<LevelWork, levels>;  // by halvings
 
-// Follows the steps of Convolution (convolution.cpp) and counts instead of adding passes.
-Work work_of(const SkinPart& part, const std::vector<std::uint32_t>& halvings) {
+// Follows the steps of Convolution (convolution.cpp) for a head, and counts instead of adding passes.
+Work work_of(const SkinPart& part, const std::vector<std::uint32_t>& halvings,
+             const passes::MappedTerms& mapped) {
   Work work{};
-  std::size_t term = 0;
+  if (!mapped.any) return work;
+
+  std::size_t term = 0, number = 0;
   for (const passes::BlurStep& step : passes::blur_steps(part.profile, part.max_texels_per_mm)) {
     LevelWork& level = work[halvings[term]];
     level.halved = halvings[term] > 0;
-    level.convolutions += 2;
+    const bool blurs = number++ >= mapped.first_step;
+    if (blurs) level.convolutions += 2;
     if (!step.ends_term) continue;
-    ++level.terms;
+    if (blurs) ++level.terms;
     ++term;
   }
   return work;
+}
+
+// Returns the variance of the step with which the chain of a head starts that leaves narrow terms out; 0 if
+// it leaves none out.
+double first_variance_mm2(const SkinPart& part, const passes::MappedTerms& mapped) {
+  if (!mapped.any || mapped.first_step == 0) return 0;
+  const std::vector<passes::BlurStep> steps = passes::blur_steps(part.profile, part.max_texels_per_mm);
+  double sum = 0;
+  for (std::size_t i = 0; i <= mapped.first_step; ++i) sum += steps[i].variance_mm2;
+  return sum;
 }
 
 bool has_mesh(const Model& model, std::uint32_t mesh) {
@@ -45,71 +60,48 @@ class Figures {
  public:
   Figures(const FrameSettings& settings, std::span<const std::uint32_t> counters,
           std::span<const DrawnHead> drawn)
-      : settings_(settings), counters_(counters), drawn_(drawn) {
-    const std::vector<std::uint32_t> halvings = halvings_of_terms(settings);
-    for (const SkinPart& part : settings.skin) work_.push_back(work_of(part, halvings));
+      : settings_(settings), counters_(counters), halvings_(halvings_of_terms(settings)) {
+    for (const DrawnHead& head : drawn)
+      for (std::uint32_t i = 0; i < settings.models[head.model].meshes; ++i) add(head, i);
   }
 
-  std::uint64_t irradiance_texels() const {
-    std::uint64_t sum = 0;
-    for (std::uint32_t mesh = 0; mesh < work_.size(); ++mesh) sum += counted(mesh, 0, counter_lit_texels);
-    return sum;
-  }
-
-  // Texels lit by the mesh itself, times the Gaussians that blur them. In halved maps texels beside seams
-  // count too.
-  std::uint64_t convolved_texels() const {
-    std::uint64_t sum = 0;
-    for (std::uint32_t mesh = 0; mesh < work_.size(); ++mesh)
-      for (std::uint32_t halvings = 0; halvings < levels; ++halvings) {
-        const MeshCounter which = halvings == 0 ? counter_lit_texels : counter_masked_texels;
-        sum += counted(mesh, halvings, which) * work_[mesh][halvings].terms;
-      }
-    return sum;
-  }
-
-  // Shader invocations of shading, downsampling and convolution.
-  std::uint64_t launched() const {
-    std::uint64_t sum = irradiance_texels();
-    for (std::uint32_t mesh = 0; mesh < work_.size(); ++mesh)
-      for (std::uint32_t halvings = 0; halvings < levels; ++halvings) {
-        const LevelWork& work = work_[mesh][halvings];
-        if (work.halved) sum += used_texels(mesh, halvings);
-        sum += convolved_at_once(mesh, halvings) * work.convolutions;
-      }
-    return sum;
-  }
+  std::uint64_t irradiance_texels = 0;
+  /// Texels lit by the mesh itself, times the Gaussians that blur them. In halved maps texels beside seams
+  /// count too.
+  std::uint64_t convolved_texels = 0;
+  std::uint64_t launched = 0;  ///< shader invocations of shading, downsampling and convolution
 
  private:
-  std::uint64_t counted(std::uint32_t mesh, std::uint32_t halvings, MeshCounter which) const {
-    return counters_[mesh_counter(mesh, halvings, which)];
-  }
+  // Adds what skin mesh `i` of a head has taken.
+  void add(const DrawnHead& head, std::uint32_t i) {
+    const std::uint32_t mesh = settings_.models[head.model].first_mesh + i;
+    const Work work = work_of(settings_.skin[mesh], halvings_, mapped_terms(settings_, mesh, head.side));
+    const auto counted = [&](std::uint32_t halvings, SquareCounter which) -> std::uint64_t {
+      return counters_[square_counter(settings_, head.head, i, halvings, which)];
+    };
 
-  std::uint64_t used_texels(std::uint32_t mesh, std::uint32_t halvings) const {
-    std::uint64_t sum = 0;
-    for (const DrawnHead& head : drawn_)
-      if (has_mesh(settings_.models[head.model], mesh)) {
-        const std::uint64_t halved = passes::halved_side(head.side, settings_.map_size, halvings);
-        sum += halved * halved;
-      }
-    return sum;
-  }
+    irradiance_texels += counted(0, counter_lit_texels);
+    launched += counted(0, counter_lit_texels);
+    for (std::uint32_t halvings = 0; halvings < levels; ++halvings) {
+      const LevelWork& level = work[halvings];
+      const std::uint64_t side = passes::halved_side(head.side, settings_.map_size, halvings);
+      convolved_texels +=
+          counted(halvings, halvings == 0 ? counter_lit_texels : counter_masked_texels) * level.terms;
 
-  // Shader invocations of one convolution: what is not skipped of the used squares. SkipUnlit::by_alpha
-  // leaves all: its fragments end early, but they start.
-  std::uint64_t convolved_at_once(std::uint32_t mesh, std::uint32_t halvings) const {
-    switch (skip_unlit(settings_)) {
-      case passes::SkipUnlit::by_tiles:
-        return std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counted(mesh, halvings, counter_tiles);
-      case passes::SkipUnlit::by_depth: return counted(mesh, halvings, counter_masked_texels);
-      default: return used_texels(mesh, halvings);
+      // Shader invocations of one convolution: what is not skipped of the used square. SkipUnlit::by_alpha
+      // leaves all: its fragments end early, but they start.
+      std::uint64_t at_once = side * side;
+      if (skip_unlit(settings_) == passes::SkipUnlit::by_tiles)
+        at_once = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counted(halvings, counter_tiles);
+      if (skip_unlit(settings_) == passes::SkipUnlit::by_depth)
+        at_once = counted(halvings, counter_masked_texels);
+      launched += at_once * level.convolutions + (level.halved ? side * side : 0);
     }
   }
 
   const FrameSettings& settings_;
   std::span<const std::uint32_t> counters_;
-  std::span<const DrawnHead> drawn_;
-  std::vector<Work> work_;  // by skin mesh
+  std::vector<std::uint32_t> halvings_;
 };
 
 std::vector<std::string> names_of(const Optimise& optimise) {
@@ -130,7 +122,7 @@ std::string name_of(passes::SkipUnlit skip) {
 
 FrameReport texture_space_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
                                  std::span<const DrawnHead> drawn) {
-  DERMIS_ASSERT_EQ(counters.size(), counter_count(settings.skin.size()));
+  DERMIS_ASSERT_EQ(counters.size(), counter_count(settings));
   const Figures figures(settings, counters, drawn);
 
   FrameReport report = screen_report(settings, counters, drawn);
@@ -138,9 +130,9 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
   if (is_sparse(settings)) report.mask = name_of(settings.skip_unlit);
   report.maps = settings.progressive ? "progressive" : "full";
   report.translucency = settings.translucency;
-  report.irradiance_texels = figures.irradiance_texels();
-  report.convolved_texels = figures.convolved_texels();
-  report.launched = figures.launched();
+  report.irradiance_texels = figures.irradiance_texels;
+  report.convolved_texels = figures.convolved_texels;
+  report.launched = figures.launched;
   report.unshaded_reads = counters[counter_unshaded_reads];
   report.transmission_misses = counters[counter_transmission_misses];
   return report;
@@ -153,16 +145,22 @@ std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
 
   for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh) {
     const SkinPart& part = settings.skin[mesh];
-    const Work work = work_of(part, halvings);
     const auto add = [&](std::uint32_t side) {
       const double texels_per_mm = std::max(part.max_uv_per_mm * side, 1e-6);
-      sizes.push_back(
-          {.mesh = mesh, .side = side, .width_texels = passes::gutter_width(part.profile, texels_per_mm)});
+      // A function of the side alone, also where the map is a halved one of a nearer head.
+      const double first_mm2 = first_variance_mm2(part, mapped_terms(settings, mesh, side));
+      sizes.push_back({.mesh = mesh,
+                       .side = side,
+                       .width_texels = passes::gutter_width(part.profile, texels_per_mm, first_mm2)});
     };
 
     add(settings.map_size);  // of the stretch map
     for (const DrawnHead& head : drawn) {
       if (!has_mesh(settings.models[head.model], mesh)) continue;
+      const passes::MappedTerms mapped = mapped_terms(settings, mesh, head.side);
+      if (!mapped.any) continue;
+
+      const Work work = work_of(part, halvings, mapped);
       for (std::uint32_t level = 0; level < levels; ++level)
         if (level == 0 || work[level].halved) add(passes::halved_side(head.side, settings.map_size, level));
     }

@@ -43,13 +43,18 @@ frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s)
 // Names what `show` can name: maps of the shown square, and the metric of its unwrap.
 void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& s, const LightMaps& maps) {
   const MapSquare square = shown_square(s);
-  const auto light = [&](frame::TextureId map) {
+  const auto light = [&](frame::TextureId map, Shown::Needs needs, std::uint32_t term) {
     const glm::uvec2 origin = maps.pool().place(square.instance, 0).origin;
-    return Shown{.map = map, .as = Shown::As::light, .origin = origin, .used_square = true};
+    return Shown{.map = map,
+                 .as = Shown::As::light,
+                 .origin = origin,
+                 .used_square = true,
+                 .needs = needs,
+                 .term = term};
   };
-  out.shows["irradiance"] = light(maps.levels().front().light);
-  for (std::size_t k = 0; k < maps.blurred().size(); ++k)
-    out.shows[fmt::format("blur:{}", k)] = light(maps.blurred()[k]);
+  out.shows["irradiance"] = light(maps.levels().front().light, Shown::Needs::irradiance, 0);
+  for (std::uint32_t k = 0; k < maps.blurred().size(); ++k)
+    out.shows[fmt::format("blur:{}", k)] = light(maps.blurred()[k], Shown::Needs::term, k);
 
   out.shows["stretch"] = {.map = maps.stretch(square.mesh)};
   out.shows["texel-density"] = {.map = maps.stretch(square.mesh), .as = Shown::As::texel_density};
@@ -82,7 +87,7 @@ std::vector<MapSquare> one_of_each_unwrap(const FrameSettings& s) {
 
 // The steps of the table in docs/techniques.md, in its order.
 FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
-  Screen screen(plan, s, counter_count(s.skin.size()));
+  Screen screen(plan, s, counter_count(s));
   std::optional<LightMaps> maps;
   if (!s.skin.empty()) maps.emplace(plan, s, screen);
   const MapPool pool(s);
@@ -136,7 +141,7 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
 }
 
 FrameOutputs maps(passes::FramePlan& plan, const FrameSettings& s) {
-  Screen screen(plan, s, counter_count(s.skin.size()));
+  Screen screen(plan, s, counter_count(s));
   FrameOutputs out;
   out.shadow_maps = screen.shadow_maps();
   if (!s.skin.empty()) out.light_maps = LightMaps(plan, s, screen).textures();

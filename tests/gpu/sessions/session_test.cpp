@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -95,6 +96,48 @@ TEST(Sessions, AndSoWhileTheSizeOfTheMapsChanges) {
   RenderSettings s = small_settings("texture-space", 64, 256);
   s.quality.d_ref = 3;
   expect_steady(scene, head, s, 24, 1.2);
+}
+
+// From all terms on the map to none and back: the plan and its memory stay, and each picture is the
+// renderer's.
+TEST(Sessions, AndSoFromNearToFarAndBack) {
+  Scene scene;
+  const InstanceId head = scene.add({.asset = Asset::built_in()});
+  scene.add({.asset = ball(), .world_from_asset = turned(0, 0.2)});
+  scene.add_light(sun(0));
+  RenderSettings s = orbit(small_settings("texture-space", 48, 256), 0, 0.8);
+  s.quality.d_ref = 3;
+
+  Session session(renderer(), {.frames_in_flight = 2, .statistics = true});
+  DeviceCounters before;
+  std::vector<int> terms;
+  Ticket last{};
+  int frame = 0;
+  for (const double z_m : {0.0, 0.0, 0.0, 0.0, -0.5, -1.0, -2.0, -40.0, -40.0, -1.0, 0.0, -40.0, 0.2, 0.2}) {
+    if (frame++ == 3) before = renderer().counters();
+    scene.set_transform(head, moved({0, 0, z_m}));
+    const Ticket ticket = session.draw(scene, s);
+    // To ask for the last frame is to wait for all that was submitted.
+    if (frame > 1) {
+      const Statistics statistics = session.picture(last).statistics;
+      terms.push_back(statistics.mapped_terms.front());
+      EXPECT_EQ(statistics.unshaded_reads, 0u);
+    }
+    last = ticket;
+  }
+  EXPECT_EQ(name_of_counters(renderer().counters()), name_of_counters(before));
+  EXPECT_EQ(terms.front(), 6);
+  EXPECT_EQ(terms.back(), 6);
+  EXPECT_EQ(std::count(terms.begin(), terms.end(), 0), 3);
+  EXPECT_GT(std::count_if(terms.begin(), terms.end(), [](int count) { return count > 0 && count < 6; }), 1);
+
+  // Again, against pictures of each alone.
+  for (const double z_m : {-40.0, -0.5, 0.0, -1.0, -2.0}) {
+    SCOPED_TRACE(z_m);
+    scene.set_transform(head, moved({0, 0, z_m}));
+    const Ticket ticket = session.draw(scene, s);
+    expect_equal_bits(renderer().render(scene, s), session.picture(ticket));
+  }
 }
 
 using ScanSessions = WithScan;

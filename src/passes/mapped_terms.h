@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+/// Which Gaussians of its profile a skin mesh of a head reads from light maps in a frame. A head far away
+/// reads few or none: narrow terms are lit per pixel there (direct_share() of
+/// passes/final_pass/final_pass.h).
+#pragma once
+
+#include <cstdint>
+
+namespace dermis::passes {
+
+/// Data of a head and a frame, not of the plan: techniques/mapped_terms.h makes it from T. A map that is not
+/// written is not read, nor multiplied by 0: it may hold anything. By default all terms are mapped.
+struct MappedTerms {
+  /// Some term is read. false: nothing is lit in texture space, and nothing blurred.
+  bool any = true;
+  /// The narrowest term that is read, and all after it are.
+  std::uint32_t first_read = 0;
+  /// The step of blur_steps() with which the chain starts, from the irradiance. It blurs by the variance of
+  /// all steps up to it.
+  std::uint32_t first_step = 0;
+  /// The term of that step. Its map and all after it are written.
+  std::uint32_t first_written = 0;
+  bool operator==(const MappedTerms&) const = default;
+};
+
+}  // namespace dermis::passes
