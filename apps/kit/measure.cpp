@@ -357,7 +357,7 @@ Json Measurement::bench() {
 Json Measurement::sessions() {
   const std::string file = place("sessions.json");
   std::vector<std::string> words{"bin/sessions_bench", file, heads_.main(), "300"};
-  if (task_.extent == Extent::quick) words = {words[0], file, heads_.main(), "8", "1", "16"};
+  if (task_.extent == Extent::quick) words = {words[0], file, heads_.main(), "8", "1", "4"};
   if (task_.extent == Extent::smoke) words = {words[0], file, heads_.light(), "4", "1"};
   Ended ended;
   Json note = start("sessions", words, ended, most_seconds_of_a_benchmark);
