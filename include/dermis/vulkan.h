@@ -234,7 +234,9 @@ class HostFrames {
     std::uint32_t frames_in_flight = 2;
     std::optional<PictureTargets> picture{};  ///< way (i)
     std::vector<DepthTargets> depths{};       ///< way (ii)
-    bool scattered = false;                   ///< way (iii); needs a technique with light maps
+    /// Way (iii); needs a technique with light maps. All heads in view are lit and blurred whole, however far
+    /// away: without it a head has only the terms that its pixels read.
+    bool scattered = false;
   };
 
   /// Throws InputError: a number out of range, or a format that the device cannot draw to.

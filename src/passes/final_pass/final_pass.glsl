@@ -40,11 +40,9 @@ layout(location = 0) out vec4 out_radiance;
 #include "passes/final_pass/coarse_share.glsl"
 #include "passes/final_pass/light_point.glsl"
 
-// Returns whether a term is read from its map. A map without weight may not have been written, and 0 times
-// NaN is NaN. nothing(): see switches.glsl.
-bool is_read(int term) {
-  return term < term_count && (!direct || io.weights[term] != vec3(float(nothing())));
-}
+// Returns whether a term is read from its map. One without weight may not have been written: 0 times NaN is
+// NaN.
+bool is_read(int i) { return i < term_count && (!direct || io.weights[i] != vec3(float(nothing()))); }
 
 // Where the skin is on its light map.
 struct OnMap {
