@@ -173,8 +173,8 @@ GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std
   mesh.vertex_extras = make("vertex extras", extras, storage);
   mesh.skin_vertices = make("skin vertices", skin_vertices, storage);
   mesh.indices = make("indices", skin.indices, storage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-  mesh.first_corners = make("first corners", first_corner_indices(skin.indices, skin.vertices.size()),
-                            VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  mesh.first_corners =
+      make("first corners", first_corner_indices(skin.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   mesh.turned_neighbours = make("turned neighbours", scene::turned_neighbours(skin), storage);
 
   // Adds a draw per run of triangles of one material, on the map or off it.

@@ -88,6 +88,23 @@ TEST(Vertices, AsManyAsNoShortNumberHolds) {
   expect_same(renderer().render(shared, s), renderer().render(other, s));
 }
 
+// Extras that are equal are there once.
+TEST(Vertices, APictureIsTheSameWhetherExtrasAreEqualOrNot) {
+  scene::Scene made = scene::sphere(0.1, 6);
+  made.lights.push_back(directional_light(glm::vec3(0, 0, -1)));
+  scene::Primitive& p = made.primitives.front();
+  p.vertices.insert(p.vertices.begin(), p.vertices.front());  // no triangle has it
+  for (std::uint32_t& index : p.indices) ++index;
+  for (scene::Vertex& v : p.vertices) v.colour = glm::vec4(0.5f, 0.25f, 0.75f, 1);
+  const Scene equal = wrap(made);
+  p.vertices.front().colour = glm::vec4(1);
+  const Scene different = wrap(made);
+  for (const std::string& technique : technique_names()) {
+    const RenderSettings s = vertices_settings(technique, true);
+    expect_same(renderer().render(equal, s), renderer().render(different, s));
+  }
+}
+
 TEST(Vertices, CulledTrianglesShadeNoTexel) {
   const Scene scene = wrap(odd_sphere());
   RenderSettings s = vertices_settings("texture-space", false);
