@@ -202,7 +202,7 @@ Json Measurement::switches() {
     for (const std::string& technique : techniques_)
       for (const Switch& change : kit::switches(task_.extent)) {
         if (stopped()) return all;
-        if (task_.extent == Extent::quick && is_of_light_maps(change.path) && !has_light_maps(technique))
+        if (task_.extent != Extent::full && is_of_light_maps(change.path) && !has_light_maps(technique))
           continue;
         // What is built in is the same in every picture, and takes seconds to make.
         if (head == Heads::built_in && subjects.size() > 1 && !change.path.empty()) continue;
@@ -243,6 +243,7 @@ Json Measurement::equality() {
 
   for (const std::string& head : subjects)
     for (const std::string& technique : techniques_) {
+      if (task_.extent == Extent::smoke && technique != techniques_.front()) continue;
       const std::string what = fmt::format("{}, {}, two runs", head, technique);
       const fs::path pictures[2] = {place("first.exr"), place("second.exr")};
       Json notes[2];
