@@ -36,19 +36,8 @@ FrameOutputs screen_maps(passes::FramePlan& plan, const FrameSettings& settings)
 
 std::vector<GutterSize> no_gutters(const FrameSettings&, std::span<const DrawnHead>) { return {}; }
 
-std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
-                  std::uint32_t mesh) {
-  const std::string name = label(what, settings, head);
-  if (settings.model_of(head).meshes < 2) return name;
-  return fmt::format("{} part {}", name, settings.skin[mesh].in_model);
-}
-
 std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh) {
   return settings.skin.size() > 1 ? fmt::format("{} part {}", what, mesh) : std::string(what);
-}
-
-std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head) {
-  return settings.heads.size() > 1 ? fmt::format("{} head {}", what, head) : std::string(what);
 }
 
 Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters)
@@ -88,25 +77,36 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
 
 bool Screen::take_clear() { return !std::exchange(cleared_, true); }
 
-void Screen::add_shadow(std::uint32_t head) {
-  const std::uint32_t layers = std::max(settings_.shadow_layers, 1u);
+void Screen::add_shadows(const Batch& batch) {
+  passes::Shadow::Settings shadow{.first_instance = batch.first_head,
+                                  .instances = batch.heads,
+                                  .layers = std::max(settings_.shadow_layers, 1u),
+                                  .host_maps = settings_.host && settings_.host->shadows};
   const bool apart = entering_depth_.valid();
-  plan_->add<passes::Shadow>(
-      label("shadow", settings_, head), {shadow_, apart ? frame::TextureId{} : entering_},
-      {.instance = head, .layers = layers, .host_maps = settings_.host && settings_.host->shadows});
-  if (apart)
-    plan_->add<passes::Shadow>(label("entering", settings_, head), {entering_depth_, entering_},
-                               {.instance = head, .layers = layers, .grown = true});
+  plan_->add<passes::Shadow>(label("shadow", settings_, batch),
+                             {shadow_, apart ? frame::TextureId{} : entering_}, shadow);
+  if (!apart) return;
+
+  shadow.host_maps = false;
+  shadow.grown = true;
+  plan_->add<passes::Shadow>(label("entering", settings_, batch), {entering_depth_, entering_}, shadow);
 }
 
-void Screen::add_surfaces(std::uint32_t head) {
+bool Screen::any_head(const Batch& batch, bool Model::*has) const {
+  for (std::uint32_t i = 0; i < batch.heads; ++i)
+    if (settings_.model_of(batch.first_head + i).*has) return true;
+  return false;
+}
+
+void Screen::add_surfaces(const Batch& batch) {
   if (!settings_.draws_picture()) return;
   const passes::Surface::In in{shadow_, colour_, depth_};
   const bool clear = !cleared_;
   // A scene without any skin still needs its targets cleared.
-  if (settings_.model_of(head).has_surfaces || clear)
-    plan_->add<passes::Surface>(label("surfaces", settings_, head), in,
-                                {.instance = head,
+  if (any_head(batch, &Model::has_surfaces) || clear)
+    plan_->add<passes::Surface>(label("surfaces", settings_, batch), in,
+                                {.first_instance = batch.first_head,
+                                 .instances = batch.heads,
                                  .samples = settings_.samples,
                                  .format = settings_.picture_format(),
                                  .clear = take_clear(),
@@ -114,14 +114,12 @@ void Screen::add_surfaces(std::uint32_t head) {
                                  .soft_shadows = settings_.soft_shadows});
 }
 
-void Screen::add_blended(std::uint32_t first_head, std::uint32_t heads) {
-  bool any = false;
-  for (std::uint32_t i = 0; i < heads; ++i) any = any || settings_.model_of(first_head + i).has_blended;
-  if (!any || !settings_.draws_picture()) return;
+void Screen::add_blended(const Batch& batch) {
+  if (!any_head(batch, &Model::has_blended) || !settings_.draws_picture()) return;
 
-  plan_->add<passes::Surface>(label("blended surfaces", settings_, first_head), {shadow_, colour_, depth_},
-                              {.instance = first_head,
-                               .instances = heads,
+  plan_->add<passes::Surface>(label("blended surfaces", settings_, batch), {shadow_, colour_, depth_},
+                              {.first_instance = batch.first_head,
+                               .instances = batch.heads,
                                .samples = settings_.samples,
                                .format = settings_.picture_format(),
                                .environment = settings_.environment,

@@ -2,6 +2,7 @@
 /// What all techniques share: the targets on the screen, the parts that are not skin, and how a frame ends.
 #pragma once
 
+#include "techniques/batches.h"
 #include "techniques/technique.h"
 
 namespace dermis::techniques {
@@ -27,17 +28,18 @@ class Screen {
   /// Returns true at the first call only: the pass that draws first clears colour and depth.
   bool take_clear();
 
-  /// Adds the shadow maps of all lights for one head.
-  void add_shadow(std::uint32_t head);
-  /// Adds the opaque parts of one head that are not skin.
-  void add_surfaces(std::uint32_t head);
-  /// Adds the blended parts of heads whose shadow maps are there, far to near, over all that is drawn.
-  void add_blended(std::uint32_t first_head, std::uint32_t heads = 1);
+  /// Adds the shadow maps of all lights for the heads of a batch.
+  void add_shadows(const Batch& batch);
+  /// Adds the opaque parts of these heads that are not skin.
+  void add_surfaces(const Batch& batch);
+  /// Adds their blended parts, far to near, over all that is drawn.
+  void add_blended(const Batch& batch);
   /// Adds resolve, bloom, tone map and labels, and shows the shadow maps; nothing for a host. The last call.
   FrameOutputs finish();
 
  private:
   void add_labels(FrameOutputs& out);
+  bool any_head(const Batch& batch, bool Model::*has) const;
 
   passes::FramePlan* plan_;
   FrameSettings settings_;
@@ -53,11 +55,6 @@ FrameReport screen_report(const FrameSettings& settings, std::span<const std::ui
                           std::span<const DrawnHead> drawn);
 std::vector<GutterSize> no_gutters(const FrameSettings& settings, std::span<const DrawnHead> drawn);
 
-/// Return the name of a pass: "shadow" for one head, "shadow head 3" for one of several; and for one of its
-/// skin meshes, as the plan counts them, "final head 3 part 1".
-std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head);
-std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
-                  std::uint32_t mesh);
 /// Returns "stretch" for one skin mesh of the plan, "stretch part 1" for one of several.
 std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh);
 

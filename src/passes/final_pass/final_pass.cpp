@@ -129,10 +129,10 @@ void FinalPass::prepare(gpu::PipelineLibrary& library) {
   samplers_ = LightingSamplers(library);
 }
 
-io::FinalPassIo FinalPass::final_io(const FrameData& frame) const {
-  const Instance& instance = instance_of(frame, settings.square);
+io::FinalPassIo FinalPass::final_io(const FrameData& frame, const MapSquare& square) const {
+  const Instance& instance = instance_of(frame, square);
   io::FinalPassIo io{.weights = {},
-                     .map_origin = used_square(frame, settings.square).origin,
+                     .map_origin = used_square(frame, square).origin,
                      .map_side = instance.map_side,
                      .slot = 0,
                      .halvings = 0};
@@ -168,29 +168,37 @@ void FinalPass::offer_light(Bindings& bindings, const frame::Resources& resource
   bindings.add("Terms", terms_);
 }
 
-void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const Instance& instance = instance_of(frame, settings.square);
-  if (!instance.is_drawn() && !settings.clear) return;
+bool FinalPass::draws(const FrameData& frame) const {
+  return std::ranges::any_of(settings.squares,
+                             [&](const MapSquare& square) { return instance_of(frame, square).is_drawn(); });
+}
 
-  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear, frame.area);
-  if (instance.is_drawn()) {
-    const std::uint32_t mesh = mesh_in_asset(frame, settings.square);
-    Bindings bindings;
-    bindings.add("Frame", frame.frame_io);
-    samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
-    samplers_.offer_sky(bindings, instance, mesh);
-    if (through()) through_.offer(bindings, resources, in.entering, in.shadow, 0);
-    offer_light(bindings, resources, instance);
+void FinalPass::begin(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                      bool clear) const {
+  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), clear, frame.area);
+}
 
-    const Lit lit = lit_of(instance);
-    draw_skin(
-        cmd, instance, mesh, bindings,
-        [&](const GpuDraw& draw, const GpuMaterial& material) {
-          return pipelines_of(draw, lit).of(material);
-        },
-        [&, io = final_io(frame)](const GpuMaterial&) { return io; }, first_corners(instance, mesh));
-  }
-  cmd.end_rendering();
+void FinalPass::draw_square(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                            const MapSquare& square) const {
+  const Instance& instance = instance_of(frame, square);
+  const std::uint32_t mesh = mesh_in_asset(frame, square);
+  Bindings bindings;
+  bindings.add("Frame", frame.frame_io);
+  samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
+  samplers_.offer_sky(bindings, instance, mesh);
+  if (through()) through_.offer(bindings, resources, in.entering, in.shadow, 0);
+  offer_light(bindings, resources, instance);
+
+  const Lit lit = lit_of(instance);
+  draw_skin(
+      cmd, instance, mesh, bindings,
+      [&](const GpuDraw& draw, const GpuMaterial& material) { return pipelines_of(draw, lit).of(material); },
+      [io = final_io(frame, square)](const GpuMaterial&) { return io; }, first_corners(instance, mesh));
+}
+
+void FinalPass::draw(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  for (const MapSquare& square : settings.squares)
+    if (instance_of(frame, square).is_drawn()) draw_square(cmd, resources, frame, square);
 }
 
 }  // namespace dermis::passes

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Draws the head on the screen: the weighted sum of the blurred light, albedo, two-lobe specular. With no
-///   terms it is the
-/// Lambert model with the same light and energy.
+/// Draws a skin mesh of one or more heads on the screen: the weighted sum of the blurred light, albedo,
+///   two-lobe specular. With no terms it is the Lambert model with the same light and energy.
 /// Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6
 #pragma once
 
@@ -46,10 +45,11 @@ struct TermsOnMap {
   bool coarse = false;             ///< see coarse_share(); if set, decided per pixel
 };
 
+/// A member of frame::Together.
 class FinalPass {
  public:
   struct Settings {
-    MapSquare square;                           ///< not halved
+    std::vector<MapSquare> squares;             ///< of one skin mesh of the plan, not halved
     std::uint32_t samples = 1;                  ///< of the targets
     PictureFormat format;                       ///< of the targets
     bool clear = false;                         ///< this pass is the first to draw into them
@@ -78,7 +78,10 @@ class FinalPass {
   };
   Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+  bool clears() const { return settings.clear; }
+  bool draws(const FrameData& frame) const;
+  void begin(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame, bool clear) const;
+  void draw(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   // Ordinary skin has shaders without alpha test and emission.
@@ -92,7 +95,9 @@ class FinalPass {
   Lit lit_of(const Instance& instance) const;
   void offer_light(Bindings& bindings, const frame::Resources& resources, const Instance& instance) const;
   float share_of(std::size_t term, const Instance& instance) const;
-  io::FinalPassIo final_io(const FrameData& frame) const;
+  io::FinalPassIo final_io(const FrameData& frame, const MapSquare& square) const;
+  void draw_square(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                   const MapSquare& square) const;
   Pipelines mapped_, mixed_;  // all terms from the maps; some of their light per pixel
   Pipelines at_pixel_;        // no term from the maps
   Pipelines off_map_;         // of triangles without a chart
@@ -105,11 +110,11 @@ class FinalPass {
 };
 
 /// Counts the visible fragments of the final pass whose bilinear read weighs a texel that was never lit, for
-/// the statistics. Directly follows FinalPass with the same square.
+/// the statistics. Directly follows FinalPass with the same squares. A member of frame::Together.
 class UnshadedReads {
  public:
   struct Settings {
-    MapSquare square;
+    std::vector<MapSquare> squares;
     std::uint32_t samples = 1;
     bool cut_out = false;          ///< as of FinalPass
     std::uint32_t slot = 0;        ///< of the counters
@@ -125,9 +130,16 @@ class UnshadedReads {
   struct Out {};
   Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+  bool clears() const { return false; }
+  bool draws(const FrameData& frame) const;
+  void begin(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame, bool clear) const;
+  void draw(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
+  bool reads(const FrameData& frame, const MapSquare& square) const;
+  std::uint32_t first_read(const FrameData& frame, const MapSquare& square) const;
+  void draw_square(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                   const MapSquare& square) const;
   const gpu::Pipeline* pipelines_[2][2] = {};  // [double sided][cut out]
   gpu::Buffer terms_;                          // SkinTermsIo
 };

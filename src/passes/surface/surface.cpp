@@ -50,7 +50,7 @@ void Surface::prepare(gpu::PipelineLibrary& library) {
 void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   std::vector<const Instance*> visible;
   for (std::uint32_t i = 0; i < settings.instances; ++i)
-    if (const Instance& instance = frame.instances[settings.instance + i]; instance.is_drawn())
+    if (const Instance& instance = frame.instances[settings.first_instance + i]; instance.is_drawn())
       visible.push_back(&instance);
   if (visible.empty() && !settings.clear) return;
 

@@ -1,37 +1,49 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/lambert/lambert.h"
 
+#include "frame/together.h"
 #include "passes/final_pass/final_pass.h"
 #include "techniques/screen.h"
 
 namespace dermis::techniques {
 namespace {
 
-// Draws each head: its shadow maps, its skin with the light at each pixel, and the rest of it.
+using passes::FinalPass;
+
+frame::Member<FinalPass> final_of(const FrameSettings& settings, Screen& screen, std::uint32_t mesh,
+                                  std::vector<passes::MapSquare> squares) {
+  const SkinPart& part = settings.skin[mesh];
+  return {.in = {{}, screen.shadow(), screen.colour(), screen.depth()},
+          .settings = {.squares = std::move(squares),
+                       .samples = settings.samples,
+                       .format = settings.picture_format(),
+                       .clear = screen.take_clear(),
+                       .weights = {},
+                       .environment = settings.environment,
+                       .soft_shadows = settings.soft_shadows,
+                       .off_map = part.off_map,
+                       .cut_out = part.cut_out,
+                       .emits = part.emits,
+                       .terms = {},
+                       .through = {}}};
+}
+
+// Draws the heads of each batch: their shadow maps, their skin with the light at each pixel, and the rest.
 FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
   Screen screen(plan, settings);
 
-  for (std::uint32_t head = 0; head < settings.head_count(); ++head) {
-    const Model& model = settings.model_of(head);
-    screen.add_shadow(head);
-    for (std::uint32_t mesh = model.first_mesh;
-         settings.draws_picture() && mesh < model.first_mesh + model.meshes; ++mesh)
-      plan.add<passes::FinalPass>(label("final", settings, head, mesh),
-                                  {{}, screen.shadow(), screen.colour(), screen.depth()},
-                                  {.square = {.instance = head, .mesh = mesh},
-                                   .samples = settings.samples,
-                                   .format = settings.picture_format(),
-                                   .clear = screen.take_clear(),
-                                   .weights = {},
-                                   .environment = settings.environment,
-                                   .soft_shadows = settings.soft_shadows,
-                                   .off_map = settings.skin[mesh].off_map,
-                                   .cut_out = settings.skin[mesh].cut_out,
-                                   .emits = settings.skin[mesh].emits,
-                                   .terms = {},
-                                   .through = {}});
-    screen.add_surfaces(head);
-    screen.add_blended(head);
+  for (const Batch& batch : batches_of(settings)) {
+    screen.add_shadows(batch);
+
+    frame::Together<FinalPass>::In skin;
+    const std::vector<passes::MapSquare> squares = squares_of(settings, batch);
+    for (const std::uint32_t mesh : meshes_of(squares))
+      if (settings.draws_picture())
+        skin.members.push_back(final_of(settings, screen, mesh, of_mesh(squares, mesh)));
+    if (!skin.members.empty()) plan.add<frame::Together<FinalPass>>(label("final", settings, batch), skin);
+
+    screen.add_surfaces(batch);
+    screen.add_blended(batch);
   }
 
   return screen.finish();

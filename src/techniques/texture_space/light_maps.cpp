@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "frame/together.h"
 #include "passes/count/count.h"
 #include "passes/cull_triangles/cull_triangles.h"
 #include "passes/depth_mask/depth_mask.h"
@@ -18,6 +19,7 @@
 
 namespace dermis::techniques {
 
+using frame::Together;
 using passes::Gutters;
 using passes::MapSquare;
 using passes::SkipUnlit;
@@ -49,20 +51,6 @@ MapSquare on_level(MapSquare square, const Level& level) {
 std::vector<MapSquare> on_level(std::vector<MapSquare> squares, const Level& level) {
   for (MapSquare& square : squares) square = on_level(square, level);
   return squares;
-}
-
-std::vector<MapSquare> of_mesh(const std::vector<MapSquare>& all, std::uint32_t mesh) {
-  std::vector<MapSquare> squares;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(squares),
-               [&](const MapSquare& s) { return s.mesh == mesh; });
-  return squares;
-}
-
-std::vector<std::uint32_t> meshes_of(const std::vector<MapSquare>& all) {
-  std::vector<std::uint32_t> meshes;
-  for (const MapSquare& square : all)
-    if (meshes.empty() || meshes.back() != square.mesh) meshes.push_back(square.mesh);
-  return meshes;
 }
 
 std::string at(std::string_view what, const Level& level) {
@@ -166,20 +154,24 @@ std::vector<frame::TextureId> LightMaps::textures() const {
 
 std::string LightMaps::name(std::string_view what) const {
   const bool several = settings_->head_count() > settings_->heads_per_batch || pool_.splits_heads();
-  return several ? fmt::format("{} batch {}", what, batch_) : std::string(what);
+  return several ? fmt::format("{} batch {}", what, turn_) : std::string(what);
 }
 
-std::string LightMaps::name(std::string_view what, std::uint32_t mesh) const {
-  return name(label_part(what, *settings_, mesh));
-}
-
-void LightMaps::add_stretch(const MapSquare& square) {
-  const std::uint32_t mesh = square.mesh;
+void LightMaps::add_stretch(const std::vector<MapSquare>& squares) {
   const frame::Runs runs = pool_.splits_heads() ? frame::Runs::every_frame : frame::Runs::once;
-  plan_->add<passes::Stretch>(label_part("stretch", *settings_, mesh), {stretch(mesh)},
-                              {.square = square, .runs = runs, .cut_out = settings_->skin[mesh].cut_out});
-  plan_->add<Gutters>(label_part("stretch gutters", *settings_, mesh), {stretch(mesh)},
-                      {.squares = {square}, .what = Gutters::What::stretch, .runs = runs});
+  Together<passes::Stretch>::In maps;
+  Together<Gutters>::In gutters;
+  for (const MapSquare& square : squares) {
+    const frame::TextureId map = stretch(square.mesh);
+    maps.members.push_back(
+        {{map}, {.square = square, .runs = runs, .cut_out = settings_->skin[square.mesh].cut_out}});
+    gutters.members.push_back({{map}, {.squares = {square}, .what = Gutters::What::stretch, .runs = runs}});
+  }
+
+  if (squares.empty()) return;
+  const bool again = pool_.splits_heads();
+  plan_->add<Together<passes::Stretch>>(again ? name("stretch") : "stretch", maps);
+  plan_->add<Together<Gutters>>(again ? name("stretch gutters") : "stretch gutters", gutters);
 }
 
 void LightMaps::add_light(const std::vector<MapSquare>& all) {
@@ -214,23 +206,16 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
         {screen_->shadow(), screen_->entering(), kept_, screen_->counters()},
         {.irradiance = irradiance, .slot = counter_transmission_misses});
 
+  Together<passes::Count>::In counts;
   for (const std::uint32_t mesh : meshes_of(all))
-    plan_->add<passes::Count>(
-        name("count texels", mesh), {level.light, screen_->counters()},
-        {.slot = square_counter(*settings_, 0, skin[mesh].in_model, 0, counter_lit_texels),
-         .slots_per_instance = counter_head_stride(*settings_),
-         .squares = of_mesh(all, mesh)});
+    counts.members.push_back(
+        {{level.light, screen_->counters()},
+         {.slot = square_counter(*settings_, 0, skin[mesh].in_model, 0, counter_lit_texels),
+          .slots_per_instance = counter_head_stride(*settings_),
+          .squares = of_mesh(all, mesh)}});
+  plan_->add<Together<passes::Count>>(name("count texels"), counts);
 
   add_masks(level, all);
-}
-
-void LightMaps::add_halved(const Level& level, const ChainLight& light, const std::vector<MapSquare>& from,
-                           const std::vector<MapSquare>& to) {
-  const std::uint32_t mesh = to.front().mesh;
-  plan_->add<passes::Downsample>(name(at("downsample", level), mesh),
-                                 {light.blurred, stretch(mesh), level.light, light.start},
-                                 {.from = from, .to = to, .next_step = light.next_step});
-  add_masks(level, to);
 }
 
 // Prepares a level for blurring: seam gutters, dilation, mask of unlit texels.
@@ -253,28 +238,29 @@ void LightMaps::add_dilation(const Level& level, const std::vector<MapSquare>& a
   plan_->add<passes::Tiles>(name(at("border tiles", level)), {level.border, screen_->counters()},
                             {.squares = all, .what = passes::Tiles::What::border});
 
-  for (const std::uint32_t mesh : meshes_of(all))
-    plan_->add<passes::Dilate>(name(at("dilate", level), mesh), {level.light, stretch(mesh), level.border},
-                               {of_mesh(all, mesh)});
-  if (level.halvings > 0) return;
-
-  for (std::size_t g = 0; g < transmitted_.size(); ++g)
+  const auto dilate = [&](std::string_view what, frame::TextureId light) {
+    Together<passes::Dilate>::In meshes;
     for (const std::uint32_t mesh : meshes_of(all))
-      plan_->add<passes::Dilate>(name(fmt::format("dilate joining {}", g + 1), mesh),
-                                 {transmitted_[g], stretch(mesh), level.border}, {of_mesh(all, mesh)});
+      meshes.members.push_back({{light, stretch(mesh), level.border}, {of_mesh(all, mesh)}});
+    plan_->add<Together<passes::Dilate>>(name(what), meshes);
+  };
+  dilate(at("dilate", level), level.light);
+  for (std::size_t g = 0; level.halvings == 0 && g < transmitted_.size(); ++g)
+    dilate(fmt::format("dilate joining {}", g + 1), transmitted_[g]);
 }
 
 // Counts the texels that convolutions do not skip.
 void LightMaps::add_masked_counts(const Level& level, const std::vector<MapSquare>& all) {
+  Together<passes::Count>::In counts;
   for (const std::uint32_t mesh : meshes_of(all))
-    plan_->add<passes::Count>(name(at("count masked texels", level), mesh),
-                              {level.light, screen_->counters()},
+    counts.members.push_back({{level.light, screen_->counters()},
                               {.slot = square_counter(*settings_, 0, settings_->skin[mesh].in_model,
                                                       level.halvings, counter_masked_texels),
                                .slots_per_instance = counter_head_stride(*settings_),
                                .threshold = 0.5f,
                                .absolute = true,
-                               .squares = of_mesh(all, mesh)});
+                               .squares = of_mesh(all, mesh)}});
+  plan_->add<Together<passes::Count>>(name(at("count masked texels", level)), counts);
 }
 
 // Lists the tiles that hold light, and clears the others in every map that the blurs of this level write.
