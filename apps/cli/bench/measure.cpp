@@ -149,7 +149,7 @@ struct Bench {
            [&](std::size_t i) { contest->draw(i, true); });
     if (stopped()) return std::nullopt;
     Cell cell{
-        .heads = place.heads, .distance = place.distance, .measured = contest->finish(), .difference = {}};
+        .heads = place.heads, .distance = place.distance, .measured = contest->finish(), .differences = {}};
     contest.reset();  // its memory, before larger pictures are made
     describe(optimised->statistics);
     if (task.keep_pictures) run.pictures.push_back(cut_to_skin(*baseline, *optimised));
@@ -161,9 +161,7 @@ struct Bench {
   void compare(const Place& place, const std::string& where, double d_ref, Cell& cell) {
     if (task.picture_samples == 0) return;
     progress.show(where + ", pictures");
-    cell.difference =
-        picture_difference(renderer, scene, cell.of(baseline_key).variant.settings,
-                           cell.of(optimised_key).variant.settings, d_ref, task.picture_samples);
+    cell.differences = picture_differences(renderer, scene, cell, d_ref, task.picture_samples);
     progress.done(picture_work * work_of(place));
   }
 

@@ -59,11 +59,13 @@ ordered_json cell_json(const Cell& cell) {
     json["speedup_progressive"] = cell.of(progressive_key).ms() / cell.of(optimised_progressive_key).ms();
   json["paper_speedup"] = or_null(paper_speedup(cell.heads, cell.distance));
 
-  const std::optional<PictureDifference>& d = cell.difference;
+  const PictureDifference* d = cell.difference(optimised_key);
   json["psnr_db"] = d ? ordered_json(d->psnr_db) : ordered_json(nullptr);
   json["flip_mean"] = d ? ordered_json(d->flip_mean) : ordered_json(nullptr);
   json["compared_pixels"] = d ? d->pixels : 0;
   json["picture_samples"] = d ? d->samples : 0;
+  for (const auto& [key, of] : cell.differences)
+    json["pictures"][key] = {{"psnr_db", of.psnr_db}, {"flip_mean", of.flip_mean}};
 
   for (const Measured& m : cell.measured)
     if (m.variant.key != floor_key) json["texels"][m.variant.key] = texels_json(m.counts);
@@ -83,6 +85,11 @@ const Measured& Cell::of(const std::string& key) const {
       std::find_if(measured.begin(), measured.end(), [&](const Measured& m) { return m.variant.key == key; });
   DERMIS_ASSERT(found != measured.end());
   return *found;
+}
+
+const PictureDifference* Cell::difference(const std::string& key) const {
+  const auto found = differences.find(key);
+  return found == differences.end() ? nullptr : &found->second;
 }
 
 std::string run_json(const Run& run) {

@@ -49,8 +49,8 @@ std::string table_line(const Cell& cell) {
   text += fmt::format(" | {:>8} {:>13} {:>5} |", ratio_text(cell.speedup()),
                       ratio_text(cell.speedup_over_skipping()),
                       ratio_text(paper_speedup(cell.heads, cell.distance)));
-  if (cell.difference)
-    text += fmt::format(" {:>9.2f} {:>7.4f} |", cell.difference->psnr_db, cell.difference->flip_mean);
+  if (const PictureDifference* d = cell.difference(optimised_key))
+    text += fmt::format(" {:>9.2f} {:>7.4f} |", d->psnr_db, d->flip_mean);
   else
     text += fmt::format(" {:>9} {:>7} |", "-", "-");
   return text + fmt::format(" {}\n", sizes_text(cell.of(optimised_key).counts.used_size));

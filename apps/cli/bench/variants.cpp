@@ -44,7 +44,7 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
       {"cull", "cull", "skin that faces away is not lit", with(common, true, false, false)},
       {"depth", "depth", "maps as large as the distance needs", with(common, false, true, false)},
       {"clip", "clip", "skin outside the picture and a margin is not lit", with(common, false, false, true)},
-      {optimised_key, "all", "cull, depth and clip", with(common, true, true, true)},
+      {optimised_key, "all", "cull, depth and clip", with(common, true, true, true), true},
   };
 
   if (common.quality.clip_margin_mm != 0.0)

@@ -14,6 +14,7 @@ struct Variant {
   std::string heading;  ///< of a column
   std::string meaning;  ///< one line
   RenderSettings settings;
+  bool compared = false;  ///< its picture, with the baseline's
 };
 
 inline constexpr const char* baseline_key = "baseline";  ///< what speed-ups refer to
