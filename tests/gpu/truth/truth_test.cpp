@@ -69,13 +69,19 @@ class Truth {
     return e;
   }
 
-  /// FLIP of what a display shows, mean over skin.
-  double shown_flip(const std::string& technique) const {
-    const image::ImageF map = image::flip_map(shown(reference_, ToneMap::natural),
-                                              shown(rendered(technique, true), ToneMap::natural));
-    const double flip = image::summarise_flip(map, regions_.front().mask).mean;
-    std::printf("%s, shown: FLIP %.4f\n", technique.c_str(), flip);
-    return flip;
+  struct Shown {
+    double flip = 0, psnr_db = 0;
+  };
+
+  /// Error of what a display shows, over skin.
+  Shown shown_error(const std::string& technique) const {
+    const std::vector<std::uint8_t>& skin = regions_.front().mask;
+    const image::Image8 truth = shown(reference_, ToneMap::natural),
+                        found = shown(rendered(technique, true), ToneMap::natural);
+    const Shown error{.flip = image::summarise_flip(image::flip_map(truth, found), skin).mean,
+                      .psnr_db = image::psnr_db(truth, found, skin)};
+    std::printf("%s, shown: FLIP %.4f, PSNR %.2f dB\n", technique.c_str(), error.flip, error.psnr_db);
+    return error;
   }
 
   /// Over each region that is not empty, by name.
@@ -227,7 +233,7 @@ TEST(Truth, ASunIsNoWorseThanAStudio) {
   s.lighting.rig_lights = 0;
   s.lighting.environment = "studio";
   const Scene& head = built_in_head();
-  const double studio = Truth(head, s, 64).shown_flip("texture-space");
+  const Truth::Shown studio = Truth(head, s, 64).shown_error("texture-space");
 
   const struct {
     int pixels;
@@ -239,7 +245,9 @@ TEST(Truth, ASunIsNoWorseThanAStudio) {
     s.lighting.environment = sky_with_sun(cell.pixels, cell.azimuth_deg, cell.elevation_deg, cell.window);
     // A pixel of the sun brings an irradiance of some 14, the sky of 1: white shows as white.
     s.output.exposure_ev = -std::log2((14 * cell.pixels + 1) / 3.14);
-    EXPECT_LT(Truth(head, s, 64).shown_flip("texture-space"), studio);
+    const Truth::Shown sun = Truth(head, s, 64).shown_error("texture-space");
+    EXPECT_LT(sun.flip, studio.flip);
+    EXPECT_GT(sun.psnr_db, studio.psnr_db);
   }
 }
 
