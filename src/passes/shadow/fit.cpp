@@ -2,6 +2,7 @@
 #include "passes/shadow/fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -10,7 +11,8 @@ namespace dermis::passes {
 namespace {
 
 // Turns of a map about the light's direction that are tried: a square is the same after a quarter turn.
-constexpr int turns = 8;
+constexpr std::size_t turns = 8;
+constexpr float turn_rad = glm::half_pi<float>() / turns;
 
 // Returns a view along `forward` from `eye`, with any up direction: the map is not shown.
 glm::mat4 view(const glm::vec3& eye, const glm::vec3& forward) {
@@ -53,22 +55,32 @@ struct Square {
 // Returns the smallest square of those with the turns that are tried.
 template <class Project>
 Square square_around(std::span<const glm::vec3> points_m, const Project& project) {
-  Square best{.half = HUGE_VALF};
-  for (int turn = 0; turn < turns; ++turn) {
-    const float angle = glm::half_pi<float>() * static_cast<float>(turn) / turns;
-    const float c = std::cos(angle), s = std::sin(angle);
+  std::array<glm::vec2, turns> direction, low, high;
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    const float angle_rad = turn_rad * static_cast<float>(turn);
+    direction[turn] = {std::cos(angle_rad), std::sin(angle_rad)};
+    low[turn] = glm::vec2(HUGE_VALF);
+    high[turn] = glm::vec2(-HUGE_VALF);
+  }
 
-    glm::vec2 low(HUGE_VALF), high(-HUGE_VALF);
-    for (const glm::vec3& p_m : points_m) {
-      const glm::vec2 p = project(p_m), turned(c * p.x - s * p.y, s * p.x + c * p.y);
-      low = glm::min(low, turned);
-      high = glm::max(high, turned);
+  for (const glm::vec3& p_m : points_m) {
+    const glm::vec2 p = project(p_m);
+    for (std::size_t turn = 0; turn < turns; ++turn) {
+      const glm::vec2 d = direction[turn], at(d.x * p.x - d.y * p.y, d.y * p.x + d.x * p.y);
+      low[turn] = glm::min(low[turn], at);
+      high[turn] = glm::max(high[turn], at);
     }
+  }
 
-    const float half = 0.5f * std::max(high.x - low.x, high.y - low.y);
-    if (half >= best.half) continue;
-    const glm::vec2 middle = 0.5f * (low + high);
-    best = {angle, {c * middle.x + s * middle.y, c * middle.y - s * middle.x}, half};
+  Square best{.half = HUGE_VALF};
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    const glm::vec2 d = direction[turn], sides = high[turn] - low[turn],
+                    middle = 0.5f * (low[turn] + high[turn]);
+    const float half = 0.5f * std::max(sides.x, sides.y);
+    if (half < best.half)
+      best = {turn_rad * static_cast<float>(turn),
+              {d.x * middle.x + d.y * middle.y, d.x * middle.y - d.y * middle.x},
+              half};
   }
   return best;
 }
