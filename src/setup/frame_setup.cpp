@@ -53,11 +53,23 @@ const HostShadow* host_shadow(const HostSetup* host, std::size_t light) {
   return found == host->shadows.end() ? nullptr : &*found;
 }
 
+// Writes the corners of what casts a head's shadow in the world; none where the host moves its vertices,
+// which may leave the body between them.
+void place_corners(const Subject& subject, const PlacedHead& placed, const HostSetup* host,
+                   std::vector<glm::vec3>& corners_m) {
+  corners_m.clear();
+  if (host &&
+      std::find(host->deformed.begin(), host->deformed.end(), placed.instance) != host->deformed.end())
+    return;
+  for (const glm::vec3& p_m : subject.caster_corners_m) corners_m.push_back(placed.pose.position(p_m));
+}
+
 std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Subject* const> subjects,
                                     const std::vector<PlacedHead>& placed_heads, const RenderSettings& s,
                                     const scene::Camera& camera, const io::CameraIo& frame_camera,
                                     const std::vector<scene::Light>& lights, const HostSetup* host) {
   std::vector<HeadSetup> heads;
+  std::vector<glm::vec3> corners_m;
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
   for (const PlacedHead& placed : placed_heads) {
@@ -68,13 +80,15 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
                    .middle_m = placed.pose.position(subject.bounds.sphere.centre_m),
                    .lights = {},
                    .shadow_from_world = {}};
+    place_corners(subject, placed, host, corners_m);
+    const passes::ShadowBounds casters{placed.pose.sphere(subject.casters), corners_m};
 
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const HostShadow* of_host = host_shadow(host, i);
       const passes::ShadowFit fit =
           of_host
               ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world}, .texel = of_host->texel}
-              : passes::fit_shadow(lights[i], placed.pose.sphere(subject.casters), s.quality.shadow_size);
+              : passes::fit_shadow(lights[i], casters, s.quality.shadow_size);
       if (of_host) {
         head.host_shadows.resize(head.shadow_from_world.size());
         head.host_shadows.push_back({of_host->depth, of_host->reversed});
