@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# bench_against.sh OLD NEW [OPTION...]   Times frames of two builds of the program in turns, A B A B, and prints
-# a row of a Markdown table per cell: the median frame of each in ms, and their ratio.
+# bench_against.sh OLD NEW [OPTION...]   Times frames of two builds of the program in turns, A B A B, and
+# prints a row of a Markdown table per cell: the median frame of each in ms, and their ratio.
 #
 #   git worktree add ../before COMMIT; (cd ../before && ./run build)
 #   NEW_OPTIONS="--blur cascade" tools/bench_against.sh ../before/build/release/dermis build/release/dermis \
@@ -29,12 +29,13 @@ trap 'rm -rf "$scratch"' EXIT
 frame_ms() {
   local program=$1
   shift
-  "$program" render "$scene" "$@" --translucency off --frames "${FRAMES:-3}" --stats "$scratch/stats.json" \
-    -o "$scratch/picture.exr" >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; return 1; }
-  python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["frame_ms"]["median"])' "$scratch/stats.json"
+  "$program" render "$scene" "$@" --translucency off --frames "${FRAMES:-3}" \
+    --stats "$scratch/stats.json" -o "$scratch/picture.exr" >"$scratch/log" 2>&1 ||
+    { cat "$scratch/log" >&2; return 1; }
+  python3 -c 'import json, sys; print(json.load(sys.stdin)["frame_ms"]["median"])' <"$scratch/stats.json"
 }
 
-median() { sort -g | awk '{v[NR] = $1} END {print NR % 2 ? v[(NR + 1) / 2] : (v[NR / 2] + v[NR / 2 + 1]) / 2}'; }
+median() { python3 -c 'import statistics, sys; print(statistics.median(map(float, sys.stdin)))'; }
 
 echo "| heads/distance | old ms | new ms | old / new |"
 echo "|---|---|---|---|"
