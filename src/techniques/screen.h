@@ -2,6 +2,8 @@
 /// What all techniques share: the targets on the screen, the parts that are not skin, and how a frame ends.
 #pragma once
 
+#include "passes/entries/entries.h"
+#include "passes/final_pass/skin_shading.h"
 #include "techniques/technique.h"
 
 namespace dermis::techniques {
@@ -16,7 +18,6 @@ class Screen {
   Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters = screen_counters);
 
   /// Valid if the frame draws a picture.
-  frame::TextureId colour() const { return colour_; }
   frame::TextureId depth() const { return depth_; }
   frame::TextureId shadow() const { return shadow_; }
   /// Valid with translucency unless all_enters: see passes::Shadow.
@@ -24,11 +25,15 @@ class Screen {
   frame::BufferId counters() const { return counters_; }
   /// Returns what is drawn once per head and light.
   std::vector<frame::TextureId> shadow_maps() const;
-  /// Returns true at the first call only: the pass that draws first clears colour and depth.
-  bool take_clear();
 
+  /// With FrameSettings::shade_entries, finds what the picture shows of the skin of all heads: the first
+  /// call. Else adds nothing.
+  void add_entries();
   /// Adds the shadow maps of all lights for one head.
   void add_shadow(std::uint32_t head);
+  /// Adds the skin of one mesh of one head, drawn or shaded, with the light of `maps`, one per weight of
+  /// `look`, of which the settings decide the members up to `emits`. Nothing if the frame draws no picture.
+  void add_skin(passes::SkinLook look, std::vector<frame::TextureId> maps);
   /// Adds the opaque parts of one head that are not skin.
   void add_surfaces(std::uint32_t head);
   /// Adds the blended parts of heads whose shadow maps are there, far to near, over all that is drawn.
@@ -37,14 +42,22 @@ class Screen {
   FrameOutputs finish();
 
  private:
+  // Returns true at the first call only: the pass that draws first clears colour and depth, or the layer.
+  bool take_clear();
+  void make_targets();
+  std::uint32_t first_part(const passes::MapSquare& square) const;
+  frame::TextureId add_picture();
   void add_labels(FrameOutputs& out);
 
   passes::FramePlan* plan_;
   FrameSettings settings_;
+  // With shade_entries colour_ is a layer over the skin, valid if there is anything in it.
   frame::TextureId colour_, depth_, shadow_, entering_;
   frame::TextureId entering_depth_;  // valid if what enters is drawn apart from the shadow maps
   frame::BufferId counters_;
   bool cleared_ = false;
+  passes::EntryBuffers entries_;           // with shade_entries
+  std::vector<std::uint32_t> first_part_;  // of each head, and the number of all
 };
 
 /// Technique::maps, report and gutters for techniques without light maps.

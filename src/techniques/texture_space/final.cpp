@@ -49,30 +49,16 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
                                  .largest_side = settings.map_size,
                                  .coarse = part.coarse && !settings.host_lights()};
 
-  plan.add<passes::FinalPass>(
-      label("final", settings, square.instance, square.mesh),
-      {{maps.blurred().begin(), maps.blurred().begin() + count},
-       screen.shadow(),
-       screen.colour(),
-       screen.depth(),
-       screen.entering()},
-      {.square = square,
-       .samples = settings.samples,
-       .format = settings.picture_format(),
-       .clear = screen.take_clear(),
-       .weights = weights(part.profile),
-       .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
-       .environment = settings.environment,
-       .soft_shadows = settings.soft_shadows,
-       .off_map = part.off_map,
-       .cut_out = part.cut_out,
-       .emits = part.emits,
-       .mixes = settings.mixes(),
-       .terms = terms,
-       .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
-       .through = settings.translucency
-                      ? std::optional(passes::ThroughMesh{square.mesh, part.profile, part.mm_per_unit})
-                      : std::nullopt});
+  screen.add_skin({.square = square,
+                   .weights = weights(part.profile),
+                   .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
+                   .mixes = settings.mixes(),
+                   .terms = terms,
+                   .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
+                   .through = settings.translucency ? std::optional(passes::ThroughMesh{
+                                                          square.mesh, part.profile, part.mm_per_unit})
+                                                    : std::nullopt},
+                  {maps.blurred().begin(), maps.blurred().begin() + count});
 
   if (settings.host) return;
 
