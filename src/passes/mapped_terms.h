@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Which Gaussians of its profile a skin mesh of a head reads from light maps in a frame. A head far away
 /// reads few or none: narrow terms are lit per pixel there (direct_share() of
-/// passes/final_pass/final_pass.h).
+/// passes/final_pass/skin_shading.h).
 #pragma once
 
 #include <cstdint>

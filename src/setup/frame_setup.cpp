@@ -333,6 +333,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   set_up_plan(setup, scene, s, lights, device);
   if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
+  setup.plan.shade_entries = s.quality.shading == Shading::compute && setup.plan.can_shade_entries();
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;

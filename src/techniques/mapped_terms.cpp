@@ -5,7 +5,7 @@
 
 #include "passes/blur/blur.h"
 #include "passes/blur/kernels.h"
-#include "passes/final_pass/final_pass.h"
+#include "passes/final_pass/skin_shading.h"
 
 namespace dermis::techniques {
 namespace {

@@ -31,6 +31,7 @@ struct SkinPart {
   std::uint32_t unwrap = 0;
   std::uint32_t in_model = 0;  ///< number among the meshes of its model
   std::uint32_t triangles = 0;
+  std::uint32_t draws = 1;       ///< runs of triangles of one material: passes::GpuMesh::draws
   double max_uv_per_mm = 1;      ///< a twentieth of the skin has more
   double even_uv_per_mm = 1;     ///< if the skin filled the map evenly
   double max_texels_per_mm = 1;  ///< a twentieth of the skin has more
@@ -97,6 +98,9 @@ struct FrameSettings {
   bool labels = false;         ///< also draws FrameOutputs::label_surface and label_names
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};
+  /// Skin is drawn as ids and shaded in compute, once per entry of a pixel (passes/entries); else where it is
+  /// drawn. See can_shade_entries().
+  bool shade_entries = false;
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
   bool soft_shadows = false;  ///< some light has a radius
   float bloom = 0;            ///< 0..1
@@ -106,7 +110,8 @@ struct FrameSettings {
 
   std::uint32_t head_count() const { return static_cast<std::uint32_t>(heads.size()); }
   const Model& model_of(std::uint32_t head) const { return models[heads[head]]; }
-  std::uint32_t most_meshes() const;  ///< of a model
+  std::uint32_t most_meshes() const;                 ///< of a model
+  std::uint32_t draws_of(const Model& model) const;  ///< SkinPart::draws of its meshes
   bool draws_picture() const { return !host || host->picture; }
   bool host_lights() const { return host && host->irradiance; }
   /// Where a map is smaller than T_max, narrow terms are lit per pixel: passes::direct_share(). Light that a
@@ -115,6 +120,9 @@ struct FrameSettings {
   /// Maps hold the terms that pixels read, and no others: mapped_terms.h. A host that reads the blurred light
   /// reads all of it.
   bool terms_by_need() const { return mixes() && !(host && host->scattered); }
+  /// Returns whether ids can tell apart all skin, and whether its pixels fit in a buffer: limits of
+  /// shared/entries_io.h. A host's targets are drawn into.
+  bool can_shade_entries() const;
   passes::PictureFormat picture_format() const {
     return host && host->picture ? *host->picture : passes::PictureFormat{};
   }

@@ -4,7 +4,6 @@
 #include "frame/resources.h"
 #include "passes/draw_skin.h"
 #include "passes/final_pass/final_pass.h"
-#include "passes/final_pass/final_pass_io.h"
 #include "passes/targets.h"
 
 namespace dermis::passes {

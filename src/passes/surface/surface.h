@@ -19,6 +19,9 @@ class Surface {
     std::uint32_t samples = 1;  ///< of the targets
     PictureFormat format;       ///< of the targets
     bool clear = false;         ///< the first to draw into the targets
+    /// `colour` lies over skin that is shaded elsewhere; alpha is what it hides. `depth` is that of
+    /// the skin, and not cleared.
+    bool layer = false;
     bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
     bool blended = false;       ///< draws only the blended parts, over the picture

@@ -55,34 +55,20 @@ passes::TermsOnMap terms_on_map(const FrameSettings& settings, const SkinPart& p
           .coarse = part.coarse && !settings.host_lights()};
 }
 
-frame::Member<passes::FinalPass> final_of(const FrameSettings& settings, Screen& screen,
-                                          const LightMaps& maps, std::vector<passes::MapSquare> squares) {
-  const std::uint32_t mesh = squares.front().mesh;
-  const SkinPart& part = settings.skin[mesh];
+SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const passes::MapSquare& square) {
+  const SkinPart& part = settings.skin[square.mesh];
   const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
   std::optional<passes::ThroughMesh> through;
-  if (settings.translucency) through = passes::ThroughMesh{mesh, part.profile, part.mm_per_unit};
+  if (settings.translucency) through = passes::ThroughMesh{square.mesh, part.profile, part.mm_per_unit};
 
-  return {.in = {{maps.blurred().begin(), maps.blurred().begin() + count},
-                 screen.shadow(),
-                 screen.colour(),
-                 screen.depth(),
-                 screen.entering()},
-          .settings = {.squares = std::move(squares),
-                       .samples = settings.samples,
-                       .format = settings.picture_format(),
-                       .clear = screen.take_clear(),
-                       .weights = weights(part.profile),
-                       .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
-                       .environment = settings.environment,
-                       .soft_shadows = settings.soft_shadows,
-                       .off_map = part.off_map,
-                       .cut_out = part.cut_out,
-                       .emits = part.emits,
-                       .mixes = settings.mixes(),
-                       .terms = terms_on_map(settings, part),
-                       .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
-                       .through = std::move(through)}};
+  return {.look = {.square = square,
+                   .weights = weights(part.profile),
+                   .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
+                   .mixes = settings.mixes(),
+                   .terms = terms_on_map(settings, part),
+                   .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
+                   .through = std::move(through)},
+          .maps = {maps.blurred().begin(), maps.blurred().begin() + count}};
 }
 
 // Of the maps of one size, from which all these squares read.
@@ -105,10 +91,9 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
                const std::vector<passes::MapSquare>& squares) {
   if (!settings.draws_picture() || squares.empty()) return;
 
-  Together<passes::FinalPass>::In skin;
-  for (const std::uint32_t mesh : meshes_of(squares))
-    skin.members.push_back(final_of(settings, screen, maps, of_mesh(squares, mesh)));
-  plan.add<Together<passes::FinalPass>>(maps.name("final"), skin);
+  std::vector<SkinOnScreen> skin;
+  for (const passes::MapSquare& square : squares) skin.push_back(skin_of(settings, maps, square));
+  screen.add_skin(skin, [&](std::string_view what) { return maps.name(what); });
   if (settings.host) return;
 
   for (const Level& level : maps.levels()) {

@@ -88,6 +88,7 @@ std::vector<MapSquare> one_of_each_unwrap(const FrameSettings& s) {
 // The steps of the table in docs/techniques.md, in its order.
 FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
   Screen screen(plan, s, counter_count(s));
+  screen.add_entries();
   std::optional<LightMaps> maps;
   if (!s.skin.empty()) maps.emplace(plan, s, screen);
   const MapPool pool(s);
