@@ -91,6 +91,12 @@ enum class LightMaps : std::uint8_t {
   progressive  ///< half the size, a quarter, an eighth where the light is smooth by then
 };
 
+/// How the Gaussians of a profile spread light over the light maps.
+enum class BlurOrder : std::uint8_t {
+  chain,   ///< narrow to wide, each from the one before, a map per Gaussian
+  cascade  ///< wide to narrow on a pyramid of maps, one map for the sum; with progressive maps alone
+};
+
 /// Details against time and memory; what is not computed because it is not seen.
 /// [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 to 5.
 struct QualitySettings {
@@ -106,6 +112,7 @@ struct QualitySettings {
 
   std::optional<BlurMask> mask{};  ///< none: fastest on the kind of device
   LightMaps maps = LightMaps::full;
+  BlurOrder blur = BlurOrder::chain;
   /// distance, in sphere radii, up to which maps have their full size; none: a texel per pixel
   std::optional<double> d_ref{};
   std::optional<double> clip_margin_mm{};  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma

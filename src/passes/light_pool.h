@@ -40,6 +40,10 @@ inline std::uint32_t mesh_in_asset(const FrameData& frame, const MapSquare& squa
 /// Returns which terms are read from the maps of a square in this frame.
 MappedTerms terms_of(const FrameData& frame, const MapSquare& square);
 
+/// Returns what halved_side() takes for T_max where a head that uses fewer texels than T_max, however few
+/// fewer, halves less often: then it has at least the texels per sigma that a near head has.
+inline std::uint32_t careful_largest_side(std::uint32_t largest_side) { return 2 * largest_side - 1; }
+
 /// A square as a frame uses it.
 struct UsedSquare : MapSquare {
   std::uint32_t index = 0;  ///< of the square in its pool

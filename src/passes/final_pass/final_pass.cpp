@@ -51,7 +51,7 @@ float share_at_pixel(float sigma_mm, float texels_per_mm, std::uint32_t largest_
 
 FinalPass::Out FinalPass::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
-  DERMIS_ASSERT_EQ(in.lights.size(), settings.weights.size());
+  DERMIS_ASSERT_EQ(in.lights.size(), settings.summed ? 1 : settings.weights.size());
   DERMIS_ASSERT_LE(in.lights.size(), std::size_t{MOST_TERMS});
   for (const frame::TextureId light : in.lights) d.sample(light);
   d.sample(in.shadow);
@@ -78,6 +78,7 @@ FinalPass::Pipelines FinalPass::make_pipelines(gpu::PipelineLibrary& library, Li
                                              {"environment", settings.environment ? 1u : 0u},
                                              {"soft_shadows", settings.soft_shadows ? 1u : 0u},
                                              {"progressive", progressive ? 1u : 0u},
+                                             {"summed", settings.summed ? 1u : 0u},
                                              {"off_map", off_map ? 1u : 0u},
                                              {"coarse", settings.terms.coarse ? 1u : 0u},
                                              {"cut_out", cut_out ? 1u : 0u},

@@ -26,17 +26,30 @@ std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
   return sigmas;
 }
 
+// Returns the maps that hold the light of a profile of `count` terms: one each, or that of their sum.
+std::vector<frame::TextureId> read_maps(const FrameSettings& settings, const LightMaps& maps,
+                                        std::ptrdiff_t count) {
+  if (settings.cascade) return maps.blurred();
+  return {maps.blurred().begin(), maps.blurred().begin() + count};
+}
+
+std::vector<std::uint32_t> read_halvings(const FrameSettings& settings, const LightMaps& maps,
+                                         std::ptrdiff_t count) {
+  if (settings.cascade) return std::vector<std::uint32_t>(static_cast<std::size_t>(count), 0);
+  return {maps.halvings().begin(), maps.halvings().begin() + count};
+}
+
 }  // namespace
 
 void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, const LightMaps& maps,
                      frame::TextureId sum, const passes::MapSquare& square) {
   const SkinPart& part = settings.skin[square.mesh];
   const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
-  plan.add<passes::ScatterSum>(label("scatter sum", settings, square.instance, square.mesh),
-                               {{maps.blurred().begin(), maps.blurred().begin() + count}, sum},
-                               {.square = square,
-                                .weights = weights(part.profile),
-                                .halvings = {maps.halvings().begin(), maps.halvings().begin() + count}});
+  plan.add<passes::ScatterSum>(
+      label("scatter sum", settings, square.instance, square.mesh), {read_maps(settings, maps, count), sum},
+      {.square = square,
+       .weights = settings.cascade ? std::vector(1, std::array{1.0f, 1.0f, 1.0f}) : weights(part.profile),
+       .halvings = read_halvings(settings, maps, count)});
 }
 
 void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
@@ -51,17 +64,14 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
 
   plan.add<passes::FinalPass>(
       label("final", settings, square.instance, square.mesh),
-      {{maps.blurred().begin(), maps.blurred().begin() + count},
-       screen.shadow(),
-       screen.colour(),
-       screen.depth(),
-       screen.entering()},
+      {read_maps(settings, maps, count), screen.shadow(), screen.colour(), screen.depth(), screen.entering()},
       {.square = square,
        .samples = settings.samples,
        .format = settings.picture_format(),
        .clear = screen.take_clear(),
        .weights = weights(part.profile),
-       .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
+       .halvings = read_halvings(settings, maps, count),
+       .summed = settings.cascade,
        .environment = settings.environment,
        .soft_shadows = settings.soft_shadows,
        .off_map = part.off_map,
@@ -75,6 +85,18 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
                       : std::nullopt});
 
   if (settings.host) return;
+
+  if (settings.cascade) {
+    plan.add<passes::UnshadedReads>(label("count unshaded reads", settings, square.instance, square.mesh),
+                                    {maps.blurred(), screen.depth(), screen.counters()},
+                                    {.square = square,
+                                     .samples = settings.samples,
+                                     .cut_out = part.cut_out,
+                                     .slot = counter_unshaded_reads,
+                                     .terms = terms,
+                                     .first_term = MOST_TERMS});
+    return;
+  }
 
   // A short profile does not reach the small maps of a longer one beside it.
   for (const Level& level : maps.levels()) {

@@ -33,7 +33,7 @@ struct Level {
   frame::TextureId scratch;               ///< between the two axes of a blur
   frame::TextureId depth_mask;            ///< valid with SkipUnlit::by_depth
   std::uint32_t first_term = 0;           ///< that of the first of `blurred`
-  std::vector<frame::TextureId> blurred;  ///< of the terms that end here
+  std::vector<frame::TextureId> blurred;  ///< of the terms that end here; of a cascade what has spread so far
   passes::TileLists border;               ///< tiles that Dilate fills; valid if the light is sparse
   passes::TileLists lit;                  ///< tiles to blur; valid with SkipUnlit::by_tiles
 };
@@ -72,11 +72,20 @@ class LightMaps {
   void add_halved(const Level& level, const ChainLight& light, const std::vector<passes::MapSquare>& from,
                   const std::vector<passes::MapSquare>& to);
 
+  /// Of a cascade. Halves the light of one skin mesh, of a group of terms (passes::transmission_groups()),
+  /// once more, to the maps of levels()[halvings], and prepares these for blurring. `from`, `to`: as
+  /// add_halved().
+  void add_pyramid(std::size_t group, std::uint32_t halvings, const std::vector<passes::MapSquare>& from,
+                   const std::vector<passes::MapSquare>& to);
+  /// Of a cascade: returns the light of a group of terms that has not spread, on levels()[halvings].
+  frame::TextureId unspread(std::size_t group, std::uint32_t halvings) const;
+
   const MapPool& pool() const { return pool_; }
   const std::vector<Level>& levels() const { return levels_; }  ///< large to small
   const Level& level_of(std::size_t term) const;
-  const std::vector<std::uint32_t>& halvings() const { return halvings_; }   ///< one per term
-  const std::vector<frame::TextureId>& blurred() const { return blurred_; }  ///< one per term
+  const std::vector<std::uint32_t>& halvings() const { return halvings_; }  ///< one per term
+  /// One per term; of a cascade one, the sum.
+  const std::vector<frame::TextureId>& blurred() const { return blurred_; }
   const std::vector<frame::TextureId>& transmitted() const { return transmitted_; }
   /// Returns the map of transmitted light on a level, of the second (1) or third (2) group of terms, which
   /// joins the light of that level. All meshes and batches share it.
@@ -93,6 +102,8 @@ class LightMaps {
  private:
   Level make_level(std::uint32_t halvings);
   void make_transmitted();
+  void make_cascade();
+  void make_stretch();
   void add_masks(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_dilation(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_masked_counts(const Level& level, const std::vector<passes::MapSquare>& all);

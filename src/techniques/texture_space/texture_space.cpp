@@ -9,6 +9,7 @@
 #include "passes/scatter_sum/scatter_sum.h"
 #include "passes/show_visibility/show_visibility.h"
 #include "techniques/screen.h"
+#include "techniques/texture_space/cascade.h"
 #include "techniques/texture_space/convolution.h"
 #include "techniques/texture_space/counters.h"
 #include "techniques/texture_space/final.h"
@@ -53,7 +54,8 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
                  .term = term};
   };
   out.shows["irradiance"] = light(maps.levels().front().light, Shown::Needs::irradiance, 0);
-  for (std::uint32_t k = 0; k < maps.blurred().size(); ++k)
+  if (s.cascade) out.shows["scattered"] = light(maps.blurred().front(), Shown::Needs::irradiance, 0);
+  for (std::uint32_t k = 0; !s.cascade && k < maps.blurred().size(); ++k)
     out.shows[fmt::format("blur:{}", k)] = light(maps.blurred()[k], Shown::Needs::term, k);
 
   out.shows["stretch"] = {.map = maps.stretch(square.mesh)};
@@ -111,7 +113,7 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
         if (pool.splits_heads()) maps->add_stretch(square);
       maps->add_light(squares);
       for (const std::uint32_t mesh : meshes_of(squares))
-        add_convolution(plan, s, *maps, mesh, of_mesh(squares, mesh));
+        (s.cascade ? add_cascade : add_convolution)(plan, s, *maps, mesh, of_mesh(squares, mesh));
       for (const MapSquare& square : squares)
         if (scattered.valid()) add_scatter_sum(plan, s, *maps, scattered, square);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "passes/blur/kernels.h"
+#include "passes/kernels.h"
 
 #include <gtest/gtest.h>
 
@@ -38,11 +38,21 @@ TEST(Kernels, AveragedKernelMatchesAnEdgeOnTexelBorders) {
 
 TEST(Kernels, TableRowsAreWhatTheShaderReads) {
   const std::vector<float> table = kernel_table();
-  ASSERT_EQ(table.size(), 2u * kernel_rows * (kernel_radius + 2));
+  ASSERT_EQ(table.size(), 3u * kernel_rows * (kernel_radius + 2));
   const std::size_t row = 64, floats = kernel_radius + 2;  // sigma 1
   const HalfKernel k = discrete_gaussian(1);
   for (std::size_t i = 0; i <= kernel_radius; ++i) EXPECT_NEAR(table[row * floats + i], k[i], 1e-6);
   EXPECT_NEAR(table[row * floats + kernel_radius + 1], 1, 1e-5);
+}
+
+// Five taps have the variance of seven and more, and lose nothing; a plain cut does not have it.
+TEST(Kernels, NarrowKernelsKeepTheVariance) {
+  for (double sigma = 0.05; sigma < 1.3; sigma += 0.05) {
+    const HalfKernel k = narrow_gaussian(sigma);
+    EXPECT_NEAR(sum(k), 1, 1e-12);
+    for (std::size_t i = 3; i < k.size(); ++i) EXPECT_EQ(k[i], 0);
+    EXPECT_NEAR(variance(k), variance(texel_averaged_gaussian(sigma)), 1e-6) << sigma;
+  }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "passes/blur/blur_io.h"
+#include "passes/kernels_io.h"
 
 namespace dermis::passes {
 
@@ -28,10 +28,14 @@ HalfKernel discrete_gaussian(double sigma);
 /// borders, however narrow the Gaussian.
 HalfKernel texel_averaged_gaussian(double sigma);
 
+/// Returns the same in taps 0, +-1, +-2 alone, with the variance of texel_averaged_gaussian(), as far as five
+/// taps can have it (to a sigma of 1.35).
+HalfKernel narrow_gaussian(double sigma);
+
 double variance(const HalfKernel& kernel);
 
-/// Returns two tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
-/// discrete_gaussian, then texel_averaged_gaussian.
+/// Returns three tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
+/// discrete_gaussian, texel_averaged_gaussian, narrow_gaussian.
 std::vector<float> kernel_table();
 
 }  // namespace dermis::passes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "passes/blur/kernels.h"
+#include "passes/kernels.h"
 
 #include <cmath>
 #include <numbers>
@@ -21,6 +21,11 @@ HalfKernel sampled(double s) {
   HalfKernel k{};
   for (int i = 0; i <= kernel_radius; ++i)
     k[static_cast<std::size_t>(i)] = s > 0 ? std::exp(-0.5 * i * i / (s * s)) : (i == 0 ? 1.0 : 0.0);
+  return normalised(k);
+}
+
+HalfKernel cut(HalfKernel k, int radius) {
+  for (int i = radius + 1; i <= kernel_radius; ++i) k[static_cast<std::size_t>(i)] = 0;
   return normalised(k);
 }
 
@@ -62,12 +67,22 @@ HalfKernel texel_averaged_gaussian(double sigma) {
   return normalised(k);
 }
 
+HalfKernel narrow_gaussian(double sigma) {
+  // What the cut takes off the variance, a wider Gaussian gives back.
+  const double wanted = variance(texel_averaged_gaussian(sigma));
+  double low = 0, high = 4 * kernel_max_sigma;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (variance(cut(texel_averaged_gaussian(middle), NARROW_RADIUS)) < wanted ? low : high) = middle;
+  }
+  return cut(texel_averaged_gaussian(0.5 * (low + high)), NARROW_RADIUS);
+}
+
 std::vector<float> kernel_table() {
   std::vector<float> table;
-  for (const bool averaged : {false, true})
+  for (const auto& gaussian : {discrete_gaussian, texel_averaged_gaussian, narrow_gaussian})
     for (int row = 0; row < kernel_rows; ++row) {
-      const double sigma = kernel_max_sigma * row / (kernel_rows - 1);
-      const HalfKernel kernel = averaged ? texel_averaged_gaussian(sigma) : discrete_gaussian(sigma);
+      const HalfKernel kernel = gaussian(kernel_max_sigma * row / (kernel_rows - 1));
       for (const double w : kernel) table.push_back(static_cast<float>(w));
       table.push_back(static_cast<float>(variance(kernel)));
     }

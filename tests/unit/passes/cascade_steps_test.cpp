@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "passes/cascade/cascade_steps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "passes/kernels.h"
+
+namespace dermis::passes {
+namespace {
+
+const std::vector<double> published{0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41};
+
+// The variance of each term on its way through all narrower steps is its own, with what moving adds.
+TEST(CascadeSteps, EachTermGetsItsVariance) {
+  for (const double texels_per_mm : {0.4, 1.0, 1.36, 2.5, 4.0, 7.3}) {
+    const CascadeDensity density{.max_texels_per_mm = 1.5 * texels_per_mm,
+                                 .mean_texels_per_mm = texels_per_mm,
+                                 .coarse_texels_per_mm = texels_per_mm / 1.5};
+    const std::uint32_t narrow = narrow_terms(published, texels_per_mm, 4);
+    const std::vector<CascadeStep> steps = cascade_steps(published, narrow, density, 3);
+
+    double variance_mm2 = 0, off_texels2 = 0;
+    std::size_t terms = narrow;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const CascadeStep& step = steps[i];
+      const double ratio = 1u << step.halvings;
+      variance_mm2 += step.variance_mm2;
+      off_texels2 += taken_off_texels2(step, ratio, 1u << step.halvings_after, false);
+      EXPECT_NEAR(step.total_mm2, variance_mm2, 1e-9);
+      EXPECT_GE(step.halvings, step.halvings_after);
+
+      // A head that begins with this step takes off all that its light has gained.
+      EXPECT_NEAR(taken_off_texels2(step, ratio, 1u << step.halvings_after, true), off_texels2, 1e-9);
+      if (!step.term) continue;
+      EXPECT_EQ(*step.term, terms);
+      EXPECT_NEAR(variance_mm2, published[terms++], 1e-9);
+      EXPECT_NEAR(off_texels2, moved_texels2(ratio), 1e-9);
+
+      // At least a texel of the level wide, and the step has a variance left, in the coarsest direction.
+      if (step.halvings == 0) continue;
+      EXPECT_GE(std::sqrt(step.total_mm2) * density.coarse_texels_per_mm / ratio, level_sigma);
+      EXPECT_GT(step.total_mm2 * std::pow(density.coarse_texels_per_mm, 2), moved_texels2(ratio));
+    }
+    EXPECT_EQ(terms, published.size());
+  }
+}
+
+TEST(CascadeSteps, LevelsFollowTheDensity) {
+  const auto coarsest = [](double texels_per_mm) {
+    return cascade_steps(published, 0, {texels_per_mm, texels_per_mm, texels_per_mm}, 3).back().halvings;
+  };
+  EXPECT_EQ(coarsest(0.7), 0u);
+  EXPECT_EQ(coarsest(0.75), 1u);
+  EXPECT_EQ(coarsest(1.5), 2u);
+  EXPECT_EQ(coarsest(40), 3u);
+}
+
+}  // namespace
+}  // namespace dermis::passes
