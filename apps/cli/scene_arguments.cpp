@@ -326,6 +326,10 @@ Scene open_scene(const SceneArguments& arguments) {
   const std::string only =
       takes_several && !arguments.scenes.empty() ? arguments.scenes.front() : arguments.scene;
   const bool has_file = !only.empty() && (arguments.use == SceneUse::bench || only != built_in);
+  const bool is_built_in = arguments.scenes.size() <= 1 && !has_file;
+  if (is_built_in && (!arguments.options.clip.empty() || arguments.options.time_s))
+    throw InputError(std::string(built_in), "has no animation, which --clip and --time need");
+
   Scene scene = arguments.scenes.size() > 1 ? open_scenes(arguments, hooks)
                 : has_file                  ? Scene::load(only, arguments.options, hooks)
                                             : Scene::built_in(hooks);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a frame of a session costs the host, and what it asks of the device: an orbit around a head, and the
 // same with 16 and with 256 instances of it, each of which turns.
-//   sessions_bench OUT.json HEAD [FRAMES]
-// 480 x 540 pixels, light maps of 512. Ends with 1 if a frame after the third allocates memory, makes a
-// buffer, an image or a pipeline, or waits for all that was submitted.
+//   sessions_bench OUT.json HEAD [FRAMES [INSTANCES...]]
+// 480 x 540 pixels, light maps of 512; 1, 16 and 256 instances unless told. Ends with 1 if a frame after the
+// third allocates memory, makes a buffer, an image or a pipeline, or waits for all that was submitted.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -115,16 +115,20 @@ Json orbit(Renderer& renderer, const Asset& head, int instances, int frames) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    fmt::print(stderr, "usage: sessions_bench OUT.json HEAD [FRAMES]\n");
+    fmt::print(stderr, "usage: sessions_bench OUT.json HEAD [FRAMES [INSTANCES...]]\n");
     return 2;
   }
   try {
     const int frames = argc > 3 ? std::atoi(argv[3]) : 300;
-    const Asset head = Asset::load(argv[2]);
+    std::vector<int> counts;
+    for (int i = 4; i < argc; ++i) counts.push_back(std::max(std::atoi(argv[i]), 1));
+    if (counts.empty()) counts = {1, 16, 256};
+
+    const Asset head = std::string(argv[2]) == "built-in" ? Asset::built_in() : Asset::load(argv[2]);
     Renderer renderer;
     Json runs = Json::array();
     bool steady = true;
-    for (const int instances : {1, 16, 256}) {
+    for (const int instances : counts) {
       // Fewer frames of more heads take about as long.
       runs.push_back(orbit(renderer, head, instances, std::max(8, frames / instances)));
       steady = steady && runs.back().at("steady");

@@ -75,7 +75,7 @@ dermis::CameraMatrices make_camera() {
   return {array_of(view), array_of(y_down(glm::perspectiveRH_ZO(glm::radians(24.0), 1.0, 10.0, 0.1)))};
 }
 
-// Near is 0, as LightShadow has it unless told.
+// Near is 0, which LightShadow is told.
 glm::dmat4 make_light_matrix() {
   const glm::dmat4 view = glm::lookAtRH(kMiddle + kToLight, kMiddle, glm::dvec3(0, 1, 0));
   return y_down(glm::orthoRH_ZO(-kReach, kReach, -kReach, kReach, 0.5, 2.0)) * view;

@@ -15,8 +15,10 @@
 /// Coordinates of an asset are metres, after unit_scale and the nodes of a file.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,10 +33,22 @@ struct SceneOptions {
   double unit_scale = 1;      ///< multiplies every length of the file; glTF says metres
   std::string skin_material;  ///< this material is skin; empty: extras.dermis, else the name contains "skin",
                               ///< else the only one
+  /// The pose: that of an animation of the file at a time in seconds, clamped to the clip. Neither: as the
+  /// file has it at rest. A time alone: of the first animation; a clip alone: at its begin. Arrays have none.
+  std::string clip{};
+  std::optional<double> time_s{};
   /// For all maps of the asset, 1e6 bytes, 1 to 1e6: as decoded and on the device with their levels, 9.3
   /// bytes per texel, 14.7 of colour maps. Over it the largest maps are halved while they are read, with a
   /// note.
   double texture_budget_mb = 2000;
+};
+
+/// Bounds of an asset's skin, or of all of it if nothing is skin; in its coordinates, metres.
+struct AssetBounds {
+  std::array<double, 3> low_m{}, high_m{};  ///< corners of the box
+  /// The sphere around the middle of the box whose radius is the unit of distances (CameraSettings, lamps).
+  std::array<double, 3> centre_m{};
+  double radius_m = 0;
 };
 
 class Asset {
@@ -57,7 +71,9 @@ class Asset {
   const std::string& name() const;             ///< file name, or "built-in"
   std::vector<std::string> materials() const;  ///< their names
   std::vector<std::string> cameras() const;    ///< those of the file; CameraSettings::name takes one
+  std::vector<std::string> clips() const;      ///< names of the file's animations; "0", "1" ... if unnamed
   std::vector<Light> lights() const;           ///< those of the file, in the asset's own coordinates
+  AssetBounds bounds() const;                  ///< reads all vertices
 
   /// Compares identity, not contents.
   bool operator==(const Asset& other) const { return state_ == other.state_; }

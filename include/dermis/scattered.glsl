@@ -11,7 +11,8 @@
 //
 // record: HostFrames::record_of(); uv: TEXCOORD_0 of the asset as it is, interpolated `centroid` where there
 // are several samples per pixel. The host adds reflections, and takes from the diffuse light what these keep:
-// 1 minus the directional albedo of the specular. mix_before: that of the material, dermis's default is 0.5.
+// 1 minus the directional albedo of the specular. dermis's own: 0.18 times the Kelemen and Szirmay-Kalos lobe
+// (GPU Gems 3, chapter 14). mix_before: that of the material, dermis's default is 0.5.
 #ifndef DERMIS_SCATTERED_GLSL
 #define DERMIS_SCATTERED_GLSL
 #extension GL_EXT_scalar_block_layout : require

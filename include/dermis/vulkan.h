@@ -15,7 +15,11 @@
 ///   (v)   the shape and the maps are the host's: vertices from its buffers, images for its materials.
 ///
 /// Matrices are column-major, 4x4, as in dermis/settings.h. All handles are borrowed, and must outlive what
-/// was made with them; null is refused with an InputError.
+/// was made with them; those that a frame uses, until the device has finished the frame. Null is refused with
+/// an InputError.
+///
+/// Commands of each call that records begin and end with a barrier for all memory, from ALL_COMMANDS to
+/// ALL_COMMANDS. A host adds barriers for layouts alone, with ALL_COMMANDS as the stage on dermis's side.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -35,7 +39,8 @@
 namespace dermis::vulkan {
 
 /// Features that a device must have been created with. Chain `features` into VkDeviceCreateInfo, or set the
-/// same members in structures of your own. Not copyable: the structures point at each other.
+/// same members in structures of your own: the chain is features, features11, features12, features13, whose
+/// pNext is null and may be set. Not copyable: the structures point at each other.
 struct RequiredFeatures {
   RequiredFeatures();
   RequiredFeatures(const RequiredFeatures&) = delete;
@@ -90,19 +95,22 @@ struct Host {
   std::function<std::span<const std::uint32_t>(std::string_view name)> find_shader{};
 };
 
-/// Images that the heads are drawn into; fixed for the life of HostFrames.
+/// Images that the heads are drawn into, over what they hold: both are loaded, not cleared, and stored. Fixed
+/// for the life of HostFrames.
 struct PictureTargets {
   VkFormat colour_format = VK_FORMAT_R16G16B16A16_SFLOAT;
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;  ///< with or without stencil, which stays as it is
   std::uint32_t samples = 1;                     ///< of both, 1 or 4
-  bool reversed_depth = true;                    ///< near is 1: depth passes if it is greater or equal
+  /// Near is 1: depth passes if it is greater or equal; else near is 0, and less or equal passes. The
+  /// cameras of the views must have the same: InputError.
+  bool reversed_depth = true;
 };
 
 /// Images of depth alone, for record_depth().
 struct DepthTargets {
   VkFormat format = VK_FORMAT_D32_SFLOAT;
-  std::uint32_t samples = 1;  ///< 1 or 4
-  bool reversed_depth = true;
+  std::uint32_t samples = 1;   ///< 1 or 4
+  bool reversed_depth = true;  ///< as PictureTargets has it; of the matrix that record_depth() is given
 };
 
 /// A camera and where its picture goes.
@@ -120,9 +128,11 @@ struct DepthView {
   VkImageView depth = VK_NULL_HANDLE;  ///< as View::depth; cleared by the host, or drawn over
   VkExtent2D extent{};
   VkRect2D area{};
-  /// Clip y grows downwards, as Vulkan has it. false: upwards, and the picture is to stand upright.
+  /// Clip y of the matrix grows downwards, as Vulkan has it. false: it grows upwards, and dermis turns the
+  /// viewport over, so that the picture stands upright.
   bool y_down = true;
-  /// Leaves out back faces as the picture does, for a pre-pass. false: draws them, for shadows.
+  /// Leaves out faces that the picture leaves out: those turned away from the eye, of materials that are not
+  /// double-sided. For a pre-pass. false: draws all, for shadows.
   bool cull = false;
 };
 
@@ -159,15 +169,21 @@ struct MaterialImage {
   VkImageView view = VK_NULL_HANDLE;
 };
 
-/// A shadow map of the host for a light of the scene, in place of dermis's own.
+/// A shadow map of the host for a light of the scene, directional or a spot, in place of dermis's own. The
+/// heads must be in it (record_depth()): their own shadows and the thickness of their ears come from its
+/// depth, and without them light passes through the body. Reads are offset along the normal, by texels of the
+/// map: no depth bias of the host's is needed, and on a head texels should not be much wider than 0.5 mm.
+/// What lies outside the map is lit. Contents may change in every frame; view, extent and matrix by update(),
+/// at the cost of a pose.
 struct LightShadow {
   LightId light{};
   /// D32_SFLOAT or D16_UNORM, 2D, one sample, SAMPLED; in SHADER_READ_ONLY_OPTIMAL while commands of
   /// record() run.
   VkImageView depth = VK_NULL_HANDLE;
   VkExtent2D extent{};
-  std::array<double, 16> clip_from_world{};  ///< clip y down, depth 0 to 1
-  bool reversed_depth = false;               ///< near is 1
+  std::array<double, 16> clip_from_world{};  ///< depth from 0 to 1, or from 1 to 0
+  bool reversed_depth = true;                ///< near is 1, as DepthTargets has it unless told
+  bool y_down = true;  ///< as DepthView has it: false where the viewport was turned over
 };
 
 /// Where a host draws the irradiance of one head, in the light map of dermis.
@@ -204,6 +220,8 @@ struct Recorded {
   // With Options::scattered: see dermis/scattered.glsl.
   VkImageView scattered = VK_NULL_HANDLE;  ///< 2D array, RGBA16F, SHADER_READ_ONLY_OPTIMAL
   VkBuffer records = VK_NULL_HANDLE;       ///< storage buffer
+  /// The offset is a multiple of minStorageBufferOffsetAlignment. View, buffer and offset may be others in
+  /// each frame, and are valid until it has finished.
   VkDeviceSize records_offset = 0, records_bytes = 0;
 };
 
@@ -216,7 +234,9 @@ class HostFrames {
     std::uint32_t frames_in_flight = 2;
     std::optional<PictureTargets> picture{};  ///< way (i)
     std::vector<DepthTargets> depths{};       ///< way (ii)
-    bool scattered = false;                   ///< way (iii); needs a technique with light maps
+    /// Way (iii); needs a technique with light maps. All heads in view are lit and blurred whole, however far
+    /// away: without it a head has only the terms that its pixels read.
+    bool scattered = false;
   };
 
   /// Throws InputError: a number out of range, or a format that the device cannot draw to.
@@ -248,9 +268,11 @@ class HostFrames {
   /// frames than may be in flight, a view for which update() has not made room (it says so).
   Recorded record(VkCommandBuffer commands, std::span<const View> views, const FrameNumbers& numbers);
 
-  /// Draws the depth of the heads that the scene shows. May come before record(), and without it. For depth
-  /// equal to the bit to that of record(), give clip_from_world() of the same camera, y_down as its
-  /// projection has it, and `cull`. Same contract for state and errors. Parts that are blended have no depth.
+  /// Draws the depth of the heads that the scene of the last update() shows, skin and all other opaque parts,
+  /// those of HostInputs::drawn_by_host too. Takes nothing of a frame: may come before record(), and without
+  /// one. For depth equal to the bit to that of record(), give clip_from_world() of the same camera, y_down
+  /// as its projection has it, and `cull`. Same contract for state and errors. Parts that are blended have no
+  /// depth.
   void record_depth(VkCommandBuffer commands, const std::array<double, 16>& clip_from_world,
                     const DepthView& view);
 

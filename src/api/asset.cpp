@@ -9,6 +9,7 @@
 #include "builtin_head/builtin_head.h"
 #include "core/error.h"
 #include "core/hooks.h"
+#include "scene/framing.h"
 #include "scene/from_arrays.h"
 #include "scene/load.h"
 #include "settings/check.h"
@@ -32,6 +33,8 @@ scene::LoadOptions load_options(const SceneOptions& options) {
   scene::LoadOptions load;
   load.unit_scale = options.unit_scale;
   load.skin_material = options.skin_material;
+  load.clip = options.clip;
+  load.time_s = options.time_s;
   load.texture_budget_mb = options.texture_budget_mb;
   return load;
 }
@@ -55,6 +58,8 @@ Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options,
   if (options.unit_scale != 1)
     throw input_error("", "unit_scale must be 1 for arrays, whose unit is the metre, got {}",
                       options.unit_scale);
+  if (!options.clip.empty() || options.time_s)
+    throw input_error("", "clip and time_s must be empty for arrays");
   const scene::LoadOptions load = load_options(options);
   return State::make(std::make_shared<const scene::Scene>(scene::scene_from_arrays(arrays, load)));
 }
@@ -76,6 +81,16 @@ std::vector<std::string> Asset::cameras() const {
   std::vector<std::string> names;
   for (const scene::Camera& camera : state_->data->cameras) names.push_back(camera.name);
   return names;
+}
+
+std::vector<std::string> Asset::clips() const { return state_->data->clips; }
+
+AssetBounds Asset::bounds() const {
+  const scene::Bounds bounds = scene::skin_bounds(*state_->data);
+  return {.low_m = values_of(bounds.low_m),
+          .high_m = values_of(bounds.high_m),
+          .centre_m = values_of(bounds.sphere.centre_m),
+          .radius_m = double{bounds.sphere.radius_m}};
 }
 
 std::vector<Light> Asset::lights() const {

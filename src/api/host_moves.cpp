@@ -49,9 +49,8 @@ void HostMoves::keep(const SceneOnDevice& scene, std::span<const InstanceId> ids
                      std::span<const InstanceId> deformed) {
   std::map<InstanceId, Moved> kept;
   for (const InstanceId id : deformed) {
+    // host_setup() has found it.
     const auto found = std::find(ids.begin(), ids.end(), id);
-    if (found == ids.end())
-      throw input_error("", "deformed: instance {} is not in the scene", static_cast<std::uint32_t>(id));
     const AssetPointer& asset = scene.asset(static_cast<std::size_t>(found - ids.begin()));
     const auto before = moved_.find(id);
     kept[id] =

@@ -70,6 +70,8 @@ setup::HostShadow host_shadow(const Scene& scene, const LightShadow& shadow) {
   if (!(texel > 1e-9 && texel < 1e9))
     throw input_error("", "shadows.clip_from_world must show something: a texel would be {:g} m wide", texel);
 
+  if (!shadow.y_down)
+    for (int column = 0; column < 4; ++column) m[column][1] = -m[column][1];
   // Depth reversed, as all shadow maps are read.
   if (!shadow.reversed_depth)
     for (int column = 0; column < 4; ++column) m[column][2] = m[column][3] - m[column][2];

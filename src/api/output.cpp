@@ -102,13 +102,13 @@ void check_light_is_stored(const techniques::Shown& shown, const std::string& na
   if (!mapped.any)
     throw input_error("",
                       "output.show '{}' is not stored from here: with {} of {} texels per side all terms are "
-                      "lit per pixel; quality.depth false stores it",
+                      "lit per pixel; without quality.depth all are stored",
                       name, side, setup.plan.map_size);
   if (shown.needs == Needs::term && shown.term < mapped.first_written)
     throw input_error(
         "",
         "output.show '{}' is not stored from here: with {} of {} texels per side the terms before "
-        "blur:{} are lit per pixel; quality.depth false stores it",
+        "blur:{} are lit per pixel; without quality.depth all are stored",
         name, side, setup.plan.map_size, mapped.first_written);
 }
 

@@ -117,7 +117,7 @@ std::string describe_plan(const Scene& scene, const RenderSettings& settings, bo
     auto found = examined.find(asset);
     if (found == examined.end()) found = examined.emplace(asset, setup::examine(asset)).first;
     subjects.push_back(&found->second);
-    spheres.push_back(found->second.sphere);
+    spheres.push_back(found->second.bounds.sphere);
   }
 
   const setup::FrameSetup setup =

@@ -85,7 +85,7 @@ std::vector<const setup::Subject*> SceneOnDevice::subjects() const {
 
 std::vector<scene::BoundingSphere> SceneOnDevice::skin_spheres() const {
   std::vector<scene::BoundingSphere> spheres;
-  for (const AssetPointer& asset : assets_) spheres.push_back(asset->subject.sphere);
+  for (const AssetPointer& asset : assets_) spheres.push_back(asset->subject.bounds.sphere);
   return spheres;
 }
 

@@ -25,9 +25,11 @@ const AccessRow& row_of(Access access) {
        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_USAGE_TRANSFER_DST_BIT, 0},
       {"arguments from", VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, 0,
        VK_IMAGE_LAYOUT_UNDEFINED, 0, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT},
+      {"indices from", VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT, VK_ACCESS_2_INDEX_READ_BIT, 0,
+       VK_IMAGE_LAYOUT_UNDEFINED, 0, VK_BUFFER_USAGE_INDEX_BUFFER_BIT},
   };
 
-  static_assert(std::size(rows) == static_cast<std::size_t>(Access::indirect_arguments) + 1);
+  static_assert(std::size(rows) == static_cast<std::size_t>(Access::indices) + 1);
   return rows[static_cast<std::size_t>(access)];
 }
 

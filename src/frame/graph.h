@@ -35,6 +35,7 @@ enum class Access : std::uint8_t {
   copy_source,
   copy_target,
   indirect_arguments,  ///< buffer
+  indices,             ///< buffer
 };
 
 /// An access in the terms of Vulkan, and as printed.
@@ -119,6 +120,7 @@ class Declare {
   void colour(TextureId id) { use(id, Access::colour_target); }
   void depth(TextureId id) { use(id, Access::depth_target); }
   void indirect(BufferId id) { use(id, Access::indirect_arguments); }
+  void indices(BufferId id) { use(id, Access::indices); }
 
  private:
   void use(TextureId id, Access access) { use({.is_texture = true, .index = id.index, .access = access}); }

@@ -202,10 +202,13 @@ void Cmd::draw(std::uint32_t vertices, std::uint32_t instances, std::uint32_t fi
   device_->vk().vkCmdDraw(handle_, vertices, instances, first_vertex, first_instance);
 }
 
-void Cmd::draw_indexed(const Buffer& indices, std::uint32_t count, std::uint32_t first) {
-  DERMIS_ASSERT_LE((std::uint64_t{first} + count) * sizeof(std::uint32_t), indices.desc().bytes);
-  device_->vk().vkCmdBindIndexBuffer(handle_, indices.handle(), 0, VK_INDEX_TYPE_UINT32);
-  device_->vk().vkCmdDrawIndexed(handle_, count, 1, first, 0, 0);
+void Cmd::draw_indexed(const BufferBinding& indices, std::uint32_t count, std::uint32_t first,
+                       std::uint32_t instances, std::uint32_t first_instance) {
+  DERMIS_ASSERT(indices.buffer && *indices.buffer);
+  DERMIS_ASSERT_LE(indices.offset + (std::uint64_t{first} + count) * sizeof(std::uint32_t),
+                   indices.buffer->desc().bytes);
+  device_->vk().vkCmdBindIndexBuffer(handle_, indices.buffer->handle(), indices.offset, VK_INDEX_TYPE_UINT32);
+  device_->vk().vkCmdDrawIndexed(handle_, count, instances, first, 0, first_instance);
 }
 
 void Cmd::draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint32_t draws) {

@@ -81,7 +81,9 @@ class Cmd {
   void end_rendering();
   void draw(std::uint32_t vertices, std::uint32_t instances = 1, std::uint32_t first_vertex = 0,
             std::uint32_t first_instance = 0);
-  void draw_indexed(const Buffer& indices, std::uint32_t count, std::uint32_t first = 0);  ///< 32-bit indices
+  /// 32-bit indices; `first` counts from the offset of the binding, bytes.
+  void draw_indexed(const BufferBinding& indices, std::uint32_t count, std::uint32_t first = 0,
+                    std::uint32_t instances = 1, std::uint32_t first_instance = 0);
   void draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint32_t draws);
 
   void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);

@@ -11,13 +11,20 @@
 
 namespace dermis::passes {
 
+/// For shaders that know their triangle: shaders/first_corner.glsl.
+inline gpu::BufferBinding first_corners(const Instance& instance, std::size_t number) {
+  return {&instance.scene->skin[number].first_corners};
+}
+
 /// Draws the parts of an instance's skin mesh `number`, as its asset counts them, for which
 /// pipeline_of(draw, material) is not null. The shaders get `bindings`, those of instance, mesh and material,
-/// and io_of(material) as push constants.
+/// and io_of(material) as push constants. `indices`: as many as the mesh has, at the same places; null: those
+/// of the mesh.
 template <class PipelineOf, class IoOf = std::nullptr_t>
 void draw_skin(gpu::Cmd& cmd, const Instance& instance, std::size_t number, const Bindings& bindings,
-               const PipelineOf& pipeline_of, const IoOf& io_of = nullptr) {
+               const PipelineOf& pipeline_of, const IoOf& io_of = nullptr, gpu::BufferBinding indices = {}) {
   const GpuMesh& mesh = instance.scene->skin[number];
+  if (!indices.buffer) indices = {&mesh.indices};
   for (const GpuDraw& draw : mesh.draws) {
     const GpuMaterial& material = instance.look->material(draw.material);
     const gpu::Pipeline* pipeline = pipeline_of(draw, material);
@@ -30,7 +37,7 @@ void draw_skin(gpu::Cmd& cmd, const Instance& instance, std::size_t number, cons
     material.offer(all);
     all.bind(cmd, *pipeline);
     if constexpr (!std::is_null_pointer_v<IoOf>) cmd.push(*pipeline, io_of(material));
-    cmd.draw(draw.index_count, 1, draw.first_index);
+    cmd.draw_indexed(indices, draw.index_count, draw.first_index);
   }
 }
 

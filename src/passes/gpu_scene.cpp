@@ -16,6 +16,7 @@
 #include "image/resize.h"
 #include "optics/directional_albedo.h"
 #include "passes/alpha_max.h"
+#include "passes/first_corners.h"
 #include "passes/gutter_list.h"
 #include "passes/vertices.h"
 #include "scene/fine_normals.h"
@@ -151,26 +152,30 @@ scene::SkinMesh charts_first(const scene::SkinMesh& skin) {
 
 GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_t number) {
   std::vector<io::VertexIo> vertices;
-  vertices.reserve(skin.vertices.size());
+  std::vector<io::VertexExtraIo> extras;
+  std::vector<io::SkinVertexIo> skin_vertices;
   for (std::size_t i = 0; i < skin.vertices.size(); ++i) {
     vertices.push_back(vertex_io(skin.vertices[i]));
-    vertices.back().unwrap = skin.unwrap[i];
-    vertices.back().metric_mm2 = skin.metric[i];
+    extras.push_back(vertex_extra_io(skin.vertices[i]));
+    skin_vertices.push_back({.unwrap = skin.unwrap[i], .metric_mm2 = skin.metric[i], .chart = 0});
   }
+  join_equal(extras);
+  for (std::size_t i = 0; i < skin.indices.size(); ++i)
+    skin_vertices[skin.indices[i]].chart = skin.triangle_chart[i / 3];  // no vertex is between two
 
   GpuMesh mesh;
   mesh.name = fmt::format("skin {}", number);
-  mesh.vertices =
-      gpu::make_buffer(device, mesh.name + " vertices", std::span<const io::VertexIo>(vertices), storage);
-  mesh.indices =
-      gpu::make_buffer(device, mesh.name + " indices", std::span<const std::uint32_t>(skin.indices), storage);
-
-  const std::vector<std::uint32_t> charts(skin.triangle_chart.begin(), skin.triangle_chart.end());
-  mesh.charts =
-      gpu::make_buffer(device, mesh.name + " charts", std::span<const std::uint32_t>(charts), storage);
-  const std::vector<std::uint32_t> turned = scene::turned_neighbours(skin);
-  mesh.turned_neighbours = gpu::make_buffer(device, mesh.name + " turned neighbours",
-                                            std::span<const std::uint32_t>(turned), storage);
+  const auto make = [&](std::string_view what, auto&& values, VkBufferUsageFlags usage) {
+    return gpu::make_buffer(device, fmt::format("{} {}", mesh.name, what), std::span(std::as_const(values)),
+                            usage);
+  };
+  mesh.vertices = make("vertices", vertices, storage);
+  mesh.vertex_extras = make("vertex extras", extras, storage);
+  mesh.skin_vertices = make("skin vertices", skin_vertices, storage);
+  mesh.indices = make("indices", skin.indices, storage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  mesh.first_corners =
+      make("first corners", first_corner_indices(skin.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  mesh.turned_neighbours = make("turned neighbours", scene::turned_neighbours(skin), storage);
 
   // Adds a draw per run of triangles of one material, on the map or off it.
   for (std::uint32_t t = 0; t < skin.triangle_material.size(); ++t) {
@@ -203,8 +208,11 @@ void GpuMaterial::offer(Bindings& bindings) const {
 }
 
 void GpuMesh::offer(Bindings& bindings) const {
-  bindings.add("Vertices", vertices).add("Indices", indices);
-  if (charts) bindings.add("Charts", charts).add("TurnedNeighbours", turned_neighbours);
+  bindings.add("Vertices", vertices)
+      .add("VertexExtras", vertex_extras)
+      .add("SkinVertices", skin_vertices)
+      .add("Indices", indices)
+      .add("TurnedNeighbours", turned_neighbours);
 }
 
 gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,

@@ -75,8 +75,10 @@ struct GpuDraw {
 struct GpuMesh {
   std::string name;
   gpu::Buffer vertices;           ///< VertexIo[]
+  gpu::Buffer vertex_extras;      ///< VertexExtraIo[]
+  gpu::Buffer skin_vertices;      ///< SkinVertexIo[]
   gpu::Buffer indices;            ///< uint[]; triangles without a chart are last
-  gpu::Buffer charts;             ///< uint per triangle
+  gpu::Buffer first_corners;      ///< uint[], first_corner_indices() of `indices`
   gpu::Buffer turned_neighbours;  ///< uint[], scene::turned_neighbours
   /// By the side of the light map, see GpuScene::make_gutters.
   struct Gutters {
@@ -99,7 +101,8 @@ struct GpuMesh {
   gpu::Buffer parts;
   std::vector<GpuDraw> draws;
 
-  void offer(Bindings& bindings) const;  ///< "Vertices", "Indices", "Charts", "TurnedNeighbours"
+  /// "Vertices", "VertexExtras", "SkinVertices", "Indices", "TurnedNeighbours"
+  void offer(Bindings& bindings) const;
 };
 
 /// Returns an RGBA16F texture over an unwrap, from side x side x 4 values; values beyond the range of half

@@ -33,6 +33,7 @@ io::PlacementIo placement_io(const scene::Placement& placement) {
 // The data of one page before its upload.
 struct PageData {
   std::vector<io::VertexIo> vertices;
+  std::vector<io::VertexExtraIo> extras;
   std::vector<std::uint32_t> indices;
   std::vector<io::PlacementIo> placements{io::PlacementIo{}};
 };
@@ -48,7 +49,10 @@ class Builder {
   void add(const scene::Primitive& p) {
     make_room(p);
     const auto base = static_cast<std::uint32_t>(page_.vertices.size());
-    for (const scene::Vertex& v : p.vertices) page_.vertices.push_back(vertex_io(v));
+    for (const scene::Vertex& v : p.vertices) {
+      page_.vertices.push_back(vertex_io(v));
+      page_.extras.push_back(vertex_extra_io(v));
+    }
     if (p.placements.empty()) return add_draw(p, 0, {append_indices(p, base, false), count(p), 0, 1});
 
     // Mirrored copies wind the other way round.
@@ -127,8 +131,12 @@ class Builder {
     GpuSurfaces::Page page;
     page.vertices = gpu::make_buffer(*device_, name + " vertices",
                                      std::span<const io::VertexIo>(page_.vertices), storage);
+    join_equal(page_.extras);
+    page.vertex_extras = gpu::make_buffer(*device_, name + " vertex extras",
+                                          std::span<const io::VertexExtraIo>(page_.extras), storage);
     page.indices =
-        gpu::make_buffer(*device_, name + " indices", std::span<const std::uint32_t>(page_.indices), storage);
+        gpu::make_buffer(*device_, name + " indices", std::span<const std::uint32_t>(page_.indices),
+                         VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     page.placements = gpu::make_buffer(*device_, name + " placements",
                                        std::span<const io::PlacementIo>(page_.placements), storage);
     made_.pages.push_back(std::move(page));
@@ -147,8 +155,13 @@ class Builder {
 
 void GpuSurfaces::offer(Bindings& bindings, std::uint32_t page) const {
   bindings.add("Vertices", pages[page].vertices)
-      .add("Indices", pages[page].indices)
+      .add("VertexExtras", pages[page].vertex_extras)
       .add("Placements", pages[page].placements);
+}
+
+void GpuSurfaces::record(gpu::Cmd& cmd, std::uint32_t page, const Draw& draw) const {
+  cmd.draw_indexed({&pages[page].indices}, draw.index_count, draw.first_index, draw.placements,
+                   draw.first_placement);
 }
 
 GpuSurfaces upload_surfaces(gpu::Device& device, const scene::Scene& scene) {

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "gpu/cmd.h"
 #include "gpu/resources.h"
 #include "passes/bindings.h"
 #include "scene/scene.h"
@@ -17,9 +18,10 @@ namespace dermis::passes {
 struct GpuSurfaces {
   /// Large scenes need several pages, because shaders can address only a limited range of a buffer.
   struct Page {
-    gpu::Buffer vertices;    ///< VertexIo[]
-    gpu::Buffer indices;     ///< uint[], into all vertices of the page
-    gpu::Buffer placements;  ///< PlacementIo[]; the first leaves vertices where they are
+    gpu::Buffer vertices;       ///< VertexIo[]
+    gpu::Buffer vertex_extras;  ///< VertexExtraIo[]
+    gpu::Buffer indices;        ///< uint[], into all vertices of the page
+    gpu::Buffer placements;     ///< PlacementIo[]; the first leaves vertices where they are
   };
   struct Draw {
     std::uint32_t first_index = 0, index_count = 0;
@@ -43,7 +45,9 @@ struct GpuSurfaces {
   std::vector<Group> groups;  ///< opaque and cut-out parts
   std::vector<Blended> blended;
 
-  void offer(Bindings& bindings, std::uint32_t page) const;  ///< "Vertices", "Indices", "Placements"
+  void offer(Bindings& bindings, std::uint32_t page) const;  ///< "Vertices", "VertexExtras", "Placements"
+  /// Records a draw of a group of `page`; its bindings are bound.
+  void record(gpu::Cmd& cmd, std::uint32_t page, const Draw& draw) const;
 };
 
 /// Uploads everything that is not skin, and skin without texture coordinates, which cannot be unwrapped.

@@ -2,21 +2,27 @@
 // Vertices of the scene as shaders read them.
 #pragma once
 
+#include <cstring>
+#include <vector>
+
 #include "scene/scene.h"
 #include "shared/scene_io.h"
 
 namespace dermis::passes {
 
-/// Returns a vertex of parts that are not skin; skin adds its unwrap and metric.
 inline io::VertexIo vertex_io(const scene::Vertex& v) {
-  return {.position_m = v.position_m,
-          .normal = v.normal,
-          .tangent = v.tangent,
-          .uv0 = v.uv0,
-          .uv1 = v.uv1,
-          .colour = v.colour,
-          .unwrap = {},
-          .metric_mm2 = {}};
+  return {.position_m = v.position_m, .normal = v.normal, .tangent = v.tangent, .uv0 = v.uv0};
+}
+
+inline io::VertexExtraIo vertex_extra_io(const scene::Vertex& v) {
+  return {.uv1 = v.uv1, .colour = v.colour};
+}
+
+/// Leaves only the first if all are equal to the bit.
+inline void join_equal(std::vector<io::VertexExtraIo>& extras) {
+  for (const io::VertexExtraIo& extra : extras)
+    if (std::memcmp(&extra, extras.data(), sizeof(extra)) != 0) return;
+  if (!extras.empty()) extras.erase(extras.begin() + 1, extras.end());
 }
 
 }  // namespace dermis::passes

@@ -67,9 +67,9 @@ double cone_around(const glm::dvec3& from, const glm::dvec3& axis, const glm::dv
   return std::acos(std::clamp(glm::dot(to, axis) / distance, -1.0, 1.0)) + std::asin(radius / distance);
 }
 
-/// Implements bounding_sphere(); for_each(visit) calls visit(position) for the same points each time.
+/// Returns the bounds of points; for_each(visit) calls visit(position) for the same points each time.
 template <class ForEach>
-BoundingSphere sphere_around(const ForEach& for_each) {
+Bounds bounds_around(const ForEach& for_each) {
   bool any = false;
   glm::vec3 low(0), high(0);
   for_each([&](const glm::vec3& p) {
@@ -84,28 +84,30 @@ BoundingSphere sphere_around(const ForEach& for_each) {
   for_each([&](const glm::vec3& p) {
     radius = std::max(radius, glm::distance(glm::dvec3(p), glm::dvec3(centre)));
   });
-  return {centre, static_cast<float>(radius * (1 + 1e-6))};
+  return {low, high, {centre, static_cast<float>(radius * (1 + 1e-6))}};
 }
 
 }  // namespace
 
 BoundingSphere bounding_sphere(std::span<const glm::vec3> points_m) {
-  return sphere_around([&](const auto& visit) { std::for_each(points_m.begin(), points_m.end(), visit); });
+  return bounds_around([&](const auto& visit) { std::for_each(points_m.begin(), points_m.end(), visit); })
+      .sphere;
 }
 
 BoundingSphere bounding_sphere(const Scene& scene, const std::function<bool(const Primitive&)>& counts) {
-  return sphere_around([&](const auto& visit) {
-    for (const Primitive& p : scene.primitives)
-      if (counts(p)) for_each_position(p, visit);
-  });
+  return bounds_around([&](const auto& visit) {
+           for (const Primitive& p : scene.primitives)
+             if (counts(p)) for_each_position(p, visit);
+         })
+      .sphere;
 }
 
-BoundingSphere skin_sphere(const Scene& scene) {
+Bounds skin_bounds(const Scene& scene) {
   const auto is_skin = [&](const Primitive& p) {
     return scene.materials.at(static_cast<std::size_t>(p.material)).skin;
   };
   const bool any_skin = std::any_of(scene.primitives.begin(), scene.primitives.end(), is_skin);
-  return sphere_around([&](const auto& visit) {
+  return bounds_around([&](const auto& visit) {
     for (const Primitive& p : scene.primitives) {
       if (any_skin && !is_skin(p)) continue;
       for (std::size_t copy = 0; copy < copies_of(p); ++copy)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "dermis/scene.h"
@@ -14,6 +15,8 @@ namespace dermis::scene {
 struct LoadOptions {
   double unit_scale = SceneOptions().unit_scale;  ///< as SceneOptions, which are checked where they are given
   std::string skin_material;                      ///< as SceneOptions
+  std::string clip;                               ///< as SceneOptions
+  std::optional<double> time_s;                   ///< as SceneOptions
   std::size_t max_triangles = 20'000'000;
   int max_map_side = 16384;                                     ///< pixels
   double texture_budget_mb = SceneOptions().texture_budget_mb;  ///< as SceneOptions

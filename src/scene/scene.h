@@ -172,6 +172,7 @@ struct Scene {
   std::vector<MapImage> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
+  std::vector<std::string> clips;  ///< names of its animations
   /// world metres to mm; unit_scale multiplies positions at load, so this stays 1000
   double mm_per_unit = 1000;
 };

@@ -122,6 +122,23 @@ glm::dmat4 clip_from_world(const CameraMatrices& matrices) {
   return clip * matrix_of(matrices.camera_from_world);
 }
 
+glm::mat4 picture_from_world(const CameraMatrices& matrices, const scene::Camera& camera) {
+  glm::dmat4 out = clip_from_world(matrices);
+  const glm::dmat4 camera_from_world = upright(matrices).camera_from_world;
+  const double near_m = double{camera.znear_m};
+  for (int column = 0; column < 4; ++column) {
+    const double moved = column == 3 ? 1 : 0;
+    if (camera.orthographic) {
+      const double far_m = double{*camera.zfar_m};
+      out[column][2] =
+          matrices.clip_from_camera[15] * (moved * far_m + camera_from_world[column][2]) / (far_m - near_m);
+    } else {
+      out[column][2] = std::abs(matrices.clip_from_camera[11]) * moved * near_m;
+    }
+  }
+  return glm::mat4(out);
+}
+
 bool is_reversed(const CameraMatrices& matrices) {
   const Upright camera = upright(matrices);
   // As near_m() has it.

@@ -76,7 +76,7 @@ double reference_distance(const Subject& subject, const RenderSettings& s, const
   const double fov_y_rad = camera.fov_y_rad;
   const double pixels = s.output.height * density_across(s, camera);
   const double d_mm = pixels / 2.0 / (density * std::tan(fov_y_rad / 2));
-  return d_mm / (subject.sphere.radius_m * subject.scene->mm_per_unit);
+  return d_mm / (subject.bounds.sphere.radius_m * subject.scene->mm_per_unit);
 }
 
 int map_side(const Subject& subject, const RenderSettings& s, const scene::Camera& camera, const Pose& pose) {
@@ -90,8 +90,8 @@ int map_side(const Subject& subject, const RenderSettings& s, const scene::Camer
   } else {
     // In the asset, where lengths are in the same proportion.
     const glm::vec3 eye_m = pose.position_in_asset(glm::vec3(camera.world_from_camera[3]));
-    const glm::vec3 nearest_m = glm::clamp(eye_m, subject.box.low, subject.box.high);
-    const double d = glm::distance(eye_m, nearest_m) / subject.sphere.radius_m;
+    const glm::vec3 nearest_m = glm::clamp(eye_m, subject.bounds.low_m, subject.bounds.high_m);
+    const double d = glm::distance(eye_m, nearest_m) / subject.bounds.sphere.radius_m;
     needed = d > 0 ? reference_distance(subject, s, camera) / d : 1;
   }
 

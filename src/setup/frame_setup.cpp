@@ -65,7 +65,7 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
     HeadSetup head{.number = static_cast<int>(heads.size()),
                    .instance = placed.instance,
                    .pose = placed.pose,
-                   .middle_m = placed.pose.position(subject.sphere.centre_m),
+                   .middle_m = placed.pose.position(subject.bounds.sphere.centre_m),
                    .lights = {},
                    .shadow_from_world = {}};
 
@@ -309,8 +309,9 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
 
   const scene::Camera camera = choose_camera(scene, s, spheres);
   setup.frame.camera = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
-  if (host && s.camera.matrices)
-    setup.frame.camera.clip_from_world = glm::mat4(clip_from_world(*s.camera.matrices));
+  if (s.camera.matrices)
+    setup.frame.camera.clip_from_world = host ? glm::mat4(clip_from_world(*s.camera.matrices))
+                                              : picture_from_world(*s.camera.matrices, camera);
   setup.d_ref = reference_distance(*subjects.front(), s, camera);
 
   std::vector<scene::Light> lights = choose_lights(scene, s, spheres);

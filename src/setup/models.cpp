@@ -45,6 +45,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
 
   techniques::SkinPart part;
   part.in_model = static_cast<std::uint32_t>(number);
+  part.triangles = static_cast<std::uint32_t>(mesh.triangle_chart.size());
   part.profile = model.profile ? *model.profile : choose_profile(subject.scene->materials[material], s);
   part.mm_per_unit = subject.scene->mm_per_unit;
   if (model.scale != 1) {

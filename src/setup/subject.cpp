@@ -20,16 +20,9 @@ Subject examine(std::shared_ptr<const scene::Scene> scene) {
     steps.done();
   }
 
-  subject.sphere = scene::skin_sphere(*scene);
-  if (!(subject.sphere.radius_m > 0))
+  subject.bounds = scene::skin_bounds(*scene);
+  if (!(subject.bounds.sphere.radius_m > 0))
     throw input_error(scene->name, "has nothing to see: all its triangles lie at one point");
-
-  subject.box = {glm::vec3(INFINITY), glm::vec3(-INFINITY)};
-  for (const scene::SkinMesh& mesh : subject.skin)
-    for (const std::uint32_t index : mesh.indices) {
-      const glm::vec3& p = mesh.vertices[index].position_m;
-      subject.box = {glm::min(subject.box.low, p), glm::max(subject.box.high, p)};
-    }
 
   subject.casters = scene::bounding_sphere(*scene, [](const scene::Primitive&) { return true; });
   subject.scene = std::move(scene);

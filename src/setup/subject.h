@@ -6,21 +6,17 @@
 #include <memory>
 #include <vector>
 
+#include "scene/framing.h"
 #include "scene/scene.h"
 #include "scene/unwrap.h"
 
 namespace dermis::setup {
 
-struct Box {
-  glm::vec3 low{0}, high{0};
-};
-
 struct Subject {
   std::shared_ptr<const scene::Scene> scene;
   std::vector<scene::SkinMesh> skin;
   std::vector<scene::UnwrapDensity> densities;  ///< one per skin mesh
-  scene::BoundingSphere sphere;                 ///< of the skin
-  Box box;                                      ///< of the skin
+  scene::Bounds bounds;                         ///< of the skin
   scene::BoundingSphere casters;                ///< of everything: hair cards and collars cast shadows too
 };
 

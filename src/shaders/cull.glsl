@@ -2,8 +2,8 @@
 // Finds triangles of a head that no pixel can show. Based on: [JG08] sec. 3, where a texel is culled if its
 // interpolated normal is more than 105 degrees from the (constant) view axis. On a coarse mesh that culls
 // visible texels, so here whole triangles are culled: all vertex normals are more than 105 degrees from the
-// true direction to the camera, and the triangle faces away. Needs vertex_pull.glsl, instance.glsl,
-// frame.glsl.
+// true direction to the camera, and the triangle faces away. Needs vertex_pull.glsl, skin_vertex.glsl,
+// instance.glsl, frame.glsl and `indices`.
 layout(binding = 28, scalar) readonly buffer TurnedNeighbours {
   uint turned_neighbours[];
 };  // scene/turned.h
@@ -20,8 +20,8 @@ bool faces_away(uint first) {
 // Returns whether a triangle is so thin on a map of this side that it may contain no texel centre: an
 // inscribed circle whose radius is under 0.75 texels.
 bool falls_between_texels(uint first, float map_side) {
-  const vec2 a = vertices[indices[first]].unwrap, b = vertices[indices[first + 1]].unwrap,
-             c = vertices[indices[first + 2]].unwrap;
+  const vec2 a = skin_vertices[indices[first]].unwrap, b = skin_vertices[indices[first + 1]].unwrap,
+             c = skin_vertices[indices[first + 2]].unwrap;
   const vec2 ab = b - a, ac = c - a;
   return abs(ab.x * ac.y - ab.y * ac.x) * map_side < 0.75 * (length(ab) + length(ac) + length(c - b));
 }

@@ -63,23 +63,6 @@ float skin_occlusion(ShadingPoint s) {
   return is_present(map) ? 1.0 + map.scale * (texture(map_occlusion, map_uv(map, s)).r - 1.0) : 1.0;
 }
 
-// Returns the irradiance that enters the skin, summed over the lights, without what the surface reflects. The
-// division by its mean over all directions here, where light enters, keeps a white furnace white also with
-// maps that vary: (1-rho(L)) (1-rho(V)) / (1-rho_mean).
-vec3 entering_irradiance(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
-  const float kept_mean = 1.0 - specular_albedo_mean(directional_albedo, spec);
-  vec3 e = vec3(0.0);
-  for (uint i = nothing(); i < frame.light_count; ++i) {
-    const LightIo light = lights[i];
-    const Arriving a = arriving_light(light, s.position_m);
-    const float tangent = light_tangent(light, a), cosine = light_cosine(dot(n, a.to_light), tangent);
-    if (cosine <= 0.0 || dot(n_geometric, a.to_light) <= -tangent) continue;
-    const float kept = 1.0 - specular_albedo(directional_albedo, spec, cosine);
-    e += a.irradiance * (cosine * kept * shadow_at(light, a, s.position_m, n_geometric));
-  }
-  return e / kept_mean;
-}
-
 const float least_open = 0.002;  // lower bound: white skin in a closed hole has no solution
 
 // Returns the visible share of the sky.

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Light that enters at a point of the skin, and transmitted light that arrives there, in one loop over the
-// lights. Follows skin_point.glsl.
+// As skin_lights.glsl, and transmitted light that arrives at the point: one read of each light's map for all.
+// Follows skin_lights.glsl.
 #include "shared/transmission_io.h"
 layout(binding = 23) uniform sampler2DArray entering_maps;
 layout(binding = 24, scalar) uniform Transmission { TransmissionIo transmission; };
 layout(constant_id = 8) const int through_terms = 6;
 #include "shaders/transmission.glsl"
 
-struct EnteringAndThrough {
-  vec3 entering;             // irradiance, as entering_irradiance()
+struct LitThrough {
+  LitSkin skin;
   vec3 through[MOST_TERMS];  // per Gaussian: irradiance of the far side, times its albedo^mix
                              // and the Gaussian's slab factor
 };
 
 // Where the surface faces a light it is lit by it, or lies in a shadow that the light may have passed through
 // air: nothing is transmitted. Where it faces away none of that light enters. So no light counts twice.
-EnteringAndThrough entering_and_through(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular spec) {
+LitThrough lit_through(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular spec, SkinView view) {
   const float kept_mean = 1.0 - specular_albedo_mean(directional_albedo, spec);
-  EnteringAndThrough r;
-  r.entering = vec3(0.0);
+  LitThrough r;
+  r.skin = LitSkin(vec3(0.0), vec3(0.0));
   for (int i = 0; i < through_terms; ++i) r.through[i] = vec3(0.0);
 
   for (uint k = nothing(); k < frame.light_count; ++k) {
@@ -33,11 +33,13 @@ EnteringAndThrough entering_and_through(ShadingPoint s, vec3 n, vec3 n_geometric
                 cosine = faces ? cosine_lit : read.cosine;
     const vec3 kept = a.irradiance * ((1.0 - specular_albedo(directional_albedo, spec, cosine)) / kept_mean);
     if (faces)
-      r.entering += kept * (cosine_lit * read.lit);
+      r.skin.entering += kept * (cosine_lit * read.lit);
     else if (soft_shadows && cosine_here > -tangent)
-      r.entering +=
+      r.skin.entering +=
           a.irradiance *
           (cosine_lit * read.lit * (1.0 - specular_albedo(directional_albedo, spec, cosine_lit)) / kept_mean);
+    if (faces)
+      r.skin.reflected += a.irradiance * (reflected_share(view, spec, light, a, n_geometric) * read.lit);
 
     // While a light sets, its transmitted light fades in.
     const float set = tangent > 0.0 ? min(-cosine_here / tangent, 1.0) : 1.0;
@@ -48,7 +50,7 @@ EnteringAndThrough entering_and_through(ShadingPoint s, vec3 n, vec3 n_geometric
 }
 
 // Returns the part that joins the light map before the terms of a group: passes/transmission.h.
-vec3 joining(EnteringAndThrough r, int group) {
+vec3 joining(LitThrough r, int group) {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < through_terms; ++i) sum += transmission.share[group * MOST_TERMS + i] * r.through[i];
   return sum;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Reads vertices from storage buffers: no vertex input state, and a shader knows its triangle.
+// Reads vertices from storage buffers, without vertex input state. Draws are indexed: a vertex that triangles
+// share is shaded once while the device remembers it.
 layout(binding = 0, scalar) readonly buffer Vertices { VertexIo vertices[]; };
-layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
-VertexIo pulled_vertex() { return vertices[indices[gl_VertexIndex]]; }
+layout(binding = 6, scalar) readonly buffer VertexExtras { VertexExtraIo vertex_extras[]; };
+
+VertexExtraIo vertex_extra(uint vertex) {
+  return vertex_extras[min(vertex, uint(vertex_extras.length()) - 1u)];
+}

@@ -6,15 +6,24 @@
 
 DERMIS_IO_BEGIN
 
+// A vertex in three parts. Few passes need all of them, and only the first moves.
 struct VertexIo {
   vec3 position_m;
   vec3 normal;
   vec4 tangent;  // w = handedness
   vec2 uv0;
+};
+
+// One for all vertices of a buffer if they are equal, as they mostly are.
+struct VertexExtraIo {
   vec2 uv1;
   vec4 colour;
-  vec2 unwrap;      // texture coordinates of the light maps, 0..1, v down; 0 for parts that are not skin
+};
+
+struct SkinVertexIo {
+  vec2 unwrap;      // texture coordinates of the light maps, 0..1, v down
   vec3 metric_mm2;  // g_uu, g_uv, g_vv: mm^2 per unit of unwrap squared
+  uint chart;       // of all triangles at this vertex; 0: they have none
 };
 
 struct MapIo {
@@ -100,7 +109,9 @@ struct FrameIo {
 DERMIS_IO_END
 
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::VertexIo) == 23 * 4);
+static_assert(sizeof(dermis::io::VertexIo) == 12 * 4);
+static_assert(sizeof(dermis::io::VertexExtraIo) == 6 * 4);
+static_assert(sizeof(dermis::io::SkinVertexIo) == 6 * 4);
 static_assert(sizeof(dermis::io::MapIo) == 40);
 static_assert(sizeof(dermis::io::LightIo) == 68);
 #endif

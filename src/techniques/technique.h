@@ -29,7 +29,8 @@ struct SkinPart {
   double mm_per_unit = 1000;  ///< mm of the asset per metre of the world
   /// Number of the mesh whose unwrap this is: instances of an asset that differ in their profile share it.
   std::uint32_t unwrap = 0;
-  std::uint32_t in_model = 0;    ///< number among the meshes of its model
+  std::uint32_t in_model = 0;  ///< number among the meshes of its model
+  std::uint32_t triangles = 0;
   double max_uv_per_mm = 1;      ///< a twentieth of the skin has more
   double even_uv_per_mm = 1;     ///< if the skin filled the map evenly
   double max_texels_per_mm = 1;  ///< a twentieth of the skin has more

@@ -10,7 +10,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path scan_folder() { return fs::path(DERMIS_SOURCE_DIR) / "assets" / "heads"; }
+// DERMIS_SOURCE is set where tests run away from the tree that they were built from: apps/kit.
+fs::path source() {
+  const char* folder = std::getenv("DERMIS_SOURCE");
+  return folder != nullptr ? folder : DERMIS_SOURCE_DIR;
+}
+
+fs::path scan_folder() { return source() / "assets" / "heads"; }
 
 bool is_there(const fs::path& file) {
   std::error_code ignored;
@@ -21,7 +27,7 @@ bool is_there(const fs::path& file) {
 
 fs::path asset_cache() {
   if (const char* folder = std::getenv("DERMIS_ASSET_CACHE")) return folder;
-  return fs::path(DERMIS_SOURCE_DIR) / ".." / "shared" / "assets";
+  return source() / ".." / "shared" / "assets";
 }
 
 fs::path scan_manifest(const std::string& name) { return scan_folder() / name; }

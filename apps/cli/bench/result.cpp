@@ -27,7 +27,8 @@ ordered_json texels_json(const Statistics& s) {
           {"convolved", s.convolved_texels},
           {"launched", s.launched},
           {"unshaded_reads", s.unshaded_reads},
-          {"used_size", s.used_size}};
+          {"used_size", s.used_size},
+          {"mapped_terms", s.mapped_terms}};
 }
 
 ordered_json variant_json(const Measured& m) {

@@ -189,7 +189,7 @@ void FinalPass::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
         [&](const GpuDraw& draw, const GpuMaterial& material) {
           return pipelines_of(draw, lit).of(material);
         },
-        [&, io = final_io(frame)](const GpuMaterial&) { return io; });
+        [&, io = final_io(frame)](const GpuMaterial&) { return io; }, first_corners(instance, mesh));
   }
   cmd.end_rendering();
 }

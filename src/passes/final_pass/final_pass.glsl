@@ -6,6 +6,7 @@
 #include "shaders/half.glsl"
 #include "shared/scene_io.h"
 #include "shaders/skin_point.glsl"
+#include "shaders/skin_lights.glsl"
 #include "shaders/cut_out.glsl"
 #include "shared/gutters_io.h"
 #ifdef THROUGH
@@ -34,28 +35,35 @@ layout(location = 4) in vec4 in_colour;
 // Centroid: beside a silhouette or a seam the centre of the pixel may be off the triangle, where the map may
 // be empty.
 layout(location = 5) centroid in vec2 in_unwrap;
+layout(location = 8) in float in_uv_per_mm;  // texture coordinates per mm
 layout(location = 0) out vec4 out_radiance;
 
 #include "passes/final_pass/coarse_share.glsl"
 #include "passes/final_pass/light_point.glsl"
 
-// Returns whether a term is read from its map. A map without weight may not have been written, and 0 times
-// NaN is NaN. nothing(): see switches.glsl.
-bool is_read(int term) {
-  return term < term_count && (!direct || io.weights[term] != vec3(float(nothing())));
-}
+// Returns whether a term is read from its map. One without weight may not have been written: 0 times NaN is
+// NaN.
+bool is_read(int i) { return i < term_count && (!direct || io.weights[i] != vec3(float(nothing()))); }
+
+// Where the skin is on its light map.
+struct OnMap {
+  vec2 unwrap;      // in its triangle
+  float uv_per_mm;  // texture coordinates
+};
 
 // Returns the part of a term that is read from its map.
-vec3 mapped_weight(int term) { return (1.0 - coarse_share(terms.sigma_mm[term])) * io.weights[term]; }
+vec3 mapped_weight(int term, OnMap on) {
+  return (1.0 - coarse_share(terms.sigma_mm[term], on.uv_per_mm)) * io.weights[term];
+}
 
 #include "passes/final_pass/light_left.glsl"
 
-vec3 light_of(sampler2D light, int term, vec2 at) {
+vec3 light_of(sampler2D light, int term, vec2 unwrap, vec2 at) {
   if (progressive) {
     const uint side = io.map_side >> ((io.halvings >> (4 * term)) & 15u);
     const vec2 size = vec2(textureSize(light, 0));
-    at = light_point(in_unwrap, float(side), vec2(io.map_origin) * (size / vec2(textureSize(light_0, 0)))) /
-         size;
+    at =
+        light_point(unwrap, float(side), vec2(io.map_origin) * (size / vec2(textureSize(light_0, 0)))) / size;
   }
   return cut_out ? light_left(light, at) : textureLod(light, at, 0.0).rgb;
 }
@@ -66,63 +74,44 @@ vec3 emitted(ShadingPoint s) {
 }
 
 // Returns sum_i w_i (light blurred by term i), already times 2^EV / pi.
-vec3 scattered() {
-  const vec2 at = light_point(in_unwrap) / vec2(textureSize(light_0, 0));
-  if (summed) return light_of(light_0, 0, at);
+vec3 scattered(OnMap on) {
+  const vec2 at = light_point(on.unwrap) / vec2(textureSize(light_0, 0));
+  if (summed) return light_of(light_0, 0, on.unwrap, at);
   vec3 sum = vec3(0.0);
-  if (is_read(0)) sum += mapped_weight(0) * light_of(light_0, 0, at);
-  if (is_read(1)) sum += mapped_weight(1) * light_of(light_1, 1, at);
-  if (is_read(2)) sum += mapped_weight(2) * light_of(light_2, 2, at);
-  if (is_read(3)) sum += mapped_weight(3) * light_of(light_3, 3, at);
-  if (is_read(4)) sum += mapped_weight(4) * light_of(light_4, 4, at);
-  if (is_read(5)) sum += mapped_weight(5) * light_of(light_5, 5, at);
-  if (is_read(6)) sum += mapped_weight(6) * light_of(light_6, 6, at);
-  if (is_read(7)) sum += mapped_weight(7) * light_of(light_7, 7, at);
+  if (is_read(0)) sum += mapped_weight(0, on) * light_of(light_0, 0, on.unwrap, at);
+  if (is_read(1)) sum += mapped_weight(1, on) * light_of(light_1, 1, on.unwrap, at);
+  if (is_read(2)) sum += mapped_weight(2, on) * light_of(light_2, 2, on.unwrap, at);
+  if (is_read(3)) sum += mapped_weight(3, on) * light_of(light_3, 3, on.unwrap, at);
+  if (is_read(4)) sum += mapped_weight(4, on) * light_of(light_4, 4, on.unwrap, at);
+  if (is_read(5)) sum += mapped_weight(5, on) * light_of(light_5, 5, on.unwrap, at);
+  if (is_read(6)) sum += mapped_weight(6, on) * light_of(light_6, 6, on.unwrap, at);
+  if (is_read(7)) sum += mapped_weight(7, on) * light_of(light_7, 7, on.unwrap, at);
   return sum;
 }
 
 #ifdef THROUGH
 // Returns the transmitted light that the maps would show, for the part of the terms lit here: terms of a
 // group share their mean.
-vec3 through_share(EnteringAndThrough r) {
+vec3 through_share(LitThrough r, OnMap on) {
   vec3 sum = vec3(0.0), mean = vec3(0.0);
   for (int g = 0; g < TRANSMISSION_GROUPS; ++g) {
     mean += joining(r, g);
     vec3 share = transmission.group_weight[g];
     for (int i = 0; i < term_count; ++i)
-      if (transmission.group[i] == uint(g)) share -= mapped_weight(i);
+      if (transmission.group[i] == uint(g)) share -= mapped_weight(i, on);
     sum += share * mean;
   }
   return sum;
 }
 #endif
 
-vec3 specular_radiance(ShadingPoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec) {
-  if (spec.rho_s <= 0.0) return vec3(0.0);
-  vec3 sum = vec3(0.0);
-  for (uint i = nothing(); i < frame.light_count; ++i) {
-    const LightIo light = lights[i];
-    const Arriving a = arriving_light(light, s.position_m);
-    const float cosine = dot(n, a.to_light);
-    if (cosine <= 0.0 || dot(n_geometric, a.to_light) <= 0.0) continue;
-    SkinSpecular seen = spec;
-    // A disc widens the lobes: slopes of the half vector vary by a sixteenth of tangent^2, those of the
-    // surface by m^2 / 2.
-    if (soft_shadows)
-      seen.m =
-          min(sqrt(seen.m * seen.m + light_tangent(light, a) * light_tangent(light, a) / 8.0), vec2(1.0));
-    sum += a.irradiance *
-           (cosine * specular_brdf(seen, n, v, a.to_light) * shadow_at(light, a, s.position_m, n_geometric));
-  }
-  return sum;
-}
-
 // Returns the environment in both lobes, by their directional albedo. Where skin occludes it, the lobe
 // reflects `skin`, the radiance that leaves skin here. At grazing angles a lobe is narrower than its slope
 // and bent towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the mean of
 // [KSK01]'s lobe, m = 0.1 to 0.4.
-vec3 mirrored_surroundings(ShadingPoint s, vec3 n, vec3 n_geometric, vec3 v, SkinSpecular spec, vec3 skin) {
-  const vec2 unwrap = within_triangle(in_unwrap);
+vec3 mirrored_surroundings(ShadingPoint s, vec2 unwrap, vec3 n_geometric, SkinView view, SkinSpecular spec,
+                           vec3 skin) {
+  const vec3 n = view.n, v = view.to_eye;
   const float n_v = dot(n, v), all = specular_albedo(directional_albedo, spec, n_v),
               open = skin_open(s, unwrap);
   if (!environment) return frame.ambient * (all * open);
@@ -151,36 +140,35 @@ void main() {
   const vec3 n_interpolated = normalize(in_normal);
   const vec3 n_geometric = gl_FrontFacing ? n_interpolated : -n_interpolated;
   const ShadingPoint s = ShadingPoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
-  vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
+  const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   const SkinSpecular spec = skin_specular(s);
+  const SkinView view = skin_view(n, v, spec);
   const vec3 albedo = skin_albedo(s);
+  const OnMap on = OnMap(within_triangle(in_unwrap), in_uv_per_mm);
+#ifdef THROUGH
+  const LitThrough r = lit_through(s, n, n_geometric, spec, view);
+  const LitSkin lit = r.skin;
+#else
+  const LitSkin lit = lit_skin(s, n, n_geometric, spec, direct, view);
+#endif
 
   vec3 diffuse = vec3(0.0);
-  if (term_count > 0) diffuse = scattered() * albedo_power(albedo, 1.0 - material.mix_before);
+  if (term_count > 0) diffuse = scattered(on) * albedo_power(albedo, 1.0 - material.mix_before);
   if (direct) {
     vec3 share = vec3(1.0);
-    for (int i = 0; i < term_count; ++i) share -= mapped_weight(i);
+    for (int i = 0; i < term_count; ++i) share -= mapped_weight(i, on);
+    const vec3 entering = lit.entering + entering_surroundings(s, n, on.unwrap);
+    vec3 leaving = share * entering * albedo;
 #ifdef THROUGH
-    const EnteringAndThrough r = entering_and_through(s, n, n_geometric, spec);
-    const vec3 entering = r.entering + entering_surroundings(s, n, within_triangle(in_unwrap));
-    diffuse +=
-        (share * entering * albedo + through_share(r) * albedo_power(albedo, 1.0 - material.mix_before)) *
-        (frame.radiance_scale / pi);
-#else
-    const vec3 entering = entering_irradiance(s, n, n_geometric, spec) +
-                          entering_surroundings(s, n, within_triangle(in_unwrap));
-    diffuse += share * entering * albedo * (frame.radiance_scale / pi);
+    leaving += through_share(r, on) * albedo_power(albedo, 1.0 - material.mix_before);
 #endif
+    diffuse += leaving * (frame.radiance_scale / pi);
   }
 
-  // A mapped normal may face away from the camera at a silhouette; visible surfaces have a positive cosine.
-  const float n_v = dot(n, v);
-  if (n_v < 0.05) n = normalize(n + v * (0.05 - n_v));
-
-  const vec3 surroundings = mirrored_surroundings(s, n, n_geometric, v, spec, diffuse / frame.radiance_scale);
-  diffuse *= 1.0 - specular_albedo(directional_albedo, spec, dot(n, v));
-  vec3 radiance =
-      diffuse + (specular_radiance(s, n, n_geometric, v, spec) + surroundings) * frame.radiance_scale;
+  const vec3 surroundings =
+      mirrored_surroundings(s, on.unwrap, n_geometric, view, spec, diffuse / frame.radiance_scale);
+  diffuse *= 1.0 - specular_albedo(directional_albedo, spec, dot(view.n, v));
+  vec3 radiance = diffuse + (lit.reflected + surroundings) * frame.radiance_scale;
   if (emits) radiance += emitted(s) * frame.radiance_scale;
 
   if (cut_out && is_cut(in_uv, in_colour)) discard;

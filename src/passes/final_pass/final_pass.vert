@@ -3,6 +3,8 @@
 #include "passes/final_pass/final_pass_io.h"
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
+#include "shaders/skin_vertex.glsl"
+#include "shaders/first_corner.glsl"
 #include "shaders/instance.glsl"
 layout(push_constant, scalar) uniform Push { FinalPassIo io; };
 #include "shaders/frame.glsl"
@@ -17,17 +19,21 @@ layout(location = 6) flat out vec4 out_unwrap_ab;  // of the triangle's corners
 layout(location = 7) flat out vec2 out_unwrap_c;
 layout(location = 8) out float out_uv_per_mm;  // texture coordinates per mm: geometric mean of two directions
 void main() {
-  const VertexIo v = pulled_vertex();
+  const uint vertex = vertex_drawn();
+  const VertexIo v = vertices[vertex];
+  const VertexExtraIo extra = vertex_extra(vertex);
+  const SkinVertexIo skin = skin_vertices[vertex];
   out_position_m = world_position(v.position_m);
   out_normal = world_direction(v.normal);
   out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);
-  out_uv = vec4(v.uv0, v.uv1);
-  out_colour = v.colour;
-  out_unwrap = v.unwrap;
-  const float determinant = max(v.metric_mm2.x * v.metric_mm2.z - v.metric_mm2.y * v.metric_mm2.y, 1e-12);
+  out_uv = vec4(v.uv0, extra.uv1);
+  out_colour = extra.colour;
+  out_unwrap = skin.unwrap;
+  const vec3 g = skin.metric_mm2;
+  const float determinant = max(g.x * g.z - g.y * g.y, 1e-12);
   out_uv_per_mm = inversesqrt(sqrt(determinant));
-  const int first = gl_VertexIndex / 3 * 3;
-  out_unwrap_ab = vec4(vertices[indices[first]].unwrap, vertices[indices[first + 1]].unwrap);
-  out_unwrap_c = vertices[indices[first + 2]].unwrap;
+  const uint first = is_first_corner() ? 3u * gl_VertexIndex : 0u;
+  out_unwrap_ab = vec4(skin_vertices[indices[first]].unwrap, skin_vertices[indices[first + 1]].unwrap);
+  out_unwrap_c = skin_vertices[indices[first + 2]].unwrap;
   gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }

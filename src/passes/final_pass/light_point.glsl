@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Returns the position of a point of the skin in a pool of light maps, texels: in the square of that side and
-// origin. At grazing angles even a sample on the triangle may be interpolated far outside of it: the unwrap
-// coordinate is kept in the triangle, and the bilinear footprint in the square.
+// Where a point of the skin reads its light map.
 layout(location = 6) flat in vec4 in_unwrap_ab;  // the triangle's corners
 layout(location = 7) flat in vec2 in_unwrap_c;
 
 float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
+// Keeps an unwrap coordinate in the triangle: at grazing angles even a sample on the triangle may be
+// interpolated far outside of it.
 vec2 within_triangle(vec2 p) {
   const vec2 a = in_unwrap_ab.xy, ab = in_unwrap_ab.zw - a, ac = in_unwrap_c - a;
   const float area = cross2(ab, ac), b_share = cross2(p - a, ac) / area, c_share = cross2(ab, p - a) / area;
@@ -18,10 +18,12 @@ vec2 within_triangle(vec2 p) {
   return a + (kept.y * ab + kept.z * ac) / (kept.x + kept.y + kept.z);
 }
 
-// Half a texel inside, plus the step to which samplers round: outside the square there may be NaN, which a
-// weight of 0 does not remove. With the step, the extra texel lies inside and weighs at most 1/256.
+// Returns the position of an unwrap coordinate in a pool of light maps, texels: in the square of that side
+// and origin, with its bilinear footprint. Half a texel inside, plus the step to which samplers round:
+// outside the square there may be NaN, which a weight of 0 does not remove. With the step, the extra texel
+// lies inside and weighs at most 1/256.
 vec2 light_point(vec2 unwrap, float side, vec2 origin) {
   const float margin = 0.5 + 1.0 / 256.0;
-  return clamp(within_triangle(unwrap) * side, margin, side - margin) + origin;
+  return clamp(unwrap * side, margin, side - margin) + origin;
 }
 vec2 light_point(vec2 unwrap) { return light_point(unwrap, float(io.map_side), vec2(io.map_origin)); }

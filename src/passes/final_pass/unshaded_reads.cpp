@@ -43,6 +43,7 @@ void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, con
   if (read >= in.lights.size()) return;
   const gpu::Texture& depth = resources.texture(in.depth);
   const UsedSquare square = used_square(frame, settings.square);
+  const std::uint32_t mesh = mesh_in_asset(frame, square);
   Bindings bindings;
   bindings.add("Frame", frame.frame_io)
       .add("light_0", resources.nearest(in.lights[read]))
@@ -56,11 +57,11 @@ void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, con
 
   cmd.begin_rendering({}, gpu::DepthTarget{.texture = &depth}, {depth.desc().width, depth.desc().height});
   draw_skin(
-      cmd, instance, mesh_in_asset(frame, square), bindings,
+      cmd, instance, mesh, bindings,
       [&](const GpuDraw& draw, const GpuMaterial& material) {
         return draw.on_map ? pipelines_[material.double_sided][material.cut_out] : nullptr;
       },
-      [&](const GpuMaterial&) { return io; });
+      [&](const GpuMaterial&) { return io; }, first_corners(instance, mesh));
   cmd.end_rendering();
 }
 

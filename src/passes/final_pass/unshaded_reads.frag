@@ -15,13 +15,14 @@ layout(binding = 15, scalar) buffer Counters { uint counters[]; };
 layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
 layout(location = 5) centroid in vec2 in_unwrap;
+layout(location = 8) in float in_uv_per_mm;
 #include "passes/final_pass/coarse_share.glsl"
 #include "passes/final_pass/light_point.glsl"
 
 void main() {
   if (cut_out && is_cut(in_uv, in_colour)) return;
-  if (coarse && coarse_share(terms.widest_mm) >= 1.0) return;  // nothing is read from the map
-  const vec2 at = light_point(in_unwrap) - 0.5;
+  if (coarse && coarse_share(terms.widest_mm, in_uv_per_mm) >= 1.0) return;  // nothing is read from the map
+  const vec2 at = light_point(within_triangle(in_unwrap)) - 0.5;
   const ivec2 corner = ivec2(floor(at));
   const vec2 f = at - vec2(corner);
   bool unshaded = false, shaded = false;

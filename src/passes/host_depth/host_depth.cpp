@@ -52,8 +52,7 @@ void HostDepth::draw_surfaces(gpu::Cmd& cmd, const HostDepthInstance& instance,
     bindings.bind(cmd, pipeline);
     cmd.push(pipeline,
              io::HostDepthIo{.clip_from_world = target.clip_from_world, .instance = instance.transform});
-    for (const GpuSurfaces::Draw& draw : group.draws)
-      cmd.draw(draw.index_count, draw.placements, draw.first_index, draw.first_placement);
+    for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
   }
 }
 

@@ -12,10 +12,11 @@ layout(location = 0) out vec2 out_uv0;
 layout(location = 1) out vec2 out_uv1;
 layout(location = 2) out vec4 out_colour;
 void main() {
-  const VertexIo v = pulled_vertex();
+  const VertexIo v = vertices[gl_VertexIndex];
+  const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
   out_uv0 = v.uv0;
-  out_uv1 = v.uv1;
-  out_colour = v.colour;
+  out_uv1 = extra.uv1;
+  out_colour = extra.colour;
   const vec3 position_m = world_position(placed_position(placements[gl_InstanceIndex], v.position_m));
   gl_Position = io.clip_from_world * vec4(position_m, 1.0);
 }

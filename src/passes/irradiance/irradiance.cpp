@@ -2,7 +2,6 @@
 #include "passes/irradiance/irradiance.h"
 
 #include "frame/resources.h"
-#include "passes/cull.h"
 #include "passes/draw_skin.h"
 #include "passes/targets.h"
 
@@ -12,6 +11,7 @@ Irradiance::Out Irradiance::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
   d.colour(in.light);
   d.sample(in.shadow);
+  if (in.kept.valid()) d.indices(in.kept.indices);
   if (settings.from_host) d.sample(in.host_irradiance);
   if (!settings.through.empty()) {
     DERMIS_ASSERT_LT(in.joining.size(), std::size_t{TRANSMISSION_GROUPS});
@@ -24,7 +24,7 @@ Irradiance::Out Irradiance::declare(frame::Declare& d) {
 void Irradiance::prepare(gpu::PipelineLibrary& library) {
   gpu::GraphicsDesc desc{.vertex = settings.clip ? "irradiance_clipped.vert" : "irradiance.vert",
                          .fragment = settings.from_host ? "irradiance_from_host.frag" : "irradiance.frag",
-                         .constants = {{"cull", settings.cull ? 1u : 0u}},
+                         .constants = {},
                          .colour_formats = {light_format}};
   if (!settings.from_host) {
     desc.constants.emplace_back("environment", settings.environment ? 1u : 0u);
@@ -77,7 +77,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
     draw_skin(
         cmd, instance, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out][entry]; },
-        [&](const GpuMaterial& material) { return cull_io(instance, material); });
+        nullptr, in.kept.valid() ? kept_in(in.kept, resources, square) : gpu::BufferBinding{});
     cmd.end_rendering();
   }
 }

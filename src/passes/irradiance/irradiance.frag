@@ -5,6 +5,7 @@
 #include "shared/scene_io.h"
 #include "shaders/half.glsl"
 #include "shaders/skin_point.glsl"
+#include "shaders/skin_lights.glsl"
 #include "passes/irradiance/cut_chart.glsl"
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;
@@ -18,8 +19,8 @@ void main() {
   const vec3 n_geometric = normalize(in_normal);
   const ShadingPoint s = ShadingPoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
-  const vec3 e =
-      entering_irradiance(s, n, n_geometric, skin_specular(s)) + entering_surroundings(s, n, in_unwrap);
+  const vec3 e = lit_skin(s, n, n_geometric, skin_specular(s), true, unseen).entering +
+                 entering_surroundings(s, n, in_unwrap);
   const float chart = cut_out ? chart_left(float(in_chart), in_uv, in_colour) : float(in_chart);
   vec3 albedo = skin_albedo(s);
   if (cut_out && chart == BORDER_ALPHA) albedo = albedo_beside(in_uv, in_colour);

@@ -10,6 +10,7 @@
 #include <array>
 
 #include "gaussians/sum.h"
+#include "passes/kept_triangles.h"
 #include "passes/light_pool.h"
 #include "passes/lighting.h"
 #include "passes/transmission.h"
@@ -20,8 +21,7 @@ class Irradiance {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-    bool cull = false;         ///< leaves out triangles that face away from the camera; see shaders/cull.glsl
-    bool environment = false;  ///< light from FrameData::environment, else FrameIo::ambient
+    bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
     bool soft_shadows = false;  ///< lights with a radius cast penumbrae
     bool clip = false;          ///< leaves out skin outside the picture and its margin
     bool cut_out = false;       ///< leaves out what the alpha test of some material cuts away
@@ -38,6 +38,7 @@ class Irradiance {
     /// many as the mesh with most groups needs.
     std::vector<frame::TextureId> joining = {};
     frame::TextureId host_irradiance = {};  ///< with `from_host`
+    KeptTriangles kept = {};                ///< only these are drawn; not valid: all
   } in;
   struct Out {
     frame::TextureId light;
@@ -64,6 +65,7 @@ class TransmissionMisses {
   } settings;
   struct In {
     frame::TextureId shadow, entering;
+    KeptTriangles kept;  ///< as Irradiance
     frame::BufferId counters;
   } in;
   struct Out {};

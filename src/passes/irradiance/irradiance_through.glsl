@@ -4,6 +4,7 @@
 #include "shared/scene_io.h"
 #include "shaders/half.glsl"
 #include "shaders/skin_point.glsl"
+#include "shaders/skin_lights.glsl"
 #include "shaders/skin_through.glsl"
 #include "passes/irradiance/cut_chart.glsl"
 layout(location = 0) in vec3 in_position_m;
@@ -24,7 +25,7 @@ void main() {
   const vec3 n_geometric = normalize(in_normal);
   const ShadingPoint s = ShadingPoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
-  const EnteringAndThrough r = entering_and_through(s, n, n_geometric, skin_specular(s));
+  const LitThrough r = lit_through(s, n, n_geometric, skin_specular(s), unseen);
 
   const float chart = cut_out ? chart_left(float(in_chart), in_uv, in_colour) : float(in_chart);
   vec3 albedo = skin_albedo(s);
@@ -32,7 +33,7 @@ void main() {
 
   const vec3 before = albedo_power(albedo, material.mix_before);
   const float scale = frame.radiance_scale / pi;
-  const vec3 entering = r.entering + entering_surroundings(s, n, in_unwrap);
+  const vec3 entering = r.skin.entering + entering_surroundings(s, n, in_unwrap);
 
   if (cut_out && chart == 0.0) discard;
   out_light = vec4(storable((entering * before + joining(r, 0)) * scale), chart);

@@ -2,12 +2,9 @@
 // The vertex stage of passes that draw a head in its texture coordinates. CLIP: with clip distances.
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
+#include "shaders/skin_vertex.glsl"
 #include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
-#include "shaders/cull.glsl"
-#include "shared/cull_io.h"
-layout(constant_id = 0) const bool cull = false;
-layout(push_constant, scalar) uniform Push { CullIo io; };
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;
@@ -15,7 +12,6 @@ layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;
 layout(location = 5) flat out uint out_chart;
 layout(location = 6) out vec2 out_unwrap;
-layout(binding = 13, scalar) readonly buffer Charts { uint charts[]; };
 #ifdef CLIP
 out gl_PerVertex {
   vec4 gl_Position;
@@ -23,18 +19,18 @@ out gl_PerVertex {
 };
 #endif
 void main() {
-  const VertexIo v = pulled_vertex();
+  const VertexIo v = vertices[gl_VertexIndex];
+  const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
+  const SkinVertexIo skin = skin_vertices[gl_VertexIndex];
   out_position_m = world_position(v.position_m);
   out_normal = world_direction(v.normal);
   out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);
-  out_uv = vec4(v.uv0, v.uv1);
-  out_colour = v.colour;
-  out_chart = charts[gl_VertexIndex / 3];
-  out_unwrap = v.unwrap;
-  gl_Position = vec4(v.unwrap * 2.0 - 1.0, 0.5, 1.0);
+  out_uv = vec4(v.uv0, extra.uv1);
+  out_colour = extra.colour;
+  out_chart = skin.chart;
+  out_unwrap = skin.unwrap;
+  gl_Position = vec4(skin.unwrap * 2.0 - 1.0, 0.5, 1.0);
 #ifdef CLIP
   for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = distance_inside(i, out_position_m);
 #endif
-  if (cull && io.can_cull != 0u && triangle_culled(gl_VertexIndex / 3, io.map_side))
-    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "frame/resources.h"
-#include "passes/cull.h"
 #include "passes/draw_skin.h"
 #include "passes/irradiance/irradiance.h"
 
@@ -10,6 +9,7 @@ TransmissionMisses::Out TransmissionMisses::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
   d.runs(frame::Runs::for_statistics);
   d.sample(in.shadow);
+  if (in.kept.valid()) d.indices(in.kept.indices);
   if (in.entering.valid()) d.sample(in.entering);
   d.write(in.counters);
   return {};
@@ -19,8 +19,7 @@ void TransmissionMisses::prepare(gpu::PipelineLibrary& library) {
   const Irradiance::Settings& irradiance = settings.irradiance;
   gpu::GraphicsDesc desc{.vertex = irradiance.clip ? "irradiance_clipped.vert" : "irradiance.vert",
                          .fragment = "transmission_misses.frag",
-                         .constants = {{"cull", irradiance.cull ? 1u : 0u},
-                                       {"slot", settings.slot},
+                         .constants = {{"slot", settings.slot},
                                        {"entering_stored", in.entering.valid() ? 1u : 0u},
                                        {"through_terms", 0u}}};
   pipelines_.clear();
@@ -48,7 +47,7 @@ void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources
     cmd.begin_rendering_area({}, {}, square.area(), true);
     draw_skin(
         cmd, instance, mesh, bindings, [&](const GpuDraw&, const GpuMaterial&) { return pipelines_[entry]; },
-        [&](const GpuMaterial& material) { return cull_io(instance, material); });
+        nullptr, in.kept.valid() ? kept_in(in.kept, resources, square) : gpu::BufferBinding{});
     cmd.end_rendering();
   }
 }

@@ -5,6 +5,7 @@
 #include "shared/scene_io.h"
 #include "shaders/half.glsl"
 #include "shaders/skin_point.glsl"
+#include "shaders/skin_lights.glsl"
 #include "shaders/skin_through.glsl"
 layout(constant_id = 9) const uint slot = 0;
 layout(binding = 25, scalar) buffer Counters { uint counters[]; };

@@ -16,8 +16,9 @@ void main() {
   const VertexIo v = placed_vertex();
   out_position_m = world_position(v.position_m);
   out_normal = world_direction(v.normal);
-  out_uv = vec4(v.uv0, v.uv1);
-  out_colour = v.colour;
-  out_part = skin ? parts[indices[gl_VertexIndex]] : vec2(-1.0);
+  const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
+  out_uv = vec4(v.uv0, extra.uv1);
+  out_colour = extra.colour;
+  out_part = skin ? parts[gl_VertexIndex] : vec2(-1.0);
   gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }

@@ -78,8 +78,7 @@ void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
     material.offer(bindings);
     bindings.bind(cmd, pipeline);
     cmd.push(pipeline, io);
-    for (const GpuSurfaces::Draw& draw : group.draws)
-      cmd.draw(draw.index_count, draw.placements, draw.first_index, draw.first_placement);
+    for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
   }
 }
 

@@ -3,16 +3,17 @@
 #version 460
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
-layout(binding = 13, scalar) readonly buffer Charts { uint charts[]; };
+#include "shaders/skin_vertex.glsl"
 layout(location = 0) out vec3 out_metric;
 layout(location = 1) flat out uint out_chart;
 layout(location = 2) out vec4 out_uv;
 layout(location = 3) out vec4 out_colour;
 void main() {
-  const VertexIo v = pulled_vertex();
-  out_metric = v.metric_mm2;
-  out_chart = charts[gl_VertexIndex / 3];
-  out_uv = vec4(v.uv0, v.uv1);
-  out_colour = v.colour;
-  gl_Position = vec4(v.unwrap * 2.0 - 1.0, 0.5, 1.0);
+  const SkinVertexIo skin = skin_vertices[gl_VertexIndex];
+  const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
+  out_metric = skin.metric_mm2;
+  out_chart = skin.chart;
+  out_uv = vec4(vertices[gl_VertexIndex].uv0, extra.uv1);
+  out_colour = extra.colour;
+  gl_Position = vec4(skin.unwrap * 2.0 - 1.0, 0.5, 1.0);
 }

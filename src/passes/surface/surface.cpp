@@ -78,10 +78,10 @@ void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
 
 void Surface::draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                           const Instance& instance) const {
-  for (const GpuSurfaces::Group& group : instance.scene->surfaces.groups) {
+  const GpuSurfaces& surfaces = instance.scene->surfaces;
+  for (const GpuSurfaces::Group& group : surfaces.groups) {
     bind(cmd, resources, frame, instance, group.page, group.material);
-    for (const GpuSurfaces::Draw& draw : group.draws)
-      cmd.draw(draw.index_count, draw.placements, draw.first_index, draw.first_placement);
+    for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
   }
 }
 
@@ -102,7 +102,7 @@ void Surface::draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, con
     if (!bound || bound->page != part->page || bound->material != part->material)
       bind(cmd, resources, frame, instance, part->page, part->material);
     bound = part;
-    cmd.draw(part->draw.index_count, 1, part->draw.first_index, part->draw.first_placement);
+    instance.scene->surfaces.record(cmd, part->page, part->draw);
   }
 }
 

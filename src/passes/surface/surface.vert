@@ -16,7 +16,8 @@ void main() {
   out_position_m = world_position(v.position_m);
   out_normal = world_direction(v.normal);
   out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);
-  out_uv = vec4(v.uv0, v.uv1);
-  out_colour = v.colour;
+  const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
+  out_uv = vec4(v.uv0, extra.uv1);
+  out_colour = extra.colour;
   gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }

@@ -105,7 +105,7 @@ Document read_document(const Value& root, const Container& container, const std:
   read_lights(document, root);
   read_meshes(document, root);
   read_nodes(document, root);
-  check_animations(document, root);
+  read_animations(document, root);
   return document;
 }
 

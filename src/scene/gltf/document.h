@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/animation.h"
 #include "scene/gltf/value.h"
 #include "scene/material_source.h"
 #include "scene/scene.h"
@@ -119,6 +120,7 @@ struct Mesh {
 struct Node {
   std::string name;
   glm::dmat4 local{1};
+  std::optional<Transform> transform = Transform{};  ///< what `local` is made of; none: the file has a matrix
   int mesh = -1, skin = -1, camera = -1, light = -1;
   int parent = -1;
   std::vector<int> children;
@@ -128,6 +130,22 @@ struct Node {
 struct Skin {
   int inverse_bind = -1;  ///< accessor
   std::vector<int> joints;
+};
+
+/// An animation whose key frames are not read yet.
+struct AnimationSource {
+  struct Sampler {
+    int input = 0, output = 0;  ///< accessors
+    Interpolation interpolation = Interpolation::linear;
+  };
+  struct Channel {
+    int sampler = 0;
+    int node = -1;                     ///< -1: of an extension
+    std::optional<AnimatedPath> path;  ///< none: likewise
+  };
+  std::string name;
+  std::vector<Sampler> samplers;
+  std::vector<Channel> channels;
 };
 
 struct Document {
@@ -145,6 +163,7 @@ struct Document {
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;
   std::vector<Skin> skins;
+  std::vector<AnimationSource> animations;
   std::vector<Camera> cameras;               ///< without a place in the world
   std::vector<std::optional<Light>> lights;  ///< likewise; none: of a type we do not know
   std::vector<int> roots;                    ///< of the scene that is shown
@@ -167,7 +186,7 @@ void read_meshes(Document& document, const Value& root);
 void read_nodes(Document& document, const Value& root);
 void read_cameras(Document& document, const Value& root);
 void read_lights(Document& document, const Value& root);
-void check_animations(const Document& document, const Value& root);
+void read_animations(Document& document, const Value& root);
 
 /// A textureInfo object (index, texCoord, KHR_texture_transform, and `scale_key` if not null) as a map.
 MapRef read_texture_info(const Document& document, const Value& info, const char* scale_key = nullptr);

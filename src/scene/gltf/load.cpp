@@ -5,6 +5,7 @@
 #include "core/one_line.h"
 #include "scene/complete.h"
 #include "scene/gltf/finish.h"
+#include "scene/gltf/play.h"
 #include "scene/missing_uv.h"
 
 namespace dermis::scene {
@@ -17,12 +18,19 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   Steps steps("reading " + one_line(path.filename().string()), 3);
   const Container container = open_container(path);
   const json::Document json = parse(container.json, path.string());
-  const Document document = read_document(json.root(), container, path);
+  Document document = read_document(json.root(), container, path);
   Bytes bytes(document, container);
+  if (!options.clip.empty() || options.time_s) {
+    const Clip clip = read_clip(document, bytes, find_animation(document, options.clip));
+    Pose pose = rest_pose(document);
+    play(clip, options.time_s.value_or(0), pose);
+    take_pose(pose, document);
+  }
   check_limits(document, options);
 
   Scene scene;
   scene.name = path.filename().string();
+  scene.clips = animation_names(document);
   MaterialNumbers numbers;
   std::vector<MaterialSource> materials = used_materials(document, numbers);
   choose_skin(document.file, options.skin_material, materials);

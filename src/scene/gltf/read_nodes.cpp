@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads nodes, skins and scenes; checks that they form a tree.
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "scene/gltf/document.h"
@@ -22,28 +21,37 @@ glm::dmat4 read_matrix(const Value& value, const std::vector<double>& m) {
   return matrix;
 }
 
-glm::dmat4 read_local(const Value& value) {
-  if (const std::vector<double> m = value.numbers("matrix", 16); !m.empty()) return read_matrix(value, m);
+Transform read_transform(const Value& value) {
   const std::vector<double> t = value.numbers("translation", 3), r = value.numbers("rotation", 4),
                             s = value.numbers("scale", 3);
-  glm::dmat4 local(1);
-  if (!t.empty()) local = glm::translate(local, glm::dvec3(t[0], t[1], t[2]));
+  Transform transform;
+  if (!t.empty()) transform.translation = {t[0], t[1], t[2]};
   if (!r.empty()) {
     const glm::dquat q(r[3], r[0], r[1], r[2]);  // glm: w first
     const double length = glm::length(q);
     if (std::abs(length - 1) > 0.01)
       value.at("rotation").fail("must be a unit quaternion, has length {}", length);
-    local *= glm::mat4_cast(q / length);
+    transform.rotation = q / length;
   }
-  if (!s.empty()) local = glm::scale(local, glm::dvec3(s[0], s[1], s[2]));
-  return local;
+  if (!s.empty()) transform.scale = {s[0], s[1], s[2]};
+  return transform;
+}
+
+void read_place(const Value& value, Node& node) {
+  if (const std::vector<double> m = value.numbers("matrix", 16); !m.empty()) {
+    node.local = read_matrix(value, m);
+    node.transform.reset();
+    return;
+  }
+  node.transform = read_transform(value);
+  node.local = node.transform->matrix();
 }
 
 Node read_node(const Document& document, const Value& value, std::size_t nodes, std::size_t skins) {
   Node node;
   node.place = value.place();
   node.name = value.text_or("name", "");
-  node.local = read_local(value);
+  read_place(value, node);
   node.mesh = value.index_or_none("mesh", document.meshes.size(), "mesh");
   node.skin = value.index_or_none("skin", skins, "skin");
   node.camera = value.index_or_none("camera", document.cameras.size(), "camera");

@@ -115,17 +115,6 @@ std::optional<Light> read_light(const Document& document, const Value& value) {
   return light;
 }
 
-void check_channel(const Document& document, const Value& channel, std::size_t samplers) {
-  channel.index("sampler", samplers, "sampler");
-  const Value target = channel.at("target");
-  const int node = target.index_or_none("node", document.nodes.size(), "node");
-  const std::string& path = target.at("path").text();
-  const bool has_targets = node >= 0 && document.nodes[node].mesh >= 0 &&
-                           !document.meshes[document.nodes[node].mesh].primitives[0].targets.empty();
-  if (path == "weights" && node >= 0 && !has_targets)
-    target.fail("animates the weights of node {}, which has no morph targets", node);
-}
-
 }  // namespace
 
 void read_cameras(Document& document, const Value& root) {
@@ -136,18 +125,6 @@ void read_lights(Document& document, const Value& root) {
   if (const auto lights = extension(root, "KHR_lights_punctual"))
     lights->for_each("lights",
                      [&](const Value& value) { document.lights.push_back(read_light(document, value)); });
-}
-
-void check_animations(const Document& document, const Value& root) {
-  root.for_each("animations", [&](const Value& animation) {
-    const std::size_t samplers = animation.at("samplers").array_size();
-    animation.for_each("samplers", [&](const Value& sampler) {
-      sampler.index("input", document.accessors.size(), "accessor");
-      sampler.index("output", document.accessors.size(), "accessor");
-    });
-    animation.at("channels");
-    animation.for_each("channels", [&](const Value& channel) { check_channel(document, channel, samplers); });
-  });
 }
 
 }  // namespace dermis::scene::gltf

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "passes/count/count.h"
+#include "passes/cull_triangles/cull_triangles.h"
 #include "passes/depth_mask/depth_mask.h"
 #include "passes/dilate/dilate.h"
 #include "passes/downsample/downsample.h"
@@ -85,6 +86,11 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     levels_.back().blurred.push_back(blurred_.back());
   }
 
+  if (settings.optimise.cull) {
+    std::uint32_t most = 0;
+    for (const SkinPart& part : settings.skin) most = std::max(most, part.triangles);
+    kept_ = passes::make_kept_triangles(plan, pool_.squares(), most);
+  }
   if (settings.cascade)
     make_cascade();
   else if (settings.translucency)
@@ -247,7 +253,6 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
   const std::vector<SkinPart>& skin = settings_->skin;
   passes::Irradiance::Settings irradiance{
       .squares = all,
-      .cull = settings_->optimise.cull,
       .environment = settings_->environment,
       .soft_shadows = settings_->soft_shadows,
       .clip = settings_->optimise.clip,
@@ -259,17 +264,20 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
       irradiance.through.push_back(
           {.mesh = mesh, .profile = skin[mesh].profile, .mm_per_unit = skin[mesh].mm_per_unit});
 
+  if (kept_.valid()) plan_->add<passes::CullTriangles>(name("cull triangles"), {kept_}, {all});
   if (settings_->host_lights())
     plan_->add<passes::HostIrradiance>(name("host irradiance"), {host_irradiance_}, {.squares = all});
   plan_->add<passes::Irradiance>(
       name("irradiance"),
-      {level.light, screen_->shadow(), screen_->entering(), transmitted_, host_irradiance_}, irradiance);
+      {level.light, screen_->shadow(), screen_->entering(), transmitted_, host_irradiance_, kept_},
+      irradiance);
 
   // Count for the statistics.
   if (settings_->translucency)
-    plan_->add<passes::TransmissionMisses>(name("count transmission misses"),
-                                           {screen_->shadow(), screen_->entering(), screen_->counters()},
-                                           {.irradiance = irradiance, .slot = counter_transmission_misses});
+    plan_->add<passes::TransmissionMisses>(
+        name("count transmission misses"),
+        {screen_->shadow(), screen_->entering(), kept_, screen_->counters()},
+        {.irradiance = irradiance, .slot = counter_transmission_misses});
 
   for (const std::uint32_t mesh : meshes_of(all))
     plan_->add<passes::Count>(

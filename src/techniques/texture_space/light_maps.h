@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "passes/kept_triangles.h"
 #include "passes/light_pool.h"
 #include "passes/tile_lists.h"
 #include "techniques/screen.h"
@@ -119,6 +120,7 @@ class LightMaps {
   std::vector<frame::TextureId> blurred_;
   std::vector<frame::TextureId> stretch_;      // by unwrap, or by turn of the meshes of a head
   frame::TextureId host_irradiance_;           // valid if a host draws the light
+  passes::KeptTriangles kept_;                 // valid if triangles are culled
   std::vector<frame::TextureId> transmitted_;  // with translucency: of the second and third group of terms
   std::map<std::pair<std::size_t, std::uint32_t>, frame::TextureId> halved_transmitted_;  // group, halvings
 };

@@ -94,10 +94,12 @@ void prepare(const Scene& scene) {
 }
 
 bool load_and_prepare(Bytes file) {
+  const std::filesystem::path path = put_file("scene", file);
   return accepts([&] {
-    const Scene scene = load_gltf(put_file("scene", file));
+    const Scene scene = load_gltf(path);
     check_scene(scene);
     prepare(scene);
+    if (!scene.clips.empty()) check_scene(load_gltf(path, {.time_s = 0.3}));
   });
 }
 

@@ -55,8 +55,9 @@ class Paint {
     frame.instances[0].scene->skin[0].offer(bindings);
     bindings.bind(cmd, *pipeline_);
     cmd.push(*pipeline_, settings.io);
-    for (const passes::GpuDraw& draw : frame.instances[0].scene->skin[0].draws)
-      cmd.draw(draw.index_count, 1, draw.first_index);
+    const passes::GpuMesh& mesh = frame.instances[0].scene->skin[0];
+    for (const passes::GpuDraw& draw : mesh.draws)
+      cmd.draw_indexed({&mesh.indices}, draw.index_count, draw.first_index);
     cmd.end_rendering();
   }
 

@@ -220,7 +220,7 @@ TEST(TermsByNeed, AMapThatIsNotStoredIsNotShown) {
   EXPECT_EQ(
       refused(400, "irradiance"),
       "output.show 'irradiance' is not stored from here: with 32 of 256 texels per side all terms are lit "
-      "per pixel; quality.depth false stores it");
+      "per pixel; without quality.depth all are stored");
   EXPECT_NE(refused(400, "blur:5").find("all terms are lit per pixel"), std::string::npos);
   EXPECT_NE(refused(8, "blur:0").find("the terms before blur:"), std::string::npos);
 

@@ -153,7 +153,7 @@ TEST(CoarseHeads, EveryReadFindsLight) {
 }
 
 // Heads beyond the budget come in batches: memory holds their lights and shadow matrices, nothing else.
-TEST(Memory, DoesNotGrowWithTheNumberOfHeads) {
+TEST(MemoryOfHeads, DoesNotGrowWithTheNumberOfHeads) {
   const auto images = [](int heads) {
     RenderSettings s = small_settings("texture-space");
     s.camera.heads = heads;
@@ -167,7 +167,7 @@ TEST(Memory, DoesNotGrowWithTheNumberOfHeads) {
   EXPECT_LE(many.second, one.second + 16 * 65536);
 }
 
-TEST(Memory, ABudgetSetsHowManyHeadsGoTogether) {
+TEST(MemoryOfHeads, ABudgetSetsHowManyHeadsGoTogether) {
   RenderSettings s = small_settings("texture-space");
   s.camera.heads = 5;
   s.camera.distance = 20;

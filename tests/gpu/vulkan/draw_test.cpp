@@ -285,7 +285,7 @@ TEST_F(Draw, IndexedIndirectAndTimed) {
       if (indirect)
         cmd.draw_indirect(arguments, 0, 2);
       else
-        cmd.draw_indexed(indices, 3, 3);
+        cmd.draw_indexed({&indices}, 3, 3);
       cmd.end_rendering();
       timer.end(commands);
       timer.end(commands);

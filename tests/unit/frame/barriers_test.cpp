@@ -39,7 +39,8 @@ constexpr Way buffer_readers[] = {{"read by compute", PassKind::compute, Access:
                                   {"read by raster", PassKind::raster, Access::storage_read},
                                   {"copied from", PassKind::copy, Access::copy_source},
                                   {"arguments of a draw", PassKind::raster, Access::indirect_arguments},
-                                  {"arguments of a dispatch", PassKind::compute, Access::indirect_arguments}};
+                                  {"arguments of a dispatch", PassKind::compute, Access::indirect_arguments},
+                                  {"indices of a draw", PassKind::raster, Access::indices}};
 
 std::string join(const std::vector<std::string>& lines) {
   std::string text;

@@ -23,6 +23,7 @@ Stages stages_that_may(Accesses access) {
                              VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
   switch (access) {
     case VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT: return VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT;
+    case VK_ACCESS_2_INDEX_READ_BIT: return VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT;
     case VK_ACCESS_2_SHADER_SAMPLED_READ_BIT:
     case VK_ACCESS_2_SHADER_STORAGE_READ_BIT:
     case VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT: return shaders;
@@ -221,6 +222,9 @@ Demand demand_of(Access access, PassKind kind, bool is_texture) {
     case Access::indirect_arguments:
       d = {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, 0,
            VK_IMAGE_LAYOUT_UNDEFINED};
+      break;
+    case Access::indices:
+      d = {VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT, VK_ACCESS_2_INDEX_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
       break;
   }
 

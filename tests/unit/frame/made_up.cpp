@@ -13,9 +13,10 @@ void touch(Declare& d, Access access, TextureId id) {
     case Access::depth_target: return d.depth(id);
     case Access::copy_source: return d.copy_from(id);
     case Access::copy_target: return d.copy_to(id);
-    case Access::indirect_arguments: break;
+    case Access::indirect_arguments:
+    case Access::indices: break;
   }
-  DERMIS_ASSERT(access != Access::indirect_arguments);
+  DERMIS_ASSERT(access == Access::sampled);
 }
 
 void touch(Declare& d, Access access, BufferId id) {
@@ -25,6 +26,7 @@ void touch(Declare& d, Access access, BufferId id) {
     case Access::copy_source: return d.copy_from(id);
     case Access::copy_target: return d.copy_to(id);
     case Access::indirect_arguments: return d.indirect(id);
+    case Access::indices: return d.indices(id);
     default: break;
   }
   DERMIS_ASSERT(access == Access::storage_read);

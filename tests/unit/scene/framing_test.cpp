@@ -61,6 +61,15 @@ TEST(SkinSphere, LooksOnlyAtSkinIfThereIsAny) {
   EXPECT_NEAR(skin_sphere(scene).radius_m, 2.6, 1e-4);
 }
 
+TEST(SkinBounds, AreABoxAndTheSphereAboutItsMiddle) {
+  Scene scene = sphere(0.1, 8);
+  for (Vertex& v : scene.primitives[0].vertices) v.position_m += glm::vec3(1, 2, 3);
+  const Bounds bounds = skin_bounds(scene);
+  EXPECT_NEAR(glm::distance(bounds.low_m, glm::vec3(0.9f, 1.9f, 2.9f)), 0, 1e-5);
+  EXPECT_NEAR(glm::distance(bounds.high_m, glm::vec3(1.1f, 2.1f, 3.1f)), 0, 1e-5);
+  EXPECT_NEAR(glm::distance(bounds.sphere.centre_m, glm::vec3(1, 2, 3)), 0, 1e-5);
+}
+
 TEST(Framing, OutlineFillsTheSmallerSide) {
   for (const double aspect : {0.5, 1.0, 16.0 / 9})
     for (const double azimuth : {0.0, 40.0, -135.0}) {

@@ -12,7 +12,8 @@ namespace dermis::setup {
 
 inline PlacedScene alone(const Subject& subject) {
   PlacedScene scene{.name = subject.scene->name, .instances = {}, .lights = subject.scene->lights};
-  scene.instances.push_back({.asset = subject.scene, .sphere = subject.sphere, .profile = {}, .mix = {}});
+  scene.instances.push_back(
+      {.asset = subject.scene, .sphere = subject.bounds.sphere, .profile = {}, .mix = {}});
   return scene;
 }
 

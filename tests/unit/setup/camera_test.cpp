@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <string>
@@ -118,8 +119,12 @@ TEST(Matrices, ShowTheSameInEveryConvention) {
       if (orthographic && convention.infinite) continue;
       SCOPED_TRACE(convention.name + (orthographic ? ", orthographic" : ""));
       const Lens lens{.orthographic = orthographic};
-      const scene::Camera camera = camera_of(matrices_of(native, lens, convention));
+      const CameraMatrices matrices = matrices_of(native, lens, convention);
+      const scene::Camera camera = camera_of(matrices);
       const io::CameraIo seen = frame_camera(camera, aspect);
+      const glm::mat4 exact = picture_from_world(matrices, camera),
+                      of_host = glm::mat4(clip_from_world(matrices));
+      for (const int row : {0, 1, 3}) EXPECT_EQ(glm::row(exact, row), glm::row(of_host, row));
       EXPECT_NEAR(camera.znear_m, near_m, 1e-5);
       EXPECT_EQ(camera.orthographic, orthographic);
       EXPECT_NEAR(glm::distance(seen.eye_m, glm::vec3(0.3f, 0.2f, 0.9f)), 0, 1e-6);
@@ -132,6 +137,9 @@ TEST(Matrices, ShowTheSameInEveryConvention) {
                                      side * (lens.bottom + y * (lens.top - lens.bottom)), -depth_m, 1);
           const glm::dvec3 position_m(glm::dmat4(native.world_from_camera) * of_camera);
           EXPECT_NEAR(glm::distance(on_picture(seen, position_m), glm::dvec2(2 * x - 1, 2 * y - 1)), 0, 1e-5);
+          const glm::vec4 clip = exact * glm::vec4(position_m, 1),
+                          rounded = seen.clip_from_world * glm::vec4(position_m, 1);
+          EXPECT_NEAR(glm::distance(clip / clip.w, rounded / rounded.w), 0, 1e-5) << "depth too";
 
           // The ray of the reference through that corner meets the point too.
           reference::RenderSetup setup;
