@@ -28,14 +28,22 @@ HalfKernel discrete_gaussian(double sigma);
 /// borders, however narrow the Gaussian.
 HalfKernel texel_averaged_gaussian(double sigma);
 
-/// Returns the same in taps 0, +-1, +-2 alone, with the variance of texel_averaged_gaussian(), as far as five
-/// taps can have it (to a sigma of 1.35).
-HalfKernel narrow_gaussian(double sigma);
-
 double variance(const HalfKernel& kernel);
 
-/// Returns three tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
-/// discrete_gaussian, texel_averaged_gaussian, narrow_gaussian.
+/// Returns two tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
+/// discrete_gaussian, texel_averaged_gaussian.
 std::vector<float> kernel_table();
+
+/// Returns the variance of texel_averaged_gaussian() if it is not cut.
+double texel_averaged_variance(double sigma);
+
+/// Returns q of the kernel with weights q^(k^2) of taps 0, +-1, .. +-radius whose variance is `variance`, or
+/// as far as so many taps can have it: q is 0 to 1.
+double ratio_of_variance(double variance, int radius);
+
+/// Returns three tables of RATIO_CELLS pairs of q: with the variances of discrete_gaussian and of
+/// texel_averaged_gaussian, and with the latter in NARROW_RADIUS taps however wide (exact to a sigma
+/// of 1.35).
+std::vector<float> ratio_table();
 
 }  // namespace dermis::passes

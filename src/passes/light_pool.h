@@ -52,6 +52,8 @@ struct UsedSquare : MapSquare {
   VkRect2D area() const;
 };
 UsedSquare used_square(const FrameData& frame, const MapSquare& square);
+/// Returns how many texels of maps that are not halved lie along a side of a texel of maps of these halvings.
+double full_texels(const FrameData& frame, MapSquare square, std::uint32_t halvings);
 /// Returns the squares that hold light in this frame: of visible heads that read at least one term from them.
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares);
 /// Returns those whose chain of blurs has begun with this step of blur_steps(), or before.

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "passes/cascade/cascade_steps.h"
+#include "passes/cascade_steps.h"
 #include "techniques/technique.h"
 
 namespace dermis::techniques {

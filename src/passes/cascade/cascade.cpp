@@ -13,13 +13,8 @@ namespace {
 
 glm::vec3 vec3_of(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-// Returns texels of the largest map per texel of the maps of these halvings.
-double ratio_of(const FrameData& frame, MapSquare square, std::uint32_t halvings) {
-  square.halvings = 0;
-  const double side = used_square(frame, square).side;
-  square.halvings = halvings;
-  return side / used_square(frame, square).side;
-}
+// Returns whether CascadeSum does the second axis of a step, where it is the last.
+bool ends_in_sum(const CascadeStep& step) { return step.halvings == 0; }
 
 }  // namespace
 
@@ -53,16 +48,16 @@ void MaskedPass::make_pipeline(gpu::PipelineLibrary& library, const std::string&
   else
     pipeline_ = &library.compute(name + ".comp", {{"tiled", tiled() ? 1u : 0u}});
 
-  const std::vector<float> table = kernel_table();
-  kernels_ = gpu::make_buffer(library.device(), "cascade kernels", std::span<const float>(table),
-                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  const std::vector<float> table = ratio_table();
+  ratios_ = gpu::make_buffer(library.device(), "cascade kernels", std::span<const float>(table),
+                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
 void MaskedPass::offer(Bindings& bindings, const frame::Resources& resources) const {
   // Without tiles the list is never read, but a buffer must be bound.
-  bindings.add("Kernels", kernels_)
-      .add("Tiles", tiled() ? resources.buffer(mask_.lists.tiles) : kernels_)
-      .add("TileCounts", tiled() ? resources.buffer(mask_.lists.counts) : kernels_);
+  bindings.add("Ratios", ratios_)
+      .add("Tiles", tiled() ? resources.buffer(mask_.lists.tiles) : ratios_)
+      .add("TileCounts", tiled() ? resources.buffer(mask_.lists.counts) : ratios_);
   if (!drawn()) bindings.add("light_out", resources.storage(target_));
 }
 
@@ -109,15 +104,19 @@ void CascadeBlur::record(gpu::Cmd& cmd, const frame::Resources& resources, const
   offer(bindings, resources);
   bindings.bind(cmd, pipeline());
 
-  const CascadeStep& step = settings.step;
+  const CascadeStep& step = settings.steps[settings.number];
   for (const UsedSquare& square : blurred_squares(frame, settings.squares, settings.number)) {
     const MappedTerms terms = terms_of(frame, square);
     const bool last = terms.first_step == settings.number;
-    const double ratio = ratio_of(frame, square, step.halvings);
-    const double off = taken_off_texels2(step, ratio, ratio_of(frame, square, step.halvings_after), last);
+    if (last && settings.axis == 1 && ends_in_sum(step)) continue;
+
+    // What a step takes off depends on what narrower terms of its level have taken off.
+    const double ratio = full_texels(frame, square, step.halvings);
+    const std::uint32_t before = terms_before(settings.steps, terms.first_step, settings.number);
+    const std::uint32_t after = level_after(settings.steps, terms.first_step, step.halvings);
+    const std::vector<float> no_weights(MOST_TERMS, 0);
 
     io::CascadeIo io{.variance_mm2 = static_cast<float>(last ? step.total_mm2 : step.variance_mm2),
-                     .moved_texels2 = static_cast<float>(off / (ratio * ratio)),
                      .axis = settings.axis,
                      .texel_averaged = last && ratio == 1 ? 1u : 0u,
                      .origin = {},
@@ -125,7 +124,11 @@ void CascadeBlur::record(gpu::Cmd& cmd, const frame::Resources& resources, const
                      .square = 0,
                      .first_tile = 0,
                      .scale = glm::vec3(1),
-                     .joins = glm::vec3(0)};
+                     .joins = glm::vec3(0),
+                     .level = cascade_level(settings.steps, terms.first_step, step.halvings, no_weights,
+                                            ratio, full_texels(frame, square, after), ratio),
+                     .terms_before = before,
+                     .share = static_cast<float>(last ? step.share_done : step.share)};
     if (settings.scales) io.scale = vec3_of(terms.weights[*settings.scales]);
     if (settings.joins && !last) io.joins = vec3_of(terms.weights[*settings.joins]);
     run(cmd, resources, square, io);
@@ -137,25 +140,41 @@ CascadeSum::Out CascadeSum::declare(frame::Declare& d) {
   d.sample(in.light);
   d.sample(in.stretch);
   if (in.wide.valid()) d.sample(in.wide);
+  if (in.across.valid()) d.sample(in.across);
   if (in.second.valid()) d.sample(in.second);
   return {};
 }
 
 void CascadeSum::prepare(gpu::PipelineLibrary& library) { make_pipeline(library, "cascade_sum"); }
 
-void CascadeSum::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+void CascadeSum::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const {
   Bindings bindings;
-  bindings.add("light_in", resources.nearest(in.light))
+  bindings.add("light_in", resources.nearest(light))
       .add("stretch", resources.nearest(in.stretch))
-      .add("wide", resources.nearest(in.wide.valid() ? in.wide : in.light))
+      .add("unspread", resources.nearest(in.light))
       .add("second_group", resources.nearest(in.second.valid() ? in.second : in.light));
   offer(bindings, resources);
   bindings.bind(cmd, pipeline());
+}
 
+void CascadeSum::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  frame::TextureId bound;
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     const MappedTerms terms = terms_of(frame, square);
     io::CascadeSumIo io{};
-    io.spread = terms.first_step < settings.steps ? 1u : 0u;
+    io.spread = terms.first_step < settings.steps.size() ? 1u : 0u;
+
+    // The second axis of the last step, if it has been left to this pass.
+    frame::TextureId light = io.spread != 0 ? in.wide : in.light;
+    if (io.spread != 0 && ends_in_sum(settings.steps[terms.first_step])) {
+      const CascadeStep& step = settings.steps[terms.first_step];
+      light = in.across;
+      io.last_step_mm2 = static_cast<float>(step.total_mm2);
+      io.scale = glm::vec3(1);
+      if (terms.first_step + 1 == settings.steps.size()) io.scale = vec3_of(terms.weights[*step.term]);
+    }
+    if (light != bound) bind(cmd, resources, light);
+    bound = light;
 
     for (std::uint32_t i = 0; i < terms.first_wide; ++i) {
       const glm::vec3 weight = vec3_of(terms.weights[i]);

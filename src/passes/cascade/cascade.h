@@ -14,7 +14,7 @@
 #include "frame/graph.h"
 #include "gpu/pipelines.h"
 #include "passes/bindings.h"
-#include "passes/cascade/cascade_steps.h"
+#include "passes/cascade_steps.h"
 #include "passes/light_pool.h"
 #include "passes/tile_lists.h"
 
@@ -48,16 +48,16 @@ class MaskedPass {
   const gpu::Pipeline* pipeline_ = nullptr;
 
  protected:
-  gpu::Buffer kernels_;
+  gpu::Buffer ratios_;
 };
 
-/// One axis of one step.
+/// One axis of one step. Of a head's last step, on maps that are not halved, CascadeSum does the second.
 class CascadeBlur : public MaskedPass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-    CascadeStep step;
-    /// Of the step in cascade_steps(). Heads whose MappedTerms::first_step is a later one are left out.
+    std::vector<CascadeStep> steps;  ///< of the cascade
+    /// Of the step among them. Heads whose MappedTerms::first_step is a later one are left out.
     std::uint32_t number = 0;
     std::uint32_t axis = 0;                 ///< 0, then 1
     std::optional<std::uint32_t> scales{};  ///< axis 1: the widest term, whose weight multiplies the result
@@ -83,21 +83,26 @@ class CascadeSum : public MaskedPass {
   struct Settings {
     std::vector<MapSquare> squares;     ///< not halved
     std::vector<double> variances_mm2;  ///< of all terms
-    std::uint32_t steps = 0;            ///< in cascade_steps()
-    std::uint32_t second_group = ~0u;   ///< first term of the second group of transmitted light
+    std::vector<CascadeStep> steps;
+    std::uint32_t second_group = ~0u;  ///< first term of the second group of transmitted light
   } settings;
   struct In {
     frame::TextureId light;  ///< that has not spread
     frame::TextureId stretch;
     frame::TextureId target;
     Mask mask = {};
-    frame::TextureId wide = {};    ///< with `steps`: the light after the last step
+    frame::TextureId wide = {};  ///< with `steps`: light that has moved here after the last step
+    frame::TextureId across =
+        {};  ///< with `steps`: light after the first axis of the last step, if that is here
     frame::TextureId second = {};  ///< with `second_group`: light that has not spread, of that group
   } in;
   struct Out {};
   Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  void bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const;
 };
 
 }  // namespace dermis::passes

@@ -7,64 +7,40 @@
 layout(push_constant, scalar) uniform Push { CascadeIo io; };
 layout(binding = 0) uniform sampler2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
-layout(binding = 2, scalar) readonly buffer Kernels { float kernels[]; };
 layout(binding = 6) uniform sampler2D joining;  // light of the same size that has not spread
 
 #include "passes/convolution_taps.glsl"
+#include "passes/cascade/cascade_kernels.glsl"
+#include "passes/cascade_level.glsl"
 
 // Returns the covariance of the step in texels^2: uu, uv, vv.
 vec3 covariance(ivec2 p) {
   const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
   const vec3 l = texelFetch(stretch, stretch_texel, 0).xyz * (0.001 * float(io.side));  // texels per mm
   const vec3 wanted = io.variance_mm2 * vec3(l.x * l.x, l.x * l.y, l.y * l.y + l.z * l.z);
+  if (io.level.moved_texels2 == 0.0) return wanted;
 
-  // Where the map is too coarse for what has been added, no more is taken off than there is.
-  const float mean = 0.5 * (wanted.x + wanted.z);
-  const float det = max(wanted.x * wanted.z - wanted.y * wanted.y, 0.0);
-  const float least = det / max(mean + sqrt(max(mean * mean - det, 0.0)), 1e-20);
-  const float off = min(io.moved_texels2, 0.98 * least);
+  const TexelsPerMm texels = texels_per_mm(l);
+  const float off = taken_off(io.share * left_after(io.terms_before, texels), io.variance_mm2, texels);
   return wanted - vec3(off, 0.0, off);
 }
 
 vec4 computed(ivec2 p, vec4 centre) {
   const float chart = abs(centre.a);  // negative beside lit texels, see passes/dilate
+  const int table = io.texel_averaged != 0u ? TABLE_AVERAGED : TABLE_SAMPLED;
   const vec3 c = covariance(p);
-  const float sigma_u = sqrt(c.x);
-  const int step_u = max(1, int(ceil(sigma_u / KERNEL_MAX_SIGMA)));
+  const Kernel across = kernel_of(sqrt(c.x), table);
   const float slope_per_texel = c.x > 0.0 ? c.y / c.x : 0.0;
-  const float slope = slope_per_texel * float(step_u);  // texels of v per step
-  load_kernel(sigma_u / float(step_u), io.texel_averaged != 0u && step_u == 1);
+  const float slope = slope_per_texel * float(across.stride);
 
-  vec3 sum = vec3(0.0);
-  float total = 0.0;
+  vec3 sum = centre.rgb;
   if (io.axis == 0u) {
-    total += gather(sum, centre, chart, kernel_row[0]);
-    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
-      const float shift = slope * float(k);
-      const float whole = floor(shift);
-      const float f = shift - whole;
-      const ivec2 d = ivec2(k * step_u, int(whole));
-      total += gather(sum, light_at(p + d), chart, kernel_row[k] * (1.0 - f));
-      total += gather(sum, light_at(p + d + ivec2(0, 1)), chart, kernel_row[k] * f);
-      total += gather(sum, light_at(p - d), chart, kernel_row[k] * (1.0 - f));
-      total += gather(sum, light_at(p - d - ivec2(0, 1)), chart, kernel_row[k] * f);
-    }
+    const float total = 1.0 + gather_across(sum, p, chart, across, slope);
     return vec4(storable(sum / total), centre.a);
   }
 
-  float interpolation = 0.0;  // variance in texels^2 that the first pass has added along v
-  for (int k = 1; k <= KERNEL_RADIUS; ++k) {
-    const float f = fract(slope * float(k));
-    interpolation += 2.0 * kernel_row[k] * f * (1.0 - f);
-  }
-  const float sigma_v = sqrt(max(c.z - slope_per_texel * c.y - interpolation, 0.0));
-  const int step_v = max(1, int(ceil(sigma_v / KERNEL_MAX_SIGMA)));
-  load_kernel(sigma_v / float(step_v), io.texel_averaged != 0u && step_v == 1);
-  total += gather(sum, centre, chart, kernel_row[0]);
-  for (int k = 1; k <= KERNEL_RADIUS; ++k) {
-    total += gather(sum, light_at(p + ivec2(0, k * step_v)), chart, kernel_row[k]);
-    total += gather(sum, light_at(p - ivec2(0, k * step_v)), chart, kernel_row[k]);
-  }
+  const float sigma_v = sqrt(max(c.z - slope_per_texel * c.y - added_between(across, slope), 0.0));
+  const float total = 1.0 + gather_along(sum, p, chart, kernel_of(sigma_v, table));
   const vec3 joins = io.joins * texelFetch(joining, p + ivec2(io.origin), 0).rgb;
   return vec4(storable(io.scale * (sum / total) + joins), centre.a);
 }

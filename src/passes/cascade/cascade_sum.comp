@@ -17,6 +17,6 @@ void main() {
     p = tile_corner(tiles[io.first_tile + i]) + ivec2(gl_LocalInvocationID.xy);
   }
   if (any(greaterThanEqual(p, ivec2(io.side)))) return;
-  const vec4 centre = texelFetch(light_in, p + ivec2(io.origin), 0);
+  const vec4 centre = texelFetch(unspread, p + ivec2(io.origin), 0);
   imageStore(light_out, p + ivec2(io.origin), centre.a == 0.0 ? vec4(0.0) : computed(p, centre));
 }

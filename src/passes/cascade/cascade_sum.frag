@@ -8,7 +8,7 @@ layout(location = 0) out vec4 out_light;
 
 void main() {
   const ivec2 p = ivec2(gl_FragCoord.xy) - ivec2(io.origin);
-  const vec4 centre = texelFetch(light_in, p + ivec2(io.origin), 0);
+  const vec4 centre = texelFetch(unspread, p + ivec2(io.origin), 0);
   if (alpha_test && centre.a == 0.0) discard;
   out_light = computed(p, centre);
 }

@@ -9,6 +9,9 @@ layout(push_constant, scalar) uniform Push { UpsampleIo io; };
 layout(binding = 0) uniform sampler2D light_in;
 layout(binding = 1) uniform sampler2D joining;  // light of the larger size that has not spread
 layout(binding = 2, rgba16f) uniform writeonly image2D light_out;
+layout(binding = 3) uniform sampler2D stretch;
+layout(binding = 4) uniform sampler2D unspread;  // light of the widest terms, of the larger size
+#include "passes/cascade_level.glsl"
 
 void main() {
   const ivec2 p = ivec2(gl_GlobalInvocationID.xy);
@@ -34,6 +37,12 @@ void main() {
   }
 
   const vec4 found = chart.w > 0.0 ? chart : any_chart;
-  const vec3 spread = found.w > 0.0 ? found.rgb / found.w : vec3(0.0);
+  vec3 spread = found.w > 0.0 ? found.rgb / found.w : vec3(0.0);
+  if (io.level.moved_texels2 > 0.0) {
+    const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
+    const vec3 l = texelFetch(stretch, stretch_texel, 0).xyz * (0.001 * float(io.side));  // texels per mm
+    const float held = held_by_level(texels_per_mm(l));
+    if (held < 1.0) spread = mix(io.spread * texelFetch(unspread, target, 0).rgb, spread, held);
+  }
   imageStore(light_out, target, vec4(storable(spread + io.joins * light.rgb), light.a));
 }

@@ -76,8 +76,9 @@ class Cascade {
         maps_->add_pyramid(g, halvings, on(halvings - 1), on(halvings));
   }
 
-  frame::TextureId unspread(const CascadeStep& step) const {
-    return maps_->unspread(settings_->translucency ? cascade_.group_of(step) : 0, step.halvings);
+  frame::TextureId unspread(const CascadeStep& step) const { return unspread(step, step.halvings); }
+  frame::TextureId unspread(const CascadeStep& step, std::uint32_t halvings) const {
+    return maps_->unspread(settings_->translucency ? cascade_.group_of(step) : 0, halvings);
   }
 
   // Moves what step `step` has spread to larger maps. On the last of them the light of the next step joins.
@@ -88,9 +89,16 @@ class Cascade {
       const frame::TextureId joining = next ? unspread(*next) : level(to).light;
       const std::string name = at(fmt::format("upsample {}", step), level(to));
       plan_->add<passes::Upsample>(
-          maps_->name(name, mesh_), {spread(halvings_), joining, spread(to)},
-          {.from = on(halvings_), .to = on(to), .step = step, .joins = next ? next->term : std::nullopt});
-      if (to > 0 || next) add_gutters(name, to, step);
+          maps_->name(name, mesh_),
+          {spread(halvings_), joining, spread(to), maps_->stretch(mesh_), unspread(cascade_.steps[step], to)},
+          {.from = on(halvings_),
+           .to = on(to),
+           .steps = cascade_.steps,
+           .step = step,
+           .next_step = to == halvings,
+           .joins = next ? next->term : std::nullopt});
+      // Heads whose narrower terms need no step climb as well.
+      if (to > 0 || next) add_gutters(name, to, static_cast<std::uint32_t>(cascade_.steps.size()) - 1);
       halvings_ = to;
     }
   }
@@ -103,7 +111,7 @@ class Cascade {
     const frame::TextureId stretch = maps_->stretch(mesh_);
 
     passes::CascadeBlur::Settings blur{
-        .squares = on(step.halvings), .step = step, .number = number, .axis = 0};
+        .squares = on(step.halvings), .steps = cascade_.steps, .number = number, .axis = 0};
     const std::string name = fmt::format("cascade {}", number);
     plan_->add<passes::CascadeBlur>(
         maps_->name(name + " u", mesh_),
@@ -129,10 +137,12 @@ class Cascade {
                               .stretch = maps_->stretch(mesh_),
                               .target = maps_->blurred().front(),
                               .mask = mask(0)};
-    passes::CascadeSum::Settings sum{.squares = squares_,
-                                     .variances_mm2 = cascade_.variances_mm2,
-                                     .steps = static_cast<std::uint32_t>(cascade_.steps.size())};
-    if (!cascade_.steps.empty()) in.wide = spread(0);
+    passes::CascadeSum::Settings sum{
+        .squares = squares_, .variances_mm2 = cascade_.variances_mm2, .steps = cascade_.steps};
+    if (!cascade_.steps.empty()) {
+      in.wide = spread(0);
+      in.across = level(0).scratch;
+    }
     if (settings_->translucency && cascade_.groups.size() > 1) {
       in.second = maps_->unspread(1, 0);
       sum.second_group = static_cast<std::uint32_t>(cascade_.groups[1]);

@@ -71,7 +71,10 @@ Work cascade_work_of(const FrameSettings& settings, const SkinPart& part, const 
     const std::uint32_t after = i == 0 ? 0 : cascade.steps[i - 1].halvings;
     for (std::uint32_t halvings = after; halvings < step.halvings; ++halvings) ++work[halvings].moves;
   }
-  ++work[0].convolutions;  // the sum
+  // The sum, which does the second axis of the last step if that is on its maps.
+  const bool ends =
+      mapped.first_step < cascade.steps.size() && cascade.steps[mapped.first_step].halvings == 0;
+  if (!ends) ++work[0].convolutions;
   work[0].terms += mapped.first_wide - std::min(mapped.first_wide, mapped.first_read);
   return work;
 }

@@ -61,9 +61,14 @@ void LabCascade::add_gutters(std::uint32_t halvings) {
 void LabCascade::climb(std::uint32_t halvings, std::uint32_t step) {
   for (; halvings_ > halvings; --halvings_) {
     const std::uint32_t to = halvings_ - 1;
-    passes::Upsample::Settings up{.from = on(halvings_), .to = on(to), .step = step};
+    passes::Upsample::Settings up{.from = on(halvings_),
+                                  .to = on(to),
+                                  .steps = steps_,
+                                  .step = step,
+                                  .next_step = to == halvings && !e_->holds_all};
     if (to == halvings && step > 0) up.joins = steps_[step - 1].term;
-    plan_->add<passes::Upsample>("up", {spread_[halvings_], unspread_[to], spread_[to]}, up);
+    plan_->add<passes::Upsample>(
+        "up", {spread_[halvings_], unspread_[to], spread_[to], stretch_, unspread_[to]}, up);
     add_gutters(to);
   }
 }
@@ -71,9 +76,10 @@ void LabCascade::climb(std::uint32_t halvings, std::uint32_t step) {
 void LabCascade::add_step(std::uint32_t number) {
   const bool widest = number + 1 == steps_.size();
   const std::uint32_t n = steps_[number].halvings;
-  passes::CascadeBlur::Settings blur{.squares = on(n), .step = steps_[number], .number = number};
-  // What each step takes off is what its levels say: without levels, nothing.
-  if (e_->forget_moves) blur.step.share = blur.step.share_done = 0;
+  passes::CascadeBlur::Settings blur{.squares = on(n), .steps = steps_, .number = number};
+  // What steps take off is what their levels say: without levels, nothing.
+  if (e_->forget_moves)
+    for (passes::CascadeStep& step : blur.steps) step.share = step.share_done = 0;
   plan_->add<passes::CascadeBlur>("u", {widest ? unspread_[n] : spread_[n], stretch_, scratch_[n]}, blur);
 
   blur.axis = 1;
@@ -97,11 +103,14 @@ frame::TextureId LabCascade::add() {
   climb(0, 0);
 
   const frame::TextureId sum = make("sum", 0);
-  plan_->add<passes::CascadeSum>(
-      "sum", {unspread_[0], stretch_, sum, {}, steps_.empty() ? frame::TextureId{} : spread_[0]},
-      {.squares = on(0),
-       .variances_mm2 = e_->variances_mm2,
-       .steps = static_cast<std::uint32_t>(steps_.size())});
+  plan_->add<passes::CascadeSum>("sum",
+                                 {unspread_[0],
+                                  stretch_,
+                                  sum,
+                                  {},
+                                  steps_.empty() ? frame::TextureId{} : spread_[0],
+                                  steps_.empty() ? frame::TextureId{} : scratch_[0]},
+                                 {.squares = on(0), .variances_mm2 = e_->variances_mm2, .steps = steps_});
   plan_->add<passes::Gutters>("sum gutters", {sum}, {.squares = on(0)});
   return sum;
 }

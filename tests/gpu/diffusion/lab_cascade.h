@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lab.h"
-#include "passes/cascade/cascade_steps.h"
+#include "passes/cascade_steps.h"
 #include "passes/frame_data.h"
 #include "passes/light_pool.h"
 #include "scene/unwrap.h"

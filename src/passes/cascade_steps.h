@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "passes/cascade_level_io.h"
+
 namespace dermis::passes {
 
 /// How densely skin fills its map at T_max.
@@ -53,9 +55,21 @@ std::vector<CascadeStep> cascade_steps(const std::vector<double>& variances_mm2,
 /// [1 3] / 4, each half adds 0.75 texels^2 of the finer map.
 inline double moved_texels2(double ratio) { return 0.5 * (ratio * ratio - 1); }
 
-/// Returns how much of it a step takes off, texels^2 of the largest map. ratio, ratio_after: texels of the
-/// largest map per texel of the maps of the step and of the next narrower term. first: the head has no
-/// narrower steps.
-double taken_off_texels2(const CascadeStep& step, double ratio, double ratio_after, bool first);
+/// Returns the halvings of the maps to which light moves from those of `halvings`: where a head has its next
+/// narrower step, else 0. first_step: as MappedTerms.
+std::uint32_t level_after(const std::vector<CascadeStep>& steps, std::uint32_t first_step,
+                          std::uint32_t halvings);
+
+/// Returns the terms that a head blurs on maps of these halvings: their steps take off what moving adds, one
+/// after the other, as far as they can (cascade_level.glsl). ratio, ratio_after: texels of the largest map
+/// per texel of these maps and of those of level_after(). Lengths are in texels of the map on which the
+/// result is used; ratio_here: as ratio, of that map. weights: one per term, mean of the channels.
+io::CascadeLevelIo cascade_level(const std::vector<CascadeStep>& steps, std::uint32_t first_step,
+                                 std::uint32_t halvings, const std::vector<float>& weights, double ratio,
+                                 double ratio_after, double ratio_here);
+
+/// Returns how many terms of a level lie before that of a step: MOST_LEVEL_TERMS - 1 at most.
+std::uint32_t terms_before(const std::vector<CascadeStep>& steps, std::uint32_t first_step,
+                           std::uint32_t number);
 
 }  // namespace dermis::passes

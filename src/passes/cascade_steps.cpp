@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "passes/cascade/cascade_steps.h"
+#include "passes/cascade_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ std::vector<CascadeStep> cascade_steps(const std::vector<double>& variances_mm2,
     const double variance_mm2 = variances_mm2[term], all_mm2 = variance_mm2 - before_mm2;
     const std::uint32_t halvings =
         level_of(variance_mm2, before_mm2, before_halvings, density.coarse_texels_per_mm, most_halvings);
-    const double dense_mm = kernel_max_sigma * (1u << halvings) / density.max_texels_per_mm;
+    const double dense_mm = RATIO_MAX_SIGMA * (1u << halvings) / density.max_texels_per_mm;
 
     double done_mm2 = before_mm2;
     const auto add = [&](double end_mm2, std::optional<std::uint32_t> joins) {
@@ -71,9 +71,40 @@ std::vector<CascadeStep> cascade_steps(const std::vector<double>& variances_mm2,
   return steps;
 }
 
-double taken_off_texels2(const CascadeStep& step, double ratio, double ratio_after, bool first) {
-  const double added = moved_texels2(ratio) - moved_texels2(ratio_after);
-  return first ? moved_texels2(ratio_after) + step.share_done * added : step.share * added;
+std::uint32_t level_after(const std::vector<CascadeStep>& steps, std::uint32_t first_step,
+                          std::uint32_t halvings) {
+  std::uint32_t after = 0;
+  for (std::uint32_t i = first_step; i < steps.size(); ++i)
+    if (steps[i].halvings < halvings) after = std::max(after, steps[i].halvings);
+  return after;
+}
+
+std::uint32_t terms_before(const std::vector<CascadeStep>& steps, std::uint32_t first_step,
+                           std::uint32_t number) {
+  std::uint32_t count = 0;
+  for (std::uint32_t i = first_step; i < number; ++i)
+    if (steps[i].halvings == steps[number].halvings && steps[i].term) ++count;
+  return std::min<std::uint32_t>(count, MOST_LEVEL_TERMS - 1);
+}
+
+io::CascadeLevelIo cascade_level(const std::vector<CascadeStep>& steps, std::uint32_t first_step,
+                                 std::uint32_t halvings, const std::vector<float>& weights, double ratio,
+                                 double ratio_after, double ratio_here) {
+  io::CascadeLevelIo level{};
+  const double moved = moved_texels2(ratio) - moved_texels2(ratio_after);
+  level.moved_texels2 = static_cast<float>(moved / (ratio_here * ratio_here));
+
+  for (std::uint32_t i = first_step; i < steps.size(); ++i) {
+    const CascadeStep& step = steps[i];
+    if (step.halvings != halvings) continue;
+    const std::uint32_t slot = terms_before(steps, first_step, i);
+    if (level.terms == 0 && i > first_step)
+      level.before_mm2 = static_cast<float>(step.total_mm2 - step.variance_mm2);
+    level.terms = slot + 1;
+    level.steps_mm2[slot] += static_cast<float>(i == first_step ? step.total_mm2 : step.variance_mm2);
+    if (step.term) level.weights[slot] += weights[*step.term];
+  }
+  return level;
 }
 
 }  // namespace dermis::passes
