@@ -213,6 +213,16 @@ bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
   });
 }
 
+// How much of a term is lit per pixel must be known where its light joins the cascade, not where it is read.
+void check_cascade(const techniques::FrameSettings& plan) {
+  const auto is_coarse = [](const techniques::SkinPart& part) { return part.coarse; };
+  if (plan.cascade && std::any_of(plan.skin.begin(), plan.skin.end(), is_coarse))
+    throw input_error(
+        "",
+        "quality.blur cascade: some of the skin has too few texels per mm to scatter from light "
+        "maps; take quality.blur chain, or a larger quality.map_size");
+}
+
 void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s,
                  const std::vector<scene::Light>& lights, const DeviceTraits& device) {
   techniques::FrameSettings& plan = setup.plan;
@@ -241,6 +251,8 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
     plan.skip_unlit = choose_skip_unlit(s, device);
     plan.progressive = s.quality.maps == LightMaps::progressive;
+    plan.cascade = s.quality.blur == BlurOrder::cascade;
+    check_cascade(plan);
     plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
     plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
                                   [&](const PlacedAsset& instance) { return all_enters(instance, s); });

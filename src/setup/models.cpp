@@ -75,6 +75,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   part.max_uv_per_mm = density.largest_uv_per_mm.p95;
   part.max_texels_per_mm = std::max(part.max_uv_per_mm * s.quality.map_size, 1e-6);
   part.mean_texels_per_mm = density.uv_per_mm.mean * s.quality.map_size;
+  part.coarse_texels_per_mm = density.least_uv_per_mm.p25 * s.quality.map_size;
   fill_coarse(part, density, s.quality.map_size);
 
   part.off_map = scene::has_chartless(mesh);

@@ -14,6 +14,7 @@ layout(constant_id = 0) const int term_count = 6;
 layout(constant_id = 1) const bool direct = false;       // what the weights lack of 1 is lit per pixel
 layout(constant_id = 2) const bool progressive = false;  // maps of wide terms are smaller
 layout(constant_id = 12) const bool emits = false;
+layout(constant_id = 17) const bool summed = false;  // the first map holds the weighted sum
 layout(binding = 13) uniform sampler2D map_emissive;
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15) uniform sampler2D light_1;
@@ -42,22 +43,7 @@ vec3 mapped_weight(int term, OnMap on) {
   return (1.0 - coarse_share(terms.sigma_mm[term], on.uv_per_mm)) * io.weights[term];
 }
 
-// Bilinear among the texels that hold skin. Beside a cut the light map continues for a texel that
-// convolutions skip; it is used only if there is nothing else.
-vec3 light_left(sampler2D light, vec2 at) {
-  const ivec2 size = textureSize(light, 0);
-  const vec2 p = at * vec2(size) - 0.5, corner = floor(p), f = p - corner;
-  vec4 sum = vec4(0.0);
-  for (int k = 0; k < 4; ++k) {
-    const ivec2 d = ivec2(k & 1, k >> 1);
-    const vec4 texel = texelFetch(light, clamp(ivec2(corner) + d, ivec2(0), size - 1), 0);
-    const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
-    // A texel without weight may be outside the used square and hold anything: 0 times NaN is NaN.
-    if (weight <= 0.0 || texel.a == 0.0) continue;
-    sum += weight * (texel.a == BORDER_ALPHA ? 1.0 / 256.0 : 1.0) * vec4(texel.rgb, 1.0);
-  }
-  return sum.rgb / max(sum.w, 1e-6);
-}
+#include "passes/final_pass/light_left.glsl"
 
 vec3 light_of(sampler2D light, int term, vec2 unwrap, vec2 at) {
   if (progressive) {
@@ -77,6 +63,7 @@ vec3 emitted(ShadingPoint s) {
 // Returns sum_i w_i (light blurred by term i), already times 2^EV / pi.
 vec3 scattered(OnMap on) {
   const vec2 at = light_point(on.unwrap) / vec2(textureSize(light_0, 0));
+  if (summed) return light_of(light_0, 0, on.unwrap, at);
   vec3 sum = vec3(0.0);
   if (is_read(0)) sum += mapped_weight(0, on) * light_of(light_0, 0, on.unwrap, at);
   if (is_read(1)) sum += mapped_weight(1, on) * light_of(light_1, 1, on.unwrap, at);

@@ -52,7 +52,7 @@ gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms,
 
 SkinShading::SkinShading(SkinLook look, SkinLights lights)
     : look_(std::move(look)), lights_(std::move(lights)) {
-  DERMIS_ASSERT_EQ(lights_.maps.size(), look_.weights.size());
+  DERMIS_ASSERT_EQ(lights_.maps.size(), look_.summed ? 1 : look_.weights.size());
   DERMIS_ASSERT_LE(lights_.maps.size(), std::size_t{MOST_TERMS});
 }
 
@@ -119,6 +119,7 @@ gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
                            {"environment", look_.environment ? 1u : 0u},
                            {"soft_shadows", look_.soft_shadows ? 1u : 0u},
                            {"progressive", progressive ? 1u : 0u},
+                           {"summed", look_.summed ? 1u : 0u},
                            {"off_map", variant.off_map ? 1u : 0u},
                            {"coarse", look_.terms.coarse ? 1u : 0u},
                            {"cut_out", variant.cut_out ? 1u : 0u},

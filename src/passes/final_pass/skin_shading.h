@@ -50,8 +50,10 @@ struct SkinLook {
   MapSquare square;                           ///< not halved
   std::vector<std::array<float, 3>> weights;  ///< one per term, 0 to 8; none = Lambert
   std::vector<std::uint32_t> halvings;        ///< of the term's map, one per term; the first is 0
-  bool environment = false;                   ///< light from FrameData::environment, else FrameIo::ambient
-  bool soft_shadows = false;                  ///< lights with a radius cast penumbrae
+  /// One map holds the sum of all terms, already weighted (with MappedTerms::weights): the only one.
+  bool summed = false;
+  bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
+  bool soft_shadows = false;  ///< lights with a radius cast penumbrae
   /// some triangles have no chart of the unwrap: they are lit per pixel, without scattering
   bool off_map = false;
   bool cut_out = false;  ///< some of the mesh's skin is cut out by its alpha
@@ -66,7 +68,7 @@ struct SkinLook {
 
 /// The light that it reads.
 struct SkinLights {
-  std::vector<frame::TextureId> maps;  ///< RGBA16F pools, one per term
+  std::vector<frame::TextureId> maps;  ///< RGBA16F pools, one per term, or with `summed` one
   frame::TextureId shadow;
   frame::TextureId entering = {};  ///< with `through` and `mixes`: as in Irradiance
 };

@@ -30,6 +30,19 @@ std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
   return sigmas;
 }
 
+// Returns the maps that hold the light of a profile of `count` terms: one each, or that of their sum.
+std::vector<frame::TextureId> read_maps(const FrameSettings& settings, const LightMaps& maps,
+                                        std::ptrdiff_t count) {
+  if (settings.cascade) return maps.blurred();
+  return {maps.blurred().begin(), maps.blurred().begin() + count};
+}
+
+std::vector<std::uint32_t> read_halvings(const FrameSettings& settings, const LightMaps& maps,
+                                         std::ptrdiff_t count) {
+  if (settings.cascade) return std::vector<std::uint32_t>(static_cast<std::size_t>(count), 0);
+  return {maps.halvings().begin(), maps.halvings().begin() + count};
+}
+
 }  // namespace
 
 void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, const LightMaps& maps,
@@ -38,10 +51,11 @@ void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, con
   for (const passes::MapSquare& square : squares) {
     const SkinPart& part = settings.skin[square.mesh];
     const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
-    sums.members.push_back({{{maps.blurred().begin(), maps.blurred().begin() + count}, sum},
-                            {.square = square,
-                             .weights = weights(part.profile),
-                             .halvings = {maps.halvings().begin(), maps.halvings().begin() + count}}});
+    sums.members.push_back(
+        {{read_maps(settings, maps, count), sum},
+         {.square = square,
+          .weights = settings.cascade ? std::vector(1, std::array{1.0f, 1.0f, 1.0f}) : weights(part.profile),
+          .halvings = read_halvings(settings, maps, count)}});
   }
   plan.add<Together<passes::ScatterSum>>(maps.name("scatter sum"), sums);
 }
@@ -63,12 +77,13 @@ SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const
 
   return {.look = {.square = square,
                    .weights = weights(part.profile),
-                   .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
+                   .halvings = read_halvings(settings, maps, count),
+                   .summed = settings.cascade,
                    .mixes = settings.mixes(),
                    .terms = terms_on_map(settings, part),
                    .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
                    .through = std::move(through)},
-          .maps = {maps.blurred().begin(), maps.blurred().begin() + count}};
+          .maps = read_maps(settings, maps, count)};
 }
 
 // Of the maps of one size, from which all these squares read.
@@ -95,6 +110,22 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
   for (const passes::MapSquare& square : squares) skin.push_back(skin_of(settings, maps, square));
   screen.add_skin(skin, [&](std::string_view what) { return maps.name(what); });
   if (settings.host) return;
+
+  if (settings.cascade) {
+    Together<passes::UnshadedReads>::In reads;
+    for (const std::uint32_t mesh : meshes_of(squares)) {
+      const SkinPart& part = settings.skin[mesh];
+      reads.members.push_back({{maps.blurred(), screen.depth(), screen.counters()},
+                               {.squares = of_mesh(squares, mesh),
+                                .samples = settings.samples,
+                                .cut_out = part.cut_out,
+                                .slot = counter_unshaded_reads,
+                                .terms = terms_on_map(settings, part),
+                                .first_term = MOST_TERMS}});
+    }
+    plan.add<Together<passes::UnshadedReads>>(maps.name("count unshaded reads"), reads);
+    return;
+  }
 
   for (const Level& level : maps.levels()) {
     const auto first = std::ranges::find(maps.halvings(), level.halvings);

@@ -15,6 +15,7 @@
 #include "passes/stretch/stretch.h"
 #include "passes/tiles/tiles.h"
 #include "passes/transmission.h"
+#include "techniques/texture_space/cascade.h"
 #include "techniques/texture_space/counters.h"
 
 namespace dermis::techniques {
@@ -28,7 +29,7 @@ std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings) {
   std::vector<std::uint32_t> least;
   for (const SkinPart& part : settings.skin) {
     std::vector<std::uint32_t> halvings(part.profile.terms.size(), 0);
-    if (settings.progressive)
+    if (settings.progressive && !settings.cascade)
       halvings = passes::map_halvings(part.profile, part.mean_texels_per_mm, settings.map_size);
     for (std::size_t k = 0; k < halvings.size(); ++k) {
       if (k == least.size()) least.push_back(halvings[k]);
@@ -64,7 +65,7 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
       pool_(settings),
       halvings_(halvings_of_terms(settings)) {
   // A level per size, a blurred map per term.
-  for (std::size_t k = 0; k < halvings_.size(); ++k) {
+  for (std::size_t k = 0; !settings.cascade && k < halvings_.size(); ++k) {
     if (levels_.empty() || levels_.back().halvings != halvings_[k]) {
       levels_.push_back(make_level(halvings_[k]));
       levels_.back().first_term = static_cast<std::uint32_t>(k);
@@ -78,18 +79,80 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     for (const SkinPart& part : settings.skin) most = std::max(most, part.triangles);
     kept_ = passes::make_kept_triangles(plan, pool_.squares(), most);
   }
-  if (settings.translucency) make_transmitted();
+  if (settings.cascade)
+    make_cascade();
+  else if (settings.translucency)
+    make_transmitted();
   if (settings.host_lights()) host_irradiance_ = plan.texture("host irradiance", pool_.texture(0));
+  make_stretch();
+}
 
-  // A stretch map lasts from frame to frame, unless the skin meshes of a head take turns with it.
+// A stretch map lasts from frame to frame, unless the skin meshes of a head take turns with it.
+void LightMaps::make_stretch() {
   const gpu::TextureDesc map{
-      .width = settings.map_size, .height = settings.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
+      .width = settings_->map_size, .height = settings_->map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   const auto lifetime = pool_.splits_heads() ? frame::Lifetime::transient : frame::Lifetime::persistent;
   std::uint32_t maps = pool_.splits_heads() ? pool_.meshes_per_batch() : 0;
   if (!pool_.splits_heads())
-    for (const SkinPart& part : settings.skin) maps = std::max(maps, part.unwrap + 1);
+    for (const SkinPart& part : settings_->skin) maps = std::max(maps, part.unwrap + 1);
   for (std::uint32_t number = 0; number < maps; ++number)
-    stretch_.push_back(plan.texture(label_part("stretch", settings, number), map, lifetime));
+    stretch_.push_back(plan_->texture(label_part("stretch", *settings_, number), map, lifetime));
+}
+
+// A level per size with one map for what has spread, one map for the sum, and a pyramid of light for each
+// group of terms, down to its coarsest level.
+void LightMaps::make_cascade() {
+  std::vector<std::uint32_t> coarsest(TRANSMISSION_GROUPS, 0);
+  std::uint32_t most = 0;
+  std::size_t groups = 1;
+  for (const SkinPart& part : settings_->skin) {
+    const CascadePlan cascade = cascade_plan(*settings_, part);
+    if (settings_->translucency) groups = std::max(groups, cascade.groups.size());
+    for (const passes::CascadeStep& step : cascade.steps) {
+      std::uint32_t& of_group = coarsest[cascade.group_of(step)];
+      of_group = std::max(of_group, step.halvings);
+      most = std::max(most, step.halvings);
+    }
+  }
+
+  for (std::uint32_t halvings = 0; halvings <= most; ++halvings) {
+    levels_.push_back(make_level(halvings));
+    levels_.back().blurred.push_back(plan_->texture(at("spread", levels_.back()), pool_.texture(halvings)));
+  }
+  blurred_.push_back(plan_->texture("light", pool_.texture(0)));
+  levels_.front().blurred.push_back(blurred_.front());
+
+  for (std::size_t g = 1; g < groups; ++g) {
+    transmitted_.push_back(plan_->texture(fmt::format("joining {}", g), pool_.texture(0)));
+    for (std::uint32_t halvings = 1; halvings <= coarsest[g]; ++halvings)
+      halved_transmitted_[{g, halvings}] =
+          plan_->texture(at(fmt::format("joining {}", g), levels_[halvings]), pool_.texture(halvings));
+  }
+}
+
+frame::TextureId LightMaps::unspread(std::size_t group, std::uint32_t halvings) const {
+  if (group == 0 || transmitted_.empty()) return levels_[halvings].light;
+  return halvings == 0 ? transmitted_[group - 1] : halved_transmitted_.at({group, halvings});
+}
+
+// Gutters of the larger map come down with the light. Made anew on the smaller one they would be worse: a
+// source too near to a border moves by up to half a texel, and texels are larger there.
+void LightMaps::add_pyramid(std::size_t group, std::uint32_t halvings, const std::vector<MapSquare>& from,
+                            const std::vector<MapSquare>& to) {
+  const std::uint32_t mesh = to.front().mesh;
+  const Level& level = levels_[halvings];
+  const frame::TextureId larger = unspread(group, halvings - 1), smaller = unspread(group, halvings);
+  const std::string what = group == 0 ? "downsample" : fmt::format("downsample joining {}", group);
+  plan_->add<passes::Downsample>(name(at(what, level), mesh), {larger, stretch(mesh), smaller, larger},
+                                 {.from = from, .to = to, .smoothed = true});
+  if (group == 0) {
+    add_masks(level, to);
+    return;
+  }
+
+  if (is_sparse(*settings_))
+    plan_->add<passes::Dilate>(name(at(fmt::format("dilate joining {}", group), level), mesh),
+                               {smaller, stretch(mesh), level.border}, {to});
 }
 
 frame::TextureId LightMaps::stretch(std::uint32_t mesh) const {
@@ -146,10 +209,16 @@ std::vector<frame::TextureId> LightMaps::textures() const {
   all.insert(all.end(), transmitted_.begin(), transmitted_.end());
   for (const auto& [of, map] : halved_transmitted_) all.push_back(map);
   if (host_irradiance_.valid()) all.push_back(host_irradiance_);
-  for (const Level& level : levels_)
+  for (const Level& level : levels_) {
     for (const frame::TextureId map : {level.light, level.scratch, level.depth_mask})
       if (map.valid()) all.push_back(map);
+    if (settings_->cascade) all.push_back(level.blurred.front());
+  }
   return all;
+}
+
+std::string LightMaps::name(std::string_view what, std::uint32_t mesh) const {
+  return name(label_part(what, *settings_, mesh));
 }
 
 std::string LightMaps::name(std::string_view what) const {
@@ -220,7 +289,9 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
 
 // Prepares a level for blurring: seam gutters, dilation, mask of unlit texels.
 void LightMaps::add_masks(const Level& level, const std::vector<MapSquare>& all) {
-  plan_->add<Gutters>(name(at("irradiance gutters", level)), {level.light}, {.squares = all});
+  // Levels of a cascade have gutters by now, those of the larger map: see add_pyramid().
+  if (!settings_->cascade || level.halvings == 0)
+    plan_->add<Gutters>(name(at("irradiance gutters", level)), {level.light}, {.squares = all});
   if (is_sparse(*settings_)) add_dilation(level, all);
   add_masked_counts(level, all);
 
@@ -267,7 +338,8 @@ void LightMaps::add_masked_counts(const Level& level, const std::vector<MapSquar
 void LightMaps::add_tiles(const Level& level, const std::vector<MapSquare>& all) {
   std::vector<passes::IdleTiles::In::Map> maps{{.light = level.scratch}};
   for (std::uint32_t i = 0; i < level.blurred.size(); ++i)
-    maps.push_back({.light = level.blurred[i], .term = level.first_term + i});
+    maps.push_back(
+        {.light = level.blurred[i], .term = settings_->cascade ? MOST_TERMS : level.first_term + i});
   plan_->add<passes::ClearTiles>(name(at("clear tiles", level)), {level.lit});
   plan_->add<passes::TileClasses>(name(at("tile classes", level)), {level.light, level.lit}, {all});
   plan_->add<passes::Tiles>(name(at("tiles", level)), {level.lit, screen_->counters()},

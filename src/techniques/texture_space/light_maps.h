@@ -34,7 +34,7 @@ struct Level {
   frame::TextureId scratch;               ///< between the two axes of a blur
   frame::TextureId depth_mask;            ///< valid with SkipUnlit::by_depth
   std::uint32_t first_term = 0;           ///< that of the first of `blurred`
-  std::vector<frame::TextureId> blurred;  ///< of the terms that end here
+  std::vector<frame::TextureId> blurred;  ///< of the terms that end here; of a cascade what has spread so far
   passes::TileLists border;               ///< tiles that Dilate fills; valid if the light is sparse
   passes::TileLists lit;                  ///< tiles to blur; valid with SkipUnlit::by_tiles
 };
@@ -60,11 +60,20 @@ class LightMaps {
   /// Prepares a level for blurring that holds the light of all these squares.
   void add_masks(const Level& level, const std::vector<passes::MapSquare>& all);
 
+  /// Of a cascade. Halves the light of one skin mesh, of a group of terms (passes::transmission_groups()),
+  /// once more, to the maps of levels()[halvings], and prepares these for blurring. `from`, `to`: its squares
+  /// in the larger and in the smaller maps.
+  void add_pyramid(std::size_t group, std::uint32_t halvings, const std::vector<passes::MapSquare>& from,
+                   const std::vector<passes::MapSquare>& to);
+  /// Of a cascade: returns the light of a group of terms that has not spread, on levels()[halvings].
+  frame::TextureId unspread(std::size_t group, std::uint32_t halvings) const;
+
   const MapPool& pool() const { return pool_; }
   const std::vector<Level>& levels() const { return levels_; }  ///< large to small
   const Level& level_of(std::size_t term) const;
-  const std::vector<std::uint32_t>& halvings() const { return halvings_; }   ///< one per term
-  const std::vector<frame::TextureId>& blurred() const { return blurred_; }  ///< one per term
+  const std::vector<std::uint32_t>& halvings() const { return halvings_; }  ///< one per term
+  /// One per term; of a cascade one, the sum.
+  const std::vector<frame::TextureId>& blurred() const { return blurred_; }
   const std::vector<frame::TextureId>& transmitted() const { return transmitted_; }
   /// Returns the map of transmitted light on a level, of the second (1) or third (2) group of terms, which
   /// joins the light of that level. All meshes and batches share it.
@@ -74,12 +83,16 @@ class LightMaps {
   /// Returns all maps of the pool.
   std::vector<frame::TextureId> textures() const;
 
-  /// Returns the name of a pass: "irradiance", "irradiance batch 1".
+  /// Return the name of a pass: "irradiance", "irradiance batch 1", and "cascade 0 u part 2" of one skin
+  /// mesh.
   std::string name(std::string_view what) const;
+  std::string name(std::string_view what, std::uint32_t mesh) const;
 
  private:
   Level make_level(std::uint32_t halvings);
   void make_transmitted();
+  void make_cascade();
+  void make_stretch();
   void add_dilation(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_masked_counts(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_tiles(const Level& level, const std::vector<passes::MapSquare>& all);

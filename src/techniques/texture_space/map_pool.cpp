@@ -32,7 +32,7 @@ passes::MapPlace MapPool::place(std::uint32_t head, std::uint32_t mesh_in_model)
       head % settings_->heads_per_batch * meshes_per_batch() + mesh_in_model % meshes_per_batch();
   return {.index = index,
           .origin = glm::uvec2(index % columns(), index / columns()) * settings_->map_size,
-          .largest_side = settings_->map_size,
+          .largest_side = settings_->halving_side(),
           .batch = head / settings_->heads_per_batch * mesh_batches() + mesh_in_model / meshes_per_batch()};
 }
 

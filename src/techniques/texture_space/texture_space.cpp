@@ -9,6 +9,7 @@
 #include "passes/scatter_sum/scatter_sum.h"
 #include "passes/show_visibility/show_visibility.h"
 #include "techniques/screen.h"
+#include "techniques/texture_space/cascade.h"
 #include "techniques/texture_space/convolution.h"
 #include "techniques/texture_space/counters.h"
 #include "techniques/texture_space/final.h"
@@ -53,7 +54,8 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
                  .term = term};
   };
   out.shows["irradiance"] = light(maps.levels().front().light, Shown::Needs::irradiance, 0);
-  for (std::uint32_t k = 0; k < maps.blurred().size(); ++k)
+  if (s.cascade) out.shows["scattered"] = light(maps.blurred().front(), Shown::Needs::irradiance, 0);
+  for (std::uint32_t k = 0; !s.cascade && k < maps.blurred().size(); ++k)
     out.shows[fmt::format("blur:{}", k)] = light(maps.blurred()[k], Shown::Needs::term, k);
 
   out.shows["stretch"] = {.map = maps.stretch(square.mesh)};
@@ -109,7 +111,11 @@ FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
       maps->begin_turn(batch.number * turns + turn);
       if (pool.splits_heads()) maps->add_stretch(squares);
       maps->add_light(squares);
-      add_convolution(plan, s, *maps, squares);
+      if (s.cascade)
+        for (const std::uint32_t mesh : meshes_of(squares))
+          add_cascade(plan, s, *maps, mesh, of_mesh(squares, mesh));
+      else
+        add_convolution(plan, s, *maps, squares);
       if (scattered.valid()) add_scatter_sum(plan, s, *maps, scattered, squares);
       add_final(plan, s, screen, *maps, squares);
     }
