@@ -158,7 +158,7 @@ std::string frames_section(const Run& run) {
 std::string texels_table(const Cell& cell) {
   std::vector<Row> rows;
   for (const Measured& m : cell.measured) {
-    if (m.variant.key == floor_key) continue;
+    if (m.variant.settings.technique == "lambert") continue;
     Row row{m.variant.heading};
     const Statistics& c = m.counts;
     for (const std::uint64_t count : {c.irradiance_texels, c.convolved_texels, c.launched, c.unshaded_reads})

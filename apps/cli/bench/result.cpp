@@ -57,6 +57,9 @@ ordered_json cell_json(const Cell& cell) {
       cell.of(baseline_key).ms() / cell.of(cell.has(at_edge_key) ? at_edge_key : optimised_key).ms();
   if (cell.has(progressive_key))
     json["speedup_progressive"] = cell.of(progressive_key).ms() / cell.of(optimised_progressive_key).ms();
+  json["speedup_compute"] = cell.compute_speedup();
+  json["compute_over_all"] = cell.compute_over_all();
+  json["compute_to_lambert"] = cell.of(compute_key).ms() / cell.of(compute_floor_key).ms();
   json["paper_speedup"] = or_null(paper_speedup(cell.heads, cell.distance));
 
   const PictureDifference* d = cell.difference(optimised_key);
@@ -68,7 +71,7 @@ ordered_json cell_json(const Cell& cell) {
     json["pictures"][key] = {{"psnr_db", of.psnr_db}, {"flip_mean", of.flip_mean}};
 
   for (const Measured& m : cell.measured)
-    if (m.variant.key != floor_key) json["texels"][m.variant.key] = texels_json(m.counts);
+    if (m.variant.settings.technique != "lambert") json["texels"][m.variant.key] = texels_json(m.counts);
   for (const Measured& m : cell.measured) json["variants"][m.variant.key] = variant_json(m);
   return json;
 }

@@ -46,6 +46,8 @@ struct Cell {
   const PictureDifference* difference(const std::string& key) const;
   double speedup() const { return of(baseline_key).ms() / of(optimised_key).ms(); }
   double speedup_over_skipping() const { return of(skipping_key).ms() / of(optimised_key).ms(); }
+  double compute_speedup() const { return of(baseline_key).ms() / of(compute_key).ms(); }
+  double compute_over_all() const { return of(optimised_key).ms() / of(compute_key).ms(); }
 };
 
 /// For the page: display pictures, cut to where skin is.

@@ -39,16 +39,18 @@ std::string table_head(const Run& run) {
           fmt::format(fmt::runtime(cell_format), "heads", "distance");
   for (const Variant& variant : variants_of(s))
     text += fmt::format(fmt::runtime(time_format), variant.heading);
-  for (const char* heading : {"| speed-up", "over skipping", "paper"}) text += fmt::format(" {}", heading);
+  for (const char* heading : {"| speed-up", "over skipping", "paper", "| compute", "over all"})
+    text += fmt::format(" {}", heading);
   return text + " |   PSNR dB    FLIP | maps of all\n";
 }
 
 std::string table_line(const Cell& cell) {
   std::string text = fmt::format(fmt::runtime(cell_format), cell.heads, fmt::format("{:g}", cell.distance));
   for (const Measured& m : cell.measured) text += fmt::format(fmt::runtime(time_format), time_text(m.ms()));
-  text += fmt::format(" | {:>8} {:>13} {:>5} |", ratio_text(cell.speedup()),
+  text += fmt::format(" | {:>8} {:>13} {:>5} | {:>7} {:>8} |", ratio_text(cell.speedup()),
                       ratio_text(cell.speedup_over_skipping()),
-                      ratio_text(paper_speedup(cell.heads, cell.distance)));
+                      ratio_text(paper_speedup(cell.heads, cell.distance)),
+                      ratio_text(cell.compute_speedup()), ratio_text(cell.compute_over_all()));
   if (const PictureDifference* d = cell.difference(optimised_key))
     text += fmt::format(" {:>9.2f} {:>7.4f} |", d->psnr_db, d->flip_mean);
   else

@@ -4,7 +4,10 @@
 namespace dermis::cli::bench {
 namespace {
 
+// As published: skin is shaded where it is drawn, and light spreads from narrow to wide.
 RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
+  s.quality.shading = Shading::raster;
+  s.quality.blur = BlurOrder::chain;
   s.quality.cull = cull, s.quality.depth = depth, s.quality.clip = clip;
   s.quality.skip_unseen_heads = true;
   return s;
@@ -24,6 +27,17 @@ RenderSettings at_edge(RenderSettings s) {
 
 RenderSettings progressive(RenderSettings s) {
   s.quality.maps = LightMaps::progressive;
+  return s;
+}
+
+RenderSettings cascade(RenderSettings s) {
+  s.quality.maps = LightMaps::progressive;
+  s.quality.blur = BlurOrder::cascade;
+  return s;
+}
+
+RenderSettings shaded_in_compute(RenderSettings s) {
+  s.quality.shading = Shading::compute;
   return s;
 }
 
@@ -58,8 +72,18 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
                    progressive(with(common, true, true, true))});
   }
 
+  const RenderSettings optimised = with(common, true, true, true);
+  all.push_back({cascade_key, "cascade",
+                 "all, with the cascade of blurs, from wide to narrow on a pyramid of maps",
+                 cascade(optimised), true});
+  all.push_back({shading_key, "ids", "all, with skin drawn as ids and shaded in compute",
+                 shaded_in_compute(optimised), true});
+  all.push_back({compute_key, "compute", "all, with both", shaded_in_compute(cascade(optimised)), true});
+
   all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
                  unscattered(common)});
+  all.push_back(
+      {compute_floor_key, "lam ids", "the floor, shaded in compute", shaded_in_compute(unscattered(common))});
   return all;
 }
 
