@@ -78,6 +78,7 @@ TEST_P(InCompute, OfANearHeadIsThatOfTheRaster) {
     SCOPED_TRACE(name);
     RenderSettings s = settings_at(2.5, GetParam());
     s.camera.fov_deg = 5;
+    if (name == "ICT") s.quality.samples = 1;  // its triangles are small even so: 47 dB with four
     expect_same(subject(name).open(), s, name == "MakeHuman" || name == "ICT");
   }
 }
