@@ -38,8 +38,9 @@ struct Experiment {
   /// Deliberate mistakes of the cascade: the variance of moving between maps is forgotten, terms lie on a
   /// level of half as many texels.
   bool forget_moves = false, wrong_level = false;
-  bool holds_all =
-      false;  ///< a deliberate mistake: smaller maps take all light, however few texels there are
+  /// A deliberate mistake: smaller maps take all light, however few texels there are.
+  bool holds_all = false;
+  double level_density = 1;  ///< levels are chosen for skin with so many times its texels per mm
 };
 
 struct Result {

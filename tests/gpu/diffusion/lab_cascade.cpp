@@ -13,9 +13,10 @@ LabCascade::LabCascade(passes::FramePlan& plan, const Experiment& e, const scene
                        frame::TextureId light, frame::TextureId stretch)
     : plan_(&plan), e_(&e), stretch_(stretch) {
   const scene::UnwrapDensity density = scene::unwrap_density(skin, e.scene.mm_per_unit);
-  const passes::CascadeDensity texels{.max_texels_per_mm = density.largest_uv_per_mm.p95 * e.map_size,
-                                      .mean_texels_per_mm = density.uv_per_mm.mean * e.map_size,
-                                      .coarse_texels_per_mm = density.least_uv_per_mm.p25 * e.map_size};
+  const passes::CascadeDensity texels{
+      .max_texels_per_mm = density.largest_uv_per_mm.p95 * e.map_size,
+      .mean_texels_per_mm = density.uv_per_mm.mean * e.map_size,
+      .coarse_texels_per_mm = density.least_uv_per_mm.p25 * e.map_size * e.level_density};
   narrow_ = passes::narrow_terms(e.variances_mm2, texels.mean_texels_per_mm, MOST_NARROW);
   steps_ = passes::cascade_steps(e.variances_mm2, narrow_, texels, passes::max_halvings);
 

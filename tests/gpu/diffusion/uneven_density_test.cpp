@@ -38,6 +38,7 @@ lab::Experiment experiment(double edge_texel) {
       v.uv0.x = static_cast<float>(texel_of((v.uv0.x - 0.025) / 0.95) / side);
   e.map_size = side;
   e.cascade = true;
+  e.level_density = 2;
   e.paint = {.band = 0, .edge_point = glm::vec2(edge_texel, 0), .edge_normal = {1, 0}, .axis = {}};
   for (const auto& term : gaussians::skin_six().terms) {
     e.variances_mm2.push_back(term.variance_mm2);
