@@ -30,7 +30,7 @@ class Contest {
  public:
   Contest(Renderer& renderer, const Scene& scene, const Task& task, const Place& place)
       : renderer_(&renderer), scene_(&scene), task_(&task) {
-    for (Variant& variant : variants_of(settings_at(task, place)))
+    for (Variant& variant : variants_of(settings_at(task, place), task.cascade))
       entries_.push_back(
           {.measured = {.variant = std::move(variant), .rounds_ms = {}, .passes = {}, .counts = {}}});
   }
@@ -188,11 +188,25 @@ RenderSettings settings_at(const Task& task, const Place& place) {
   return s;
 }
 
+bool cascade_is_possible(const Scene& scene, const RenderSettings& common) {
+  for (const Variant& variant : variants_of(common)) {
+    if (variant.key != cascade_key) continue;
+    try {
+      describe_plan(scene, variant.settings);
+    } catch (const InputError&) {
+      // If it is another setting that is refused, the first frame says so.
+      return false;
+    }
+  }
+  return true;
+}
+
 void measure(Renderer& renderer, const Scene& scene, const Task& task, Run& run,
              const std::function<void(const Cell&)>& after_cell) {
   // Add up the work ahead, in frames of about one head, for the progress line.
   double total = 0;
-  const auto frames = static_cast<double>(variants_of(task.settings).size()) * (task.rounds + 1);
+  const auto frames =
+      static_cast<double>(variants_of(task.settings, task.cascade).size()) * (task.rounds + 1);
   for (const Place& place : places_of(task))
     total += work_of(place) * (frames + (task.picture_samples == 0 ? 0 : picture_work));
 

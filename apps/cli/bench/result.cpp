@@ -57,9 +57,9 @@ ordered_json cell_json(const Cell& cell) {
       cell.of(baseline_key).ms() / cell.of(cell.has(at_edge_key) ? at_edge_key : optimised_key).ms();
   if (cell.has(progressive_key))
     json["speedup_progressive"] = cell.of(progressive_key).ms() / cell.of(optimised_progressive_key).ms();
-  json["speedup_compute"] = cell.compute_speedup();
-  json["compute_over_all"] = cell.compute_over_all();
-  json["compute_to_lambert"] = cell.of(compute_key).ms() / cell.of(compute_floor_key).ms();
+  json["speedup_compute"] = or_null(cell.compute_over(baseline_key));
+  json["compute_over_all"] = or_null(cell.compute_over(optimised_key));
+  json["compute_over_lambert"] = or_null(cell.compute_over(compute_floor_key));
   json["paper_speedup"] = or_null(paper_speedup(cell.heads, cell.distance));
 
   const PictureDifference* d = cell.difference(optimised_key);
@@ -88,6 +88,11 @@ const Measured& Cell::of(const std::string& key) const {
       std::find_if(measured.begin(), measured.end(), [&](const Measured& m) { return m.variant.key == key; });
   DERMIS_ASSERT(found != measured.end());
   return *found;
+}
+
+std::optional<double> Cell::compute_over(const std::string& key) const {
+  if (!has(compute_key)) return std::nullopt;
+  return of(key).ms() / of(compute_key).ms();
 }
 
 const PictureDifference* Cell::difference(const std::string& key) const {

@@ -46,8 +46,8 @@ struct Cell {
   const PictureDifference* difference(const std::string& key) const;
   double speedup() const { return of(baseline_key).ms() / of(optimised_key).ms(); }
   double speedup_over_skipping() const { return of(skipping_key).ms() / of(optimised_key).ms(); }
-  double compute_speedup() const { return of(baseline_key).ms() / of(compute_key).ms(); }
-  double compute_over_all() const { return of(optimised_key).ms() / of(compute_key).ms(); }
+  /// None without the cascade.
+  std::optional<double> compute_over(const std::string& key) const;
 };
 
 /// For the page: display pictures, cut to where skin is.
@@ -67,6 +67,7 @@ struct Run {
   std::string device, driver, api, timing;
   int cores = 0;
   int lights = 0, gaussians = 0, rounds = 0;
+  bool cascade = true;      ///< as of Task
   RenderSettings settings;  ///< common to all cells and variants
   SceneOptions options;
   std::vector<Cell> cells;

@@ -49,7 +49,7 @@ RenderSettings unscattered(RenderSettings s) {
 
 }  // namespace
 
-std::vector<Variant> variants_of(const RenderSettings& common) {
+std::vector<Variant> variants_of(const RenderSettings& common, bool with_cascade) {
   std::vector<Variant> all{
       {baseline_key, "baseline", "as published: every head, whole maps", every_head(common)},
       {skipping_key, "skipping",
@@ -73,12 +73,14 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
   }
 
   const RenderSettings optimised = with(common, true, true, true);
-  all.push_back({cascade_key, "cascade",
-                 "all, with the cascade of blurs, from wide to narrow on a pyramid of maps",
-                 cascade(optimised), true});
+  if (with_cascade)
+    all.push_back({cascade_key, "cascade",
+                   "all, with the cascade of blurs, from wide to narrow on a pyramid of maps",
+                   cascade(optimised), true});
   all.push_back({shading_key, "ids", "all, with skin drawn as ids and shaded in compute",
                  shaded_in_compute(optimised), true});
-  all.push_back({compute_key, "compute", "all, with both", shaded_in_compute(cascade(optimised)), true});
+  if (with_cascade)
+    all.push_back({compute_key, "compute", "all, with both", shaded_in_compute(cascade(optimised)), true});
 
   all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
                  unscattered(common)});

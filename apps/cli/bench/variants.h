@@ -35,6 +35,7 @@ inline constexpr const char* compute_floor_key = "lambert_compute";
 /// All variants of one cell, from settings that hold for each of them: same shaders, same sizes, same lights.
 /// What they differ in stands here and nowhere else. The baselines and `lambert` are not optimised, whatever
 /// the settings say, and only the variants of the steps beyond the paper take these.
-std::vector<Variant> variants_of(const RenderSettings& common);
+/// Without `cascade` those that take the cascade of blurs are left out.
+std::vector<Variant> variants_of(const RenderSettings& common, bool cascade = true);
 
 }  // namespace dermis::cli::bench

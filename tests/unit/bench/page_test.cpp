@@ -61,6 +61,9 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
   s.quality.clip_margin_mm = 0;
   EXPECT_EQ(variants_of(s).size(), 13u) << "all is at the edge already";
 
+  EXPECT_EQ(variants_of(s, false).size(), 11u) << "no cascade";
+  for (const Variant& v : variants_of(s, false)) EXPECT_EQ(v.settings.quality.blur, BlurOrder::chain);
+
   s.quality.maps = LightMaps::progressive;
   EXPECT_EQ(variants_of(s).size(), 11u) << "all are progressive already";
   for (const Variant& v : variants_of(s)) EXPECT_EQ(v.settings.quality.maps, LightMaps::progressive);
