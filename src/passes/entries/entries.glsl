@@ -12,9 +12,6 @@ layout(binding = 0) uniform sampler2D ids;
 layout(binding = 2, scalar) writeonly buffer Pixels { PixelIo pixels[]; };
 layout(binding = 3, scalar) buffer Parts { PartIo parts[]; };
 
-const uint none = 0xFFFFFFFFu;
-shared uint group_part, group_count, group_rank;
-
 // Samples are bits. An entry without samples is none.
 struct PixelEntries {
   uint first, second;  // ids
@@ -80,10 +77,12 @@ PixelEntries split(uvec4 id, uint id_first, uint covered) {
 }
 
 PixelEntries find_entries(ivec2 at) {
-  uvec4 id;
-  for (int s = 0; s < 4; ++s) id[s] = packUnorm4x8(texelFetch(ids, at, s));
-  if (id == uvec4(id.x)) return PixelEntries(id.x, 0u, id.x != 0u ? 15u : 0u, 0u);
+  const vec4 a = texelFetch(ids, at, 0), b = texelFetch(ids, at, 1), c = texelFetch(ids, at, 2),
+             d = texelFetch(ids, at, 3);
+  const uint id_a = packUnorm4x8(a);
+  if (a == b && a == c && a == d) return PixelEntries(id_a, 0u, id_a != 0u ? 15u : 0u, 0u);
 
+  const uvec4 id = uvec4(id_a, packUnorm4x8(b), packUnorm4x8(c), packUnorm4x8(d));
   vec4 distance_m;
   uint covered = 0u;
   for (int s = 0; s < 4; ++s) {
@@ -114,38 +113,20 @@ PixelEntries find_entries(ivec2 at) {
 }
 #endif
 
-uint part_of(uint id, uint samples) { return samples != 0u ? (id >> ID_TRIANGLE_BITS) - 1u : none; }
-
-// Counts an entry and returns its rank. Those of the workgroup's part are counted together, later.
-uint rank_of(uint part) {
-  if (part == none) return 0u;
-  return part == group_part ? atomicAdd(group_count, 1u) : atomicAdd(parts[part].count, 1u);
-}
+// Counts an entry and returns its rank.
+uint rank_of(uint id) { return atomicAdd(parts[(id >> ID_TRIANGLE_BITS) - 1u].count, 1u); }
 
 void main() {
-  if (gl_LocalInvocationIndex == 0u) {
-    group_part = none;
-    group_count = 0u;
-  }
-  barrier();
-
   const uvec2 at = gl_GlobalInvocationID.xy;
-  const bool inside = all(lessThan(at, io.extent));
-  PixelEntries e = PixelEntries(0u, 0u, 0u, 0u);
-  if (inside) e = find_entries(ivec2(at));
-  const uint first = part_of(e.first, e.samples_first), second = part_of(e.second, e.samples_second);
-  if (first != none) atomicMin(group_part, first);
-  barrier();
+  if (any(greaterThanEqual(at, io.extent))) return;
+  const uint pixel = at.y * io.extent.x + at.x;
 
-  uint rank_first = rank_of(first), rank_second = rank_of(second);
-  barrier();
-  if (gl_LocalInvocationIndex == 0u && group_count > 0u)
-    group_rank = atomicAdd(parts[group_part].count, group_count);
-  barrier();
-
-  if (!inside) return;
-  if (first != none && first == group_part) rank_first += group_rank;
-  if (second != none && second == group_part) rank_second += group_rank;
-  pixels[at.y * io.extent.x + at.x] = PixelIo(
-      e.first, e.second, rank_first | (e.samples_first | e.samples_second << 4) << RANK_BITS, rank_second);
+  const PixelEntries e = find_entries(ivec2(at));
+  const uint samples = e.samples_first | e.samples_second << 4;
+  if (samples == 0u) {
+    pixels[pixel].rank_first = 0u;
+    return;
+  }
+  const uint rank_first = rank_of(e.first), rank_second = e.samples_second != 0u ? rank_of(e.second) : 0u;
+  pixels[pixel] = PixelIo(e.first, e.second, rank_first | samples << RANK_BITS, rank_second);
 }
