@@ -50,7 +50,10 @@ std::string label_part(std::string_view what, const FrameSettings& settings, std
 
 Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters)
     : plan_(&plan), settings_(settings) {
-  if (settings.draws_picture()) make_targets();
+  if (!settings.shade_entries) colour();
+  const auto lifetime = settings.host ? frame::Lifetime::of_host : frame::Lifetime::transient;
+  if (settings.draws_picture())
+    depth_ = plan.texture("depth", target(settings.picture_format().depth), lifetime);
   cleared_ = settings.host.has_value();
 
   gpu::TextureDesc shadow{.width = settings.shadow_size,
@@ -74,19 +77,18 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
   plan.add<passes::ClearCounters>("clear counters", {counters_});
 }
 
-void Screen::make_targets() {
-  const gpu::TextureDesc screen{
-      .width = settings_.width, .height = settings_.height, .samples = settings_.samples};
-  gpu::TextureDesc colour = screen, depth = screen;
-  colour.format = settings_.picture_format().colour;
-  depth.format = settings_.picture_format().depth;
+gpu::TextureDesc Screen::target(VkFormat format) const {
+  gpu::TextureDesc desc{.width = settings_.width, .height = settings_.height, .samples = settings_.samples};
+  desc.format = format;
+  return desc;
+}
+
+frame::TextureId Screen::colour() {
   const auto lifetime = settings_.host ? frame::Lifetime::of_host : frame::Lifetime::transient;
-  const bool over_skin =
-      std::any_of(settings_.models.begin(), settings_.models.end(),
-                  [](const Model& model) { return model.has_surfaces || model.has_blended; });
-  if (!settings_.shade_entries || over_skin)
-    colour_ = plan_->texture(settings_.shade_entries ? "layer" : "colour", colour, lifetime);
-  depth_ = plan_->texture("depth", depth, lifetime);
+  if (!colour_.valid() && settings_.draws_picture())
+    colour_ =
+        plan_->texture(shaded() ? "layer" : "colour", target(settings_.picture_format().colour), lifetime);
+  return colour_;
 }
 
 std::uint32_t Screen::first_part(const passes::MapSquare& square) const {
@@ -112,9 +114,7 @@ void Screen::add_entries() {
     }
   }
 
-  entries_ = passes::make_entry_buffers(
-      *plan_, first_part_.back(),
-      {.width = settings_.width, .height = settings_.height, .samples = settings_.samples});
+  entries_ = passes::make_entry_buffers(*plan_, first_part_.back(), target(passes::light_format));
   plan_->add<passes::ClearParts>("clear parts", {entries_.parts});
   const frame::TextureId shown = plan_->add<passes::Ids>("ids", {depth_}, ids).ids;
   plan_->add<passes::Entries>("entries", {shown, depth_, entries_});
@@ -126,7 +126,7 @@ void Screen::add_skin(const std::vector<SkinOnScreen>& skin,
                       const std::function<std::string(std::string_view)>& name_of) {
   if (!settings_.draws_picture() || skin.empty()) return;
 
-  Together<passes::Shade>::In shaded;
+  Together<passes::Shade>::In computed;
   Together<passes::FinalPass>::In drawn;
   for (const auto& [asked, maps] : skin) {
     passes::SkinLook look = asked;
@@ -138,22 +138,22 @@ void Screen::add_skin(const std::vector<SkinOnScreen>& skin,
     look.emits = part.emits;
     const passes::SkinLights lights{maps, shadow_, entering_};
 
-    if (settings_.shade_entries)
-      shaded.members.push_back({{lights, entries_.parts, entries_.entries},
-                                {.look = look,
-                                 .first_part = first_part(look.square),
-                                 .extent = {settings_.width, settings_.height},
-                                 .samples = settings_.samples}});
+    if (shaded())
+      computed.members.push_back({{lights, entries_.parts, entries_.entries},
+                                  {.look = look,
+                                   .first_part = first_part(look.square),
+                                   .extent = {settings_.width, settings_.height},
+                                   .samples = settings_.samples}});
     else
-      drawn.members.push_back({{lights, colour_, depth_},
+      drawn.members.push_back({{lights, colour(), depth_},
                                {.look = look,
                                 .samples = settings_.samples,
                                 .format = settings_.picture_format(),
                                 .clear = take_clear()}});
   }
 
-  if (settings_.shade_entries)
-    plan_->add<Together<passes::Shade>>(name_of("shade"), shaded);
+  if (shaded())
+    plan_->add<Together<passes::Shade>>(name_of("shade"), computed);
   else
     plan_->add<Together<passes::FinalPass>>(name_of("final"), drawn);
 }
@@ -182,31 +182,31 @@ bool Screen::any_head(const Batch& batch, bool Model::*has) const {
 }
 
 void Screen::add_surfaces(const Batch& batch) {
-  if (!colour_.valid()) return;
-  const bool clear = !cleared_ && !settings_.shade_entries;
+  if (!settings_.draws_picture()) return;
+  const bool clear = !cleared_ && !shaded();
   // A scene without any skin still needs its targets cleared.
   if (any_head(batch, &Model::has_surfaces) || clear)
-    plan_->add<passes::Surface>(label("surfaces", settings_, batch), {shadow_, colour_, depth_},
+    plan_->add<passes::Surface>(label("surfaces", settings_, batch), {shadow_, colour(), depth_},
                                 {.first_instance = batch.first_head,
                                  .instances = batch.heads,
                                  .samples = settings_.samples,
                                  .format = settings_.picture_format(),
                                  .clear = take_clear(),
-                                 .layer = settings_.shade_entries,
+                                 .layer = shaded(),
                                  .environment = settings_.environment,
                                  .soft_shadows = settings_.soft_shadows});
 }
 
 void Screen::add_blended(const Batch& batch) {
-  if (!any_head(batch, &Model::has_blended) || !colour_.valid()) return;
+  if (!any_head(batch, &Model::has_blended) || !settings_.draws_picture()) return;
 
-  plan_->add<passes::Surface>(label("blended surfaces", settings_, batch), {shadow_, colour_, depth_},
+  plan_->add<passes::Surface>(label("blended surfaces", settings_, batch), {shadow_, colour(), depth_},
                               {.first_instance = batch.first_head,
                                .instances = batch.heads,
                                .samples = settings_.samples,
                                .format = settings_.picture_format(),
-                               .clear = settings_.shade_entries && take_clear(),
-                               .layer = settings_.shade_entries,
+                               .clear = shaded() && take_clear(),
+                               .layer = shaded(),
                                .environment = settings_.environment,
                                .soft_shadows = settings_.soft_shadows,
                                .blended = true});
@@ -229,9 +229,9 @@ void Screen::add_labels(FrameOutputs& out) {
 }
 
 frame::TextureId Screen::add_picture() {
-  if (settings_.shade_entries)
+  if (shaded())
     return plan_->add<passes::ResolveEntries>("resolve", {entries_, colour_}, {settings_.samples}).picture;
-  return settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour_}).picture : colour_;
+  return settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour()}).picture : colour();
 }
 
 FrameOutputs Screen::finish() {

@@ -56,7 +56,10 @@ class Screen {
  private:
   // Returns true at the first call only: the pass that draws first clears colour and depth, or the layer.
   bool take_clear();
-  void make_targets();
+  // Returns the target that skin, or a layer over it, is drawn into, and makes it at the first call.
+  frame::TextureId colour();
+  gpu::TextureDesc target(VkFormat format) const;
+  bool shaded() const { return entries_.pixels.valid(); }  // add_entries() has been called
   std::uint32_t first_part(const passes::MapSquare& square) const;
   frame::TextureId add_picture();
   void add_labels(FrameOutputs& out);
@@ -64,7 +67,7 @@ class Screen {
 
   passes::FramePlan* plan_;
   FrameSettings settings_;
-  // With shade_entries colour_ is a layer over the skin, valid if there is anything in it.
+  // If skin is shaded, colour_ is a layer over it, valid if there is anything in it.
   frame::TextureId colour_, depth_, shadow_, entering_;
   frame::TextureId entering_depth_;  // valid if what enters is drawn apart from the shadow maps
   frame::BufferId counters_;
