@@ -92,7 +92,10 @@ struct FrameSettings {
   bool all_enters = false;
   /// by_alpha, by_depth or by_tiles, of the texels that cull and clip have left unlit
   passes::SkipUnlit skip_unlit = passes::SkipUnlit::by_tiles;
-  bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
+  bool progressive = false;  ///< wide terms are kept in smaller maps, see passes::Downsample
+  /// Texels are lit by a compute pass, from maps of the triangles that they show; not those of a host's
+  /// light.
+  bool texel_maps = false;
   bool visibility = false;     ///< also makes the map that `output.show` "visibility" shows
   bool labels = false;         ///< also draws FrameOutputs::label_surface and label_names
   std::vector<SkinPart> skin;  ///< the skin meshes of all models

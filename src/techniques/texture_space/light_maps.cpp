@@ -11,7 +11,9 @@
 #include "passes/gutters/gutters.h"
 #include "passes/host_irradiance/host_irradiance.h"
 #include "passes/irradiance/irradiance.h"
+#include "passes/irradiance/irradiance_texels.h"
 #include "passes/stretch/stretch.h"
+#include "passes/texel_map/texel_map.h"
 #include "passes/tiles/tiles.h"
 #include "passes/transmission.h"
 #include "techniques/texture_space/counters.h"
@@ -90,6 +92,10 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     for (const SkinPart& part : settings.skin) most = std::max(most, part.triangles);
     kept_ = passes::make_kept_triangles(plan, pool_.squares(), most);
   }
+  if (settings.texel_maps && !settings.host_lights()) {
+    texels_ = passes::make_texel_maps(plan, pool_.texture(0), pool_.squares());
+    plan.add<passes::ClearTexelStamps>("clear texel map stamps", {texels_});
+  }
   if (settings.translucency) make_transmitted();
   if (settings.host_lights()) host_irradiance_ = plan.texture("host irradiance", pool_.texture(0));
 
@@ -157,6 +163,7 @@ std::vector<frame::TextureId> LightMaps::textures() const {
   std::vector<frame::TextureId> all = blurred_;
   all.insert(all.end(), transmitted_.begin(), transmitted_.end());
   for (const auto& [of, map] : halved_transmitted_) all.push_back(map);
+  if (texels_.valid()) all.push_back(texels_.numbers);
   if (host_irradiance_.valid()) all.push_back(host_irradiance_);
   for (const Level& level : levels_)
     for (const frame::TextureId map : {level.light, level.scratch, level.depth_mask})
@@ -202,18 +209,9 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
   if (kept_.valid()) plan_->add<passes::CullTriangles>(name("cull triangles"), {kept_}, {all});
   if (settings_->host_lights())
     plan_->add<passes::HostIrradiance>(name("host irradiance"), {host_irradiance_}, {.squares = all});
-  plan_->add<passes::Irradiance>(
-      name("irradiance"),
-      {level.light, screen_->shadow(), screen_->entering(), transmitted_, host_irradiance_, kept_},
-      irradiance);
+  add_irradiance(irradiance);
 
   // Count for the statistics.
-  if (settings_->translucency)
-    plan_->add<passes::TransmissionMisses>(
-        name("count transmission misses"),
-        {screen_->shadow(), screen_->entering(), kept_, screen_->counters()},
-        {.irradiance = irradiance, .slot = counter_transmission_misses});
-
   for (const std::uint32_t mesh : meshes_of(all))
     plan_->add<passes::Count>(
         name("count texels", mesh), {level.light, screen_->counters()},
@@ -222,6 +220,29 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
          .squares = of_mesh(all, mesh)});
 
   add_masks(level, all);
+}
+
+// Lights the texels, and counts what their transmitted light did not find.
+void LightMaps::add_irradiance(const passes::Irradiance::Settings& settings) {
+  const passes::Irradiance::In in{levels_.front().light, screen_->shadow(), screen_->entering(),
+                                  transmitted_,          host_irradiance_,  kept_};
+  const std::string counting = name("count transmission misses");
+  if (!texels_.valid()) {
+    plan_->add<passes::Irradiance>(name("irradiance"), in, settings);
+    if (settings_->translucency)
+      plan_->add<passes::TransmissionMisses>(counting, {in.shadow, in.entering, kept_, screen_->counters()},
+                                             {.irradiance = settings, .slot = counter_transmission_misses});
+    return;
+  }
+
+  std::vector<std::uint32_t> unwraps;
+  for (const SkinPart& part : settings_->skin) unwraps.push_back(part.unwrap);
+  plan_->add<passes::StaleTexels>(name("stale texels"), {texels_}, {settings.squares, unwraps});
+  plan_->add<passes::TexelMap>(name("texel map"), {texels_}, {settings.squares});
+  plan_->add<passes::IrradianceTexels>(name("irradiance"), {in, texels_}, {settings});
+  if (settings_->translucency)
+    plan_->add<passes::TransmissionMissesOfTexels>(counting, {in, texels_, screen_->counters()},
+                                                   {settings, counter_transmission_misses});
 }
 
 void LightMaps::add_halved(const Level& level, const ChainLight& light, const std::vector<MapSquare>& from,

@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "passes/irradiance/irradiance.h"
 #include "passes/kept_triangles.h"
 #include "passes/light_pool.h"
+#include "passes/texel_maps.h"
 #include "passes/tile_lists.h"
 #include "techniques/screen.h"
 #include "techniques/texture_space/map_pool.h"
@@ -94,6 +96,7 @@ class LightMaps {
  private:
   Level make_level(std::uint32_t halvings);
   void make_transmitted();
+  void add_irradiance(const passes::Irradiance::Settings& settings);
   void add_masks(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_dilation(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_masked_counts(const Level& level, const std::vector<passes::MapSquare>& all);
@@ -109,6 +112,7 @@ class LightMaps {
   std::vector<frame::TextureId> blurred_;
   std::vector<frame::TextureId> stretch_;      // by unwrap, or by turn of the meshes of a head
   frame::TextureId host_irradiance_;           // valid if a host draws the light
+  passes::TexelMaps texels_;                   // valid if texels are lit by a compute pass
   passes::KeptTriangles kept_;                 // valid if triangles are culled
   std::vector<frame::TextureId> transmitted_;  // with translucency: of the second and third group of terms
   std::map<std::pair<std::size_t, std::uint32_t>, frame::TextureId> halved_transmitted_;  // group, halvings
