@@ -17,6 +17,9 @@ template <>
 inline constexpr std::array<std::string_view, 2> names_of<LightMaps>{"full", "progressive"};
 
 template <>
+inline constexpr std::array<std::string_view, 2> names_of<IrradianceBy>{"raster", "compute"};
+
+template <>
 inline constexpr std::array<std::string_view, 6> names_of<ToneMap>{"natural", "neutral", "agx",
                                                                    "filmic",  "srgb",    "linear"};
 

@@ -227,6 +227,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
     plan.skip_unlit = choose_skip_unlit(s, device);
     plan.progressive = s.quality.maps == LightMaps::progressive;
+    plan.texel_maps = s.quality.irradiance == IrradianceBy::compute && !plan.host_lights();
     plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
     plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
                                   [&](const PlacedAsset& instance) { return all_enters(instance, s); });

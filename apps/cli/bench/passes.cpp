@@ -24,19 +24,14 @@ std::string common_name(std::string name) {
 }
 
 // By how the name of a pass begins; the first that fits. The last three are names in older records.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 24> beginnings{{
-    {"shadow", 0},         {"entering", 0},
-    {"cull triangles", 1}, {"irradiance", 1},
-    {"stretch", 1},        {"dilate", 2},
-    {"border", 2},         {"clear border", 2},
-    {"depth mask", 2},     {"clear tiles", 2},
-    {"tile", 2},           {"idle tiles", 2},
-    {"downsample", 3},     {"add transmitted", 3},
-    {"blur", 3},           {"final", 4},
-    {"surfaces", 5},       {"blended surfaces", 5},
-    {"resolve", 6},        {"bloom", 6},
-    {"tone map", 6},       {"halve", 3},
-    {"join", 3},           {"view", 6},
+constexpr std::array<std::pair<std::string_view, std::size_t>, 26> beginnings{{
+    {"shadow", 0},       {"entering", 0},     {"cull triangles", 1}, {"irradiance", 1},
+    {"stale texels", 1}, {"texel map", 1},    {"stretch", 1},        {"dilate", 2},
+    {"border", 2},       {"clear border", 2}, {"depth mask", 2},     {"clear tiles", 2},
+    {"tile", 2},         {"idle tiles", 2},   {"downsample", 3},     {"add transmitted", 3},
+    {"blur", 3},         {"final", 4},        {"surfaces", 5},       {"blended surfaces", 5},
+    {"resolve", 6},      {"bloom", 6},        {"tone map", 6},       {"halve", 3},
+    {"join", 3},         {"view", 6},
 }};
 
 }  // namespace
