@@ -232,6 +232,21 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
          .rebuilds = true,
          .real_time = true}},
     Field{
+        "shading",
+        &QualitySettings::shading,
+        {.help = "raster: skin is shaded where its triangles are drawn; compute: once per pixel and surface",
+         .option = "shading",
+         .rebuilds = true,
+         .real_time = true}},
+    Field{"blur",
+          &QualitySettings::blur,
+          {.help =
+               "chain: narrow to wide, a map per Gaussian; cascade: wide to narrow on a pyramid of maps, one "
+               "map for their sum; needs progressive maps",
+           .option = "blur",
+           .rebuilds = true,
+           .real_time = true}},
+    Field{
         "irradiance",
         &QualitySettings::irradiance,
         {.help = "how texels of light maps are lit: triangles are drawn, or a compute pass lights each texel",

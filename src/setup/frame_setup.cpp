@@ -53,11 +53,23 @@ const HostShadow* host_shadow(const HostSetup* host, std::size_t light) {
   return found == host->shadows.end() ? nullptr : &*found;
 }
 
+// Writes the corners of what casts a head's shadow in the world; none where the host moves its vertices,
+// which may leave the body between them.
+void place_corners(const Subject& subject, const PlacedHead& placed, const HostSetup* host,
+                   std::vector<glm::vec3>& corners_m) {
+  corners_m.clear();
+  if (host &&
+      std::find(host->deformed.begin(), host->deformed.end(), placed.instance) != host->deformed.end())
+    return;
+  for (const glm::vec3& p_m : subject.caster_corners_m) corners_m.push_back(placed.pose.position(p_m));
+}
+
 std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Subject* const> subjects,
                                     const std::vector<PlacedHead>& placed_heads, const RenderSettings& s,
                                     const scene::Camera& camera, const io::CameraIo& frame_camera,
                                     const std::vector<scene::Light>& lights, const HostSetup* host) {
   std::vector<HeadSetup> heads;
+  std::vector<glm::vec3> corners_m;
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
   for (const PlacedHead& placed : placed_heads) {
@@ -68,13 +80,15 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
                    .middle_m = placed.pose.position(subject.bounds.sphere.centre_m),
                    .lights = {},
                    .shadow_from_world = {}};
+    place_corners(subject, placed, host, corners_m);
+    const passes::ShadowBounds casters{placed.pose.sphere(subject.casters), corners_m};
 
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const HostShadow* of_host = host_shadow(host, i);
       const passes::ShadowFit fit =
           of_host
               ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world}, .texel = of_host->texel}
-              : passes::fit_shadow(lights[i], placed.pose.sphere(subject.casters), s.quality.shadow_size);
+              : passes::fit_shadow(lights[i], casters, s.quality.shadow_size);
       if (of_host) {
         head.host_shadows.resize(head.shadow_from_world.size());
         head.host_shadows.push_back({of_host->depth, of_host->reversed});
@@ -199,6 +213,16 @@ bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
   });
 }
 
+// How much of a term is lit per pixel must be known where its light joins the cascade, not where it is read.
+void check_cascade(const techniques::FrameSettings& plan) {
+  const auto is_coarse = [](const techniques::SkinPart& part) { return part.coarse; };
+  if (plan.cascade && std::any_of(plan.skin.begin(), plan.skin.end(), is_coarse))
+    throw input_error(
+        "",
+        "quality.blur cascade: some of the skin has too few texels per mm to scatter from light "
+        "maps; take quality.blur chain, or a larger quality.map_size");
+}
+
 void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s,
                  const std::vector<scene::Light>& lights, const DeviceTraits& device) {
   techniques::FrameSettings& plan = setup.plan;
@@ -228,6 +252,8 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.skip_unlit = choose_skip_unlit(s, device);
     plan.progressive = s.quality.maps == LightMaps::progressive;
     plan.texel_maps = s.quality.irradiance == IrradianceBy::compute && !plan.host_lights();
+    plan.cascade = s.quality.blur == BlurOrder::cascade;
+    check_cascade(plan);
     plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
     plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
                                   [&](const PlacedAsset& instance) { return all_enters(instance, s); });
@@ -320,6 +346,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   set_up_plan(setup, scene, s, lights, device);
   if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
+  setup.plan.shade_entries = s.quality.shading == Shading::compute && setup.plan.can_shade_entries();
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;

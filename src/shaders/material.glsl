@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour
-// ... (scene_io.h). COMPUTE: for compute shaders, which state the derivatives of texture coordinates.
+// ... (scene_io.h). COMPUTE_SHADING: in compute shaders, whose points bring their derivatives.
 #include "shaders/switches.glsl"
 
 struct ShadingPoint {
@@ -9,8 +9,8 @@ struct ShadingPoint {
   vec4 tangent;
   vec2 uv0, uv1;
   vec4 colour;
-#ifdef COMPUTE
-  vec4 uv_dx, uv_dy;  // of uv0 and uv1, per pixel or texel to the right and down
+#ifdef COMPUTE_SHADING
+  vec4 uv_dx, uv_dy;  // of both sets of texture coordinates, per pixel (or texel of a light map)
 #endif
 };
 
@@ -27,7 +27,7 @@ vec2 map_uv(MapIo map, ShadingPoint s) {
 
 // Returns a map at the point, filtered over a pixel (or a texel of a light map).
 vec4 map_texel(sampler2D texels, MapIo map, ShadingPoint s) {
-#ifdef COMPUTE
+#ifdef COMPUTE_SHADING
   const vec2 dx = map.uv_set == 0u ? s.uv_dx.xy : s.uv_dx.zw, dy = map.uv_set == 0u ? s.uv_dy.xy : s.uv_dy.zw;
   return textureGrad(texels, map_uv(map, s), map.u_axis * dx.x + map.v_axis * dx.y,
                      map.u_axis * dy.x + map.v_axis * dy.y);

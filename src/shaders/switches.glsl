@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Conditions and loop bounds that depend on uniform blocks, for fragment shaders, and with COMPUTE for
-// compute shaders.
+// Conditions and loop bounds that depend on uniform blocks, for shaders that shade points.
 //
 // One software driver (Mesa's lavapipe 22) compiles a shader again for each draw, and keeps the result, if a
 // condition or a loop depends on uniform blocks alone: 5 MB per skin mesh and frame. So these depend on the
-// fragment (or invocation) too, without effect.
+// fragment (or what main() reads) too, without effect.
 
-// Returns 0 always: w is positive in every fragment, and no dispatch is that wide.
-#ifdef COMPUTE
-uint nothing() { return gl_GlobalInvocationID.x == 0xFFFFFFFFu ? 1u : 0u; }
+// Always 0.
+#ifdef COMPUTE_SHADING
+uint zero;  // the shader sets it, from memory
+uint nothing() { return zero; }
 #else
-uint nothing() { return gl_FragCoord.w < 0.0 ? 1u : 0u; }
+uint nothing() { return gl_FragCoord.w < 0.0 ? 1u : 0u; }  // w is positive in every fragment
 #endif
 
 bool is_on(uint value) { return value > nothing(); }

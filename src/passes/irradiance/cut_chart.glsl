@@ -46,7 +46,7 @@ vec3 albedo_beside(CutTexel t) {
          textureLod(map_base_colour, at, log2(max(pixels.x, pixels.y)) + 2.0).rgb;
 }
 
-#ifdef COMPUTE
+#ifdef COMPUTE_SHADING
 CutTexel cut_texel(ShadingPoint s, float alpha_reach) {
   const vec2 offset = material.maps[MAP_BASE_COLOUR].offset;
   return CutTexel(vec4(s.uv0, s.uv1), s.colour,

@@ -5,15 +5,21 @@
 
 #include "frame/resources.h"
 #include "passes/bindings.h"
+#include "passes/draw_skin.h"
 #include "passes/irradiance/texels_io.h"
+#include "passes/targets.h"
+#include "shared/texel_lists_io.h"
 
 namespace dermis::passes {
 namespace {
 
 void declare_sources(frame::Declare& d, const Irradiance::Settings& settings, const Irradiance::In& in,
-                     const TexelMaps& texels) {
+                     const LitTexels& texels) {
   d.kind(frame::PassKind::compute);
-  d.sample(texels.numbers);
+  d.sample(texels.maps.numbers);
+  d.sample(texels.lists.entries);
+  d.read(texels.lists.lists);
+  d.indirect(texels.lists.arguments);
   d.sample(in.shadow);
   if (in.kept.valid()) d.read(in.kept.indices);
   if (!settings.through.empty() && in.entering.valid()) d.sample(in.entering);
@@ -44,7 +50,7 @@ void TexelPipelines::prepare(gpu::PipelineLibrary& library, const std::string& s
 
 void TexelPipelines::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                             const Irradiance::Settings& settings, const Irradiance::In& in,
-                            const TexelMaps& texels, const Bindings& of_pass) const {
+                            const LitTexels& texels, const Bindings& of_pass) const {
   const bool through = !settings.through.empty();
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     const Instance& instance = instance_of(frame, square);
@@ -52,34 +58,43 @@ void TexelPipelines::record(gpu::Cmd& cmd, const frame::Resources& resources, co
     const std::size_t entry = through ? through_.entry_of(square.mesh) : 0;
 
     Bindings bindings = of_pass;
-    bindings.add("Frame", frame.frame_io).add("texels", resources.nearest(texels.numbers));
+    bindings.add("Frame", frame.frame_io)
+        .add("texels", resources.nearest(texels.maps.numbers))
+        .add("entries", resources.nearest(texels.lists.entries))
+        .add("Lists", resources.buffer(texels.lists.lists));
     samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
     samplers_.offer_sky(bindings, instance, mesh);
     if (through) through_.offer(bindings, resources, in.entering, in.shadow, entry);
-    bindings.add("Instance", instance.transform);
-    instance.scene->skin[mesh].offer(bindings);
-    if (mesh < instance.vertices.size()) bindings.add("Vertices", instance.vertices[mesh]);
-    if (in.kept.valid()) bindings.add("Indices", kept_in(in.kept, resources, square));
-    dispatch(cmd, square, instance, mesh, entry, bindings);
+    const std::vector<GpuDraw>& draws = instance.scene->skin[mesh].draws;
+    for (std::size_t k = 0; k < draws.size(); ++k) {
+      const GpuMaterial& material = instance.look->material(draws[k].material);
+      const gpu::Pipeline& pipeline = *pipelines_[material.cut_out][entry];
+      const std::uint32_t list = texel_list(texels.lists, square, k);
+      Bindings all = bindings;
+      offer_skin(all, instance, mesh, material);
+      if (in.kept.valid()) all.add("Indices", kept_in(in.kept, resources, square));
+      all.bind(cmd, pipeline);
+      cmd.push(pipeline, io::TexelsIo{.origin = square.origin, .side = square.side, .list = list});
+      cmd.dispatch_indirect(resources.buffer(texels.lists.arguments), list * sizeof(io::TexelArgumentsIo));
+    }
   }
 }
 
-// A dispatch for each material: texels of other materials end at once.
-void TexelPipelines::dispatch(gpu::Cmd& cmd, const UsedSquare& square, const Instance& instance,
-                              std::uint32_t mesh, std::size_t entry, const Bindings& bindings) const {
-  const std::vector<GpuDraw>& draws = instance.scene->skin[mesh].draws;
-  for (const GpuDraw& draw : draws) {
-    const GpuMaterial& material = instance.look->material(draw.material);
-    const gpu::Pipeline& pipeline = *pipelines_[material.cut_out][entry];
-    Bindings all = bindings;
-    material.offer(all);
-    all.bind(cmd, pipeline);
-    cmd.push(pipeline, io::TexelsIo{.origin = square.origin,
-                                    .side = square.side,
-                                    .first_triangle = draw.first_index / 3,
-                                    .end_triangle = (draw.first_index + draw.index_count) / 3,
-                                    .clears = &draw == draws.data() ? 1u : 0u});
-    cmd.dispatch_over(pipeline, square.side, square.side);
+ClearIrradiance::Out ClearIrradiance::declare(frame::Declare& d) {
+  d.kind(frame::PassKind::raster);
+  d.colour(in.light);
+  for (const frame::TextureId joining : in.joining) d.colour(joining);
+  return {};
+}
+
+void ClearIrradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  std::vector<gpu::ColourTarget> targets{{.texture = &resources.texture(in.light), .clear = no_light}};
+  for (const frame::TextureId joining : in.joining)
+    targets.push_back({.texture = &resources.texture(joining), .clear = no_light});
+
+  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+    cmd.begin_rendering_area(targets, {}, square.area(), true);
+    cmd.end_rendering();
   }
 }
 

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: MIT
-/// Irradiance without drawing: each texel of a light map computes its light, for the triangle that a map of
-/// texels names.
+/// Irradiance without drawing: each listed texel of a light map computes its light, for the triangle that a
+/// map of texels names.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "passes/irradiance/irradiance.h"
+#include "passes/texel_lists.h"
 #include "passes/texel_maps.h"
 
 namespace dermis::passes {
+
+/// Which texels are lit, and what they show.
+struct LitTexels {
+  TexelMaps maps;    ///< of these squares
+  TexelLists lists;  ///< of these squares, with their ranges
+};
 
 /// A pipeline for each kind of material and each profile, and what they are given: shared by the passes over
 /// texels.
@@ -21,17 +28,28 @@ class TexelPipelines {
   /// Dispatches over the squares that the frame uses. `of_pass`: bindings beside those of the texels, the
   /// scene and its light.
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-              const Irradiance::Settings& settings, const Irradiance::In& in, const TexelMaps& texels,
+              const Irradiance::Settings& settings, const Irradiance::In& in, const LitTexels& texels,
               const Bindings& of_pass) const;
-
- private:
-  void dispatch(gpu::Cmd& cmd, const UsedSquare& square, const Instance& instance, std::uint32_t mesh,
-                std::size_t entry, const Bindings& bindings) const;
 
   // [cut out]: one each, or with `through` one for each of its entries
   std::array<std::vector<const gpu::Pipeline*>, 2> pipelines_;
   ThroughBindings through_;
   LightingSamplers samplers_;
+};
+
+/// Clears what Irradiance clears.
+class ClearIrradiance {
+ public:
+  struct Settings {
+    std::vector<MapSquare> squares;
+  } settings;
+  struct In {
+    frame::TextureId light;
+    std::vector<frame::TextureId> joining = {};
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
 /// As Irradiance, in a compute pass. Two triangles that share texels do so as if nothing was culled: the last
@@ -42,8 +60,8 @@ class IrradianceTexels {
     Irradiance::Settings irradiance;
   } settings;
   struct In {
-    Irradiance::In irradiance;  ///< all texels of the used squares are written
-    TexelMaps texels;           ///< of these squares
+    Irradiance::In irradiance;  ///< cleared by ClearIrradiance
+    LitTexels texels;
   } in;
   using Out = Irradiance::Out;
   Out declare(frame::Declare& d);
@@ -63,7 +81,7 @@ class TransmissionMissesOfTexels {
   } settings;
   struct In {
     Irradiance::In irradiance;
-    TexelMaps texels;
+    LitTexels texels;
     frame::BufferId counters;
   } in;
   struct Out {};

@@ -1,22 +1,36 @@
 // SPDX-License-Identifier: MIT
 // What a texel of a light map shows, for compute passes over the texels of a square: the triangle that the
 // map of texels names (passes/texel_map), and its vertices' values at the centre of the texel. Needs
-// scene_io.h; COMPUTE is defined.
+// scene_io.h; COMPUTE_SHADING is defined.
 #include "passes/irradiance/texels_io.h"
+#include "shared/texel_lists_io.h"
 #include "shaders/vertex_pull.glsl"
 #include "shaders/skin_vertex.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = TEXEL_GROUP) in;
 layout(push_constant, scalar) uniform Push { TexelsIo io; };
-layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };  // GpuMesh::indices, or those kept
+layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
+layout(binding = 39, scalar) readonly buffer Lists { TexelListIo lists[]; };
 layout(binding = 34) uniform usampler2D texels;
+layout(binding = 40) uniform usampler2D entries;  // of the lists
 layout(constant_id = 16) const bool clip = false;
 
-// Returns the texel of an invocation: eight that follow each other, which software devices run together, lie
-// in a block of 4 x 2.
-ivec2 texel_of_invocation() {
-  const uvec2 local = gl_LocalInvocationID.xy;
-  return ivec2(8u * gl_WorkGroupID.xy +
-               uvec2((local.x & 3u) | (local.y & 1u) << 2, local.x >> 2 | local.y >> 1 << 1));
+// A texel of the list, and its triangle.
+struct ListedTexel {
+  bool listed;  // false: the list ends before this invocation
+  ivec2 texel;  // in the square
+  uint triangle;
+};
+
+ListedTexel listed_texel() {
+  const uint number =
+      (gl_WorkGroupID.y * TEXEL_ROW + gl_WorkGroupID.x) * TEXEL_GROUP + gl_LocalInvocationIndex;
+  const TexelListIo list = lists[io.list];
+  zero = list.count >> 31;  // never set: a map has fewer texels
+  const uint place = list.first + min(number, list.count - 1u);
+  const uvec2 at = io.origin + uvec2(place % io.side, place / io.side);
+  const uint entry = texelFetch(entries, ivec2(at), 0).r;
+  const ivec2 texel = ivec2(entry & 0xFFFFu, entry >> 16);
+  return ListedTexel(number < list.count, texel, texelFetch(texels, texel + ivec2(io.origin), 0).r - 1u);
 }
 
 // Weights of the three corners, and how they grow per texel to the right and down.
@@ -27,7 +41,6 @@ struct Corners {
   vec3 position_m;  // there, in the world
 };
 
-// Returns the corners of a triangle; all equal if it is culled.
 uvec3 corners_of(uint triangle) {
   return uvec3(indices[3u * triangle], indices[3u * triangle + 1u], indices[3u * triangle + 2u]);
 }
@@ -47,9 +60,9 @@ Corners corners_at(uvec3 vertex, ivec2 texel) {
                  vec3(-to_b.y - to_c.y, to_b.y, to_c.y) * width, centre, world_position(position_m));
 }
 
-// Returns whether the texel is lit: its triangle is not culled, and it lies in the picture and its margin.
+// Returns whether the texel lies in the picture and its margin.
 bool is_seen(Corners k) {
-  bool seen = k.vertex.x != k.vertex.y || k.vertex.y != k.vertex.z;
+  bool seen = true;
   for (int i = 0; clip && i < 5; ++i) seen = seen && distance_inside(i, k.position_m) >= 0.0;
   return seen;
 }

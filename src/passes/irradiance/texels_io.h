@@ -3,15 +3,14 @@
 #define DERMIS_PASSES_TEXELS_IO_H
 #include "shared/types.h"
 DERMIS_IO_BEGIN
-// A square of light maps, and the triangles of one material in it.
+// A square of light maps, and the list of the texels of one material in it.
 struct TexelsIo {
   uvec2 origin;  // of the square in the pool
   uint side;     // T, texels
-  uint first_triangle, end_triangle;
-  uint clears;  // 1: writes texels without a triangle, too
+  uint list;     // its number: passes/texel_lists.h
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::TexelsIo) == 24);
+static_assert(sizeof(dermis::io::TexelsIo) == 16);
 #endif
 #endif

@@ -120,8 +120,9 @@ class Frames {
         .name = subject_.scene->name, .instances = {}, .lights = subject_.scene->lights};
     placed.instances.push_back(
         {.asset = subject_.scene, .sphere = subject_.bounds.sphere, .profile = {}, .mix = {}});
-    setup_ = setup::set_up(placed, std::array<const setup::Subject*, 1>{&subject_}, settings, {}, {});
-    setup_.plan.texel_maps = texel_maps_;
+    RenderSettings all = settings;
+    all.quality.irradiance = texel_maps_ ? IrradianceBy::compute : IrradianceBy::raster;
+    setup_ = setup::set_up(placed, std::array<const setup::Subject*, 1>{&subject_}, all, {}, {});
   }
 
   setup::Subject subject_;
