@@ -47,6 +47,12 @@ void expect_same(const Scene& scene, const RenderSettings& s, double least_db = 
   EXPECT_EQ(p.computed.statistics.transmission_misses, p.drawn.statistics.transmission_misses);
 }
 
+std::set<std::string> passes_of(const Scene& scene, const RenderSettings& s) {
+  std::set<std::string> names;
+  for (const PassStatistics& pass : renderer().render(scene, s).statistics.passes) names.insert(pass.name);
+  return names;
+}
+
 RenderSettings settings_at(double distance) {
   RenderSettings s = small_settings("texture-space", 128, 256);
   s.camera.distance = distance;
@@ -174,7 +180,9 @@ TEST(TexelPicturesOf, SeveralMaterials) {
 TEST(TexelPicturesOf, MeshesThatTakeTurns) {
   RenderSettings s = settings_at(3);
   s.quality.map_budget_mb = 7;
-  expect_same(wrap(several_materials()), s);
+  const Scene scene = wrap(several_materials());
+  expect_same(scene, s);
+  EXPECT_EQ(passes_of(scene, lit(s, IrradianceBy::compute)).count("texel list batch 1"), 1u);
 }
 
 TEST(TexelPicturesOf, HeadsOfTheLibrary) {
@@ -211,15 +219,9 @@ TEST(TexelPicturesOf, WhiteSkinInAWhiteFurnace) {
 }
 
 TEST(TexelPicturesOf, NoTriangleDrawnWithLight) {
-  const auto passes_of = [](IrradianceBy by) {
-    std::set<std::string> names;
-    for (const PassStatistics& pass :
-         renderer().render(subject("built-in head").open(), lit(settings_at(3), by)).statistics.passes)
-      names.insert(pass.name);
-    return names;
-  };
-  const std::set<std::string> drawn = passes_of(IrradianceBy::raster),
-                              computed = passes_of(IrradianceBy::compute);
+  const Scene& scene = subject("built-in head").open();
+  const std::set<std::string> drawn = passes_of(scene, lit(settings_at(3), IrradianceBy::raster)),
+                              computed = passes_of(scene, lit(settings_at(3), IrradianceBy::compute));
   for (const std::string name : {"stale texels", "texel map", "texel list", "texel ranges"}) {
     EXPECT_EQ(computed.count(name), 1u) << name;
     EXPECT_EQ(drawn.count(name), 0u) << name;
