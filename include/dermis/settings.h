@@ -103,6 +103,15 @@ enum class BlurOrder : std::uint8_t {
   cascade  ///< wide to narrow on a pyramid of maps, one map for the sum; with progressive maps alone
 };
 
+/// How the texels of light maps are lit.
+enum class IrradianceBy : std::uint8_t {
+  raster,  ///< triangles are drawn in texture coordinates
+  /// a compute pass lights each texel; which triangle it shows is drawn once. Where triangles overlap in
+  /// texture coordinates, the last one owns a texel also where it is culled or cut away. Light that a host
+  /// draws is drawn.
+  compute
+};
+
 /// Details against time and memory; what is not computed because it is not seen.
 /// [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 to 5.
 struct QualitySettings {
@@ -121,6 +130,7 @@ struct QualitySettings {
   /// The targets of a host are always drawn into, and so is what ids cannot tell apart (docs/techniques.md).
   Shading shading = Shading::raster;
   BlurOrder blur = BlurOrder::chain;
+  IrradianceBy irradiance = IrradianceBy::raster;
   /// distance, in sphere radii, up to which maps have their full size; none: a texel per pixel
   std::optional<double> d_ref{};
   std::optional<double> clip_margin_mm{};  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma

@@ -246,6 +246,13 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .option = "blur",
            .rebuilds = true,
            .real_time = true}},
+    Field{
+        "irradiance",
+        &QualitySettings::irradiance,
+        {.help = "how texels of light maps are lit: triangles are drawn, or a compute pass lights each texel",
+         .option = "irradiance",
+         .rebuilds = true,
+         .real_time = true}},
     Field{"d_ref",
           &QualitySettings::d_ref,
           {.help = "distance up to which light maps have their full size",

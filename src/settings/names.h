@@ -23,6 +23,9 @@ template <>
 inline constexpr std::array<std::string_view, 2> names_of<BlurOrder>{"chain", "cascade"};
 
 template <>
+inline constexpr std::array<std::string_view, 2> names_of<IrradianceBy>{"raster", "compute"};
+
+template <>
 inline constexpr std::array<std::string_view, 6> names_of<ToneMap>{"natural", "neutral", "agx",
                                                                    "filmic",  "srgb",    "linear"};
 

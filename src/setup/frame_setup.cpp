@@ -251,6 +251,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
     plan.skip_unlit = choose_skip_unlit(s, device);
     plan.progressive = s.quality.maps == LightMaps::progressive;
+    plan.texel_maps = s.quality.irradiance == IrradianceBy::compute && !plan.host_lights();
     plan.cascade = s.quality.blur == BlurOrder::cascade;
     check_cascade(plan);
     plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();

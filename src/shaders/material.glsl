@@ -10,7 +10,7 @@ struct ShadingPoint {
   vec2 uv0, uv1;
   vec4 colour;
 #ifdef COMPUTE_SHADING
-  vec4 uv_dx, uv_dy;  // of both sets of texture coordinates, per pixel
+  vec4 uv_dx, uv_dy;  // of both sets of texture coordinates, per pixel (or texel of a light map)
 #endif
 };
 
@@ -25,7 +25,7 @@ vec2 map_uv(MapIo map, ShadingPoint s) {
   return map.u_axis * uv.x + map.v_axis * uv.y + map.offset;
 }
 
-// Returns the texel of a map there, filtered over a pixel.
+// Returns a map at the point, filtered over a pixel (or a texel of a light map).
 vec4 map_texel(sampler2D texels, MapIo map, ShadingPoint s) {
 #ifdef COMPUTE_SHADING
   const vec2 dx = map.uv_set == 0u ? s.uv_dx.xy : s.uv_dx.zw, dy = map.uv_set == 0u ? s.uv_dy.xy : s.uv_dy.zw;

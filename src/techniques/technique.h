@@ -95,6 +95,9 @@ struct FrameSettings {
   bool all_enters = false;
   /// by_alpha, by_depth or by_tiles, of the texels that cull and clip have left unlit
   passes::SkipUnlit skip_unlit = passes::SkipUnlit::by_tiles;
+  /// Texels are lit by a compute pass, from maps of the triangles that they show; not those of a host's
+  /// light.
+  bool texel_maps = false;
   bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
   bool cascade = false;        ///< wide to narrow, one map for the sum: passes/cascade/; with `progressive`
   bool visibility = false;     ///< also makes the map that `output.show` "visibility" shows

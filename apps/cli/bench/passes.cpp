@@ -24,11 +24,15 @@ std::string common_name(std::string name) {
 }
 
 // By how the name of a pass begins; the first that fits. The last three are names in older records.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 32> beginnings{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 36> beginnings{{
     {"shadow", 0},
     {"entering", 0},
     {"cull triangles", 1},
     {"irradiance", 1},
+    {"stale texels", 1},
+    {"clear texel", 1},
+    {"texel ", 1},
+    {"clear irradiance", 1},
     {"stretch", 1},
     {"dilate", 2},
     {"border", 2},

@@ -4,10 +4,11 @@
 namespace dermis::cli::bench {
 namespace {
 
-// As published: skin is shaded where it is drawn, and light spreads from narrow to wide.
+// As published: skin is lit and shaded where it is drawn, and light spreads from narrow to wide.
 RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
   s.quality.shading = Shading::raster;
   s.quality.blur = BlurOrder::chain;
+  s.quality.irradiance = IrradianceBy::raster;
   s.quality.cull = cull, s.quality.depth = depth, s.quality.clip = clip;
   s.quality.skip_unseen_heads = true;
   return s;
@@ -38,6 +39,11 @@ RenderSettings cascade(RenderSettings s) {
 
 RenderSettings shaded_in_compute(RenderSettings s) {
   s.quality.shading = Shading::compute;
+  return s;
+}
+
+RenderSettings lit_in_compute(RenderSettings s) {
+  s.quality.irradiance = IrradianceBy::compute;
   return s;
 }
 
@@ -79,8 +85,11 @@ std::vector<Variant> variants_of(const RenderSettings& common, bool with_cascade
                    cascade(optimised), true});
   all.push_back({shading_key, "ids", "all, with skin drawn as ids and shaded in compute",
                  shaded_in_compute(optimised), true});
+  all.push_back({texels_key, "texels", "all, with the texels of the light maps lit in compute",
+                 lit_in_compute(optimised), true});
   if (with_cascade)
-    all.push_back({compute_key, "compute", "all, with both", shaded_in_compute(cascade(optimised)), true});
+    all.push_back({compute_key, "compute", "all, with the cascade and with ids",
+                   shaded_in_compute(cascade(optimised)), true});
 
   all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
                  unscattered(common)});

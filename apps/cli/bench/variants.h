@@ -25,9 +25,10 @@ inline constexpr const char* optimised_key = "all";  ///< whose speed-up and pic
 inline constexpr const char* at_edge_key = "all_margin_0";
 inline constexpr const char* progressive_key = "progressive";  ///< the baseline with progressive maps
 inline constexpr const char* optimised_progressive_key = "all_progressive";
-/// all, with each of the steps beyond the paper alone, and with all of them
+/// all, with each of the steps beyond the paper alone; `compute` is all with the first two
 inline constexpr const char* cascade_key = "all_cascade";
 inline constexpr const char* shading_key = "all_shading";
+inline constexpr const char* texels_key = "all_texels";
 inline constexpr const char* compute_key = "compute";
 inline constexpr const char* floor_key = "lambert";
 inline constexpr const char* compute_floor_key = "lambert_compute";

@@ -16,7 +16,7 @@ constexpr std::uint32_t most_at_once = 65535 * 64;
 }  // namespace
 
 CullTriangles::Out CullTriangles::declare(frame::Declare& d) {
-  compute(d, "cull_triangles.comp");
+  compute(d, "cull_triangles.comp", {{"cull", settings.cull ? 1u : 0u}, {"clip", settings.clip ? 1u : 0u}});
   d.write(in.kept.indices);
   return {};
 }

@@ -16,6 +16,8 @@ class CullTriangles : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
+    bool cull = true;   ///< leaves out what faces away
+    bool clip = false;  ///< leaves out what lies outside the picture and its margin
   } settings;
   struct In {
     KeptTriangles kept;  ///< written for each square

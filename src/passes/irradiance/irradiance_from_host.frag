@@ -19,9 +19,10 @@ void main() {
   const ShadingPoint s =
       ShadingPoint(in_position_m, normalize(in_normal), in_tangent, in_uv.xy, in_uv.zw, in_colour);
   const vec4 e = texelFetch(host_irradiance, ivec2(gl_FragCoord.xy), 0);
-  const float chart = cut_out ? chart_left(float(in_chart), in_uv, in_colour) : float(in_chart);
+  const CutTexel cut = cut_texel(in_uv, in_colour);
+  const float chart = cut_out ? chart_left(float(in_chart), cut) : float(in_chart);
   vec3 albedo = skin_albedo(s);
-  if (cut_out && chart == BORDER_ALPHA) albedo = albedo_beside(in_uv, in_colour);
+  if (cut_out && chart == BORDER_ALPHA) albedo = albedo_beside(cut);
   const vec3 before = albedo_power(albedo, material.mix_before);
   if (e.a == 0.0 || (cut_out && chart == 0.0)) discard;
   out_light = vec4(storable(e.rgb * before * (frame.radiance_scale / pi)), chart);

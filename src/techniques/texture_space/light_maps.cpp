@@ -12,8 +12,9 @@
 #include "passes/downsample/downsample.h"
 #include "passes/gutters/gutters.h"
 #include "passes/host_irradiance/host_irradiance.h"
-#include "passes/irradiance/irradiance.h"
 #include "passes/stretch/stretch.h"
+#include "passes/texel_list/texel_list.h"
+#include "passes/texel_map/texel_map.h"
 #include "passes/tiles/tiles.h"
 #include "passes/transmission.h"
 #include "techniques/texture_space/cascade.h"
@@ -79,10 +80,17 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     levels_.back().blurred.push_back(blurred_.back());
   }
 
-  if (settings.optimise.cull) {
-    std::uint32_t most = 0;
-    for (const SkinPart& part : settings.skin) most = std::max(most, part.triangles);
-    kept_ = passes::make_kept_triangles(plan, pool_.squares(), most);
+  std::uint32_t most_triangles = 0, most_materials = 1;
+  for (const SkinPart& part : settings.skin) {
+    most_triangles = std::max(most_triangles, part.triangles);
+    most_materials = std::max(most_materials, part.draws);
+  }
+  if (settings.optimise.cull || (settings.texel_maps && settings.optimise.clip))
+    kept_ = passes::make_kept_triangles(plan, pool_.squares(), most_triangles);
+  if (settings.texel_maps) {
+    texels_ = {.maps = passes::make_texel_maps(plan, pool_.texture(0), pool_.squares()),
+               .lists = passes::make_texel_lists(plan, pool_.texture(0), pool_.squares(), most_materials)};
+    plan.add<passes::ClearTexelStamps>("clear texel map stamps", {texels_.maps});
   }
   if (settings.cascade)
     make_cascade();
@@ -213,6 +221,8 @@ std::vector<frame::TextureId> LightMaps::textures() const {
   std::vector<frame::TextureId> all = blurred_;
   all.insert(all.end(), transmitted_.begin(), transmitted_.end());
   for (const auto& [of, map] : halved_transmitted_) all.push_back(map);
+  for (const frame::TextureId map : {texels_.maps.numbers, texels_.lists.entries})
+    if (map.valid()) all.push_back(map);
   if (host_irradiance_.valid()) all.push_back(host_irradiance_);
   for (const Level& level : levels_) {
     for (const frame::TextureId map : {level.light, level.scratch, level.depth_mask})
@@ -265,21 +275,16 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
       irradiance.through.push_back(
           {.mesh = mesh, .profile = skin[mesh].profile, .mm_per_unit = skin[mesh].mm_per_unit});
 
-  if (kept_.valid()) plan_->add<passes::CullTriangles>(name("cull triangles"), {kept_}, {all});
+  if (kept_.valid())
+    plan_->add<passes::CullTriangles>(name("cull triangles"), {kept_},
+                                      {.squares = all,
+                                       .cull = settings_->optimise.cull,
+                                       .clip = texels_.maps.valid() && settings_->optimise.clip});
   if (settings_->host_lights())
     plan_->add<passes::HostIrradiance>(name("host irradiance"), {host_irradiance_}, {.squares = all});
-  plan_->add<passes::Irradiance>(
-      name("irradiance"),
-      {level.light, screen_->shadow(), screen_->entering(), transmitted_, host_irradiance_, kept_},
-      irradiance);
+  add_irradiance(irradiance);
 
   // Count for the statistics.
-  if (settings_->translucency)
-    plan_->add<passes::TransmissionMisses>(
-        name("count transmission misses"),
-        {screen_->shadow(), screen_->entering(), kept_, screen_->counters()},
-        {.irradiance = irradiance, .slot = counter_transmission_misses});
-
   Together<passes::Count>::In counts;
   for (const std::uint32_t mesh : meshes_of(all))
     counts.members.push_back(
@@ -290,6 +295,51 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
   plan_->add<Together<passes::Count>>(name("count texels"), counts);
 
   add_masks(level, all);
+}
+
+// Lights the texels, and counts what their transmitted light did not find.
+void LightMaps::add_irradiance(const passes::Irradiance::Settings& settings) {
+  const passes::Irradiance::In in{levels_.front().light, screen_->shadow(), screen_->entering(),
+                                  transmitted_,          host_irradiance_,  kept_};
+  if (texels_.maps.valid()) {
+    add_texels(settings, in);
+    return;
+  }
+
+  plan_->add<passes::Irradiance>(name("irradiance"), in, settings);
+  if (settings_->translucency)
+    plan_->add<passes::TransmissionMisses>(name("count transmission misses"),
+                                           {in.shadow, in.entering, kept_, screen_->counters()},
+                                           {.irradiance = settings, .slot = counter_transmission_misses});
+}
+
+// The same in compute: finds which triangle each texel shows, lists the texels that are lit, and lights
+// those.
+void LightMaps::add_texels(const passes::Irradiance::Settings& settings, const passes::Irradiance::In& in) {
+  const std::vector<MapSquare>& squares = settings.squares;
+  const passes::TexelLists& lists = texels_.lists;
+  std::vector<std::uint32_t> unwraps;
+  for (const SkinPart& part : settings_->skin) unwraps.push_back(part.unwrap);
+  plan_->add<passes::StaleTexels>(name("stale texels"), {texels_.maps}, {squares, unwraps});
+  plan_->add<passes::TexelMap>(name("texel map"), {texels_.maps}, {squares});
+
+  plan_->add<passes::ClearTexelLists>(name("clear texel lists"), {lists});
+  const auto list = [&](std::string_view what, bool counts_only) {
+    plan_->add<passes::ListTexels>(name(what), {lists, texels_.maps, kept_},
+                                   {.squares = squares, .counts_only = counts_only});
+  };
+  const bool counts = lists.materials > 1;
+  if (counts) list("texel counts", true);
+  if (!counts) list("texel list", false);
+  plan_->add<passes::TexelRanges>(name("texel ranges"), {lists}, {squares});
+  if (counts) list("texel list", false);
+
+  plan_->add<passes::ClearIrradiance>(name("clear irradiance"), {in.light, in.joining}, {squares});
+  plan_->add<passes::IrradianceTexels>(name("irradiance"), {in, texels_}, {settings});
+  if (settings_->translucency)
+    plan_->add<passes::TransmissionMissesOfTexels>(name("count transmission misses"),
+                                                   {in, texels_, screen_->counters()},
+                                                   {settings, counter_transmission_misses});
 }
 
 // Prepares a level for blurring: seam gutters, dilation, mask of unlit texels.

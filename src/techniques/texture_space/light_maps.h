@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "passes/irradiance/irradiance_texels.h"
 #include "passes/kept_triangles.h"
 #include "passes/light_mask.h"
 #include "passes/light_pool.h"
@@ -96,6 +97,8 @@ class LightMaps {
   void make_transmitted();
   void make_cascade();
   void make_stretch();
+  void add_irradiance(const passes::Irradiance::Settings& settings);
+  void add_texels(const passes::Irradiance::Settings& settings, const passes::Irradiance::In& in);
   void add_dilation(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_masked_counts(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_tiles(const Level& level, const std::vector<passes::MapSquare>& all);
@@ -110,6 +113,7 @@ class LightMaps {
   std::vector<frame::TextureId> blurred_;
   std::vector<frame::TextureId> stretch_;      // by unwrap, or by turn of the meshes of a head
   frame::TextureId host_irradiance_;           // valid if a host draws the light
+  passes::LitTexels texels_;                   // valid if texels are lit by a compute pass
   passes::KeptTriangles kept_;                 // valid if triangles are culled
   std::vector<frame::TextureId> transmitted_;  // with translucency: of the second and third group of terms
   std::map<std::pair<std::size_t, std::uint32_t>, frame::TextureId> halved_transmitted_;  // group, halvings

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Light of a texel, E albedo^mix / pi 2^EV: the input of the convolution, for raster and compute passes
+// alike. GROUPS: of the profile's terms that transmitted light joins, each with a target
+// (passes/transmission.h); 0: no transmitted light. Alpha is the number of the chart; BORDER_ALPHA or 0 where
+// the alpha test cuts the skin away.
+#include "shaders/half.glsl"
+#include "shaders/skin_point.glsl"
+#include "shaders/skin_lights.glsl"
+#if GROUPS > 0
+#include "shaders/skin_through.glsl"
+#define TARGETS GROUPS
+#else
+#define TARGETS 1
+#endif
+#include "passes/irradiance/cut_chart.glsl"
+
+struct LitTexel {
+  vec4 group[TARGETS];
+};
+
+// Needs s.normal to be unit. `unwrap`: texture coordinates of the light map.
+LitTexel lit_texel(ShadingPoint s, vec2 unwrap, float chart_there, CutTexel cut) {
+  const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
+#if GROUPS > 0
+  const LitThrough r = lit_through(s, n, s.normal, skin_specular(s), unseen);
+#endif
+
+  const float chart = cut_out ? chart_left(chart_there, cut) : chart_there;
+  vec3 albedo = skin_albedo(s);
+  if (cut_out && chart == BORDER_ALPHA) albedo = albedo_beside(cut);
+  const vec3 before = albedo_power(albedo, material.mix_before);
+  const float scale = frame.radiance_scale / pi;
+
+  LitTexel lit;
+#if GROUPS > 0
+  const vec3 entering = r.skin.entering + entering_surroundings(s, n, unwrap);
+  lit.group[0] = vec4(storable((entering * before + joining(r, 0)) * scale), chart);
+#if GROUPS > 1
+  for (int g = 1; g < GROUPS; ++g) lit.group[g] = vec4(storable(joining(r, g) * scale), chart);
+#endif
+#else
+  const vec3 entering =
+      lit_skin(s, n, s.normal, skin_specular(s), true, unseen).entering + entering_surroundings(s, n, unwrap);
+  lit.group[0] = vec4(storable(entering * before * scale), chart);
+#endif
+  return lit;
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#ifndef DERMIS_PASSES_TEXEL_MAP_IO_H
+#define DERMIS_PASSES_TEXEL_MAP_IO_H
+#include "shared/types.h"
+DERMIS_IO_BEGIN
+struct TexelDrawIo {
+  uint vertices, instances, first_vertex, first_instance;  // VkDrawIndirectCommand
+};
+struct StaleTexelsIo {
+  uint square;    // number in the pool
+  uint stamp;     // of what it shall hold; not 0
+  uint vertices;  // of a draw of all of it
+};
+DERMIS_IO_END
+#ifdef __cplusplus
+static_assert(sizeof(dermis::io::TexelDrawIo) == 16);
+static_assert(sizeof(dermis::io::StaleTexelsIo) == 12);
+#endif
+#endif

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// Pictures whose light maps a compute pass lights, against those whose light maps are drawn, with every other
+// way of a frame.
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "gpu/support/failure.h"
+#include "gpu/support/heads.h"
+#include "gpu/support/pictures.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/scenes.h"
+#include "gpu/support/settings.h"
+#include "image/metrics.h"
+#include "scene/primitives.h"
+
+namespace dermis::tests {
+namespace {
+
+RenderSettings lit(RenderSettings s, IrradianceBy by) {
+  s.quality.irradiance = by;
+  return s;
+}
+
+struct Pair {
+  Picture drawn, computed;
+};
+
+Pair pair_of(const Scene& scene, const RenderSettings& s) {
+  return {renderer().render(scene, lit(s, IrradianceBy::raster)),
+          renderer().render(scene, lit(s, IrradianceBy::compute))};
+}
+
+// The pixels that are skin are those of the raster, and look the same: light is read to 11 bits, and by
+// derivatives of the triangle in place of those of four texels.
+void expect_same(const Scene& scene, const RenderSettings& s, double least_db = 60) {
+  const Pair p = pair_of(scene, s);
+  const double db = image::psnr_db(shown(p.drawn), shown(p.computed), skin_mask(p.drawn));
+  std::printf("%.1f dB, %llu texels\n", db,
+              static_cast<unsigned long long>(p.computed.statistics.irradiance_texels));
+  EXPECT_GE(db, least_db) << write_failure(linear(p.drawn), linear(p.computed));
+  EXPECT_EQ(p.drawn.statistics.skin_pixels, p.computed.statistics.skin_pixels);
+  EXPECT_GT(p.computed.statistics.irradiance_texels, 0u);
+  EXPECT_EQ(p.computed.statistics.unshaded_reads, 0u);
+  EXPECT_EQ(p.computed.statistics.transmission_misses, p.drawn.statistics.transmission_misses);
+}
+
+std::set<std::string> passes_of(const Scene& scene, const RenderSettings& s) {
+  std::set<std::string> names;
+  for (const PassStatistics& pass : renderer().render(scene, s).statistics.passes) names.insert(pass.name);
+  return names;
+}
+
+RenderSettings settings_at(double distance) {
+  RenderSettings s = small_settings("texture-space", 128, 256);
+  s.camera.distance = distance;
+  s.output.bloom = 0;
+  return s;
+}
+
+struct Way {
+  std::string name;
+  std::function<void(RenderSettings&)> set;
+};
+
+std::vector<Way> ways() {
+  return {{"AsIs", [](RenderSettings&) {}},
+          {"Unoptimised", [](RenderSettings& s) { s = unoptimised(s); }},
+          {"Translucent", [](RenderSettings& s) { s.skin.translucency = true; }},
+          {"SkipsByAlpha", [](RenderSettings& s) { s.quality.mask = BlurMask::alpha; }},
+          {"SkipsByDepth", [](RenderSettings& s) { s.quality.mask = BlurMask::depth; }},
+          {"ProgressiveMaps",
+           [](RenderSettings& s) {
+             s.quality.maps = LightMaps::progressive;
+             s.skin.translucency = true;
+           }},
+          {"Cascade",
+           [](RenderSettings& s) {
+             s.quality.maps = LightMaps::progressive;
+             s.quality.blur = BlurOrder::cascade;
+             s.skin.translucency = true;
+           }},
+          {"ShadedInCompute", [](RenderSettings& s) { s.quality.shading = Shading::compute; }},
+          {"AllInCompute",
+           [](RenderSettings& s) {
+             s.quality.maps = LightMaps::progressive;
+             s.quality.blur = BlurOrder::cascade;
+             s.quality.shading = Shading::compute;
+           }},
+          {"ClippedOnly",
+           [](RenderSettings& s) {
+             s.quality.cull = s.quality.depth = false;
+             s.quality.clip_margin_mm = 0;
+             s.camera.fov_deg = 4;
+           }},
+          {"FourHeads",
+           [](RenderSettings& s) {
+             s.camera.heads = 4;
+             s.output.width = 256;
+           }},
+          {"FourHeadsInBatches",
+           [](RenderSettings& s) {
+             s.camera.heads = 4;
+             s.output.width = 256;
+             s.quality.map_budget_mb = 8;
+           }},
+          {"InSurroundings", [](RenderSettings& s) {
+             s.lighting.environment = "studio";
+             s.lighting.light_radius_m = 0.1;
+           }}};
+}
+
+class TexelPictures : public testing::TestWithParam<Way> {};
+INSTANTIATE_TEST_SUITE_P(Ways, TexelPictures, testing::ValuesIn(ways()),
+                         [](const auto& way) { return way.param.name; });
+
+TEST_P(TexelPictures, AreThoseThatAreDrawn) {
+  RenderSettings s = settings_at(3);
+  GetParam().set(s);
+  expect_same(subject("built-in head").open(), s);
+}
+
+// Two balls of one head, of other profiles, a light map each; the first of two materials, one of which is cut
+// out: three lists.
+scene::Scene several_materials() {
+  scene::Scene made = scene::sphere(0.1, 16), front = scene::sphere(0.05, 16);
+  image::Image8 pixels{.width = 64, .height = 64, .rgba = {}};
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const auto there = static_cast<std::uint8_t>(x % 16 < 8 ? 255 : 0);
+      pixels.rgba.insert(pixels.rgba.end(), {220, 120, 90, there});
+    }
+
+  scene::Material cut = made.materials.front();
+  cut.name = "cut";
+  cut.alpha_mode = scene::AlphaMode::mask;
+  cut.base_colour_map.image = static_cast<int>(made.images.size());
+  made.images.push_back({.name = "mask", .pixels = std::make_shared<const image::Image8>(std::move(pixels))});
+  scene::Material pale = made.materials.front();
+  pale.name = "pale";
+  pale.base_colour = {0.9f, 0.8f, 0.7f, 1};
+  pale.skin_settings.profile = gaussians::SumOfGaussians{};
+  pale.skin_settings.profile->name = "wide";
+  pale.skin_settings.profile->terms = {{.variance_mm2 = 4, .weight = {0.5, 0.8, 0.9}},
+                                       {.variance_mm2 = 40, .weight = {0.5, 0.2, 0.1}}};
+  made.materials.push_back(cut);
+  made.materials.push_back(pale);
+
+  // Every second triangle of the first ball.
+  scene::Primitive half = made.primitives.front();
+  std::vector<std::uint32_t> kept, moved;
+  for (std::size_t i = 0; i < half.indices.size(); i += 3)
+    (i / 3 % 8 < 4 ? kept : moved)
+        .insert((i / 3 % 8 < 4 ? kept : moved).end(), half.indices.begin() + static_cast<std::ptrdiff_t>(i),
+                half.indices.begin() + static_cast<std::ptrdiff_t>(i + 3));
+  made.primitives.front().indices = kept;
+  half.indices = moved;
+  half.material = 1;
+  made.primitives.push_back(std::move(half));
+
+  scene::Primitive ball = front.primitives.front();
+  ball.material = 2;
+  ball.node = 1;
+  for (scene::Vertex& v : ball.vertices) v.position_m += glm::vec3(0.05f, 0.03f, 0.12f);
+  made.primitives.push_back(std::move(ball));
+  return made;
+}
+
+TEST(TexelPicturesOf, SeveralMaterials) {
+  for (const bool translucency : {false, true}) {
+    RenderSettings s = settings_at(3);
+    s.skin.translucency = translucency;
+    expect_same(wrap(several_materials()), s);
+  }
+}
+
+// The skin meshes of a head take turns with one square: each turn lists the texels of another unwrap.
+TEST(TexelPicturesOf, MeshesThatTakeTurns) {
+  RenderSettings s = settings_at(3);
+  s.quality.map_budget_mb = 7;
+  const Scene scene = wrap(several_materials());
+  expect_same(scene, s);
+  EXPECT_EQ(passes_of(scene, lit(s, IrradianceBy::compute)).count("texel list batch 1"), 1u);
+}
+
+TEST(TexelPicturesOf, HeadsOfTheLibrary) {
+  for (const std::string name : {"scan", "MakeHuman", "ICT"}) {
+    if (!subject(name).missing.empty()) continue;
+    SCOPED_TRACE(name);
+    RenderSettings s = settings_at(2.5);
+    s.skin.translucency = true;
+    expect_same(subject(name).open(), s, 50);
+  }
+}
+
+// The order of the lists changes from run to run; no bit of the picture does.
+TEST(TexelPicturesOf, TwoRunsAreEqualToTheBit) {
+  RenderSettings s = lit(settings_at(3), IrradianceBy::compute);
+  s.skin.translucency = true;
+  const Picture first = renderer().render(subject("built-in head").open(), s);
+  for (int i = 0; i < 3; ++i) {
+    const Picture again = renderer().render(subject("built-in head").open(), s);
+    ASSERT_EQ(first.linear_rgba.size(), again.linear_rgba.size());
+    EXPECT_EQ(std::memcmp(first.linear_rgba.data(), again.linear_rgba.data(),
+                          first.linear_rgba.size() * sizeof(float)),
+              0);
+  }
+}
+
+TEST(TexelPicturesOf, WhiteSkinInAWhiteFurnace) {
+  const Picture p = renderer().render(subject("built-in head").open(),
+                                      lit(furnace_settings("texture-space", true), IrradianceBy::compute));
+  const SkinRange skin = skin_range(p);
+  EXPECT_GT(skin.pixels, 1000u);
+  EXPECT_GE(skin.low, 0.98f);
+  EXPECT_LE(skin.high, 1.02f);
+}
+
+TEST(TexelPicturesOf, NoTriangleDrawnWithLight) {
+  const Scene& scene = subject("built-in head").open();
+  const std::set<std::string> drawn = passes_of(scene, lit(settings_at(3), IrradianceBy::raster)),
+                              computed = passes_of(scene, lit(settings_at(3), IrradianceBy::compute));
+  for (const std::string name : {"stale texels", "texel map", "texel list", "texel ranges"}) {
+    EXPECT_EQ(computed.count(name), 1u) << name;
+    EXPECT_EQ(drawn.count(name), 0u) << name;
+  }
+  EXPECT_EQ(computed.count("texel counts"), 0u) << "one material";
+}
+
+}  // namespace
+}  // namespace dermis::tests
