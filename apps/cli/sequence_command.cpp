@@ -3,26 +3,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
-#include <set>
-#include <thread>
 
 #include "api/asset_files.h"
-#include "api/fingerprint.h"
 #include "cli/command.h"
-#include "cli/commit.h"
 #include "cli/progress.h"
-#include "cli/sequence/frames.h"
+#include "cli/sequence/arguments.h"
 #include "cli/sequence/pattern.h"
-#include "cli/sequence/record.h"
-#include "cli/sequence/scene_at.h"
-#include "cli/sequence/timeline.h"
-#include "cli/sequence/writers.h"
+#include "cli/sequence/video.h"
+#include "cli/sequence/write.h"
 #include "core/error.h"
 #include "core/file.h"
-#include "core/hash.h"
-#include "core/hooks.h"
-#include "dermis/cancelled.h"
 
 namespace dermis::cli {
 namespace {
@@ -31,21 +23,6 @@ using namespace sequence;
 
 constexpr double default_s = 4;  // of a sequence without a clip
 constexpr const char* group = "Sequence";
-
-struct SequenceArguments : SceneArguments {
-  std::string output;
-  Timeline timeline;
-  std::optional<double> to_s;
-  Motion motion;
-  bool resume = false;
-  DeviceArguments on;
-};
-
-// A time alone holds the pose while something else moves.
-bool clip_plays(const SequenceArguments& a) {
-  const bool names_a_clip = !a.options.clip.empty();
-  return !a.options.time_s && (names_a_clip || a.motion.kind == Motion::Kind::none);
-}
 
 void check_arguments(const SequenceArguments& a) {
   if (a.motion.kind == Motion::Kind::none && a.options.time_s)
@@ -57,6 +34,29 @@ void check_arguments(const SequenceArguments& a) {
   timeline.to_s = a.to_s.value_or(timeline.from_s + 1 / std::max(timeline.fps, 1e-3));
   check(timeline);
   check(a.motion, a.settings);
+}
+
+// Before anything is loaded, which may take long.
+void check_outputs(const SequenceArguments& a) {
+  if (is_video(a.output)) {
+    check_writable(a.output);
+    check_video(a.output, a.settings.output.width, a.settings.output.height);
+    if (a.resume)
+      throw input_error("--resume", "goes on with numbered pictures, and a video is written in one piece");
+  } else {
+    check_writable(FramePattern(a.output).path(0));
+  }
+  check_scene_output(a, {a.output, a.sheet});
+
+  if (a.sheet.empty()) return;
+  check_writable(a.sheet);
+  if (std::filesystem::path(a.sheet).extension() != ".png")
+    throw input_error(a.sheet, "a contact sheet is written as .png");
+  if (is_video(a.output)) return;
+  // One of the frames cannot have its name: the numbers are not known yet.
+  const FramePattern pattern(a.output);
+  if (pattern.matches(a.sheet))
+    throw input_error(a.sheet, "is also the name of a frame; --sheet needs a file of its own");
 }
 
 // Where nothing says how long it is: as long as the clip, or default_s.
@@ -76,162 +76,43 @@ Timeline timeline_of(const SequenceArguments& a, const Scene& scene) {
   return timeline;
 }
 
-// All that the bytes of the files depend on, but for the device.
-std::uint64_t fingerprint_of(const SequenceArguments& a, const Timeline& timeline, SceneSource& scenes) {
-  Hash hash;
-  hash.add(std::string_view(DERMIS_VERSION));
-  hash.add(std::string_view(commit()));
-  hash.add(to_json(settings_file(a)));
-  hash.add(text_of(a.motion));
-  hash.add(FramePattern(a.output).path(0).extension().string());
-  for (const double number : {timeline.fps, timeline.from_s, timeline.to_s}) hash.add(number);
-
-  // What is said of the files while they are read has been said.
-  Hooks hooks = terminal_hooks();
-  hooks.log = [](LogLevel, const std::string&) {};
-  const Scene& scene = scenes.scene_at(timeline.from_s);
-  hash.word(api::picture_fingerprint(scene, a.motion.at(a.settings, 0), hooks));
-  const HookScope scope(hooks);
-  if (clip_plays(a)) api::add_asset_files(hash, scene);
-  return hash.value();
-}
-
-// The frames that are still to be drawn.
-std::vector<std::size_t> frames_to_do(const Record& record, const FramePattern& pattern, std::size_t count) {
-  std::vector<std::size_t> to_do;
-  for (std::size_t frame = 0; frame < count; ++frame)
-    if (!record.has(frame, pattern.path(frame))) to_do.push_back(frame);
-  return to_do;
-}
-
-void clean_up(const FramePattern& pattern, const Record& record, std::size_t count) {
-  std::set<std::string> names;
-  const auto is_ours = [&](const std::string& name) {
-    if (names.empty()) {
-      names.insert(record.path().filename().string());
-      for (std::size_t i = 0; i < count; ++i) names.insert(pattern.path(i).filename().string());
-    }
-    return names.contains(name);
-  };
-  remove_unfinished(pattern.path(0).parent_path(), is_ours);
-}
-
-std::size_t writer_threads() { return std::clamp(std::thread::hardware_concurrency() / 2, 1u, 4u); }
-
-// Draws and hands over until all is done or Ctrl-C; returns how many frames are written.
-class Drawing {
- public:
-  Drawing(const SequenceArguments& a, const Timeline& timeline, SceneSource& scenes)
-      : a_(a), timeline_(timeline), scenes_(scenes) {}
-
-  std::size_t draw(Renderer& renderer, const std::vector<std::size_t>& to_do,
-                   const std::function<void(Frame)>& hand_over) {
-    Frames frames(renderer, a_.settings);
-    std::size_t written = 0;
-    const auto take = [&](std::optional<Frame> frame) {
-      if (!frame) return;
-      hand_over(std::move(*frame));
-      ++written;
-    };
-
-    std::optional<Progress> progress;
-    try {
-      for (const std::size_t frame : to_do) {
-        if (interrupted_flag()) break;
-        if (progress) progress->show(fmt::format("frame {} of {}", frame + 1, timeline_.frames()));
-        take(frames.draw(frame, scenes_.scene_at(timeline_.seconds(frame)),
-                         a_.motion.at(a_.settings, timeline_.share(frame))));
-
-        // The first one prepares what the others use: the time left is that of the others.
-        if (progress)
-          progress->done(1);
-        else
-          progress.emplace(static_cast<double>(std::max<std::size_t>(to_do.size() - 1, 1)));
-      }
-    } catch (const Cancelled&) {
-      if (!interrupted_flag()) throw;
-    }
-    take(frames.finish());
-    return written;
-  }
-
- private:
-  const SequenceArguments& a_;
-  const Timeline& timeline_;
-  SceneSource& scenes_;
-};
-
-int stopped(std::size_t written, std::size_t count) {
+int stopped(const SequenceArguments& a, std::size_t written, std::size_t count) {
   show_line("");
-  fmt::print(stderr, "dermis: stopped after {} of {} frames; --resume goes on from there\n", written, count);
+  fmt::print(stderr, "dermis: stopped after {} of {} frames; {}\n", written, count,
+             is_video(a.output) ? "a video is written in one piece, and there is none"
+                                : "--resume goes on from there");
   return 1;
 }
 
-struct Done {
-  std::size_t written = 0, count = 0;
-  double seconds = 0;
-  bool validated = true;
-};
-
-// Pictures with numbers.
-Done write_pictures(const SequenceArguments& a, const Timeline& timeline, SceneSource& scenes) {
-  const auto start = std::chrono::steady_clock::now();
-  const FramePattern pattern(a.output);
+std::string summary(const SequenceArguments& a, const Timeline& timeline, double seconds) {
   const std::size_t count = timeline.frames();
-  Record record(a.output + ".resume", fingerprint_of(a, timeline, scenes));
-  clean_up(pattern, record, count);
-  if (a.resume) record.load();
-  const std::vector<std::size_t> to_do = frames_to_do(record, pattern, count);
-  Done done{.written = count - to_do.size(), .count = count};
-
-  if (!to_do.empty()) {
-    Renderer renderer({.device = a.on.device, .validate = a.on.validate, .hooks = terminal_hooks()});
-    bool opened = false;
-    Writers writers(writer_threads(), [&](const Frame& frame) {
-      const std::filesystem::path path = pattern.path(frame.number);
-      frame.picture.save(path);
-      record.add(frame.number, path);
-    });
-    done.written += Drawing(a, timeline, scenes).draw(renderer, to_do, [&](Frame frame) {
-      const Statistics& s = frame.picture.statistics;
-      if (!opened) record.open(fmt::format("{} ({}, Vulkan {})", s.device, s.driver, s.api));
-      opened = true;
-      writers.push(std::move(frame));
-    });
-    writers.finish();
-    show_line("");
-    done.validated = !tell_validation_messages(renderer);
-  }
-
-  if (done.written == count && done.validated) record.remove();
-  done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return done;
+  std::string text = fmt::format("{} frame{} of {}x{}, {:g} to {:g} s at {:g} per second, in {}\n", count,
+                                 count == 1 ? "" : "s", a.settings.output.width, a.settings.output.height,
+                                 timeline.from_s, timeline.to_s, timeline.fps, duration(seconds));
+  if (is_video(a.output)) return text + a.output + "\n";
+  const FramePattern pattern(a.output);
+  return text + fmt::format("{} to {}\n", pattern.path(0).string(), pattern.path(count - 1).string());
 }
 
 void run(const SequenceArguments& a, int& exit_status) {
-  const FramePattern pattern(a.output);
-  check_writable(pattern.path(0));
-  check_scene_output(a, {});
+  check_outputs(a);
   check_arguments(a);
   catch_interrupts();
 
+  const auto start = std::chrono::steady_clock::now();
   SceneSource scenes(a, clip_plays(a));
   const Timeline timeline = timeline_of(a, scenes.scene_at(a.timeline.from_s));
-  const Done done = write_pictures(a, timeline, scenes);
-  if (!done.validated) {
-    exit_status = 1;
-    return;
-  }
-  if (done.written < done.count) {
-    exit_status = stopped(done.written, done.count);
+  const Written written =
+      is_video(a.output) ? write_video(a, timeline, scenes) : write_pictures(a, timeline, scenes);
+  if (written.validation || written.frames < timeline.frames()) {
+    exit_status = written.validation ? 1 : stopped(a, written.frames, timeline.frames());
     return;
   }
 
   save_settings(a);
   save_scene(a, scenes.scene_at(timeline.from_s));
-  fmt::print("{} frames of {}x{}, {:g} to {:g} s at {:g} per second, in {}\n{} to {}\n", done.count,
-             a.settings.output.width, a.settings.output.height, timeline.from_s, timeline.to_s, timeline.fps,
-             duration(done.seconds), pattern.path(0).string(), pattern.path(done.count - 1).string());
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  fmt::print("{}", summary(a, timeline, seconds));
 }
 
 }  // namespace
@@ -250,8 +131,9 @@ void add_sequence_command(CLI::App& app, int& exit_status) {
   command
       ->add_option("-o,--output", a->output,
                    "pictures to write, .png (display values) or .exr (linear), with the number of the frame: "
-                   "out/frame-%04d.png")
+                   "out/frame-%04d.png; or a video, .mp4, .webm or .webp, which the program ffmpeg makes")
       ->required();
+  command->add_option("--sheet", a->sheet, "write a contact sheet of at most 24 frames, .png");
   add_motion_options(*command, a->settings, a->motion);
   command->add_option("--fps", a->timeline.fps, "frames per second")->group(group);
   command->add_option("--from", a->timeline.from_s, "begin, in seconds of the clip")->group(group);

@@ -162,7 +162,8 @@ TEST_F(Sequence, RefusesWhatMakesNoSense) {
   refuse_output("frame-%4d.png", "after % there must be");
   refuse_output("frame-%0000d.png", "after % there must be");
   refuse_output("frame-%d.bmp", ".png or .exr");
-  refuse_output("frame-%", "after % there must be");
+  refuse_output("frame-%", ".png or .exr");
+  refuse_output("frame-%.png", "after % there must be");
   refuse_output("%d/frame.png", "name of a folder");
   refuse_output("none/frame-%d.png", "does not exist");
   const fs::path closed = folder() / "closed";

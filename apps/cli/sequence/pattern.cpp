@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
+#include "core/file.h"
 
 namespace dermis::cli::sequence {
 namespace {
@@ -15,6 +18,11 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 }  // namespace
 
 FramePattern::FramePattern(const std::string& text) : text_(text) {
+  const std::string ending = std::filesystem::path(text).extension().string();
+  if (ending != ".png" && ending != ".exr")
+    throw input_error(
+        text, "pictures are written as .png or .exr, videos as .mp4, .webm or .webp, not as '{}'", ending);
+
   bool found = false;
   for (std::size_t at = 0; at < text.size(); ++at) {
     std::string& part = found ? after_ : before_;
@@ -43,13 +51,20 @@ FramePattern::FramePattern(const std::string& text) : text_(text) {
   if (after_.find('/') != std::string::npos)
     throw input_error(text, "has the number in the name of a folder, and it belongs to the file: {}",
                       example);
-  const std::string ending = path(0).extension().string();
-  if (ending != ".png" && ending != ".exr")
-    throw input_error(text, "pictures are written as .png or .exr, not as '{}'", ending);
 }
 
 std::filesystem::path FramePattern::path(std::size_t frame) const {
   return fmt::format("{}{:0{}}{}", before_, frame, digits_, after_);
+}
+
+bool FramePattern::matches(const std::filesystem::path& file) const {
+  const std::string name = file.filename().string();
+  const std::string before = std::filesystem::path(before_).filename().string();
+  if (name.size() <= before.size() + after_.size() || !name.starts_with(before) || !name.ends_with(after_))
+    return false;
+  const std::string number = name.substr(before.size(), name.size() - before.size() - after_.size());
+  return number.size() <= 9 && std::all_of(number.begin(), number.end(), is_digit) &&
+         same_file(path(std::stoul(number)), file);
 }
 
 }  // namespace dermis::cli::sequence

@@ -16,6 +16,8 @@ class FramePattern {
   explicit FramePattern(const std::string& text);
 
   std::filesystem::path path(std::size_t frame) const;
+  /// Returns whether some frame has this name.
+  bool matches(const std::filesystem::path& file) const;
   const std::string& text() const { return text_; }
 
  private:
