@@ -81,12 +81,17 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
   };
   int status = 0;
   pid_t done = 0;
+  const auto should_interrupt = [&] {
+    if (const std::string& text = surroundings.interrupt_after_text; !text.empty())
+      return fs::exists(out) && read_text(out).find(text) != std::string::npos;
+    return reached(surroundings.interrupt_after_s);
+  };
   bool interrupted = false;
   while ((done = ::waitpid(child, &status, WNOHANG)) == 0) {
     if (std::chrono::duration<double>(Clock::now() - start).count() > limit_s) break;
     if (!from && (surroundings.from_file.empty() || fs::exists(surroundings.from_file))) from = Clock::now();
     if (reached(surroundings.kill_after_s)) break;
-    if (!interrupted && reached(surroundings.interrupt_after_s)) {
+    if (!interrupted && should_interrupt()) {
       ::kill(child, SIGINT);
       interrupted = true;
     }

@@ -27,6 +27,7 @@ struct Surroundings {
   double kill_after_s = 0;                ///< 0: only the limit of a test, 300 s
   double interrupt_after_s = 0;           ///< Ctrl-C after so long; 0: none
   std::filesystem::path from_file{};      ///< both count from when this file is there; empty: from the start
+  std::string interrupt_after_text;       ///< Ctrl-C once standard output holds this; empty: none
 };
 
 class Program : public testing::Test {
