@@ -144,7 +144,8 @@ turntable() {
 }
 
 talking() {
-  sequence $1 "$makehuman/mh-european-man-young.glb" --fps 2 --to 6 --light 40,25 --map-size 1024 --size 180x200
+  sequence $1 "$makehuman/mh-european-man-young.glb" --fps 2 --to 6 --light 40,25 \
+    --map-size 1024 --size 180x200
 }
 
 [[ -x $dermis ]] || fail "$dermis is not there; ./run build makes it"
