@@ -16,7 +16,7 @@ environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
 names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets
-  tone-maps)
+  tone-maps turntable talking)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -130,6 +130,22 @@ tone-maps() {
   convert \( $out/african-filmic.png $out/european-filmic.png +append \) \
     \( $out/african-natural.png $out/european-natural.png +append \) \
     -append -quality 88 -strip docs/pictures/$1.jpg
+}
+
+# sequence NAME ARGUMENTS...: the contact sheet, as docs/pictures/NAME.jpg
+sequence() {
+  say "dermis sequence ${*:2} -o $out/$1-%02d.png --sheet $out/$1.png"
+  "$dermis" sequence "${@:2}" -o "$out/$1-%02d.png" --sheet "$out/$1.png" >"$out/$1.txt"
+  convert "$out/$1.png" -quality 88 -strip "docs/pictures/$1.jpg"
+}
+
+turntable() {
+  sequence $1 $scan.gltf --orbit 0,5..360,5 --fps 2 --light 40,25 --light -120,30,2 --size 240x270
+}
+
+talking() {
+  sequence $1 "$makehuman/mh-european-man-young.glb" --fps 2 --to 6 --light 40,25 \
+    --map-size 1024 --size 180x200
 }
 
 [[ -x $dermis ]] || fail "$dermis is not there; ./run build makes it"

@@ -218,7 +218,7 @@ void add_bench_command(CLI::App& app, int& exit_status) {
   command->add_option(
       "--html", a->html,
       "write a page: tables, curves, bars of passes, pictures of every cell under a slider; one file");
-  command->add_option("--device", a->device, "best, an index or a part of a name of `dermis info`");
+  add_device_option(*command, a->device);
   command->add_option("--frames-memory", a->frames_mb,
                       "device memory for frames that wait for their turn, MB; those beyond are made anew "
                       "each time (default: half of it)");

@@ -22,12 +22,14 @@ void add_info_command(CLI::App& app, int& exit_status);
 void add_plan_command(CLI::App& app, int& exit_status);
 void add_reference_command(CLI::App& app, int& exit_status);
 void add_render_command(CLI::App& app, int& exit_status);
+void add_sequence_command(CLI::App& app, int& exit_status);
 
 /// The reference knows no light maps, no shadow maps, no bloom and one head. A comparison has both: what
 /// would be ambiguous is called
 /// --scene (the file), --msaa (the renderer's samples), --techniques. The benchmark has lists of heads and
-/// distances, and chooses technique and optimisations itself.
-enum class SceneUse { render, plan, reference, comparison, bench };
+/// distances, and chooses technique and optimisations itself. A sequence draws each frame once, and may turn
+/// its camera from frame to frame.
+enum class SceneUse { render, sequence, plan, reference, comparison, bench };
 
 /// What render, plan, reference and later commands have in common.
 struct SceneArguments {
@@ -41,7 +43,20 @@ struct SceneArguments {
   std::optional<ReferenceSettings> reference;  ///< of commands that compute ground truth
 };
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use);
+Scene open_scene(const SceneArguments& arguments, const Hooks& hooks);
+/// Shows on a terminal how far the loading is.
 Scene open_scene(const SceneArguments& arguments);
+
+/// Where a command draws.
+struct DeviceArguments {
+  std::string device = "best";
+  bool validate = false;
+};
+/// --device and --validate.
+void add_device_arguments(CLI::App& command, DeviceArguments& arguments);
+CLI::Option* add_device_option(CLI::App& command, std::string& device);
+/// Prints what the validation layer has said; returns whether it has said something.
+bool tell_validation_messages(const Renderer& renderer);
 /// What --save-settings writes, and a result holds under `settings`.
 SettingsFile settings_file(const SceneArguments& arguments);
 /// Writes the settings to the file that --save-settings names, if it does.

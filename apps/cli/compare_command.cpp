@@ -168,8 +168,7 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
           "--supersample", s.supersample,
           "errors are of pictures this many times as wide and as high, averaged; times stay those of --size")
       ->group(group);
-  command.add_option("--device", s.device, "best, an index or a part of a name of `dermis info`")
-      ->group(group);
+  add_device_option(command, s.device)->group(group);
 
   CLI::Option* file =
       command

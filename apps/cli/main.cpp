@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < argc; ++i) dermis::cli::command_line() += (i ? " " : "") + quoted(argv[i]);
   int exit_status = 0;
   dermis::cli::add_render_command(app, exit_status);
+  dermis::cli::add_sequence_command(app, exit_status);
   dermis::cli::add_reference_command(app, exit_status);
   dermis::cli::add_plan_command(app, exit_status);
   dermis::cli::add_profile_command(app, exit_status);

@@ -14,8 +14,8 @@ namespace dermis::cli {
 namespace {
 
 struct RenderArguments : SceneArguments {
-  std::string output, stats, device = "best";
-  bool validate = false;
+  std::string output, stats;
+  DeviceArguments on;
 };
 
 std::string summary(const Statistics& s) {
@@ -45,7 +45,7 @@ void check_outputs(const RenderArguments& a) {
 
 void render(const RenderArguments& a, int& exit_status) {
   check_outputs(a);
-  Renderer renderer({.device = a.device, .validate = a.validate, .hooks = terminal_hooks()});
+  Renderer renderer({.device = a.on.device, .validate = a.on.validate, .hooks = terminal_hooks()});
 
   show_line("loading");
   const auto start = std::chrono::steady_clock::now();
@@ -67,10 +67,7 @@ void render(const RenderArguments& a, int& exit_status) {
   show_line("");
   picture.statistics.load_ms = load_ms;
 
-  const std::vector<std::string> messages = renderer.validation_messages();
-  for (const std::string& message : messages) fmt::print(stderr, "dermis: validation: {}\n", message);
-  if (!messages.empty()) {
-    fmt::print(stderr, "dermis: {} validation message{}\n", messages.size(), messages.size() == 1 ? "" : "s");
+  if (tell_validation_messages(renderer)) {
     exit_status = 1;
     return;
   }
@@ -93,9 +90,7 @@ void add_render_command(CLI::App& app, int& exit_status) {
                    "picture to write: .png (display values) or .exr (linear)")
       ->required();
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output");
-  command->add_option("--device", arguments->device, "best, an index or a part of a name of `dermis info`");
-  command->add_flag("--validate", arguments->validate,
-                    "run under the Vulkan validation layer; its messages end the run with exit status 1");
+  add_device_arguments(*command, arguments->on);
   command->callback([arguments, &exit_status] { render(*arguments, exit_status); });
 }
 

@@ -132,6 +132,7 @@ bool is_left_out(const std::string& path, const About& about, SceneUse use) {
   };
   switch (use) {
     case SceneUse::render: return false;
+    case SceneUse::sequence: return is({"output.frames", "camera.orbit_deg"});
     case SceneUse::plan: return is({"output.frames", "output.show"});
     case SceneUse::reference: return about.real_time;
     case SceneUse::comparison:
@@ -317,11 +318,12 @@ void save_scene(const SceneArguments& arguments, const Scene& scene) {
   if (!arguments.save_scene.empty()) scene.save(arguments.save_scene);
 }
 
-Scene open_scene(const SceneArguments& arguments) {
+Scene open_scene(const SceneArguments& arguments) { return open_scene(arguments, terminal_hooks()); }
+
+Scene open_scene(const SceneArguments& arguments, const Hooks& hooks) {
   if (!arguments.save_settings.empty()) check_writable(arguments.save_settings);
   check_scenes(arguments);
 
-  const Hooks hooks = terminal_hooks();
   const bool takes_several = arguments.use != SceneUse::comparison && arguments.use != SceneUse::bench;
   const std::string only =
       takes_several && !arguments.scenes.empty() ? arguments.scenes.front() : arguments.scene;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "api/fingerprint.h"
 #include "api/memory.h"
 #include "api/scene_state.h"
 #include "core/error.h"
@@ -278,6 +279,22 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
 }
 
 }  // namespace
+
+std::uint64_t api::picture_fingerprint(const Scene& scene, const RenderSettings& settings,
+                                       const Hooks& hooks) {
+  const HookScope scope(hooks);
+  return naming_the_scene(scene, [&] {
+    // What the reference does not know, or would refuse, is for the caller to add.
+    RenderSettings s = settings;
+    s.camera.heads = 1;
+    s.output = {.width = 16, .height = 9};
+
+    const setup::PlacedScene placed = placed_scene(scene);
+    const std::shared_ptr<const scene::Scene> flat = setup::flattened(placed);
+    Steps steps("reading what the pictures are made of", set_up_steps);
+    return reference::fingerprint(*flat, set_up(placed, *flat, scene.environment(), s, {}, steps), 0);
+  });
+}
 
 ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, const ReferenceSettings& r,
                                   const Hooks& hooks) {

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/hash.h"
 
 namespace dermis::reference {
 namespace {
@@ -20,37 +21,14 @@ struct Header {
 };
 static_assert(sizeof(Header) == 40);
 
-/// 64 bits that depend on every byte (the mixer of splitmix64 over words).
-class Hash {
+/// Also of what scenes are made of.
+class SceneHash : public Hash {
  public:
-  void bytes(const void* data, std::size_t size) {
-    const char* p = static_cast<const char*>(data);
-    word(size);
-    for (; size >= 8; p += 8, size -= 8) {
-      std::uint64_t w = 0;
-      std::memcpy(&w, p, 8);
-      word(w);
-    }
-    std::uint64_t rest = 0;
-    std::memcpy(&rest, p, size);
-    word(rest);
-  }
-  void word(std::uint64_t w) {
-    state_ = (state_ ^ w) * 0x9E3779B97F4A7C15u;
-    state_ ^= state_ >> 29;
-  }
-  template <class T>
-  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void add(const T& value) {
-    std::uint64_t w = 0;
-    std::memcpy(&w, &value, sizeof value);
-    word(w);
-  }
+  using Hash::add;
   template <glm::length_t N, class T>
   void add(const glm::vec<N, T>& v) {
     for (glm::length_t i = 0; i < N; ++i) add(v[i]);
   }
-  void add(const std::string& text) { bytes(text.data(), text.size()); }
   void add(const scene::MapRef& m) {
     add(m.image);
     add(m.uv_set);
@@ -61,13 +39,9 @@ class Hash {
     add(m.scale);
     for (glm::length_t i = 0; i < 3; ++i) add(m.transform[i]);
   }
-  std::uint64_t value() const { return state_; }
-
- private:
-  std::uint64_t state_ = 0x632BE59BD9B4E019u;
 };
 
-void add_material(Hash& h, const scene::Material& m) {
+void add_material(SceneHash& h, const scene::Material& m) {
   h.add(m.skin);
   h.add(m.base_colour);
   h.add(m.metallic);
@@ -93,7 +67,7 @@ void add_material(Hash& h, const scene::Material& m) {
   }
 }
 
-void add_scene(Hash& h, const scene::Scene& scene) {
+void add_scene(SceneHash& h, const scene::Scene& scene) {
   h.add(scene.mm_per_unit);
   for (const scene::Primitive& p : scene.primitives) {
     h.add(p.material);
@@ -111,7 +85,7 @@ void add_scene(Hash& h, const scene::Scene& scene) {
   }
 }
 
-void add_setup(Hash& h, const RenderSetup& setup) {
+void add_setup(SceneHash& h, const RenderSetup& setup) {
   const scene::Camera& camera = setup.camera;
   for (glm::length_t i = 0; i < 4; ++i) h.add(camera.world_from_camera[i]);
   h.add(camera.fov_y_rad);
@@ -149,7 +123,7 @@ void add_setup(Hash& h, const RenderSetup& setup) {
 }  // namespace
 
 std::uint64_t fingerprint(const scene::Scene& scene, const Job& job, std::uint64_t seed) {
-  Hash h;
+  SceneHash h;
   add_scene(h, scene);
   add_setup(h, job.setup);
   h.add(job.model);

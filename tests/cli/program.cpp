@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 namespace dermis::tests {
@@ -72,20 +73,24 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
   const pid_t child = ::fork();
   if (child == 0) become(out, err, argv.data(), envp.data(), surroundings);
 
-  const double allowed_s = surroundings.kill_after_s > 0 ? surroundings.kill_after_s : limit_s;
-  const auto start = std::chrono::steady_clock::now();
-  const auto gone_s = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  std::optional<Clock::time_point> from;  // where the times of the surroundings count from
+  const auto reached = [&](double seconds) {
+    return seconds > 0 && from && std::chrono::duration<double>(Clock::now() - *from).count() > seconds;
   };
   int status = 0;
   pid_t done = 0;
   const auto should_interrupt = [&] {
     if (const std::string& text = surroundings.interrupt_after_text; !text.empty())
       return fs::exists(out) && read_text(out).find(text) != std::string::npos;
-    return surroundings.interrupt_after_s > 0 && gone_s() > surroundings.interrupt_after_s;
+    return reached(surroundings.interrupt_after_s);
   };
   bool interrupted = false;
-  while ((done = ::waitpid(child, &status, WNOHANG)) == 0 && gone_s() < allowed_s) {
+  while ((done = ::waitpid(child, &status, WNOHANG)) == 0) {
+    if (std::chrono::duration<double>(Clock::now() - start).count() > limit_s) break;
+    if (!from && (surroundings.from_file.empty() || fs::exists(surroundings.from_file))) from = Clock::now();
+    if (reached(surroundings.kill_after_s)) break;
     if (!interrupted && should_interrupt()) {
       ::kill(child, SIGINT);
       interrupted = true;

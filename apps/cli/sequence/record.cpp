@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "cli/sequence/record.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <utility>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/hash.h"
+
+namespace dermis::cli::sequence {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 27;  // a million lines have half of it
+constexpr const char* title = "dermis sequence 1";
+
+// "NAME.PID.NUMBER.part", as write_file() calls what it has not finished.
+struct Unfinished {
+  std::string name;
+  pid_t process = 0;
+};
+std::optional<Unfinished> unfinished(const std::string& file) {
+  static const std::regex form(R"(([^/]+)\.([0-9]{1,9})\.[0-9]{1,9}\.part)");
+  std::smatch parts;
+  if (!std::regex_match(file, parts, form)) return std::nullopt;
+  return Unfinished{parts[1], static_cast<pid_t>(std::stol(parts[2]))};
+}
+
+bool is_gone(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
+
+}  // namespace
+
+Record::Record(fs::path path, std::uint64_t fingerprint)
+    : path_(std::move(path)), header_(fmt::format("{}\n{:016x}\n", title, fingerprint)) {}
+
+Record::~Record() {
+  if (file_ >= 0) ::close(file_);
+}
+
+void Record::load() {
+  std::error_code error;
+  if (!fs::exists(path_, error)) return;
+  const std::vector<std::byte> bytes = read_file(path_, most_bytes);
+  const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+
+  if (!text.starts_with(std::string(title) + "\n"))
+    throw input_error(path_.string(), "is not what a stopped `dermis sequence` leaves");
+  if (!text.starts_with(header_))
+    throw input_error(
+        path_.string(),
+        "belongs to another sequence: scene, settings, times, motion or program differ; without "
+        "--resume it is replaced");
+
+  std::istringstream lines(text.substr(header_.size()));
+  std::getline(lines, device_);
+  for (std::string one; std::getline(lines, one);) {
+    std::size_t frame = 0;
+    Written written;
+    std::istringstream words(one);
+    // The last line may be cut off: what does not give the same line again does not count.
+    if (words >> frame >> written.bytes >> std::hex >> written.hash && line(frame, written) == one + "\n")
+      frames_[frame] = written;
+  }
+}
+
+bool Record::has(std::size_t frame, const fs::path& picture) const {
+  const auto found = frames_.find(frame);
+  std::error_code error;
+  if (found == frames_.end() || fs::file_size(picture, error) != found->second.bytes || error) return false;
+  return written(picture) == found->second;
+}
+
+void Record::open(const std::string& device) {
+  if (!device_.empty() && device_ != device)
+    throw input_error(path_.string(),
+                      "was begun on {}, and this is {}, whose pictures may differ; without --resume it is "
+                      "replaced",
+                      device_, device);
+  std::string text = header_ + device + "\n";
+  for (const auto& [frame, written] : frames_) text += line(frame, written);
+  write_file(path_, text);
+
+  file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (file_ < 0) throw input_error(path_.string(), "cannot be written: {}", std::strerror(errno));
+}
+
+void Record::add(std::size_t frame, const fs::path& picture) {
+  const std::string text = line(frame, written(picture));
+  const std::lock_guard lock(mutex_);
+  errno = 0;
+  if (::write(file_, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+    throw input_error(path_.string(), "cannot be written: {}", std::strerror(errno == 0 ? ENOSPC : errno));
+}
+
+void Record::remove() {
+  std::error_code ignored;  // most runs with nothing to do never had one
+  fs::remove(path_, ignored);
+}
+
+Record::Written Record::written(const fs::path& picture) {
+  const std::vector<std::byte> bytes = read_file(picture);
+  Hash hash;
+  hash.bytes(bytes.data(), bytes.size());
+  return {.bytes = bytes.size(), .hash = hash.value()};
+}
+
+std::string Record::line(std::size_t frame, const Written& written) {
+  return fmt::format("{} {} {:016x}\n", frame, written.bytes, written.hash);
+}
+
+void remove_unfinished(const fs::path& folder, const std::function<bool(const std::string&)>& is_ours) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, error), end; !error && at != end;
+       at.increment(error)) {
+    const std::optional<Unfinished> found = unfinished(at->path().filename().string());
+    std::error_code ignored;
+    if (found && is_gone(found->process) && is_ours(found->name)) fs::remove(at->path(), ignored);
+  }
+}
+
+}  // namespace dermis::cli::sequence

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "api/asset_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "api/asset_state.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "scene/gltf/bytes.h"
+#include "scene/gltf/document.h"
+#include "scene/gltf/play.h"
+#include "scene/gltf/uri.h"
+
+namespace dermis::api {
+namespace {
+
+namespace fs = std::filesystem;
+namespace gltf = scene::gltf;
+
+/// Sorted, each once; nothing of what is built in or made in memory.
+std::set<fs::path> files_of(const Scene& scene) {
+  std::set<fs::path> files;
+  for (const InstanceId id : scene.instances())
+    if (const auto& source = Asset::State::source_of(scene.instance(id).asset);
+        source && !source->file.empty())
+      files.insert(source->file);
+  return files;
+}
+
+}  // namespace
+
+void add_asset_files(Hash& hash, const Scene& scene) {
+  for (const fs::path& file : files_of(scene)) {
+    const gltf::Container container = gltf::open_container(file);
+    hash.bytes(container.bytes.data(), container.bytes.size());
+
+    const json::Document json = gltf::parse(container.json, file.string());
+    for (const gltf::Buffer& buffer : gltf::read_document(json.root(), container, file).buffers) {
+      if (!buffer.uri || buffer.uri->starts_with("data:")) continue;
+      const std::vector<std::byte> bytes =
+          read_file(gltf::uri_path(file.parent_path(), *buffer.uri, file.string()));
+      hash.bytes(bytes.data(), bytes.size());
+    }
+  }
+}
+
+double clip_end_s(const Scene& scene, const std::string& clip) {
+  const std::set<fs::path> files = files_of(scene);
+  if (files.empty()) throw input_error(scene.name(), "has no animation, which clip needs");
+
+  double end_s = 0;
+  for (const fs::path& file : files) {
+    const gltf::Container container = gltf::open_container(file);
+    const json::Document json = gltf::parse(container.json, file.string());
+    const gltf::Document document = gltf::read_document(json.root(), container, file);
+    gltf::Bytes bytes(document, container);
+    end_s = std::max(end_s, gltf::read_clip(document, bytes, gltf::find_animation(document, clip)).end_s());
+  }
+  return end_s;
+}
+
+}  // namespace dermis::api
