@@ -7,7 +7,7 @@
 
 #include "gpu/cmd.h"
 #include "passes/bindings.h"
-#include "passes/frame_data.h"
+#include "passes/posed.h"
 
 namespace dermis::passes {
 
@@ -32,8 +32,7 @@ void draw_skin(gpu::Cmd& cmd, const Instance& instance, std::size_t number, cons
 
     Bindings all = bindings;
     all.add("Instance", instance.transform);
-    mesh.offer(all);
-    if (number < instance.vertices.size()) all.add("Vertices", instance.vertices[number]);
+    offer_mesh(instance, number, all);
     material.offer(all);
     all.bind(cmd, *pipeline);
     if constexpr (!std::is_null_pointer_v<IoOf>) cmd.push(*pipeline, io_of(material));

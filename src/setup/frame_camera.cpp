@@ -79,7 +79,8 @@ double reference_distance(const Subject& subject, const RenderSettings& s, const
   return d_mm / (subject.bounds.sphere.radius_m * subject.scene->mm_per_unit);
 }
 
-int map_side(const Subject& subject, const RenderSettings& s, const scene::Camera& camera, const Pose& pose) {
+int map_side(const Subject& subject, const RenderSettings& s, const scene::Camera& camera, const Pose& pose,
+             const PosedAsset* posed) {
   if (!s.quality.depth || subject.skin.empty()) return s.quality.map_size;
 
   double needed = 1;  // of T_max
@@ -89,8 +90,9 @@ int map_side(const Subject& subject, const RenderSettings& s, const scene::Camer
     needed = pixels_per_mm * double{pose.scale} / texels_per_mm(subject, s);
   } else {
     // In the asset, where lengths are in the same proportion.
+    const scene::Bounds& box = posed ? posed->skin : subject.bounds;
     const glm::vec3 eye_m = pose.position_in_asset(glm::vec3(camera.world_from_camera[3]));
-    const glm::vec3 nearest_m = glm::clamp(eye_m, subject.bounds.low_m, subject.bounds.high_m);
+    const glm::vec3 nearest_m = glm::clamp(eye_m, box.low_m, box.high_m);
     const double d = glm::distance(eye_m, nearest_m) / subject.bounds.sphere.radius_m;
     needed = d > 0 ? reference_distance(subject, s, camera) / d : 1;
   }
@@ -107,8 +109,24 @@ std::vector<int> map_sides(const RenderSettings& s) {
   return sides;
 }
 
-bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose) {
-  const scene::BoundingSphere sphere = pose.sphere(subject.casters);
+scene::BoundingSphere shadow_sphere(const Subject& subject, const PosedAsset* posed) {
+  const scene::BoundingSphere& rest = subject.casters;
+  if (!posed) return rest;
+  constexpr float steps_per_octave = 8;  // of the radius: texels grow by at most 9 % more than they must
+
+  const float step_m = rest.radius_m / 2;
+  const glm::vec3 shift = posed->all.sphere.centre_m - rest.centre_m;
+  scene::BoundingSphere sphere{.centre_m = rest.centre_m + glm::round(shift / step_m) * step_m,
+                               .radius_m = 0};
+  const float needed_m =
+      glm::distance(sphere.centre_m, posed->all.sphere.centre_m) + posed->all.sphere.radius_m;
+  const float octaves = std::log2(std::max(needed_m / rest.radius_m, 1.0f));
+  sphere.radius_m = rest.radius_m * std::exp2(std::ceil(steps_per_octave * octaves) / steps_per_octave);
+  return sphere;
+}
+
+bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose, const PosedAsset* posed) {
+  const scene::BoundingSphere sphere = pose.sphere(posed ? posed->all.sphere : subject.casters);
   const glm::vec4 centre(sphere.centre_m, 1);
   return std::all_of(std::begin(camera.planes), std::end(camera.planes),
                      [&](const glm::vec4& plane) { return glm::dot(plane, centre) > -sphere.radius_m; });

@@ -23,13 +23,19 @@ double reference_distance(const Subject& subject, const RenderSettings& settings
 /// Returns T of a head. [JG08] sec. 4: min(d_ref / d, 1) T_max rounded up to 32 texels, d from the eye to the
 /// nearest point of the head's box (the paper takes the nearest vertex; a point that is never farther keeps
 /// the map from being too small). Orthographic: pixels per mm over texels per mm in place of d_ref / d.
+/// `posed`: of a head in a pose, whose box is that of the pose.
 int map_side(const Subject& subject, const RenderSettings& settings, const scene::Camera& camera,
-             const Pose& pose);
+             const Pose& pose, const PosedAsset* posed = nullptr);
 
 /// Returns all that map_side() may return, largest first.
 std::vector<int> map_sides(const RenderSettings& settings);
 
 /// Returns whether any part of the head may lie in the picture: its sphere against the planes.
-bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose);
+bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose,
+             const PosedAsset* posed = nullptr);
+
+/// Returns the sphere that shadow maps of a head are fitted to. In a pose it moves and grows by steps, so
+/// that the texels of a shadow map stay where they are while a head moves a little.
+scene::BoundingSphere shadow_sphere(const Subject& subject, const PosedAsset* posed);
 
 }  // namespace dermis::setup

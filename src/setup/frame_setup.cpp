@@ -62,10 +62,12 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
 
   for (const PlacedHead& placed : placed_heads) {
     const Subject& subject = *subjects[placed.instance];
+    const PosedAsset* posed = scene.instances[placed.instance].posed.get();
+    const scene::BoundingSphere casters = placed.pose.sphere(shadow_sphere(subject, posed));
     HeadSetup head{.number = static_cast<int>(heads.size()),
                    .instance = placed.instance,
                    .pose = placed.pose,
-                   .middle_m = placed.pose.position(subject.bounds.sphere.centre_m),
+                   .middle_m = placed.pose.position((posed ? posed->skin : subject.bounds).sphere.centre_m),
                    .lights = {},
                    .shadow_from_world = {}};
 
@@ -74,7 +76,7 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
       const passes::ShadowFit fit =
           of_host
               ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world}, .texel = of_host->texel}
-              : passes::fit_shadow(lights[i], placed.pose.sphere(subject.casters), s.quality.shadow_size);
+              : passes::fit_shadow(lights[i], casters, s.quality.shadow_size);
       if (of_host) {
         head.host_shadows.resize(head.shadow_from_world.size());
         head.host_shadows.push_back({of_host->depth, of_host->reversed});
@@ -84,9 +86,9 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
                                     fit.shadow_from_world.end());
     }
 
-    head.map_side = map_side(subject, s, camera, placed.pose);
-    head.visible =
-        scene.instances[placed.instance].visible && (!skip || in_view(subject, frame_camera, placed.pose));
+    head.map_side = map_side(subject, s, camera, placed.pose, posed);
+    head.visible = scene.instances[placed.instance].visible &&
+                   (!skip || in_view(subject, frame_camera, placed.pose, posed));
     heads.push_back(std::move(head));
   }
   return heads;
@@ -315,6 +317,8 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
       head.drawn =
           std::find(host->not_drawn.begin(), host->not_drawn.end(), head.instance) == host->not_drawn.end();
   }
+  setup.plan.poses = std::any_of(scene.instances.begin(), scene.instances.end(),
+                                 [](const PlacedAsset& instance) { return instance.posed != nullptr; });
   setup.plan.environment = environment_lights.has_value();
   set_up_plan(setup, scene, s, lights, device);
   if (host) setup.plan.samples = host->samples;

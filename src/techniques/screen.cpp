@@ -6,6 +6,7 @@
 #include "passes/bloom/bloom.h"
 #include "passes/count/count.h"
 #include "passes/labels/labels.h"
+#include "passes/move_rig/move_rig.h"
 #include "passes/resolve/resolve.h"
 #include "passes/shadow/shadow.h"
 #include "passes/surface/surface.h"
@@ -84,6 +85,7 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
 
   counters_ = plan.buffer("counters", {.bytes = counters * sizeof(std::uint32_t)});
   plan.add<passes::ClearCounters>("clear counters", {counters_});
+  if (settings.poses) plan.add<passes::MoveRig>("pose", {}, {});
 }
 
 bool Screen::take_clear() { return !std::exchange(cleared_, true); }

@@ -41,6 +41,7 @@ struct SkinPart {
   bool off_map = false;  ///< some of its triangles have no chart of the unwrap
   bool cut_out = false;  ///< some of its materials have an alpha test
   bool emits = false;    ///< some of them emit light
+  bool posed = false;    ///< it takes poses: its metric changes from frame to frame
   bool operator==(const SkinPart&) const = default;
 };
 
@@ -97,6 +98,7 @@ struct FrameSettings {
   bool labels = false;         ///< also draws FrameOutputs::label_surface and label_names
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};
+  bool poses = false;         ///< some instance takes poses: passes::MoveRig
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
   bool soft_shadows = false;  ///< some light has a radius
   float bloom = 0;            ///< 0..1

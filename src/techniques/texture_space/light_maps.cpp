@@ -175,11 +175,15 @@ std::string LightMaps::name(std::string_view what, std::uint32_t mesh) const {
 
 void LightMaps::add_stretch(const MapSquare& square) {
   const std::uint32_t mesh = square.mesh;
-  const frame::Runs runs = pool_.splits_heads() ? frame::Runs::every_frame : frame::Runs::once;
-  plan_->add<passes::Stretch>(label_part("stretch", *settings_, mesh), {stretch(mesh)},
-                              {.square = square, .runs = runs, .cut_out = settings_->skin[mesh].cut_out});
-  plan_->add<Gutters>(label_part("stretch gutters", *settings_, mesh), {stretch(mesh)},
-                      {.squares = {square}, .what = Gutters::What::stretch, .runs = runs});
+  const bool posed = settings_->skin[mesh].posed;
+  const frame::Runs runs = pool_.splits_heads() || posed ? frame::Runs::every_frame : frame::Runs::once;
+  const bool when_moved = posed && !pool_.splits_heads();
+  plan_->add<passes::Stretch>(
+      label_part("stretch", *settings_, mesh), {stretch(mesh)},
+      {.square = square, .runs = runs, .cut_out = settings_->skin[mesh].cut_out, .when_moved = when_moved});
+  plan_->add<Gutters>(
+      label_part("stretch gutters", *settings_, mesh), {stretch(mesh)},
+      {.squares = {square}, .what = Gutters::What::stretch, .runs = runs, .when_moved = when_moved});
 }
 
 void LightMaps::add_light(const std::vector<MapSquare>& all) {
