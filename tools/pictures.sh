@@ -105,7 +105,7 @@ regions() {
 truth-studio() {
   compare studio-truth --scene $scan.gltf --camera portrait --environment studio \
     --lights 0 --size 320x360 --samples 384 \
-    --techniques texture-space
+    --techniques texture-space,lambert
   local id
   for id in reference technique-0 technique-0-error; do from_page studio-truth $id; done
   join $1 320x360 $out/studio-truth-{reference,technique-0,technique-0-error}.png

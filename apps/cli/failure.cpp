@@ -19,7 +19,7 @@ int fail(std::string line, int status = failure) {
   show_line("");  // whatever was under way
   // Names of files may hold anything: a message stays one line.
   for (char& c : line)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
   std::fprintf(stderr, "dermis: %s\n", line.c_str());
   return status;
 }

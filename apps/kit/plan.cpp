@@ -112,6 +112,7 @@ const std::vector<Invariant>& all_invariants() {
       {"instances", "Instances.*:Nodes.*:MemoryOfHeads.*", false},
       {"sessions are steady and draw the same", "Sessions.*:ScanSessions.*", false},
       {"labels", "Labels.*:ScanLabels.*", false},
+      {"shading in compute is that of the raster", "*/InCompute.*:InCompute*.*", false},
       {"error against ground truth", "Truth*.*", false},
       {"the device does what is asked of it",
        "Devices.*:Memory.*:SmallHeap.*:Transfer.*:Pipelines.*:Draw.*:External.*:Validation.*", true}};

@@ -91,6 +91,18 @@ enum class LightMaps : std::uint8_t {
   progressive  ///< half the size, a quarter, an eighth where the light is smooth by then
 };
 
+/// Where skin is shaded.
+enum class Shading : std::uint8_t {
+  raster,  ///< where its triangles are drawn, per pixel and triangle
+  compute  ///< after all are drawn as ids: once per pixel and surface that it shows, at most two
+};
+
+/// How the Gaussians of a profile spread light over the light maps.
+enum class BlurOrder : std::uint8_t {
+  chain,   ///< narrow to wide, each from the one before, a map per Gaussian
+  cascade  ///< wide to narrow on a pyramid of maps, one map for the sum; with progressive maps alone
+};
+
 /// Details against time and memory; what is not computed because it is not seen.
 /// [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 to 5.
 struct QualitySettings {
@@ -106,6 +118,9 @@ struct QualitySettings {
 
   std::optional<BlurMask> mask{};  ///< none: fastest on the kind of device
   LightMaps maps = LightMaps::full;
+  /// The targets of a host are always drawn into, and so is what ids cannot tell apart (docs/techniques.md).
+  Shading shading = Shading::raster;
+  BlurOrder blur = BlurOrder::chain;
   /// distance, in sphere radii, up to which maps have their full size; none: a texel per pixel
   std::optional<double> d_ref{};
   std::optional<double> clip_margin_mm{};  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma

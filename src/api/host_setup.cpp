@@ -108,6 +108,7 @@ setup::HostSetup host_setup(const HostFrames::Options& options, const Scene& sce
   setup::HostSetup host{.part = host_part(options, settings, inputs),
                         .samples = options.picture ? options.picture->samples : 1,
                         .not_drawn = {},
+                        .deformed = {},
                         .maps = {},
                         .shadows = {}};
   for (const InstanceId id : ids)
@@ -117,7 +118,7 @@ setup::HostSetup host_setup(const HostFrames::Options& options, const Scene& sce
           static_cast<std::uint32_t>(id));
   for (const InstanceId id : inputs.drawn_by_host)
     host.not_drawn.push_back(number_of(ids, id, "drawn_by_host"));
-  for (const InstanceId id : inputs.deformed) number_of(ids, id, "deformed");
+  for (const InstanceId id : inputs.deformed) host.deformed.push_back(number_of(ids, id, "deformed"));
   for (const MaterialImage& image : inputs.images) host.maps.push_back(host_map(scene, ids, image));
 
   if (!inputs.shadows.empty() && (settings.lighting.rig_lights || !settings.lighting.placed_lights.empty()))

@@ -16,6 +16,14 @@ inline gpu::BufferBinding first_corners(const Instance& instance, std::size_t nu
   return {&instance.scene->skin[number].first_corners};
 }
 
+/// Offers an instance, its skin mesh `number` and a material.
+inline void offer_skin(Bindings& bindings, const Instance& instance, std::size_t number,
+                       const GpuMaterial& material) {
+  bindings.add("Instance", instance.transform);
+  offer_mesh(instance, number, bindings);
+  material.offer(bindings);
+}
+
 /// Draws the parts of an instance's skin mesh `number`, as its asset counts them, for which
 /// pipeline_of(draw, material) is not null. The shaders get `bindings`, those of instance, mesh and material,
 /// and io_of(material) as push constants. `indices`: as many as the mesh has, at the same places; null: those
@@ -31,9 +39,7 @@ void draw_skin(gpu::Cmd& cmd, const Instance& instance, std::size_t number, cons
     if (!pipeline) continue;
 
     Bindings all = bindings;
-    all.add("Instance", instance.transform);
-    offer_mesh(instance, number, all);
-    material.offer(all);
+    offer_skin(all, instance, number, material);
     all.bind(cmd, *pipeline);
     if constexpr (!std::is_null_pointer_v<IoOf>) cmd.push(*pipeline, io_of(material));
     cmd.draw_indexed(indices, draw.index_count, draw.first_index);

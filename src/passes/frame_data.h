@@ -20,10 +20,12 @@ namespace dermis::passes {
 
 /// Where the light of one skin mesh of a head lies in the textures that heads share: see passes/light_pool.h.
 struct MapPlace {
-  std::uint32_t index = 0;         ///< of the square
-  glm::uvec2 origin{0};            ///< its corner in maps that are not halved, texels
-  std::uint32_t largest_side = 0;  ///< T_max: its sides there
-  std::uint32_t batch = 0;         ///< turn of the pool in which the light is there
+  std::uint32_t index = 0;  ///< of the square
+  glm::uvec2 origin{0};     ///< its corner in maps that are not halved, texels
+  /// Its sides there, T_max: decides how often maps of heads that use less of it are halved, see
+  /// halved_side() and careful_largest_side().
+  std::uint32_t largest_side = 0;
+  std::uint32_t batch = 0;  ///< turn of the pool in which the light is there
 };
 
 /// RGBA16F over the unwrap of a skin mesh, environment::SkyLight.

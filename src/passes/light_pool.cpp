@@ -25,6 +25,13 @@ UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
   return used;
 }
 
+double full_texels(const FrameData& frame, MapSquare square, std::uint32_t halvings) {
+  square.halvings = 0;
+  const double side = used_square(frame, square).side;
+  square.halvings = halvings;
+  return side / used_square(frame, square).side;
+}
+
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares) {
   std::vector<UsedSquare> used;
   for (const MapSquare& square : squares)

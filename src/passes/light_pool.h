@@ -40,6 +40,10 @@ inline std::uint32_t mesh_in_asset(const FrameData& frame, const MapSquare& squa
 /// Returns which terms are read from the maps of a square in this frame.
 MappedTerms terms_of(const FrameData& frame, const MapSquare& square);
 
+/// Returns what halved_side() takes for T_max where a head that uses fewer texels than T_max, however few
+/// fewer, halves less often: then it has at least the texels per sigma that a near head has.
+inline std::uint32_t careful_largest_side(std::uint32_t largest_side) { return 2 * largest_side - 1; }
+
 /// A square as a frame uses it.
 struct UsedSquare : MapSquare {
   std::uint32_t index = 0;  ///< of the square in its pool
@@ -48,6 +52,8 @@ struct UsedSquare : MapSquare {
   VkRect2D area() const;
 };
 UsedSquare used_square(const FrameData& frame, const MapSquare& square);
+/// Returns how many texels of maps that are not halved lie along a side of a texel of maps of these halvings.
+double full_texels(const FrameData& frame, MapSquare square, std::uint32_t halvings);
 /// Returns the squares that hold light in this frame: of visible heads that read at least one term from them.
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares);
 /// Returns those whose chain of blurs has begun with this step of blur_steps(), or before.

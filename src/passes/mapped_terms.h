@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// Which Gaussians of its profile a skin mesh of a head reads from light maps in a frame. A head far away
 /// reads few or none: narrow terms are lit per pixel there (direct_share() of
-/// passes/final_pass/final_pass.h).
+/// passes/final_pass/skin_shading.h).
 #pragma once
 
+#include <array>
 #include <cstdint>
+
+#include "shared/terms.h"
 
 namespace dermis::passes {
 
@@ -20,6 +23,11 @@ struct MappedTerms {
   std::uint32_t first_step = 0;
   /// The term of that step. Its map and all after it are written.
   std::uint32_t first_written = 0;
+
+  /// Of a cascade (passes/cascade/): `first_step` counts its steps; the terms before `first_wide` are narrow.
+  std::uint32_t first_wide = 0;
+  /// Of a cascade: of the profile, less the parts that are lit per pixel.
+  std::array<std::array<float, 3>, MOST_TERMS> weights{};
   bool operator==(const MappedTerms&) const = default;
 };
 

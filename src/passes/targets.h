@@ -38,4 +38,12 @@ inline void begin_picture(gpu::Cmd& cmd, const gpu::Texture& colour, const gpu::
   cmd.begin_rendering_area(std::span(&colour_target, 1), depth_target, area.value_or(whole));
 }
 
+/// Begins to draw over skin that is in `depth` already. Alpha is what the layer hides.
+inline void begin_layer(gpu::Cmd& cmd, const gpu::Texture& colour, const gpu::Texture& depth, bool clear) {
+  gpu::ColourTarget target{.texture = &colour};
+  if (clear) target.clear = no_light;
+  cmd.begin_rendering(std::span(&target, 1), gpu::DepthTarget{.texture = &depth},
+                      {colour.desc().width, colour.desc().height});
+}
+
 }  // namespace dermis::passes

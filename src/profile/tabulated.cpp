@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/one_line.h"
 
 namespace dermis::profile {
 namespace {
@@ -22,13 +23,8 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
-/// Returns text fit for a message: one line, at most 60 characters, no control characters.
-std::string shown(std::string_view text) {
-  std::string out(text.substr(0, 60));
-  for (char& c : out)
-    if (static_cast<unsigned char>(c) < ' ') c = '?';
-  return out;
-}
+/// Returns text fit for a message: one line, at most 60 bytes.
+std::string shown(std::string_view text) { return one_line(text, 60); }
 
 std::array<double, 4> parse_row(std::string_view line, const std::string& place) {
   std::array<double, 4> row{};

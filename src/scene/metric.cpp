@@ -101,8 +101,11 @@ DensityStats density_stats(std::vector<std::pair<double, double>> value_and_weig
     total += weight;
     sum += value * weight;
   }
-  return {sum / total, weighted_quantile(value_and_weight, total, 0.05),
-          weighted_quantile(value_and_weight, total, 0.5), weighted_quantile(value_and_weight, total, 0.95),
+  return {sum / total,
+          weighted_quantile(value_and_weight, total, 0.05),
+          weighted_quantile(value_and_weight, total, 0.25),
+          weighted_quantile(value_and_weight, total, 0.5),
+          weighted_quantile(value_and_weight, total, 0.95),
           value_and_weight.back().first};
 }
 
@@ -175,15 +178,18 @@ glm::dvec3 inverse_metric_cholesky(const glm::dvec3& g) {
 
 UnwrapDensity unwrap_density(const SkinMesh& mesh, double mm_per_unit) {
   UnwrapDensity density;
-  std::vector<std::pair<double, double>> mean, largest;
+  std::vector<std::pair<double, double>> mean, largest, least;
   for (const TriangleMetric& m : triangle_metrics(mesh, mm_per_unit)) {
     if (std::isfinite(m.world_area)) density.area_mm2 += m.world_area;
     if (!m.valid || !(m.world_area > 0)) continue;
     mean.emplace_back(std::pow(m.g.x * m.g.z - m.g.y * m.g.y, -0.25), m.world_area);
-    largest.emplace_back(1 / std::sqrt(eigenvalues(m.g).small), m.world_area);
+    const Eigenvalues e = eigenvalues(m.g);
+    largest.emplace_back(1 / std::sqrt(e.small), m.world_area);
+    least.emplace_back(1 / std::sqrt(e.large), m.world_area);
   }
   density.uv_per_mm = density_stats(std::move(mean));
   density.largest_uv_per_mm = density_stats(std::move(largest));
+  density.least_uv_per_mm = density_stats(std::move(least));
   return density;
 }
 

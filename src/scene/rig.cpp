@@ -104,6 +104,14 @@ void for_each_influence(const Rig& rig, const Visit& visit) {
   }
 }
 
+// How far morph targets may move what hangs on a matrix.
+double reach_of(const RigBounds& part, const PosedRig& pose) {
+  double reach = 0;
+  for (const MorphReach& morph : part.reach)
+    reach += std::abs(pose.weights[morph.weight]) * double{morph.length};
+  return reach;
+}
+
 }  // namespace
 
 PosedRig posed(const Rig& rig, const Pose& pose, const std::string& file) {
@@ -148,6 +156,21 @@ void take_pose(const Rig& rig, const PosedRig& pose, Scene& scene) {
 }
 
 // A vertex is a mean of the places that the matrices move it to, so it lies within what holds all of these.
+std::vector<glm::vec3> posed_corners(const Rig& rig, const PosedRig& pose) {
+  std::vector<glm::vec3> corners;
+  for (const RigBounds& part : rig.bounds) {
+    const double reach = reach_of(part, pose);
+    for (int corner = 0; corner < 8; ++corner) {
+      glm::dvec4 p(0, 0, 0, 1);
+      for (glm::length_t axis = 0; axis < 3; ++axis)
+        p[axis] =
+            (corner >> axis & 1) != 0 ? double{part.high[axis]} + reach : double{part.low[axis]} - reach;
+      corners.emplace_back(pose.matrices[part.matrix] * p);
+    }
+  }
+  return corners;
+}
+
 Bounds posed_bounds(const Rig& rig, const PosedRig& pose, bool all) {
   struct Ball {
     glm::dvec3 centre;
@@ -158,12 +181,8 @@ Bounds posed_bounds(const Rig& rig, const PosedRig& pose, bool all) {
   for (const RigBounds& part : rig.bounds) {
     if (!all && !part.skin) continue;
     const glm::dmat4& m = pose.matrices[part.matrix];
-    double reach = 0;
-    for (const MorphReach& morph : part.reach)
-      reach += std::abs(pose.weights[morph.weight]) * double{morph.length};
-
     const glm::dvec3 middle = 0.5 * (glm::dvec3(part.low) + glm::dvec3(part.high));
-    const glm::dvec3 half = 0.5 * (glm::dvec3(part.high) - glm::dvec3(part.low)) + reach;
+    const glm::dvec3 half = 0.5 * (glm::dvec3(part.high) - glm::dvec3(part.low)) + reach_of(part, pose);
     const glm::dvec3 centre(m * glm::dvec4(middle, 1));
     glm::dvec3 extent(0);
     for (glm::length_t axis = 0; axis < 3; ++axis) extent += glm::abs(glm::dvec3(m[axis])) * half[axis];

@@ -108,6 +108,9 @@ void take_pose(const Rig& rig, const PosedRig& pose, Scene& scene);
 /// smallest. Does not read vertices. Nothing: a radius of 0.
 Bounds posed_bounds(const Rig& rig, const PosedRig& pose, bool all);
 
+/// Returns points whose convex hull holds all vertices in a pose. Does not read vertices.
+std::vector<glm::vec3> posed_corners(const Rig& rig, const PosedRig& pose);
+
 /// Fills Rig::bounds from its meshes. `skin`: by mesh.
 void fill_bounds(Rig& rig, const std::vector<bool>& skin);
 

@@ -94,7 +94,7 @@ glm::dvec3 inverse_metric_cholesky(const glm::dvec3& g);
 
 /// Statistics over the skin's area, weighted by mm^2.
 struct DensityStats {
-  double mean = 0, p05 = 0, p50 = 0, p95 = 0, max = 0;
+  double mean = 0, p05 = 0, p25 = 0, p50 = 0, p95 = 0, max = 0;
 };
 
 struct UnwrapDensity {
@@ -102,6 +102,7 @@ struct UnwrapDensity {
   /// directions, det(g)^(-1/4)
   DensityStats uv_per_mm;
   DensityStats largest_uv_per_mm;  ///< in the densest direction, 1 / sqrt(smallest eigenvalue of g)
+  DensityStats least_uv_per_mm;    ///< in the coarsest direction, 1 / sqrt(largest eigenvalue of g)
   double area_mm2 = 0;             ///< all triangles
 };
 

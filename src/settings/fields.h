@@ -231,6 +231,21 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
          .option = "maps",
          .rebuilds = true,
          .real_time = true}},
+    Field{
+        "shading",
+        &QualitySettings::shading,
+        {.help = "raster: skin is shaded where its triangles are drawn; compute: once per pixel and surface",
+         .option = "shading",
+         .rebuilds = true,
+         .real_time = true}},
+    Field{"blur",
+          &QualitySettings::blur,
+          {.help =
+               "chain: narrow to wide, a map per Gaussian; cascade: wide to narrow on a pyramid of maps, one "
+               "map for their sum; needs progressive maps",
+           .option = "blur",
+           .rebuilds = true,
+           .real_time = true}},
     Field{"d_ref",
           &QualitySettings::d_ref,
           {.help = "distance up to which light maps have their full size",

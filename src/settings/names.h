@@ -17,6 +17,12 @@ template <>
 inline constexpr std::array<std::string_view, 2> names_of<LightMaps>{"full", "progressive"};
 
 template <>
+inline constexpr std::array<std::string_view, 2> names_of<Shading>{"raster", "compute"};
+
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<BlurOrder>{"chain", "cascade"};
+
+template <>
 inline constexpr std::array<std::string_view, 6> names_of<ToneMap>{"natural", "neutral", "agx",
                                                                    "filmic",  "srgb",    "linear"};
 

@@ -29,6 +29,9 @@ void check_settings(const RenderSettings& s) {
   techniques::find_technique(s.technique);
   if (s.quality.samples != 1 && s.quality.samples != 4)
     throw input_error("", "quality.samples must be 1 or 4, got {}", s.quality.samples);
+  if (s.quality.blur == BlurOrder::cascade && s.quality.maps != LightMaps::progressive)
+    throw input_error("",
+                      "quality.blur cascade keeps wide light in smaller maps: give quality.maps progressive");
   if (s.lighting.rig_lights && !s.lighting.placed_lights.empty())
     throw input_error(
         "", "lighting.rig_lights and lighting.placed_lights both replace the lights of the scene; give one");

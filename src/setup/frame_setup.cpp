@@ -53,23 +53,37 @@ const HostShadow* host_shadow(const HostSetup* host, std::size_t light) {
   return found == host->shadows.end() ? nullptr : &*found;
 }
 
+// Writes the corners of what casts a head's shadow in the world; none where the host moves its vertices,
+// which may leave the body between them.
+void place_corners(const Casters& casters, const PlacedHead& placed, const HostSetup* host,
+                   std::vector<glm::vec3>& corners_m) {
+  corners_m.clear();
+  if (host &&
+      std::find(host->deformed.begin(), host->deformed.end(), placed.instance) != host->deformed.end())
+    return;
+  for (const glm::vec3& p_m : casters.corners_m) corners_m.push_back(placed.pose.position(p_m));
+}
+
 std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Subject* const> subjects,
                                     const std::vector<PlacedHead>& placed_heads, const RenderSettings& s,
                                     const scene::Camera& camera, const io::CameraIo& frame_camera,
                                     const std::vector<scene::Light>& lights, const HostSetup* host) {
   std::vector<HeadSetup> heads;
+  std::vector<glm::vec3> corners_m;
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
   for (const PlacedHead& placed : placed_heads) {
     const Subject& subject = *subjects[placed.instance];
     const PosedAsset* posed = scene.instances[placed.instance].posed.get();
-    const scene::BoundingSphere casters = placed.pose.sphere(shadow_sphere(subject, posed));
     HeadSetup head{.number = static_cast<int>(heads.size()),
                    .instance = placed.instance,
                    .pose = placed.pose,
                    .middle_m = placed.pose.position((posed ? posed->skin : subject.bounds).sphere.centre_m),
                    .lights = {},
                    .shadow_from_world = {}};
+    const Casters of_asset = shadow_casters(subject, posed);
+    place_corners(of_asset, placed, host, corners_m);
+    const passes::ShadowBounds casters{placed.pose.sphere(of_asset.sphere), corners_m};
 
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const HostShadow* of_host = host_shadow(host, i);
@@ -201,6 +215,16 @@ bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
   });
 }
 
+// How much of a term is lit per pixel must be known where its light joins the cascade, not where it is read.
+void check_cascade(const techniques::FrameSettings& plan) {
+  const auto is_coarse = [](const techniques::SkinPart& part) { return part.coarse; };
+  if (plan.cascade && std::any_of(plan.skin.begin(), plan.skin.end(), is_coarse))
+    throw input_error(
+        "",
+        "quality.blur cascade: some of the skin has too few texels per mm to scatter from light "
+        "maps; take quality.blur chain, or a larger quality.map_size");
+}
+
 void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s,
                  const std::vector<scene::Light>& lights, const DeviceTraits& device) {
   techniques::FrameSettings& plan = setup.plan;
@@ -229,6 +253,8 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
     plan.skip_unlit = choose_skip_unlit(s, device);
     plan.progressive = s.quality.maps == LightMaps::progressive;
+    plan.cascade = s.quality.blur == BlurOrder::cascade;
+    check_cascade(plan);
     plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
     plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
                                   [&](const PlacedAsset& instance) { return all_enters(instance, s); });
@@ -323,6 +349,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   set_up_plan(setup, scene, s, lights, device);
   if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
+  setup.plan.shade_entries = s.quality.shading == Shading::compute && setup.plan.can_shade_entries();
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;

@@ -84,6 +84,7 @@ struct HostSetup {
   techniques::HostPart part;
   std::uint32_t samples = 1;           ///< of its targets
   std::vector<std::size_t> not_drawn;  ///< instances that are lit, but drawn by the host
+  std::vector<std::size_t> deformed;   ///< instances whose vertices the host moves
   std::vector<HostMap> maps;
   std::vector<HostShadow> shadows;
 };

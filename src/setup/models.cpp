@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gaussians/json.h"
-#include "passes/final_pass/final_pass.h"
+#include "passes/final_pass/skin_shading.h"
 #include "setup/choose.h"
 
 namespace dermis::setup {
@@ -35,6 +35,21 @@ void fill_coarse(techniques::SkinPart& part, const scene::UnwrapDensity& density
                                   static_cast<float>(part.even_uv_per_mm * map_size));
 }
 
+// The draws of the mesh that passes::GpuScene makes: runs of triangles of one material, with a chart or
+// without.
+std::uint32_t count_draws(const scene::SkinMesh& mesh) {
+  std::uint32_t draws = 0;
+  for (const bool on_map : {true, false}) {
+    std::optional<int> last;
+    for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) {
+      if ((mesh.triangle_chart[t] != scene::no_chart) != on_map) continue;
+      if (last != mesh.triangle_material[t]) ++draws;
+      last = mesh.triangle_material[t];
+    }
+  }
+  return draws;
+}
+
 // In the millimetres of an asset that is shown at this scale.
 gaussians::SumOfGaussians in_asset(gaussians::SumOfGaussians profile, double scale) {
   for (gaussians::Gaussian& term : profile.terms) term.variance_mm2 /= scale * scale;
@@ -50,6 +65,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   techniques::SkinPart part;
   part.in_model = static_cast<std::uint32_t>(number);
   part.triangles = static_cast<std::uint32_t>(mesh.triangle_chart.size());
+  part.draws = count_draws(mesh);
   part.profile = model.profile ? *model.profile : choose_profile(subject.scene->materials[material], s);
   part.mm_per_unit = subject.scene->mm_per_unit;
   if (model.scale != 1) {
@@ -62,6 +78,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   part.max_uv_per_mm = density.largest_uv_per_mm.p95;
   part.max_texels_per_mm = std::max(part.max_uv_per_mm * s.quality.map_size, 1e-6);
   part.mean_texels_per_mm = density.uv_per_mm.mean * s.quality.map_size;
+  part.coarse_texels_per_mm = density.least_uv_per_mm.p25 * s.quality.map_size;
   fill_coarse(part, density, s.quality.map_size);
 
   part.off_map = scene::has_chartless(mesh);

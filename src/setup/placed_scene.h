@@ -11,6 +11,7 @@
 
 #include "dermis/settings.h"
 #include "gaussians/sum.h"
+#include "scene/enclosure.h"
 #include "scene/rig.h"
 #include "scene/scene.h"
 
@@ -40,6 +41,7 @@ std::optional<Pose> pose_of(const std::array<double, 16>& world_from_asset);
 struct PosedAsset {
   scene::PosedRig rig;
   scene::Bounds skin, all;  ///< hold its vertices, not tightly
+  scene::Reach reach{};     ///< of the same
 };
 
 struct PlacedAsset {

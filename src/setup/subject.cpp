@@ -5,6 +5,7 @@
 #include "core/hooks.h"
 #include "core/warnings.h"
 #include "scene/coverage.h"
+#include "scene/enclosure.h"
 #include "scene/framing.h"
 
 namespace dermis::setup {
@@ -25,6 +26,7 @@ Subject examine(std::shared_ptr<const scene::Scene> scene) {
     throw input_error(scene->name, "has nothing to see: all its triangles lie at one point");
 
   subject.casters = scene::bounding_sphere(*scene, [](const scene::Primitive&) { return true; });
+  subject.caster_corners_m = scene::enclosing_corners(*scene);
   subject.scene = std::move(scene);
   return subject;
 }

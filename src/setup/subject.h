@@ -18,6 +18,7 @@ struct Subject {
   std::vector<scene::UnwrapDensity> densities;  ///< one per skin mesh
   scene::Bounds bounds;                         ///< of the skin
   scene::BoundingSphere casters;                ///< of everything: hair cards and collars cast shadows too
+  std::vector<glm::vec3> caster_corners_m;      ///< scene::enclosing_corners() of the same
 };
 
 /// Throws InputError: a scene with nothing to see. Warns of unwraps that overlap.

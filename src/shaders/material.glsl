@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour
-// ... (scene_io.h).
+// ... (scene_io.h). COMPUTE_SHADING: in compute shaders, whose points bring their derivatives.
 #include "shaders/switches.glsl"
 
 struct ShadingPoint {
@@ -9,6 +9,9 @@ struct ShadingPoint {
   vec4 tangent;
   vec2 uv0, uv1;
   vec4 colour;
+#ifdef COMPUTE_SHADING
+  vec4 uv_dx, uv_dy;  // of both sets of texture coordinates, per pixel
+#endif
 };
 
 // Returns the unit vector from a point to the camera. Needs frame.glsl.
@@ -22,9 +25,20 @@ vec2 map_uv(MapIo map, ShadingPoint s) {
   return map.u_axis * uv.x + map.v_axis * uv.y + map.offset;
 }
 
+// Returns the texel of a map there, filtered over a pixel.
+vec4 map_texel(sampler2D texels, MapIo map, ShadingPoint s) {
+#ifdef COMPUTE_SHADING
+  const vec2 dx = map.uv_set == 0u ? s.uv_dx.xy : s.uv_dx.zw, dy = map.uv_set == 0u ? s.uv_dy.xy : s.uv_dy.zw;
+  return textureGrad(texels, map_uv(map, s), map.u_axis * dx.x + map.v_axis * dx.y,
+                     map.u_axis * dy.x + map.v_axis * dy.y);
+#else
+  return texture(texels, map_uv(map, s));
+#endif
+}
+
 vec3 mapped_normal(MapIo map, sampler2D normal_map, ShadingPoint s) {
   if (!is_present(map)) return s.normal;
-  vec3 t = texture(normal_map, map_uv(map, s)).xyz * 2.0 - 1.0;
+  vec3 t = map_texel(normal_map, map, s).xyz * 2.0 - 1.0;
   t.xy *= map.scale;
   // MikkTSpace: the bitangent is computed per pixel, and the tangent frame is used as interpolated.
   const vec3 bitangent = cross(s.normal, s.tangent.xyz) * s.tangent.w;

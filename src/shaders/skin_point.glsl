@@ -30,7 +30,7 @@ vec3 skin_albedo(ShadingPoint s) {
   if (is_on(frame.white_albedo)) return vec3(1.0);
   vec3 albedo = material.base_colour.rgb * s.colour.rgb;
   const MapIo map = material.maps[MAP_BASE_COLOUR];
-  if (is_present(map)) albedo *= texture(map_base_colour, map_uv(map, s)).rgb;
+  if (is_present(map)) albedo *= map_texel(map_base_colour, map, s).rgb;
   return max(albedo, vec3(0.0));
 }
 
@@ -46,11 +46,11 @@ SkinSpecular skin_specular(ShadingPoint s) {
   spec.rho_s = is_on(frame.specular_on) ? material.rho_s : 0.0;
   const MapIo specular_map = material.maps[MAP_SPECULAR];
   if (is_present(specular_map))
-    spec.rho_s *= specular_map.scale * texture(map_specular, map_uv(specular_map, s))[specular_map.channel];
+    spec.rho_s *= specular_map.scale * map_texel(map_specular, specular_map, s)[specular_map.channel];
   float roughness = material.roughness;
   const MapIo roughness_map = material.maps[MAP_ROUGHNESS];
   if (is_present(roughness_map))
-    roughness = roughness_map.scale * texture(map_roughness, map_uv(roughness_map, s))[roughness_map.channel];
+    roughness = roughness_map.scale * map_texel(map_roughness, roughness_map, s)[roughness_map.channel];
   const float m = clamp(roughness * roughness, 0.02, 1.0);
   spec.f0 = f0_of_ior(material.ior);
   spec.m = clamp(m * vec2(material.lobe_factor_0, material.lobe_factor_1), vec2(0.02), vec2(1.0));
@@ -60,7 +60,7 @@ SkinSpecular skin_specular(ShadingPoint s) {
 
 float skin_occlusion(ShadingPoint s) {
   const MapIo map = material.maps[MAP_OCCLUSION];
-  return is_present(map) ? 1.0 + map.scale * (texture(map_occlusion, map_uv(map, s)).r - 1.0) : 1.0;
+  return is_present(map) ? 1.0 + map.scale * (map_texel(map_occlusion, map, s).r - 1.0) : 1.0;
 }
 
 const float least_open = 0.002;  // lower bound: white skin in a closed hole has no solution

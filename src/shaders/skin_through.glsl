@@ -3,7 +3,9 @@
 // Follows skin_lights.glsl.
 #include "shared/transmission_io.h"
 layout(binding = 23) uniform sampler2DArray entering_maps;
+#ifndef TRANSMISSION  // a pass may have it elsewhere
 layout(binding = 24, scalar) uniform Transmission { TransmissionIo transmission; };
+#endif
 layout(constant_id = 8) const int through_terms = 6;
 #include "shaders/transmission.glsl"
 

@@ -27,10 +27,4 @@ const Technique& find_technique(std::string_view name) {
   throw input_error("technique", "'{}' is not known; there are: {}", name, names);
 }
 
-std::uint32_t FrameSettings::most_meshes() const {
-  std::uint32_t most = 0;
-  for (const Model& model : models) most = std::max(most, model.meshes);
-  return most;
-}
-
 }  // namespace dermis::techniques

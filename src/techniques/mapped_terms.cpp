@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/mapped_terms.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "passes/blur/blur.h"
-#include "passes/blur/kernels.h"
-#include "passes/final_pass/final_pass.h"
+#include "passes/final_pass/skin_shading.h"
+#include "passes/kernels.h"
+#include "techniques/cascade_plan.h"
 
 namespace dermis::techniques {
 namespace {
@@ -23,11 +25,41 @@ std::uint32_t first_read(const FrameSettings& settings, const SkinPart& part, st
   return term;
 }
 
+// Returns what a cascade needs to know: which terms it spreads from the light itself, with which step it
+// ends, and the weights, of which the sum consists.
+passes::MappedTerms cascade_terms(const FrameSettings& settings, const SkinPart& part, std::uint32_t side) {
+  const CascadePlan cascade = cascade_plan(settings, part);
+  passes::MappedTerms terms;
+  if (settings.terms_by_need()) terms.first_read = first_read(settings, part, side);
+  terms.any = terms.first_read < part.profile.terms.size();
+  if (!terms.any) return terms;
+
+  const double texels_per_mm = part.mean_texels_per_mm * side / settings.map_size;
+  const std::uint32_t narrow =
+      passes::narrow_terms(cascade.variances_mm2, texels_per_mm, cascade.most_narrow);
+  const std::uint32_t done = std::max(narrow, terms.first_read);  // without wide steps
+  terms.first_wide = narrow;
+  terms.first_step = cascade.first_step_over(done == 0 ? 0 : cascade.variances_mm2[done - 1]);
+
+  for (std::size_t i = 0; i < part.profile.terms.size(); ++i) {
+    const gaussians::Gaussian& term = part.profile.terms[i];
+    const float at_pixel =
+        settings.mixes()
+            ? passes::share_at_pixel(static_cast<float>(std::sqrt(term.variance_mm2)),
+                                     static_cast<float>(part.mean_texels_per_mm), settings.map_size, side)
+            : 0.0f;
+    for (std::size_t c = 0; c < 3; ++c)
+      terms.weights[i][c] = (1 - at_pixel) * static_cast<float>(term.weight[c]);
+  }
+  return terms;
+}
+
 }  // namespace
 
 passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t mesh, std::uint32_t side) {
-  if (!settings.terms_by_need()) return {};
   const SkinPart& part = settings.skin[mesh];
+  if (settings.cascade) return cascade_terms(settings, part, side);
+  if (!settings.terms_by_need()) return {};
   passes::MappedTerms terms{.first_read = first_read(settings, part, side)};
   terms.any = terms.first_read < part.profile.terms.size();
   if (!terms.any || terms.first_read == 0) return terms;

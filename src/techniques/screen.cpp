@@ -2,9 +2,14 @@
 #include "techniques/screen.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "frame/together.h"
 #include "passes/bloom/bloom.h"
 #include "passes/count/count.h"
+#include "passes/final_pass/final_pass.h"
+#include "passes/final_pass/shade.h"
+#include "passes/ids/ids.h"
 #include "passes/labels/labels.h"
 #include "passes/move_rig/move_rig.h"
 #include "passes/resolve/resolve.h"
@@ -13,6 +18,9 @@
 #include "passes/tone_map/tone_map.h"
 
 namespace dermis::techniques {
+
+using frame::Together;
+
 namespace {
 
 // Side of the maps of what enters the skin (passes::Shadow), texels. Their light goes to light maps, so they
@@ -37,33 +45,16 @@ FrameOutputs screen_maps(passes::FramePlan& plan, const FrameSettings& settings)
 
 std::vector<GutterSize> no_gutters(const FrameSettings&, std::span<const DrawnHead>) { return {}; }
 
-std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
-                  std::uint32_t mesh) {
-  const std::string name = label(what, settings, head);
-  if (settings.model_of(head).meshes < 2) return name;
-  return fmt::format("{} part {}", name, settings.skin[mesh].in_model);
-}
-
 std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh) {
   return settings.skin.size() > 1 ? fmt::format("{} part {}", what, mesh) : std::string(what);
 }
 
-std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head) {
-  return settings.heads.size() > 1 ? fmt::format("{} head {}", what, head) : std::string(what);
-}
-
 Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters)
     : plan_(&plan), settings_(settings) {
-  const gpu::TextureDesc screen{
-      .width = settings.width, .height = settings.height, .samples = settings.samples};
-  gpu::TextureDesc colour = screen, depth = screen;
-  colour.format = settings.picture_format().colour;
-  depth.format = settings.picture_format().depth;
+  if (!settings.shade_entries) colour();
   const auto lifetime = settings.host ? frame::Lifetime::of_host : frame::Lifetime::transient;
-  if (settings.draws_picture()) {
-    colour_ = plan.texture("colour", colour, lifetime);
-    depth_ = plan.texture("depth", depth, lifetime);
-  }
+  if (settings.draws_picture())
+    depth_ = plan.texture("depth", target(settings.picture_format().depth), lifetime);
   cleared_ = settings.host.has_value();
 
   gpu::TextureDesc shadow{.width = settings.shadow_size,
@@ -88,44 +79,136 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
   if (settings.poses) plan.add<passes::MoveRig>("pose", {}, {});
 }
 
-bool Screen::take_clear() { return !std::exchange(cleared_, true); }
-
-void Screen::add_shadow(std::uint32_t head) {
-  const std::uint32_t layers = std::max(settings_.shadow_layers, 1u);
-  const bool apart = entering_depth_.valid();
-  plan_->add<passes::Shadow>(
-      label("shadow", settings_, head), {shadow_, apart ? frame::TextureId{} : entering_},
-      {.instance = head, .layers = layers, .host_maps = settings_.host && settings_.host->shadows});
-  if (apart)
-    plan_->add<passes::Shadow>(label("entering", settings_, head), {entering_depth_, entering_},
-                               {.instance = head, .layers = layers, .grown = true});
+gpu::TextureDesc Screen::target(VkFormat format) const {
+  gpu::TextureDesc desc{.width = settings_.width, .height = settings_.height, .samples = settings_.samples};
+  desc.format = format;
+  return desc;
 }
 
-void Screen::add_surfaces(std::uint32_t head) {
+frame::TextureId Screen::colour() {
+  const auto lifetime = settings_.host ? frame::Lifetime::of_host : frame::Lifetime::transient;
+  if (!colour_.valid() && settings_.draws_picture())
+    colour_ =
+        plan_->texture(shaded() ? "layer" : "colour", target(settings_.picture_format().colour), lifetime);
+  return colour_;
+}
+
+std::uint32_t Screen::first_part(const passes::MapSquare& square) const {
+  std::uint32_t part = first_part_[square.instance];
+  for (std::uint32_t mesh = settings_.model_of(square.instance).first_mesh; mesh < square.mesh; ++mesh)
+    part += settings_.skin[mesh].draws;
+  return part;
+}
+
+void Screen::add_entries() {
+  if (!settings_.shade_entries) return;
+  first_part_ = {0};
+  for (std::uint32_t head = 0; head < settings_.head_count(); ++head)
+    first_part_.push_back(first_part_.back() + settings_.draws_of(settings_.model_of(head)));
+
+  passes::Ids::Settings ids{.samples = settings_.samples, .cut_out = false, .meshes = {}};
+  for (std::uint32_t head = 0; head < settings_.head_count(); ++head) {
+    const Model& model = settings_.model_of(head);
+    for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh) {
+      const passes::MapSquare square{.instance = head, .mesh = mesh};
+      ids.meshes.push_back({square, first_part(square)});
+      ids.cut_out = ids.cut_out || settings_.skin[mesh].cut_out;
+    }
+  }
+
+  entries_ = passes::make_entry_buffers(*plan_, first_part_.back(), target(passes::light_format));
+  plan_->add<passes::ClearParts>("clear parts", {entries_.parts});
+  const frame::TextureId shown = plan_->add<passes::Ids>("ids", {depth_}, ids).ids;
+  plan_->add<passes::Entries>("entries", {shown, depth_, entries_});
+  plan_->add<passes::PartRanges>("part ranges", {entries_});
+  plan_->add<passes::EntryList>("entry list", {entries_});
+}
+
+void Screen::add_skin(const std::vector<SkinOnScreen>& skin,
+                      const std::function<std::string(std::string_view)>& name_of) {
+  if (!settings_.draws_picture() || skin.empty()) return;
+
+  Together<passes::Shade>::In computed;
+  Together<passes::FinalPass>::In drawn;
+  for (const auto& [asked, maps] : skin) {
+    passes::SkinLook look = asked;
+    const SkinPart& part = settings_.skin[look.square.mesh];
+    look.environment = settings_.environment;
+    look.soft_shadows = settings_.soft_shadows;
+    look.off_map = part.off_map;
+    look.cut_out = part.cut_out;
+    look.emits = part.emits;
+    const passes::SkinLights lights{maps, shadow_, entering_};
+
+    if (shaded())
+      computed.members.push_back({{lights, entries_.parts, entries_.entries},
+                                  {.look = look,
+                                   .first_part = first_part(look.square),
+                                   .extent = {settings_.width, settings_.height},
+                                   .samples = settings_.samples}});
+    else
+      drawn.members.push_back({{lights, colour(), depth_},
+                               {.look = look,
+                                .samples = settings_.samples,
+                                .format = settings_.picture_format(),
+                                .clear = take_clear()}});
+  }
+
+  if (shaded())
+    plan_->add<Together<passes::Shade>>(name_of("shade"), computed);
+  else
+    plan_->add<Together<passes::FinalPass>>(name_of("final"), drawn);
+}
+
+bool Screen::take_clear() { return !std::exchange(cleared_, true); }
+
+void Screen::add_shadows(const Batch& batch) {
+  passes::Shadow::Settings shadow{.first_instance = batch.first_head,
+                                  .instances = batch.heads,
+                                  .layers = std::max(settings_.shadow_layers, 1u),
+                                  .host_maps = settings_.host && settings_.host->shadows};
+  const bool apart = entering_depth_.valid();
+  plan_->add<passes::Shadow>(label("shadow", settings_, batch),
+                             {shadow_, apart ? frame::TextureId{} : entering_}, shadow);
+  if (!apart) return;
+
+  shadow.host_maps = false;
+  shadow.grown = true;
+  plan_->add<passes::Shadow>(label("entering", settings_, batch), {entering_depth_, entering_}, shadow);
+}
+
+bool Screen::any_head(const Batch& batch, bool Model::*has) const {
+  for (std::uint32_t i = 0; i < batch.heads; ++i)
+    if (settings_.model_of(batch.first_head + i).*has) return true;
+  return false;
+}
+
+void Screen::add_surfaces(const Batch& batch) {
   if (!settings_.draws_picture()) return;
-  const passes::Surface::In in{shadow_, colour_, depth_};
-  const bool clear = !cleared_;
+  const bool clear = !cleared_ && !shaded();
   // A scene without any skin still needs its targets cleared.
-  if (settings_.model_of(head).has_surfaces || clear)
-    plan_->add<passes::Surface>(label("surfaces", settings_, head), in,
-                                {.instance = head,
+  if (any_head(batch, &Model::has_surfaces) || clear)
+    plan_->add<passes::Surface>(label("surfaces", settings_, batch), {shadow_, colour(), depth_},
+                                {.first_instance = batch.first_head,
+                                 .instances = batch.heads,
                                  .samples = settings_.samples,
                                  .format = settings_.picture_format(),
                                  .clear = take_clear(),
+                                 .layer = shaded(),
                                  .environment = settings_.environment,
                                  .soft_shadows = settings_.soft_shadows});
 }
 
-void Screen::add_blended(std::uint32_t first_head, std::uint32_t heads) {
-  bool any = false;
-  for (std::uint32_t i = 0; i < heads; ++i) any = any || settings_.model_of(first_head + i).has_blended;
-  if (!any || !settings_.draws_picture()) return;
+void Screen::add_blended(const Batch& batch) {
+  if (!any_head(batch, &Model::has_blended) || !settings_.draws_picture()) return;
 
-  plan_->add<passes::Surface>(label("blended surfaces", settings_, first_head), {shadow_, colour_, depth_},
-                              {.instance = first_head,
-                               .instances = heads,
+  plan_->add<passes::Surface>(label("blended surfaces", settings_, batch), {shadow_, colour(), depth_},
+                              {.first_instance = batch.first_head,
+                               .instances = batch.heads,
                                .samples = settings_.samples,
                                .format = settings_.picture_format(),
+                               .clear = shaded() && take_clear(),
+                               .layer = shaded(),
                                .environment = settings_.environment,
                                .soft_shadows = settings_.soft_shadows,
                                .blended = true});
@@ -147,6 +230,12 @@ void Screen::add_labels(FrameOutputs& out) {
   plan_->read_back(out.label_names);
 }
 
+frame::TextureId Screen::add_picture() {
+  if (shaded())
+    return plan_->add<passes::ResolveEntries>("resolve", {entries_, colour_}, {settings_.samples}).picture;
+  return settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour()}).picture : colour();
+}
+
 FrameOutputs Screen::finish() {
   FrameOutputs out;
   out.counters = counters_;
@@ -157,7 +246,7 @@ FrameOutputs Screen::finish() {
     return out;
   }
 
-  out.picture = settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour_}).picture : colour_;
+  out.picture = add_picture();
   plan_->add<passes::Count>("count skin pixels", {out.picture, counters_},
                             {.slot = counter_skin_pixels, .threshold = 0.5f});
   out.before_bloom = out.picture;

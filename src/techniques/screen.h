@@ -2,12 +2,25 @@
 /// What all techniques share: the targets on the screen, the parts that are not skin, and how a frame ends.
 #pragma once
 
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "passes/entries/entries.h"
+#include "passes/final_pass/skin_shading.h"
+#include "techniques/batches.h"
 #include "techniques/technique.h"
 
 namespace dermis::techniques {
 
 /// Slots of FrameOutputs::counters that every technique has; its own follow.
 enum ScreenCounter : std::uint32_t { counter_skin_pixels, screen_counters };
+
+/// One skin mesh of one head.
+struct SkinOnScreen {
+  passes::SkinLook look;               ///< of which Screen decides the members from `environment` to `emits`
+  std::vector<frame::TextureId> maps;  ///< its light, one per weight of `look`
+};
 
 class Screen {
  public:
@@ -16,7 +29,6 @@ class Screen {
   Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters = screen_counters);
 
   /// Valid if the frame draws a picture.
-  frame::TextureId colour() const { return colour_; }
   frame::TextureId depth() const { return depth_; }
   frame::TextureId shadow() const { return shadow_; }
   /// Valid with translucency unless all_enters: see passes::Shadow.
@@ -24,27 +36,44 @@ class Screen {
   frame::BufferId counters() const { return counters_; }
   /// Returns what is drawn once per head and light.
   std::vector<frame::TextureId> shadow_maps() const;
-  /// Returns true at the first call only: the pass that draws first clears colour and depth.
-  bool take_clear();
 
-  /// Adds the shadow maps of all lights for one head.
-  void add_shadow(std::uint32_t head);
-  /// Adds the opaque parts of one head that are not skin.
-  void add_surfaces(std::uint32_t head);
-  /// Adds the blended parts of heads whose shadow maps are there, far to near, over all that is drawn.
-  void add_blended(std::uint32_t first_head, std::uint32_t heads = 1);
+  /// With FrameSettings::shade_entries, finds what the picture shows of the skin of all heads: the first
+  /// call. Else adds nothing.
+  void add_entries();
+  /// Adds the shadow maps of all lights for the heads of a batch.
+  void add_shadows(const Batch& batch);
+  /// Adds skin, drawn or shaded, in a pass that is named by name_of("final") or "shade". Nothing if the frame
+  /// draws no picture.
+  void add_skin(const std::vector<SkinOnScreen>& skin,
+                const std::function<std::string(std::string_view)>& name_of);
+  /// Adds the opaque parts of these heads that are not skin.
+  void add_surfaces(const Batch& batch);
+  /// Adds their blended parts, far to near, over all that is drawn.
+  void add_blended(const Batch& batch);
   /// Adds resolve, bloom, tone map and labels, and shows the shadow maps; nothing for a host. The last call.
   FrameOutputs finish();
 
  private:
+  // Returns true at the first call only: the pass that draws first clears colour and depth, or the layer.
+  bool take_clear();
+  // Returns the target that skin, or a layer over it, is drawn into, and makes it at the first call.
+  frame::TextureId colour();
+  gpu::TextureDesc target(VkFormat format) const;
+  bool shaded() const { return entries_.pixels.valid(); }  // add_entries() has been called
+  std::uint32_t first_part(const passes::MapSquare& square) const;
+  frame::TextureId add_picture();
   void add_labels(FrameOutputs& out);
+  bool any_head(const Batch& batch, bool Model::*has) const;
 
   passes::FramePlan* plan_;
   FrameSettings settings_;
+  // If skin is shaded, colour_ is a layer over it, valid if there is anything in it.
   frame::TextureId colour_, depth_, shadow_, entering_;
   frame::TextureId entering_depth_;  // valid if what enters is drawn apart from the shadow maps
   frame::BufferId counters_;
   bool cleared_ = false;
+  passes::EntryBuffers entries_;           // with shade_entries
+  std::vector<std::uint32_t> first_part_;  // of each head, and the number of all
 };
 
 /// Technique::maps, report and gutters for techniques without light maps.
@@ -53,11 +82,6 @@ FrameReport screen_report(const FrameSettings& settings, std::span<const std::ui
                           std::span<const DrawnHead> drawn);
 std::vector<GutterSize> no_gutters(const FrameSettings& settings, std::span<const DrawnHead> drawn);
 
-/// Return the name of a pass: "shadow" for one head, "shadow head 3" for one of several; and for one of its
-/// skin meshes, as the plan counts them, "final head 3 part 1".
-std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head);
-std::string label(std::string_view what, const FrameSettings& settings, std::uint32_t head,
-                  std::uint32_t mesh);
 /// Returns "stretch" for one skin mesh of the plan, "stretch part 1" for one of several.
 std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh);
 

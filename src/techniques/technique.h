@@ -31,11 +31,13 @@ struct SkinPart {
   std::uint32_t unwrap = 0;
   std::uint32_t in_model = 0;  ///< number among the meshes of its model
   std::uint32_t triangles = 0;
+  std::uint32_t draws = 1;       ///< runs of triangles of one material: passes::GpuMesh::draws
   double max_uv_per_mm = 1;      ///< a twentieth of the skin has more
   double even_uv_per_mm = 1;     ///< if the skin filled the map evenly
   double max_texels_per_mm = 1;  ///< a twentieth of the skin has more
   double mean_texels_per_mm = 1;
-  double least_texels_per_mm = 1;  ///< a twentieth of the skin has fewer
+  double coarse_texels_per_mm = 1;  ///< in the coarsest direction; a quarter of the skin has fewer
+  double least_texels_per_mm = 1;   ///< a twentieth of the skin has fewer
   /// some of the skin has so few texels that narrow terms are lit per pixel there: passes::coarse_share()
   bool coarse = false;
   bool off_map = false;  ///< some of its triangles have no chart of the unwrap
@@ -94,10 +96,14 @@ struct FrameSettings {
   /// by_alpha, by_depth or by_tiles, of the texels that cull and clip have left unlit
   passes::SkipUnlit skip_unlit = passes::SkipUnlit::by_tiles;
   bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
+  bool cascade = false;        ///< wide to narrow, one map for the sum: passes/cascade/; with `progressive`
   bool visibility = false;     ///< also makes the map that `output.show` "visibility" shows
   bool labels = false;         ///< also draws FrameOutputs::label_surface and label_names
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};
+  /// Skin is drawn as ids and shaded in compute, once per entry of a pixel (passes/entries); else where it is
+  /// drawn. See can_shade_entries().
+  bool shade_entries = false;
   bool poses = false;         ///< some instance takes poses: passes::MoveRig
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
   bool soft_shadows = false;  ///< some light has a radius
@@ -108,15 +114,21 @@ struct FrameSettings {
 
   std::uint32_t head_count() const { return static_cast<std::uint32_t>(heads.size()); }
   const Model& model_of(std::uint32_t head) const { return models[heads[head]]; }
-  std::uint32_t most_meshes() const;  ///< of a model
+  std::uint32_t most_meshes() const;                 ///< of a model
+  std::uint32_t draws_of(const Model& model) const;  ///< SkinPart::draws of its meshes
   bool draws_picture() const { return !host || host->picture; }
+  /// What halved_side() takes for T_max: a cascade relies on the texels per sigma of its levels.
+  std::uint32_t halving_side() const { return cascade ? passes::careful_largest_side(map_size) : map_size; }
   bool host_lights() const { return host && host->irradiance; }
   /// Where a map is smaller than T_max, narrow terms are lit per pixel: passes::direct_share(). Light that a
-  /// host draws is known in the maps alone.
-  bool mixes() const { return optimise.depth && !host_lights(); }
+  /// host draws is known in the maps alone; a host that reads the sum of a cascade reads all of it there.
+  bool mixes() const { return optimise.depth && !host_lights() && !(cascade && host && host->scattered); }
   /// Maps hold the terms that pixels read, and no others: mapped_terms.h. A host that reads the blurred light
   /// reads all of it.
   bool terms_by_need() const { return mixes() && !(host && host->scattered); }
+  /// Returns whether ids can tell apart all skin, and whether its pixels fit in a buffer: limits of
+  /// shared/entries_io.h. A host's targets are drawn into.
+  bool can_shade_entries() const;
   passes::PictureFormat picture_format() const {
     return host && host->picture ? *host->picture : passes::PictureFormat{};
   }

@@ -131,7 +131,7 @@ TEST_F(SceneFiles, AreTakenByOtherCommands) {
     "environment": "studio"})");
   const Result of_both = run({"plan", mixed, "--map-size", "64"});
   EXPECT_EQ(of_both.status, 0) << of_both.err;
-  EXPECT_NE(of_both.out.find("head 1"), std::string::npos) << of_both.out;
+  EXPECT_NE(of_both.out.find("'stretch part 1'"), std::string::npos) << of_both.out;
 
   const std::string truth = (folder() / "truth.exr").string();
   const Result reference = run({"reference", saved(), "--samples", "1", "--size", "16x12", "-o", truth});

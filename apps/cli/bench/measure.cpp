@@ -30,7 +30,7 @@ class Contest {
  public:
   Contest(Renderer& renderer, const Scene& scene, const Task& task, const Place& place)
       : renderer_(&renderer), scene_(&scene), task_(&task) {
-    for (Variant& variant : variants_of(settings_at(task, place)))
+    for (Variant& variant : variants_of(settings_at(task, place), task.cascade))
       entries_.push_back(
           {.measured = {.variant = std::move(variant), .rounds_ms = {}, .passes = {}, .counts = {}}});
   }
@@ -149,7 +149,7 @@ struct Bench {
            [&](std::size_t i) { contest->draw(i, true); });
     if (stopped()) return std::nullopt;
     Cell cell{
-        .heads = place.heads, .distance = place.distance, .measured = contest->finish(), .difference = {}};
+        .heads = place.heads, .distance = place.distance, .measured = contest->finish(), .differences = {}};
     contest.reset();  // its memory, before larger pictures are made
     describe(optimised->statistics);
     if (task.keep_pictures) run.pictures.push_back(cut_to_skin(*baseline, *optimised));
@@ -161,9 +161,7 @@ struct Bench {
   void compare(const Place& place, const std::string& where, double d_ref, Cell& cell) {
     if (task.picture_samples == 0) return;
     progress.show(where + ", pictures");
-    cell.difference =
-        picture_difference(renderer, scene, cell.of(baseline_key).variant.settings,
-                           cell.of(optimised_key).variant.settings, d_ref, task.picture_samples);
+    cell.differences = picture_differences(renderer, scene, cell, d_ref, task.picture_samples);
     progress.done(picture_work * work_of(place));
   }
 
@@ -190,11 +188,25 @@ RenderSettings settings_at(const Task& task, const Place& place) {
   return s;
 }
 
+bool cascade_is_possible(const Scene& scene, const RenderSettings& common) {
+  for (const Variant& variant : variants_of(common)) {
+    if (variant.key != cascade_key) continue;
+    try {
+      describe_plan(scene, variant.settings);
+    } catch (const InputError&) {
+      // If it is another setting that is refused, the first frame says so.
+      return false;
+    }
+  }
+  return true;
+}
+
 void measure(Renderer& renderer, const Scene& scene, const Task& task, Run& run,
              const std::function<void(const Cell&)>& after_cell) {
   // Add up the work ahead, in frames of about one head, for the progress line.
   double total = 0;
-  const auto frames = static_cast<double>(variants_of(task.settings).size()) * (task.rounds + 1);
+  const auto frames =
+      static_cast<double>(variants_of(task.settings, task.cascade).size()) * (task.rounds + 1);
   for (const Place& place : places_of(task))
     total += work_of(place) * (frames + (task.picture_samples == 0 ? 0 : picture_work));
 

@@ -16,6 +16,7 @@ struct Task {
   RenderSettings settings;  ///< common; heads and distance are those of the cell
   std::vector<int> heads;
   std::vector<double> distances;
+  bool cascade = true;  ///< variants that take the cascade of blurs are drawn
   int rounds = 5;
   int picture_samples = 4;     ///< super-samples along each axis for the picture difference; 0: no difference
   bool keep_pictures = false;  ///< for a page
@@ -34,6 +35,10 @@ std::vector<Place> places_of(const Task& task);
 
 /// The settings of a cell.
 RenderSettings settings_at(const Task& task, const Place& place);
+
+/// Returns whether the cascade of blurs can be drawn, with settings that hold for all variants: not where
+/// texels are too few.
+bool cascade_is_possible(const Scene& scene, const RenderSettings& common);
 
 /// Measures all cells into `run`; after_cell is called with each as soon as it is there (then run has its
 /// device, too). Stops early, with run.complete = false, when the task says so. Every variant has warmed up

@@ -147,8 +147,9 @@ std::string frames_section(const Run& run) {
   for (const Cell& cell : run.cells) {
     Row row{fmt::format("{}, {:g}", cell.heads, cell.distance)};
     for (const Measured& m : cell.measured) row.push_back(ms_text(m));
-    row.push_back(cell.difference ? fmt::format("{:.2f} dB", cell.difference->psnr_db) : "-");
-    row.push_back(cell.difference ? fmt::format("{:.4f}", cell.difference->flip_mean) : "-");
+    const PictureDifference* d = cell.difference(optimised_key);
+    row.push_back(d ? fmt::format("{:.2f} dB", d->psnr_db) : "-");
+    row.push_back(d ? fmt::format("{:.4f}", d->flip_mean) : "-");
     rows.push_back(std::move(row));
   }
   return "<h2>Frames, ms</h2>\n" + report::table(meanings) + report::grid(headings, rows);
@@ -157,7 +158,7 @@ std::string frames_section(const Run& run) {
 std::string texels_table(const Cell& cell) {
   std::vector<Row> rows;
   for (const Measured& m : cell.measured) {
-    if (m.variant.key == floor_key) continue;
+    if (m.variant.settings.technique == "lambert") continue;
     Row row{m.variant.heading};
     const Statistics& c = m.counts;
     for (const std::uint64_t count : {c.irradiance_texels, c.convolved_texels, c.launched, c.unshaded_reads})
@@ -208,9 +209,9 @@ std::string cells_section(const Run& run) {
     text += "<h3>" + report::escape(place_text(cell)) +
             fmt::format(": speed-up {}, {} over skipping", ratio_text(cell.speedup()),
                         ratio_text(cell.speedup_over_skipping()));
-    if (cell.difference)
-      text += fmt::format("; pictures {:.2f} dB, FLIP {:.4f} apart over {} pixels", cell.difference->psnr_db,
-                          cell.difference->flip_mean, cell.difference->pixels);
+    if (const PictureDifference* d = cell.difference(optimised_key))
+      text += fmt::format("; pictures {:.2f} dB, FLIP {:.4f} apart over {} pixels", d->psnr_db, d->flip_mean,
+                          d->pixels);
     text += "</h3>\n";
 
     if (i < run.pictures.size()) {

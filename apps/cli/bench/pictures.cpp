@@ -83,18 +83,23 @@ Picture show(Renderer& renderer, const Scene& scene, RenderSettings s, const std
 
 }  // namespace
 
-std::optional<PictureDifference> picture_difference(Renderer& renderer, const Scene& scene,
-                                                    const RenderSettings& baseline,
-                                                    const RenderSettings& optimised, double d_ref,
-                                                    int samples) {
-  // One after the other: either may take much of the device.
-  image::ImageF a = super_sampled(renderer, scene, baseline, d_ref, samples);
-  image::ImageF b = super_sampled(renderer, scene, optimised, d_ref, samples);
-  const std::optional<image::ExposedDifference> found =
-      image::compare_exposed(std::move(a), std::move(b), baseline.output.tone_map);
-  if (!found) return std::nullopt;
-  return PictureDifference{
-      .psnr_db = found->psnr_db, .flip_mean = found->flip_mean, .pixels = found->pixels, .samples = samples};
+std::map<std::string, PictureDifference> picture_differences(Renderer& renderer, const Scene& scene,
+                                                             const Cell& cell, double d_ref, int samples) {
+  // One after the other: each may take much of the device.
+  const RenderSettings& baseline = cell.of(baseline_key).variant.settings;
+  const image::ImageF published = super_sampled(renderer, scene, baseline, d_ref, samples);
+
+  std::map<std::string, PictureDifference> differences;
+  for (const Measured& m : cell.measured) {
+    if (!m.variant.compared) continue;
+    image::ImageF compared = super_sampled(renderer, scene, m.variant.settings, d_ref, samples);
+    if (const auto found = image::compare_exposed(published, std::move(compared), baseline.output.tone_map))
+      differences[m.variant.key] = {.psnr_db = found->psnr_db,
+                                    .flip_mean = found->flip_mean,
+                                    .pixels = found->pixels,
+                                    .samples = samples};
+  }
+  return differences;
 }
 
 CellPictures cut_to_skin(const Picture& baseline, const Picture& optimised) {

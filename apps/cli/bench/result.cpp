@@ -57,16 +57,21 @@ ordered_json cell_json(const Cell& cell) {
       cell.of(baseline_key).ms() / cell.of(cell.has(at_edge_key) ? at_edge_key : optimised_key).ms();
   if (cell.has(progressive_key))
     json["speedup_progressive"] = cell.of(progressive_key).ms() / cell.of(optimised_progressive_key).ms();
+  json["speedup_compute"] = or_null(cell.compute_over(baseline_key));
+  json["compute_over_all"] = or_null(cell.compute_over(optimised_key));
+  json["compute_over_lambert"] = or_null(cell.compute_over(compute_floor_key));
   json["paper_speedup"] = or_null(paper_speedup(cell.heads, cell.distance));
 
-  const std::optional<PictureDifference>& d = cell.difference;
+  const PictureDifference* d = cell.difference(optimised_key);
   json["psnr_db"] = d ? ordered_json(d->psnr_db) : ordered_json(nullptr);
   json["flip_mean"] = d ? ordered_json(d->flip_mean) : ordered_json(nullptr);
   json["compared_pixels"] = d ? d->pixels : 0;
   json["picture_samples"] = d ? d->samples : 0;
+  for (const auto& [key, of] : cell.differences)
+    json["pictures"][key] = {{"psnr_db", of.psnr_db}, {"flip_mean", of.flip_mean}};
 
   for (const Measured& m : cell.measured)
-    if (m.variant.key != floor_key) json["texels"][m.variant.key] = texels_json(m.counts);
+    if (m.variant.settings.technique != "lambert") json["texels"][m.variant.key] = texels_json(m.counts);
   for (const Measured& m : cell.measured) json["variants"][m.variant.key] = variant_json(m);
   return json;
 }
@@ -83,6 +88,16 @@ const Measured& Cell::of(const std::string& key) const {
       std::find_if(measured.begin(), measured.end(), [&](const Measured& m) { return m.variant.key == key; });
   DERMIS_ASSERT(found != measured.end());
   return *found;
+}
+
+std::optional<double> Cell::compute_over(const std::string& key) const {
+  if (!has(compute_key)) return std::nullopt;
+  return of(key).ms() / of(compute_key).ms();
+}
+
+const PictureDifference* Cell::difference(const std::string& key) const {
+  const auto found = differences.find(key);
+  return found == differences.end() ? nullptr : &found->second;
 }
 
 std::string run_json(const Run& run) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ struct Measured {
   double ms() const { return spread().median; }
 };
 
-/// The optimised picture against the baseline's, over the pixels that are skin in either.
+/// The picture of a variant against the baseline's, over the pixels that are skin in either.
 struct PictureDifference {
   double psnr_db = 0, flip_mean = 0;
   std::uint64_t pixels = 0;
@@ -36,12 +37,17 @@ struct Cell {
   int heads = 1;
   double distance = 0;  ///< sphere radii
   std::vector<Measured> measured;
-  std::optional<PictureDifference> difference;  ///< none: not compared, or no skin in the picture
+  /// By the key of Variant::compared; none: not asked for, or no skin in the picture.
+  std::map<std::string, PictureDifference> differences;
 
   const Measured& of(const std::string& key) const;
   bool has(const std::string& key) const;
+  /// nullptr: none.
+  const PictureDifference* difference(const std::string& key) const;
   double speedup() const { return of(baseline_key).ms() / of(optimised_key).ms(); }
   double speedup_over_skipping() const { return of(skipping_key).ms() / of(optimised_key).ms(); }
+  /// None without the cascade.
+  std::optional<double> compute_over(const std::string& key) const;
 };
 
 /// For the page: display pictures, cut to where skin is.
@@ -61,6 +67,7 @@ struct Run {
   std::string device, driver, api, timing;
   int cores = 0;
   int lights = 0, gaussians = 0, rounds = 0;
+  bool cascade = true;      ///< as of Task
   RenderSettings settings;  ///< common to all cells and variants
   SceneOptions options;
   std::vector<Cell> cells;

@@ -4,7 +4,10 @@
 namespace dermis::cli::bench {
 namespace {
 
+// As published: skin is shaded where it is drawn, and light spreads from narrow to wide.
 RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
+  s.quality.shading = Shading::raster;
+  s.quality.blur = BlurOrder::chain;
   s.quality.cull = cull, s.quality.depth = depth, s.quality.clip = clip;
   s.quality.skip_unseen_heads = true;
   return s;
@@ -27,6 +30,17 @@ RenderSettings progressive(RenderSettings s) {
   return s;
 }
 
+RenderSettings cascade(RenderSettings s) {
+  s.quality.maps = LightMaps::progressive;
+  s.quality.blur = BlurOrder::cascade;
+  return s;
+}
+
+RenderSettings shaded_in_compute(RenderSettings s) {
+  s.quality.shading = Shading::compute;
+  return s;
+}
+
 RenderSettings unscattered(RenderSettings s) {
   s = with(s, false, false, false);
   s.technique = "lambert";
@@ -35,7 +49,7 @@ RenderSettings unscattered(RenderSettings s) {
 
 }  // namespace
 
-std::vector<Variant> variants_of(const RenderSettings& common) {
+std::vector<Variant> variants_of(const RenderSettings& common, bool with_cascade) {
   std::vector<Variant> all{
       {baseline_key, "baseline", "as published: every head, whole maps", every_head(common)},
       {skipping_key, "skipping",
@@ -44,7 +58,7 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
       {"cull", "cull", "skin that faces away is not lit", with(common, true, false, false)},
       {"depth", "depth", "maps as large as the distance needs", with(common, false, true, false)},
       {"clip", "clip", "skin outside the picture and a margin is not lit", with(common, false, false, true)},
-      {optimised_key, "all", "cull, depth and clip", with(common, true, true, true)},
+      {optimised_key, "all", "cull, depth and clip", with(common, true, true, true), true},
   };
 
   if (common.quality.clip_margin_mm != 0.0)
@@ -58,8 +72,20 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
                    progressive(with(common, true, true, true))});
   }
 
+  const RenderSettings optimised = with(common, true, true, true);
+  if (with_cascade)
+    all.push_back({cascade_key, "cascade",
+                   "all, with the cascade of blurs, from wide to narrow on a pyramid of maps",
+                   cascade(optimised), true});
+  all.push_back({shading_key, "ids", "all, with skin drawn as ids and shaded in compute",
+                 shaded_in_compute(optimised), true});
+  if (with_cascade)
+    all.push_back({compute_key, "compute", "all, with both", shaded_in_compute(cascade(optimised)), true});
+
   all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
                  unscattered(common)});
+  all.push_back(
+      {compute_floor_key, "lam ids", "the floor, shaded in compute", shaded_in_compute(unscattered(common))});
   return all;
 }
 

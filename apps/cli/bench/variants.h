@@ -14,6 +14,7 @@ struct Variant {
   std::string heading;  ///< of a column
   std::string meaning;  ///< one line
   RenderSettings settings;
+  bool compared = false;  ///< its picture, with the baseline's
 };
 
 inline constexpr const char* baseline_key = "baseline";  ///< what speed-ups refer to
@@ -24,11 +25,17 @@ inline constexpr const char* optimised_key = "all";  ///< whose speed-up and pic
 inline constexpr const char* at_edge_key = "all_margin_0";
 inline constexpr const char* progressive_key = "progressive";  ///< the baseline with progressive maps
 inline constexpr const char* optimised_progressive_key = "all_progressive";
+/// all, with each of the steps beyond the paper alone, and with all of them
+inline constexpr const char* cascade_key = "all_cascade";
+inline constexpr const char* shading_key = "all_shading";
+inline constexpr const char* compute_key = "compute";
 inline constexpr const char* floor_key = "lambert";
+inline constexpr const char* compute_floor_key = "lambert_compute";
 
 /// All variants of one cell, from settings that hold for each of them: same shaders, same sizes, same lights.
 /// What they differ in stands here and nowhere else. The baselines and `lambert` are not optimised, whatever
-/// the settings say.
-std::vector<Variant> variants_of(const RenderSettings& common);
+/// the settings say, and only the variants of the steps beyond the paper take these.
+/// Without `cascade` those that take the cascade of blurs are left out.
+std::vector<Variant> variants_of(const RenderSettings& common, bool cascade = true);
 
 }  // namespace dermis::cli::bench

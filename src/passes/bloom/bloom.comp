@@ -7,9 +7,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { BloomIo io; };
 layout(binding = 0) uniform sampler2D picture;
-layout(binding = 1) uniform sampler2D narrow;
-layout(binding = 2) uniform sampler2D wide;
-layout(binding = 3, rgba16f) uniform writeonly image2D target;
+layout(binding = 1) uniform sampler2D smaller;
+layout(binding = 2, rgba16f) uniform writeonly image2D target;
 
 // Returns the mean of the four pixels that p covers in the picture of twice the size.
 vec4 downsampled(ivec2 p, ivec2 last) {
@@ -23,13 +22,23 @@ vec4 blurred(ivec2 p, ivec2 axis, ivec2 last) {
   const int reach = int(ceil(3.0 * io.sigma));
   vec4 sum = texelFetch(picture, p, 0);
   float total = 1.0;
+  // exp(-k^2 / 2 sigma^2), from one k to the next.
+  const float g = exp(-0.5 / (io.sigma * io.sigma));
+  float w = 1.0, ratio = g;
   for (int k = 1; k <= reach; ++k) {
-    const float w = exp(-0.5 * float(k * k) / (io.sigma * io.sigma));
+    w *= ratio;
+    ratio *= g * g;
     sum += w * (texelFetch(picture, clamp(p + k * axis, ivec2(0), last), 0) +
                 texelFetch(picture, clamp(p - k * axis, ivec2(0), last), 0));
     total += 2.0 * w;
   }
   return sum / total;
+}
+
+// Returns what the smaller picture holds at pixel p. Halving may reach over the last pixel.
+vec3 light_of_smaller(ivec2 p) {
+  const vec2 at = (vec2(p) + 0.5) / float(1u << io.halvings);
+  return textureLod(smaller, at / vec2(textureSize(smaller, 0)), 0.0).rgb;
 }
 
 void main() {
@@ -42,14 +51,11 @@ void main() {
   if (io.mode == BLOOM_DOWNSAMPLE) {
     result = downsampled(p, last);
   } else if (io.mode == BLOOM_COMBINE) {
-    const vec2 uv = (vec2(p) + 0.5) / vec2(size);
-    const vec4 sharp = texelFetch(picture, p, 0);
-    const vec3 spread =
-        io.weight_narrow * textureLod(narrow, uv, 0.0).rgb + io.weight_wide * textureLod(wide, uv, 0.0).rgb;
-    result = vec4(mix(sharp.rgb, spread, io.amount), sharp.a);
+    result = texelFetch(picture, p, 0);
   } else {
     result = blurred(p, io.mode == BLOOM_BLUR_X ? ivec2(1, 0) : ivec2(0, 1), last);
   }
+  if (io.share > 0.0) result.rgb = mix(result.rgb, light_of_smaller(p), io.share);
 
   imageStore(target, p, vec4(storable(result.rgb), round_to_half(clamp(result.a, 0.0, 1.0))));
 }

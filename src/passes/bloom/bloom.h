@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Spreads light as the optics of cameras and eyes do: mixes the picture with itself, filtered with
-/// (1 - r/d)^4. The filter is two Gaussians, which blur a picture of half the size.
+/// (1 - r/d)^4. The filter is two Gaussians, which blur smaller pictures: half the size, and a wide one on as
+/// small as holds it.
 /// Based on: [DLE07] GPU Gems 3, ch. 14.3.4: for d = 1, 0.0174 G(0.008) + 0.192 G(0.0576), total 0.2094
 #pragma once
 
@@ -22,12 +23,13 @@ class BloomStep : public ComputePass {
   };
   struct Settings {
     Mode mode = Mode::downsample;
-    float sigma = 1;   ///< pixels of the half-size picture
-    float amount = 0;  ///< combine: 0..1
+    float sigma = 1;             ///< blur_x, blur_y: pixels of the picture that is blurred
+    float share = 0;             ///< of In::smaller in the result, 0..1
+    std::uint32_t halvings = 0;  ///< from the result to In::smaller
   } settings;
   struct In {
     frame::TextureId picture;
-    frame::TextureId narrow, wide;  ///< combine only
+    frame::TextureId smaller = {};  ///< valid if there is a share of it
   } in;
   struct Out {
     frame::TextureId picture;

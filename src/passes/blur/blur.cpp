@@ -7,7 +7,7 @@
 #include "frame/resources.h"
 #include "passes/bindings.h"
 #include "passes/blur/blur_io.h"
-#include "passes/blur/kernels.h"
+#include "passes/kernels.h"
 #include "passes/targets.h"
 #include "shared/tiles_io.h"
 

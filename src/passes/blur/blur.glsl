@@ -11,6 +11,9 @@ layout(binding = 0) uniform sampler2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
 layout(binding = 2, scalar) readonly buffer Kernels { float kernels[]; };
 
+#include "passes/convolution_taps.glsl"
+#include "passes/kernels_io.h"
+
 // Weights of taps 0..KERNEL_RADIUS and the variance, between two rows of the table; rows are so dense that
 // the variance is exact to 1e-4.
 float kernel_row[KERNEL_FLOATS];
@@ -21,19 +24,6 @@ void load_kernel(float sigma, bool averaged) {
   const int base = ((averaged ? KERNEL_ROWS : 0) + row) * KERNEL_FLOATS;
   for (int i = 0; i < KERNEL_FLOATS; ++i)
     kernel_row[i] = mix(kernels[base + i], kernels[base + KERNEL_FLOATS + i], f);
-}
-
-// p: texel of the square. Outside its used part nothing is read: that is left over from another T.
-vec4 light_at(ivec2 p) {
-  if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, ivec2(io.side)))) return vec4(0.0);
-  return texelFetch(light_in, p + ivec2(io.origin), 0);
-}
-
-// Adds a texel unless it belongs to no chart or to another; returns its weight.
-float gather(inout vec3 sum, vec4 texel, float chart, float weight) {
-  const float used = abs(texel.a) == chart ? weight : 0.0;
-  sum += used * texel.rgb;
-  return used;
 }
 
 // Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, so its map

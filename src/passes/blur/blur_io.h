@@ -2,11 +2,6 @@
 #ifndef DERMIS_PASSES_BLUR_IO_H
 #define DERMIS_PASSES_BLUR_IO_H
 #include "shared/types.h"
-// The kernels of the convolution, as kernels.h tabulates them.
-#define KERNEL_RADIUS 6       // taps -6 .. 6
-#define KERNEL_MAX_SIGMA 2.0  // in units of the tap spacing: three sigma on either side
-#define KERNEL_ROWS 129       // sigma = 0 .. KERNEL_MAX_SIGMA
-#define KERNEL_FLOATS 8       // of a row: weights of taps 0, +-1, .. +-6, and its variance
 DERMIS_IO_BEGIN
 struct BlurIo {
   float variance_mm2;

@@ -10,7 +10,7 @@
 namespace dermis::passes {
 
 Downsample::Out Downsample::declare(frame::Declare& d) {
-  compute(d, "downsample.comp");
+  compute(d, "downsample.comp", {{"smoothed", settings.smoothed ? 1u : 0u}});
   DERMIS_ASSERT_EQ(settings.from.size(), settings.to.size());
   d.sample(in.light);
   d.sample(in.start);

@@ -16,6 +16,7 @@ class Downsample : public ComputePass {
   struct Settings {
     std::vector<MapSquare> from, to;  ///< the same squares in the larger and in the smaller pool
     std::uint32_t next_step = 0;      ///< of the chain of blurs
+    bool smoothed = false;  ///< by [1 3 3 1] / 8 where maps are halved, else by the mean; see passes/cascade/
   } settings;
   struct In {
     frame::TextureId light, stretch;

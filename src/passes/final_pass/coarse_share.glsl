@@ -2,7 +2,9 @@
 // The part of a term that is lit per pixel because the map has too few texels here: coarse_share() of
 // final_pass.h. Needs SkinTermsIo.
 layout(constant_id = 14) const bool coarse = false;  // true: some of the mesh may be coarse
+#ifndef TERMS                                        // a pass may have it elsewhere
 layout(binding = 31, scalar) uniform Terms { SkinTermsIo terms; };
+#endif
 
 float too_few(float x) { return 1.0 - smoothstep(0.075, 0.15, x); }
 

@@ -4,7 +4,6 @@
 #include "frame/resources.h"
 #include "passes/draw_skin.h"
 #include "passes/final_pass/final_pass.h"
-#include "passes/final_pass/final_pass_io.h"
 #include "passes/targets.h"
 
 namespace dermis::passes {
@@ -33,20 +32,34 @@ void UnshadedReads::prepare(gpu::PipelineLibrary& library) {
   terms_ = make_terms(library.device(), settings.terms);
 }
 
-void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const Instance& instance = instance_of(frame, settings.square);
-  const MappedTerms mapped = terms_of(frame, settings.square);
-  if (!instance.visible || !mapped.any) return;
+// Returns the place in In::lights of the first map that the head reads. Wide terms of a near head are in
+// smaller maps: maps of this size may hold none that is read.
+std::uint32_t UnshadedReads::first_read(const FrameData& frame, const MapSquare& square) const {
+  return std::max(terms_of(frame, square).first_read, settings.first_term) - settings.first_term;
+}
 
-  // Wide terms of a near head are in smaller maps: this size may hold none that is read.
-  const std::uint32_t read = std::max(mapped.first_read, settings.first_term) - settings.first_term;
-  if (read >= in.lights.size()) return;
+bool UnshadedReads::reads(const FrameData& frame, const MapSquare& square) const {
+  return instance_of(frame, square).visible && terms_of(frame, square).any &&
+         first_read(frame, square) < in.lights.size();
+}
+
+bool UnshadedReads::draws(const FrameData& frame) const {
+  return std::ranges::any_of(settings.squares, [&](const MapSquare& square) { return reads(frame, square); });
+}
+
+void UnshadedReads::begin(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&, bool) const {
   const gpu::Texture& depth = resources.texture(in.depth);
-  const UsedSquare square = used_square(frame, settings.square);
+  cmd.begin_rendering({}, gpu::DepthTarget{.texture = &depth}, {depth.desc().width, depth.desc().height});
+}
+
+void UnshadedReads::draw_square(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                                const MapSquare& read) const {
+  const Instance& instance = instance_of(frame, read);
+  const UsedSquare square = used_square(frame, read);
   const std::uint32_t mesh = mesh_in_asset(frame, square);
   Bindings bindings;
   bindings.add("Frame", frame.frame_io)
-      .add("light_0", resources.nearest(in.lights[read]))
+      .add("light_0", resources.nearest(in.lights[first_read(frame, read)]))
       .add("Terms", terms_)
       .add("Counters", resources.buffer(in.counters));
   const io::FinalPassIo io{.weights = {},
@@ -55,14 +68,17 @@ void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, con
                            .slot = settings.slot,
                            .halvings = 0};
 
-  cmd.begin_rendering({}, gpu::DepthTarget{.texture = &depth}, {depth.desc().width, depth.desc().height});
   draw_skin(
       cmd, instance, mesh, bindings,
       [&](const GpuDraw& draw, const GpuMaterial& material) {
         return draw.on_map ? pipelines_[material.double_sided][material.cut_out] : nullptr;
       },
       [&](const GpuMaterial&) { return io; }, first_corners(instance, mesh));
-  cmd.end_rendering();
+}
+
+void UnshadedReads::draw(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  for (const MapSquare& square : settings.squares)
+    if (reads(frame, square)) draw_square(cmd, resources, frame, square);
 }
 
 }  // namespace dermis::passes

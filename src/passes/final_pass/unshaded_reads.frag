@@ -17,6 +17,7 @@ layout(location = 4) in vec4 in_colour;
 layout(location = 5) centroid in vec2 in_unwrap;
 layout(location = 8) in float in_uv_per_mm;
 #include "passes/final_pass/coarse_share.glsl"
+#include "passes/final_pass/within_triangle.glsl"
 #include "passes/final_pass/light_point.glsl"
 
 void main() {

@@ -2,11 +2,17 @@
 #include "passes/shadow/fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace dermis::passes {
 namespace {
+
+// Turns of a map about the light's direction that are tried: a square is the same after a quarter turn.
+constexpr std::size_t turns = 8;
+constexpr float turn_rad = glm::half_pi<float>() / turns;
 
 // Returns a view along `forward` from `eye`, with any up direction: the map is not shown.
 glm::mat4 view(const glm::vec3& eye, const glm::vec3& forward) {
@@ -32,37 +38,150 @@ glm::mat4 orthographic(float half, float near_m, float far_m) {
   return m;
 }
 
-}  // namespace
+// The part of a light's view that is drawn.
+struct Window {
+  glm::mat4 view_from_world;  // its middle is on the axis
+  float half = 0;             // half its side: m, or m per m of distance
+  float near_m = 0, far_m = 0;
+};
 
-ShadowFit fit_shadow(const scene::Light& light, const scene::BoundingSphere& sphere, int map_size) {
-  // A margin of a few texels keeps the filter inside the map.
-  const float margin = 1 + 8.0f / static_cast<float>(map_size);
-  const float radius = std::max(sphere.radius_m, 1e-6f);
-  const float size = static_cast<float>(map_size);
+// A square around points of a plane.
+struct Square {
+  float turn_rad = 0;  // of its sides against the plane's axes
+  glm::vec2 middle{0};
+  float half = 0;
+};
 
-  if (light.type == scene::LightType::directional) {
-    const float half = radius * margin;
-    const glm::vec3 eye = sphere.centre_m - light.direction * (2 * radius);
-    return {{orthographic(half, 0.9f * radius, 3.1f * radius) * view(eye, light.direction)}, 2 * half / size};
+// Returns the smallest square of those with the turns that are tried.
+template <class Project>
+Square square_around(std::span<const glm::vec3> points_m, const Project& project) {
+  std::array<glm::vec2, turns> direction, low, high;
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    const float angle_rad = turn_rad * static_cast<float>(turn);
+    direction[turn] = {std::cos(angle_rad), std::sin(angle_rad)};
+    low[turn] = glm::vec2(HUGE_VALF);
+    high[turn] = glm::vec2(-HUGE_VALF);
   }
 
-  const glm::vec3 to_centre = sphere.centre_m - light.position_m;
+  for (const glm::vec3& p_m : points_m) {
+    const glm::vec2 p = project(p_m);
+    for (std::size_t turn = 0; turn < turns; ++turn) {
+      const glm::vec2 d = direction[turn], at(d.x * p.x - d.y * p.y, d.y * p.x + d.x * p.y);
+      low[turn] = glm::min(low[turn], at);
+      high[turn] = glm::max(high[turn], at);
+    }
+  }
+
+  Square best{.half = HUGE_VALF};
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    const glm::vec2 d = direction[turn], sides = high[turn] - low[turn],
+                    middle = 0.5f * (low[turn] + high[turn]);
+    const float half = 0.5f * std::max(sides.x, sides.y);
+    if (half < best.half)
+      best = {turn_rad * static_cast<float>(turn),
+              {d.x * middle.x + d.y * middle.y, d.x * middle.y - d.y * middle.x},
+              half};
+  }
+  return best;
+}
+
+glm::mat4 turned(float angle_rad, const glm::mat4& view_from_world) {
+  return glm::rotate(glm::mat4(1), angle_rad, glm::vec3(0, 0, 1)) * view_from_world;
+}
+
+// Narrows near and far to the points, less a margin, where that is nearer than what the sphere has.
+void narrow_depth(Window& window, std::span<const glm::vec3> points_m, float margin_m) {
+  float nearest_m = HUGE_VALF, farthest_m = -HUGE_VALF;
+  for (const glm::vec3& p_m : points_m) {
+    const float depth_m = -(window.view_from_world * glm::vec4(p_m, 1)).z;
+    nearest_m = std::min(nearest_m, depth_m);
+    farthest_m = std::max(farthest_m, depth_m);
+  }
+  window.near_m = std::max(window.near_m, nearest_m - margin_m);
+  window.far_m = std::min(window.far_m, farthest_m + margin_m);
+}
+
+Window directional_window(const glm::vec3& direction, const ShadowBounds& bounds, float radius_m) {
+  const glm::vec3 eye = bounds.sphere.centre_m - direction * (2 * radius_m);
+  Window window{view(eye, direction), radius_m, 0.9f * radius_m, 3.1f * radius_m};
+  if (bounds.corners_m.empty()) return window;
+
+  const Square square = square_around(bounds.corners_m, [&](const glm::vec3& p_m) {
+    return glm::vec2(window.view_from_world * glm::vec4(p_m, 1));
+  });
+  if (square.half >= radius_m) return window;
+
+  window.half = std::max(square.half, 1e-3f * radius_m);
+  window.view_from_world = turned(
+      square.turn_rad, glm::translate(glm::mat4(1), glm::vec3(-square.middle, 0)) * window.view_from_world);
+  narrow_depth(window, bounds.corners_m, 0.1f * radius_m);
+  return window;
+}
+
+// For a light outside the sphere.
+Window perspective_window(const glm::vec3& position_m, const ShadowBounds& bounds, float radius_m) {
+  const glm::vec3 to_centre = bounds.sphere.centre_m - position_m;
   const float distance = glm::length(to_centre);
-  if (distance > 1.1f * radius) {
-    const float sine = radius / distance;
-    const float tan_half = sine / std::sqrt(1 - sine * sine) * margin;
-    return {{perspective(tan_half, (distance - radius) * 0.9f, distance + radius * 1.1f) *
-             view(light.position_m, to_centre / distance)},
-            2 * tan_half / size};
+  const float sine = radius_m / distance;
+  Window window{view(position_m, to_centre / distance), sine / std::sqrt(1 - sine * sine),
+                (distance - radius_m) * 0.9f, distance + radius_m * 1.1f};
+  if (bounds.corners_m.empty()) return window;
+
+  const auto tangents = [](const glm::mat4& view_from_world) {
+    return [view_from_world](const glm::vec3& p_m) {
+      const glm::vec3 p(view_from_world * glm::vec4(p_m, 1));
+      return glm::vec2(p) / -p.z;
+    };
+  };
+
+  // The middle of the square becomes the axis, which changes the square a little.
+  Window tight = window;
+  Square square = square_around(bounds.corners_m, tangents(window.view_from_world));
+  for (int i = 0; i < 2; ++i) {
+    const glm::vec3 axis = glm::transpose(glm::mat3(tight.view_from_world)) * glm::vec3(square.middle, -1);
+    tight.view_from_world = view(position_m, glm::normalize(axis));
+    square = square_around(bounds.corners_m, tangents(tight.view_from_world));
   }
 
-  // The light is inside the sphere, or nearly: one layer per direction of the axes.
-  const float near_m = radius * 0.005f, far_m = (distance + radius) * 1.1f;
+  const float off_axis = std::max(std::abs(square.middle.x), std::abs(square.middle.y));
+  tight.half = std::max(square.half + 1.5f * off_axis, 1e-3f * window.half);
+  if (!(tight.half < window.half)) return window;
+  tight.view_from_world = turned(square.turn_rad, tight.view_from_world);
+  narrow_depth(tight, bounds.corners_m, 0.1f * radius_m);
+  return tight;
+}
+
+// For a light inside the sphere, or nearly: one layer per direction of the axes.
+ShadowFit cube(const glm::vec3& position_m, const scene::BoundingSphere& sphere, float radius_m, float margin,
+               float size) {
+  const float distance = glm::length(sphere.centre_m - position_m);
+  const float near_m = radius_m * 0.005f, far_m = (distance + radius_m) * 1.1f;
   ShadowFit fit{.shadow_from_world = {}, .texel = 2 * margin / size};
   for (const glm::vec3& axis : {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0),
                                 glm::vec3(0, -1, 0), glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)})
-    fit.shadow_from_world.push_back(perspective(margin, near_m, far_m) * view(light.position_m, axis));
+    fit.shadow_from_world.push_back(perspective(margin, near_m, far_m) * view(position_m, axis));
   return fit;
+}
+
+}  // namespace
+
+ShadowFit fit_shadow(const scene::Light& light, const ShadowBounds& bounds, int map_size) {
+  // A margin of a few texels keeps the filter inside the map.
+  const float size = static_cast<float>(map_size), margin = 1 + 8 / size;
+  const float radius_m = std::max(bounds.sphere.radius_m, 1e-6f);
+
+  if (light.type == scene::LightType::directional) {
+    const Window w = directional_window(light.direction, bounds, radius_m);
+    const float half_m = w.half * margin;
+    return {{orthographic(half_m, w.near_m, w.far_m) * w.view_from_world}, 2 * half_m / size};
+  }
+
+  if (glm::distance(bounds.sphere.centre_m, light.position_m) > 1.1f * radius_m) {
+    const Window w = perspective_window(light.position_m, bounds, radius_m);
+    const float tan_half = w.half * margin;
+    return {{perspective(tan_half, w.near_m, w.far_m) * w.view_from_world}, 2 * tan_half / size};
+  }
+  return cube(light.position_m, bounds.sphere, radius_m, margin, size);
 }
 
 }  // namespace dermis::passes

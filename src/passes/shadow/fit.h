@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Fits a light's shadow map to the bounding sphere of a head, so that all its texels lie there.
+/// Fits a light's shadow map to the outline of a head as the light sees it, so that all its texels lie there.
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -16,8 +17,16 @@ struct ShadowFit {
   float texel = 0;
 };
 
-/// Returns one perspective layer that just holds the sphere for a light outside it, six layers for a light
-/// inside. map_size in texels.
-ShadowFit fit_shadow(const scene::Light& light, const scene::BoundingSphere& sphere, int map_size);
+/// What casts a shadow, in the world.
+struct ShadowBounds {
+  scene::BoundingSphere sphere;
+  /// Of a convex body that holds all of it, such as scene::enclosing_corners(); none: only the sphere is
+  /// known.
+  std::span<const glm::vec3> corners_m;
+};
+
+/// Returns one layer that holds what casts a shadow, as tight as corners or sphere say, for a light outside
+/// the sphere; six layers for a light inside. map_size in texels.
+ShadowFit fit_shadow(const scene::Light& light, const ShadowBounds& bounds, int map_size);
 
 }  // namespace dermis::passes

@@ -90,31 +90,34 @@ void Shadow::take_host_map(gpu::Cmd& cmd, const HostShadowMap& map, const gpu::T
   cmd.draw(3);
 }
 
-void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+void Shadow::draw_layer(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                        const Instance& instance, std::uint32_t layer) const {
   const gpu::Texture& shadow = resources.texture(in.shadow);
-  const Instance& instance = frame.instances[settings.instance];
-  if (!instance.visible) return;
+  const std::uint32_t target = instance.first_shadow_layer + layer;
+  std::vector<gpu::ColourTarget> colour;
+  if (in.entering.valid())
+    colour.push_back({.texture = &resources.texture(in.entering), .layer = target, .clear = no_light});
+  cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
+                      {shadow.desc().width, shadow.desc().height}, true);
 
-  for (std::uint32_t layer = 0; layer < settings.layers; ++layer) {
-    const std::uint32_t target = instance.first_shadow_layer + layer;
-    std::vector<gpu::ColourTarget> colour;
-    if (in.entering.valid())
-      colour.push_back({.texture = &resources.texture(in.entering), .layer = target, .clear = no_light});
-    cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
-                        {shadow.desc().width, shadow.desc().height}, true);
-
-    const bool of_host =
-        settings.host_maps && layer < instance.host_shadows.size() && instance.host_shadows[layer].depth;
-    if (of_host) {
-      take_host_map(cmd, instance.host_shadows[layer], shadow);
-    } else if (layer < instance.shadow_from_world.size()) {
-      const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
-                            .grow = 2.0f / static_cast<float>(shadow.desc().width)};
-      for (const bool cut_out : {false, true}) draw_skin(cmd, frame, instance, cut_out, io);
-      for (const bool cut_out : {false, true}) draw_surfaces(cmd, frame, instance, cut_out, io);
-    }
-    cmd.end_rendering();
+  const bool of_host =
+      settings.host_maps && layer < instance.host_shadows.size() && instance.host_shadows[layer].depth;
+  if (of_host) {
+    take_host_map(cmd, instance.host_shadows[layer], shadow);
+  } else if (layer < instance.shadow_from_world.size()) {
+    const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
+                          .grow = 2.0f / static_cast<float>(shadow.desc().width)};
+    for (const bool cut_out : {false, true}) draw_skin(cmd, frame, instance, cut_out, io);
+    for (const bool cut_out : {false, true}) draw_surfaces(cmd, frame, instance, cut_out, io);
   }
+  cmd.end_rendering();
+}
+
+void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  for (std::uint32_t i = 0; i < settings.instances; ++i)
+    if (const Instance& instance = frame.instances[settings.first_instance + i]; instance.visible)
+      for (std::uint32_t layer = 0; layer < settings.layers; ++layer)
+        draw_layer(cmd, resources, frame, instance, layer);
 }
 
 }  // namespace dermis::passes

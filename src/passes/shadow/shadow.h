@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Depth of one head as each light sees it: one layer per light, six for a point light inside the scene.
-///   Reversed depth, 0 where there is
-/// nothing. Also stores the light that enters there, for translucent shadow maps.
+/// Depth of heads as each light sees them: one layer per head and light, six for a point light inside the
+///   scene. Reversed depth, 0 where there is nothing. Also stores the light that enters there, for
+///   translucent shadow maps.
 /// Based on: [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, 2003
 #pragma once
 
@@ -14,7 +14,7 @@ namespace dermis::passes {
 class Shadow {
  public:
   struct Settings {
-    std::uint32_t instance = 0;
+    std::uint32_t first_instance = 0, instances = 1;
     std::uint32_t layers = 1;  ///< of one head
     /// Entering light is drawn separately, smaller than the depth map: geometry is enlarged by a texel along
     /// its normals, so that each point of the depth map finds an entry.
@@ -22,7 +22,7 @@ class Shadow {
     bool host_maps = false;  ///< some layers come from a host: Instance::host_shadows
   } settings;
   struct In {
-    frame::TextureId shadow;  ///< D32, square; this head's layers begin at Instance::first_shadow_layer
+    frame::TextureId shadow;  ///< D32, square; layers of a head begin at Instance::first_shadow_layer
     /// RGBA8, of the same size and layers: square root of the part that enters (albedo^mix of skin, 0
     /// elsewhere), alpha 1 where there is something.
     frame::TextureId entering = {};  ///< not valid: not stored
@@ -36,6 +36,8 @@ class Shadow {
 
  private:
   static bool casts(const GpuMaterial& material, bool cut_out);
+  void draw_layer(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                  const Instance& instance, std::uint32_t layer) const;
   void take_host_map(gpu::Cmd& cmd, const HostShadowMap& map, const gpu::Texture& shadow) const;
   void draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
                  const io::ShadowIo& io) const;

@@ -33,7 +33,8 @@ void Surface::prepare(gpu::PipelineLibrary& library) {
   gpu::GraphicsDesc desc{.vertex = "surface.vert",
                          .fragment = "surface.frag",
                          .constants = {{"environment", settings.environment ? 1u : 0u},
-                                       {"soft_shadows", settings.soft_shadows ? 1u : 0u}},
+                                       {"soft_shadows", settings.soft_shadows ? 1u : 0u},
+                                       {"layer", settings.layer ? 1u : 0u}},
                          .colour_formats = {settings.format.colour},
                          .depth_format = settings.format.depth,
                          .samples = settings.samples,
@@ -51,11 +52,14 @@ void Surface::prepare(gpu::PipelineLibrary& library) {
 void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   std::vector<const Instance*> visible;
   for (std::uint32_t i = 0; i < settings.instances; ++i)
-    if (const Instance& instance = frame.instances[settings.instance + i]; instance.is_drawn())
+    if (const Instance& instance = frame.instances[settings.first_instance + i]; instance.is_drawn())
       visible.push_back(&instance);
   if (visible.empty() && !settings.clear) return;
 
-  begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear, frame.area);
+  if (settings.layer)
+    begin_layer(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear);
+  else
+    begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear, frame.area);
   if (settings.blended) sort_far_to_near(visible, frame);
   for (const Instance* instance : visible)
     if (settings.blended)

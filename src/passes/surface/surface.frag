@@ -27,6 +27,7 @@ layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
 layout(location = 0) out vec4 out_radiance;
+layout(constant_id = 0) const bool layer = false;  // over skin that is not in the target
 
 struct Look {
   vec3 albedo, f0;
@@ -133,8 +134,8 @@ void main() {
   if (is_present(em)) emitted *= texture(map_emissive, map_uv(em, s)).rgb;
   radiance += emitted;
 
-  // Colour is premultiplied. Alpha of the target marks skin: opaque parts write 0, blended ones reduce it in
-  // proportion.
-  out_radiance = vec4(storable(radiance * alpha * frame.radiance_scale), 0.0);
+  // Colour is premultiplied. Alpha of the target marks skin: opaque parts write 0. Of a layer alpha is what
+  // it hides.
+  out_radiance = vec4(storable(radiance * alpha * frame.radiance_scale), layer ? 1.0 : 0.0);
   if (is_on(material.flags & MATERIAL_ALPHA_BLEND)) out_radiance.a = alpha;
 }

@@ -15,14 +15,16 @@ namespace dermis::passes {
 class Surface {
  public:
   struct Settings {
-    std::uint32_t instance = 0;   ///< the first that it draws
-    std::uint32_t instances = 1;  ///< how many: only the blended parts of several may be drawn at once
-    std::uint32_t samples = 1;    ///< of the targets
-    PictureFormat format;         ///< of the targets
-    bool clear = false;           ///< the first to draw into the targets
-    bool environment = false;     ///< light from FrameData::environment, else FrameIo::ambient
-    bool soft_shadows = false;    ///< lights with a radius cast penumbrae
-    bool blended = false;         ///< draws only the blended parts, over the picture
+    std::uint32_t first_instance = 0, instances = 1;
+    std::uint32_t samples = 1;  ///< of the targets
+    PictureFormat format;       ///< of the targets
+    bool clear = false;         ///< the first to draw into the targets
+    /// `colour` lies over skin that is shaded elsewhere; alpha is what it hides. `depth` is that of
+    /// the skin, and not cleared.
+    bool layer = false;
+    bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
+    bool soft_shadows = false;  ///< lights with a radius cast penumbrae
+    bool blended = false;       ///< draws only the blended parts, over the picture
   } settings;
   struct In {
     frame::TextureId shadow, colour, depth;

@@ -1,37 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/lambert/lambert.h"
 
-#include "passes/final_pass/final_pass.h"
 #include "techniques/screen.h"
 
 namespace dermis::techniques {
 namespace {
 
-// Draws each head: its shadow maps, its skin with the light at each pixel, and the rest of it.
+// Draws the heads of each batch: their shadow maps, their skin with the light at each pixel, and the rest.
 FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
   Screen screen(plan, settings);
+  screen.add_entries();
 
-  for (std::uint32_t head = 0; head < settings.head_count(); ++head) {
-    const Model& model = settings.model_of(head);
-    screen.add_shadow(head);
-    for (std::uint32_t mesh = model.first_mesh;
-         settings.draws_picture() && mesh < model.first_mesh + model.meshes; ++mesh)
-      plan.add<passes::FinalPass>(label("final", settings, head, mesh),
-                                  {{}, screen.shadow(), screen.colour(), screen.depth()},
-                                  {.square = {.instance = head, .mesh = mesh},
-                                   .samples = settings.samples,
-                                   .format = settings.picture_format(),
-                                   .clear = screen.take_clear(),
-                                   .weights = {},
-                                   .environment = settings.environment,
-                                   .soft_shadows = settings.soft_shadows,
-                                   .off_map = settings.skin[mesh].off_map,
-                                   .cut_out = settings.skin[mesh].cut_out,
-                                   .emits = settings.skin[mesh].emits,
-                                   .terms = {},
-                                   .through = {}});
-    screen.add_surfaces(head);
-    screen.add_blended(head);
+  for (const Batch& batch : batches_of(settings)) {
+    screen.add_shadows(batch);
+
+    std::vector<SkinOnScreen> skin;
+    for (const passes::MapSquare& square : squares_of(settings, batch))
+      skin.push_back({.look = {.square = square}, .maps = {}});
+    screen.add_skin(skin, [&](std::string_view what) { return label(what, settings, batch); });
+
+    screen.add_surfaces(batch);
+    screen.add_blended(batch);
   }
 
   return screen.finish();

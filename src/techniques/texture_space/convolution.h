@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Spreads the light of a skin mesh by its profile, term after term.
+/// Spreads the light of skin meshes by their profiles, term after term.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,12 @@
 
 namespace dermis::techniques {
 
-/// Adds the blurs of one skin mesh. `squares`: those of `mesh`, on maps of T_max.
+/// Adds the blurs of the skin meshes of a batch. `squares`: on maps of T_max, sorted by mesh. Meshes go
+/// through each step together; profiles that have more steps than others take further ones.
 ///
 /// Gaussians compose: blurring a blurred map adds variances, so each term starts from the one before, narrow
 /// to wide. Gutters at seams are refreshed after each step.
 void add_convolution(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps,
-                     std::uint32_t mesh, const std::vector<passes::MapSquare>& squares);
+                     const std::vector<passes::MapSquare>& squares);
 
 }  // namespace dermis::techniques

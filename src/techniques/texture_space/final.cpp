@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/together.h"
 #include "passes/final_pass/final_pass.h"
 #include "passes/scatter_sum/scatter_sum.h"
 #include "techniques/texture_space/counters.h"
 
 namespace dermis::techniques {
+
+using frame::Together;
+
 namespace {
 
 std::vector<std::array<float, 3>> weights(const gaussians::SumOfGaussians& profile) {
@@ -26,69 +30,114 @@ std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
   return sigmas;
 }
 
+// Returns the maps that hold the light of a profile of `count` terms: one each, or that of their sum.
+std::vector<frame::TextureId> read_maps(const FrameSettings& settings, const LightMaps& maps,
+                                        std::ptrdiff_t count) {
+  if (settings.cascade) return maps.blurred();
+  return {maps.blurred().begin(), maps.blurred().begin() + count};
+}
+
+std::vector<std::uint32_t> read_halvings(const FrameSettings& settings, const LightMaps& maps,
+                                         std::ptrdiff_t count) {
+  if (settings.cascade) return std::vector<std::uint32_t>(static_cast<std::size_t>(count), 0);
+  return {maps.halvings().begin(), maps.halvings().begin() + count};
+}
+
 }  // namespace
 
 void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, const LightMaps& maps,
-                     frame::TextureId sum, const passes::MapSquare& square) {
-  const SkinPart& part = settings.skin[square.mesh];
-  const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
-  plan.add<passes::ScatterSum>(label("scatter sum", settings, square.instance, square.mesh),
-                               {{maps.blurred().begin(), maps.blurred().begin() + count}, sum},
-                               {.square = square,
-                                .weights = weights(part.profile),
-                                .halvings = {maps.halvings().begin(), maps.halvings().begin() + count}});
+                     frame::TextureId sum, const std::vector<passes::MapSquare>& squares) {
+  Together<passes::ScatterSum>::In sums;
+  for (const passes::MapSquare& square : squares) {
+    const SkinPart& part = settings.skin[square.mesh];
+    const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
+    sums.members.push_back(
+        {{read_maps(settings, maps, count), sum},
+         {.square = square,
+          .weights = settings.cascade ? std::vector(1, std::array{1.0f, 1.0f, 1.0f}) : weights(part.profile),
+          .halvings = read_halvings(settings, maps, count)}});
+  }
+  plan.add<Together<passes::ScatterSum>>(maps.name("scatter sum"), sums);
 }
 
-void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
-               const passes::MapSquare& square) {
-  if (!settings.draws_picture()) return;
+namespace {
+
+passes::TermsOnMap terms_on_map(const FrameSettings& settings, const SkinPart& part) {
+  return {.sigmas_mm = sigmas_mm(part.profile),
+          .even_uv_per_mm = static_cast<float>(part.even_uv_per_mm),
+          .largest_side = settings.map_size,
+          .coarse = part.coarse && !settings.host_lights()};
+}
+
+SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const passes::MapSquare& square) {
   const SkinPart& part = settings.skin[square.mesh];
   const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
-  const passes::TermsOnMap terms{.sigmas_mm = sigmas_mm(part.profile),
-                                 .even_uv_per_mm = static_cast<float>(part.even_uv_per_mm),
-                                 .largest_side = settings.map_size,
-                                 .coarse = part.coarse && !settings.host_lights()};
+  std::optional<passes::ThroughMesh> through;
+  if (settings.translucency) through = passes::ThroughMesh{square.mesh, part.profile, part.mm_per_unit};
 
-  plan.add<passes::FinalPass>(
-      label("final", settings, square.instance, square.mesh),
-      {{maps.blurred().begin(), maps.blurred().begin() + count},
-       screen.shadow(),
-       screen.colour(),
-       screen.depth(),
-       screen.entering()},
-      {.square = square,
-       .samples = settings.samples,
-       .format = settings.picture_format(),
-       .clear = screen.take_clear(),
-       .weights = weights(part.profile),
-       .halvings = {maps.halvings().begin(), maps.halvings().begin() + count},
-       .environment = settings.environment,
-       .soft_shadows = settings.soft_shadows,
-       .off_map = part.off_map,
-       .cut_out = part.cut_out,
-       .emits = part.emits,
-       .mixes = settings.mixes(),
-       .terms = terms,
-       .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
-       .through = settings.translucency
-                      ? std::optional(passes::ThroughMesh{square.mesh, part.profile, part.mm_per_unit})
-                      : std::nullopt});
+  return {.look = {.square = square,
+                   .weights = weights(part.profile),
+                   .halvings = read_halvings(settings, maps, count),
+                   .summed = settings.cascade,
+                   .mixes = settings.mixes(),
+                   .terms = terms_on_map(settings, part),
+                   .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
+                   .through = std::move(through)},
+          .maps = read_maps(settings, maps, count)};
+}
 
+// Of the maps of one size, from which all these squares read.
+frame::Member<passes::UnshadedReads> unshaded_reads_of(const FrameSettings& settings, const Screen& screen,
+                                                       const Level& level,
+                                                       const std::vector<passes::MapSquare>& squares) {
+  const SkinPart& part = settings.skin[squares.front().mesh];
+  return {.in = {level.blurred, screen.depth(), screen.counters()},
+          .settings = {.squares = on_level(squares, level),
+                       .samples = settings.samples,
+                       .cut_out = part.cut_out,
+                       .slot = counter_unshaded_reads,
+                       .terms = terms_on_map(settings, part),
+                       .first_term = level.first_term}};
+}
+
+}  // namespace
+
+void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
+               const std::vector<passes::MapSquare>& squares) {
+  if (!settings.draws_picture() || squares.empty()) return;
+
+  std::vector<SkinOnScreen> skin;
+  for (const passes::MapSquare& square : squares) skin.push_back(skin_of(settings, maps, square));
+  screen.add_skin(skin, [&](std::string_view what) { return maps.name(what); });
   if (settings.host) return;
 
-  // A short profile does not reach the small maps of a longer one beside it.
+  if (settings.cascade) {
+    Together<passes::UnshadedReads>::In reads;
+    for (const std::uint32_t mesh : meshes_of(squares)) {
+      const SkinPart& part = settings.skin[mesh];
+      reads.members.push_back({{maps.blurred(), screen.depth(), screen.counters()},
+                               {.squares = of_mesh(squares, mesh),
+                                .samples = settings.samples,
+                                .cut_out = part.cut_out,
+                                .slot = counter_unshaded_reads,
+                                .terms = terms_on_map(settings, part),
+                                .first_term = MOST_TERMS}});
+    }
+    plan.add<Together<passes::UnshadedReads>>(maps.name("count unshaded reads"), reads);
+    return;
+  }
+
   for (const Level& level : maps.levels()) {
-    const auto first = std::find(maps.halvings().begin(), maps.halvings().end(), level.halvings);
-    if (first - maps.halvings().begin() >= count) continue;
-    plan.add<passes::UnshadedReads>(
-        label(at("count unshaded reads", level), settings, square.instance, square.mesh),
-        {level.blurred, screen.depth(), screen.counters()},
-        {.square = on_level(square, level),
-         .samples = settings.samples,
-         .cut_out = part.cut_out,
-         .slot = counter_unshaded_reads,
-         .terms = terms,
-         .first_term = level.first_term});
+    const auto first = std::ranges::find(maps.halvings(), level.halvings);
+    Together<passes::UnshadedReads>::In reads;
+    for (const std::uint32_t mesh : meshes_of(squares)) {
+      // A short profile does not reach the small maps of a longer one beside it.
+      const auto terms = static_cast<std::ptrdiff_t>(settings.skin[mesh].profile.terms.size());
+      if (first - maps.halvings().begin() < terms)
+        reads.members.push_back(unshaded_reads_of(settings, screen, level, of_mesh(squares, mesh)));
+    }
+    if (!reads.members.empty())
+      plan.add<Together<passes::UnshadedReads>>(maps.name(at("count unshaded reads", level)), reads);
   }
 }
 

@@ -2,17 +2,20 @@
 /// Draws skin whose light has been blurred.
 #pragma once
 
+#include <vector>
+
 #include "techniques/texture_space/light_maps.h"
 
 namespace dermis::techniques {
 
-/// Draws one skin mesh of one head: the weighted sum of the blurred maps times the albedo, plus what the
-/// surface reflects. Then counts the texels that this reads though they were never lit.
-/// Adds up the blurred light of one square for a host that reads it.
+/// Adds up the blurred light of each square, for a host that reads it. `squares`: as of add_final().
 void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, const LightMaps& maps,
-                     frame::TextureId sum, const passes::MapSquare& square);
+                     frame::TextureId sum, const std::vector<passes::MapSquare>& squares);
 
+/// Draws skin meshes of heads: the weighted sum of the blurred maps times the albedo, plus what the surface
+/// reflects. Then counts the texels that this reads though they were never lit. `squares`: of one batch,
+/// sorted by mesh, on maps of T_max.
 void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
-               const passes::MapSquare& square);
+               const std::vector<passes::MapSquare>& squares);
 
 }  // namespace dermis::techniques

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "frame/together.h"
 #include "passes/count/count.h"
 #include "passes/cull_triangles/cull_triangles.h"
 #include "passes/depth_mask/depth_mask.h"
@@ -14,10 +15,12 @@
 #include "passes/stretch/stretch.h"
 #include "passes/tiles/tiles.h"
 #include "passes/transmission.h"
+#include "techniques/texture_space/cascade.h"
 #include "techniques/texture_space/counters.h"
 
 namespace dermis::techniques {
 
+using frame::Together;
 using passes::Gutters;
 using passes::MapSquare;
 using passes::SkipUnlit;
@@ -26,7 +29,7 @@ std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings) {
   std::vector<std::uint32_t> least;
   for (const SkinPart& part : settings.skin) {
     std::vector<std::uint32_t> halvings(part.profile.terms.size(), 0);
-    if (settings.progressive)
+    if (settings.progressive && !settings.cascade)
       halvings = passes::map_halvings(part.profile, part.mean_texels_per_mm, settings.map_size);
     for (std::size_t k = 0; k < halvings.size(); ++k) {
       if (k == least.size()) least.push_back(halvings[k]);
@@ -51,20 +54,6 @@ std::vector<MapSquare> on_level(std::vector<MapSquare> squares, const Level& lev
   return squares;
 }
 
-std::vector<MapSquare> of_mesh(const std::vector<MapSquare>& all, std::uint32_t mesh) {
-  std::vector<MapSquare> squares;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(squares),
-               [&](const MapSquare& s) { return s.mesh == mesh; });
-  return squares;
-}
-
-std::vector<std::uint32_t> meshes_of(const std::vector<MapSquare>& all) {
-  std::vector<std::uint32_t> meshes;
-  for (const MapSquare& square : all)
-    if (meshes.empty() || meshes.back() != square.mesh) meshes.push_back(square.mesh);
-  return meshes;
-}
-
 std::string at(std::string_view what, const Level& level) {
   return level.halvings > 0 ? fmt::format("{} 1/{}", what, 1u << level.halvings) : std::string(what);
 }
@@ -76,7 +65,7 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
       pool_(settings),
       halvings_(halvings_of_terms(settings)) {
   // A level per size, a blurred map per term.
-  for (std::size_t k = 0; k < halvings_.size(); ++k) {
+  for (std::size_t k = 0; !settings.cascade && k < halvings_.size(); ++k) {
     if (levels_.empty() || levels_.back().halvings != halvings_[k]) {
       levels_.push_back(make_level(halvings_[k]));
       levels_.back().first_term = static_cast<std::uint32_t>(k);
@@ -90,18 +79,80 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     for (const SkinPart& part : settings.skin) most = std::max(most, part.triangles);
     kept_ = passes::make_kept_triangles(plan, pool_.squares(), most);
   }
-  if (settings.translucency) make_transmitted();
+  if (settings.cascade)
+    make_cascade();
+  else if (settings.translucency)
+    make_transmitted();
   if (settings.host_lights()) host_irradiance_ = plan.texture("host irradiance", pool_.texture(0));
+  make_stretch();
+}
 
-  // A stretch map lasts from frame to frame, unless the skin meshes of a head take turns with it.
+// A stretch map lasts from frame to frame, unless the skin meshes of a head take turns with it.
+void LightMaps::make_stretch() {
   const gpu::TextureDesc map{
-      .width = settings.map_size, .height = settings.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
+      .width = settings_->map_size, .height = settings_->map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   const auto lifetime = pool_.splits_heads() ? frame::Lifetime::transient : frame::Lifetime::persistent;
   std::uint32_t maps = pool_.splits_heads() ? pool_.meshes_per_batch() : 0;
   if (!pool_.splits_heads())
-    for (const SkinPart& part : settings.skin) maps = std::max(maps, part.unwrap + 1);
+    for (const SkinPart& part : settings_->skin) maps = std::max(maps, part.unwrap + 1);
   for (std::uint32_t number = 0; number < maps; ++number)
-    stretch_.push_back(plan.texture(label_part("stretch", settings, number), map, lifetime));
+    stretch_.push_back(plan_->texture(label_part("stretch", *settings_, number), map, lifetime));
+}
+
+// A level per size with one map for what has spread, one map for the sum, and a pyramid of light for each
+// group of terms, down to its coarsest level.
+void LightMaps::make_cascade() {
+  std::vector<std::uint32_t> coarsest(TRANSMISSION_GROUPS, 0);
+  std::uint32_t most = 0;
+  std::size_t groups = 1;
+  for (const SkinPart& part : settings_->skin) {
+    const CascadePlan cascade = cascade_plan(*settings_, part);
+    if (settings_->translucency) groups = std::max(groups, cascade.groups.size());
+    for (const passes::CascadeStep& step : cascade.steps) {
+      std::uint32_t& of_group = coarsest[cascade.group_of(step)];
+      of_group = std::max(of_group, step.halvings);
+      most = std::max(most, step.halvings);
+    }
+  }
+
+  for (std::uint32_t halvings = 0; halvings <= most; ++halvings) {
+    levels_.push_back(make_level(halvings));
+    levels_.back().blurred.push_back(plan_->texture(at("spread", levels_.back()), pool_.texture(halvings)));
+  }
+  blurred_.push_back(plan_->texture("light", pool_.texture(0)));
+  levels_.front().blurred.push_back(blurred_.front());
+
+  for (std::size_t g = 1; g < groups; ++g) {
+    transmitted_.push_back(plan_->texture(fmt::format("joining {}", g), pool_.texture(0)));
+    for (std::uint32_t halvings = 1; halvings <= coarsest[g]; ++halvings)
+      halved_transmitted_[{g, halvings}] =
+          plan_->texture(at(fmt::format("joining {}", g), levels_[halvings]), pool_.texture(halvings));
+  }
+}
+
+frame::TextureId LightMaps::unspread(std::size_t group, std::uint32_t halvings) const {
+  if (group == 0 || transmitted_.empty()) return levels_[halvings].light;
+  return halvings == 0 ? transmitted_[group - 1] : halved_transmitted_.at({group, halvings});
+}
+
+// Gutters of the larger map come down with the light. Made anew on the smaller one they would be worse: a
+// source too near to a border moves by up to half a texel, and texels are larger there.
+void LightMaps::add_pyramid(std::size_t group, std::uint32_t halvings, const std::vector<MapSquare>& from,
+                            const std::vector<MapSquare>& to) {
+  const std::uint32_t mesh = to.front().mesh;
+  const Level& level = levels_[halvings];
+  const frame::TextureId larger = unspread(group, halvings - 1), smaller = unspread(group, halvings);
+  const std::string what = group == 0 ? "downsample" : fmt::format("downsample joining {}", group);
+  plan_->add<passes::Downsample>(name(at(what, level), mesh), {larger, stretch(mesh), smaller, larger},
+                                 {.from = from, .to = to, .smoothed = true});
+  if (group == 0) {
+    add_masks(level, to);
+    return;
+  }
+
+  if (is_sparse(*settings_))
+    plan_->add<passes::Dilate>(name(at(fmt::format("dilate joining {}", group), level), mesh),
+                               {smaller, stretch(mesh), level.border}, {to});
 }
 
 frame::TextureId LightMaps::stretch(std::uint32_t mesh) const {
@@ -158,32 +209,56 @@ std::vector<frame::TextureId> LightMaps::textures() const {
   all.insert(all.end(), transmitted_.begin(), transmitted_.end());
   for (const auto& [of, map] : halved_transmitted_) all.push_back(map);
   if (host_irradiance_.valid()) all.push_back(host_irradiance_);
-  for (const Level& level : levels_)
+  for (const Level& level : levels_) {
     for (const frame::TextureId map : {level.light, level.scratch, level.depth_mask})
       if (map.valid()) all.push_back(map);
+    if (settings_->cascade) all.push_back(level.blurred.front());
+  }
   return all;
-}
-
-std::string LightMaps::name(std::string_view what) const {
-  const bool several = settings_->head_count() > settings_->heads_per_batch || pool_.splits_heads();
-  return several ? fmt::format("{} batch {}", what, batch_) : std::string(what);
 }
 
 std::string LightMaps::name(std::string_view what, std::uint32_t mesh) const {
   return name(label_part(what, *settings_, mesh));
 }
 
-void LightMaps::add_stretch(const MapSquare& square) {
-  const std::uint32_t mesh = square.mesh;
-  const bool posed = settings_->skin[mesh].posed;
-  const frame::Runs runs = pool_.splits_heads() || posed ? frame::Runs::every_frame : frame::Runs::once;
-  const bool when_moved = posed && !pool_.splits_heads();
-  plan_->add<passes::Stretch>(
-      label_part("stretch", *settings_, mesh), {stretch(mesh)},
-      {.square = square, .runs = runs, .cut_out = settings_->skin[mesh].cut_out, .when_moved = when_moved});
-  plan_->add<Gutters>(
-      label_part("stretch gutters", *settings_, mesh), {stretch(mesh)},
-      {.squares = {square}, .what = Gutters::What::stretch, .runs = runs, .when_moved = when_moved});
+std::string LightMaps::name(std::string_view what) const {
+  const bool several = settings_->head_count() > settings_->heads_per_batch || pool_.splits_heads();
+  return several ? fmt::format("{} batch {}", what, turn_) : std::string(what);
+}
+
+void LightMaps::add_stretch(const std::vector<MapSquare>& squares) {
+  if (pool_.splits_heads()) {
+    add_stretch("stretch", squares, frame::Runs::every_frame, false);
+    return;
+  }
+  std::vector<MapSquare> rigid, posed;
+  for (const MapSquare& square : squares)
+    (settings_->skin[square.mesh].posed ? posed : rigid).push_back(square);
+  add_stretch("stretch", rigid, frame::Runs::once, false);
+  add_stretch("stretch of poses", posed, frame::Runs::every_frame, true);
+}
+
+void LightMaps::add_stretch(std::string_view what, const std::vector<MapSquare>& squares, frame::Runs runs,
+                            bool when_moved) {
+  Together<passes::Stretch>::In maps;
+  Together<Gutters>::In gutters;
+  for (const MapSquare& square : squares) {
+    const frame::TextureId map = stretch(square.mesh);
+    maps.members.push_back({{map},
+                            {.square = square,
+                             .runs = runs,
+                             .cut_out = settings_->skin[square.mesh].cut_out,
+                             .when_moved = when_moved}});
+    gutters.members.push_back(
+        {{map},
+         {.squares = {square}, .what = Gutters::What::stretch, .runs = runs, .when_moved = when_moved}});
+  }
+
+  if (squares.empty()) return;
+  const std::string of_gutters = fmt::format("{} gutters", what);
+  const bool again = pool_.splits_heads();
+  plan_->add<Together<passes::Stretch>>(again ? name(what) : std::string(what), maps);
+  plan_->add<Together<Gutters>>(again ? name(of_gutters) : of_gutters, gutters);
 }
 
 void LightMaps::add_light(const std::vector<MapSquare>& all) {
@@ -218,28 +293,23 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
         {screen_->shadow(), screen_->entering(), kept_, screen_->counters()},
         {.irradiance = irradiance, .slot = counter_transmission_misses});
 
+  Together<passes::Count>::In counts;
   for (const std::uint32_t mesh : meshes_of(all))
-    plan_->add<passes::Count>(
-        name("count texels", mesh), {level.light, screen_->counters()},
-        {.slot = square_counter(*settings_, 0, skin[mesh].in_model, 0, counter_lit_texels),
-         .slots_per_instance = counter_head_stride(*settings_),
-         .squares = of_mesh(all, mesh)});
+    counts.members.push_back(
+        {{level.light, screen_->counters()},
+         {.slot = square_counter(*settings_, 0, skin[mesh].in_model, 0, counter_lit_texels),
+          .slots_per_instance = counter_head_stride(*settings_),
+          .squares = of_mesh(all, mesh)}});
+  plan_->add<Together<passes::Count>>(name("count texels"), counts);
 
   add_masks(level, all);
 }
 
-void LightMaps::add_halved(const Level& level, const ChainLight& light, const std::vector<MapSquare>& from,
-                           const std::vector<MapSquare>& to) {
-  const std::uint32_t mesh = to.front().mesh;
-  plan_->add<passes::Downsample>(name(at("downsample", level), mesh),
-                                 {light.blurred, stretch(mesh), level.light, light.start},
-                                 {.from = from, .to = to, .next_step = light.next_step});
-  add_masks(level, to);
-}
-
 // Prepares a level for blurring: seam gutters, dilation, mask of unlit texels.
 void LightMaps::add_masks(const Level& level, const std::vector<MapSquare>& all) {
-  plan_->add<Gutters>(name(at("irradiance gutters", level)), {level.light}, {.squares = all});
+  // Levels of a cascade have gutters by now, those of the larger map: see add_pyramid().
+  if (!settings_->cascade || level.halvings == 0)
+    plan_->add<Gutters>(name(at("irradiance gutters", level)), {level.light}, {.squares = all});
   if (is_sparse(*settings_)) add_dilation(level, all);
   add_masked_counts(level, all);
 
@@ -257,35 +327,37 @@ void LightMaps::add_dilation(const Level& level, const std::vector<MapSquare>& a
   plan_->add<passes::Tiles>(name(at("border tiles", level)), {level.border, screen_->counters()},
                             {.squares = all, .what = passes::Tiles::What::border});
 
-  for (const std::uint32_t mesh : meshes_of(all))
-    plan_->add<passes::Dilate>(name(at("dilate", level), mesh), {level.light, stretch(mesh), level.border},
-                               {of_mesh(all, mesh)});
-  if (level.halvings > 0) return;
-
-  for (std::size_t g = 0; g < transmitted_.size(); ++g)
+  const auto dilate = [&](std::string_view what, frame::TextureId light) {
+    Together<passes::Dilate>::In meshes;
     for (const std::uint32_t mesh : meshes_of(all))
-      plan_->add<passes::Dilate>(name(fmt::format("dilate joining {}", g + 1), mesh),
-                                 {transmitted_[g], stretch(mesh), level.border}, {of_mesh(all, mesh)});
+      meshes.members.push_back({{light, stretch(mesh), level.border}, {of_mesh(all, mesh)}});
+    plan_->add<Together<passes::Dilate>>(name(what), meshes);
+  };
+  dilate(at("dilate", level), level.light);
+  for (std::size_t g = 0; level.halvings == 0 && g < transmitted_.size(); ++g)
+    dilate(fmt::format("dilate joining {}", g + 1), transmitted_[g]);
 }
 
 // Counts the texels that convolutions do not skip.
 void LightMaps::add_masked_counts(const Level& level, const std::vector<MapSquare>& all) {
+  Together<passes::Count>::In counts;
   for (const std::uint32_t mesh : meshes_of(all))
-    plan_->add<passes::Count>(name(at("count masked texels", level), mesh),
-                              {level.light, screen_->counters()},
+    counts.members.push_back({{level.light, screen_->counters()},
                               {.slot = square_counter(*settings_, 0, settings_->skin[mesh].in_model,
                                                       level.halvings, counter_masked_texels),
                                .slots_per_instance = counter_head_stride(*settings_),
                                .threshold = 0.5f,
                                .absolute = true,
-                               .squares = of_mesh(all, mesh)});
+                               .squares = of_mesh(all, mesh)}});
+  plan_->add<Together<passes::Count>>(name(at("count masked texels", level)), counts);
 }
 
 // Lists the tiles that hold light, and clears the others in every map that the blurs of this level write.
 void LightMaps::add_tiles(const Level& level, const std::vector<MapSquare>& all) {
   std::vector<passes::IdleTiles::In::Map> maps{{.light = level.scratch}};
   for (std::uint32_t i = 0; i < level.blurred.size(); ++i)
-    maps.push_back({.light = level.blurred[i], .term = level.first_term + i});
+    maps.push_back(
+        {.light = level.blurred[i], .term = settings_->cascade ? MOST_TERMS : level.first_term + i});
   plan_->add<passes::ClearTiles>(name(at("clear tiles", level)), {level.lit});
   plan_->add<passes::TileClasses>(name(at("tile classes", level)), {level.light, level.lit}, {all});
   plan_->add<passes::Tiles>(name(at("tiles", level)), {level.lit, screen_->counters()},

@@ -34,26 +34,14 @@ struct Level {
   frame::TextureId scratch;               ///< between the two axes of a blur
   frame::TextureId depth_mask;            ///< valid with SkipUnlit::by_depth
   std::uint32_t first_term = 0;           ///< that of the first of `blurred`
-  std::vector<frame::TextureId> blurred;  ///< of the terms that end here
+  std::vector<frame::TextureId> blurred;  ///< of the terms that end here; of a cascade what has spread so far
   passes::TileLists border;               ///< tiles that Dilate fills; valid if the light is sparse
   passes::TileLists lit;                  ///< tiles to blur; valid with SkipUnlit::by_tiles
-};
-
-/// Where the light of a skin mesh is between two steps of its chain of blurs. Heads enter the chain at
-/// different steps: see passes::MappedTerms.
-struct ChainLight {
-  frame::TextureId blurred;     ///< of heads that have entered
-  frame::TextureId start;       ///< of the others; the same before the first step, and where all enter there
-  std::uint32_t next_step = 0;  ///< of passes::blur_steps()
 };
 
 /// Return the same squares in the maps of a level.
 passes::MapSquare on_level(passes::MapSquare square, const Level& level);
 std::vector<passes::MapSquare> on_level(std::vector<passes::MapSquare> squares, const Level& level);
-/// Returns those of one skin mesh.
-std::vector<passes::MapSquare> of_mesh(const std::vector<passes::MapSquare>& all, std::uint32_t mesh);
-/// Returns the skin meshes that squares sorted by mesh have, each once.
-std::vector<std::uint32_t> meshes_of(const std::vector<passes::MapSquare>& all);
 
 /// The maps of all skin meshes, and the passes up to the first blur. `all` are the squares of one batch,
 /// sorted by mesh.
@@ -62,22 +50,30 @@ class LightMaps {
   /// Makes the maps. Needs at least one skin mesh; plan, settings and screen must outlive this.
   LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen);
 
-  /// Counts batches, for the names of the passes that follow.
-  void begin_batch() { ++batch_; }
+  /// Gives the passes that follow the number of a turn of the pool.
+  void begin_turn(std::uint32_t number) { turn_ = number; }
 
-  /// Stores the metric of the unwrap of a square's mesh. [DLE07] sec. 3.4.
-  void add_stretch(const passes::MapSquare& square);
+  /// Stores the metric of the unwrap of each square's mesh, which have a map each. [DLE07] sec. 3.4.
+  void add_stretch(const std::vector<passes::MapSquare>& squares);
   /// Lights the skin meshes of a batch and prepares their maps for blurring.
   void add_light(const std::vector<passes::MapSquare>& all);
-  /// Downsamples the light of one skin mesh to the maps of `level`, and prepares these for blurring.
-  void add_halved(const Level& level, const ChainLight& light, const std::vector<passes::MapSquare>& from,
-                  const std::vector<passes::MapSquare>& to);
+  /// Prepares a level for blurring that holds the light of all these squares.
+  void add_masks(const Level& level, const std::vector<passes::MapSquare>& all);
+
+  /// Of a cascade. Halves the light of one skin mesh, of a group of terms (passes::transmission_groups()),
+  /// once more, to the maps of levels()[halvings], and prepares these for blurring. `from`, `to`: its squares
+  /// in the larger and in the smaller maps.
+  void add_pyramid(std::size_t group, std::uint32_t halvings, const std::vector<passes::MapSquare>& from,
+                   const std::vector<passes::MapSquare>& to);
+  /// Of a cascade: returns the light of a group of terms that has not spread, on levels()[halvings].
+  frame::TextureId unspread(std::size_t group, std::uint32_t halvings) const;
 
   const MapPool& pool() const { return pool_; }
   const std::vector<Level>& levels() const { return levels_; }  ///< large to small
   const Level& level_of(std::size_t term) const;
-  const std::vector<std::uint32_t>& halvings() const { return halvings_; }   ///< one per term
-  const std::vector<frame::TextureId>& blurred() const { return blurred_; }  ///< one per term
+  const std::vector<std::uint32_t>& halvings() const { return halvings_; }  ///< one per term
+  /// One per term; of a cascade one, the sum.
+  const std::vector<frame::TextureId>& blurred() const { return blurred_; }
   const std::vector<frame::TextureId>& transmitted() const { return transmitted_; }
   /// Returns the map of transmitted light on a level, of the second (1) or third (2) group of terms, which
   /// joins the light of that level. All meshes and batches share it.
@@ -87,14 +83,18 @@ class LightMaps {
   /// Returns all maps of the pool.
   std::vector<frame::TextureId> textures() const;
 
-  /// Return the name of a pass: "irradiance", "irradiance batch 1", "blur 0 u batch 1 part 2".
+  /// Return the name of a pass: "irradiance", "irradiance batch 1", and "cascade 0 u part 2" of one skin
+  /// mesh.
   std::string name(std::string_view what) const;
   std::string name(std::string_view what, std::uint32_t mesh) const;
 
  private:
   Level make_level(std::uint32_t halvings);
+  void add_stretch(std::string_view what, const std::vector<passes::MapSquare>& squares, frame::Runs runs,
+                   bool when_moved);
   void make_transmitted();
-  void add_masks(const Level& level, const std::vector<passes::MapSquare>& all);
+  void make_cascade();
+  void make_stretch();
   void add_dilation(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_masked_counts(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_tiles(const Level& level, const std::vector<passes::MapSquare>& all);
@@ -103,7 +103,7 @@ class LightMaps {
   const FrameSettings* settings_;
   Screen* screen_;
   MapPool pool_;
-  std::uint32_t batch_ = 0;  // of heads and skin meshes
+  std::uint32_t turn_ = 0;  // of the pool
   std::vector<std::uint32_t> halvings_;
   std::vector<Level> levels_;
   std::vector<frame::TextureId> blurred_;

@@ -32,7 +32,7 @@ passes::MapPlace MapPool::place(std::uint32_t head, std::uint32_t mesh_in_model)
       head % settings_->heads_per_batch * meshes_per_batch() + mesh_in_model % meshes_per_batch();
   return {.index = index,
           .origin = glm::uvec2(index % columns(), index / columns()) * settings_->map_size,
-          .largest_side = settings_->map_size,
+          .largest_side = settings_->halving_side(),
           .batch = head / settings_->heads_per_batch * mesh_batches() + mesh_in_model / meshes_per_batch()};
 }
 
@@ -44,19 +44,9 @@ std::vector<std::vector<passes::MapPlace>> MapPool::places() const {
   return all;
 }
 
-std::vector<passes::MapSquare> MapPool::squares(std::uint32_t first_head, std::uint32_t heads,
-                                                std::uint32_t mesh_batch) const {
-  std::vector<passes::MapSquare> all;
-  for (std::uint32_t head = first_head; head < first_head + heads; ++head) {
-    const Model& model = settings_->model_of(head);
-    const std::uint32_t end = std::min((mesh_batch + 1) * meshes_per_batch(), model.meshes);
-    for (std::uint32_t mesh = mesh_batch * meshes_per_batch(); mesh < end; ++mesh)
-      all.push_back({.instance = head, .mesh = model.first_mesh + mesh});
-  }
-
-  std::stable_sort(all.begin(), all.end(),
-                   [](const passes::MapSquare& a, const passes::MapSquare& b) { return a.mesh < b.mesh; });
-  return all;
+std::vector<passes::MapSquare> MapPool::squares(const Batch& batch, std::uint32_t mesh_batch) const {
+  const std::uint32_t first = mesh_batch * meshes_per_batch();
+  return squares_of(*settings_, batch, first, first + meshes_per_batch());
 }
 
 gpu::TextureDesc MapPool::texture(std::uint32_t halvings, VkFormat format) const {

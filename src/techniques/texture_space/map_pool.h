@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "passes/light_pool.h"
-#include "techniques/technique.h"
+#include "techniques/batches.h"
 
 namespace dermis::techniques {
 
@@ -24,10 +24,8 @@ class MapPool {
   std::uint32_t batches() const;  ///< turns of the pool in a frame
   passes::MapPlace place(std::uint32_t head, std::uint32_t mesh_in_model) const;
   std::vector<std::vector<passes::MapPlace>> places() const;  ///< [head][mesh in its model]
-  /// Of some heads and those of their skin meshes that take turn `mesh_batch`; mesh by mesh, as the plan
-  /// counts them.
-  std::vector<passes::MapSquare> squares(std::uint32_t first_head, std::uint32_t heads,
-                                         std::uint32_t mesh_batch) const;
+  /// Of these heads and those of their skin meshes that take turn `mesh_batch`: see squares_of().
+  std::vector<passes::MapSquare> squares(const Batch& batch, std::uint32_t mesh_batch) const;
   /// A texture that holds all squares at T_max >> halvings.
   gpu::TextureDesc texture(std::uint32_t halvings, VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) const;
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/texture_space/report.h"
 
+#include <algorithm>
 #include <array>
 
 #include "passes/blur/blur.h"
 #include "shared/tiles_io.h"
+#include "techniques/cascade_plan.h"
 #include "techniques/mapped_terms.h"
 #include "techniques/texture_space/counters.h"
 #include "techniques/texture_space/light_maps.h"
@@ -18,6 +20,7 @@ constexpr std::uint32_t levels = passes::max_halvings + 1;
 struct LevelWork {
   std::uint32_t terms = 0;         // Gaussians that end there
   std::uint32_t convolutions = 0;  // passes, both axes counted
+  std::uint32_t moves = 0;         // passes that bring light from maps of another size
   bool halved = false;             // the level is made by Downsample
 };
 using Work = std::array<LevelWork, levels>;  // by halvings
@@ -32,6 +35,7 @@ Work work_of(const SkinPart& part, const std::vector<std::uint32_t>& halvings,
   for (const passes::BlurStep& step : passes::blur_steps(part.profile, part.max_texels_per_mm)) {
     LevelWork& level = work[halvings[term]];
     level.halved = halvings[term] > 0;
+    level.moves = level.halved ? 1 : 0;
     const bool blurs = number++ >= mapped.first_step;
     if (blurs) level.convolutions += 2;
     if (!step.ends_term) continue;
@@ -41,9 +45,59 @@ Work work_of(const SkinPart& part, const std::vector<std::uint32_t>& halvings,
   return work;
 }
 
+// Follows the steps of Cascade (cascade.cpp) likewise.
+Work cascade_work_of(const FrameSettings& settings, const SkinPart& part, const passes::MappedTerms& mapped) {
+  Work work{};
+  if (!mapped.any) return work;
+  const CascadePlan cascade = cascade_plan(settings, part);
+
+  // One pyramid per group of transmitted light, as far as its terms reach; the first to the end.
+  std::vector<std::uint32_t> coarsest(cascade.groups.size(), 0);
+  for (const passes::CascadeStep& step : cascade.steps) {
+    std::uint32_t& of_group = coarsest[settings.translucency ? cascade.group_of(step) : 0];
+    of_group = std::max(of_group, step.halvings);
+    coarsest[0] = std::max(coarsest[0], step.halvings);
+  }
+  for (const std::uint32_t most : coarsest)
+    for (std::uint32_t halvings = 1; halvings <= most; ++halvings) {
+      ++work[halvings].moves;
+      work[halvings].halved = true;
+    }
+
+  for (std::uint32_t i = mapped.first_step; i < cascade.steps.size(); ++i) {
+    const passes::CascadeStep& step = cascade.steps[i];
+    work[step.halvings].convolutions += 2;
+    if (step.term) ++work[step.halvings].terms;
+    const std::uint32_t after = i == 0 ? 0 : cascade.steps[i - 1].halvings;
+    for (std::uint32_t halvings = after; halvings < step.halvings; ++halvings) ++work[halvings].moves;
+  }
+  // The sum, which does the second axis of the last step if that is on its maps.
+  const bool ends =
+      mapped.first_step < cascade.steps.size() && cascade.steps[mapped.first_step].halvings == 0;
+  if (!ends) ++work[0].convolutions;
+  work[0].terms += mapped.first_wide - std::min(mapped.first_wide, mapped.first_read);
+  return work;
+}
+
+Work work_of(const FrameSettings& settings, std::uint32_t mesh, const std::vector<std::uint32_t>& halvings,
+             const passes::MappedTerms& mapped) {
+  const SkinPart& part = settings.skin[mesh];
+  return settings.cascade ? cascade_work_of(settings, part, mapped) : work_of(part, halvings, mapped);
+}
+
+double widest_step_mm2(const CascadePlan& cascade, const passes::MappedTerms& mapped) {
+  double widest = 0;
+  for (std::uint32_t i = mapped.first_step; i < cascade.steps.size(); ++i)
+    widest =
+        std::max(widest, i == mapped.first_step ? cascade.steps[i].total_mm2 : cascade.steps[i].variance_mm2);
+  return widest;
+}
+
 // Returns the variance of the step with which the chain of a head starts that leaves narrow terms out; 0 if
 // it leaves none out.
-double first_variance_mm2(const SkinPart& part, const passes::MappedTerms& mapped) {
+double first_variance_mm2(const FrameSettings& settings, const SkinPart& part,
+                          const passes::MappedTerms& mapped) {
+  if (settings.cascade) return widest_step_mm2(cascade_plan(settings, part), mapped);
   if (!mapped.any || mapped.first_step == 0) return 0;
   const std::vector<passes::BlurStep> steps = passes::blur_steps(part.profile, part.max_texels_per_mm);
   double sum = 0;
@@ -75,7 +129,7 @@ class Figures {
   // Adds what skin mesh `i` of a head has taken.
   void add(const DrawnHead& head, std::uint32_t i) {
     const std::uint32_t mesh = settings_.models[head.model].first_mesh + i;
-    const Work work = work_of(settings_.skin[mesh], halvings_, mapped_terms(settings_, mesh, head.side));
+    const Work work = work_of(settings_, mesh, halvings_, mapped_terms(settings_, mesh, head.side));
     const auto counted = [&](std::uint32_t halvings, SquareCounter which) -> std::uint64_t {
       return counters_[square_counter(settings_, head.head, i, halvings, which)];
     };
@@ -84,7 +138,7 @@ class Figures {
     launched += counted(0, counter_lit_texels);
     for (std::uint32_t halvings = 0; halvings < levels; ++halvings) {
       const LevelWork& level = work[halvings];
-      const std::uint64_t side = passes::halved_side(head.side, settings_.map_size, halvings);
+      const std::uint64_t side = passes::halved_side(head.side, settings_.halving_side(), halvings);
       convolved_texels +=
           counted(halvings, halvings == 0 ? counter_lit_texels : counter_masked_texels) * level.terms;
 
@@ -95,7 +149,7 @@ class Figures {
         at_once = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counted(halvings, counter_tiles);
       if (skip_unlit(settings_) == passes::SkipUnlit::by_depth)
         at_once = counted(halvings, counter_masked_texels);
-      launched += at_once * level.convolutions + (level.halved ? side * side : 0);
+      launched += at_once * level.convolutions + side * side * level.moves;
     }
   }
 
@@ -148,7 +202,7 @@ std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
     const auto add = [&](std::uint32_t side) {
       const double texels_per_mm = std::max(part.max_uv_per_mm * side, 1e-6);
       // A function of the side alone, also where the map is a halved one of a nearer head.
-      const double first_mm2 = first_variance_mm2(part, mapped_terms(settings, mesh, side));
+      const double first_mm2 = first_variance_mm2(settings, part, mapped_terms(settings, mesh, side));
       sizes.push_back({.mesh = mesh,
                        .side = side,
                        .width_texels = passes::gutter_width(part.profile, texels_per_mm, first_mm2)});
@@ -160,9 +214,10 @@ std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
       const passes::MappedTerms mapped = mapped_terms(settings, mesh, head.side);
       if (!mapped.any) continue;
 
-      const Work work = work_of(part, halvings, mapped);
+      const Work work = work_of(settings, mesh, halvings, mapped);
       for (std::uint32_t level = 0; level < levels; ++level)
-        if (level == 0 || work[level].halved) add(passes::halved_side(head.side, settings.map_size, level));
+        if (level == 0 || work[level].halved)
+          add(passes::halved_side(head.side, settings.halving_side(), level));
     }
   }
   return sizes;

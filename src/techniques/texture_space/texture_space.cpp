@@ -9,6 +9,7 @@
 #include "passes/scatter_sum/scatter_sum.h"
 #include "passes/show_visibility/show_visibility.h"
 #include "techniques/screen.h"
+#include "techniques/texture_space/cascade.h"
 #include "techniques/texture_space/convolution.h"
 #include "techniques/texture_space/counters.h"
 #include "techniques/texture_space/final.h"
@@ -53,7 +54,8 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
                  .term = term};
   };
   out.shows["irradiance"] = light(maps.levels().front().light, Shown::Needs::irradiance, 0);
-  for (std::uint32_t k = 0; k < maps.blurred().size(); ++k)
+  if (s.cascade) out.shows["scattered"] = light(maps.blurred().front(), Shown::Needs::irradiance, 0);
+  for (std::uint32_t k = 0; !s.cascade && k < maps.blurred().size(); ++k)
     out.shows[fmt::format("blur:{}", k)] = light(maps.blurred()[k], Shown::Needs::term, k);
 
   out.shows["stretch"] = {.map = maps.stretch(square.mesh)};
@@ -88,46 +90,38 @@ std::vector<MapSquare> one_of_each_unwrap(const FrameSettings& s) {
 // The steps of the table in docs/techniques.md, in its order.
 FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
   Screen screen(plan, s, counter_count(s));
+  screen.add_entries();
   std::optional<LightMaps> maps;
   if (!s.skin.empty()) maps.emplace(plan, s, screen);
   const MapPool pool(s);
   const frame::TextureId scattered = maps ? make_scattered(plan, s, pool) : frame::TextureId{};
 
   // Stretch, once: a rigid mesh keeps its metric, unless another mesh takes its map.
-  if (!pool.splits_heads())
-    for (const MapSquare& square : one_of_each_unwrap(s)) maps->add_stretch(square);
+  if (!pool.splits_heads() && maps) maps->add_stretch(one_of_each_unwrap(s));
 
-  for (std::uint32_t first_head = 0; first_head < s.head_count(); first_head += s.heads_per_batch) {
-    const std::uint32_t heads = std::min(s.heads_per_batch, s.head_count() - first_head);
-    for (std::uint32_t i = 0; i < heads; ++i) screen.add_shadow(first_head + i);
+  for (const Batch& batch : batches_of(s)) {
+    screen.add_shadows(batch);
 
-    // Light and blur. The first meshes come last, so that what `show` reads is of the first one.
-    for (std::uint32_t batch = pool.mesh_batches(); batch-- > 0; maps->begin_batch()) {
-      const std::vector<MapSquare> squares = pool.squares(first_head, heads, batch);
+    // The first meshes come last, so that what `show` reads is of the first one.
+    const std::uint32_t turns = pool.mesh_batches();
+    for (std::uint32_t turn = 0; turn < turns; ++turn) {
+      const std::vector<MapSquare> squares = pool.squares(batch, turns - 1 - turn);
       if (squares.empty()) continue;
 
-      // Without turns of meshes, stretch maps are there.
-      for (const MapSquare& square : squares)
-        if (pool.splits_heads()) maps->add_stretch(square);
+      maps->begin_turn(batch.number * turns + turn);
+      if (pool.splits_heads()) maps->add_stretch(squares);
       maps->add_light(squares);
-      for (const std::uint32_t mesh : meshes_of(squares))
-        add_convolution(plan, s, *maps, mesh, of_mesh(squares, mesh));
-      for (const MapSquare& square : squares)
-        if (scattered.valid()) add_scatter_sum(plan, s, *maps, scattered, square);
-
-      // Others take these squares afterwards: draw what they hold now.
-      for (const MapSquare& square : squares)
-        if (pool.splits_heads()) add_final(plan, s, screen, *maps, square);
+      if (s.cascade)
+        for (const std::uint32_t mesh : meshes_of(squares))
+          add_cascade(plan, s, *maps, mesh, of_mesh(squares, mesh));
+      else
+        add_convolution(plan, s, *maps, squares);
+      if (scattered.valid()) add_scatter_sum(plan, s, *maps, scattered, squares);
+      add_final(plan, s, screen, *maps, squares);
     }
 
-    // Draw the heads, skin first.
-    for (std::uint32_t head = first_head; head < first_head + heads; ++head) {
-      const Model& model = s.model_of(head);
-      for (std::uint32_t i = 0; i < model.meshes && !pool.splits_heads(); ++i)
-        add_final(plan, s, screen, *maps, {.instance = head, .mesh = model.first_mesh + i});
-      screen.add_surfaces(head);
-    }
-    screen.add_blended(first_head, heads);
+    screen.add_surfaces(batch);
+    screen.add_blended(batch);
   }
 
   FrameOutputs out = screen.finish();

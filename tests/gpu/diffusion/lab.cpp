@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab.h"
 
+#include "lab_cascade.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -14,6 +16,7 @@
 #include "passes/frame_data.h"
 #include "passes/gutters/gutters.h"
 #include "passes/light_pool.h"
+#include "passes/move_rig/move_rig.h"
 #include "passes/shaders.h"
 #include "passes/stretch/stretch.h"
 #include "scene/unwrap.h"
@@ -95,6 +98,35 @@ Map read(const frame::GraphExecutor& executor, frame::TextureId id) {
   return map;
 }
 
+// What moves the one skin mesh of a scene, and its moved vertices.
+struct Moved {
+  Moved(gpu::Device& device, passes::GpuScene& scene, const scene::PosedRig& pose) {
+    const auto copied = [&](std::vector<gpu::Buffer>& to, const gpu::Buffer& from) {
+      to.push_back(
+          {device, "posed",
+           gpu::BufferDesc{.bytes = from.desc().bytes, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}});
+      device.run([&](VkCommandBuffer commands) {
+        gpu::Cmd(device, commands).copy(from, to.back(), from.desc().bytes);
+      });
+    };
+    copied(shape.vertices, scene.skin[0].vertices);
+    copied(shape.before_m, scene.skin[0].vertices);  // larger than it must be
+    copied(shape.skin_vertices, scene.skin[0].skin_vertices);
+    std::vector<glm::mat4x3> m;
+    for (const glm::dmat4& matrix : pose.matrices) m.emplace_back(glm::dmat4x3(matrix));
+    const std::vector<float> w(pose.weights.begin(), pose.weights.end());
+    matrices = gpu::make_buffer(device, "matrices", std::span<const glm::mat4x3>(m),
+                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    weights =
+        gpu::make_buffer(device, "weights", std::span<const float>(w), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    move = {.shape = &shape, .scene = &scene, .matrices = {&matrices}, .weights = {&weights}};
+  }
+
+  passes::PosedShape shape;
+  gpu::Buffer matrices, weights;
+  passes::RigMove move;
+};
+
 }  // namespace
 
 bool available() { return bench() != nullptr; }
@@ -118,6 +150,7 @@ Result run(const Experiment& e) {
   const gpu::TextureDesc desc{.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   using passes::Gutters;
   const std::vector<passes::MapSquare> whole(1);
+  if (e.pose) plan.add<passes::MoveRig>("pose", {}, {});
   const frame::TextureId stretch = plan.texture("stretch", desc, frame::Lifetime::persistent),
                          painted = plan.texture("painted", desc), scratch = plan.texture("scratch", desc);
   plan.add<passes::Stretch>("stretch", {stretch}, {});
@@ -128,7 +161,21 @@ Result run(const Experiment& e) {
   std::vector<frame::TextureId> levels;
   frame::TextureId light = painted;
   bool first = true;
-  for (const passes::BlurStep& step : passes::blur_steps(e.variances_mm2, density)) {
+  passes::MappedTerms terms;
+  std::uint32_t coarsest = 0;
+  if (e.cascade) {
+    LabCascade cascade(plan, e, skin[0], painted, stretch);
+    for (std::uint32_t n = 1; n <= cascade.coarsest(); ++n)
+      if (e.gutters)
+        gpu_scene.make_gutters(bench()->device, 0, skin[0], side >> n,
+                               passes::gutter_width(profile, density / (1u << n)));
+    levels.push_back(cascade.add());
+    plan.read_back(levels.front());
+    terms = cascade.terms();
+    coarsest = cascade.coarsest();
+  }
+  for (const passes::BlurStep& step :
+       e.cascade ? std::vector<passes::BlurStep>{} : passes::blur_steps(e.variances_mm2, density)) {
     const double v = step.variance_mm2 * e.variance_factor;
     const frame::TextureId target = plan.texture("level", desc);
     plan.add<passes::Blur>("u", {light, stretch, scratch},
@@ -146,9 +193,20 @@ Result run(const Experiment& e) {
   data.instances[0].scene = &gpu_scene;
   data.instances[0].look = &look;
   data.instances[0].map_side = side;
+  if (e.cascade) {
+    data.instances[0].map_places = {{.largest_side = passes::careful_largest_side(side)}};
+    data.instances[0].mapped_terms = {terms};
+  }
+  std::optional<Moved> moved;
+  if (e.pose) {
+    gpu_scene.make_rig(bench()->device, e.scene, skin);
+    moved.emplace(bench()->device, gpu_scene, *e.pose);
+    data.instances[0].posed = &moved->shape;
+    if (!e.keep_metric) data.moves = {moved->move};
+  }
   frame::Executor executor(bench()->library, plan);
   executor.draw(data, frame::whole_frame);
-  Result result{.painted = read(executor, painted), .levels = {}};
+  Result result{.painted = read(executor, painted), .levels = {}, .coarsest = coarsest};
   for (const frame::TextureId id : levels) result.levels.push_back(read(executor, id));
   return result;
 }

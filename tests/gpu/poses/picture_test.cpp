@@ -75,6 +75,39 @@ TEST_F(PosedPictures, AreThoseOfTheAssetLoadedInThatPose) {
   }
 }
 
+// Each technique, and each way that texture space has, draws a head that has moved as one that was loaded so.
+TEST_F(PosedPictures, OfEveryTechniqueAreThoseOfTheAssetLoadedInThatPose) {
+  std::vector<RenderSettings> all;
+  for (const std::string& name : technique_names())
+    for (const Shading shading : {Shading::raster, Shading::compute}) {
+      RenderSettings& s = all.emplace_back(close_up(128, 256));
+      s.technique = name;
+      s.quality.shading = shading;
+    }
+  for (const BlurOrder blur : {BlurOrder::chain, BlurOrder::cascade})
+    for (const Shading shading : {Shading::raster, Shading::compute}) {
+      RenderSettings& s = all.emplace_back(close_up(128, 256));
+      s.quality.maps = LightMaps::progressive;
+      s.quality.blur = blur;
+      s.quality.shading = shading;
+    }
+
+  const Scene loaded = lit(Asset::load(file_, {.time_s = 1.3}));
+  Scene scene = lit(*asset_);
+  scene.pose(scene.instances().front(), "performance", 1.3);
+  for (const RenderSettings& s : all) {
+    const Picture wanted = renderer().render(loaded, s), found = renderer().render(scene, s);
+    const double db = psnr(wanted, found);
+    std::printf("%s, %s maps, %s, %s: %.1f dB\n", s.technique.c_str(),
+                s.quality.maps == LightMaps::progressive ? "progressive" : "full",
+                s.quality.blur == BlurOrder::cascade ? "cascade" : "chain",
+                s.quality.shading == Shading::compute ? "compute" : "raster", db);
+    EXPECT_GE(db, 45);
+    EXPECT_EQ(found.statistics.unshaded_reads, 0u);
+    EXPECT_EQ(found.statistics.transmission_misses, 0u);
+  }
+}
+
 TEST_F(PosedPictures, OptimisedIsAsWhole) {
   Scene scene = lit(*asset_);
   for (const double angle_deg : {0.0, 75.0}) {  // 75: the jaw against the sky
@@ -106,7 +139,7 @@ TEST_F(PosedPictures, HaveTheSkyOfTheAssetAtRest) {
                 image::mean_flip(shown(wanted), shown(found)));
     least = std::min(least, db);
   }
-  EXPECT_GE(least, 30);
+  EXPECT_GE(least, 40);
 }
 
 // Every frame of a session is the renderer's, whatever was posed before; and a steady frame allocates

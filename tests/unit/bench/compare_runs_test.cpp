@@ -42,12 +42,14 @@ class CompareRuns : public testing::Test {
                                 ("dermis-compare-runs-" + std::to_string(::getpid()) + ".json");
 };
 
+constexpr unsigned variant_count = 14;
+
 TEST_F(CompareRuns, EqualRunsAreEqual) {
   const RunComparison found = compare_runs(recorded(made_up()), recorded(made_up()));
-  EXPECT_EQ(found.compared, 4u * 10);
+  EXPECT_EQ(found.compared, 4u * variant_count);
   EXPECT_EQ(found.slower + found.faster + found.changes.size(), 0u);
-  EXPECT_NEAR(found.by_chance, 40 / 20.0, 1e-9);
-  EXPECT_NE(comparison_text(found).find("0 of 40 times are slower, 0 are faster"), std::string::npos)
+  EXPECT_NEAR(found.by_chance, 56 / 20.0, 1e-9);
+  EXPECT_NE(comparison_text(found).find("0 of 56 times are slower, 0 are faster"), std::string::npos)
       << comparison_text(found);
 }
 
@@ -76,7 +78,7 @@ TEST_F(CompareRuns, AnOlderRecordIsUnderstood) {
 
   const Recorded read = recorded(old);
   EXPECT_EQ(read.cells[0].times[0].passes.back().name, "tone map");
-  EXPECT_EQ(compare_runs(read, recorded(made_up())).compared, 4u * 10);
+  EXPECT_EQ(compare_runs(read, recorded(made_up())).compared, 4u * variant_count);
 
   // What it says of its settings is still held against those of a newer one.
   const auto refused = [&](const std::string& name, const json& value, const std::string& says) {
@@ -102,7 +104,7 @@ TEST_F(CompareRuns, LampsOfAnOlderRecordAreThoseOfANewerOne) {
   old["settings"] = {{"placed_lights", {{30.0, 20.0, 3.0}}}};
   now["settings"]["lighting"]["placed_lights"] = {
       {{"azimuth_deg", 30.0}, {"elevation_deg", 20.0}, {"irradiance", 3.0}}};
-  EXPECT_EQ(compare_runs(recorded(old), recorded(now)).compared, 4u * 10);
+  EXPECT_EQ(compare_runs(recorded(old), recorded(now)).compared, 4u * variant_count);
 }
 
 TEST_F(CompareRuns, ASlowdownIsFoundAndExplained) {
@@ -116,8 +118,8 @@ TEST_F(CompareRuns, ASlowdownIsFoundAndExplained) {
   EXPECT_NEAR(c.found.ratio, 1.5, 1e-9);
   EXPECT_EQ(c.pass, "blur 0 u");
   EXPECT_NEAR(c.pass_ms, c.before_ms / 4, 1e-9);
-  // 32 ms in rounds of 31, 32, 33: 46.5 to 49.5.
-  EXPECT_NEAR(c.found.beyond, (46.5 - 33) / 32, 1e-9);
+  // 36 ms in rounds of 35, 36, 37: 52.5 to 55.5.
+  EXPECT_NEAR(c.found.beyond, (52.5 - 37) / 36, 1e-9);
   EXPECT_NE(comparison_text(found).find("+50.0%"), std::string::npos) << comparison_text(found);
   EXPECT_EQ(json::parse(comparison_json(found)).at("slower").at(0).at("what"), "cull");
 }
@@ -142,8 +144,8 @@ TEST_F(CompareRuns, OnlyWhatBothHaveIsCompared) {
   j["cells"].erase(0);
   j["cells"][0]["variants"].erase("lambert");
   const RunComparison found = compare_runs(recorded(made_up()), recorded(j));
-  EXPECT_EQ(found.compared, 3u * 10 - 1);
-  EXPECT_EQ(found.only_before, 11u);
+  EXPECT_EQ(found.compared, 3u * variant_count - 1);
+  EXPECT_EQ(found.only_before, variant_count + 1);
   EXPECT_EQ(found.only_after, 0u);
   j["cells"] = json::array();
   EXPECT_THROW(compare_runs(recorded(made_up()), recorded(j)), InputError);

@@ -28,6 +28,7 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
   s.quality.map_size = 777;
   s.camera.heads = 5;
   s.lighting.rig_lights = 3;
+  s.quality.shading = Shading::compute;
 
   for (const Variant& v : variants_of(s)) {
     SCOPED_TRACE(v.key);
@@ -35,25 +36,36 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.camera.heads, 5);
     EXPECT_EQ(v.settings.lighting.rig_lights, 3);
     EXPECT_EQ(v.settings.quality.samples, s.quality.samples);
-    EXPECT_EQ(v.settings.technique, v.key == floor_key ? "lambert" : "texture-space");
+    const bool floor = v.key == floor_key || v.key == compute_floor_key;
+    EXPECT_EQ(v.settings.technique, floor ? "lambert" : "texture-space");
     EXPECT_EQ(v.settings.quality.skip_unseen_heads, v.key != baseline_key && v.key != progressive_key);
 
-    const bool all = v.key == optimised_key || v.key == at_edge_key || v.key == optimised_progressive_key;
-    EXPECT_EQ(v.settings.quality.maps, v.key == progressive_key || v.key == optimised_progressive_key
-                                           ? LightMaps::progressive
-                                           : LightMaps::full);
+    const bool cascade = v.key == cascade_key || v.key == compute_key,
+               compute = v.key == shading_key || v.key == compute_key,
+               all = v.key == optimised_key || v.key == at_edge_key || v.key == optimised_progressive_key ||
+                     cascade || compute;
+    EXPECT_EQ(v.settings.quality.maps,
+              v.key == progressive_key || v.key == optimised_progressive_key || cascade
+                  ? LightMaps::progressive
+                  : LightMaps::full);
+    EXPECT_EQ(v.settings.quality.blur, cascade ? BlurOrder::cascade : BlurOrder::chain);
+    EXPECT_EQ(v.settings.quality.shading,
+              compute || v.key == compute_floor_key ? Shading::compute : Shading::raster);
     EXPECT_EQ(v.settings.quality.cull, all || v.key == "cull");
     EXPECT_EQ(v.settings.quality.depth, all || v.key == "depth");
     EXPECT_EQ(v.settings.quality.clip, all || v.key == "clip");
     EXPECT_EQ(v.settings.quality.clip_margin_mm, v.key == at_edge_key ? std::optional(0.0) : std::nullopt);
   }
 
-  EXPECT_EQ(variants_of(s).size(), 10u);
+  EXPECT_EQ(variants_of(s).size(), 14u);
   s.quality.clip_margin_mm = 0;
-  EXPECT_EQ(variants_of(s).size(), 9u) << "all is at the edge already";
+  EXPECT_EQ(variants_of(s).size(), 13u) << "all is at the edge already";
+
+  EXPECT_EQ(variants_of(s, false).size(), 11u) << "no cascade";
+  for (const Variant& v : variants_of(s, false)) EXPECT_EQ(v.settings.quality.blur, BlurOrder::chain);
 
   s.quality.maps = LightMaps::progressive;
-  EXPECT_EQ(variants_of(s).size(), 7u) << "all are progressive already";
+  EXPECT_EQ(variants_of(s).size(), 11u) << "all are progressive already";
   for (const Variant& v : variants_of(s)) EXPECT_EQ(v.settings.quality.maps, LightMaps::progressive);
 }
 
@@ -101,7 +113,7 @@ TEST(RunTable, OursNextToThePapers) {
   EXPECT_NE(paper_table(run).find("2.00 (-)"), std::string::npos);
   EXPECT_NE(paper_table(run).find("6.00 (-)"), std::string::npos);
   const std::string line = table_line(run.cells.front());
-  for (const char* part : {"2.00", "1.80", "1.17", "45.50", "0.0125", " 64\n"})
+  for (const char* part : {"2.00", "1.90", "1.17", "2.22", "1.11", "45.50", "0.0125", " 64\n"})
     EXPECT_NE(line.find(part), std::string::npos) << part << line;
   // Headings stand over their columns: bars of both at the same places.
   const std::string head = table_head(run), headings = head.substr(head.rfind('\n', head.size() - 2) + 1);

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
 #include "gaussians/known.h"
 #include "hazards.h"
 #include "techniques/memory.h"
@@ -23,6 +26,23 @@ void set_heads(techniques::FrameSettings& s, std::uint32_t heads, std::size_t pa
   for (std::uint32_t i = 0; i < parts; ++i) s.skin[i].unwrap = s.skin[i].in_model = i;
   s.models = {{.meshes = static_cast<std::uint32_t>(parts), .has_surfaces = more, .has_blended = more}};
   s.heads.assign(heads, 0);
+}
+
+// Meshes whose chains of blurs differ in their number of steps and in the terms that end on small maps.
+void add_chains_that_differ(std::vector<Case>& all) {
+  for (const bool progressive : {false, true}) {
+    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+    set_heads(s, 2, 3);
+    s.skin[0].max_texels_per_mm = s.skin[0].mean_texels_per_mm = 1;
+    s.skin[1].max_texels_per_mm = 40;
+    s.skin[2].profile.terms.resize(2);
+    s.heads_per_batch = 2;
+    s.optimise = {.cull = true, .depth = true, .clip = true};
+    s.translucency = true;
+    s.progressive = progressive;
+    all.push_back({fmt::format("chains that differ{}", progressive ? ", small maps" : ""),
+                   &techniques::find_technique("texture-space"), std::move(s)});
+  }
 }
 
 std::vector<Case> cases() {
@@ -89,6 +109,7 @@ std::vector<Case> cases() {
     all.push_back({fmt::format("three models, {} heads at a time", heads_per_batch),
                    &techniques::find_technique("texture-space"), std::move(s)});
   }
+  add_chains_that_differ(all);
   return all;
 }
 
@@ -152,6 +173,68 @@ TEST(TechniqueFrames, GrowByThePassOfLabels) {
     EXPECT_EQ(with.passes().back().name, "labels");
     EXPECT_EQ(with.passes().back().runs, Runs::every_frame);
   }
+}
+
+// Heads go through each pass together, of however many assets they are.
+TEST(TechniqueFrames, OfManyHeadsHaveThePassesOfOne) {
+  for (const techniques::Technique* technique : techniques::techniques())
+    for (const bool progressive : {false, true}) {
+      const auto passes_of = [&](std::uint32_t heads, std::uint32_t models) {
+        techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+        set_heads(s, heads, models, true);
+        s.models.clear();
+        for (std::uint32_t m = 0; m < models; ++m) {
+          s.models.push_back({.first_mesh = m, .meshes = 1, .has_surfaces = true, .has_blended = true});
+          s.skin[m].in_model = 0;
+        }
+        for (std::uint32_t head = 0; head < heads; ++head) s.heads[head] = head % models;
+        s.heads_per_batch = heads;
+        s.optimise = {.cull = true, .depth = true, .clip = true};
+        s.translucency = s.progressive = progressive;
+
+        passes::FramePlan plan;
+        technique->build(plan, s);
+        std::vector<std::string> names;
+        for (const PassNode& pass : plan.passes()) names.push_back(pass.name);
+        return names;
+      };
+      EXPECT_EQ(passes_of(64, 6), passes_of(1, 1)) << technique->name << progressive;
+    }
+}
+
+// A short chain beside a long one adds no pass, and a dense mesh no more than its own steps.
+TEST(TechniqueFrames, ChainsThatDifferTakeTheirCommonStepsTogether) {
+  const auto blurs = [](const std::vector<double>& densities, std::size_t terms_of_last) {
+    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+    set_heads(s, 1, densities.size());
+    for (std::size_t i = 0; i < densities.size(); ++i) s.skin[i].max_texels_per_mm = densities[i];
+    s.skin.back().profile.terms.resize(terms_of_last);
+    passes::FramePlan plan;
+    techniques::find_technique("texture-space").build(plan, s);
+    return std::ranges::count_if(plan.passes(),
+                                 [](const PassNode& pass) { return pass.name.starts_with("blur"); });
+  };
+  EXPECT_GT(blurs({40}, 6), blurs({4}, 6));
+  EXPECT_EQ(blurs({40, 4}, 6), blurs({40}, 6));
+  EXPECT_EQ(blurs({4, 40}, 6), blurs({40}, 6));
+  EXPECT_EQ(blurs({4, 4}, 2), blurs({4}, 6));
+}
+
+// The lists of tiles of a level are cleared for all meshes at once: a mesh that gets there early must wait.
+TEST(TechniqueFrames, ListTheTilesOfALevelOnce) {
+  techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+  set_heads(s, 1, 2);
+  s.skin[1].max_texels_per_mm = 40;
+  s.optimise = {.cull = true, .depth = true, .clip = true};
+  s.progressive = true;
+  passes::FramePlan plan;
+  techniques::find_technique("texture-space").build(plan, s);
+
+  std::map<std::string, int> lists;
+  for (const PassNode& pass : plan.passes())
+    if (pass.name.starts_with("clear tiles")) ++lists[pass.name];
+  EXPECT_GE(lists.size(), 2u);
+  for (const auto& [name, count] : lists) EXPECT_EQ(count, 1) << name;
 }
 
 std::uint64_t texture_bytes(const FrameGraph& plan) {

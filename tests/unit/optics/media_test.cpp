@@ -204,6 +204,8 @@ TEST(Tabulated, ReadsWhatItShouldAndNothingElse) {
   EXPECT_NE(parse("r_mm,R,G,B\n0,1,1,1,1\n").find("line 2"), std::string::npos);
   EXPECT_NE(parse("r_mm,R,G,B\n0,-1,1,1\n1,1,1,1\n").find("0 to 1e12"), std::string::npos);
   EXPECT_NE(parse("r_mm,R,G,B\n0,x,1,1\n").find("'x' is not a number"), std::string::npos);
+  EXPECT_NE(parse("r_mm,R,G,B\n0,\x7f,1,1\n").find("'?' is not a number"), std::string::npos);
+  EXPECT_NE(parse("\x7f").find("got '?'"), std::string::npos);
   EXPECT_NE(parse("r_mm,R,G,B\n0,0,1,1\n1,0,1,1\n").find("0 everywhere"), std::string::npos);
   // A cone R = 1 - r: total pi / 3.
   const auto cone = profile::parse_csv("\xEF\xBB\xBF# cone\r\nr_mm,R,G,B\r\n0,1,1,1\r\n1,0,0,0\r\n", "r.csv");

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "passes/blur/kernels.h"
+#include "passes/kernels.h"
 
 namespace dermis::passes {
 namespace {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "../gltf/posed_by_hand.h"
+#include "scene/enclosure.h"
 #include "scene/placement.h"
 #include "scene/turned.h"
 #include "scene/unwrap.h"
@@ -162,9 +163,13 @@ TEST_F(Character, BoundsHoldThePose) {
       EXPECT_LE(held.low_m[axis], exact.low_m[axis] + 1e-6);
       EXPECT_GE(held.high_m[axis], exact.high_m[axis] - 1e-6);
     }
+    std::vector<glm::vec3> points_m;
     for (const Primitive& primitive : moved.primitives)
-      for (const Vertex& v : primitive.vertices)
-        EXPECT_LE(glm::distance(v.position_m, all.sphere.centre_m), all.sphere.radius_m * (1 + 1e-6));
+      for (const Vertex& v : primitive.vertices) points_m.push_back(v.position_m);
+    for (const glm::vec3& p_m : points_m)
+      EXPECT_LE(glm::distance(p_m, all.sphere.centre_m), all.sphere.radius_m * (1 + 1e-6));
+    const Reach reach = reach_of(posed_corners(*scene.rig, rig)), needed = reach_of(points_m);
+    for (std::size_t k = 0; k < reach.size(); ++k) EXPECT_GE(reach[k], needed[k] - 1e-6);
     if (natural) loosest = std::max(loosest, double{held.sphere.radius_m} / double{exact.sphere.radius_m});
   }
   std::printf("largest sphere of a pose over that of its vertices: %.2f\n", loosest);

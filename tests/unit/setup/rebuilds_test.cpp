@@ -34,6 +34,7 @@ struct Exception {
 };
 constexpr Exception exceptions[] = {
     {"skin.normalise_profile", "weights that nearly sum to 1", "others are refused, or sum to 1 already"},
+    {"quality.blur", "progressive maps", "a cascade takes no others"},
 };
 
 Subject head() {
@@ -57,6 +58,7 @@ const std::string& profile_file() {
 std::vector<Frame> frames() {
   const Subject subject = head();
   return {{"the built-in head", subject, {}},
+          {"progressive maps", subject, {.quality = {.maps = LightMaps::progressive}}},
           {"heads in the studio",
            subject,
            {.camera = {.heads = 3}, .lighting = {.environment = "studio"}, .quality = {.map_size = 256}}},

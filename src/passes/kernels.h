@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "passes/blur/blur_io.h"
+#include "passes/kernels_io.h"
 
 namespace dermis::passes {
 
@@ -31,7 +31,19 @@ HalfKernel texel_averaged_gaussian(double sigma);
 double variance(const HalfKernel& kernel);
 
 /// Returns two tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
-/// discrete_gaussian, then texel_averaged_gaussian.
+/// discrete_gaussian, texel_averaged_gaussian.
 std::vector<float> kernel_table();
+
+/// Returns the variance of texel_averaged_gaussian() if it is not cut.
+double texel_averaged_variance(double sigma);
+
+/// Returns q of the kernel with weights q^(k^2) of taps 0, +-1, .. +-radius whose variance is `variance`, or
+/// as far as so many taps can have it: q is 0 to 1.
+double ratio_of_variance(double variance, int radius);
+
+/// Returns three tables of RATIO_CELLS pairs of q: with the variances of discrete_gaussian and of
+/// texel_averaged_gaussian, and with the latter in NARROW_RADIUS taps however wide (exact to a sigma
+/// of 1.35).
+std::vector<float> ratio_table();
 
 }  // namespace dermis::passes

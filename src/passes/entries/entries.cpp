@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "passes/entries/entries.h"
+
+#include <algorithm>
+
+#include "frame/resources.h"
+#include "passes/bindings.h"
+#include "passes/entries/entries_io.h"
+#include "passes/targets.h"
+
+namespace dermis::passes {
+namespace {
+
+io::EntryListIo list_io(const EntryBuffers& buffers) {
+  return {.extent = {buffers.width, buffers.height}, .parts = buffers.part_count};
+}
+
+// How depth becomes a distance along the view, from the rows of the camera's matrix: clip.w is that distance
+// (or 1, if the camera is orthographic), and clip.z is linear in it.
+io::EntriesIo entries_io(const EntryBuffers& buffers, const io::CameraIo& camera) {
+  const glm::mat4 rows = glm::transpose(camera.clip_from_world);
+  const glm::vec3 x(rows[0]), z(rows[2]), w(rows[3]);
+  const float pixel = 2 / (static_cast<float>(buffers.width) * glm::length(x));  // metres per clip.w
+  io::EntriesIo io{.extent = {buffers.width, buffers.height},
+                   .offset = 0,
+                   .factor = 0,
+                   .orthographic = camera.orthographic,
+                   .pixel = pixel};
+  if (camera.orthographic != 0) {
+    io.factor = 1 / glm::length(z);
+  } else {
+    io.offset = glm::dot(z, w) / glm::dot(w, w);
+    io.factor = (rows[2].w - io.offset * rows[3].w) / glm::length(w);
+    io.pixel *= glm::length(w);
+  }
+  return io;
+}
+
+}  // namespace
+
+EntryBuffers make_entry_buffers(FramePlan& plan, std::uint32_t parts, const gpu::TextureDesc& picture) {
+  const std::uint64_t pixels = std::uint64_t{picture.width} * picture.height;
+  DERMIS_ASSERT_LE(pixels, std::uint64_t{MOST_SHADED_PIXELS});
+  DERMIS_ASSERT_LE(parts, std::uint32_t{MOST_PARTS});
+  const std::uint64_t most_entries = std::min(picture.samples, 2u) * pixels;
+  return {.pixels = plan.buffer("entries of pixels", {.bytes = pixels * sizeof(io::PixelIo)}),
+          .parts = plan.buffer("parts", {.bytes = parts * sizeof(io::PartIo)}),
+          .entries = plan.buffer("entries", {.bytes = (parts + most_entries) * sizeof(io::EntryIo)}),
+          .part_count = parts,
+          .width = picture.width,
+          .height = picture.height};
+}
+
+ClearParts::Out ClearParts::declare(frame::Declare& d) {
+  d.kind(frame::PassKind::copy);
+  d.copy_to(in.parts);
+  return {};
+}
+
+void ClearParts::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
+  cmd.fill(resources.buffer(in.parts), 0);
+}
+
+Entries::Out Entries::declare(frame::Declare& d) {
+  multisampled_ = d.desc(in.ids).samples > 1;
+  compute(d, multisampled_ ? "entries.comp" : "entries_single.comp");
+  d.sample(in.ids);
+  if (multisampled_) d.sample(in.depth);
+  d.write(in.buffers.pixels);
+  d.write(in.buffers.parts);
+  return {};
+}
+
+void Entries::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  Bindings bindings;
+  bindings.add("ids", resources.nearest(in.ids))
+      .add("Pixels", resources.buffer(in.buffers.pixels))
+      .add("Parts", resources.buffer(in.buffers.parts));
+  if (multisampled_) bindings.add("depths", resources.nearest(in.depth));
+  bindings.bind(cmd, pipeline());
+  dispatch(cmd, entries_io(in.buffers, frame.camera), in.buffers.width, in.buffers.height);
+}
+
+PartRanges::Out PartRanges::declare(frame::Declare& d) {
+  compute(d, "part_ranges.comp");
+  d.write(in.buffers.parts);
+  d.write(in.buffers.entries);
+  return {};
+}
+
+void PartRanges::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
+  Bindings()
+      .add("Parts", resources.buffer(in.buffers.parts))
+      .add("Entries", resources.buffer(in.buffers.entries))
+      .bind(cmd, pipeline());
+  dispatch(cmd, list_io(in.buffers), 1, 1);
+}
+
+EntryList::Out EntryList::declare(frame::Declare& d) {
+  compute(d, "entry_list.comp");
+  d.read(in.buffers.pixels);
+  d.write(in.buffers.entries);
+  return {};
+}
+
+void EntryList::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
+  Bindings()
+      .add("Pixels", resources.buffer(in.buffers.pixels))
+      .add("Entries", resources.buffer(in.buffers.entries))
+      .bind(cmd, pipeline());
+  dispatch(cmd, list_io(in.buffers), in.buffers.width, in.buffers.height);
+}
+
+ResolveEntries::Out ResolveEntries::declare(frame::Declare& d) {
+  const std::string shader = !in.layer.valid()      ? "resolve_entries.comp"
+                             : settings.samples > 1 ? "resolve_entries_layer.comp"
+                                                    : "resolve_entries_layer_single.comp";
+  compute(d, shader, {{"sample_count", settings.samples}});
+  out_.picture = d.create("picture", {.width = in.buffers.width,
+                                      .height = in.buffers.height,
+                                      .format = light_format,
+                                      .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+  d.read(in.buffers.pixels);
+  d.read(in.buffers.entries);
+  if (in.layer.valid()) d.sample(in.layer);
+  d.write(out_.picture);
+  return out_;
+}
+
+void ResolveEntries::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
+  Bindings bindings;
+  bindings.add("Pixels", resources.buffer(in.buffers.pixels))
+      .add("Entries", resources.buffer(in.buffers.entries))
+      .add("picture", resources.storage(out_.picture));
+  if (in.layer.valid()) bindings.add("layer", resources.nearest(in.layer));
+  bindings.bind(cmd, pipeline());
+  dispatch(cmd, list_io(in.buffers), in.buffers.width, in.buffers.height);
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+/// What a picture has to shade of the skin, listed by part, and how the shaded entries become the picture.
+/// Based on: Burns, Hunt: The Visibility Buffer, JCGT 2(2), 2013
+#pragma once
+
+#include "passes/compute_pass.h"
+#include "passes/frame_data.h"
+#include "shared/entries_io.h"
+
+namespace dermis::passes {
+
+/// Buffers of the entries of a frame.
+struct EntryBuffers {
+  frame::BufferId pixels;   ///< PixelIo[], row by row
+  frame::BufferId parts;    ///< PartIo[]
+  frame::BufferId entries;  ///< PartRangeIo[], one per part, and then EntryIo[]
+  std::uint32_t part_count = 0;
+  std::uint32_t width = 0, height = 0;  ///< of the picture, pixels
+};
+
+/// Makes the buffers for a picture of at most MOST_SHADED_PIXELS.
+EntryBuffers make_entry_buffers(FramePlan& plan, std::uint32_t parts, const gpu::TextureDesc& picture);
+
+class ClearParts {
+ public:
+  struct Settings {
+  } settings;
+  struct In {
+    frame::BufferId parts;
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+};
+
+/// Finds the entries of each pixel, at most two, and their ranks.
+class Entries : public ComputePass {
+ public:
+  struct Settings {
+  } settings;
+  struct In {
+    frame::TextureId ids, depth;  ///< of Ids
+    EntryBuffers buffers;         ///< parts: cleared by ClearParts
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  bool multisampled_ = false;
+};
+
+/// Gives each part its range of the list, and its indirect dispatch.
+class PartRanges : public ComputePass {
+ public:
+  struct Settings {
+  } settings;
+  struct In {
+    EntryBuffers buffers;
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+};
+
+/// Writes the list.
+class EntryList : public ComputePass {
+ public:
+  struct Settings {
+  } settings;
+  struct In {
+    EntryBuffers buffers;
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+};
+
+/// Makes the picture from the shaded entries, and what lies over them.
+class ResolveEntries : public ComputePass {
+ public:
+  struct Settings {
+    std::uint32_t samples = 1;  ///< of the ids
+  } settings;
+  struct In {
+    EntryBuffers buffers;
+    /// Premultiplied light over the skin, alpha is what it hides; not valid: there is none.
+    frame::TextureId layer;
+  } in;
+  struct Out {
+    frame::TextureId picture;  ///< RGBA16F, one sample; alpha: share of the pixel that is skin
+  };
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  Out out_;
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#ifndef DERMIS_PASSES_ENTRIES_IO_H
+#define DERMIS_PASSES_ENTRIES_IO_H
+#include "shared/entries_io.h"
+DERMIS_IO_BEGIN
+struct EntriesIo {
+  uvec2 extent;  // of the picture, pixels
+  // Distance along the view, metres: factor / (depth - offset), or factor * depth if the camera is
+  // orthographic.
+  float offset, factor;
+  uint orthographic;
+  float pixel;  // side of a pixel: metres per metre of distance, or metres if orthographic
+};
+// Of all lists, and of the picture.
+struct EntryListIo {
+  uvec2 extent;  // of the picture, pixels
+  uint parts;
+};
+DERMIS_IO_END
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+/// Computes the light of the entries of one skin mesh of one head: see skin_shading.h and
+/// passes/entries/entries.h. Each entry is shaded once, where the triangle is seen that most of its samples
+/// show: at the middle of its samples, or at the nearest point of the triangle.
+/// Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6
+#pragma once
+
+#include "passes/final_pass/skin_shading.h"
+
+namespace dermis::passes {
+
+class Shade {
+ public:
+  struct Settings {
+    SkinLook look;
+    std::uint32_t first_part = 0;  ///< of the mesh, as for Ids
+    glm::uvec2 extent{0};          ///< of the picture, pixels
+    std::uint32_t samples = 1;     ///< of the ids
+  } settings;
+  struct In {
+    SkinLights lights;
+    frame::BufferId parts, entries;  ///< of EntryList
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  SkinShading shading_;
+  const gpu::Pipeline* pipelines_[SkinVariant::count] = {};
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Light from the skin to the camera: the scattered light of its texels (or, with no terms, the light that
+// enters at the pixel), the part of the albedo that is applied afterwards, two specular lobes, and emission.
+// THROUGH: with transmitted light. Needs `io` (FinalPassIo).
+#include "shaders/half.glsl"
+#include "shaders/skin_point.glsl"
+#include "shaders/skin_lights.glsl"
+#include "shaders/cut_out.glsl"
+#include "shared/gutters_io.h"
+#ifdef THROUGH
+#include "shaders/skin_through.glsl"
+#endif
+layout(constant_id = 0) const int term_count = 6;
+layout(constant_id = 1) const bool direct = false;       // what the weights lack of 1 is lit per pixel
+layout(constant_id = 2) const bool progressive = false;  // maps of wide terms are smaller
+layout(constant_id = 12) const bool emits = false;
+layout(constant_id = 17) const bool summed = false;  // the first map holds the weighted sum
+layout(binding = 13) uniform sampler2D map_emissive;
+layout(binding = 14) uniform sampler2D light_0;
+layout(binding = 15) uniform sampler2D light_1;
+layout(binding = 16) uniform sampler2D light_2;
+layout(binding = 17) uniform sampler2D light_3;
+layout(binding = 18) uniform sampler2D light_4;
+layout(binding = 19) uniform sampler2D light_5;
+layout(binding = 20) uniform sampler2D light_6;
+layout(binding = 21) uniform sampler2D light_7;
+
+#include "passes/final_pass/coarse_share.glsl"
+#include "passes/final_pass/light_point.glsl"
+
+// Returns whether a term is read from its map. One without weight may not have been written: 0 times NaN is
+// NaN.
+bool is_read(int i) { return i < term_count && (!direct || io.weights[i] != vec3(float(nothing()))); }
+
+// Where the skin is on its light map.
+struct OnMap {
+  vec2 unwrap;      // in its triangle
+  float uv_per_mm;  // texture coordinates
+};
+
+// Returns the part of a term that is read from its map.
+vec3 mapped_weight(int term, OnMap on) {
+  return (1.0 - coarse_share(terms.sigma_mm[term], on.uv_per_mm)) * io.weights[term];
+}
+
+#include "passes/final_pass/light_left.glsl"
+
+vec3 light_of(sampler2D light, int term, vec2 unwrap, vec2 at) {
+  if (progressive) {
+    const uint side = io.map_side >> ((io.halvings >> (4 * term)) & 15u);
+    const vec2 size = vec2(textureSize(light, 0));
+    at =
+        light_point(unwrap, float(side), vec2(io.map_origin) * (size / vec2(textureSize(light_0, 0)))) / size;
+  }
+  return cut_out ? light_left(light, at) : textureLod(light, at, 0.0).rgb;
+}
+
+vec3 emitted(ShadingPoint s) {
+  const MapIo map = material.maps[MAP_EMISSIVE];
+  return is_present(map) ? material.emissive * map_texel(map_emissive, map, s).rgb : material.emissive;
+}
+
+// Returns sum_i w_i (light blurred by term i), already times 2^EV / pi.
+vec3 scattered(OnMap on) {
+  const vec2 at = light_point(on.unwrap) / vec2(textureSize(light_0, 0));
+  if (summed) return light_of(light_0, 0, on.unwrap, at);
+  vec3 sum = vec3(0.0);
+  if (is_read(0)) sum += mapped_weight(0, on) * light_of(light_0, 0, on.unwrap, at);
+  if (is_read(1)) sum += mapped_weight(1, on) * light_of(light_1, 1, on.unwrap, at);
+  if (is_read(2)) sum += mapped_weight(2, on) * light_of(light_2, 2, on.unwrap, at);
+  if (is_read(3)) sum += mapped_weight(3, on) * light_of(light_3, 3, on.unwrap, at);
+  if (is_read(4)) sum += mapped_weight(4, on) * light_of(light_4, 4, on.unwrap, at);
+  if (is_read(5)) sum += mapped_weight(5, on) * light_of(light_5, 5, on.unwrap, at);
+  if (is_read(6)) sum += mapped_weight(6, on) * light_of(light_6, 6, on.unwrap, at);
+  if (is_read(7)) sum += mapped_weight(7, on) * light_of(light_7, 7, on.unwrap, at);
+  return sum;
+}
+
+#ifdef THROUGH
+// Returns the transmitted light that the maps would show, for the part of the terms lit here: terms of a
+// group share their mean.
+vec3 through_share(LitThrough r, OnMap on) {
+  vec3 sum = vec3(0.0), mean = vec3(0.0);
+  for (int g = 0; g < TRANSMISSION_GROUPS; ++g) {
+    mean += joining(r, g);
+    vec3 share = transmission.group_weight[g];
+    for (int i = 0; i < term_count; ++i)
+      if (transmission.group[i] == uint(g)) share -= mapped_weight(i, on);
+    sum += share * mean;
+  }
+  return sum;
+}
+#endif
+
+// Returns the environment in both lobes, by their directional albedo. Where skin occludes it, the lobe
+// reflects `skin`, the radiance that leaves skin here. At grazing angles a lobe is narrower than its slope
+// and bent towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the mean of
+// [KSK01]'s lobe, m = 0.1 to 0.4.
+vec3 mirrored_surroundings(ShadingPoint s, vec2 unwrap, vec3 n_geometric, SkinView view, SkinSpecular spec,
+                           vec3 skin) {
+  const vec3 n = view.n, v = view.to_eye;
+  const float n_v = dot(n, v), all = specular_albedo(directional_albedo, spec, n_v),
+              open = skin_open(s, unwrap);
+  if (!environment) return frame.ambient * (all * open);
+
+  const vec3 mirrored = reflect(-v, n),
+             turned = off_map ? vec3(0.0) : world_direction(textureLod(bent_normal, unwrap, 0.0).xyz),
+             sky = normalize(n_geometric + turned);
+  const float above = clamp(1.0 + 1.3 * dot(mirrored, n_geometric), 0.0,
+                            1.0);  // a mapped normal may reflect directions below the surface
+
+  vec2 albedo = vec2(0.0);
+  vec3 lobe[2];
+  for (int k = 0; k < 2; ++k) {
+    albedo[k] = spec.weight[k] * directional_albedo_lookup(directional_albedo, n_v, spec.m[k], spec.f0);
+    const float slope = spec.m[k] * sqrt(max(n_v, 0.0));
+    const vec3 towards = normalize(mirrored + n * (0.9 * spec.m[k] * pow(1.0 - n_v, 4.0)));
+    lobe[k] = mix(skin, surroundings_radiance(towards, slope),
+                  sky_in_lobe(sky, open, towards, slope) * above * above);
+  }
+
+  return (lobe[0] * albedo.x + lobe[1] * albedo.y) * (all / max(albedo.x + albedo.y, 1e-6));
+}
+
+// s.normal: interpolated, turned to the side that is seen. The result can be stored in half floats.
+vec3 skin_radiance(ShadingPoint s, OnMap on) {
+  const vec3 v = view_vector(s.position_m), n_geometric = s.normal;
+  const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
+  const SkinSpecular spec = skin_specular(s);
+  const SkinView view = skin_view(n, v, spec);
+  const vec3 albedo = skin_albedo(s);
+#ifdef THROUGH
+  const LitThrough r = lit_through(s, n, n_geometric, spec, view);
+  const LitSkin lit = r.skin;
+#else
+  const LitSkin lit = lit_skin(s, n, n_geometric, spec, direct, view);
+#endif
+
+  vec3 diffuse = vec3(0.0);
+  if (term_count > 0) diffuse = scattered(on) * albedo_power(albedo, 1.0 - material.mix_before);
+  if (direct) {
+    vec3 share = vec3(1.0);
+    for (int i = 0; i < term_count; ++i) share -= mapped_weight(i, on);
+    const vec3 entering = lit.entering + entering_surroundings(s, n, on.unwrap);
+    vec3 leaving = share * entering * albedo;
+#ifdef THROUGH
+    leaving += through_share(r, on) * albedo_power(albedo, 1.0 - material.mix_before);
+#endif
+    diffuse += leaving * (frame.radiance_scale / pi);
+  }
+
+  const vec3 surroundings =
+      mirrored_surroundings(s, on.unwrap, n_geometric, view, spec, diffuse / frame.radiance_scale);
+  diffuse *= 1.0 - specular_albedo(directional_albedo, spec, dot(view.n, v));
+  vec3 radiance = diffuse + (lit.reflected + surroundings) * frame.radiance_scale;
+  if (emits) radiance += emitted(s) * frame.radiance_scale;
+  return storable(radiance);
+}

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "passes/final_pass/skin_shading.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "frame/resources.h"
+#include "passes/final_pass/shade_io.h"
+
+namespace dermis::passes {
+namespace {
+
+float smoothstep(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+float too_few(float x) { return 1 - smoothstep(0.075f, 0.15f, x); }
+
+}  // namespace
+
+bool is_coarse(float widest_mm, float texels_per_mm, float even_texels_per_mm) {
+  return coarse_share(0, widest_mm, texels_per_mm, even_texels_per_mm) > 0;
+}
+
+float coarse_share(float sigma_mm, float widest_mm, float texels_per_mm, float even_texels_per_mm) {
+  const float poor =
+      std::max(too_few(texels_per_mm / even_texels_per_mm), too_few(widest_mm * texels_per_mm));
+  return poor * (1 - smoothstep(0.2f, 0.4f, sigma_mm * texels_per_mm));
+}
+
+float direct_share(float sigma_texels, float shrink) {
+  return smoothstep(1, 1.4f, shrink) * (1 - smoothstep(0.35f, 0.8f, sigma_texels));
+}
+
+float share_at_pixel(float sigma_mm, float texels_per_mm, std::uint32_t largest_side, std::uint32_t side) {
+  const float shrink = static_cast<float>(largest_side) / static_cast<float>(side);
+  return direct_share(sigma_mm * texels_per_mm / shrink, shrink);
+}
+
+gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms,
+                       const std::optional<ThroughMesh>& through) {
+  io::ThroughTermsIo io{};
+  std::copy(terms.sigmas_mm.begin(), terms.sigmas_mm.end(), io.terms.sigma_mm);
+  io.terms.widest_mm = terms.sigmas_mm.empty() ? 0 : terms.sigmas_mm.back();
+  io.terms.even_uv_per_mm = terms.even_uv_per_mm;
+  io.terms.largest_side = static_cast<float>(terms.largest_side);
+  if (through) io.transmission = transmission_io(through->profile, through->mm_per_unit);
+  return gpu::make_buffer(device, "skin terms", std::span<const io::ThroughTermsIo>(&io, 1),
+                          VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+}
+
+SkinShading::SkinShading(SkinLook look, SkinLights lights)
+    : look_(std::move(look)), lights_(std::move(lights)) {
+  DERMIS_ASSERT_EQ(lights_.maps.size(), look_.summed ? 1 : look_.weights.size());
+  DERMIS_ASSERT_LE(lights_.maps.size(), std::size_t{MOST_TERMS});
+}
+
+void SkinShading::declare(frame::Declare& d) const {
+  for (const frame::TextureId map : lights_.maps) d.sample(map);
+  d.sample(lights_.shadow);
+  if (through() && lights_.entering.valid()) d.sample(lights_.entering);
+}
+
+void SkinShading::prepare(gpu::PipelineLibrary& library) {
+  terms_ = make_terms(library.device(), look_.terms, look_.through);
+  if (through()) through_ = ThroughBindings(library, {*look_.through});
+  samplers_ = LightingSamplers(library);
+}
+
+std::vector<SkinVariant> SkinShading::variants() const {
+  using Lit = SkinVariant::Lit;
+  std::vector<SkinVariant> lit{{.lit = look_.weights.empty() ? Lit::at_pixel : Lit::on_map}};
+  if (look_.mixes || look_.terms.coarse) lit.push_back({.lit = Lit::mixed});
+  if (look_.mixes) lit.push_back({.lit = Lit::at_pixel});
+  if (look_.off_map) lit.push_back({.lit = Lit::at_pixel, .off_map = true});
+
+  std::vector<SkinVariant> all;
+  for (SkinVariant variant : lit)
+    for (const bool cut_out : {false, true})
+      for (const bool emits : {false, true}) {
+        if ((cut_out && !look_.cut_out) || (emits && !look_.emits)) continue;
+        variant.cut_out = cut_out;
+        variant.emits = emits;
+        all.push_back(variant);
+      }
+  return all;
+}
+
+SkinVariant SkinShading::variant_of(const Instance& instance, const GpuDraw& draw,
+                                    const GpuMaterial& material) const {
+  return {.lit = draw.on_map ? lit_of(instance) : SkinVariant::Lit::at_pixel,
+          .off_map = !draw.on_map,
+          .cut_out = material.cut_out,
+          .emits = material.emits};
+}
+
+SkinVariant::Lit SkinShading::lit_of(const Instance& instance) const {
+  bool mixed = look_.terms.coarse, mapped = false;
+  for (std::size_t i = 0; i < look_.weights.size(); ++i) {
+    const float share = share_of(i, instance);
+    mixed = mixed || share > 0;
+    mapped = mapped || share < 1;
+  }
+  if (!mapped) return SkinVariant::Lit::at_pixel;
+  return mixed ? SkinVariant::Lit::mixed : SkinVariant::Lit::on_map;
+}
+
+bool SkinShading::through(const SkinVariant& variant) const {
+  return through() && variant.lit != SkinVariant::Lit::on_map;
+}
+
+gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
+  const bool progressive = !look_.halvings.empty() && look_.halvings.back() > 0;
+  const auto terms = static_cast<std::uint32_t>(look_.weights.size());
+  const bool at_pixel = variant.lit == SkinVariant::Lit::at_pixel;
+  gpu::Constants constants{{"term_count", at_pixel ? 0u : terms},
+                           {"direct", variant.lit != SkinVariant::Lit::on_map ? 1u : 0u},
+                           {"environment", look_.environment ? 1u : 0u},
+                           {"soft_shadows", look_.soft_shadows ? 1u : 0u},
+                           {"progressive", progressive ? 1u : 0u},
+                           {"summed", look_.summed ? 1u : 0u},
+                           {"off_map", variant.off_map ? 1u : 0u},
+                           {"coarse", look_.terms.coarse ? 1u : 0u},
+                           {"cut_out", variant.cut_out ? 1u : 0u},
+                           {"emits", variant.emits ? 1u : 0u}};
+  if (through(variant)) {
+    constants.emplace_back("through_terms", terms);
+    constants.emplace_back("entering_stored", lights_.entering.valid() ? 1u : 0u);
+  }
+  return constants;
+}
+
+io::FinalPassIo SkinShading::io(const FrameData& frame) const {
+  const Instance& instance = instance_of(frame, look_.square);
+  io::FinalPassIo io{.weights = {},
+                     .map_origin = used_square(frame, look_.square).origin,
+                     .map_side = instance.map_side,
+                     .slot = 0,
+                     .halvings = 0};
+
+  for (std::size_t i = 0; i < look_.weights.size(); ++i) {
+    const auto& [r, g, b] = look_.weights[i];
+    io.weights[i] = (1 - share_of(i, instance)) * glm::vec3(r, g, b);
+
+    // In 4 bits how often the term's map is halved.
+    const std::uint32_t side = halved_side(instance.map_side, look_.terms.largest_side, look_.halvings[i]);
+    while (instance.map_side >> (io.halvings >> 4 * i & 15u) > side) io.halvings += 1u << 4 * i;
+  }
+  return io;
+}
+
+float SkinShading::share_of(std::size_t term, const Instance& instance) const {
+  if (!look_.mixes) return 0;
+  return share_at_pixel(look_.terms.sigmas_mm[term], look_.texels_per_mm, look_.terms.largest_side,
+                        instance.map_side);
+}
+
+void SkinShading::offer_maps(Bindings& bindings, const frame::Resources& resources,
+                             const Instance& instance) const {
+  static constexpr std::array names{"light_0", "light_1", "light_2", "light_3",
+                                    "light_4", "light_5", "light_6", "light_7"};
+  static_assert(names.size() == MOST_TERMS);
+
+  // A binding without a term is never read, but a sampled texture must be bound.
+  for (std::size_t i = 0; i < names.size(); ++i)
+    bindings.add(names[i], i < lights_.maps.size() ? resources.linear(lights_.maps[i])
+                                                   : resources.linear(instance.scene->white()));
+  bindings.add("Terms", terms_);
+}
+
+void SkinShading::offer(Bindings& bindings, const frame::Resources& resources, const FrameData& frame) const {
+  const Instance& instance = instance_of(frame, look_.square);
+  bindings.add("Frame", frame.frame_io);
+  samplers_.offer(bindings, frame, instance, resources.texture(lights_.shadow));
+  samplers_.offer_sky(bindings, instance, mesh_in_asset(frame, look_.square));
+  if (through()) through_.offer(bindings, resources, lights_.entering, lights_.shadow, 0);
+  offer_maps(bindings, resources, instance);
+}
+
+}  // namespace dermis::passes

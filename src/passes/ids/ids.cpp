@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "passes/ids/ids.h"
+
+#include "frame/resources.h"
+#include "passes/draw_skin.h"
+#include "passes/ids/ids_io.h"
+#include "passes/targets.h"
+
+namespace dermis::passes {
+namespace {
+
+constexpr VkFormat id_format = VK_FORMAT_R8G8B8A8_UNORM;
+
+}  // namespace
+
+Ids::Out Ids::declare(frame::Declare& d) {
+  d.kind(frame::PassKind::raster);
+  gpu::TextureDesc desc = d.desc(in.depth);
+  desc.format = id_format;
+  out_.ids = d.create("ids", desc);
+  d.colour(out_.ids);
+  d.depth(in.depth);
+  return out_;
+}
+
+void Ids::prepare(gpu::PipelineLibrary& library) {
+  for (const bool double_sided : {false, true})
+    for (const bool cut_out : {false, true}) {
+      if (cut_out && !settings.cut_out) continue;
+      gpu::GraphicsDesc desc{.vertex = "ids.vert",
+                             .fragment = cut_out ? "ids_cut_out.frag" : "ids.frag",
+                             .colour_formats = {id_format},
+                             .depth_format = depth_format,
+                             .samples = settings.samples,
+                             .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
+                             .depth_test = true,
+                             .depth_write = true};
+      if (cut_out) desc.constants = {{"cut_out", 1u}};
+      pipelines_[double_sided][cut_out] = &library.graphics(desc);
+    }
+}
+
+void Ids::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  const gpu::ColourTarget ids{.texture = &resources.texture(out_.ids), .clear = no_light};
+  const gpu::DepthTarget depth{.texture = &resources.texture(in.depth), .clear = 0.0f};
+  cmd.begin_rendering(std::span(&ids, 1), depth, {ids.texture->desc().width, ids.texture->desc().height});
+
+  for (const IdMesh& mesh : settings.meshes) {
+    const Instance& instance = instance_of(frame, mesh.square);
+    if (!instance.is_drawn()) continue;
+    const std::uint32_t number = mesh_in_asset(frame, mesh.square);
+    Bindings bindings;
+    bindings.add("Frame", frame.frame_io);
+    std::uint32_t part = mesh.first_part;
+    draw_skin(
+        cmd, instance, number, bindings,
+        [&](const GpuDraw&, const GpuMaterial& m) { return pipelines_[m.double_sided][m.cut_out]; },
+        [&](const GpuMaterial&) { return io::IdsIo{.first_id = first_id(part++)}; },
+        first_corners(instance, number));
+  }
+  cmd.end_rendering();
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+/// Draws the skin of all heads as ids and depth: what each sample shows, before anything is shaded.
+/// Based on: Burns, Hunt: The Visibility Buffer, JCGT 2(2), 2013
+#pragma once
+
+#include <vector>
+
+#include "frame/graph.h"
+#include "passes/frame_data.h"
+#include "passes/light_pool.h"
+#include "shared/entries_io.h"
+
+namespace dermis::passes {
+
+/// A skin mesh of a head, and the number of the first of its parts: it has as many as GpuMesh::draws.
+struct IdMesh {
+  MapSquare square;
+  std::uint32_t first_part = 0;
+};
+
+/// Returns the id of triangle 0 of a mesh in this part.
+constexpr std::uint32_t first_id(std::uint32_t part) { return (part + 1) << ID_TRIANGLE_BITS; }
+
+class Ids {
+ public:
+  struct Settings {
+    std::uint32_t samples = 1;   ///< of the depth
+    bool cut_out = false;        ///< some skin is cut out by its alpha
+    std::vector<IdMesh> meshes;  ///< of all heads
+  } settings;
+  struct In {
+    frame::TextureId depth;  ///< cleared here
+  } in;
+  struct Out {
+    frame::TextureId ids;  ///< RGBA8: shared/entries_io.h
+  };
+  Out declare(frame::Declare& d);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  const gpu::Pipeline* pipelines_[2][2] = {};  // [double sided][cut out]
+  Out out_;
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#include "passes/ids/ids_io.h"
+#include "shared/scene_io.h"
+#include "shaders/vertex_pull.glsl"
+#include "shaders/first_corner.glsl"
+#include "shaders/instance.glsl"
+#include "shaders/frame.glsl"
+layout(push_constant, scalar) uniform Push { IdsIo io; };
+invariant
+    gl_Position;  // final_pass.vert has the same: unshaded_reads.frag tests against the depth written here
+layout(location = 0) flat out uint out_id;
+layout(location = 3) out vec4 out_uv;
+layout(location = 4) out vec4 out_colour;
+void main() {
+  const uint vertex = vertex_drawn();
+  const VertexIo v = vertices[vertex];
+  const VertexExtraIo extra = vertex_extra(vertex);
+  out_id = io.first_id + uint(gl_VertexIndex);
+  out_uv = vec4(v.uv0, extra.uv1);
+  out_colour = extra.colour;
+  gl_Position = frame.camera.clip_from_world * vec4(world_position(v.position_m), 1.0);
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/texture_space/cascade.h"
+
+#include "passes/add_transmitted/add_transmitted.h"
+#include "passes/cascade/cascade.h"
+#include "passes/gutters/gutters.h"
+#include "passes/upsample/upsample.h"
+
+namespace dermis::techniques {
+namespace {
+
+using passes::CascadeStep;
+using passes::Gutters;
+using passes::MapSquare;
+
+// The cascade of one skin mesh: knows how far down the pyramid the light is that has spread.
+class Cascade {
+ public:
+  Cascade(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps, std::uint32_t mesh,
+          const std::vector<MapSquare>& squares)
+      : plan_(&plan),
+        settings_(&settings),
+        maps_(&maps),
+        mesh_(mesh),
+        squares_(squares),
+        cascade_(cascade_plan(settings, settings.skin[mesh])) {}
+
+  void add() {
+    if (settings_->translucency) add_transmitted();
+    add_pyramids();
+
+    for (std::size_t i = cascade_.steps.size(); i-- > 0;) {
+      const CascadeStep& step = cascade_.steps[i];
+      const bool widest = i + 1 == cascade_.steps.size();
+      if (widest)
+        halvings_ = step.halvings;
+      else
+        climb(step.halvings, static_cast<std::uint32_t>(i) + 1);
+      add_step(static_cast<std::uint32_t>(i), widest);
+    }
+    if (!cascade_.steps.empty()) climb(0, 0);
+    add_sum();
+  }
+
+ private:
+  const Level& level(std::uint32_t halvings) const { return maps_->levels()[halvings]; }
+  frame::TextureId spread(std::uint32_t halvings) const { return level(halvings).blurred.front(); }
+  std::vector<MapSquare> on(std::uint32_t halvings) const { return on_level(squares_, level(halvings)); }
+  passes::MaskedPass::Mask mask(std::uint32_t halvings) const {
+    const Level& l = level(halvings);
+    return {.skip_unlit = skip_unlit(*settings_), .lists = l.lit, .depth_mask = l.depth_mask};
+  }
+
+  // Light of a group is what the group before has, and what its terms bring through the body beyond that.
+  void add_transmitted() {
+    for (std::size_t g = 1; g < cascade_.groups.size(); ++g) {
+      const frame::TextureId before = maps_->unspread(g - 1, 0), through = maps_->unspread(g, 0);
+      const std::string name = fmt::format("add transmitted {}", g);
+      plan_->add<passes::AddTransmitted>(maps_->name(name, mesh_), {before, before, through},
+                                         {.squares = squares_});
+      plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {through}, {.squares = squares_});
+    }
+  }
+
+  void add_pyramids() {
+    // By group, the coarsest level whose light is read; of the first group also for the masks.
+    std::vector<std::uint32_t> coarsest(settings_->translucency ? cascade_.groups.size() : 1, 0);
+    for (const CascadeStep& step : cascade_.steps) {
+      coarsest[0] = std::max(coarsest[0], step.halvings);
+      if (!step.term || !settings_->translucency) continue;
+      std::uint32_t& of_group = coarsest[cascade_.group_of(step)];
+      of_group = std::max(of_group, step.halvings);
+    }
+    for (std::size_t g = 0; g < coarsest.size(); ++g)
+      for (std::uint32_t halvings = 1; halvings <= coarsest[g]; ++halvings)
+        maps_->add_pyramid(g, halvings, on(halvings - 1), on(halvings));
+  }
+
+  frame::TextureId unspread(const CascadeStep& step) const { return unspread(step, step.halvings); }
+  frame::TextureId unspread(const CascadeStep& step, std::uint32_t halvings) const {
+    return maps_->unspread(settings_->translucency ? cascade_.group_of(step) : 0, halvings);
+  }
+
+  // Moves what step `step` has spread to larger maps. On the last of them the light of the next step joins.
+  void climb(std::uint32_t halvings, std::uint32_t step) {
+    while (halvings_ > halvings) {
+      const std::uint32_t to = halvings_ - 1;
+      const CascadeStep* next = to == halvings && step > 0 ? &cascade_.steps[step - 1] : nullptr;
+      const frame::TextureId joining = next ? unspread(*next) : level(to).light;
+      const std::string name = at(fmt::format("upsample {}", step), level(to));
+      plan_->add<passes::Upsample>(
+          maps_->name(name, mesh_),
+          {spread(halvings_), joining, spread(to), maps_->stretch(mesh_), unspread(cascade_.steps[step], to)},
+          {.from = on(halvings_),
+           .to = on(to),
+           .steps = cascade_.steps,
+           .step = step,
+           .next_step = to == halvings,
+           .joins = next ? next->term : std::nullopt});
+      // Heads whose narrower terms need no step climb as well.
+      if (to > 0 || next) add_gutters(name, to, static_cast<std::uint32_t>(cascade_.steps.size()) - 1);
+      halvings_ = to;
+    }
+  }
+
+  void add_step(std::uint32_t number, bool widest) {
+    const CascadeStep& step = cascade_.steps[number];
+    const CascadeStep* next = number > 0 ? &cascade_.steps[number - 1] : nullptr;
+    if (next && next->halvings != step.halvings) next = nullptr;
+    const Level& here = level(step.halvings);
+    const frame::TextureId stretch = maps_->stretch(mesh_);
+
+    passes::CascadeBlur::Settings blur{
+        .squares = on(step.halvings), .steps = cascade_.steps, .number = number, .axis = 0};
+    const std::string name = fmt::format("cascade {}", number);
+    plan_->add<passes::CascadeBlur>(
+        maps_->name(name + " u", mesh_),
+        {widest ? unspread(step) : spread(step.halvings), stretch, here.scratch, mask(step.halvings)}, blur);
+
+    blur.axis = 1;
+    if (widest) blur.scales = step.term;
+    if (next) blur.joins = next->term;
+    plan_->add<passes::CascadeBlur>(maps_->name(name + " v", mesh_),
+                                    {here.scratch, stretch, spread(step.halvings), mask(step.halvings),
+                                     blur.joins ? unspread(*next) : frame::TextureId{}},
+                                    blur);
+    if (step.halvings > 0 || number > 0) add_gutters(name, step.halvings, number);
+  }
+
+  void add_gutters(const std::string& name, std::uint32_t halvings, std::uint32_t step) {
+    plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {spread(halvings)},
+                        {.squares = on(halvings), .step = step});
+  }
+
+  void add_sum() {
+    passes::CascadeSum::In in{.light = level(0).light,
+                              .stretch = maps_->stretch(mesh_),
+                              .target = maps_->blurred().front(),
+                              .mask = mask(0)};
+    passes::CascadeSum::Settings sum{
+        .squares = squares_, .variances_mm2 = cascade_.variances_mm2, .steps = cascade_.steps};
+    if (!cascade_.steps.empty()) {
+      in.wide = spread(0);
+      in.across = level(0).scratch;
+    }
+    if (settings_->translucency && cascade_.groups.size() > 1) {
+      in.second = maps_->unspread(1, 0);
+      sum.second_group = static_cast<std::uint32_t>(cascade_.groups[1]);
+    }
+    plan_->add<passes::CascadeSum>(maps_->name("cascade sum", mesh_), in, sum);
+    plan_->add<Gutters>(maps_->name("cascade sum gutters", mesh_), {in.target}, {.squares = squares_});
+  }
+
+  passes::FramePlan* plan_;
+  const FrameSettings* settings_;
+  LightMaps* maps_;
+  std::uint32_t mesh_;
+  std::vector<MapSquare> squares_;  // on maps of T_max
+  CascadePlan cascade_;
+  std::uint32_t halvings_ = 0;  // of the maps in which the light is that has spread
+};
+
+}  // namespace
+
+void add_cascade(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps, std::uint32_t mesh,
+                 const std::vector<MapSquare>& squares) {
+  Cascade(plan, settings, maps, mesh, squares).add();
+}
+
+}  // namespace dermis::techniques

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// Skin that is shaded in compute, once per entry of a pixel, looks as skin that is shaded where it is drawn.
+#include <algorithm>
+#include <cstring>
+#include <set>
+#include <string>
+
+#include "builtin_head/builtin_head.h"
+#include "gpu/support/failure.h"
+#include "gpu/support/heads.h"
+#include "gpu/support/pictures.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/scenes.h"
+#include "gpu/support/settings.h"
+#include "image/metrics.h"
+#include "scene/primitives.h"
+
+namespace dermis::tests {
+namespace {
+
+RenderSettings settings_at(double distance, const std::string& technique = "texture-space") {
+  RenderSettings s = small_settings(technique, 160, 256);
+  s.camera.distance = distance;
+  s.output.bloom = 0;
+  s.output.tone_map = ToneMap::filmic;
+  return s;
+}
+
+RenderSettings in_compute(RenderSettings s) {
+  s.quality.shading = Shading::compute;
+  return s;
+}
+
+// Over pixels that are skin in either.
+double psnr_db(const Picture& a, const Picture& b) {
+  std::vector<std::uint8_t> skin = skin_mask(a);
+  const std::vector<std::uint8_t> other = skin_mask(b);
+  for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = skin[i] || other[i];
+  return image::psnr_db(shown(a), shown(b), skin);
+}
+
+// With one sample both shade the same points. With four, triangles of a pixel that are one surface share a
+// point in compute: that may not be seen.
+// Where triangles are far larger than pixels few of them do.
+double least_psnr_db(const RenderSettings& s) {
+  if (s.quality.samples == 1) return 60;
+  return s.camera.fov_deg && *s.camera.fov_deg <= 5 ? 50 : unseen_psnr_db;
+}
+
+// Alpha is coverage, sample by sample: equal. `blended`: some parts are, which the raster counts as skin.
+void expect_same(const Scene& scene, const RenderSettings& s, bool blended = false) {
+  const Picture drawn = renderer().render(scene, s), computed = renderer().render(scene, in_compute(s));
+  const double db = psnr_db(drawn, computed);
+  std::printf("%.1f dB\n", db);
+  EXPECT_GE(db, least_psnr_db(s)) << write_failure(linear(drawn), linear(computed));
+  EXPECT_EQ(computed.statistics.unshaded_reads, 0u);
+  if (blended) return;
+  EXPECT_EQ(drawn.statistics.skin_pixels, computed.statistics.skin_pixels);
+  std::size_t different = 0;
+  for (std::size_t i = 3; i < drawn.linear_rgba.size(); i += 4)
+    different += drawn.linear_rgba[i] != computed.linear_rgba[i];
+  EXPECT_EQ(different, 0u) << "pixels whose share of skin is another";
+}
+
+std::set<std::string> passes_of(const Picture& picture) {
+  std::set<std::string> names;
+  for (const PassStatistics& pass : picture.statistics.passes) names.insert(pass.name);
+  return names;
+}
+
+class InCompute : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Techniques, InCompute, testing::ValuesIn(technique_names()),
+                         [](const auto& technique) { return test_name_of(technique.param); });
+
+TEST_P(InCompute, OfANearHeadIsThatOfTheRaster) {
+  for (const std::string name : {"built-in head", "scan", "MakeHuman", "ICT"}) {
+    if (!subject(name).missing.empty()) continue;
+    SCOPED_TRACE(name);
+    RenderSettings s = settings_at(2.5, GetParam());
+    s.camera.fov_deg = 5;
+    if (name == "ICT") s.quality.samples = 1;  // its triangles are small even so: 47 dB with four
+    expect_same(subject(name).open(), s, name == "MakeHuman" || name == "ICT");
+  }
+}
+
+// Beyond what a pixel of the raster holds: all triangles of a pixel against two entries of it.
+TEST_P(InCompute, OfAHeadFarAwayIsAsNearToTheTruth) {
+  for (const std::string name : {"built-in head", "scan"}) {
+    if (!subject(name).missing.empty()) continue;
+    SCOPED_TRACE(name);
+    const Scene& scene = subject(name).open();
+    RenderSettings s = settings_at(50, GetParam());
+    s.output.width = s.output.height = 96;
+    s.camera.fov_deg = 6;
+    RenderSettings truth = super_sampled(s, 8);
+    truth.quality.cull = truth.quality.depth = truth.quality.clip = false;
+    const Picture fine = renderer().render(scene, truth);
+    const image::ImageF wanted = downsampled(fine, 8);
+    const auto error_db = [&](const Picture& p) {
+      return image::psnr_db(shown(wanted), shown(p), skin_mask(p));
+    };
+    const Picture drawn = renderer().render(scene, s), computed = renderer().render(scene, in_compute(s));
+    std::printf("raster %.2f dB, compute %.2f dB\n", error_db(drawn), error_db(computed));
+    EXPECT_GE(error_db(computed), error_db(drawn) - 0.5) << write_failure(wanted, linear(computed));
+  }
+}
+
+TEST_P(InCompute, OfFourHeads) {
+  RenderSettings s = settings_at(5, GetParam());
+  s.camera.heads = 4;
+  s.quality.samples = 1;
+  s.output.width = 320;
+  expect_same(subject("built-in head").open(), s);
+}
+
+TEST_P(InCompute, WithOneSample) {
+  RenderSettings s = settings_at(2.5, GetParam());
+  s.quality.samples = 1;
+  expect_same(subject("built-in head").open(), s);
+}
+
+// The order of the lists changes from run to run; the picture does not.
+TEST_P(InCompute, TwoRunsAreEqualToTheBit) {
+  for (const double distance : {2.5, 20.0}) {
+    const RenderSettings s = in_compute(settings_at(distance, GetParam()));
+    const Scene& scene = subject("built-in head").open();
+    const Picture first = renderer().render(scene, s);
+    for (int i = 0; i < 3; ++i) {
+      const Picture again = renderer().render(scene, s);
+      ASSERT_EQ(first.linear_rgba.size(), again.linear_rgba.size());
+      EXPECT_EQ(std::memcmp(first.linear_rgba.data(), again.linear_rgba.data(),
+                            first.linear_rgba.size() * sizeof(float)),
+                0);
+    }
+  }
+}
+
+// Without perspective: the depth is linear, and rays are parallel.
+TEST_P(InCompute, WithoutPerspective) {
+  scene::Scene made = scene::sphere(0.1, 48);
+  made.cameras.push_back(camera_from_above(0.11, {0, 0, 0.5f}));
+  made.lights.push_back(directional_light({-0.5f, -0.3f, -0.6f}, glm::vec3(3)));
+  RenderSettings s = settings_at(1, GetParam());
+  s.camera.distance.reset();
+  s.camera.name = "above";
+  s.quality.samples = 1;
+  expect_same(wrap(std::move(made)), s);
+}
+
+// A checkered sphere: its far side is seen through the near one, both sides of it are skin.
+scene::Scene checkered_sphere() {
+  scene::Scene made = scene::sphere(0.1, 48);
+  image::Image8 pixels{.width = 64, .height = 64, .rgba = {}};
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const auto there = static_cast<std::uint8_t>((x / 4 + y / 4) % 2 ? 255 : 0);
+      pixels.rgba.insert(pixels.rgba.end(), {200, 150, 130, there});
+    }
+  scene::Material& skin = made.materials.front();
+  skin.alpha_mode = scene::AlphaMode::mask;
+  skin.double_sided = true;
+  skin.base_colour_map.image = 0;
+  skin.base_colour_map.nearest = true;
+  made.images.push_back({.name = "mask", .pixels = std::make_shared<const image::Image8>(std::move(pixels))});
+  return made;
+}
+
+TEST_P(InCompute, OfSkinWithAnAlphaTest) {
+  expect_same(wrap(checkered_sphere()), settings_at(3, GetParam()));
+}
+
+// Two balls of one head, of other materials and profiles, one before the other; and over them what is no
+// skin, opaque and blended.
+scene::Scene two_skins(bool covered) {
+  scene::Scene made = scene::sphere(0.1, 32), front = scene::sphere(0.05, 32);
+  const auto add = [&](scene::Scene& other, const glm::vec3& at, const scene::Material& material) {
+    scene::Primitive p = other.primitives.front();
+    p.material = static_cast<int>(made.materials.size());
+    p.node = p.material;
+    for (scene::Vertex& v : p.vertices) v.position_m += at;
+    made.materials.push_back(material);
+    made.primitives.push_back(std::move(p));
+  };
+  scene::Material pale = made.materials.front();
+  gaussians::SumOfGaussians wide;
+  wide.name = "wide";
+  wide.terms = {{.variance_mm2 = 4, .weight = {0.5, 0.8, 0.9}},
+                {.variance_mm2 = 40, .weight = {0.5, 0.2, 0.1}}};
+  pale.name = "pale";
+  pale.base_colour = {0.9f, 0.8f, 0.7f, 1};
+  pale.skin_settings.profile = wide;
+  add(front, {0.05f, 0.03f, 0.12f}, pale);
+  if (covered) {
+    scene::Material glass;
+    glass.name = "glass";
+    glass.base_colour = {0.2f, 0.5f, 0.9f, 0.4f};
+    glass.alpha_mode = scene::AlphaMode::blend;
+    add(front, {-0.04f, 0.05f, 0.1f}, glass);
+    scene::Material stone;
+    stone.name = "stone";
+    stone.base_colour = {0.1f, 0.6f, 0.2f, 1};
+    add(front, {0.02f, -0.07f, 0.08f}, stone);
+  }
+  return made;
+}
+
+TEST_P(InCompute, OfSeveralSkins) { expect_same(wrap(two_skins(false)), settings_at(3, GetParam())); }
+
+TEST_P(InCompute, UnderWhatIsNotSkin) {
+  for (const int samples : {4, 1}) {
+    RenderSettings s = settings_at(3, GetParam());
+    s.quality.samples = samples;
+    expect_same(wrap(two_skins(true)), s, true);
+  }
+}
+
+TEST_P(InCompute, IsWhiteInAWhiteFurnace) {
+  const Picture p =
+      renderer().render(subject("built-in head").open(), in_compute(furnace_settings(GetParam(), true)));
+  const SkinRange skin = skin_range(p);
+  EXPECT_GT(skin.pixels, 1000u);
+  EXPECT_GE(skin.low, 0.98f);
+  EXPECT_LE(skin.high, 1.02f);
+}
+
+// Heads in batches: the ids of all are there before the light of any.
+TEST(InComputeBatches, IsThatOfTheRaster) {
+  RenderSettings s = settings_at(6);
+  s.camera.heads = 4;
+  s.output.width = 320;
+  s.quality.map_budget_mb = 12;
+  s.quality.samples = 1;
+  expect_same(subject("built-in head").open(), s);
+}
+
+TEST(InComputePasses, NoSkinIsDrawnWithLight) {
+  const Scene& scene = subject("built-in head").open();
+  const std::set<std::string> drawn = passes_of(renderer().render(scene, settings_at(5))),
+                              computed = passes_of(renderer().render(scene, in_compute(settings_at(5))));
+  for (const std::string name : {"ids", "entries", "part ranges", "entry list", "shade"}) {
+    EXPECT_EQ(computed.count(name), 1u) << name;
+    EXPECT_EQ(drawn.count(name), 0u) << name;
+  }
+  EXPECT_EQ(computed.count("final"), 0u);
+  EXPECT_EQ(drawn.count("final"), 1u);
+}
+
+}  // namespace
+}  // namespace dermis::tests
