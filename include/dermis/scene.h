@@ -117,7 +117,7 @@ class Scene {
   void set_mix(InstanceId id, std::optional<double> mix);
   void set_tint(InstanceId id, const std::array<double, 3>& tint);
 
-  /// Poses an instance; none: as its asset was loaded. Costs the evaluation of its clips, microseconds; the
+  /// Poses an instance; none: as its asset was loaded. Costs a fraction of a millisecond on the host; the
   /// next frame moves the vertices, of this instance alone. Throws InputError in one line: a clip, joint or
   /// morph weight that the asset does not have (lists those it has), or that several nodes are called by; a
   /// clip whose key frames are faulty; a number out of range or not finite; a pose in which something is more

@@ -90,9 +90,15 @@ int map_side(const Subject& subject, const RenderSettings& s, const scene::Camer
     needed = pixels_per_mm * double{pose.scale} / texels_per_mm(subject, s);
   } else {
     // In the asset, where lengths are in the same proportion.
-    const scene::Bounds& box = posed ? posed->skin : subject.bounds;
+    glm::vec3 low_m = subject.bounds.low_m, high_m = subject.bounds.high_m;
+    if (posed) {
+      // By steps, so that T stays while a head moves a little: each new T needs lists of gutters.
+      const float step_m = subject.bounds.sphere.radius_m / 8;
+      low_m -= glm::ceil((low_m - posed->skin.low_m) / step_m) * step_m;
+      high_m += glm::ceil((posed->skin.high_m - high_m) / step_m) * step_m;
+    }
     const glm::vec3 eye_m = pose.position_in_asset(glm::vec3(camera.world_from_camera[3]));
-    const glm::vec3 nearest_m = glm::clamp(eye_m, box.low_m, box.high_m);
+    const glm::vec3 nearest_m = glm::clamp(eye_m, low_m, high_m);
     const double d = glm::distance(eye_m, nearest_m) / subject.bounds.sphere.radius_m;
     needed = d > 0 ? reference_distance(subject, s, camera) / d : 1;
   }
