@@ -160,7 +160,8 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
       ->group(group);
   command
       .add_flag("--each-optimisation", s.each_optimisation,
-                "further rows: nothing optimised, cull, depth and clip by themselves, all of them")
+                "further rows: nothing optimised, cull, depth and clip by themselves, all of them, and these "
+                "with a cascade of blurs and shading in compute")
       ->group(group);
   command
       .add_option(

@@ -196,30 +196,53 @@ class Run {
       if (value < 0) throw input_error(settings_.variance_file, "holds {}; variances are 0 or more", value);
   }
 
+  // Rows that equal the first, which has the settings of the caller, are left out.
+  void add_each_optimisation(const std::string& name, const RenderSettings& s) {
+    static constexpr struct {
+      const char* name;
+      bool cull, depth, clip;
+    } switches[] = {{"none", false, false, false},
+                    {"cull", true, false, false},
+                    {"depth", false, true, false},
+                    {"clip", false, false, true},
+                    {"all", true, true, true}};
+    for (const auto& on : switches) {
+      RenderSettings one = s;
+      one.quality.cull = on.cull, one.quality.depth = on.depth, one.quality.clip = on.clip;
+      if (!same_switches(one.quality, s.quality))
+        add(fmt::format("{}, --optimise {}", name, on.name), scene_, one);
+    }
+
+    RenderSettings last = s;
+    last.quality.cull = last.quality.depth = last.quality.clip = true;
+    last.quality.maps = LightMaps::progressive;
+    last.quality.blur = BlurOrder::cascade;
+    last.quality.shading = Shading::compute;
+    if (!same_switches(last.quality, s.quality) && is_possible(last))
+      add(name + ", --optimise all --maps progressive --blur cascade --shading compute", scene_, last);
+  }
+
+  static bool same_switches(const QualitySettings& a, const QualitySettings& b) {
+    const auto switches = [](const QualitySettings& q) {
+      return std::tie(q.cull, q.depth, q.clip, q.maps, q.blur, q.shading);
+    };
+    return switches(a) == switches(b);
+  }
+
+  // A map may have too few texels for a cascade.
+  bool is_possible(const RenderSettings& s) const {
+    try {
+      describe_plan(scene_, s);
+      return true;
+    } catch (const InputError&) { return false; }
+  }
+
   void add_technique(const std::string& name) {
     RenderSettings s = settings_.render;
     s.technique = name;
     const Statistics first = add(name, scene_, s);
     if (first.gaussians == 0) return;  // nothing spreads: no profile, nothing to optimise
-    if (settings_.each_optimisation) {
-      static constexpr struct {
-        const char* name;
-        bool cull, depth, clip;
-      } switches[] = {{"none", false, false, false},
-                      {"cull", true, false, false},
-                      {"depth", false, true, false},
-                      {"clip", false, false, true},
-                      {"all", true, true, true}};
-      for (const auto& on : switches) {
-        RenderSettings one = s;
-        one.quality.cull = on.cull, one.quality.depth = on.depth, one.quality.clip = on.clip;
-        // the first row
-        if (std::tie(one.quality.cull, one.quality.depth, one.quality.clip) ==
-            std::tie(s.quality.cull, s.quality.depth, s.quality.clip))
-          continue;
-        add(fmt::format("{}, --optimise {}", name, on.name), scene_, one);
-      }
-    }
+    if (settings_.each_optimisation) add_each_optimisation(name, s);
     if (first.gaussians == 1) return;
     const Scene one = with_one_gaussian(scene_, s);
     s.skin.profile.clear();

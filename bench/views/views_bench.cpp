@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What the optimisations of texture-space change in a picture: views from all around a head, and a camera
 // that moves away from it.
-//   views_bench OUT.json [--dolly] SCENE...
+//   views_bench OUT.json [--cascade] [--dolly] SCENE...
 // For each scene 64 views: 16 azimuths, elevations -30, 0, 30 and 60 degrees; PSNR and FLIP over the skin
 // (super-sampled 4 x 4, exposed fairly), and texels that were read and never lit. With --dolly, of the first
 // scene: 200 steps from 2.5 to 100 radii at 480 x 300, how much the picture changes from step to step with
-// and without the optimisations.
+// and without the optimisations. With --cascade the optimised picture has progressive maps, the cascade and
+// shading in compute too.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,6 +30,16 @@ constexpr int super = 4;  // samples per pixel, along each axis
 
 RenderSettings without(RenderSettings s) {
   s.quality.cull = s.quality.depth = s.quality.clip = false;
+  s.quality.maps = LightMaps::full;
+  s.quality.blur = BlurOrder::chain;
+  s.quality.shading = Shading::raster;
+  return s;
+}
+
+RenderSettings with_cascade(RenderSettings s) {
+  s.quality.maps = LightMaps::progressive;
+  s.quality.blur = BlurOrder::cascade;
+  s.quality.shading = Shading::compute;
   return s;
 }
 
@@ -42,9 +53,8 @@ image::ImageF super_sampled(PreparedFrame& frame, RenderSettings s, double d_ref
       super);
 }
 
-Json sweep(Renderer& renderer, const std::string& path) {
+Json sweep(Renderer& renderer, const std::string& path, RenderSettings s) {
   const Scene scene = Scene::load(path);
-  RenderSettings s;
   s.output.width = 192;
   s.output.height = 120;
   s.quality.map_size = 512;
@@ -86,9 +96,8 @@ Json sweep(Renderer& renderer, const std::string& path) {
           {"views", views}};
 }
 
-Json dolly(Renderer& renderer, const std::string& path) {
+Json dolly(Renderer& renderer, const std::string& path, RenderSettings s) {
   const Scene scene = Scene::load(path);
-  RenderSettings s;
   s.output.width = 480;
   s.output.height = 300;
   s.quality.map_size = 512;
@@ -145,7 +154,7 @@ Json dolly(Renderer& renderer, const std::string& path) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fprintf(stderr, "usage: views_bench OUT.json [--dolly] SCENE...\n");
+    std::fprintf(stderr, "usage: views_bench OUT.json [--cascade] [--dolly] SCENE...\n");
     return 2;
   }
 
@@ -153,13 +162,13 @@ int main(int argc, char** argv) {
     Renderer renderer;
     Json result;
     std::vector<std::string> scenes(argv + 2, argv + argc);
-    const bool moves = scenes.front() == "--dolly";
-    if (moves) scenes.erase(scenes.begin());
-
     result["command"] = "views_bench";
     for (const std::string& scene : scenes)
       result["command"] =
           result["command"].get<std::string>() + " " + std::filesystem::path(scene).filename().string();
+
+    const bool cascade = std::erase(scenes, "--cascade") > 0, moves = std::erase(scenes, "--dolly") > 0;
+    const RenderSettings settings = cascade ? with_cascade({}) : RenderSettings{};
 
     // Render a tiny picture: its statistics name the device.
     RenderSettings tiny;
@@ -171,8 +180,8 @@ int main(int argc, char** argv) {
     result["driver"] = st.driver;
 
     result["sweeps"] = Json::array();
-    if (moves && !scenes.empty()) result["dolly"] = dolly(renderer, scenes.front());
-    for (const std::string& scene : scenes) result["sweeps"].push_back(sweep(renderer, scene));
+    if (moves && !scenes.empty()) result["dolly"] = dolly(renderer, scenes.front(), settings);
+    for (const std::string& scene : scenes) result["sweeps"].push_back(sweep(renderer, scene, settings));
     std::ofstream(argv[1]) << result.dump(1) << "\n";
   } catch (const std::exception& error) {
     std::fprintf(stderr, "views_bench: %s\n", error.what());

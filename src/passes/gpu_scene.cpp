@@ -160,15 +160,7 @@ GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std
       make("first corners", first_corner_indices(skin.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   mesh.turned_neighbours = make("turned neighbours", scene::turned_neighbours(skin), storage);
 
-  // Adds a draw per run of triangles of one material, on the map or off it.
-  for (std::uint32_t t = 0; t < skin.triangle_material.size(); ++t) {
-    const int material = skin.triangle_material[t];
-    const bool on_map = skin.triangle_chart[t] != scene::no_chart;
-    if (mesh.draws.empty() || mesh.draws.back().material != material || mesh.draws.back().on_map != on_map)
-      mesh.draws.push_back({.first_index = 3 * t, .index_count = 0, .material = material, .on_map = on_map});
-    mesh.draws.back().index_count += 3;
-  }
-
+  mesh.draws = draws_of(skin);
   return mesh;
 }
 
@@ -178,6 +170,22 @@ GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_
 }
 
 }  // namespace
+
+std::vector<GpuDraw> draws_of(const scene::SkinMesh& mesh) {
+  std::vector<GpuDraw> draws;
+  std::uint32_t first_index = 0;
+  for (const bool on_map : {true, false})
+    for (std::size_t t = 0; t < mesh.triangle_material.size(); ++t) {
+      const int material = mesh.triangle_material[t];
+      if ((mesh.triangle_chart[t] != scene::no_chart) != on_map) continue;
+      if (draws.empty() || draws.back().material != material || draws.back().on_map != on_map)
+        draws.push_back(
+            {.first_index = first_index, .index_count = 0, .material = material, .on_map = on_map});
+      draws.back().index_count += 3;
+      first_index += 3;
+    }
+  return draws;
+}
 
 void GpuMaterial::offer(Bindings& bindings) const {
   bindings.add("Material", buffer)

@@ -72,6 +72,10 @@ struct GpuDraw {
   bool on_map = true;  ///< for skin: the triangles have a chart of the unwrap
 };
 
+/// Returns the draws of a skin mesh on the device, where triangles with a chart come first: one per run of
+/// triangles of one material.
+std::vector<GpuDraw> draws_of(const scene::SkinMesh& mesh);
+
 /// One skin mesh.
 struct GpuMesh {
   std::string name;

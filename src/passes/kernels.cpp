@@ -89,7 +89,7 @@ double ratio_of_variance(double wanted, int radius) {
   return 0.5 * (low + high);
 }
 
-std::vector<float> kernel_table() {
+static std::vector<float> make_kernel_table() {
   std::vector<float> table;
   for (const auto& gaussian : {discrete_gaussian, texel_averaged_gaussian})
     for (int row = 0; row < kernel_rows; ++row) {
@@ -100,7 +100,7 @@ std::vector<float> kernel_table() {
   return table;
 }
 
-std::vector<float> ratio_table() {
+static std::vector<float> make_ratio_table() {
   std::vector<float> table;
   const auto add = [&](bool averaged, bool narrow) {
     for (int cell = 0; cell < RATIO_CELLS; ++cell)
@@ -114,6 +114,16 @@ std::vector<float> ratio_table() {
   add(false, false);
   add(true, false);
   add(true, true);
+  return table;
+}
+
+const std::vector<float>& kernel_table() {
+  static const std::vector<float> table = make_kernel_table();
+  return table;
+}
+
+const std::vector<float>& ratio_table() {
+  static const std::vector<float> table = make_ratio_table();
   return table;
 }
 

@@ -31,8 +31,8 @@ HalfKernel texel_averaged_gaussian(double sigma);
 double variance(const HalfKernel& kernel);
 
 /// Returns two tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
-/// discrete_gaussian, texel_averaged_gaussian.
-std::vector<float> kernel_table();
+/// discrete_gaussian, texel_averaged_gaussian. Made once.
+const std::vector<float>& kernel_table();
 
 /// Returns the variance of texel_averaged_gaussian() if it is not cut.
 double texel_averaged_variance(double sigma);
@@ -43,7 +43,7 @@ double ratio_of_variance(double variance, int radius);
 
 /// Returns three tables of RATIO_CELLS pairs of q: with the variances of discrete_gaussian and of
 /// texel_averaged_gaussian, and with the latter in NARROW_RADIUS taps however wide (exact to a sigma
-/// of 1.35).
-std::vector<float> ratio_table();
+/// of 1.35). Made once.
+const std::vector<float>& ratio_table();
 
 }  // namespace dermis::passes

@@ -60,13 +60,4 @@ std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<M
 std::vector<UsedSquare> blurred_squares(const FrameData& frame, const std::vector<MapSquare>& squares,
                                         std::uint32_t step);
 
-/// How a convolution skips texels without light, and so how it runs.
-enum class SkipUnlit : std::uint8_t {
-  never,        ///< computed over the whole used square
-  never_drawn,  ///< drawn over the whole used square
-  by_alpha,     ///< drawn; a fragment without light ends before its taps ([JG08] sec. 3)
-  by_depth,     ///< drawn; the depth test rejects it before it starts ([JG08] sec. 3)
-  by_tiles      ///< computed; only tiles that hold light are dispatched
-};
-
 }  // namespace dermis::passes

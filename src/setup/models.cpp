@@ -10,6 +10,7 @@
 
 #include "gaussians/json.h"
 #include "passes/final_pass/skin_shading.h"
+#include "passes/gpu_scene.h"
 #include "setup/choose.h"
 
 namespace dermis::setup {
@@ -35,21 +36,6 @@ void fill_coarse(techniques::SkinPart& part, const scene::UnwrapDensity& density
                                   static_cast<float>(part.even_uv_per_mm * map_size));
 }
 
-// The draws of the mesh that passes::GpuScene makes: runs of triangles of one material, with a chart or
-// without.
-std::uint32_t count_draws(const scene::SkinMesh& mesh) {
-  std::uint32_t draws = 0;
-  for (const bool on_map : {true, false}) {
-    std::optional<int> last;
-    for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) {
-      if ((mesh.triangle_chart[t] != scene::no_chart) != on_map) continue;
-      if (last != mesh.triangle_material[t]) ++draws;
-      last = mesh.triangle_material[t];
-    }
-  }
-  return draws;
-}
-
 // In the millimetres of an asset that is shown at this scale.
 gaussians::SumOfGaussians in_asset(gaussians::SumOfGaussians profile, double scale) {
   for (gaussians::Gaussian& term : profile.terms) term.variance_mm2 /= scale * scale;
@@ -65,7 +51,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   techniques::SkinPart part;
   part.in_model = static_cast<std::uint32_t>(number);
   part.triangles = static_cast<std::uint32_t>(mesh.triangle_chart.size());
-  part.draws = count_draws(mesh);
+  part.draws = static_cast<std::uint32_t>(passes::draws_of(mesh).size());
   part.profile = model.profile ? *model.profile : choose_profile(subject.scene->materials[material], s);
   part.mm_per_unit = subject.scene->mm_per_unit;
   if (model.scale != 1) {

@@ -1,3 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What vertices of skin have beside vertex_pull.glsl.
 layout(binding = 35, scalar) readonly buffer SkinVertices { SkinVertexIo skin_vertices[]; };
+
+// Returns texture coordinates per mm: the geometric mean of two directions.
+float uv_per_mm(vec3 metric_mm2) {
+  const float determinant = max(metric_mm2.x * metric_mm2.z - metric_mm2.y * metric_mm2.y, 1e-12);
+  return inversesqrt(sqrt(determinant));
+}

@@ -6,6 +6,7 @@
 
 #include "frame/together.h"
 #include "passes/bloom/bloom.h"
+#include "passes/clear_buffers.h"
 #include "passes/count/count.h"
 #include "passes/final_pass/final_pass.h"
 #include "passes/final_pass/shade.h"
@@ -75,7 +76,7 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
   }
 
   counters_ = plan.buffer("counters", {.bytes = counters * sizeof(std::uint32_t)});
-  plan.add<passes::ClearCounters>("clear counters", {counters_});
+  plan.add<passes::ClearBuffers>("clear counters", {{counters_}}, {frame::Runs::for_statistics});
   if (settings.poses) plan.add<passes::MoveRig>("pose", {}, {});
 }
 
@@ -117,7 +118,7 @@ void Screen::add_entries() {
   }
 
   entries_ = passes::make_entry_buffers(*plan_, first_part_.back(), target(passes::light_format));
-  plan_->add<passes::ClearParts>("clear parts", {entries_.parts});
+  plan_->add<passes::ClearBuffers>("clear parts", {{entries_.parts}});
   const frame::TextureId shown = plan_->add<passes::Ids>("ids", {depth_}, ids).ids;
   plan_->add<passes::Entries>("entries", {shown, depth_, entries_});
   plan_->add<passes::PartRanges>("part ranges", {entries_});

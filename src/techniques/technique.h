@@ -16,6 +16,7 @@
 #include "frame/graph.h"
 #include "gaussians/sum.h"
 #include "passes/frame_data.h"
+#include "passes/light_mask.h"
 #include "passes/light_pool.h"
 #include "passes/targets.h"
 

@@ -79,9 +79,14 @@ Result Program::run(const Arguments& arguments, const Surroundings& surroundings
   };
   int status = 0;
   pid_t done = 0;
-  bool interrupted = surroundings.interrupt_after_s <= 0;
+  const auto should_interrupt = [&] {
+    if (const std::string& text = surroundings.interrupt_after_text; !text.empty())
+      return fs::exists(out) && read_text(out).find(text) != std::string::npos;
+    return surroundings.interrupt_after_s > 0 && gone_s() > surroundings.interrupt_after_s;
+  };
+  bool interrupted = false;
   while ((done = ::waitpid(child, &status, WNOHANG)) == 0 && gone_s() < allowed_s) {
-    if (!interrupted && gone_s() > surroundings.interrupt_after_s) {
+    if (!interrupted && should_interrupt()) {
       ::kill(child, SIGINT);
       interrupted = true;
     }

@@ -26,6 +26,7 @@ struct Surroundings {
   std::uint64_t file_bytes = 0;           ///< no file becomes longer, as on a full disk; 0: no limit
   double kill_after_s = 0;                ///< 0: only the limit of a test, 300 s
   double interrupt_after_s = 0;           ///< Ctrl-C after so long; 0: none
+  std::string interrupt_after_text;       ///< Ctrl-C once standard output holds this; empty: none
 };
 
 class Program : public testing::Test {

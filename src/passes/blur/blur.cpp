@@ -8,56 +8,21 @@
 #include "passes/bindings.h"
 #include "passes/blur/blur_io.h"
 #include "passes/kernels.h"
-#include "passes/targets.h"
-#include "shared/tiles_io.h"
 
 namespace dermis::passes {
 
 Blur::Out Blur::declare(frame::Declare& d) {
-  d.kind(drawn() ? frame::PassKind::raster : frame::PassKind::compute);
+  masked(d, "blur", in.mask, in.target);
   d.sample(in.light);
   if (in.start.valid()) d.sample(in.start);
   d.sample(in.stretch);
-  if (drawn())
-    d.colour(in.target);
-  else
-    d.write(in.target);
-  if (settings.skip_unlit == SkipUnlit::by_depth) d.depth(in.depth_mask);
-  if (settings.skip_unlit == SkipUnlit::by_tiles) {
-    d.read(in.lists.tiles);
-    d.read(in.lists.counts);
-    d.indirect(in.lists.arguments);
-  }
   return {in.target};
 }
 
 void Blur::prepare(gpu::PipelineLibrary& library) {
-  const bool depth = settings.skip_unlit == SkipUnlit::by_depth;
-  if (drawn())
-    pipeline_ = &library.graphics(
-        {.vertex = "square.vert",
-         .fragment = "blur.frag",
-         .constants = {{"alpha_test", settings.skip_unlit == SkipUnlit::by_alpha ? 1u : 0u}},
-         .colour_formats = {light_format},
-         .depth_format = depth ? depth_format : VK_FORMAT_UNDEFINED,
-         .depth_test = depth,
-         .depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL});
-  else
-    pipeline_ =
-        &library.compute("blur.comp", {{"tiled", settings.skip_unlit == SkipUnlit::by_tiles ? 1u : 0u}});
-  const std::vector<float> table = kernel_table();
-  kernels_ = gpu::make_buffer(library.device(), "blur kernels", std::span<const float>(table),
+  MaskedPass::prepare(library);
+  kernels_ = gpu::make_buffer(library.device(), "blur kernels", std::span(kernel_table()),
                               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-}
-
-void Blur::draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const {
-  const gpu::ColourTarget colour{.texture = &resources.texture(in.target), .clear = no_light};
-  std::optional<gpu::DepthTarget> depth;
-  if (settings.skip_unlit == SkipUnlit::by_depth)
-    depth = gpu::DepthTarget{.texture = &resources.texture(in.depth_mask)};
-  cmd.begin_rendering_area(std::span(&colour, 1), depth, area, true);
-  cmd.draw(3);
-  cmd.end_rendering();
 }
 
 // Returns the variance that averaging r x r texels into one has added, in texels^2 of the smaller map: that
@@ -84,17 +49,11 @@ void Blur::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::Texture
   bindings.add("light_in", resources.nearest(light))
       .add("stretch", resources.nearest(in.stretch))
       .add("Kernels", kernels_);
-
-  const bool tiled = settings.skip_unlit == SkipUnlit::by_tiles;
-  // Without tiles the list is never read, but a buffer must be bound.
-  bindings.add("Tiles", tiled ? resources.buffer(in.lists.tiles) : kernels_)
-      .add("TileCounts", tiled ? resources.buffer(in.lists.counts) : kernels_);
-  if (!drawn()) bindings.add("light_out", resources.storage(in.target));
-  bindings.bind(cmd, *pipeline_);
+  offer(bindings, resources, kernels_);
+  bindings.bind(cmd, pipeline());
 }
 
 void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const bool tiled = settings.skip_unlit == SkipUnlit::by_tiles;
   frame::TextureId bound;
 
   for (const UsedSquare& square : squares_of(frame)) {
@@ -104,21 +63,15 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
     bound = light;
 
     const double variance_mm2 = enters ? settings.chain->total_mm2 : settings.variance_mm2;
-    cmd.push(*pipeline_, io::BlurIo{.variance_mm2 = static_cast<float>(variance_mm2),
-                                    .axis = settings.axis,
-                                    .texel_averaged = enters || settings.texel_averaged ? 1u : 0u,
-                                    .origin = square.origin,
-                                    .side = square.side,
-                                    .square = square.index,
-                                    .first_tile = square.index * in.lists.room,
-                                    .averaged_texels2 = averaged_texels2(frame, square)});
-
-    if (drawn())
-      draw(cmd, resources, square.area());
-    else if (tiled)
-      cmd.dispatch_indirect(resources.buffer(in.lists.arguments), square.index * sizeof(io::TileArgumentsIo));
-    else
-      cmd.dispatch_over(*pipeline_, square.side, square.side);
+    run(cmd, resources, square,
+        io::BlurIo{.variance_mm2 = static_cast<float>(variance_mm2),
+                   .axis = settings.axis,
+                   .texel_averaged = enters || settings.texel_averaged ? 1u : 0u,
+                   .origin = {},
+                   .side = 0,
+                   .square = 0,
+                   .first_tile = 0,
+                   .averaged_texels2 = averaged_texels2(frame, square)});
   }
 }
 

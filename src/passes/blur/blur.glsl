@@ -26,9 +26,11 @@ void load_kernel(float sigma, bool averaged) {
     kernel_row[i] = mix(kernels[base + i], kernels[base + KERNEL_FLOATS + i], f);
 }
 
+vec4 own_light(ivec2 p) { return texelFetch(light_in, p + ivec2(io.origin), 0); }
+
 // Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, so its map
 // always has the largest size.
-vec4 blurred(ivec2 p, vec4 centre) {
+vec4 spread(ivec2 p, vec4 centre) {
   const float chart = abs(centre.a);  // negative beside lit texels, see passes/dilate
   const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
   const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;  // per mm

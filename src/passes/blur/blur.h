@@ -11,8 +11,7 @@
 
 #include "frame/graph.h"
 #include "gaussians/sum.h"
-#include "passes/light_pool.h"
-#include "passes/tile_lists.h"
+#include "passes/masked_pass.h"
 
 namespace dermis::passes {
 
@@ -23,14 +22,13 @@ struct ChainStep {
   double total_mm2 = 0;  ///< variance of this step and all before: what a head that enters here blurs by
 };
 
-class Blur {
+class Blur : public MaskedPass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
     double variance_mm2 = 0;      ///< of this step
     std::uint32_t axis = 0;       ///< 0, then 1
     bool texel_averaged = false;  ///< the first step: its input is constant over each texel
-    SkipUnlit skip_unlit = SkipUnlit::never;
     /// the first step after Downsample: halvings of the map that Downsample has read
     std::optional<std::uint32_t> halvings_before;
     /// Set: leaves out heads that enter the chain at a later step; those that enter here start from
@@ -39,10 +37,9 @@ class Blur {
   } settings;
   struct In {
     frame::TextureId light, stretch;
-    frame::TextureId target;           ///< RGBA16F pool of the same size
-    TileLists lists = {};              ///< with SkipUnlit::by_tiles
-    frame::TextureId depth_mask = {};  ///< with SkipUnlit::by_depth
-    frame::TextureId start = {};       ///< with `chain` and axis 0: the light before any blur
+    frame::TextureId target;  ///< RGBA16F pool of the same size
+    LightMask mask = {};
+    frame::TextureId start = {};  ///< with `chain` and axis 0: the light before any blur
   } in;
   struct Out {
     frame::TextureId light;
@@ -52,15 +49,10 @@ class Blur {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  bool drawn() const {
-    return settings.skip_unlit != SkipUnlit::never && settings.skip_unlit != SkipUnlit::by_tiles;
-  }
   bool enters(const FrameData& frame, const UsedSquare& square) const;
   std::vector<UsedSquare> squares_of(const FrameData& frame) const;
   void bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const;
-  void draw(gpu::Cmd& cmd, const frame::Resources& resources, VkRect2D area) const;
   float averaged_texels2(const FrameData& frame, const UsedSquare& square) const;
-  const gpu::Pipeline* pipeline_ = nullptr;
   gpu::Buffer kernels_;
 };
 

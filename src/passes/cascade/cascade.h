@@ -12,44 +12,10 @@
 #include <vector>
 
 #include "frame/graph.h"
-#include "gpu/pipelines.h"
-#include "passes/bindings.h"
 #include "passes/cascade_steps.h"
-#include "passes/light_pool.h"
-#include "passes/tile_lists.h"
+#include "passes/masked_pass.h"
 
 namespace dermis::passes {
-
-/// Common part of the passes of a cascade: they run over squares and skip unlit texels as Blur does.
-class MaskedPass {
- public:
-  struct Mask {
-    SkipUnlit skip_unlit = SkipUnlit::never;
-    TileLists lists = {};              ///< with SkipUnlit::by_tiles
-    frame::TextureId depth_mask = {};  ///< with SkipUnlit::by_depth
-  };
-
- protected:
-  void declare_target(frame::Declare& d, const Mask& mask, frame::TextureId target);
-  void make_pipeline(gpu::PipelineLibrary& library, const std::string& name);
-  /// Offers what skips unlit texels, and the target.
-  void offer(Bindings& bindings, const frame::Resources& resources) const;
-  template <class Io>
-  void run(gpu::Cmd& cmd, const frame::Resources& resources, const UsedSquare& square, Io io) const;
-  const gpu::Pipeline& pipeline() const { return *pipeline_; }
-
- private:
-  bool drawn() const {
-    return mask_.skip_unlit != SkipUnlit::never && mask_.skip_unlit != SkipUnlit::by_tiles;
-  }
-  bool tiled() const { return mask_.skip_unlit == SkipUnlit::by_tiles; }
-  Mask mask_;
-  frame::TextureId target_;
-  const gpu::Pipeline* pipeline_ = nullptr;
-
- protected:
-  gpu::Buffer ratios_;
-};
 
 /// One axis of one step. Of a head's last step, on maps that are not halved, CascadeSum does the second.
 class CascadeBlur : public MaskedPass {
@@ -68,13 +34,16 @@ class CascadeBlur : public MaskedPass {
   struct In {
     frame::TextureId light, stretch;
     frame::TextureId target;  ///< RGBA16F pool of the same size
-    Mask mask = {};
+    LightMask mask = {};
     frame::TextureId joining = {};  ///< with `joins`: light that has not spread
   } in;
   struct Out {};
   Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  gpu::Buffer ratios_;
 };
 
 /// Adds the narrow terms to what the wide ones have spread.
@@ -90,7 +59,7 @@ class CascadeSum : public MaskedPass {
     frame::TextureId light;  ///< that has not spread
     frame::TextureId stretch;
     frame::TextureId target;
-    Mask mask = {};
+    LightMask mask = {};
     frame::TextureId wide = {};  ///< with `steps`: light that has moved here after the last step
     frame::TextureId across =
         {};  ///< with `steps`: light after the first axis of the last step, if that is here
@@ -103,6 +72,7 @@ class CascadeSum : public MaskedPass {
 
  private:
   void bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const;
+  gpu::Buffer ratios_;
 };
 
 }  // namespace dermis::passes

@@ -25,7 +25,9 @@ vec3 covariance(ivec2 p) {
   return wanted - vec3(off, 0.0, off);
 }
 
-vec4 computed(ivec2 p, vec4 centre) {
+vec4 own_light(ivec2 p) { return texelFetch(light_in, p + ivec2(io.origin), 0); }
+
+vec4 spread(ivec2 p, vec4 centre) {
   const float chart = abs(centre.a);  // negative beside lit texels, see passes/dilate
   const int table = io.texel_averaged != 0u ? TABLE_AVERAGED : TABLE_SAMPLED;
   const vec3 c = covariance(p);

@@ -105,7 +105,9 @@ vec3 wide_terms(ivec2 p, float chart, vec3 l) {
   return io.scale * (sum / total);
 }
 
-vec4 computed(ivec2 p, vec4 centre) {
+vec4 own_light(ivec2 p) { return texelFetch(unspread, p + ivec2(io.origin), 0); }
+
+vec4 spread(ivec2 p, vec4 centre) {
   const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
   const vec3 l = texelFetch(stretch, stretch_texel, 0).xyz * (0.001 * float(io.side));  // texels per mm
 

@@ -35,15 +35,4 @@ void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
           settings.slot + square.instance * settings.slots_per_instance);
 }
 
-ClearCounters::Out ClearCounters::declare(frame::Declare& d) {
-  d.kind(frame::PassKind::copy);
-  d.runs(frame::Runs::for_statistics);
-  d.copy_to(in.counters);
-  return {};
-}
-
-void ClearCounters::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
-  cmd.fill(resources.buffer(in.counters), 0);
-}
-
 }  // namespace dermis::passes

@@ -19,19 +19,7 @@ class Count : public ComputePass {
   } settings;
   struct In {
     frame::TextureId picture;  ///< one sample
-    frame::BufferId counters;  ///< uint[]; cleared by ClearCounters
-  } in;
-  struct Out {};
-  Out declare(frame::Declare& d);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-};
-
-class ClearCounters {
- public:
-  struct Settings {
-  } settings;
-  struct In {
-    frame::BufferId counters;
+    frame::BufferId counters;  ///< uint[]; cleared before
   } in;
   struct Out {};
   Out declare(frame::Declare& d);

@@ -51,16 +51,6 @@ EntryBuffers make_entry_buffers(FramePlan& plan, std::uint32_t parts, const gpu:
           .height = picture.height};
 }
 
-ClearParts::Out ClearParts::declare(frame::Declare& d) {
-  d.kind(frame::PassKind::copy);
-  d.copy_to(in.parts);
-  return {};
-}
-
-void ClearParts::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
-  cmd.fill(resources.buffer(in.parts), 0);
-}
-
 Entries::Out Entries::declare(frame::Declare& d) {
   multisampled_ = d.desc(in.ids).samples > 1;
   compute(d, multisampled_ ? "entries.comp" : "entries_single.comp");

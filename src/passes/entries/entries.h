@@ -21,18 +21,6 @@ struct EntryBuffers {
 /// Makes the buffers for a picture of at most MOST_SHADED_PIXELS.
 EntryBuffers make_entry_buffers(FramePlan& plan, std::uint32_t parts, const gpu::TextureDesc& picture);
 
-class ClearParts {
- public:
-  struct Settings {
-  } settings;
-  struct In {
-    frame::BufferId parts;
-  } in;
-  struct Out {};
-  Out declare(frame::Declare& d);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-};
-
 /// Finds the entries of each pixel, at most two, and their ranks.
 class Entries : public ComputePass {
  public:
@@ -40,7 +28,7 @@ class Entries : public ComputePass {
   } settings;
   struct In {
     frame::TextureId ids, depth;  ///< of Ids
-    EntryBuffers buffers;         ///< parts: cleared by ClearParts
+    EntryBuffers buffers;         ///< parts: cleared before
   } in;
   struct Out {};
   Out declare(frame::Declare& d);

@@ -17,7 +17,7 @@ layout(location = 4) out vec4 out_colour;
 layout(location = 5) centroid out vec2 out_unwrap;
 layout(location = 6) flat out vec4 out_unwrap_ab;  // of the triangle's corners
 layout(location = 7) flat out vec2 out_unwrap_c;
-layout(location = 8) out float out_uv_per_mm;  // texture coordinates per mm: geometric mean of two directions
+layout(location = 8) out float out_uv_per_mm;  // texture coordinates per mm
 void main() {
   const uint vertex = vertex_drawn();
   const VertexIo v = vertices[vertex];
@@ -29,9 +29,7 @@ void main() {
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;
   out_unwrap = skin.unwrap;
-  const vec3 g = skin.metric_mm2;
-  const float determinant = max(g.x * g.z - g.y * g.y, 1e-12);
-  out_uv_per_mm = inversesqrt(sqrt(determinant));
+  out_uv_per_mm = uv_per_mm(skin.metric_mm2);
   const uint first = is_first_corner() ? 3u * gl_VertexIndex : 0u;
   out_unwrap_ab = vec4(skin_vertices[indices[first]].unwrap, skin_vertices[indices[first + 1]].unwrap);
   out_unwrap_c = skin_vertices[indices[first + 2]].unwrap;

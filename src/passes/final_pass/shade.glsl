@@ -69,12 +69,6 @@ vec2 at_seen(vec3 share, vec2 a, vec2 b, vec2 c) { return share.x * a + share.y 
 vec3 at_seen(vec3 share, vec3 a, vec3 b, vec3 c) { return share.x * a + share.y * b + share.z * c; }
 vec4 at_seen(vec3 share, vec4 a, vec4 b, vec4 c) { return share.x * a + share.y * b + share.z * c; }
 
-// As final_pass.vert.
-float uv_per_mm(vec3 metric_mm2) {
-  const float determinant = max(metric_mm2.x * metric_mm2.z - metric_mm2.y * metric_mm2.y, 1e-12);
-  return inversesqrt(sqrt(determinant));
-}
-
 vec3 radiance_of(EntryIo entry) {
   const uint first = 3u * (entry.x & (1u << ID_TRIANGLE_BITS) - 1u), pixel = entry.y & (1u << RANK_BITS) - 1u;
   const uint i = indices[first], j = indices[first + 1u], k = indices[first + 2u];

@@ -29,18 +29,6 @@ void dispatch_tiles(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const io::Tile
 
 }  // namespace
 
-ClearTiles::Out ClearTiles::declare(frame::Declare& d) {
-  d.kind(frame::PassKind::copy);
-  d.copy_to(in.lists.counts);
-  d.copy_to(in.lists.arguments);
-  return {};
-}
-
-void ClearTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
-  cmd.fill(resources.buffer(in.lists.counts), 0);
-  cmd.fill(resources.buffer(in.lists.arguments), 0);
-}
-
 TileClasses::Out TileClasses::declare(frame::Declare& d) {
   compute(d, "tile_classes.comp");
   d.sample(in.light);

@@ -10,19 +10,6 @@
 
 namespace dermis::passes {
 
-/// Clears the lists of the previous frame.
-class ClearTiles {
- public:
-  struct Settings {
-  } settings;
-  struct In {
-    TileLists lists;
-  } in;
-  struct Out {};
-  Out declare(frame::Declare& d);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-};
-
 /// Finds what each tile holds: lit texels, unlit ones, both.
 class TileClasses : public ComputePass {
  public:

@@ -46,10 +46,7 @@ class Cascade {
   const Level& level(std::uint32_t halvings) const { return maps_->levels()[halvings]; }
   frame::TextureId spread(std::uint32_t halvings) const { return level(halvings).blurred.front(); }
   std::vector<MapSquare> on(std::uint32_t halvings) const { return on_level(squares_, level(halvings)); }
-  passes::MaskedPass::Mask mask(std::uint32_t halvings) const {
-    const Level& l = level(halvings);
-    return {.skip_unlit = skip_unlit(*settings_), .lists = l.lit, .depth_mask = l.depth_mask};
-  }
+  passes::LightMask mask(std::uint32_t halvings) const { return light_mask(*settings_, level(halvings)); }
 
   // Light of a group is what the group before has, and what its terms bring through the body beyond that.
   void add_transmitted() {

@@ -85,10 +85,8 @@ class MakeChain {
   // Blurs along both axes into the map of the term, then refreshes the gutters. A step that does not end the
   // term is written there, too: the one that ends it overwrites it.
   void add_step(const passes::BlurStep& step, std::size_t term) {
-    Blur::Settings blur{.squares = squares_,
-                        .variance_mm2 = step.variance_mm2,
-                        .texel_averaged = light_.next_step == 0,
-                        .skip_unlit = skip_unlit(*settings_)};
+    Blur::Settings blur{
+        .squares = squares_, .variance_mm2 = step.variance_mm2, .texel_averaged = light_.next_step == 0};
     total_mm2_ += step.variance_mm2;
     // The light is smooth enough by now for smaller maps.
     if (maps_->halvings()[term] != level_->halvings) {
@@ -101,11 +99,10 @@ class MakeChain {
     blur.chain = passes::ChainStep{.number = number, .total_mm2 = total_mm2_};
     const std::string name = fmt::format("blur {}", number);
     const frame::TextureId stretch = maps_->stretch(mesh_), target = maps_->blurred()[term];
-    add<Blur>(name + " u",
-              {light_.blurred, stretch, level_->scratch, level_->lit, level_->depth_mask, light_.start},
-              blur);
+    const passes::LightMask mask = light_mask(*settings_, *level_);
+    add<Blur>(name + " u", {light_.blurred, stretch, level_->scratch, mask, light_.start}, blur);
     blur.axis = 1;
-    add<Blur>(name + " v", {level_->scratch, stretch, target, level_->lit, level_->depth_mask}, blur);
+    add<Blur>(name + " v", {level_->scratch, stretch, target, mask}, blur);
     add<Gutters>(name + " gutters", {target}, {.squares = squares_, .step = number});
 
     light_.blurred = target;

@@ -43,25 +43,6 @@ std::vector<std::uint32_t> read_halvings(const FrameSettings& settings, const Li
   return {maps.halvings().begin(), maps.halvings().begin() + count};
 }
 
-}  // namespace
-
-void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, const LightMaps& maps,
-                     frame::TextureId sum, const std::vector<passes::MapSquare>& squares) {
-  Together<passes::ScatterSum>::In sums;
-  for (const passes::MapSquare& square : squares) {
-    const SkinPart& part = settings.skin[square.mesh];
-    const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
-    sums.members.push_back(
-        {{read_maps(settings, maps, count), sum},
-         {.square = square,
-          .weights = settings.cascade ? std::vector(1, std::array{1.0f, 1.0f, 1.0f}) : weights(part.profile),
-          .halvings = read_halvings(settings, maps, count)}});
-  }
-  plan.add<Together<passes::ScatterSum>>(maps.name("scatter sum"), sums);
-}
-
-namespace {
-
 passes::TermsOnMap terms_on_map(const FrameSettings& settings, const SkinPart& part) {
   return {.sigmas_mm = sigmas_mm(part.profile),
           .even_uv_per_mm = static_cast<float>(part.even_uv_per_mm),
@@ -86,21 +67,66 @@ SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const
           .maps = read_maps(settings, maps, count)};
 }
 
-// Of the maps of one size, from which all these squares read.
+// Of maps of one size. first_term: that of the first of them.
 frame::Member<passes::UnshadedReads> unshaded_reads_of(const FrameSettings& settings, const Screen& screen,
-                                                       const Level& level,
-                                                       const std::vector<passes::MapSquare>& squares) {
+                                                       const std::vector<frame::TextureId>& lights,
+                                                       const std::vector<passes::MapSquare>& squares,
+                                                       std::uint32_t first_term) {
   const SkinPart& part = settings.skin[squares.front().mesh];
-  return {.in = {level.blurred, screen.depth(), screen.counters()},
-          .settings = {.squares = on_level(squares, level),
+  return {.in = {lights, screen.depth(), screen.counters()},
+          .settings = {.squares = squares,
                        .samples = settings.samples,
                        .cut_out = part.cut_out,
                        .slot = counter_unshaded_reads,
                        .terms = terms_on_map(settings, part),
-                       .first_term = level.first_term}};
+                       .first_term = first_term}};
+}
+
+using ReadsTogether = Together<passes::UnshadedReads>;
+
+// Of the map of sums.
+void add_unshaded_reads_of_sum(passes::FramePlan& plan, const FrameSettings& settings, const Screen& screen,
+                               const LightMaps& maps, const std::vector<passes::MapSquare>& squares) {
+  ReadsTogether::In reads;
+  for (const std::uint32_t mesh : meshes_of(squares))
+    reads.members.push_back(
+        unshaded_reads_of(settings, screen, maps.blurred(), of_mesh(squares, mesh), MOST_TERMS));
+  plan.add<ReadsTogether>(maps.name("count unshaded reads"), reads);
+}
+
+// Of the maps of each level.
+void add_unshaded_reads_of_terms(passes::FramePlan& plan, const FrameSettings& settings, const Screen& screen,
+                                 const LightMaps& maps, const std::vector<passes::MapSquare>& squares) {
+  for (const Level& level : maps.levels()) {
+    const auto first = std::ranges::find(maps.halvings(), level.halvings);
+    ReadsTogether::In reads;
+    for (const std::uint32_t mesh : meshes_of(squares)) {
+      // A short profile does not reach the small maps of a longer one beside it.
+      const auto terms = static_cast<std::ptrdiff_t>(settings.skin[mesh].profile.terms.size());
+      if (first - maps.halvings().begin() < terms)
+        reads.members.push_back(unshaded_reads_of(settings, screen, level.blurred,
+                                                  on_level(of_mesh(squares, mesh), level), level.first_term));
+    }
+    if (!reads.members.empty()) plan.add<ReadsTogether>(maps.name(at("count unshaded reads", level)), reads);
+  }
 }
 
 }  // namespace
+
+void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, const LightMaps& maps,
+                     frame::TextureId sum, const std::vector<passes::MapSquare>& squares) {
+  Together<passes::ScatterSum>::In sums;
+  for (const passes::MapSquare& square : squares) {
+    const SkinPart& part = settings.skin[square.mesh];
+    const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
+    sums.members.push_back(
+        {{read_maps(settings, maps, count), sum},
+         {.square = square,
+          .weights = settings.cascade ? std::vector(1, std::array{1.0f, 1.0f, 1.0f}) : weights(part.profile),
+          .halvings = read_halvings(settings, maps, count)}});
+  }
+  plan.add<Together<passes::ScatterSum>>(maps.name("scatter sum"), sums);
+}
 
 void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
                const std::vector<passes::MapSquare>& squares) {
@@ -111,34 +137,10 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
   screen.add_skin(skin, [&](std::string_view what) { return maps.name(what); });
   if (settings.host) return;
 
-  if (settings.cascade) {
-    Together<passes::UnshadedReads>::In reads;
-    for (const std::uint32_t mesh : meshes_of(squares)) {
-      const SkinPart& part = settings.skin[mesh];
-      reads.members.push_back({{maps.blurred(), screen.depth(), screen.counters()},
-                               {.squares = of_mesh(squares, mesh),
-                                .samples = settings.samples,
-                                .cut_out = part.cut_out,
-                                .slot = counter_unshaded_reads,
-                                .terms = terms_on_map(settings, part),
-                                .first_term = MOST_TERMS}});
-    }
-    plan.add<Together<passes::UnshadedReads>>(maps.name("count unshaded reads"), reads);
-    return;
-  }
-
-  for (const Level& level : maps.levels()) {
-    const auto first = std::ranges::find(maps.halvings(), level.halvings);
-    Together<passes::UnshadedReads>::In reads;
-    for (const std::uint32_t mesh : meshes_of(squares)) {
-      // A short profile does not reach the small maps of a longer one beside it.
-      const auto terms = static_cast<std::ptrdiff_t>(settings.skin[mesh].profile.terms.size());
-      if (first - maps.halvings().begin() < terms)
-        reads.members.push_back(unshaded_reads_of(settings, screen, level, of_mesh(squares, mesh)));
-    }
-    if (!reads.members.empty())
-      plan.add<Together<passes::UnshadedReads>>(maps.name(at("count unshaded reads", level)), reads);
-  }
+  if (settings.cascade)
+    add_unshaded_reads_of_sum(plan, settings, screen, maps, squares);
+  else
+    add_unshaded_reads_of_terms(plan, settings, screen, maps, squares);
 }
 
 }  // namespace dermis::techniques

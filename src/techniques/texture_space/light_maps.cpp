@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "frame/together.h"
+#include "passes/clear_buffers.h"
 #include "passes/count/count.h"
 #include "passes/cull_triangles/cull_triangles.h"
 #include "passes/depth_mask/depth_mask.h"
@@ -42,6 +43,10 @@ std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings) {
 SkipUnlit skip_unlit(const FrameSettings& settings) {
   if (is_sparse(settings)) return settings.skip_unlit;
   return settings.skip_unlit == SkipUnlit::by_tiles ? SkipUnlit::never : SkipUnlit::never_drawn;
+}
+
+passes::LightMask light_mask(const FrameSettings& settings, const Level& level) {
+  return {.skip_unlit = skip_unlit(settings), .lists = level.lit, .depth_mask = level.depth_mask};
 }
 
 MapSquare on_level(MapSquare square, const Level& level) {
@@ -322,7 +327,8 @@ void LightMaps::add_masks(const Level& level, const std::vector<MapSquare>& all)
 
 // Extends the light to unlit texels beside lit ones, so that bilinear reads find light on all sides.
 void LightMaps::add_dilation(const Level& level, const std::vector<MapSquare>& all) {
-  plan_->add<passes::ClearTiles>(name(at("clear border tiles", level)), {level.border});
+  plan_->add<passes::ClearBuffers>(name(at("clear border tiles", level)),
+                                   {{level.border.counts, level.border.arguments}});
   plan_->add<passes::TileClasses>(name(at("border tile classes", level)), {level.light, level.border}, {all});
   plan_->add<passes::Tiles>(name(at("border tiles", level)), {level.border, screen_->counters()},
                             {.squares = all, .what = passes::Tiles::What::border});
@@ -358,7 +364,7 @@ void LightMaps::add_tiles(const Level& level, const std::vector<MapSquare>& all)
   for (std::uint32_t i = 0; i < level.blurred.size(); ++i)
     maps.push_back(
         {.light = level.blurred[i], .term = settings_->cascade ? MOST_TERMS : level.first_term + i});
-  plan_->add<passes::ClearTiles>(name(at("clear tiles", level)), {level.lit});
+  plan_->add<passes::ClearBuffers>(name(at("clear tiles", level)), {{level.lit.counts, level.lit.arguments}});
   plan_->add<passes::TileClasses>(name(at("tile classes", level)), {level.light, level.lit}, {all});
   plan_->add<passes::Tiles>(name(at("tiles", level)), {level.lit, screen_->counters()},
                             {.squares = all,

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "passes/kept_triangles.h"
+#include "passes/light_mask.h"
 #include "passes/light_pool.h"
-#include "passes/tile_lists.h"
 #include "techniques/screen.h"
 #include "techniques/texture_space/map_pool.h"
 
@@ -38,6 +38,9 @@ struct Level {
   passes::TileLists border;               ///< tiles that Dilate fills; valid if the light is sparse
   passes::TileLists lit;                  ///< tiles to blur; valid with SkipUnlit::by_tiles
 };
+
+/// Returns how convolutions of a level skip unlit texels.
+passes::LightMask light_mask(const FrameSettings& settings, const Level& level);
 
 /// Return the same squares in the maps of a level.
 passes::MapSquare on_level(passes::MapSquare square, const Level& level);
