@@ -72,8 +72,15 @@ class Asset {
   std::vector<std::string> materials() const;  ///< their names
   std::vector<std::string> cameras() const;    ///< those of the file; CameraSettings::name takes one
   std::vector<std::string> clips() const;      ///< names of the file's animations; "0", "1" ... if unnamed
-  std::vector<Light> lights() const;           ///< those of the file, in the asset's own coordinates
-  AssetBounds bounds() const;                  ///< reads all vertices
+  /// Time of the last key frame of a clip, seconds. Throws InputError: no such clip, or a faulty one.
+  double clip_end_s(const std::string& clip) const;
+  /// Names of what poses can move (dermis/pose.h): the file's nodes, and the morph targets of its meshes,
+  /// each once. Where the file has no name, a number: of the node, or of the target in its mesh. Empty:
+  /// nothing.
+  std::vector<std::string> joints() const;
+  std::vector<std::string> morph_weights() const;
+  std::vector<Light> lights() const;  ///< those of the file, in the asset's own coordinates
+  AssetBounds bounds() const;         ///< reads all vertices
 
   /// Compares identity, not contents.
   bool operator==(const Asset& other) const { return state_ == other.state_; }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "api/asset_state.h"
+#include "api/rig_pose.h"
 #include "api/scene_file.h"
 #include "builtin_head/builtin_head.h"
 #include "core/error.h"
@@ -84,6 +85,12 @@ std::vector<std::string> Asset::cameras() const {
 }
 
 std::vector<std::string> Asset::clips() const { return state_->data->clips; }
+
+double Asset::clip_end_s(const std::string& clip) const {
+  return api::find_clip(*state_->data, clip).end_s();
+}
+std::vector<std::string> Asset::joints() const { return api::joint_names(*state_->data); }
+std::vector<std::string> Asset::morph_weights() const { return api::morph_names(*state_->data); }
 
 AssetBounds Asset::bounds() const {
   const scene::Bounds bounds = scene::skin_bounds(*state_->data);

@@ -111,6 +111,11 @@ setup::HostSetup host_setup(const HostFrames::Options& options, const Scene& sce
                         .deformed = {},
                         .maps = {},
                         .shadows = {}};
+  for (const InstanceId id : ids)
+    if (scene.instance(id).pose)
+      throw input_error(
+          "", "instance {} has a pose, which frames of a host do not draw: see record_deformation()",
+          static_cast<std::uint32_t>(id));
   for (const InstanceId id : inputs.drawn_by_host)
     host.not_drawn.push_back(number_of(ids, id, "drawn_by_host"));
   for (const InstanceId id : inputs.deformed) host.deformed.push_back(number_of(ids, id, "deformed"));

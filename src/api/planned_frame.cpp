@@ -72,6 +72,8 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
           : setup::drawn_heads(setup_);
   next_scene.upload(renderer_->library, input.placed, settings, setup_, drawn, next_environment, scene_,
                     host ? &*host : nullptr);
+  posed_.keep(renderer_->library, next_scene, scene.instances(), input.placed);
+  if (plans) posed_.move_all();
   unwrap_assets_ = std::move(unwrap_assets);
   scene_ = std::move(next_scene);
   environment_ = next_environment;
@@ -124,8 +126,11 @@ void PlannedFrame::plan(const RenderSettings& settings, const setup::FrameSetup&
   outputs_ = made_outputs;
 }
 
-passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory) const {
-  return setup::frame_data(memory, setup_, outputs_, scene_.instances(), environment_.get());
+passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory) {
+  passes::FrameData data =
+      setup::frame_data(memory, setup_, outputs_, scene_.instances(), environment_.get());
+  posed_.fill(memory, setup_, data);
+  return data;
 }
 
 }  // namespace dermis::api

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "api/posed_instances.h"
 #include "api/renderer_state.h"
 #include "api/scene_on_device.h"
 #include "frame/executor.h"
@@ -42,11 +43,14 @@ class PlannedFrame {
 
   /// False if the last set() has thrown half way.
   bool is_ready() const { return ready_; }
-  void make_unready() { ready_ = false; }
+  void make_unready() {
+    ready_ = false;
+    posed_.move_all();
+  }
   void make_ready() { ready_ = true; }
 
-  /// Writes what changes per frame.
-  passes::FrameData data(gpu::FrameMemory& memory) const;
+  /// Writes what changes per frame. Poses count as drawn from here on, unless make_unready() is called.
+  passes::FrameData data(gpu::FrameMemory& memory);
 
   gpu::Device& device() const { return renderer_->device; }
   Renderer::State& renderer() const { return *renderer_; }
@@ -70,6 +74,7 @@ class PlannedFrame {
   std::shared_ptr<Renderer::State> renderer_;
   Options options_;
   SceneOnDevice scene_;
+  PosedInstances posed_;
   std::shared_ptr<const setup::EnvironmentLight> environment_;
   setup::FrameSetup setup_;
   Input input_;  // and settings_: of the last set()

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "api/asset_state.h"
+#include "api/rig_pose.h"
 #include "api/scene_file.h"
 #include "api/scene_state.h"
 #include "core/assert.h"
@@ -146,11 +147,13 @@ std::string Scene::name() const {
 
 InstanceId Scene::add(const Instance& instance) {
   if (!Asset::State::of(instance.asset)) throw input_error("", "an instance has no asset: it was moved away");
-  State::PlacedInstance placed{.id = InstanceId{state_->next_id},
-                               .instance = instance,
-                               .pose = checked_pose(instance.world_from_asset),
-                               .profile = {},
-                               .changes = {.pose = next_change(), .material = next_change()}};
+  State::PlacedInstance placed{
+      .id = InstanceId{state_->next_id},
+      .instance = instance,
+      .pose = checked_pose(instance.world_from_asset),
+      .posed = api::posed_asset(*Asset::State::of(instance.asset), instance.pose),
+      .profile = {},
+      .changes = {.pose = next_change(), .material = next_change(), .rig = next_change()}};
   check_mix(instance.mix);
   check_tint(instance.tint);
   if (instance.profile) placed.profile = gaussians::checked_sum(*instance.profile);
@@ -214,6 +217,17 @@ void Scene::set_tint(InstanceId id, const std::array<double, 3>& tint) {
   check_tint(tint);
   placed.instance.tint = tint;
   placed.changes.material = next_change();
+}
+
+void Scene::set_pose(InstanceId id, const std::optional<RigPose>& pose) {
+  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  placed.posed = api::posed_asset(*Asset::State::of(placed.instance.asset), pose);
+  placed.instance.pose = pose;
+  placed.changes.rig = next_change();
+}
+
+void Scene::pose(InstanceId id, const std::string& clip, double seconds) {
+  set_pose(id, RigPose{.clip = ClipTime{.clip = clip, .seconds = seconds}});
 }
 
 LightId Scene::add_light(const SceneLight& light) {
@@ -295,6 +309,8 @@ setup::PlacedScene placed_scene(const Scene& scene, const std::vector<scene::Bou
     to.asset = Asset::State::of(from.instance.asset);
     to.sphere = spheres.at(i);
     to.pose = from.pose;
+    to.posed = from.posed;
+    to.posed_change = from.changes.rig;
     to.visible = from.instance.visible;
     to.profile = from.profile;
     if (from.instance.mix) to.mix = static_cast<float>(*from.instance.mix);

@@ -73,6 +73,12 @@ class Writer {
     const Scene::State::PlacedInstance& placed = state_.instances[number];
     const Instance& instance = placed.instance;
     ordered_json json{{"asset", asset_name(number)}};
+    if (instance.pose)
+      throw input_error(
+          path_.string(),
+          "instance {}{}: it has a pose, which a scene file cannot hold; an asset can be loaded "
+          "with a clip and a time",
+          number, instance.name.empty() ? "" : " ('" + instance.name + "')");
     json.update(json_of(instance));
     if (instance.profile)
       json["profile"] = ordered_json::parse(gaussians::to_json(gaussians::checked_sum(*instance.profile)));

@@ -17,7 +17,8 @@ struct Scene::State {
   struct PlacedInstance {
     InstanceId id{};
     Instance instance;
-    setup::Pose pose;  ///< of world_from_asset
+    setup::Pose pose;                                ///< of world_from_asset
+    std::shared_ptr<const setup::PosedAsset> posed;  ///< of Instance::pose
     std::optional<gaussians::SumOfGaussians> profile;
     InstanceChanges changes;
   };

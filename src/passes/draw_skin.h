@@ -7,7 +7,7 @@
 
 #include "gpu/cmd.h"
 #include "passes/bindings.h"
-#include "passes/frame_data.h"
+#include "passes/posed.h"
 
 namespace dermis::passes {
 
@@ -20,8 +20,7 @@ inline gpu::BufferBinding first_corners(const Instance& instance, std::size_t nu
 inline void offer_skin(Bindings& bindings, const Instance& instance, std::size_t number,
                        const GpuMaterial& material) {
   bindings.add("Instance", instance.transform);
-  instance.scene->skin[number].offer(bindings);
-  if (number < instance.vertices.size()) bindings.add("Vertices", instance.vertices[number]);
+  offer_mesh(instance, number, bindings);
   material.offer(bindings);
 }
 

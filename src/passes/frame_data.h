@@ -39,6 +39,22 @@ struct HostShadowMap {
   bool reversed = false;                ///< near is 1
 };
 
+/// Buffers of an instance that takes poses, in place of those of its asset; they last from frame to frame.
+struct PosedShape {
+  /// VertexIo[], one per skin mesh, then one per page of surfaces
+  std::vector<gpu::Buffer> vertices;
+  /// vec3[], likewise: positions before the last frame that moved them, for motion vectors
+  std::vector<gpu::Buffer> before_m;
+  std::vector<gpu::Buffer> skin_vertices;  ///< SkinVertexIo[], one per skin mesh: with the moved metric
+};
+
+/// An instance that this frame moves.
+struct RigMove {
+  const PosedShape* shape = nullptr;
+  const GpuScene* scene = nullptr;       ///< with its rig
+  gpu::BufferBinding matrices, weights;  ///< mat4x3[], float[]: scene::PosedRig
+};
+
 /// One head in the frame: an asset, placed. Each has its own shadow maps.
 struct Instance {
   std::uint32_t number = 0;         ///< among the heads of the scene, however the plan sorts them
@@ -57,6 +73,10 @@ struct Instance {
   /// Images of a host for these layers, null where dermis draws them; empty: it draws all.
   std::vector<HostShadowMap> host_shadows;
   std::span<const gpu::Buffer> vertices;  ///< moved, one per skin mesh; empty: those of `scene`
+  const PosedShape* posed = nullptr;      ///< of an instance that takes poses
+  bool moves = false;                     ///< it has moved since the last frame, or this is its first
+  std::vector<gpu::BufferBinding>
+      placements;  ///< posed, PlacementIo[], one per page; empty: those of `scene`
   /// T: the used side of the square of its light maps, texels
   std::uint32_t map_side = 0;
   std::vector<MapPlace> map_places;  ///< one per skin mesh of the asset; empty where nothing has light maps
@@ -78,6 +98,7 @@ struct FrameData {
   gpu::BufferBinding frame_io;                ///< FrameIo
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
   std::vector<Instance> instances;            ///< at least one
+  std::vector<RigMove> moves;                 ///< those that move in this frame, each once
   std::optional<VkRect2D> area;               ///< part of the targets that is the picture; none: all
   DrawIrradiance draw_irradiance;             ///< of a host
 };

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <new>
-#include <numeric>
 
 #include "core/error.h"
 #include "core/hooks.h"
@@ -16,6 +15,7 @@
 #include "image/resize.h"
 #include "optics/directional_albedo.h"
 #include "passes/alpha_max.h"
+#include "passes/charts_first.h"
 #include "passes/first_corners.h"
 #include "passes/gutter_list.h"
 #include "passes/vertices.h"
@@ -133,23 +133,6 @@ gpu::Texture upload_directional_albedo(gpu::Device& device) {
   return texture;
 }
 
-/// Returns the mesh with triangles that have a chart before those that have none, so that few draws hold each
-/// kind.
-scene::SkinMesh charts_first(const scene::SkinMesh& skin) {
-  std::vector<std::size_t> order(skin.triangle_chart.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_partition(order.begin(), order.end(),
-                        [&](std::size_t t) { return skin.triangle_chart[t] != scene::no_chart; });
-
-  scene::SkinMesh sorted = skin;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    sorted.triangle_chart[i] = skin.triangle_chart[order[i]];
-    sorted.triangle_material[i] = skin.triangle_material[order[i]];
-    for (std::size_t k = 0; k < 3; ++k) sorted.indices[3 * i + k] = skin.indices[3 * order[i] + k];
-  }
-  return sorted;
-}
-
 GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_t number) {
   std::vector<io::VertexIo> vertices;
   std::vector<io::VertexExtraIo> extras;
@@ -182,7 +165,8 @@ GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std
 }
 
 GpuMesh upload_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_t number) {
-  return upload_sorted_skin(device, scene::has_chartless(skin) ? charts_first(skin) : skin, number);
+  return scene::has_chartless(skin) ? upload_sorted_skin(device, charts_first(skin), number)
+                                    : upload_sorted_skin(device, skin, number);
 }
 
 }  // namespace
@@ -242,6 +226,7 @@ gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
 GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
                    const std::vector<scene::SkinMesh>& skin_meshes) {
   gpu::Device& device = library.device();
+  mm_per_unit = static_cast<float>(scene.mm_per_unit);
   white_ = single_texel(device, "white", {255, 255, 255, 255});
   flat_normal_ = single_texel(device, "flat normal", {128, 128, 255, 255});
 
@@ -345,6 +330,11 @@ void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene
   if (!list.empty())
     made.list =
         gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
+}
+
+void GpuScene::make_rig(gpu::Device& device, const scene::Scene& scene,
+                        const std::vector<scene::SkinMesh>& skin_meshes) {
+  if (!rig) rig.emplace(upload_rig(device, scene, skin_meshes, surfaces));
 }
 
 const GpuMesh::Sources* GpuMesh::sources_of(int source_mesh) const {

@@ -14,6 +14,7 @@
 #include "gpu/pipelines.h"
 #include "gpu/resources.h"
 #include "passes/bindings.h"
+#include "passes/gpu_rig.h"
 #include "passes/gpu_surfaces.h"
 #include "scene/gutters.h"
 #include "scene/scene.h"
@@ -132,7 +133,13 @@ class GpuScene {
   /// there.
   void make_sources(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh);
 
+  /// Makes what moves its vertices, unless it is there. The scene has a rig. Throws DeviceError: more than
+  /// shaders of the device can read.
+  void make_rig(gpu::Device& device, const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin);
+
+  float mm_per_unit = 1000;                             ///< scene::Scene::mm_per_unit
   std::vector<GpuMesh> skin;                            ///< one per SkinMesh
+  std::optional<GpuRig> rig;                            ///< once a pose was asked for
   GpuSurfaces surfaces;                                 ///< everything else
   gpu::Buffer unmoved;                                  ///< PlacementIo: skin's vertices are in the world
   const gpu::Texture& white() const { return white_; }  ///< one white texel

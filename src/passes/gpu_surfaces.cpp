@@ -10,7 +10,6 @@
 #include "gpu/device.h"
 #include "passes/vertices.h"
 #include "scene/placement.h"
-#include "shared/placement_io.h"
 
 namespace dermis::passes {
 namespace {
@@ -36,6 +35,8 @@ struct PageData {
   std::vector<io::VertexExtraIo> extras;
   std::vector<std::uint32_t> indices;
   std::vector<io::PlacementIo> placements{io::PlacementIo{}};
+  std::vector<GpuSurfaces::Page::Part> parts;
+  std::vector<GpuSurfaces::Page::Copy> copies;
 };
 
 class Builder {
@@ -49,6 +50,8 @@ class Builder {
   void add(const scene::Primitive& p) {
     make_room(p);
     const auto base = static_cast<std::uint32_t>(page_.vertices.size());
+    const auto number = static_cast<std::uint32_t>(&p - scene_->primitives.data());
+    page_.parts.push_back({number, base});
     for (const scene::Vertex& v : p.vertices) {
       page_.vertices.push_back(vertex_io(v));
       page_.extras.push_back(vertex_extra_io(v));
@@ -62,7 +65,10 @@ class Builder {
       for (std::size_t copy = 0; copy < p.placements.size(); ++copy)
         if (p.placements[copy].mirrored == mirrored) copies.push_back(copy);
       if (copies.empty()) continue;
-      for (const std::size_t copy : copies) page_.placements.push_back(placement_io(p.placements[copy]));
+      for (const std::size_t copy : copies) {
+        page_.placements.push_back(placement_io(p.placements[copy]));
+        page_.copies.push_back({number, static_cast<std::uint32_t>(copy)});
+      }
 
       const std::uint32_t first_index = append_indices(p, base, mirrored);
       const auto placements = static_cast<std::uint32_t>(copies.size());
@@ -139,6 +145,8 @@ class Builder {
                          VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     page.placements = gpu::make_buffer(*device_, name + " placements",
                                        std::span<const io::PlacementIo>(page_.placements), storage);
+    page.parts = std::move(page_.parts);
+    page.copies = std::move(page_.copies);
     made_.pages.push_back(std::move(page));
     page_ = {};
     group_of_.clear();
@@ -181,6 +189,20 @@ GpuSurfaces upload_surfaces(gpu::Device& device, const scene::Scene& scene) {
   });
   for (const scene::Primitive* p : parts) builder.add(*p);
   return builder.finish();
+}
+
+std::vector<io::PlacementIo> posed_placements(const GpuSurfaces::Page& page, const scene::Scene& scene,
+                                              const scene::PosedRig& pose) {
+  std::vector<io::PlacementIo> placements{io::PlacementIo{}};
+  for (const GpuSurfaces::Page::Copy& copy : page.copies) {
+    const scene::RigMesh& mesh = scene.rig->meshes[copy.primitive];
+    const glm::dmat4& matrix = pose.matrices[mesh.placed[copy.copy]];
+    scene::Placement placement = scene.primitives[copy.primitive].placements[copy.copy];
+    placement.world_from_mesh = glm::dmat4x3(matrix);
+    placement.world_from_mesh[3] = glm::dvec3(matrix * glm::dvec4(mesh.middle, 1));
+    placements.push_back(placement_io(placement));
+  }
+  return placements;
 }
 
 gpu::Buffer unmoved(gpu::Device& device) {

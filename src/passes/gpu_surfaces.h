@@ -11,7 +11,9 @@
 #include "gpu/cmd.h"
 #include "gpu/resources.h"
 #include "passes/bindings.h"
+#include "scene/rig.h"
 #include "scene/scene.h"
+#include "shared/placement_io.h"
 
 namespace dermis::passes {
 
@@ -22,6 +24,16 @@ struct GpuSurfaces {
     gpu::Buffer vertex_extras;  ///< VertexExtraIo[]
     gpu::Buffer indices;        ///< uint[], into all vertices of the page
     gpu::Buffer placements;     ///< PlacementIo[]; the first leaves vertices where they are
+    /// Where vertices and placements come from, for poses: primitives in the order of their vertices, and the
+    /// copy of one behind each placement but the first.
+    struct Part {
+      std::uint32_t primitive = 0, first_vertex = 0;
+    };
+    struct Copy {
+      std::uint32_t primitive = 0, copy = 0;
+    };
+    std::vector<Part> parts;
+    std::vector<Copy> copies;
   };
   struct Draw {
     std::uint32_t first_index = 0, index_count = 0;
@@ -49,6 +61,10 @@ struct GpuSurfaces {
   /// Records a draw of a group of `page`; its bindings are bound.
   void record(gpu::Cmd& cmd, std::uint32_t page, const Draw& draw) const;
 };
+
+/// Returns the placements of a page in a pose of its scene's rig, the first of which moves nothing.
+std::vector<io::PlacementIo> posed_placements(const GpuSurfaces::Page& page, const scene::Scene& scene,
+                                              const scene::PosedRig& pose);
 
 /// Uploads everything that is not skin, and skin without texture coordinates, which cannot be unwrapped.
 /// Throws DeviceError if memory does not suffice.

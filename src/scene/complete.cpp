@@ -14,17 +14,24 @@ namespace {
 
 constexpr float least_height_m = 0.10f, most_height_m = 0.60f;
 
+// Fine normals of a displacement map use the tangents too; if there are both, the normal map's coordinates
+// count.
+const MapRef& map_of_tangents(const Material& material) {
+  return material.normal_map.present() ? material.normal_map : material.skin_settings.displacement;
+}
+
 void complete_surface(Primitive& primitive, const Material& material, bool has_tangents) {
   make_missing_normals(primitive);
-  // Fine normals of a displacement map use the tangents too; if there are both, the normal map's coordinates
-  // count.
-  const MapRef& normal = material.normal_map;
-  const MapRef& map = normal.present() ? normal : material.skin_settings.displacement;
-  if (has_tangents && map.transform == MapRef{}.transform) return;
+  if (keeps_tangents(material, has_tangents)) return;
+  const MapRef& map = map_of_tangents(material);
   make_tangents(primitive, map.transform, map.uv_set);
 }
 
 }  // namespace
+
+bool keeps_tangents(const Material& material, bool has_tangents) {
+  return has_tangents && map_of_tangents(material).transform == MapRef{}.transform;
+}
 
 void complete_surfaces(const std::vector<bool>& has_tangents, Scene& scene) {
   Steps steps("completing surfaces", scene.primitives.size());

@@ -18,6 +18,9 @@ namespace dermis::scene {
 /// usable_tangents() of scene/local_mesh.h. Materials and their maps are final.
 void complete_surfaces(const std::vector<bool>& has_tangents, Scene& scene);
 
+/// Returns whether complete_surfaces() leaves a primitive of this material the tangents of its source.
+bool keeps_tangents(const Material& material, bool has_tangents);
+
 /// Throws InputError if more nodes have skin with texture coordinates than can be lit separately.
 void check_skin_nodes(const std::string& file, std::size_t count);
 

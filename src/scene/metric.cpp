@@ -62,6 +62,15 @@ void drop_outliers(std::vector<TriangleMetric>& metrics) {
   }
 }
 
+// Vertices share their mean if place, coordinates and chart agree. Each used vertex belongs to one chart.
+std::vector<std::uint32_t> weld_for_metric(const SkinMesh& mesh) {
+  const std::vector<std::uint32_t> place = weld_positions(mesh.vertices), coordinate = weld_uv(mesh.unwrap);
+  std::vector<glm::dvec3> key;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) key.emplace_back(place[v], coordinate[v], 0);
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) key[mesh.indices[i]].z = mesh.triangle_chart[i / 3];
+  return weld_points(key, 1.0);
+}
+
 /// Raises the smaller eigenvalue to large / 300^2 by adding to the diagonal, and rescales where a float could
 /// not hold the determinant: maps less than 1e-7 mm or more than 1,000 km wide.
 glm::vec3 well_conditioned(const glm::dvec3& g) {
@@ -120,13 +129,7 @@ void compute_metric(SkinMesh& mesh, double mm_per_unit) {
   std::vector<TriangleMetric> metrics = triangle_metrics(mesh, mm_per_unit);
   drop_outliers(metrics);
 
-  // Vertices share their mean if place, coordinates and chart agree. Each used vertex belongs to one chart.
-  const std::vector<std::uint32_t> place = weld_positions(mesh.vertices), coordinate = weld_uv(mesh.unwrap);
-  std::vector<glm::dvec3> key;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) key.emplace_back(place[v], coordinate[v], 0);
-  for (std::size_t i = 0; i < mesh.indices.size(); ++i) key[mesh.indices[i]].z = mesh.triangle_chart[i / 3];
-  const std::vector<std::uint32_t> weld = weld_points(key, 1.0);
-
+  const std::vector<std::uint32_t> weld = weld_for_metric(mesh);
   std::vector<glm::dvec4> sum(mesh.vertices.size(), glm::dvec4(0));  // weighted g, weight
   glm::dvec4 all(0);
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
@@ -144,6 +147,26 @@ void compute_metric(SkinMesh& mesh, double mm_per_unit) {
     const glm::dvec4& s = sum[weld[v]];
     mesh.metric.push_back(well_conditioned(s.w > 0 ? glm::dvec3(s) / s.w : mean));
   }
+}
+
+std::vector<std::uint32_t> metric_triangles(const SkinMesh& mesh, double mm_per_unit) {
+  std::vector<TriangleMetric> metrics = triangle_metrics(mesh, mm_per_unit);
+  drop_outliers(metrics);
+  const std::vector<std::uint32_t> weld = weld_for_metric(mesh);
+  std::vector<std::vector<std::uint32_t>> at_place(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+    if (metrics[i / 3].valid) at_place[weld[mesh.indices[i]]].push_back(static_cast<std::uint32_t>(i / 3));
+
+  std::vector<std::uint32_t> packed(mesh.vertices.size() + 1);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    packed[v] = static_cast<std::uint32_t>(packed.size());
+    // Real heads have a dozen; a hostile file must not cost the square of its size.
+    const std::vector<std::uint32_t>& here = at_place[weld[v]];
+    const std::size_t count = std::min<std::size_t>(here.size(), 64);
+    packed.insert(packed.end(), here.begin(), here.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  packed[mesh.vertices.size()] = static_cast<std::uint32_t>(packed.size());
+  return packed;
 }
 
 glm::dvec3 inverse_metric_cholesky(const glm::dvec3& g) {

@@ -165,6 +165,8 @@ struct BoundingSphere {
   float radius_m = 0;
 };
 
+struct Rig;  // scene/rig.h
+
 struct Scene {
   std::string name;  ///< file name, or "built-in"
   std::vector<Primitive> primitives;
@@ -173,6 +175,8 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   std::vector<std::string> clips;  ///< names of its animations
+  /// What poses it again; null: nothing can move. Shared, as pixels are.
+  std::shared_ptr<const Rig> rig;
   /// world metres to mm; unit_scale multiplies positions at load, so this stays 1000
   double mm_per_unit = 1000;
 };

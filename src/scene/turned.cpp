@@ -28,14 +28,13 @@ bool turned(const SkinMesh& mesh, std::size_t triangle) {
   return false;
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh) {
+template <class Counts>
+std::vector<std::uint32_t> neighbours(const SkinMesh& mesh, const Counts& counts) {
   const std::size_t triangles = mesh.triangle_chart.size();
   const std::vector<std::uint32_t> place = weld_positions(mesh.vertices);
   std::vector<std::vector<std::uint32_t>> at_place(mesh.vertices.size());
   for (std::size_t t = 0; t < triangles; ++t)
-    if (mesh.triangle_chart[t] != no_chart && turned(mesh, t))
+    if (mesh.triangle_chart[t] != no_chart && counts(t))
       for (std::size_t k = 0; k < 3; ++k)
         at_place[place[mesh.indices[3 * t + k]]].push_back(static_cast<std::uint32_t>(t));
 
@@ -61,6 +60,16 @@ std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh) {
 
   packed[triangles] = static_cast<std::uint32_t>(packed.size());
   return packed;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh) {
+  return neighbours(mesh, [&](std::size_t t) { return turned(mesh, t); });
+}
+
+std::vector<std::uint32_t> touching_neighbours(const SkinMesh& mesh) {
+  return neighbours(mesh, [](std::size_t) { return true; });
 }
 
 }  // namespace dermis::scene

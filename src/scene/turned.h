@@ -21,4 +21,8 @@ inline constexpr std::uint32_t always_kept = 0xffffffffu;
 /// triangle that meets more than 64 such triangles at a vertex has the one entry `always_kept` instead.
 std::vector<std::uint32_t> turned_neighbours(const SkinMesh& mesh);
 
+/// Returns, packed likewise, all triangles that touch each triangle: whatever shape the mesh takes, those of
+/// turned_neighbours() are among them.
+std::vector<std::uint32_t> touching_neighbours(const SkinMesh& mesh);
+
 }  // namespace dermis::scene

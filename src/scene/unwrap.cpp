@@ -11,14 +11,16 @@
 namespace dermis::scene {
 namespace {
 
-void append_primitive(SkinMesh& mesh, const Primitive& primitive) {
+void append_primitive(SkinMesh& mesh, const Primitive& primitive, std::uint32_t number) {
   DERMIS_ASSERT_EQ(primitive.indices.size() % 3, std::size_t{0});
   const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
   if (!primitive.source_vertices.empty())
     DERMIS_ASSERT_EQ(primitive.source_vertices.size(), primitive.vertices.size());
-  for (std::uint32_t v = 0; v < primitive.vertices.size(); ++v)
+  for (std::uint32_t v = 0; v < primitive.vertices.size(); ++v) {
     mesh.sources.push_back({primitive.source_mesh, source_vertex(primitive, v)});
+    mesh.origins.push_back({number, v});
+  }
   for (const std::uint32_t index : primitive.indices) mesh.indices.push_back(base + index);
   mesh.triangle_material.insert(mesh.triangle_material.end(), primitive.indices.size() / 3,
                                 primitive.material);
@@ -28,6 +30,7 @@ void append_primitive(SkinMesh& mesh, const Primitive& primitive) {
 std::uint32_t append_copy(SkinMesh& mesh, std::uint32_t vertex, const glm::vec2& unwrap) {
   mesh.vertices.push_back(Vertex(mesh.vertices[vertex]));
   mesh.sources.push_back(SourceVertex(mesh.sources[vertex]));
+  mesh.origins.push_back(PrimitiveVertex(mesh.origins[vertex]));
   mesh.unwrap.push_back(unwrap);
   return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
@@ -106,7 +109,8 @@ std::vector<SkinMesh> skin_meshes(const Scene& scene) {
       meshes.back().name = primitive.name;
       meshes.back().node = skin_mesh_number(primitive);
     }
-    append_primitive(meshes[entry->second], primitive);
+    append_primitive(meshes[entry->second], primitive,
+                     static_cast<std::uint32_t>(&primitive - scene.primitives.data()));
   }
 
   for (SkinMesh& mesh : meshes) {

@@ -25,6 +25,11 @@ struct SourceVertex {
   bool operator==(const SourceVertex&) const = default;
 };
 
+/// Which vertex of Scene::primitives a vertex was.
+struct PrimitiveVertex {
+  std::uint32_t primitive = 0, vertex = 0;
+};
+
 /// One head. Every vertex belongs to one chart (vertices between charts are split; copies are at the end).
 struct SkinMesh {
   std::string name;              ///< of the first primitive, for messages
@@ -32,6 +37,7 @@ struct SkinMesh {
   std::vector<Vertex> vertices;  ///< uv0 and uv1 raw
   /// per vertex; vertices that were split have the same
   std::vector<SourceVertex> sources;
+  std::vector<PrimitiveVertex> origins;  ///< likewise
   /// triangles in the order of the scene's primitives, so each material is a few runs
   std::vector<std::uint32_t> indices;
   std::vector<int> triangle_material;  ///< per triangle, index into Scene::materials
@@ -64,6 +70,11 @@ std::vector<SkinMesh> skin_meshes(const Scene& scene);
 
 /// Returns whether a triangle of the mesh has no chart.
 bool has_chartless(const SkinMesh& mesh);
+
+/// Returns, for each vertex, the triangles whose metrics compute_metric() averages there, whatever the shape
+/// of the mesh. Packed as turned_neighbours(): the entries of vertex v are [packed[v], packed[v + 1]) of
+/// `packed` itself. Without triangles that are left out as the mesh is now.
+std::vector<std::uint32_t> metric_triangles(const SkinMesh& mesh, double mm_per_unit);
 
 /// Returns g = J^T J with J = dP/d(u,v) in mm: (g_uu, g_uv, g_vv). Zero if the triangle has no area in
 /// texture space or in the world.

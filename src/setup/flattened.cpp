@@ -8,7 +8,7 @@ namespace {
 
 bool is_as_its_asset(const PlacedAsset& instance) {
   return instance.visible && instance.pose.is_identity() && !instance.profile && !instance.mix &&
-         instance.tint == glm::vec3(1);
+         !instance.posed && instance.tint == glm::vec3(1);
 }
 
 void offset_images(scene::Material& material, int first) {
@@ -81,7 +81,12 @@ std::shared_ptr<const scene::Scene> flattened(const PlacedScene& scene) {
       offset_images(flat->materials.back(), first_image);
     }
 
-    for (scene::Primitive primitive : asset.primitives) {
+    scene::Scene moved;
+    if (instance.posed) {
+      moved = asset;
+      scene::take_pose(*asset.rig, instance.posed->rig, moved);
+    }
+    for (scene::Primitive primitive : instance.posed ? moved.primitives : asset.primitives) {
       primitive.material += first_material;
       if (primitive.node >= 0) primitive.node += first_node;
       for (scene::Placement& placement : primitive.placements)

@@ -79,7 +79,8 @@ double reference_distance(const Subject& subject, const RenderSettings& s, const
   return d_mm / (subject.bounds.sphere.radius_m * subject.scene->mm_per_unit);
 }
 
-int map_side(const Subject& subject, const RenderSettings& s, const scene::Camera& camera, const Pose& pose) {
+int map_side(const Subject& subject, const RenderSettings& s, const scene::Camera& camera, const Pose& pose,
+             const PosedAsset* posed) {
   if (!s.quality.depth || subject.skin.empty()) return s.quality.map_size;
 
   double needed = 1;  // of T_max
@@ -89,8 +90,15 @@ int map_side(const Subject& subject, const RenderSettings& s, const scene::Camer
     needed = pixels_per_mm * double{pose.scale} / texels_per_mm(subject, s);
   } else {
     // In the asset, where lengths are in the same proportion.
+    glm::vec3 low_m = subject.bounds.low_m, high_m = subject.bounds.high_m;
+    if (posed) {
+      // By steps, so that T stays while a head moves a little: each new T needs lists of gutters.
+      const float step_m = subject.bounds.sphere.radius_m / 8;
+      low_m -= glm::ceil((low_m - posed->skin.low_m) / step_m) * step_m;
+      high_m += glm::ceil((posed->skin.high_m - high_m) / step_m) * step_m;
+    }
     const glm::vec3 eye_m = pose.position_in_asset(glm::vec3(camera.world_from_camera[3]));
-    const glm::vec3 nearest_m = glm::clamp(eye_m, subject.bounds.low_m, subject.bounds.high_m);
+    const glm::vec3 nearest_m = glm::clamp(eye_m, low_m, high_m);
     const double d = glm::distance(eye_m, nearest_m) / subject.bounds.sphere.radius_m;
     needed = d > 0 ? reference_distance(subject, s, camera) / d : 1;
   }
@@ -107,8 +115,35 @@ std::vector<int> map_sides(const RenderSettings& s) {
   return sides;
 }
 
-bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose) {
-  const scene::BoundingSphere sphere = pose.sphere(subject.casters);
+Casters shadow_casters(const Subject& subject, const PosedAsset* posed) {
+  const scene::BoundingSphere& rest = subject.casters;
+  Casters casters{rest, subject.caster_corners_m};
+  if (!posed || !(rest.radius_m > 0)) return casters;
+  const auto by_steps = [](double growth) {
+    return static_cast<float>(std::exp2(std::ceil(8 * std::log2(growth)) / 8));
+  };
+
+  // The body as it was loaded goes along by steps, then grows about its middle by steps.
+  const float step_m = rest.radius_m / 2;
+  const glm::vec3 shift_m = glm::round((posed->all.sphere.centre_m - rest.centre_m) / step_m) * step_m;
+  casters.sphere.centre_m += shift_m;
+  const double needed_m = double{glm::distance(casters.sphere.centre_m, posed->all.sphere.centre_m)} +
+                          double{posed->all.sphere.radius_m};
+  casters.sphere.radius_m *= by_steps(std::max(needed_m / double{rest.radius_m}, 1.0));
+
+  const double growth = scene::growth_to_hold(
+      scene::reach_of(casters.corners_m), scene::moved(posed->reach, -glm::dvec3(shift_m)), rest.centre_m);
+  if (!(growth <= 4)) {  // a flat one that left its plane: the sphere is tighter
+    casters.corners_m.clear();
+    return casters;
+  }
+  for (glm::vec3& p_m : casters.corners_m)
+    p_m = casters.sphere.centre_m + (p_m - rest.centre_m) * by_steps(growth);
+  return casters;
+}
+
+bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose, const PosedAsset* posed) {
+  const scene::BoundingSphere sphere = pose.sphere(posed ? posed->all.sphere : subject.casters);
   const glm::vec4 centre(sphere.centre_m, 1);
   return std::all_of(std::begin(camera.planes), std::end(camera.planes),
                      [&](const glm::vec4& plane) { return glm::dot(plane, centre) > -sphere.radius_m; });

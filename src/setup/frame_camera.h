@@ -23,13 +23,25 @@ double reference_distance(const Subject& subject, const RenderSettings& settings
 /// Returns T of a head. [JG08] sec. 4: min(d_ref / d, 1) T_max rounded up to 32 texels, d from the eye to the
 /// nearest point of the head's box (the paper takes the nearest vertex; a point that is never farther keeps
 /// the map from being too small). Orthographic: pixels per mm over texels per mm in place of d_ref / d.
+/// `posed`: of a head in a pose, whose box is that of the pose.
 int map_side(const Subject& subject, const RenderSettings& settings, const scene::Camera& camera,
-             const Pose& pose);
+             const Pose& pose, const PosedAsset* posed = nullptr);
 
 /// Returns all that map_side() may return, largest first.
 std::vector<int> map_sides(const RenderSettings& settings);
 
 /// Returns whether any part of the head may lie in the picture: its sphere against the planes.
-bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose);
+bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose,
+             const PosedAsset* posed = nullptr);
+
+/// What shadow maps of a head are fitted to, in its own coordinates: see passes::ShadowBounds.
+struct Casters {
+  scene::BoundingSphere sphere;
+  std::vector<glm::vec3> corners_m;
+};
+
+/// Returns what casts the shadows of a head. In a pose it moves by half a radius and grows by 9 % at a time,
+/// so that the texels of a shadow map stay where they are while a head moves a little.
+Casters shadow_casters(const Subject& subject, const PosedAsset* posed);
 
 }  // namespace dermis::setup

@@ -55,13 +55,13 @@ const HostShadow* host_shadow(const HostSetup* host, std::size_t light) {
 
 // Writes the corners of what casts a head's shadow in the world; none where the host moves its vertices,
 // which may leave the body between them.
-void place_corners(const Subject& subject, const PlacedHead& placed, const HostSetup* host,
+void place_corners(const Casters& casters, const PlacedHead& placed, const HostSetup* host,
                    std::vector<glm::vec3>& corners_m) {
   corners_m.clear();
   if (host &&
       std::find(host->deformed.begin(), host->deformed.end(), placed.instance) != host->deformed.end())
     return;
-  for (const glm::vec3& p_m : subject.caster_corners_m) corners_m.push_back(placed.pose.position(p_m));
+  for (const glm::vec3& p_m : casters.corners_m) corners_m.push_back(placed.pose.position(p_m));
 }
 
 std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Subject* const> subjects,
@@ -74,14 +74,16 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
 
   for (const PlacedHead& placed : placed_heads) {
     const Subject& subject = *subjects[placed.instance];
+    const PosedAsset* posed = scene.instances[placed.instance].posed.get();
     HeadSetup head{.number = static_cast<int>(heads.size()),
                    .instance = placed.instance,
                    .pose = placed.pose,
-                   .middle_m = placed.pose.position(subject.bounds.sphere.centre_m),
+                   .middle_m = placed.pose.position((posed ? posed->skin : subject.bounds).sphere.centre_m),
                    .lights = {},
                    .shadow_from_world = {}};
-    place_corners(subject, placed, host, corners_m);
-    const passes::ShadowBounds casters{placed.pose.sphere(subject.casters), corners_m};
+    const Casters of_asset = shadow_casters(subject, posed);
+    place_corners(of_asset, placed, host, corners_m);
+    const passes::ShadowBounds casters{placed.pose.sphere(of_asset.sphere), corners_m};
 
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const HostShadow* of_host = host_shadow(host, i);
@@ -98,9 +100,9 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
                                     fit.shadow_from_world.end());
     }
 
-    head.map_side = map_side(subject, s, camera, placed.pose);
-    head.visible =
-        scene.instances[placed.instance].visible && (!skip || in_view(subject, frame_camera, placed.pose));
+    head.map_side = map_side(subject, s, camera, placed.pose, posed);
+    head.visible = scene.instances[placed.instance].visible &&
+                   (!skip || in_view(subject, frame_camera, placed.pose, posed));
     heads.push_back(std::move(head));
   }
   return heads;
@@ -342,6 +344,8 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
       head.drawn =
           std::find(host->not_drawn.begin(), host->not_drawn.end(), head.instance) == host->not_drawn.end();
   }
+  setup.plan.poses = std::any_of(scene.instances.begin(), scene.instances.end(),
+                                 [](const PlacedAsset& instance) { return instance.posed != nullptr; });
   setup.plan.environment = environment_lights.has_value();
   set_up_plan(setup, scene, s, lights, device);
   if (host) setup.plan.samples = host->samples;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "gaussians/json.h"
@@ -20,6 +21,8 @@ struct ModelKey {
   const Subject* subject = nullptr;
   float scale = 1;
   std::optional<gaussians::SumOfGaussians> profile;
+  /// An instance in a pose has a metric of its own.
+  std::optional<std::size_t> posed{};
   bool operator==(const ModelKey&) const = default;
 };
 
@@ -92,20 +95,21 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
   std::optional<gaussians::SumOfGaussians> for_all;
   if (!s.skin.profile.empty())
     for_all = gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile);
-  std::map<const Subject*, std::uint32_t> first_unwraps;
+  std::map<std::pair<const Subject*, std::optional<std::size_t>>, std::uint32_t> first_unwraps;
   std::uint32_t unwraps = 0;
 
   for (HeadSetup& head : setup.heads) {
     const PlacedAsset& instance = scene.instances[head.instance];
     const ModelKey key{.subject = subjects[head.instance],
                        .scale = head.pose.scale,
-                       .profile = for_all ? for_all : instance.profile};
+                       .profile = for_all ? for_all : instance.profile,
+                       .posed = instance.posed ? std::optional(head.instance) : std::nullopt};
     const auto found = std::find(keys.begin(), keys.end(), key);
     head.model = static_cast<std::uint32_t>(found - keys.begin());
     if (found != keys.end()) continue;
 
     const auto meshes = static_cast<std::uint32_t>(key.subject->skin.size());
-    const auto [unwrap, is_new] = first_unwraps.try_emplace(key.subject, unwraps);
+    const auto [unwrap, is_new] = first_unwraps.try_emplace(std::pair(key.subject, key.posed), unwraps);
     if (is_new) unwraps += meshes;
 
     techniques::Model model{.first_mesh = static_cast<std::uint32_t>(plan.skin.size()), .meshes = meshes};
@@ -113,6 +117,7 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
     for (std::uint32_t mesh = 0; mesh < meshes; ++mesh) {
       plan.skin.push_back(skin_part(key, mesh, s));
       plan.skin.back().unwrap = unwrap->second + mesh;
+      plan.skin.back().posed = key.posed.has_value();
       setup.meshes.push_back({.instance = head.instance, .mesh = mesh});
     }
     plan.models.push_back(model);

@@ -2,6 +2,7 @@
 /// A scene as a frame or the reference takes it: assets, each with its pose, and lights in the world.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
@@ -10,6 +11,8 @@
 
 #include "dermis/settings.h"
 #include "gaussians/sum.h"
+#include "scene/enclosure.h"
+#include "scene/rig.h"
 #include "scene/scene.h"
 
 namespace dermis::setup {
@@ -34,10 +37,19 @@ struct Pose {
 /// 1e3. Scales are rounded to 1e-5, so that the roundings of a host's floats make no difference.
 std::optional<Pose> pose_of(const std::array<double, 16>& world_from_asset);
 
+/// An asset in a pose of its joints and morph targets, in its own coordinates.
+struct PosedAsset {
+  scene::PosedRig rig;
+  scene::Bounds skin, all;  ///< hold its vertices, not tightly
+  scene::Reach reach{};     ///< of the same
+};
+
 struct PlacedAsset {
   std::shared_ptr<const scene::Scene> asset;
-  scene::BoundingSphere sphere;  ///< of the asset's skin, in its own coordinates
+  scene::BoundingSphere sphere;  ///< of the asset's skin as it was loaded, in its own coordinates
   Pose pose;
+  std::shared_ptr<const PosedAsset> posed;  ///< null: as the asset was loaded
+  std::uint64_t posed_change = 0;           ///< InstanceChanges::rig
   bool visible = true;
   // Instead of those of the materials.
   std::optional<gaussians::SumOfGaussians> profile;

@@ -12,6 +12,7 @@
 #include "passes/final_pass/shade.h"
 #include "passes/ids/ids.h"
 #include "passes/labels/labels.h"
+#include "passes/move_rig/move_rig.h"
 #include "passes/resolve/resolve.h"
 #include "passes/shadow/shadow.h"
 #include "passes/surface/surface.h"
@@ -76,6 +77,7 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
 
   counters_ = plan.buffer("counters", {.bytes = counters * sizeof(std::uint32_t)});
   plan.add<passes::ClearBuffers>("clear counters", {{counters_}}, {frame::Runs::for_statistics});
+  if (settings.poses) plan.add<passes::MoveRig>("pose", {}, {});
 }
 
 gpu::TextureDesc Screen::target(VkFormat format) const {

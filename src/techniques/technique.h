@@ -44,6 +44,7 @@ struct SkinPart {
   bool off_map = false;  ///< some of its triangles have no chart of the unwrap
   bool cut_out = false;  ///< some of its materials have an alpha test
   bool emits = false;    ///< some of them emit light
+  bool posed = false;    ///< it takes poses: its metric changes from frame to frame
   bool operator==(const SkinPart&) const = default;
 };
 
@@ -107,6 +108,7 @@ struct FrameSettings {
   /// Skin is drawn as ids and shaded in compute, once per entry of a pixel (passes/entries); else where it is
   /// drawn. See can_shade_entries().
   bool shade_entries = false;
+  bool poses = false;         ///< some instance takes poses: passes::MoveRig
   bool environment = false;   ///< light from a picture of the surroundings, else uniform
   bool soft_shadows = false;  ///< some light has a radius
   float bloom = 0;            ///< 0..1

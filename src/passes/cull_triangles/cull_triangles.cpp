@@ -6,6 +6,7 @@
 #include "passes/bindings.h"
 #include "passes/cull.h"
 #include "passes/cull_triangles/cull_triangles_io.h"
+#include "passes/posed.h"
 
 namespace dermis::passes {
 namespace {
@@ -30,8 +31,7 @@ void CullTriangles::record(gpu::Cmd& cmd, const frame::Resources& resources, con
     bindings.add("Frame", frame.frame_io)
         .add("Instance", instance.transform)
         .add("Kept", kept_in(in.kept, resources, square));
-    mesh.offer(bindings);
-    if (number < instance.vertices.size()) bindings.add("Vertices", instance.vertices[number]);
+    offer_mesh(instance, number, bindings);
     bindings.bind(cmd, pipeline());
 
     for (const GpuDraw& draw : mesh.draws) {

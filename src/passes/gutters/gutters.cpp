@@ -34,12 +34,15 @@ void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
     return instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
   };
 
-  if (settings.what == What::stretch)
-    for (const MapSquare& square : settings.squares)
-      refresh(cmd, resources, mesh_of(square), {0, 0}, resources.texture(in.target).desc().width);
-  else
+  if (settings.what != What::stretch) {
     for (const UsedSquare& square : blurred_squares(frame, settings.squares, settings.step))
       refresh(cmd, resources, mesh_of(square), square.origin, square.side);
+    return;
+  }
+
+  for (const MapSquare& square : settings.squares)
+    if (!settings.when_moved || instance_of(frame, square).moves)
+      refresh(cmd, resources, mesh_of(square), {0, 0}, resources.texture(in.target).desc().width);
 }
 
 }  // namespace dermis::passes

@@ -17,6 +17,8 @@ class Gutters : public ComputePass {
     frame::Runs runs = frame::Runs::every_frame;  ///< once: of a map that lasts
     /// light: leaves out heads that enter the chain of blurs after this step
     std::uint32_t step = ~0u;
+    /// of a stretch map: does nothing in frames in which the instance has not moved
+    bool when_moved = false;
   } settings;
   struct In {
     frame::TextureId target;  ///< RGBA16F pool, changed in place

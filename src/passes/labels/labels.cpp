@@ -94,7 +94,7 @@ void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
     bindings.add("Frame", frame.frame_io)
         .add("Instance", instance.transform)
         .add("Parts", instance.scene->unmoved);  // any buffer: only skin reads it
-    surfaces.offer(bindings, group.page);
+    offer_page(instance, group.page, bindings);
     material.offer(bindings);
     bindings.bind(cmd, pipeline);
     cmd.push(pipeline, labels_io(instance, material));

@@ -74,7 +74,7 @@ void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
     const gpu::Pipeline& pipeline = *pipelines_[false][cut_out][false];
     Bindings bindings;
     bindings.add("Frame", frame.frame_io).add("Instance", instance.transform);
-    surfaces.offer(bindings, group.page);
+    offer_page(instance, group.page, bindings);
     material.offer(bindings);
     bindings.bind(cmd, pipeline);
     cmd.push(pipeline, io);

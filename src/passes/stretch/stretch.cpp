@@ -24,6 +24,7 @@ void Stretch::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  if (settings.when_moved && !instance_of(frame, settings.square).moves) return;
   const gpu::Texture& target = resources.texture(in.stretch);
   const gpu::ColourTarget colour{.texture = &target, .clear = no_light};
   cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);

@@ -14,9 +14,10 @@ class Stretch {
  public:
   struct Settings {
     MapSquare square;  ///< of any instance with the mesh
-    /// every_frame if skin meshes take turns with the map, else once
+    /// every_frame if skin meshes take turns with the map, or take poses, else once
     frame::Runs runs = frame::Runs::once;  ///< a rigid mesh keeps its metric
     bool cut_out = false;                  ///< some of its skin is cut out, and belongs to no chart
+    bool when_moved = false;               ///< does nothing in frames in which the instance has not moved
   } settings;
   struct In {
     frame::TextureId

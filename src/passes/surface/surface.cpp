@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "frame/resources.h"
+#include "passes/posed.h"
 #include "passes/targets.h"
 
 namespace dermis::passes {
@@ -74,7 +75,7 @@ void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
   const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
   Bindings bindings;
   bindings.add("Frame", frame.frame_io).add("Instance", instance.transform);
-  instance.scene->surfaces.offer(bindings, page);
+  offer_page(instance, page, bindings);
   material.offer(bindings);
   samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
   bindings.bind(cmd, pipeline);

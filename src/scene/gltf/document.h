@@ -115,6 +115,7 @@ struct Mesh {
   std::string name;
   std::vector<MeshPrimitive> primitives;
   std::vector<double> weights;
+  std::vector<std::string> target_names;  ///< extras.targetNames; empty: it has none that can be used
 };
 
 struct Node {

@@ -2,10 +2,12 @@
 #include "scene/load.h"
 
 #include "core/hooks.h"
+#include "core/log.h"
 #include "core/one_line.h"
 #include "scene/complete.h"
 #include "scene/gltf/finish.h"
 #include "scene/gltf/play.h"
+#include "scene/gltf/read_rig.h"
 #include "scene/missing_uv.h"
 
 namespace dermis::scene {
@@ -13,6 +15,19 @@ namespace dermis::scene {
 namespace {
 
 using namespace gltf;
+
+// What cannot be posed is still shown in the pose of its file.
+void keep_rig(const Document& document, Bytes& bytes, const LoadOptions& options, const Placed& placed,
+              Scene& scene) {
+  std::vector<bool> own_tangents;
+  for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+    const auto material = static_cast<std::size_t>(scene.primitives[i].material);
+    own_tangents.push_back(keeps_tangents(scene.materials[material], placed.file_tangents[i]));
+  }
+  try {
+    scene.rig = read_rig(document, bytes, options.unit_scale, placed.moving, own_tangents, scene);
+  } catch (const InputError& error) { warn("{}; it cannot be posed once it is loaded", error.what()); }
+}
 
 Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   Steps steps("reading " + one_line(path.filename().string()), 3);
@@ -40,12 +55,14 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   }
 
   check_skin_nodes(document, numbers);
-  Placed placed = place_meshes(document, bytes, numbers, options);
+  const bool posable = can_be_posed(document);
+  Placed placed = place_meshes(document, bytes, numbers, options, posable);
   scene.primitives = std::move(placed.primitives);
   leave_out_maps_without_uv(document.file, placed.has_uv, scene);
   steps.done();
 
   complete_surfaces(placed.file_tangents, scene);
+  if (posable) keep_rig(document, bytes, options, placed, scene);
   steps.done();
 
   place_lights_and_cameras(document, options.unit_scale, scene);

@@ -134,9 +134,22 @@ void add_placement(const Document& document, const MeshPrimitive& source, const 
                    world_position_m(primitive, primitive.placements.size() - 1, i), i);
 }
 
-/// Returns whether a node only transforms the whole mesh.
-bool is_rigid(const Node& node, const std::vector<double>& weights) {
-  return node.skin < 0 && std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; });
+/// Returns whether a node only transforms the whole mesh, in every pose.
+bool is_rigid(const Node& node, const Mesh& mesh) {
+  return node.skin < 0 && mesh.primitives.front().targets.empty();
+}
+
+/// Returns what a rig needs of a mesh, before its targets are applied.
+MovingMesh moving_mesh(const MeshPrimitive& primitive, const LocalMesh& local, int node) {
+  MovingMesh moving{.source = &primitive, .local = {}, .nodes = {node}};
+  moving.local.vertices = local.vertices;
+  moving.local.original = local.original;
+  moving.local.positions = local.positions;
+  moving.local.normals = local.normals;
+  moving.local.tangents = local.tangents;
+  moving.local.joints = local.joints;
+  moving.local.weights = local.weights;
+  return moving;
 }
 
 }  // namespace
@@ -235,7 +248,7 @@ void check_skin_nodes(const Document& document, const MaterialNumbers& materials
 }
 
 Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumbers& materials,
-                    const LoadOptions& options) {
+                    const LoadOptions& options, bool keep_moving) {
   const std::vector<int> nodes = shown_nodes(document);
   const std::vector<glm::dmat4> world = world_matrices(document, options.unit_scale);
   std::vector<int> users(document.meshes.size());
@@ -259,7 +272,7 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
     const Mesh& mesh = document.meshes[node.mesh];
     const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
     const Frames frames(document, world[n], joints.of(n));
-    const bool several = users[node.mesh] > 1, rigid = is_rigid(node, weights);
+    const bool several = users[node.mesh] > 1, rigid = is_rigid(node, mesh);
     for (const MeshPrimitive& primitive : mesh.primitives) {
       if (begun++ > 0) steps.done();
       if (claimed_triangles(document, primitive) == 0) continue;
@@ -271,14 +284,23 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
       if (several && rigid && !skin) {
         const LocalMesh& local = read.at(&primitive);
         if (local.indices.empty()) continue;
-        if (!shared.contains(&primitive))
+        if (!shared.contains(&primitive)) {
           shared.emplace(&primitive, share(document, primitive, local, about, placed));
+          if (keep_moving)
+            placed.moving.push_back({.source = &primitive,
+                                     .local = {},
+                                     .nodes = {},
+                                     .placed = true,
+                                     .middle = shared.at(&primitive).middle});
+        }
         const SharedMesh& mine = shared.at(&primitive);
+        if (keep_moving) placed.moving[mine.primitive].nodes.push_back(n);
         add_placement(document, primitive, mine, frames.of_node(), n, placed.primitives[mine.primitive]);
         continue;
       }
       LocalMesh local = several ? read.at(&primitive) : read_mesh(document, bytes, primitive);
       if (local.indices.empty()) continue;
+      if (keep_moving) placed.moving.push_back(moving_mesh(primitive, local, n));
       apply_morphs(bytes, primitive, weights, local);
       frames.check_joints(local, primitive);
       placed.primitives.push_back(place(document, primitive, local, frames, about));

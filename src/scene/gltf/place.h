@@ -26,6 +26,15 @@ struct MaterialNumbers {
   std::vector<bool> skin;  ///< by the new number
 };
 
+/// A primitive before nodes, joints and morph targets move it.
+struct MovingMesh {
+  const MeshPrimitive* source = nullptr;  ///< of the document
+  LocalMesh local;                        ///< without coordinates and colours
+  std::vector<int> nodes;                 ///< one, or those of its placements
+  bool placed = false;                    ///< it has placements, and no local mesh
+  glm::dvec3 middle{0};                   ///< subtracted from the positions of one with placements
+};
+
 /// The drawable primitives of the shown scene; Primitive::material is a new number. A rigid mesh that several
 /// nodes share is one primitive with placements, unless it is skin: light spreads by mm, so each node has its
 /// own. Missing normals stay zero; `file_tangents` says per primitive whether the tangents of the file are
@@ -35,9 +44,10 @@ struct Placed {
   std::vector<Primitive> primitives;
   std::vector<bool> file_tangents;
   std::vector<std::array<bool, 2>> has_uv;
+  std::vector<MovingMesh> moving;  ///< one for each primitive, if they were asked for; else empty
 };
 Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumbers& materials,
-                    const LoadOptions& options);
+                    const LoadOptions& options, bool keep_moving);
 
 /// Compares what the file claims with the limits before any of it is read. Throws InputError if a limit is
 /// exceeded or there are no triangles.

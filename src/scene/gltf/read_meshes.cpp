@@ -159,6 +159,21 @@ MeshPrimitive read_primitive(const Document& document, const Value& value) {
   return primitive;
 }
 
+// A convention of the glTF specification (3.7.2.2), not a rule: what is no list of names is left alone.
+std::vector<std::string> read_target_names(const Value& mesh, std::size_t targets) {
+  const auto extras = mesh.find("extras");
+  if (!extras || !extras->is_object()) return {};
+  const auto list = extras->find("targetNames");
+  if (!list || !list->is_array() || list->array_size(0) != targets) return {};
+
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < targets; ++i) {
+    if (!list->element(i).is_text()) return {};
+    names.push_back(list->element(i).text());
+  }
+  return names;
+}
+
 }  // namespace
 
 void read_meshes(Document& document, const Value& root) {
@@ -176,6 +191,7 @@ void read_meshes(Document& document, const Value& root) {
     const std::size_t targets = mesh.primitives.front().targets.size();
     if (!mesh.weights.empty() && mesh.weights.size() != targets)
       value.fail("has {} weights for {} morph targets", mesh.weights.size(), targets);
+    mesh.target_names = read_target_names(value, targets);
     document.meshes.push_back(std::move(mesh));
   });
 }

@@ -242,20 +242,38 @@ std::string LightMaps::name(std::string_view what) const {
 }
 
 void LightMaps::add_stretch(const std::vector<MapSquare>& squares) {
-  const frame::Runs runs = pool_.splits_heads() ? frame::Runs::every_frame : frame::Runs::once;
+  if (pool_.splits_heads()) {
+    add_stretch("stretch", squares, frame::Runs::every_frame, false);
+    return;
+  }
+  std::vector<MapSquare> rigid, posed;
+  for (const MapSquare& square : squares)
+    (settings_->skin[square.mesh].posed ? posed : rigid).push_back(square);
+  add_stretch("stretch", rigid, frame::Runs::once, false);
+  add_stretch("stretch of poses", posed, frame::Runs::every_frame, true);
+}
+
+void LightMaps::add_stretch(std::string_view what, const std::vector<MapSquare>& squares, frame::Runs runs,
+                            bool when_moved) {
   Together<passes::Stretch>::In maps;
   Together<Gutters>::In gutters;
   for (const MapSquare& square : squares) {
     const frame::TextureId map = stretch(square.mesh);
-    maps.members.push_back(
-        {{map}, {.square = square, .runs = runs, .cut_out = settings_->skin[square.mesh].cut_out}});
-    gutters.members.push_back({{map}, {.squares = {square}, .what = Gutters::What::stretch, .runs = runs}});
+    maps.members.push_back({{map},
+                            {.square = square,
+                             .runs = runs,
+                             .cut_out = settings_->skin[square.mesh].cut_out,
+                             .when_moved = when_moved}});
+    gutters.members.push_back(
+        {{map},
+         {.squares = {square}, .what = Gutters::What::stretch, .runs = runs, .when_moved = when_moved}});
   }
 
   if (squares.empty()) return;
+  const std::string of_gutters = fmt::format("{} gutters", what);
   const bool again = pool_.splits_heads();
-  plan_->add<Together<passes::Stretch>>(again ? name("stretch") : "stretch", maps);
-  plan_->add<Together<Gutters>>(again ? name("stretch gutters") : "stretch gutters", gutters);
+  plan_->add<Together<passes::Stretch>>(again ? name(what) : std::string(what), maps);
+  plan_->add<Together<Gutters>>(again ? name(of_gutters) : of_gutters, gutters);
 }
 
 void LightMaps::add_light(const std::vector<MapSquare>& all) {

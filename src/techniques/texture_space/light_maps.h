@@ -94,6 +94,8 @@ class LightMaps {
 
  private:
   Level make_level(std::uint32_t halvings);
+  void add_stretch(std::string_view what, const std::vector<passes::MapSquare>& squares, frame::Runs runs,
+                   bool when_moved);
   void make_transmitted();
   void make_cascade();
   void make_stretch();

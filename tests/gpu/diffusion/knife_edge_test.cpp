@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <numbers>
 
 #include "gaussians/known.h"
@@ -21,6 +22,9 @@ struct Case {
   Edge edge = Edge::along_v;
   glm::dmat2 transform{1};  // shape of the unwrap, before it is scaled to the density
   double node_scale = 1;
+  /// A morph target takes points of the plane to moved * point at weight 1.
+  glm::dmat2 moved{1};
+  double weight = 0;
 };
 
 constexpr int side = 256;
@@ -45,6 +49,32 @@ double expected(const Setting& s, const glm::dvec2& centre, double sigma_mm, boo
   return sum / (n * n);
 }
 
+// What a morph target needs to take points of a plane to `moved` times them.
+std::shared_ptr<const scene::Rig> morphing(const scene::Scene& plane, const glm::dmat2& moved) {
+  auto rig = std::make_shared<scene::Rig>();
+  rig->nodes.resize(1);
+  rig->order = {0};
+  rig->rest.resize(1);
+  rig->rest[0].weights = {0};
+  rig->first_weight = {0, 1};
+  rig->matrices.resize(1);
+  scene::RigMesh& mesh = rig->meshes.emplace_back();
+  for (const scene::Vertex& v : plane.primitives.front().vertices) {
+    // On the map y points down.
+    const glm::dvec2 p(v.position_m.x, -v.position_m.y), by = moved * p - p;
+    mesh.first_influence.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+    mesh.first_delta.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+    mesh.positions.push_back(v.position_m);
+    mesh.normals.push_back(v.normal);
+    mesh.tangents.emplace_back(v.tangent);
+    mesh.influences.push_back({.matrix = 0, .weight = 1});
+    mesh.deltas.push_back({.weight = 0, .position = glm::vec3(glm::dvec3(by.x, -by.y, 0))});
+  }
+  mesh.first_influence.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+  mesh.first_delta.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+  return rig;
+}
+
 // The plane is as large as the map: uv = transform * (x, y) / size, centred, so that it holds `texels_per_mm`
 // along its axes.
 Setting make_setting(const Case& c) {
@@ -57,6 +87,12 @@ Setting make_setting(const Case& c) {
   for (scene::Primitive& p : s.experiment.scene.primitives)
     for (scene::Vertex& v : p.vertices) v.position_m *= static_cast<float>(c.node_scale);
 
+  if (c.weight != 0) {
+    s.experiment.scene.rig = morphing(s.experiment.scene, c.moved);
+    s.experiment.pose = scene::PosedRig{.matrices = {glm::dmat4(1)}, .weights = {c.weight}};
+  }
+  const glm::dmat2 taken = glm::dmat2(1) + c.weight * (c.moved - glm::dmat2(1));
+
   s.experiment.map_size = side;
   // On texel borders; the slanted edge runs midway between two rows of centres.
   s.point = glm::dvec2(side / 2.0) + (c.edge == Edge::across ? glm::dvec2(0.5, 0) : glm::dvec2(0));
@@ -65,7 +101,7 @@ Setting make_setting(const Case& c) {
                                        : glm::normalize(glm::dvec2(1, 1));
 
   // |grad of (n . texel)| per mm = |J^-T n|: texel = side * transform * P / size_mm.
-  s.texel_per_mm = c.transform * (side / size_mm);
+  s.texel_per_mm = c.transform * glm::inverse(taken) * (side / size_mm);
   s.mm_per_unit_distance = 1 / glm::length(glm::transpose(s.texel_per_mm) * s.normal);
   s.experiment.paint = {.band = 0, .edge_point = s.point, .edge_normal = s.normal, .axis = {}};
   return s;
@@ -236,6 +272,21 @@ TEST_P(KnifeEdge, MillimetresAreMeasuredInTheWorld) {
         first_terms(5), 0.03, true, "node scale");
 }
 
+// A morph target stretches the plane 2 : 1 and shears it by 45 degrees, on the device: at each step the same
+// bounds hold, and with the metric of the plane at rest they do not.
+const glm::dmat2 stretched_and_sheared(2, 0, 1, 1);
+
+TEST_P(KnifeEdge, FollowsAPlaneThatAMorphStretches) {
+  for (const Edge edge : {Edge::along_u, Edge::along_v, Edge::across})
+    for (int frame = 1; frame <= 8; ++frame) {
+      Case c{.texels_per_mm = 16, .edge = edge, .transform = shapes[0].second};
+      c.moved = stretched_and_sheared;
+      c.weight = frame / 8.0;
+      expect_edge(c, one_term(1.0), 0.01, false, "frame " + std::to_string(frame));
+      expect_edge(c, first_terms(4), 0.03, true, "published, frame " + std::to_string(frame));
+    }
+}
+
 // The test must see mistakes: a blur that does nothing, is 10 % too wide, or forgets the shear.
 TEST_P(KnifeEdge, MistakesAreSeen) {
   const auto worst = [](const Case& c, auto&& spoil) {
@@ -248,6 +299,12 @@ TEST_P(KnifeEdge, MistakesAreSeen) {
   const Case square{.texels_per_mm = 8, .edge = Edge::along_v, .transform = shapes[0].second};
   const Case sheared{.texels_per_mm = 8, .edge = Edge::along_v, .transform = shapes[3].second};
   EXPECT_GT(worst(square, [](lab::Experiment& e) { e.variance_factor = 1e-9; }), 0.1);
+  Case moved{.texels_per_mm = 16, .edge = Edge::along_v, .transform = shapes[0].second};
+  moved.moved = stretched_and_sheared;
+  for (const double weight : {0.125, 1.0}) {
+    moved.weight = weight;
+    EXPECT_GT(worst(moved, [](lab::Experiment& e) { e.keep_metric = true; }), 0.01);
+  }
   EXPECT_GT(worst(square, [](lab::Experiment& e) { e.variance_factor = 1.1 * 1.1; }), 0.01);
   EXPECT_GT(worst(sheared, [](lab::Experiment& e) { e.drop_shear = true; }), 0.01);
   if (!GetParam()) return;

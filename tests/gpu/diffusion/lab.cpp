@@ -16,6 +16,7 @@
 #include "passes/frame_data.h"
 #include "passes/gutters/gutters.h"
 #include "passes/light_pool.h"
+#include "passes/move_rig/move_rig.h"
 #include "passes/shaders.h"
 #include "passes/stretch/stretch.h"
 #include "scene/unwrap.h"
@@ -97,6 +98,35 @@ Map read(const frame::GraphExecutor& executor, frame::TextureId id) {
   return map;
 }
 
+// What moves the one skin mesh of a scene, and its moved vertices.
+struct Moved {
+  Moved(gpu::Device& device, passes::GpuScene& scene, const scene::PosedRig& pose) {
+    const auto copied = [&](std::vector<gpu::Buffer>& to, const gpu::Buffer& from) {
+      to.push_back(
+          {device, "posed",
+           gpu::BufferDesc{.bytes = from.desc().bytes, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}});
+      device.run([&](VkCommandBuffer commands) {
+        gpu::Cmd(device, commands).copy(from, to.back(), from.desc().bytes);
+      });
+    };
+    copied(shape.vertices, scene.skin[0].vertices);
+    copied(shape.before_m, scene.skin[0].vertices);  // larger than it must be
+    copied(shape.skin_vertices, scene.skin[0].skin_vertices);
+    std::vector<glm::mat4x3> m;
+    for (const glm::dmat4& matrix : pose.matrices) m.emplace_back(glm::dmat4x3(matrix));
+    const std::vector<float> w(pose.weights.begin(), pose.weights.end());
+    matrices = gpu::make_buffer(device, "matrices", std::span<const glm::mat4x3>(m),
+                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    weights =
+        gpu::make_buffer(device, "weights", std::span<const float>(w), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    move = {.shape = &shape, .scene = &scene, .matrices = {&matrices}, .weights = {&weights}};
+  }
+
+  passes::PosedShape shape;
+  gpu::Buffer matrices, weights;
+  passes::RigMove move;
+};
+
 }  // namespace
 
 bool available() { return bench() != nullptr; }
@@ -120,6 +150,7 @@ Result run(const Experiment& e) {
   const gpu::TextureDesc desc{.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   using passes::Gutters;
   const std::vector<passes::MapSquare> whole(1);
+  if (e.pose) plan.add<passes::MoveRig>("pose", {}, {});
   const frame::TextureId stretch = plan.texture("stretch", desc, frame::Lifetime::persistent),
                          painted = plan.texture("painted", desc), scratch = plan.texture("scratch", desc);
   plan.add<passes::Stretch>("stretch", {stretch}, {});
@@ -165,6 +196,13 @@ Result run(const Experiment& e) {
   if (e.cascade) {
     data.instances[0].map_places = {{.largest_side = passes::careful_largest_side(side)}};
     data.instances[0].mapped_terms = {terms};
+  }
+  std::optional<Moved> moved;
+  if (e.pose) {
+    gpu_scene.make_rig(bench()->device, e.scene, skin);
+    moved.emplace(bench()->device, gpu_scene, *e.pose);
+    data.instances[0].posed = &moved->shape;
+    if (!e.keep_metric) data.moves = {moved->move};
   }
   frame::Executor executor(bench()->library, plan);
   executor.draw(data, frame::whole_frame);

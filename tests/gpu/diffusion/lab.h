@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "paint_io.h"
+#include "scene/rig.h"
 #include "scene/scene.h"
 
 namespace dermis::lab {
@@ -31,6 +33,10 @@ struct Experiment {
   double variance_factor = 1;  ///< a deliberate mistake: every step is this much too wide
   bool drop_shear = false;     ///< a deliberate mistake: the metric's g_uv is forgotten
   bool gutters = true;
+
+  /// The scene's rig takes this pose on the device.
+  std::optional<scene::PosedRig> pose{};
+  bool keep_metric = false;  ///< a deliberate mistake: the metric stays that of the scene as it is
 
   /// Blurs by the cascade of the product: Result::levels is then the one map of the sum.
   bool cascade = false;

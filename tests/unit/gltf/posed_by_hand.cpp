@@ -247,7 +247,38 @@ std::vector<PosedByHand::Matrix> PosedByHand::worlds(const std::vector<Node>& no
 
 std::vector<std::vector<PosedByHand::Point>> PosedByHand::positions_m(std::size_t animation,
                                                                       double seconds) const {
-  const std::vector<Node> nodes = nodes_at(animation, seconds);
+  return positions_of(nodes_at(animation, seconds));
+}
+
+std::vector<std::vector<PosedByHand::Point>> PosedByHand::blended_m(std::size_t first, double first_s,
+                                                                    std::size_t second, double second_s,
+                                                                    double share) const {
+  std::vector<Node> nodes = nodes_at(first, first_s);
+  const std::vector<Node> others = nodes_at(second, second_s);
+  const auto mix = [&](std::vector<double>& a, const std::vector<double>& b, double of_a, double of_b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = of_a * a[i] + of_b * b[i];
+  };
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    mix(nodes[n].translation, others[n].translation, 1 - share, share);
+    mix(nodes[n].scale, others[n].scale, 1 - share, share);
+    mix(nodes[n].weights, others[n].weights, 1 - share, share);
+
+    // Spherical, along the shorter arc.
+    std::vector<double> a = nodes[n].rotation, b = others[n].rotation;
+    double cosine = 0, length_a = 0, length_b = 0;
+    for (std::size_t i = 0; i < 4; ++i) length_a += a[i] * a[i], length_b += b[i] * b[i];
+    for (std::size_t i = 0; i < 4; ++i) a[i] /= std::sqrt(length_a), b[i] /= std::sqrt(length_b);
+    for (std::size_t i = 0; i < 4; ++i) cosine += a[i] * b[i];
+    const double angle = std::acos(std::min(std::abs(cosine), 1.0)), sign = cosine < 0 ? -1 : 1;
+    if (angle > 1e-6)
+      mix(a, b, std::sin((1 - share) * angle) / std::sin(angle),
+          sign * std::sin(share * angle) / std::sin(angle));
+    nodes[n].rotation = a;
+  }
+  return positions_of(nodes);
+}
+
+std::vector<std::vector<PosedByHand::Point>> PosedByHand::positions_of(const std::vector<Node>& nodes) const {
   const std::vector<Matrix> world = worlds(nodes);
   std::vector<std::vector<Point>> all;
   for (std::size_t n = 0; n < nodes.size(); ++n) {

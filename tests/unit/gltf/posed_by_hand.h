@@ -24,6 +24,9 @@ class PosedByHand {
   double end_s(std::size_t animation) const;
   /// Returns the positions of all vertices of each primitive at each node, counted as dermis/asset.h does, m.
   std::vector<std::vector<Point>> positions_m(std::size_t animation, double seconds) const;
+  /// Likewise, between two animations: share 0 is the first, 1 the second.
+  std::vector<std::vector<Point>> blended_m(std::size_t first, double first_s, std::size_t second,
+                                            double second_s, double share) const;
 
  private:
   using Json = nlohmann::json;
@@ -36,6 +39,7 @@ class PosedByHand {
   std::vector<double> read(const Json& accessor, const Json& at, std::size_t count) const;
   std::vector<Node> nodes_at(std::size_t animation, double seconds) const;
   std::vector<double> sampled(const Json& sampler, std::size_t size, bool turns, double seconds) const;
+  std::vector<std::vector<Point>> positions_of(const std::vector<Node>& nodes) const;
   std::vector<Matrix> worlds(const std::vector<Node>& nodes) const;
 
   Json json_;

@@ -136,10 +136,12 @@ TEST(GltfSharing, NodesThatMorphHaveMeshesOfTheirOwn) {
   b.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}};
   b.json["nodes"][2]["weights"] = {1};
   const Scene scene = b.load();
-  ASSERT_EQ(scene.primitives.size(), 2u);
-  EXPECT_EQ(scene.primitives[0].placements.size(), 3u);
-  EXPECT_TRUE(scene.primitives[1].placements.empty());
-  EXPECT_EQ(scene.primitives[1].node, 2);
+  // A pose may give each node weights of its own.
+  ASSERT_EQ(scene.primitives.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_TRUE(scene.primitives[i].placements.empty());
+    EXPECT_EQ(scene.primitives[i].node, static_cast<int>(i));
+  }
 }
 
 TEST(GltfSharing, APlaceBeyondTheLimitIsRefused) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+/// Instances that take poses: their moved vertices on the device, kept from frame to frame.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "api/scene_on_device.h"
+#include "dermis/scene.h"
+#include "gpu/frame_memory.h"
+#include "setup/frame_setup.h"
+
+namespace dermis::api {
+
+class PosedInstances {
+ public:
+  /// Makes vertices of their own for the instances that have a pose, unless they are there; forgets those of
+  /// others. `ids`: of all instances of `placed`. Throws DeviceError: no memory, or more than shaders read.
+  void keep(gpu::PipelineLibrary& library, const SceneOnDevice& scene, const std::vector<InstanceId>& ids,
+            const setup::PlacedScene& placed);
+
+  /// Writes what the frame of this setup moves, and where its instances have their vertices. What it moves
+  /// counts as moved from here on.
+  void fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, passes::FrameData& data);
+
+  /// Makes the next frame move all of them: the last one was not drawn, or what it made of them is lost.
+  void move_all();
+
+ private:
+  struct Posed {
+    AssetPointer asset;
+    passes::PosedShape shape;
+    std::uint64_t moved = 0;  // InstanceChanges::rig of the pose that the vertices have; 0: none
+  };
+  struct Current {
+    std::shared_ptr<Posed> posed;  // null: the instance has no pose
+    std::shared_ptr<const setup::PosedAsset> pose;
+    std::uint64_t change = 0;
+  };
+  static std::shared_ptr<Posed> make(gpu::Device& device, const AssetPointer& asset);
+  static void add_placements(gpu::FrameMemory& memory, const Current& current, passes::Instance& instance);
+
+  std::map<InstanceId, std::shared_ptr<Posed>> posed_;
+  std::vector<Current> instances_;  // by number in the scene
+};
+
+}  // namespace dermis::api

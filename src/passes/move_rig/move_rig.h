@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+/// Moves the vertices of instances that take poses, and finds the metric of their moved skin.
+/// Based on: glTF 2.0 specification, sections 3.7.2.2 (morph targets) and 3.7.3.3 (skins)
+#pragma once
+
+#include "frame/graph.h"
+#include "passes/frame_data.h"
+
+namespace dermis::passes {
+
+class MoveRig {
+ public:
+  struct Settings {
+  } settings;
+  struct In {
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void prepare(gpu::PipelineLibrary& library);
+  /// Records nothing but barriers for FrameData::moves, and nothing at all if there are none.
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  void record_vertices(gpu::Cmd& cmd, const RigMove& move) const;
+  void record_metric(gpu::Cmd& cmd, const RigMove& move) const;
+
+  const gpu::Pipeline* vertices_ = nullptr;
+  const gpu::Pipeline* metric_ = nullptr;
+};
+
+}  // namespace dermis::passes

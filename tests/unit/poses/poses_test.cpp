@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Poses of instances: what a scene makes of clips, blends, weights and joints by name, against an evaluation
+// by hand.
+#include "dermis/pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../gltf/posed_by_hand.h"
+#include "../rig/two_clips.h"
+#include "api/asset_state.h"
+#include "api/scene_state.h"
+#include "dermis/scene.h"
+#include "scene/placement.h"
+#include "support/thrown.h"
+
+namespace dermis::scene::test {
+namespace {
+
+using Points = std::vector<std::vector<PosedByHand::Point>>;
+
+// The scene of one instance in this pose, as the reference takes it.
+std::shared_ptr<const Scene> posed(const Asset& asset, const std::optional<RigPose>& pose) {
+  dermis::Scene scene;
+  scene.set_pose(scene.add({.asset = asset}), pose);
+  return setup::flattened(api::placed_scene(scene));
+}
+
+struct Compared {
+  double farthest = 0, size = 0;  ///< m
+};
+
+Compared compare(const Scene& scene, const Points& expected) {
+  Compared c;
+  glm::dvec3 low(1e9), high(-1e9);
+  for (const Primitive& primitive : scene.primitives)
+    for (std::uint32_t v = 0; v < primitive.vertices.size(); ++v) {
+      const glm::dvec3 p(world_position_m(primitive, 0, v));
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+      if (!primitive.placements.empty()) continue;
+      const PosedByHand::Point& e =
+          expected.at(static_cast<std::size_t>(primitive.source_mesh)).at(source_vertex(primitive, v));
+      c.farthest = std::max(c.farthest, glm::distance(p, glm::dvec3(e[0], e[1], e[2])));
+    }
+  c.size = glm::distance(low, high);
+  return c;
+}
+
+// Largest differences of positions (m) and of directions.
+struct Apart {
+  double positions = 0, normals = 0, tangents = 0;
+};
+Apart apart(const Scene& a, const Scene& b) {
+  Apart most;
+  EXPECT_EQ(a.primitives.size(), b.primitives.size());
+  for (std::size_t i = 0; i < a.primitives.size(); ++i) {
+    EXPECT_EQ(a.primitives[i].vertices.size(), b.primitives[i].vertices.size());
+    for (std::uint32_t v = 0; v < a.primitives[i].vertices.size(); ++v) {
+      const Vertex &x = a.primitives[i].vertices[v], &y = b.primitives[i].vertices[v];
+      most.positions = std::max(most.positions, double{glm::distance(x.position_m, y.position_m)});
+      most.normals = std::max(most.normals, double{glm::distance(x.normal, y.normal)});
+      most.tangents = std::max(most.tangents, double{glm::distance(x.tangent, y.tangent)});
+    }
+  }
+  return most;
+}
+
+// What the makers of characters write: joints, two of them turned, and morph targets that are named.
+class Character : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto folder = assets();
+    if (!folder) GTEST_SKIP() << "the shared assets are not in DERMIS_ASSET_CACHE";
+    file_ = *folder / "makehuman" / "mh-african-man-young.glb";
+  }
+
+  fs::path file_;
+  TempFolder temp_;
+};
+
+TEST_F(Character, BlendsTwoClips) {
+  const fs::path file = with_second_clip(file_, temp_.path() / "two.glb");
+  const Warnings quiet;
+  const Asset asset = Asset::load(file);
+  const PosedByHand by_hand(file);
+  ASSERT_EQ(asset.clips(), (std::vector<std::string>{"performance", "second"}));
+  EXPECT_NEAR(asset.clip_end_s("second"), 2, 1e-12);
+
+  double moved = 0;
+  const Points rest = by_hand.positions_m(1, 0);
+  for (const double share : {0.0, 0.3, 0.5, 1.0})
+    for (const double seconds : {0.2, 0.9, 1.7}) {
+      SCOPED_TRACE(testing::Message() << share << " at " << seconds << " s");
+      const auto scene = posed(asset, RigPose{.clip = ClipTime{"performance", seconds},
+                                              .second = ClipTime{"second", 2 * seconds / 3},
+                                              .blend = share});
+      const Compared c = compare(*scene, by_hand.blended_m(0, seconds, 1, 2 * seconds / 3, share));
+      EXPECT_LE(c.farthest, 1e-5 * c.size);
+      moved = std::max(moved, compare(*scene, rest).farthest / c.size);
+    }
+  EXPECT_GT(moved, 0.02) << "the poses differ from each other by far more than the bound";
+}
+
+TEST_F(Character, TakesWeightsAndJointsByName) {
+  const Warnings quiet;
+  const Asset asset = Asset::load(file_);
+  const std::vector<std::string> weights = asset.morph_weights(), joints = asset.joints();
+  ASSERT_NE(std::find(weights.begin(), weights.end(), "mouth-open"), weights.end());
+  const auto rest = posed(asset, {}), open = posed(asset, RigPose{.weights = {{"mouth-open", 1}}});
+  EXPECT_GT(apart(*rest, *open).positions, 0.005);
+  EXPECT_LE(apart(*rest, *posed(asset, RigPose{.weights = {{"mouth-open", 0}}})).positions, 1e-6);
+
+  // The last vertex of the root's subtree moves with it.
+  const auto moved =
+      posed(asset, RigPose{.joints = {{.name = joints.back(), .scale = std::array{1.0, 1.5, 1.0}}}});
+  EXPECT_GT(apart(*rest, *moved).positions, 1e-4);
+
+  dermis::Scene scene;
+  const InstanceId id = scene.add({.asset = asset});
+  const std::uint64_t before = scene.changes(id).rig;
+  scene.pose(id, "performance", 0.5);
+  EXPECT_GT(scene.changes(id).rig, before);
+  EXPECT_EQ(scene.instance(id).pose->clip->seconds, 0.5);
+  scene.set_pose(id, {});
+  EXPECT_EQ(apart(*rest, *setup::flattened(api::placed_scene(scene))).positions, 0);
+}
+
+TEST_F(Character, FaultsAreOneLineAndChangeNothing) {
+  const Warnings quiet;
+  const Asset asset = Asset::load(file_);
+  dermis::Scene scene;
+  const InstanceId id = scene.add({.asset = asset});
+  scene.pose(id, "performance", 1);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto error = [&](const RigPose& pose) {
+    const std::uint64_t before = scene.changes(id).rig;
+    const std::string said = tests::thrown<InputError>([&] { scene.set_pose(id, pose); });
+    EXPECT_EQ(scene.changes(id).rig, before);
+    EXPECT_EQ(said.find('\n'), std::string::npos);
+    return said;
+  };
+  EXPECT_ERROR(error({.clip = ClipTime{"run", 1}}), "has no clip 'run'; it has: performance");
+  EXPECT_ERROR(error({.clip = ClipTime{"", nan}}), "clip.seconds must be finite, got nan");
+  EXPECT_ERROR(error({.blend = nan}), "blend must be 0 to 1, got nan");
+  EXPECT_ERROR(error({.weights = {{"smile", 1}}}), "has no morph weight 'smile'; it has: eye-left-closure");
+  EXPECT_ERROR(error({.weights = {{"mouth-open", nan}}}), "weight 'mouth-open' must be -100 to 100, got nan");
+  EXPECT_ERROR(error({.joints = {{.name = "tail"}}}), "has no joint 'tail'; it has: ");
+  const std::string joint = asset.joints().front();
+  EXPECT_ERROR(error({.joints = {{.name = joint, .rotation = std::array{0.0, 0.0, 0.0, 0.0}}}}),
+               "over 0, got 0");
+  EXPECT_ERROR(error({.joints = {{.name = joint, .translation = std::array{0.0, nan, 0.0}}}}), "got nan");
+  EXPECT_ERROR(error({.joints = {{.name = asset.joints().back(),
+                                  .translation = std::array{1e6, 1e6, 0.0},
+                                  .scale = std::array{1000.0, 1000.0, 1000.0}}}}),
+               "more than");
+  EXPECT_EQ(scene.instance(id).pose->clip->clip, "performance");
+
+  EXPECT_ERROR(tests::thrown<InputError>([&] { scene.save(temp_.path() / "scene.json"); }), "it has a pose");
+  dermis::Scene still;
+  const InstanceId head = still.add({.asset = Asset::built_in()});
+  EXPECT_ERROR(tests::thrown<InputError>([&] { still.pose(head, "", 0); }),
+               "has no clips, joints or morph weights");
+}
+
+}  // namespace
+}  // namespace dermis::scene::test
