@@ -7,16 +7,6 @@
 
 namespace dermis::passes {
 
-ClearTexelLists::Out ClearTexelLists::declare(frame::Declare& d) {
-  d.kind(frame::PassKind::copy);
-  d.copy_to(in.lists.lists);
-  return {};
-}
-
-void ClearTexelLists::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
-  cmd.fill(resources.buffer(in.lists.lists), 0);
-}
-
 ListTexels::Out ListTexels::declare(frame::Declare& d) {
   const bool counted = in.lists.materials > 1 && !settings.counts_only;
   compute(d, "list_texels.comp",

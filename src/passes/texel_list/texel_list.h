@@ -14,19 +14,6 @@
 
 namespace dermis::passes {
 
-/// Empties the lists.
-class ClearTexelLists {
- public:
-  struct Settings {
-  } settings;
-  struct In {
-    TexelLists lists;
-  } in;
-  struct Out {};
-  Out declare(frame::Declare& d);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-};
-
 /// Counts or lists texels whose triangle is not culled.
 class ListTexels : public ComputePass {
  public:

@@ -341,7 +341,7 @@ void LightMaps::add_texels(const passes::Irradiance::Settings& settings, const p
   plan_->add<passes::StaleTexels>(name("stale texels"), {texels_.maps}, {squares, unwraps});
   plan_->add<passes::TexelMap>(name("texel map"), {texels_.maps}, {squares});
 
-  plan_->add<passes::ClearTexelLists>(name("clear texel lists"), {lists});
+  plan_->add<passes::ClearBuffers>(name("clear texel lists"), {{lists.lists}});
   const auto list = [&](std::string_view what, bool counts_only) {
     plan_->add<passes::ListTexels>(name(what), {lists, texels_.maps, kept_},
                                    {.squares = squares, .counts_only = counts_only});
