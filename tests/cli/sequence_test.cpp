@@ -249,16 +249,21 @@ TEST_F(Sequence, CtrlCLeavesWholeFilesAndResumeGoesOn) {
     EXPECT_EQ(read_text(folder() / expected[0]), record);
   }
 
-  // A frame that is not as it was written, and one that is gone, are drawn again.
+  // Frames that are not as they were written, and one that is gone, are drawn again.
   const std::string first = read_text(folder() / "f-0000.png"), second = read_text(folder() / "f-0001.png");
   file("f-0000.png", first.substr(0, first.size() / 2));
   fs::remove(folder() / "f-0001.png");
+  const std::string third = read_text(folder() / "f-0002.png");
+  std::string touched = third;
+  touched[touched.size() / 2] ^= 1;
+  file("f-0002.png", touched);
   Arguments again = long_one;
   again.push_back("--resume");
   const Result resumed = sequence("f-%04d.png", again, interrupted_from(static_cast<int>(written)));
   EXPECT_EQ(resumed.status, 1);
   EXPECT_EQ(read_text(folder() / "f-0000.png"), first);
   EXPECT_EQ(read_text(folder() / "f-0001.png"), second);
+  EXPECT_EQ(read_text(folder() / "f-0002.png"), third);
   ASSERT_TRUE(resumed.err.starts_with(says)) << resumed.err;
   EXPECT_GT(std::stoul(resumed.err.substr(says.size())), written);
 }
