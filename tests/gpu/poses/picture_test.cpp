@@ -91,6 +91,8 @@ TEST_F(PosedPictures, OfEveryTechniqueAreThoseOfTheAssetLoadedInThatPose) {
       s.quality.blur = blur;
       s.quality.shading = shading;
     }
+  RenderSettings& computed = all.emplace_back(all.back());
+  computed.quality.irradiance = IrradianceBy::compute;
 
   const Scene loaded = lit(Asset::load(file_, {.time_s = 1.3}));
   Scene scene = lit(*asset_);
@@ -98,10 +100,11 @@ TEST_F(PosedPictures, OfEveryTechniqueAreThoseOfTheAssetLoadedInThatPose) {
   for (const RenderSettings& s : all) {
     const Picture wanted = renderer().render(loaded, s), found = renderer().render(scene, s);
     const double db = psnr(wanted, found);
-    std::printf("%s, %s maps, %s, %s: %.1f dB\n", s.technique.c_str(),
+    std::printf("%s, %s maps, %s, %s%s: %.1f dB\n", s.technique.c_str(),
                 s.quality.maps == LightMaps::progressive ? "progressive" : "full",
                 s.quality.blur == BlurOrder::cascade ? "cascade" : "chain",
-                s.quality.shading == Shading::compute ? "compute" : "raster", db);
+                s.quality.shading == Shading::compute ? "compute" : "raster",
+                s.quality.irradiance == IrradianceBy::compute ? ", irradiance too" : "", db);
     EXPECT_GE(db, 45);
     EXPECT_EQ(found.statistics.unshaded_reads, 0u);
     EXPECT_EQ(found.statistics.transmission_misses, 0u);
