@@ -17,7 +17,7 @@ class MoveRig {
   struct Out {};
   Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
-  /// Records nothing but barriers for FrameData::moves, and nothing at all if there are none.
+  /// Records nothing if FrameData::moves is empty.
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
