@@ -61,9 +61,11 @@ mkdir -p "$kit"/{bin,lib,licences,assets} "$kit"/share/vulkan/{icd.d,explicit_la
 put() { install -D -m 644 -- "$1" "$2" || fail "$1 cannot be copied to the kit; is there room in $stage?"; }
 
 # Where a library lies that is opened by name, or nothing.
+# Reads the list to its end: ldconfig must not be stopped by a pipe that nobody reads, which ends the script.
 find_library() {
   { ldconfig -p 2>/dev/null || /sbin/ldconfig -p; } |
-    awk -v name="$1" '$1 == name && /x86-64|AArch64/ { print $NF; exit }'
+    awk -v name="$1" '$1 == name && /x86-64|AArch64/ && !found { found = $NF }
+      END { print found }'
 }
 
 # Is part of the C library, which every system has.
