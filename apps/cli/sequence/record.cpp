@@ -5,11 +5,13 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <optional>
-#include <regex>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "core/error.h"
@@ -29,11 +31,29 @@ struct Unfinished {
   std::string name;
   pid_t process = 0;
 };
-std::optional<Unfinished> unfinished(const std::string& file) {
-  static const std::regex form(R"(([^/]+)\.([0-9]{1,9})\.[0-9]{1,9}\.part)");
-  std::smatch parts;
-  if (!std::regex_match(file, parts, form)) return std::nullopt;
-  return Unfinished{parts[1], static_cast<pid_t>(std::stol(parts[2]))};
+// Takes the number behind the last dot off the text; none if there is none of one to nine digits.
+std::optional<int> take_number(std::string_view& text) {
+  const std::size_t dot = text.rfind('.');
+  if (dot == std::string_view::npos) return std::nullopt;
+  const std::string_view digits = text.substr(dot + 1);
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (digits.empty() || digits.size() > 9 || !std::all_of(digits.begin(), digits.end(), is_digit))
+    return std::nullopt;
+
+  int number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  text.remove_suffix(digits.size() + 1);
+  return number;
+}
+
+std::optional<Unfinished> unfinished(std::string_view file) {
+  constexpr std::string_view ending = ".part";
+  if (!file.ends_with(ending)) return std::nullopt;
+  file.remove_suffix(ending.size());
+  if (!take_number(file)) return std::nullopt;
+  const std::optional<int> process = take_number(file);
+  if (!process || file.empty()) return std::nullopt;
+  return Unfinished{std::string(file), *process};
 }
 
 bool is_gone(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
@@ -122,7 +142,8 @@ void remove_unfinished(const fs::path& folder, const std::function<bool(const st
   std::error_code error;
   for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, error), end; !error && at != end;
        at.increment(error)) {
-    const std::optional<Unfinished> found = unfinished(at->path().filename().string());
+    const std::string name = at->path().filename().string();
+    const std::optional<Unfinished> found = unfinished(name);
     std::error_code ignored;
     if (found && is_gone(found->process) && is_ours(found->name)) fs::remove(at->path(), ignored);
   }
