@@ -13,6 +13,8 @@
 #include <random>
 #include <tuple>
 
+#include "cli/bench/measure.h"
+#include "cli/bench/variants.h"
 #include "cli/progress.h"
 #include "core/error.h"
 #include "dermis/cancelled.h"
@@ -213,12 +215,9 @@ class Run {
         add(fmt::format("{}, --optimise {}", name, on.name), scene_, one);
     }
 
-    RenderSettings last = s;
+    RenderSettings last = bench::shaded_in_compute(bench::with_cascade(s));
     last.quality.cull = last.quality.depth = last.quality.clip = true;
-    last.quality.maps = LightMaps::progressive;
-    last.quality.blur = BlurOrder::cascade;
-    last.quality.shading = Shading::compute;
-    if (!same_switches(last.quality, s.quality) && is_possible(last))
+    if (!same_switches(last.quality, s.quality) && bench::has_plan(scene_, last))
       add(name + ", --optimise all --maps progressive --blur cascade --shading compute", scene_, last);
   }
 
@@ -227,14 +226,6 @@ class Run {
       return std::tie(q.cull, q.depth, q.clip, q.maps, q.blur, q.shading);
     };
     return switches(a) == switches(b);
-  }
-
-  // A map may have too few texels for a cascade.
-  bool is_possible(const RenderSettings& s) const {
-    try {
-      describe_plan(scene_, s);
-      return true;
-    } catch (const InputError&) { return false; }
   }
 
   void add_technique(const std::string& name) {

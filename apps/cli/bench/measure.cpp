@@ -188,15 +188,17 @@ RenderSettings settings_at(const Task& task, const Place& place) {
   return s;
 }
 
+bool has_plan(const Scene& scene, const RenderSettings& settings) {
+  try {
+    describe_plan(scene, settings);
+    return true;
+  } catch (const InputError&) { return false; }
+}
+
 bool cascade_is_possible(const Scene& scene, const RenderSettings& common) {
   for (const Variant& variant : variants_of(common)) {
-    if (variant.key != cascade_key) continue;
-    try {
-      describe_plan(scene, variant.settings);
-    } catch (const InputError&) {
-      // If it is another setting that is refused, the first frame says so.
-      return false;
-    }
+    // If it is another setting that is refused, the first frame says so.
+    if (variant.key == cascade_key && !has_plan(scene, variant.settings)) return false;
   }
   return true;
 }

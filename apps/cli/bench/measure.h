@@ -36,6 +36,9 @@ std::vector<Place> places_of(const Task& task);
 /// The settings of a cell.
 RenderSettings settings_at(const Task& task, const Place& place);
 
+/// Returns whether there is a plan of a frame: a map may have too few texels for a cascade.
+bool has_plan(const Scene& scene, const RenderSettings& settings);
+
 /// Returns whether the cascade of blurs can be drawn, with settings that hold for all variants: not where
 /// texels are too few.
 bool cascade_is_possible(const Scene& scene, const RenderSettings& common);

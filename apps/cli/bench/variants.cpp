@@ -31,17 +31,6 @@ RenderSettings progressive(RenderSettings s) {
   return s;
 }
 
-RenderSettings cascade(RenderSettings s) {
-  s.quality.maps = LightMaps::progressive;
-  s.quality.blur = BlurOrder::cascade;
-  return s;
-}
-
-RenderSettings shaded_in_compute(RenderSettings s) {
-  s.quality.shading = Shading::compute;
-  return s;
-}
-
 RenderSettings lit_in_compute(RenderSettings s) {
   s.quality.irradiance = IrradianceBy::compute;
   return s;
@@ -55,7 +44,18 @@ RenderSettings unscattered(RenderSettings s) {
 
 }  // namespace
 
-std::vector<Variant> variants_of(const RenderSettings& common, bool with_cascade) {
+RenderSettings with_cascade(RenderSettings s) {
+  s.quality.maps = LightMaps::progressive;
+  s.quality.blur = BlurOrder::cascade;
+  return s;
+}
+
+RenderSettings shaded_in_compute(RenderSettings s) {
+  s.quality.shading = Shading::compute;
+  return s;
+}
+
+std::vector<Variant> variants_of(const RenderSettings& common, bool cascade) {
   std::vector<Variant> all{
       {baseline_key, "baseline", "as published: every head, whole maps", every_head(common)},
       {skipping_key, "skipping",
@@ -79,17 +79,17 @@ std::vector<Variant> variants_of(const RenderSettings& common, bool with_cascade
   }
 
   const RenderSettings optimised = with(common, true, true, true);
-  if (with_cascade)
+  if (cascade)
     all.push_back({cascade_key, "cascade",
                    "all, with the cascade of blurs, from wide to narrow on a pyramid of maps",
-                   cascade(optimised), true});
+                   with_cascade(optimised), true});
   all.push_back({shading_key, "ids", "all, with skin drawn as ids and shaded in compute",
                  shaded_in_compute(optimised), true});
   all.push_back({texels_key, "texels", "all, with the texels of the light maps lit in compute",
                  lit_in_compute(optimised), true});
-  if (with_cascade)
+  if (cascade)
     all.push_back({compute_key, "compute", "all, with the cascade and with ids",
-                   shaded_in_compute(cascade(optimised)), true});
+                   shaded_in_compute(with_cascade(optimised)), true});
 
   all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
                  unscattered(common)});

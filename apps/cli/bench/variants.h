@@ -33,6 +33,10 @@ inline constexpr const char* compute_key = "compute";
 inline constexpr const char* floor_key = "lambert";
 inline constexpr const char* compute_floor_key = "lambert_compute";
 
+/// Return settings with steps beyond the paper.
+RenderSettings with_cascade(RenderSettings settings);  ///< of blurs, on progressive maps
+RenderSettings shaded_in_compute(RenderSettings settings);
+
 /// All variants of one cell, from settings that hold for each of them: same shaders, same sizes, same lights.
 /// What they differ in stands here and nowhere else. The baselines and `lambert` are not optimised, whatever
 /// the settings say, and only the variants of the steps beyond the paper take these.

@@ -22,17 +22,6 @@ std::uint32_t stamp_of(std::uint32_t unwrap, std::uint32_t side) {
 
 }  // namespace
 
-ClearTexelStamps::Out ClearTexelStamps::declare(frame::Declare& d) {
-  d.kind(frame::PassKind::copy);
-  d.runs(frame::Runs::once);
-  d.copy_to(in.maps.stamps);
-  return {};
-}
-
-void ClearTexelStamps::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
-  cmd.fill(resources.buffer(in.maps.stamps), 0);
-}
-
 StaleTexels::Out StaleTexels::declare(frame::Declare& d) {
   compute(d, "stale_texels.comp");
   d.write(in.maps.stamps);

@@ -10,19 +10,6 @@
 
 namespace dermis::passes {
 
-/// Marks all texel maps as not drawn. Runs once for the memory of a plan.
-class ClearTexelStamps {
- public:
-  struct Settings {
-  } settings;
-  struct In {
-    TexelMaps maps;
-  } in;
-  struct Out {};
-  Out declare(frame::Declare& d);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-};
-
 /// Finds the squares whose texel map is of another T, or of another unwrap.
 class StaleTexels : public ComputePass {
  public:

@@ -90,7 +90,8 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
   if (settings.texel_maps) {
     texels_ = {.maps = passes::make_texel_maps(plan, pool_.texture(0), pool_.squares()),
                .lists = passes::make_texel_lists(plan, pool_.texture(0), pool_.squares(), most_materials)};
-    plan.add<passes::ClearTexelStamps>("clear texel map stamps", {texels_.maps});
+    // No map is drawn yet.
+    plan.add<passes::ClearBuffers>("clear texel map stamps", {{texels_.maps.stamps}}, {frame::Runs::once});
   }
   if (settings.cascade)
     make_cascade();

@@ -28,6 +28,12 @@ RenderSettings furnace_settings(const std::string& technique, bool specular) {
   return s;
 }
 
+RenderSettings with_cascade(RenderSettings s) {
+  s.quality.maps = LightMaps::progressive;
+  s.quality.blur = BlurOrder::cascade;
+  return s;
+}
+
 RenderSettings unoptimised(RenderSettings s) {
   s.quality.cull = s.quality.depth = s.quality.clip = false;
   return s;

@@ -20,6 +20,9 @@ RenderSettings in_a_furnace(RenderSettings settings);
 /// small_settings() in a furnace.
 RenderSettings furnace_settings(const std::string& technique, bool specular);
 
+/// With the cascade of blurs, on progressive maps.
+RenderSettings with_cascade(RenderSettings settings);
+
 /// Nothing is left out because it is not seen.
 RenderSettings unoptimised(RenderSettings settings);
 

@@ -18,12 +18,6 @@
 namespace dermis::tests {
 namespace {
 
-RenderSettings with_cascade(RenderSettings s) {
-  s.quality.maps = LightMaps::progressive;
-  s.quality.blur = BlurOrder::cascade;
-  return s;
-}
-
 RenderSettings small_cascade() { return with_cascade(small_settings("texture-space", 128, 512)); }
 
 const Scene& head() {

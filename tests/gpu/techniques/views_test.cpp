@@ -45,10 +45,8 @@ class Views : public WithScan, public testing::WithParamInterface<Path> {
  protected:
   RenderSettings on_path(RenderSettings s) const {
     if (GetParam() == Path::paper) return s;
-    s.quality.maps = LightMaps::progressive;
-    s.quality.blur = BlurOrder::cascade;
     s.quality.shading = Shading::compute;
-    return s;
+    return with_cascade(s);
   }
 };
 INSTANTIATE_TEST_SUITE_P(Paths, Views, testing::Values(Path::paper, Path::cascade), [](const auto& path) {

@@ -78,15 +78,13 @@ std::vector<Way> ways() {
            }},
           {"Cascade",
            [](RenderSettings& s) {
-             s.quality.maps = LightMaps::progressive;
-             s.quality.blur = BlurOrder::cascade;
+             s = with_cascade(s);
              s.skin.translucency = true;
            }},
           {"ShadedInCompute", [](RenderSettings& s) { s.quality.shading = Shading::compute; }},
           {"AllInCompute",
            [](RenderSettings& s) {
-             s.quality.maps = LightMaps::progressive;
-             s.quality.blur = BlurOrder::cascade;
+             s = with_cascade(s);
              s.quality.shading = Shading::compute;
            }},
           {"ClippedOnly",

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "../gltf/posed_by_hand.h"
+#include "../rig/moved.h"
 #include "../rig/two_clips.h"
 #include "api/asset_state.h"
 #include "api/scene_state.h"
@@ -18,53 +19,11 @@
 namespace dermis::scene::test {
 namespace {
 
-using Points = std::vector<std::vector<PosedByHand::Point>>;
-
 // The scene of one instance in this pose, as the reference takes it.
 std::shared_ptr<const Scene> posed(const Asset& asset, const std::optional<RigPose>& pose) {
   dermis::Scene scene;
   scene.set_pose(scene.add({.asset = asset}), pose);
   return setup::flattened(api::placed_scene(scene));
-}
-
-struct Compared {
-  double farthest = 0, size = 0;  ///< m
-};
-
-Compared compare(const Scene& scene, const Points& expected) {
-  Compared c;
-  glm::dvec3 low(1e9), high(-1e9);
-  for (const Primitive& primitive : scene.primitives)
-    for (std::uint32_t v = 0; v < primitive.vertices.size(); ++v) {
-      const glm::dvec3 p(world_position_m(primitive, 0, v));
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-      if (!primitive.placements.empty()) continue;
-      const PosedByHand::Point& e =
-          expected.at(static_cast<std::size_t>(primitive.source_mesh)).at(source_vertex(primitive, v));
-      c.farthest = std::max(c.farthest, glm::distance(p, glm::dvec3(e[0], e[1], e[2])));
-    }
-  c.size = glm::distance(low, high);
-  return c;
-}
-
-// Largest differences of positions (m) and of directions.
-struct Apart {
-  double positions = 0, normals = 0, tangents = 0;
-};
-Apart apart(const Scene& a, const Scene& b) {
-  Apart most;
-  EXPECT_EQ(a.primitives.size(), b.primitives.size());
-  for (std::size_t i = 0; i < a.primitives.size(); ++i) {
-    EXPECT_EQ(a.primitives[i].vertices.size(), b.primitives[i].vertices.size());
-    for (std::uint32_t v = 0; v < a.primitives[i].vertices.size(); ++v) {
-      const Vertex &x = a.primitives[i].vertices[v], &y = b.primitives[i].vertices[v];
-      most.positions = std::max(most.positions, double{glm::distance(x.position_m, y.position_m)});
-      most.normals = std::max(most.normals, double{glm::distance(x.normal, y.normal)});
-      most.tangents = std::max(most.tangents, double{glm::distance(x.tangent, y.tangent)});
-    }
-  }
-  return most;
 }
 
 // What the makers of characters write: joints, two of them turned, and morph targets that are named.
