@@ -58,6 +58,13 @@ struct Labels {
   /// Two values per pixel: the asset's first set of texture coordinates as they are in the file, v down,
   /// before the transform of a map; any number. 0 0 where nothing is, and where the mesh has none.
   std::vector<float> uv;
+  /// Two values per pixel: by how many pixels that point of the surface has moved in the picture since the
+  /// frame that the session drew before, to the right and down, by camera, instance and pose together. So it
+  /// was at the middle of the pixel minus these. 0 0 where nothing is, in the first frame, and for an
+  /// instance that the frame before had not; infinity where the point lay behind the camera. An instance that
+  /// was outside the picture counts from the pose in which it was drawn last; one whose pose has just been
+  /// taken off, from its rest.
+  std::vector<float> motion_px;
   enum Region : std::uint8_t { no_region, nose, ear, other_skin };
   /// A Region: nose and ears of a head that looks along +Z in its asset's coordinates, found from its shape
   /// as picture_regions() finds them (docs/truth.md), at the vertices of the skin. `other_skin` is the rest
@@ -73,8 +80,8 @@ class Session {
     /// memory for its picture and for what changes per frame, but not for maps.
     int frames_in_flight = 2;
     bool statistics = false;  ///< counts what each frame computes: Statistics of its picture; costs time
-    /// Draws labels() with each frame: one more pass, which is one more time all visible triangles. Takes 36
-    /// bytes of memory per pixel, and 32 for each frame in flight. Nose and ears of an asset are found at its
+    /// Draws labels() with each frame: one more pass, which is one more time all visible triangles. Takes 44
+    /// bytes of memory per pixel, and 40 for each frame in flight. Nose and ears of an asset are found at its
     /// first use: a tenth of a second for 20,000 triangles.
     bool labels = false;
   };

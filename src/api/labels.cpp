@@ -11,11 +11,13 @@ namespace dermis::api {
 static_assert(Labels::nose == LABEL_REGION_NOSE && Labels::ear == LABEL_REGION_EAR &&
               Labels::other_skin == LABEL_REGION_OTHER_SKIN);
 
-Labels labels_of(int width, int height, std::span<const std::byte> surface,
-                 std::span<const std::byte> names) {
+Labels labels_of(int width, int height, std::span<const std::byte> surface, std::span<const std::byte> names,
+                 std::span<const std::byte> motion) {
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   DERMIS_ASSERT_EQ(surface.size(), pixels * sizeof(io::LabelSurfaceIo));
   DERMIS_ASSERT_EQ(names.size(), pixels * sizeof(io::LabelNamesIo));
+
+  DERMIS_ASSERT_EQ(motion.size(), pixels * 2 * sizeof(float));
 
   Labels out{.width = width, .height = height};
   out.instance.resize(pixels);
@@ -24,6 +26,8 @@ Labels labels_of(int width, int height, std::span<const std::byte> surface,
   out.normal.resize(3 * pixels);
   out.uv.resize(2 * pixels);
   out.region.resize(pixels);
+  out.motion_px.resize(2 * pixels);
+  std::memcpy(out.motion_px.data(), motion.data(), motion.size());
 
   for (std::size_t i = 0; i < pixels; ++i) {
     io::LabelSurfaceIo s;

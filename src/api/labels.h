@@ -10,6 +10,7 @@
 namespace dermis::api {
 
 /// `surface`: LabelSurfaceIo, `names`: LabelNamesIo of each pixel.
-Labels labels_of(int width, int height, std::span<const std::byte> surface, std::span<const std::byte> names);
+Labels labels_of(int width, int height, std::span<const std::byte> surface, std::span<const std::byte> names,
+                 std::span<const std::byte> motion);
 
 }  // namespace dermis::api

@@ -72,7 +72,8 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
           : setup::drawn_heads(setup_);
   next_scene.upload(renderer_->library, input.placed, settings, setup_, drawn, next_environment, scene_,
                     host ? &*host : nullptr);
-  posed_.keep(renderer_->library, next_scene, scene.instances(), input.placed);
+  ids_ = scene.instances();
+  posed_.keep(renderer_->library, next_scene, ids_, input.placed);
   if (plans) posed_.move_all();
   unwrap_assets_ = std::move(unwrap_assets);
   scene_ = std::move(next_scene);
@@ -130,6 +131,7 @@ passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory) {
   passes::FrameData data =
       setup::frame_data(memory, setup_, outputs_, scene_.instances(), environment_.get());
   posed_.fill(memory, setup_, data);
+  if (options_.labels) motion_.fill(memory, setup_, input_.placed, ids_, data);
   return data;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "api/motion.h"
 #include "api/posed_instances.h"
 #include "api/renderer_state.h"
 #include "api/scene_on_device.h"
@@ -46,6 +47,7 @@ class PlannedFrame {
   void make_unready() {
     ready_ = false;
     posed_.move_all();
+    motion_.undo();
   }
   void make_ready() { ready_ = true; }
 
@@ -75,6 +77,8 @@ class PlannedFrame {
   Options options_;
   SceneOnDevice scene_;
   PosedInstances posed_;
+  Motion motion_;
+  std::vector<InstanceId> ids_;  // of the scene's instances
   std::shared_ptr<const setup::EnvironmentLight> environment_;
   setup::FrameSetup setup_;
   Input input_;  // and settings_: of the last set()

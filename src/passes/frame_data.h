@@ -76,7 +76,9 @@ struct Instance {
   const PosedShape* posed = nullptr;      ///< of an instance that takes poses
   bool moves = false;                     ///< it has moved since the last frame, or this is its first
   std::vector<gpu::BufferBinding>
-      placements;  ///< posed, PlacementIo[], one per page; empty: those of `scene`
+      placements;             ///< posed, PlacementIo[], one per page; empty: those of `scene`
+  gpu::BufferBinding before;  ///< LabelsBeforeIo, for labels; else none
+  std::vector<gpu::BufferBinding> placements_before;  ///< likewise, as `placements`; empty: those are still
   /// T: the used side of the square of its light maps, texels
   std::uint32_t map_side = 0;
   std::vector<MapPlace> map_places;  ///< one per skin mesh of the asset; empty where nothing has light maps

@@ -18,13 +18,17 @@ void offer_mesh(const Instance& instance, std::size_t number, Bindings& bindings
       .add("TurnedNeighbours", mesh.turned_neighbours);
 }
 
+gpu::BufferBinding placements_of(const Instance& instance, std::uint32_t page) {
+  if (!instance.placements.empty()) return instance.placements[page];
+  return {&instance.scene->surfaces.pages[page].placements};
+}
+
 void offer_page(const Instance& instance, std::uint32_t number, Bindings& bindings) {
   const GpuSurfaces::Page& page = instance.scene->surfaces.pages[number];
   const PosedShape* posed = instance.posed;
   bindings.add("Vertices", posed ? posed->vertices[instance.scene->skin.size() + number] : page.vertices)
       .add("VertexExtras", page.vertex_extras)
-      .add("Placements",
-           instance.placements.empty() ? gpu::BufferBinding{&page.placements} : instance.placements[number]);
+      .add("Placements", placements_of(instance, number));
 }
 
 }  // namespace dermis::passes

@@ -13,6 +13,9 @@ namespace dermis::passes {
 /// Offers skin mesh `number` of an instance, as its asset counts them: what GpuMesh::offer() does.
 void offer_mesh(const Instance& instance, std::size_t number, Bindings& bindings);
 
+/// Returns the placements of a page of its surfaces, PlacementIo[].
+gpu::BufferBinding placements_of(const Instance& instance, std::uint32_t page);
+
 /// Offers a page of its surfaces: what GpuSurfaces::offer() does.
 void offer_page(const Instance& instance, std::uint32_t page, Bindings& bindings);
 

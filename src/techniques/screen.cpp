@@ -237,6 +237,8 @@ frame::TextureId Screen::add_picture() {
   return settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour()}).picture : colour();
 }
 
+  out.label_motion = labels.motion;
+  plan_->read_back(out.label_motion);
 FrameOutputs Screen::finish() {
   FrameOutputs out;
   out.counters = counters_;

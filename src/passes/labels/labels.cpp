@@ -13,12 +13,23 @@ namespace {
 
 constexpr VkFormat surface_format = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat names_format = VK_FORMAT_R32G32B32A32_UINT;
+constexpr VkFormat motion_format = VK_FORMAT_R32G32_SFLOAT;
 constexpr std::array no_surface{0.0f, 0.0f, 0.0f, std::numeric_limits<float>::infinity()};
-constexpr std::array no_names{0.0f, 0.0f, 0.0f, 0.0f};  // the bits of the number 0, too
+constexpr std::array nothing{0.0f, 0.0f, 0.0f, 0.0f};  // the bits of the number 0, too
 
-io::LabelsIo labels_io(const Instance& instance, const GpuMaterial& material) {
+io::LabelsIo labels_io(const Labels::Settings& settings, const Instance& instance,
+                       const GpuMaterial& material) {
   const auto number = &material - instance.look->materials.data();
-  return {.instance = instance.number + 1, .material = static_cast<std::uint32_t>(number) + 1};
+  return {.instance = instance.number + 1,
+          .material = static_cast<std::uint32_t>(number) + 1,
+          .size = {settings.width, settings.height}};
+}
+
+// Offers positions before the last frame that moved the instance. Where none did, the shader reads none: any
+// buffer will do.
+void offer_before(const Instance& instance, std::size_t buffer, const gpu::Buffer& any, Bindings& bindings) {
+  bindings.add("Before", instance.before)
+      .add("BeforePositions", instance.posed ? instance.posed->before_m[buffer] : any);
 }
 
 }  // namespace
@@ -29,11 +40,14 @@ Labels::Out Labels::declare(frame::Declare& d) {
   out_.surface = d.create("label surfaces", desc);
   desc.format = names_format;
   out_.names = d.create("label names", desc);
+  desc.format = motion_format;
+  out_.motion = d.create("label motions", desc);
   desc.format = depth_format;
   depth_ = d.create("label depths", desc);
 
   d.colour(out_.surface);
   d.colour(out_.names);
+  d.colour(out_.motion);
   d.depth(depth_);
   return out_;
 }
@@ -46,7 +60,7 @@ void Labels::prepare(gpu::PipelineLibrary& library) {
             &library.graphics({.vertex = "labels.vert",
                                .fragment = "labels.frag",
                                .constants = {{"skin", skin ? 1u : 0u}, {"cut_out", cut_out ? 1u : 0u}},
-                               .colour_formats = {surface_format, names_format},
+                               .colour_formats = {surface_format, names_format, motion_format},
                                .depth_format = depth_format,
                                .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
                                .depth_test = true,
@@ -56,7 +70,8 @@ void Labels::prepare(gpu::PipelineLibrary& library) {
 void Labels::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const std::array targets{
       gpu::ColourTarget{.texture = &resources.texture(out_.surface), .clear = no_surface},
-      gpu::ColourTarget{.texture = &resources.texture(out_.names), .clear = no_names}};
+      gpu::ColourTarget{.texture = &resources.texture(out_.names), .clear = nothing},
+      gpu::ColourTarget{.texture = &resources.texture(out_.motion), .clear = nothing}};
   const gpu::DepthTarget depth{.texture = &resources.texture(depth_), .clear = 0.0f, .store = false};
 
   cmd.begin_rendering(targets, depth, {settings.width, settings.height});
@@ -77,11 +92,13 @@ void Labels::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& in
     Bindings bindings;
     bindings.add("Frame", frame.frame_io)
         .add("Placements", instance.scene->unmoved)
+        .add("BeforePlacements", instance.scene->unmoved)
         .add("Parts", instance.scene->skin[mesh].parts);
+    offer_before(instance, mesh, instance.scene->unmoved, bindings);
     passes::draw_skin(
         cmd, instance, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) { return pipeline_of(material, true); },
-        [&](const GpuMaterial& material) { return labels_io(instance, material); });
+        [&](const GpuMaterial& material) { return labels_io(settings, instance, material); });
   }
 }
 
@@ -95,9 +112,13 @@ void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
         .add("Instance", instance.transform)
         .add("Parts", instance.scene->unmoved);  // any buffer: only skin reads it
     offer_page(instance, group.page, bindings);
+    offer_before(instance, instance.scene->skin.size() + group.page, instance.scene->unmoved, bindings);
+    bindings.add("BeforePlacements", instance.placements_before.empty()
+                                         ? placements_of(instance, group.page)
+                                         : instance.placements_before[group.page]);
     material.offer(bindings);
     bindings.bind(cmd, pipeline);
-    cmd.push(pipeline, labels_io(instance, material));
+    cmd.push(pipeline, labels_io(settings, instance, material));
     for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
   }
 }

@@ -12,9 +12,12 @@ layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_uv;
 layout(location = 3) in vec4 in_colour;
-layout(location = 4) in vec2 in_part;       // how far inside nose and ear
+layout(location = 4) in vec2 in_part;  // how far inside nose and ear
+layout(location = 5) in vec4 in_clip;
+layout(location = 6) in vec4 in_clip_before;
 layout(location = 0) out vec4 out_surface;  // LabelSurfaceIo
 layout(location = 1) out uvec4 out_names;   // LabelNamesIo
+layout(location = 2) out vec2 out_motion;   // pixels
 
 // As final_pass.frag tests skin, and surface.frag all else: from the levels of the map.
 bool is_cut_in_picture() {
@@ -28,6 +31,14 @@ uint region() {
   return in_part.x > 0.0 ? LABEL_REGION_NOSE : in_part.y > 0.0 ? LABEL_REGION_EAR : LABEL_REGION_OTHER_SKIN;
 }
 
+// From where the point was in the frame before to where it is, pixels, y down; infinity if it lay behind the
+// camera.
+vec2 motion() {
+  if (in_clip_before.w <= 0.0) return vec2(uintBitsToFloat(0x7f800000u));
+  const vec2 now = in_clip.xy / in_clip.w, then = in_clip_before.xy / in_clip_before.w;
+  return (now - then) * vec2(0.5, -0.5) * io.size;  // y of a clip points up
+}
+
 void main() {
   if (cut_out && is_cut_in_picture()) discard;
 
@@ -35,4 +46,5 @@ void main() {
   const vec3 normal = (gl_FrontFacing ? in_normal : -in_normal) / max(len, 1e-30);
   out_surface = vec4(normal, dot(in_position_m - frame.camera.eye_m, frame.camera.direction));
   out_names = uvec4(io.instance, io.material | region() << LABEL_REGION_SHIFT, floatBitsToUint(in_uv.xy));
+  out_motion = motion();
 }

@@ -21,10 +21,11 @@ class Labels {
   struct Out {
     frame::TextureId surface;  ///< RGBA32F, LabelSurfaceIo
     frame::TextureId names;    ///< RGBA32UI, LabelNamesIo
+    frame::TextureId motion;   ///< RG32F, pixels since the frame before, y down
   };
   Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
-  /// Needs GpuMesh::parts of every skin mesh.
+  /// Needs GpuMesh::parts of every skin mesh, and Instance::before.
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:

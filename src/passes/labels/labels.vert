@@ -5,13 +5,28 @@
 #include "shaders/placement.glsl"
 #include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
+#include "passes/labels/labels_io.h"
 layout(constant_id = 0) const bool skin = false;
 layout(binding = 34, scalar) readonly buffer Parts { vec2 parts[]; };  // of the vertices of skin
+layout(binding = 35, scalar) uniform Before { LabelsBeforeIo before; };
+layout(binding = 36, scalar) readonly buffer BeforePositions { vec3 before_m[]; };
+layout(binding = 37, scalar) readonly buffer BeforePlacements { PlacementIo before_placements[]; };
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_uv;
 layout(location = 3) out vec4 out_colour;
 layout(location = 4) out vec2 out_part;
+layout(location = 5) out vec4 out_clip;
+layout(location = 6) out vec4 out_clip_before;
+
+// The same products and sums for both frames: what stands still has a motion of 0 exactly.
+vec4 clip_at(mat4 clip_from_world, InstanceIo i, PlacementIo placement, vec3 position_m) {
+  const vec3 p = placed_position(placement, position_m);
+  precise vec3 world_m = (i.x_axis * p.x + i.y_axis * p.y + i.z_axis * p.z) * i.scale + i.origin_m;
+  precise vec4 clip = clip_from_world * vec4(world_m, 1.0);
+  return clip;
+}
+
 void main() {
   const VertexIo v = placed_vertex();
   out_position_m = world_position(v.position_m);
@@ -20,5 +35,11 @@ void main() {
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;
   out_part = skin ? parts[gl_VertexIndex] : vec2(-1.0);
+
+  const vec3 now_m = vertices[gl_VertexIndex].position_m;
+  const vec3 then_m = before.moved != 0u ? before_m[gl_VertexIndex] : now_m;
+  out_clip = clip_at(frame.camera.clip_from_world, INSTANCE, placements[gl_InstanceIndex], now_m);
+  out_clip_before =
+      clip_at(before.clip_from_world, before.instance, before_placements[gl_InstanceIndex], then_m);
   gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }

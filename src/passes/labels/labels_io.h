@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 #ifndef DERMIS_PASSES_LABELS_IO_H
 #define DERMIS_PASSES_LABELS_IO_H
+#include "shared/instance_io.h"
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 struct LabelsIo {
   uint instance;  // its label: 1 + its number
   uint material;  // likewise
+  vec2 size;      // of the picture, pixels
+};
+
+// How an instance stood in the frame before.
+struct LabelsBeforeIo {
+  mat4 clip_from_world;  // of that frame's camera
+  InstanceIo instance;
+  uint moved;  // 1: its vertices were elsewhere
 };
 
 // What the pass writes per pixel; zeros where nothing is, but an infinite depth.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "api/rig_pose.h"
 #include "scene/fine_normals.h"
 #include "scene/framing.h"
 #include "scene/gutters.h"
@@ -93,12 +94,53 @@ void prepare(const Scene& scene) {
   skin_sphere(scene);
 }
 
+void check_inside(const Bounds& bounds, const glm::vec3& position_m) {
+  const double slack = 1e-4 * (bounds.sphere.radius_m + glm::length(glm::dvec3(position_m)));
+  DERMIS_ASSERT_LE(glm::distance(glm::dvec3(position_m), glm::dvec3(bounds.sphere.centre_m)),
+                   bounds.sphere.radius_m + slack);
+}
+
+/// What a renderer does with an instance in a pose: all of it but the device.
+void check_pose(const Scene& rest, const RigPose& pose) {
+  accepts([&] {
+    const std::shared_ptr<const setup::PosedAsset> posed = api::posed_asset(rest, pose);
+    Scene moved = rest;
+    take_pose(*rest.rig, posed->rig, moved);
+    check_scene(moved);
+    for (const Primitive& primitive : moved.primitives)
+      if (primitive.placements.empty())
+        for (const Vertex& v : primitive.vertices) check_inside(posed->all, v.position_m);
+  });
+}
+
+/// Poses by the first clips, one with another, and by the names of joints and weights.
+void check_poses(const Scene& scene) {
+  if (!scene.rig) return;
+  constexpr std::size_t most = 3;
+  for (std::size_t i = 0; i < std::min(scene.clips.size(), most); ++i)
+    for (const double seconds : {-1.0, 0.3, 1e9}) {
+      const ClipTime at{.clip = scene.clips[i], .seconds = seconds};
+      check_pose(scene, {.clip = at});
+      check_pose(scene, {.clip = at, .second = ClipTime{.clip = scene.clips[0]}, .blend = 0.4});
+    }
+
+  RigPose named;
+  for (const std::string& name : api::morph_names(scene))
+    if (named.weights.size() < most) named.weights.push_back({.name = name, .weight = 1.5});
+  check_pose(scene, named);
+  for (const std::string& name : api::joint_names(scene))
+    if (named.joints.size() < most)
+      named.joints.push_back({.name = name, .rotation = std::array{0.3, -0.2, 0.1, 0.9}});
+  check_pose(scene, named);
+}
+
 bool load_and_prepare(Bytes file) {
   const std::filesystem::path path = put_file("scene", file);
   return accepts([&] {
     const Scene scene = load_gltf(path);
     check_scene(scene);
     prepare(scene);
+    check_poses(scene);
     if (!scene.clips.empty()) check_scene(load_gltf(path, {.time_s = 0.3}));
   });
 }

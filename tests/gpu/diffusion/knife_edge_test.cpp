@@ -11,6 +11,7 @@
 #include "lab.h"
 #include "scene/primitives.h"
 #include "scene/unwrap.h"
+#include "support/rigs.h"
 
 namespace dermis {
 namespace {
@@ -49,32 +50,6 @@ double expected(const Setting& s, const glm::dvec2& centre, double sigma_mm, boo
   return sum / (n * n);
 }
 
-// What a morph target needs to take points of a plane to `moved` times them.
-std::shared_ptr<const scene::Rig> morphing(const scene::Scene& plane, const glm::dmat2& moved) {
-  auto rig = std::make_shared<scene::Rig>();
-  rig->nodes.resize(1);
-  rig->order = {0};
-  rig->rest.resize(1);
-  rig->rest[0].weights = {0};
-  rig->first_weight = {0, 1};
-  rig->matrices.resize(1);
-  scene::RigMesh& mesh = rig->meshes.emplace_back();
-  for (const scene::Vertex& v : plane.primitives.front().vertices) {
-    // On the map y points down.
-    const glm::dvec2 p(v.position_m.x, -v.position_m.y), by = moved * p - p;
-    mesh.first_influence.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-    mesh.first_delta.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-    mesh.positions.push_back(v.position_m);
-    mesh.normals.push_back(v.normal);
-    mesh.tangents.emplace_back(v.tangent);
-    mesh.influences.push_back({.matrix = 0, .weight = 1});
-    mesh.deltas.push_back({.weight = 0, .position = glm::vec3(glm::dvec3(by.x, -by.y, 0))});
-  }
-  mesh.first_influence.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-  mesh.first_delta.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-  return rig;
-}
-
 // The plane is as large as the map: uv = transform * (x, y) / size, centred, so that it holds `texels_per_mm`
 // along its axes.
 Setting make_setting(const Case& c) {
@@ -88,7 +63,11 @@ Setting make_setting(const Case& c) {
     for (scene::Vertex& v : p.vertices) v.position_m *= static_cast<float>(c.node_scale);
 
   if (c.weight != 0) {
-    s.experiment.scene.rig = morphing(s.experiment.scene, c.moved);
+    // On the map y points down.
+    s.experiment.scene.rig = tests::morphing(s.experiment.scene, [&](const glm::vec3& p) {
+      const glm::dvec2 to = c.moved * glm::dvec2(p.x, -p.y);
+      return glm::vec3(glm::dvec3(to.x, -to.y, p.z));
+    });
     s.experiment.pose = scene::PosedRig{.matrices = {glm::dmat4(1)}, .weights = {c.weight}};
   }
   const glm::dmat2 taken = glm::dmat2(1) + c.weight * (c.moved - glm::dmat2(1));

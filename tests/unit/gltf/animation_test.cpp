@@ -2,6 +2,7 @@
 // Animated files, in the pose of a clip at a time.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "posed_by_hand.h"
 #include "scene/animation.h"
@@ -231,6 +232,60 @@ TEST_F(Moved, FaultsAreOneLine) {
     channel(sampler(fault.times, fault.values, fault.type, fault.way), fault.path);
     EXPECT_ERROR(error(), fault.said);
   }
+}
+
+TEST_F(Moved, FaultyReferencesAreOneLine) {
+  moves();
+  Json& attributes = b.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = b.accessor(std::vector<float>(12, 0), "VEC4", 5121);
+  attributes["WEIGHTS_0"] = b.accessor(std::vector<float>(12, 0.25f), "VEC4");
+  const Json sound = b.json;
+  const struct {
+    std::function<void(Json&)> spoil;
+    std::string said;
+  } faults[] = {
+      {[](Json& j) { j["animations"][0]["channels"][0]["sampler"] = 7; }, "sampler"},
+      {[](Json& j) { j["animations"][0]["channels"][0].erase("sampler"); }, "sampler"},
+      {[](Json& j) { j["animations"][0]["channels"][0]["target"]["node"] = 9; }, "node"},
+      {[](Json& j) { j["animations"][0]["channels"][0]["target"]["path"] = "weights"; }, "morph targets"},
+      {[](Json& j) { j["animations"][0]["samplers"][0]["input"] = 99; }, "input"},
+      {[](Json& j) { j["animations"][0]["samplers"][0].erase("output"); }, "output"},
+      {[](Json& j) {
+         j["nodes"].push_back({{"children", {1}}});
+       },
+       "its own ancestor"},
+      {[](Json& j) {
+         j["nodes"][0]["skin"] = 0;
+         j["skins"] = {{{"joints", {0, 12}}}};
+       },
+       "joint"},
+  };
+  for (const auto& fault : faults) {
+    b.json = sound;
+    fault.spoil(b.json);
+    EXPECT_ERROR(error(), fault.said);
+  }
+}
+
+TEST_F(Moved, AClipOfLengthZeroPlays) {
+  channel(sampler({0}, {0, 3, 0}, "VEC3"), "translation");
+  const Warnings quiet;
+  for (const double seconds : {0.0, 0.5, 1e9})
+    expect_near(b.load({.time_s = seconds}).primitives[0].vertices[0].position_m, {0, 3, 0});
+}
+
+// All of them stand for the same offset, of which the clip takes a ten-thousandth each.
+TEST_F(Moved, TenThousandTargetsPlay) {
+  constexpr std::size_t count = 10'000;
+  const int offset = b.accessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+  Json targets = Json::array();
+  for (std::size_t t = 0; t < count; ++t) targets.push_back({{"POSITION", offset}});
+  b.json["meshes"][0]["primitives"][0]["targets"] = targets;
+  std::vector<float> weights(2 * count, 0);
+  std::fill(weights.begin() + count, weights.end(), 1.0f / count);
+  channel(sampler({0, 1}, weights, "SCALAR"), "weights");
+  const Warnings quiet;
+  EXPECT_NEAR(b.load({.time_s = 0.5}).primitives[0].vertices[0].position_m.z, 0.5, 1e-4);
 }
 
 TEST_F(Moved, ANodeWithAMatrixIsRefused) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "api/motion.h"
+
+#include <span>
+
+#include "passes/labels/labels_io.h"
+#include "setup/frame_data.h"
+
+namespace dermis::api {
+
+void Motion::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, const setup::PlacedScene& placed,
+                  const std::vector<InstanceId>& ids, passes::FrameData& data) {
+  before_ = std::move(last_);
+  last_ = {.clip_from_world = setup.frame.camera.clip_from_world};
+  const bool row = setup.heads.size() > placed.instances.size();
+
+  for (std::size_t h = 0; h < setup.heads.size(); ++h) {
+    const setup::HeadSetup& head = setup.heads[h];
+    const setup::PlacedAsset& now = placed.instances[head.instance];
+    const std::pair key(ids[head.instance], row ? head.number : 0);
+    const Stood stands{.asset = now.asset, .instance = setup::instance_io(head.pose), .posed = now.posed};
+    last_.heads[key] = stands;
+
+    const auto found = before_.heads.find(key);
+    const bool known = found != before_.heads.end() && found->second.asset == now.asset;
+    const Stood& stood = known ? found->second : stands;
+    passes::Instance& instance = data.instances[h];
+    const io::LabelsBeforeIo io{.clip_from_world = known ? before_.clip_from_world : last_.clip_from_world,
+                                .instance = stood.instance,
+                                .moved = known && instance.posed && instance.moves ? 1u : 0u};
+    instance.before = memory.add(std::span<const io::LabelsBeforeIo>(&io, 1));
+
+    // Without a pose of its own then, it stood as it was loaded.
+    if (instance.placements.empty() || stood.posed == now.posed) continue;
+    for (const passes::GpuSurfaces::Page& page : instance.scene->surfaces.pages)
+      instance.placements_before.push_back(
+          stood.posed ? gpu::BufferBinding{memory.add(std::span<const io::PlacementIo>(
+                            passes::posed_placements(page, *now.asset, stood.posed->rig)))}
+                      : gpu::BufferBinding{&page.placements});
+  }
+}
+
+}  // namespace dermis::api

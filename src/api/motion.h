@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+/// How the instances of a frame stood in the frame before, for labels of motion.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "dermis/scene.h"
+#include "gpu/frame_memory.h"
+#include "passes/frame_data.h"
+#include "setup/frame_setup.h"
+#include "setup/placed_scene.h"
+#include "shared/instance_io.h"
+
+namespace dermis::api {
+
+class Motion {
+ public:
+  /// Writes Instance::before and Instance::placements_before of `data`, whose instances have their poses, and
+  /// remembers this frame. `ids`: of all instances of `placed`. What an instance was in the frame before
+  /// counts if it was of the same asset.
+  void fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, const setup::PlacedScene& placed,
+            const std::vector<InstanceId>& ids, passes::FrameData& data);
+
+  /// Makes the frame before the last one the one before the next: the last one was not drawn.
+  void undo() { last_ = before_; }
+
+ private:
+  struct Stood {
+    std::shared_ptr<const scene::Scene> asset;
+    io::InstanceIo instance;
+    std::shared_ptr<const setup::PosedAsset> posed;  // null: none
+  };
+  struct Frame {
+    glm::mat4 clip_from_world{1};
+    // A row of heads has several numbers of one instance.
+    std::map<std::pair<InstanceId, int>, Stood> heads;
+  };
+  Frame last_, before_;
+};
+
+}  // namespace dermis::api
