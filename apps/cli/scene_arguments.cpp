@@ -136,12 +136,13 @@ bool is_left_out(const std::string& path, const About& about, SceneUse use) {
     case SceneUse::plan: return is({"output.frames", "output.show"});
     case SceneUse::reference: return about.real_time;
     case SceneUse::comparison:
-      return is({"technique", "camera.heads", "output.bloom", "output.show", "skin.translucency"});
+      return is({"technique", "camera.heads", "output.bloom", "output.background", "output.show",
+                 "skin.translucency"});
     case SceneUse::bench:
       return about.option == "optimise" ||
              is({"technique", "camera.name", "camera.distance", "camera.orbit_deg", "camera.eye_m",
                  "camera.target_m", "camera.heads", "quality.skip_unseen_heads", "output.exposure_ev",
-                 "output.frames", "output.show"});
+                 "output.background", "output.frames", "output.show"});
   }
   return false;
 }

@@ -157,7 +157,11 @@ struct OutputSettings {
   std::optional<double> exposure_ev = 0.0;
   ToneMap tone_map = ToneMap::natural;
   double bloom = 0.05;  ///< share of the light that is spread over the picture, 0 to 1
-  int frames = 1;       ///< timed frames after one warm-up, >= 1
+  /// what stands behind the heads, where no surface covers a pixel: black; studio, a grey wall that is lit in
+  /// its middle; environment, the surroundings, else lighting.ambient; or #RRGGBB, a colour of the display
+  /// (sRGB), which neither exposure nor tone map changes. A host's frames have none
+  std::string background = "black";
+  int frames = 1;  ///< timed frames after one warm-up, >= 1
   /// picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K
   std::string show = "picture";
 };

@@ -99,10 +99,12 @@ struct FrameData {
   io::CameraIo camera{};                      ///< that of frame_io
   gpu::BufferBinding frame_io;                ///< FrameIo
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
-  std::vector<Instance> instances;            ///< at least one
-  std::vector<RigMove> moves;                 ///< those that move in this frame, each once
-  std::optional<VkRect2D> area;               ///< part of the targets that is the picture; none: all
-  DrawIrradiance draw_irradiance;             ///< of a host
+  /// RGBA16F, what stands behind the heads, with its lamps; none: uniform light, or it is not shown
+  const gpu::Texture* environment_picture = nullptr;
+  std::vector<Instance> instances;  ///< at least one
+  std::vector<RigMove> moves;       ///< those that move in this frame, each once
+  std::optional<VkRect2D> area;     ///< part of the targets that is the picture; none: all
+  DrawIrradiance draw_irradiance;   ///< of a host
 };
 
 using FramePlan = frame::FramePlan<FrameData>;

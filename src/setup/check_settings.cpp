@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/error.h"
 #include "settings/check.h"
+#include "setup/background.h"
 #include "setup/frame_setup.h"
 
 namespace dermis::setup {
@@ -27,6 +28,7 @@ void check_settings(const RenderSettings& s) {
   check_ranges(s);
   check_camera(s.camera);
   techniques::find_technique(s.technique);
+  background_of(s.output.background);
   if (s.quality.samples != 1 && s.quality.samples != 4)
     throw input_error("", "quality.samples must be 1 or 4, got {}", s.quality.samples);
   if (s.quality.blur == BlurOrder::cascade && s.quality.maps != LightMaps::progressive)

@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "core/hooks.h"
 #include "image/colour.h"
 #include "passes/gpu_scene.h"
+#include "setup/background.h"
 
 namespace dermis::setup {
 namespace {
@@ -28,17 +30,40 @@ environment::SkyHarmonics with_sources(environment::SkyHarmonics sky,
   return sky;
 }
 
+// The picture of an environment, and its mip levels, on the device.
+gpu::Texture texture_of(gpu::Device& device, const char* name, std::span<const image::ImageF> levels) {
+  std::vector<std::uint16_t> halves;
+  for (const image::ImageF& level : levels)
+    for (std::size_t i = 0; i < level.values.size(); i += 3) {
+      // The sun may be brighter than a half float can say.
+      for (std::size_t c = 0; c < 3; ++c)
+        halves.push_back(image::float_to_half(std::min(level.values[i + c], image::max_half)));
+      halves.push_back(image::float_to_half(1));
+    }
+
+  gpu::Texture made(device, name,
+                    {.width = static_cast<std::uint32_t>(levels.front().width),
+                     .height = static_cast<std::uint32_t>(levels.front().height),
+                     .mips = static_cast<std::uint32_t>(levels.size()),
+                     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                     .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+  gpu::upload(device, made, std::as_bytes(std::span(halves)));
+  return made;
+}
+
 }  // namespace
 
 bool EnvironmentSource::operator==(const EnvironmentSource& other) const {
-  return name == other.name && written == other.written && pixels.rgb == other.pixels.rgb &&
-         pixels.width == other.pixels.width && pixels.height == other.pixels.height;
+  return name == other.name && written == other.written && shown == other.shown &&
+         pixels.rgb == other.pixels.rgb && pixels.width == other.pixels.width &&
+         pixels.height == other.pixels.height;
 }
 
 std::optional<EnvironmentSource> choose_environment(const RenderSettings& settings,
                                                     const std::optional<SceneEnvironment>& of_scene) {
   EnvironmentSource source{.name = settings.lighting.environment};
   if (source.name.empty() && !of_scene) return {};
+  source.shown = background_of(settings.output.background).kind == passes::Behind::Kind::environment;
   if (source.name.empty()) source.name = of_scene->file;
   if (source.name.empty())
     source.pixels = *of_scene;
@@ -54,11 +79,18 @@ environment::Environment read_environment(const EnvironmentSource& source) {
 }
 
 EnvironmentLight environment_light(gpu::Device& device, const EnvironmentSource& source) {
-  EnvironmentLight made{
-      .source = source, .sources = {}, .irradiance = {}, .sky = {}, .bouncing_sky = {}, .map = {}};
+  EnvironmentLight made{.source = source,
+                        .sources = {},
+                        .irradiance = {},
+                        .sky = {},
+                        .bouncing_sky = {},
+                        .map = {},
+                        .picture = {}};
 
   Steps steps("preparing the environment", 3);
-  environment::Split split = environment::split_sources(read_environment(source));
+  const environment::Environment whole = read_environment(source);
+  if (source.shown) made.picture = texture_of(device, "environment, shown", {&whole.radiance, 1});
+  environment::Split split = environment::split_sources(whole);
   steps.done();
   made.sources = std::move(split.sources);
   made.irradiance = environment::irradiance_of(split.remainder);
@@ -71,22 +103,7 @@ EnvironmentLight environment_light(gpu::Device& device, const EnvironmentSource&
   made.bouncing_sky = environment::without_ringing(with_sources(sky, made.sources), bounced_order);
   steps.done();
 
-  std::vector<std::uint16_t> halves;
-  for (const image::ImageF& level : levels)
-    for (std::size_t i = 0; i < level.values.size(); i += 3) {
-      // The sun may be brighter than a half float can say.
-      for (std::size_t c = 0; c < 3; ++c)
-        halves.push_back(image::float_to_half(std::min(level.values[i + c], image::max_half)));
-      halves.push_back(image::float_to_half(1));
-    }
-
-  made.map = gpu::Texture(device, "environment",
-                          {.width = environment::prefilter_width,
-                           .height = environment::prefilter_width / 2,
-                           .mips = environment::prefilter_levels,
-                           .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-                           .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
-  gpu::upload(device, made.map, std::as_bytes(std::span(halves)));
+  made.map = texture_of(device, "environment", levels);
   return made;
 }
 

@@ -24,6 +24,7 @@ struct EnvironmentSource {
   std::string name{};                         ///< a file or "studio"; empty: the pixels
   SceneEnvironment pixels{};                  ///< without a file
   std::filesystem::file_time_type written{};  ///< of the file
+  bool shown = false;                         ///< behind the heads
   bool operator==(const EnvironmentSource& other) const;
 };
 
@@ -41,6 +42,7 @@ struct EnvironmentLight {
   environment::SkyHarmonics sky;             ///< of the rest
   environment::SkyHarmonics bouncing_sky;    ///< with the sources: they light occluders, too
   gpu::Texture map;                          ///< of the rest; RGBA16F, prefiltered
+  gpu::Texture picture;                      ///< of all; RGBA16F, valid if it is shown
 };
 
 /// Reads and prepares an environment. Throws InputError: see read_environment().

@@ -50,6 +50,7 @@ passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
   data.camera = setup.frame.camera;
   data.frame_io = memory.add(std::span<const io::FrameIo>(&setup.frame, 1));
   if (environment) data.environment = &environment->map;
+  if (environment && environment->picture) data.environment_picture = &environment->picture;
 
   for (const HeadSetup& head : setup.heads) {
     passes::Instance instance = instance_of(memory, head);

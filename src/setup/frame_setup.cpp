@@ -11,6 +11,7 @@
 #include "passes/blur/blur.h"
 #include "passes/shadow/fit.h"
 #include "scene/framing.h"
+#include "setup/background.h"
 #include "setup/camera_matrices.h"
 #include "setup/choose.h"
 #include "setup/frame_camera.h"
@@ -239,6 +240,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
         std::max(plan.shadow_layers, static_cast<std::uint32_t>(head.shadow_from_world.size()));
   plan.bloom = static_cast<float>(s.output.bloom);
   plan.tone_map = s.output.tone_map;
+  plan.behind = background_of(s.output.background);
   plan.visibility = s.output.show == "visibility";
   plan.soft_shadows =
       std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
@@ -247,6 +249,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.width = plan.height = 1;
     plan.bloom = 0;
     plan.tone_map = ToneMap::linear;
+    plan.behind = {};
   }
 
   if (setup.technique->has_light_maps) {

@@ -4,11 +4,7 @@ layout(constant_id = 7) const bool environment = false;  // a picture; else fram
 layout(binding = 26) uniform sampler2D
     environment_map;  // equirectangular, a lobe twice as wide per mip level: environment/environment.h
 
-// The environment is turned about +Y, so directions are turned back.
-vec3 environment_frame(vec3 d) {
-  return vec3(d.x * frame.environment_cos - d.z * frame.environment_sin, d.y,
-              d.x * frame.environment_sin + d.z * frame.environment_cos);
-}
+#include "shaders/environment_place.glsl"
 
 // Returns the irradiance of an unoccluded surface.
 vec3 surroundings_irradiance(vec3 normal) {
@@ -28,7 +24,7 @@ vec3 surroundings_irradiance(vec3 normal) {
 vec3 surroundings_radiance(vec3 direction, float m) {
   if (!environment) return frame.ambient;
   const vec3 d = environment_frame(direction);
-  const vec2 at = vec2(0.5 + atan(d.x, -d.z) / (2.0 * pi), acos(clamp(d.y, -1.0, 1.0)) / pi);
+  const vec2 at = environment_place(d);
   const float level = m < 1.0 / 16.0 ? m * 16.0 : 5.0 + log2(m);
   return textureLod(environment_map, at, level).rgb * frame.environment_intensity;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frame/together.h"
+#include "passes/background/background.h"
 #include "passes/bloom/bloom.h"
 #include "passes/clear_buffers.h"
 #include "passes/count/count.h"
@@ -13,6 +14,7 @@
 #include "passes/ids/ids.h"
 #include "passes/labels/labels.h"
 #include "passes/move_rig/move_rig.h"
+#include "passes/open_share/open_share.h"
 #include "passes/resolve/resolve.h"
 #include "passes/shadow/shadow.h"
 #include "passes/surface/surface.h"
@@ -203,16 +205,24 @@ void Screen::add_surfaces(const Batch& batch) {
 void Screen::add_blended(const Batch& batch) {
   if (!any_head(batch, &Model::has_blended) || !settings_.draws_picture()) return;
 
+  passes::Surface::Settings blended{.first_instance = batch.first_head,
+                                    .instances = batch.heads,
+                                    .samples = settings_.samples,
+                                    .format = settings_.picture_format(),
+                                    .clear = shaded() && take_clear(),
+                                    .layer = shaded(),
+                                    .environment = settings_.environment,
+                                    .soft_shadows = settings_.soft_shadows,
+                                    .blended = true};
   plan_->add<passes::Surface>(label("blended surfaces", settings_, batch), {shadow_, colour(), depth_},
-                              {.first_instance = batch.first_head,
-                               .instances = batch.heads,
-                               .samples = settings_.samples,
-                               .format = settings_.picture_format(),
-                               .clear = shaded() && take_clear(),
-                               .layer = shaded(),
-                               .environment = settings_.environment,
-                               .soft_shadows = settings_.soft_shadows,
-                               .blended = true});
+                              blended);
+  if (settings_.behind.kind == passes::Behind::Kind::black || shaded()) return;
+
+  // Alpha of the picture marks skin: what is hidden needs a target of its own.
+  blended.clear = !cover_.valid();
+  blended.layer = true;
+  if (!cover_.valid()) cover_ = plan_->texture("cover", target(passes::light_format));
+  plan_->add<passes::Surface>(label("blended cover", settings_, batch), {shadow_, cover_, depth_}, blended);
 }
 
 std::vector<frame::TextureId> Screen::shadow_maps() const {
@@ -227,6 +237,8 @@ void Screen::add_labels(FrameOutputs& out) {
       plan_->add<passes::Labels>("labels", {}, {.width = settings_.width, .height = settings_.height});
   out.label_surface = labels.surface;
   out.label_names = labels.names;
+  out.label_motion = labels.motion;
+  plan_->read_back(out.label_motion);
   plan_->read_back(out.label_surface);
   plan_->read_back(out.label_names);
 }
@@ -237,8 +249,32 @@ frame::TextureId Screen::add_picture() {
   return settings_.samples > 1 ? plan_->add<passes::Resolve>("resolve", {colour()}).picture : colour();
 }
 
-  out.label_motion = labels.motion;
-  plan_->read_back(out.label_motion);
+frame::TextureId Screen::add_open_share() {
+  return plan_
+      ->add<passes::OpenShare>("open share", {depth_, shaded() ? colour_ : cover_}, {settings_.samples})
+      .open;
+}
+
+void Screen::add_display(FrameOutputs& out) {
+  const passes::Behind& behind = settings_.behind;
+  const bool is_colour = behind.kind == passes::Behind::Kind::colour;
+  frame::TextureId open;
+  if (behind.is_light() || is_colour) open = add_open_share();
+
+  // Light shines into the lens; a colour of the display does not.
+  if (behind.is_light())
+    out.picture = plan_->add<passes::Background>("background", {out.picture, open, {}}, {behind}).picture;
+  const frame::TextureId sharp = out.picture;
+  if (settings_.bloom > 0) out.picture = passes::add_bloom(*plan_, out.picture, settings_.bloom);
+  if (is_colour)
+    out.picture = plan_->add<passes::Background>("background", {out.picture, open, sharp}, {behind}).picture;
+
+  out.display = plan_
+                    ->add<passes::ToneMap>("tone map", {out.picture, is_colour ? open : frame::TextureId{}},
+                                           {settings_.tone_map, behind.srgb})
+                    .display;
+}
+
 FrameOutputs Screen::finish() {
   FrameOutputs out;
   out.counters = counters_;
@@ -253,11 +289,10 @@ FrameOutputs Screen::finish() {
   plan_->add<passes::Count>("count skin pixels", {out.picture, counters_},
                             {.slot = counter_skin_pixels, .threshold = 0.5f});
   out.before_bloom = out.picture;
-  if (settings_.bloom > 0) out.picture = passes::add_bloom(*plan_, out.picture, settings_.bloom);
-  out.display = plan_->add<passes::ToneMap>("tone map", {out.picture}, {settings_.tone_map}).display;
+  add_display(out);
   if (settings_.labels) add_labels(out);
   plan_->read_back(out.before_bloom);
-  if (settings_.bloom > 0) plan_->read_back(out.picture);
+  if (out.picture != out.before_bloom) plan_->read_back(out.picture);
   plan_->read_back(out.display);
   plan_->read_back(shadow_);
   for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer)

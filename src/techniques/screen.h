@@ -50,7 +50,8 @@ class Screen {
   void add_surfaces(const Batch& batch);
   /// Adds their blended parts, far to near, over all that is drawn.
   void add_blended(const Batch& batch);
-  /// Adds resolve, bloom, tone map and labels, and shows the shadow maps; nothing for a host. The last call.
+  /// Adds resolve, background, bloom, tone map and labels, and shows the shadow maps; nothing for a host. The
+  /// last call.
   FrameOutputs finish();
 
  private:
@@ -62,6 +63,8 @@ class Screen {
   bool shaded() const { return entries_.pixels.valid(); }  // add_entries() has been called
   std::uint32_t first_part(const passes::MapSquare& square) const;
   frame::TextureId add_picture();
+  frame::TextureId add_open_share();
+  void add_display(FrameOutputs& out);
   void add_labels(FrameOutputs& out);
   bool any_head(const Batch& batch, bool Model::*has) const;
 
@@ -71,6 +74,8 @@ class Screen {
   frame::TextureId colour_, depth_, shadow_, entering_;
   frame::TextureId entering_depth_;  // valid if what enters is drawn apart from the shadow maps
   frame::BufferId counters_;
+  frame::TextureId
+      cover_;  // alpha: what blended surfaces hide of the background; valid if colour_ has no such
   bool cleared_ = false;
   passes::EntryBuffers entries_;           // with shade_entries
   std::vector<std::uint32_t> first_part_;  // of each head, and the number of all

@@ -15,6 +15,7 @@
 #include "dermis/settings.h"
 #include "frame/graph.h"
 #include "gaussians/sum.h"
+#include "passes/behind.h"
 #include "passes/frame_data.h"
 #include "passes/light_mask.h"
 #include "passes/light_pool.h"
@@ -113,6 +114,7 @@ struct FrameSettings {
   bool soft_shadows = false;  ///< some light has a radius
   float bloom = 0;            ///< 0..1
   ToneMap tone_map = ToneMap::natural;
+  passes::Behind behind;         ///< the heads; black for a host, which composes by itself
   std::optional<HostPart> host;  ///< none: the frame ends as a picture of ours
   bool operator==(const FrameSettings&) const = default;
 

@@ -24,7 +24,7 @@ std::string common_name(std::string name) {
 }
 
 // By how the name of a pass begins; the first that fits. The last three are names in older records.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 36> beginnings{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 39> beginnings{{
     {"shadow", 0},
     {"entering", 0},
     {"cull triangles", 1},
@@ -55,6 +55,9 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 36> beginnings{{
     {"shade", 4},
     {"surfaces", 5},
     {"blended surfaces", 5},
+    {"blended cover", 5},
+    {"open share", 6},
+    {"background", 6},
     {"resolve", 6},
     {"bloom", 6},
     {"tone map", 6},

@@ -13,9 +13,12 @@ class ToneMap : public ComputePass {
  public:
   struct Settings {
     dermis::ToneMap tone_map = dermis::ToneMap::natural;
+    glm::vec3 behind_srgb{0};  ///< with `open`
   } settings;
   struct In {
     frame::TextureId picture;  ///< RGBA16F, one sample
+    /// Of OpenShare, and the picture has the colour added: it is shown as it is. Not valid: there is none.
+    frame::TextureId open;
   } in;
   struct Out {
     frame::TextureId display;  ///< RGBA8, copied from afterwards

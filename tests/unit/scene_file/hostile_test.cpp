@@ -126,6 +126,7 @@ TEST(HostileSceneFile, Assets) {
   refuse(assets(R"({"file": "a\u0000.glb"})"), "assets[0].file: must be the name of a file");
   refuse(assets(R"({"file": 3})"), "assets[0].file: must be a string");
   refuse(assets(R"({"built_in": 1})"), "assets[0].built_in: must be true or false");
+  refuse(assets(R"({"built_in": "pale"})"), "assets[0].built_in: must be true, light, medium or dark");
   refuse(assets(R"({"built_in": true, "file": "a.glb"})"), "unknown key 'file'");
   refuse(assets(R"({"file": "a.glb", "scale": 2})"), "unknown key 'scale'");
   refuse(assets(R"({"file": "a.glb", "unit_scale": -1})"), "assets[0].unit_scale");

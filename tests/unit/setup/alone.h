@@ -18,8 +18,9 @@ inline PlacedScene alone(const Subject& subject) {
 }
 
 inline FrameSetup set_up_alone(const Subject& subject, const RenderSettings& settings,
-                               const std::optional<std::vector<scene::Light>>& environment_lights = {}) {
-  return set_up(alone(subject), std::array{&subject}, settings, {}, environment_lights);
+                               const std::optional<std::vector<scene::Light>>& environment_lights = {},
+                               const HostSetup* host = nullptr) {
+  return set_up(alone(subject), std::array{&subject}, settings, {}, environment_lights, host);
 }
 
 }  // namespace dermis::setup

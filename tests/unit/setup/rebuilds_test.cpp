@@ -35,12 +35,20 @@ struct Exception {
 constexpr Exception exceptions[] = {
     {"skin.normalise_profile", "weights that nearly sum to 1", "others are refused, or sum to 1 already"},
     {"quality.blur", "progressive maps", "a cascade takes no others"},
+    {"skin.mix", "skin alone", "light must enter all that it falls on, and eyes and teeth are no skin"},
 };
 
 Subject head() {
   auto scene = std::make_shared<scene::Scene>(builtin_head::make({.map_size = 64}));
   scene->cameras.push_back({.name = "side"});
   return examine(std::move(scene));
+}
+
+Subject skin_alone() {
+  scene::Scene scene = builtin_head::make({.map_size = 64});
+  scene.primitives.resize(1);
+  scene.rig = nullptr;
+  return examine(std::make_shared<scene::Scene>(std::move(scene)));
 }
 
 /// A file: two Gaussians, whose weights sum to 1 but for what is taken for a rounding.
@@ -65,6 +73,7 @@ std::vector<Frame> frames() {
           {"a camera that looks at a point",
            subject,
            {.camera = {.eye_m = std::array{0.1, 0.0, 0.8}, .target_m = std::array{0.0, 0.05, 0.0}}}},
+          {"skin alone", skin_alone(), {}},
           {"weights that nearly sum to 1", subject, {.skin = {.profile = profile_file()}}}};
 }
 
@@ -93,6 +102,7 @@ std::vector<Value> values_for(const std::string& path, const About& about) {
         {"camera.name", {"", "side"}},
         {"lighting.environment", {"", "studio"}},
         {"skin.profile", {"skin", profile_file()}},
+        {"output.background", {"black", "studio", "environment", "#336699"}},
         {"output.show", {"picture", "irradiance", "visibility", "shadow:0"}}};
     return texts.at(path);
   } else if constexpr (std::is_same_v<Value, std::array<double, 2>>) {

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+/// Adds what stands behind the heads.
+#pragma once
+
+#include "passes/behind.h"
+#include "passes/compute_pass.h"
+#include "passes/frame_data.h"
+
+namespace dermis::passes {
+
+class Background : public ComputePass {
+ public:
+  struct Settings {
+    Behind behind;  ///< not black
+  } settings;
+  struct In {
+    frame::TextureId picture;  ///< RGBA16F, one sample, black where nothing is
+    frame::TextureId open;     ///< of OpenShare
+    /// The picture before bloom. Light that bloom has spread is left out where a colour stands behind; not
+    /// valid: there is no bloom in `picture`.
+    frame::TextureId sharp;
+  } in;
+  struct Out {
+    frame::TextureId picture;  ///< as that of In, alpha too
+  };
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+  void prepare(gpu::PipelineLibrary& library);
+
+ private:
+  VkSampler around_ = VK_NULL_HANDLE;
+  Out out_;
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+/// What stands behind the heads, by its name.
+#pragma once
+
+#include <string>
+
+#include "passes/behind.h"
+
+namespace dermis::setup {
+
+/// Returns what the setting output.background names. Throws InputError unless it is black, studio,
+/// environment or #RRGGBB.
+passes::Behind background_of(const std::string& name);
+
+}  // namespace dermis::setup

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "setup/background.h"
+
+#include <gtest/gtest.h>
+
+#include "alone.h"
+#include "builtin_head/builtin_head.h"
+#include "dermis/error.h"
+#include "setup/frame_setup.h"
+
+namespace dermis::setup {
+namespace {
+
+using Kind = passes::Behind::Kind;
+
+TEST(BackgroundNames, AreThreeAndColours) {
+  EXPECT_EQ(background_of("black").kind, Kind::black);
+  EXPECT_EQ(background_of("studio").kind, Kind::studio);
+  EXPECT_EQ(background_of("environment").kind, Kind::environment);
+  const passes::Behind colour = background_of("#0080fF");
+  EXPECT_EQ(colour.kind, Kind::colour);
+  EXPECT_EQ(colour.srgb, glm::vec3(0, 128 / 255.0f, 1));
+}
+
+TEST(BackgroundNames, OthersAreRefused) {
+  for (const char* name : {"", "white", "Black", "#", "#12345", "#1234567", "#12345g", "#-12345", "# 12345",
+                           "123456", "#0x1234", "0,0,0"})
+    EXPECT_THROW(background_of(name), InputError) << name;
+}
+
+// A host's own picture lies behind the heads.
+TEST(BackgroundNames, AHostHasNone) {
+  const Subject head = examine(std::make_shared<scene::Scene>(builtin_head::make({.map_size = 64})));
+  RenderSettings settings;
+  settings.output.background = "studio";
+  EXPECT_EQ(set_up_alone(head, settings).plan.behind.kind, Kind::studio);
+  const HostSetup host{.part = {.picture = passes::PictureFormat{}}};
+  EXPECT_EQ(set_up_alone(head, settings, {}, &host).plan.behind.kind, Kind::black);
+}
+
+}  // namespace
+}  // namespace dermis::setup
