@@ -18,6 +18,7 @@ namespace dermis::cli {
 
 void add_bench_command(CLI::App& app, int& exit_status);
 void add_compare_command(CLI::App& app, int& exit_status);
+void add_demo_command(CLI::App& app, int& exit_status);
 void add_info_command(CLI::App& app, int& exit_status);
 void add_plan_command(CLI::App& app, int& exit_status);
 void add_reference_command(CLI::App& app, int& exit_status);
@@ -46,6 +47,11 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
 Scene open_scene(const SceneArguments& arguments, const Hooks& hooks);
 /// Shows on a terminal how far the loading is.
 Scene open_scene(const SceneArguments& arguments);
+
+/// Returns whether open_scene() returns the built-in head.
+bool shows_built_in(const SceneArguments& arguments);
+/// Puts the built-in head in the pose that --clip and --time name; does nothing where neither is given.
+void pose_built_in(const SceneArguments& arguments, Scene& scene);
 
 /// Where a command draws.
 struct DeviceArguments {

@@ -40,9 +40,15 @@ void check_files(const ProfileArguments& options) {
     std::string path;
   };
 
-  std::vector<File> files{{"-o", options.output}, {"--plot", options.plot}, {"--swatches", options.swatches}};
+  std::vector<File> files{{"-o", options.output},
+                          {"--plot", options.plot},
+                          {"--swatches", options.swatches},
+                          {"--melanin-map", options.source.melanin_map},
+                          {"--haemoglobin-map", options.source.haemoglobin_map}};
   const std::size_t outputs = files.size();
-  files.insert(files.end(), {{"--layers", options.source.layers}, {"--csv", options.source.csv}});
+  files.insert(
+      files.end(),
+      {{"--layers", options.source.layers}, {"--csv", options.source.csv}, {"--head", options.source.head}});
   const auto known = gaussians::known_names();
   for (const std::string& name : options.compare)
     if (std::find(known.begin(), known.end(), name) == known.end()) files.push_back({"--compare", name});
@@ -69,8 +75,9 @@ void check(const ProfileArguments& options) {
   check_ranges(options.source.profile);
   if (options.variances != "shared" && options.variances != "per-channel")
     throw input_error("--variances", "'{}' is not known; known: shared, per-channel", options.variances);
-  if (options.plot == "-" || options.swatches == "-")
-    throw input_error("--plot, --swatches", "need a file, not standard output");
+  for (const std::string& picture :
+       {options.plot, options.swatches, options.source.melanin_map, options.source.haemoglobin_map})
+    if (picture == "-") throw input_error("--plot, --swatches and maps", "need a file, not standard output");
   const auto systems = gaussians::exchange_names();
   if (!options.export_to.empty() &&
       std::find(systems.begin(), systems.end(), options.export_to) == systems.end())
@@ -171,6 +178,9 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
   add("--layers", source.layers,
       "JSON list of {sigma_a_per_mm, sigma_s_reduced_per_mm, eta, thickness_mm}, from the surface down");
   add("--colour,--color", source.colour, "the skin nearest to \"#rrggbb\" (sRGB) or \"L,a,b\" (CIELAB)");
+  add("--head", source.head,
+      "glTF head: the mean skin of its colour map; --melanin-map and --haemoglobin-map write that of each "
+      "texel");
   add("--burley", source.burley,
       "\"reflectance=R,G,B mfp_mm=R,G,B\" (or dmfp_mm, or shape_mm): normalised diffusion");
   add("--csv", source.csv, "table with the header r_mm,R,G,B; mm and 1/mm^2");
@@ -179,6 +189,14 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
       "openpbr, gltf");
 
   add_skin_options(command, source);
+  const auto add_of_head = [&](const char* name, std::string& value, const char* help) {
+    add_text(command, name, value, help)->group("Head (with --head)");
+  };
+  add_of_head("--skin", source.skin_material, "the material that is skin, as 'render' takes it");
+  add_of_head(
+      "--melanin-map", source.melanin_map,
+      "PNG to write: 0 to 255 are fractions of 0.0005 to 0.5, evenly in their logarithms; 'render' takes it");
+  add_of_head("--haemoglobin-map", source.haemoglobin_map, "the same of blood, 0.0005 to 0.1");
   for_each_setting(source.profile,
                    [&](const std::string&, const About& about, auto& value, std::string_view) {
                      CLI::Option* option = AddOption{command}("--" + std::string(about.option), about, value);

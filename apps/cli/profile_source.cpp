@@ -2,17 +2,21 @@
 #include "cli/profile_source.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 
 #include "core/error.h"
 #include "gaussians/exchange.h"
+#include "image/codec.h"
 #include "optics/inversion.h"
 #include "optics/presets.h"
 #include "optics/skin_colour.h"
+#include "pigments/maps.h"
 #include "profile/burley.h"
 #include "profile/equivalent.h"
 #include "profile/spectral.h"
 #include "profile/tabulated.h"
+#include "scene/load.h"
 #include "settings/names.h"
 #include "settings/profile_fields.h"
 
@@ -152,9 +156,34 @@ Source from_colour(const SourceOptions& options) {
   return source;
 }
 
+// Maps are made for one skin; what is refined would be another.
+Source from_head(const SourceOptions& options) {
+  if (!options.given.empty() || options.oiliness)
+    throw input_error("--head",
+                      "finds the skin itself: --melanin, --hemoglobin, --blend, --oxygenation, "
+                      "--epidermis-mm and --oiliness do not go with it");
+  const pigments::Maps maps =
+      pigments::maps_of(scene::load_gltf(options.head, {.skin_material = options.skin_material}));
+  if (!options.melanin_map.empty()) image::save_png(options.melanin_map, maps.melanin);
+  if (!options.haemoglobin_map.empty()) image::save_png(options.haemoglobin_map, maps.haemoglobin);
+
+  optics::Skin skin = optics::measured_skin();
+  skin.melanin = maps.mean.melanin;
+  skin.haemoglobin = maps.mean.haemoglobin;
+  Source source = from_skin("head " + std::filesystem::path(options.head).filename().string(), skin, options);
+  source.note += fmt::format(
+      "{}mean skin of '{}', {} texels, exposure {:+.2f} EV: melanin {:.4f}, hemoglobin {:.4f}\n"
+      "colour map against the two pigments alone: {:.2f} dE (CIE76) on average, {:.2f} at 95 %; against what "
+      "render makes of the maps: {:.2f} and {:.2f}",
+      source.note.empty() ? "" : "\n", maps.material, maps.texels, std::log2(maps.exposure), skin.melanin,
+      skin.haemoglobin, maps.model_delta_e.mean, maps.model_delta_e.p95, maps.colour_delta_e.mean,
+      maps.colour_delta_e.p95);
+  return source;
+}
+
 void check_refinements(const SourceOptions& options) {
   const bool refines = !options.given.empty() || options.oiliness;
-  if (refines && !options.given.contains("melanin") && options.colour.empty())
+  if (refines && !options.given.contains("melanin") && options.colour.empty() && options.head.empty())
     throw CLI::RequiredError(
         "--blend, --hemoglobin, --oxygenation, --oiliness and --epidermis-mm refine --melanin or --colour, "
         "one of which");
@@ -172,7 +201,10 @@ Source open_source(const SourceOptions& options) {
   check_refinements(options);
 
   // Give melanin a text, too: an empty one says that the option was not given.
-  const std::string melanin = options.given.contains("melanin") ? "given" : "";
+  const std::string melanin = options.given.contains("melanin") && options.head.empty() ? "given" : "";
+  const bool wants_maps = !options.melanin_map.empty() || !options.haemoglobin_map.empty();
+  if (options.head.empty() && (wants_maps || !options.skin_material.empty()))
+    throw CLI::RequiredError("--melanin-map, --haemoglobin-map and --skin are of a head: --head");
   const Choice choices[] = {
       {"--preset", options.preset, from_preset},
       {"--coefficients", options.coefficients,
@@ -190,6 +222,7 @@ Source open_source(const SourceOptions& options) {
          return from_skin(fmt::format("spectral skin, melanin {:.4g}", o.skin.melanin), refined({}, o), o);
        }},
       {"--colour", options.colour, from_colour},
+      {"--head", options.head, from_head},
       {"--burley", options.burley, from_burley},
       {"--csv", options.csv, from_csv},
       {"--import", options.import, from_import},

@@ -19,7 +19,13 @@
 namespace dermis::cli {
 namespace {
 
-constexpr std::string_view built_in = "built-in";
+// "built-in", "built-in:light"; nothing is the built-in head, too.
+bool is_built_in(std::string_view name) {
+  return name.empty() || name == "built-in" || name.starts_with("built-in:");
+}
+std::string built_in_name(const std::string& name) {
+  return name.find(':') < name.size() ? name : "built-in:medium";
+}
 
 // WIDTHxHEIGHT. CLI11 turns a false into exit status 2; sizes that parse but make no sense are refused by the
 // renderer.
@@ -210,7 +216,7 @@ void add_scene(CLI::App& command, SceneArguments& arguments) {
       .add_option(
           "SCENE", arguments.scenes,
           "a .gltf, .glb or scene file (docs/scenes.md), or several .gltf and .glb beside each other; "
-          "'built-in', or nothing: the built-in head")
+          "'built-in', or nothing: the built-in head, also built-in:light and built-in:dark")
       ->default_str("");
   const auto read = [&arguments](const std::string& name) {
     arguments.layout = find_name<Layout>("--layout", name);
@@ -242,7 +248,7 @@ void check_scenes(const SceneArguments& a) {
 }
 
 Asset open_asset(const std::string& file, const SceneArguments& arguments, const Hooks& hooks) {
-  return file == built_in ? Asset::built_in(hooks) : Asset::load(file, arguments.options, hooks);
+  return Asset::load(is_built_in(file) ? built_in_name(file) : file, arguments.options, hooks);
 }
 
 // A file that is given twice is loaded once.
@@ -252,7 +258,7 @@ Scene open_scenes(const SceneArguments& arguments, const Hooks& hooks) {
     const auto before = std::find_if(
         arguments.scenes.begin(), arguments.scenes.begin() + static_cast<std::ptrdiff_t>(assets.size()),
         [&](const std::string& other) {
-          return other == file || (file != built_in && other != built_in && same_file(other, file));
+          return other == file || (!is_built_in(file) && !is_built_in(other) && same_file(other, file));
         });
     const auto number = static_cast<std::size_t>(before - arguments.scenes.begin());
     assets.push_back(number < assets.size() ? Asset(assets[number]) : open_asset(file, arguments, hooks));
@@ -319,6 +325,20 @@ void save_scene(const SceneArguments& arguments, const Scene& scene) {
   if (!arguments.save_scene.empty()) scene.save(arguments.save_scene);
 }
 
+bool shows_built_in(const SceneArguments& arguments) {
+  if (arguments.scenes.size() > 1) return false;
+  const std::string& only = arguments.scenes.empty() ? arguments.scene : arguments.scenes.front();
+  return is_built_in(only);
+}
+
+void pose_built_in(const SceneArguments& arguments, Scene& scene) {
+  const SceneOptions& options = arguments.options;
+  if (options.clip.empty() && !options.time_s) return;
+  const InstanceId head = scene.instances().front();
+  const std::string clip = options.clip.empty() ? scene.instance(head).asset.clips().front() : options.clip;
+  scene.pose(head, clip, options.time_s.value_or(0.0));
+}
+
 Scene open_scene(const SceneArguments& arguments) { return open_scene(arguments, terminal_hooks()); }
 
 Scene open_scene(const SceneArguments& arguments, const Hooks& hooks) {
@@ -328,14 +348,13 @@ Scene open_scene(const SceneArguments& arguments, const Hooks& hooks) {
   const bool takes_several = arguments.use != SceneUse::comparison && arguments.use != SceneUse::bench;
   const std::string only =
       takes_several && !arguments.scenes.empty() ? arguments.scenes.front() : arguments.scene;
-  const bool has_file = !only.empty() && (arguments.use == SceneUse::bench || only != built_in);
-  const bool is_built_in = arguments.scenes.size() <= 1 && !has_file;
-  if (is_built_in && (!arguments.options.clip.empty() || arguments.options.time_s))
-    throw InputError(std::string(built_in), "has no animation, which --clip and --time need");
-
-  Scene scene = arguments.scenes.size() > 1 ? open_scenes(arguments, hooks)
-                : has_file                  ? Scene::load(only, arguments.options, hooks)
-                                            : Scene::built_in(hooks);
+  SceneOptions options = arguments.options;
+  const bool one_built_in = arguments.scenes.size() <= 1 && is_built_in(only);
+  if (one_built_in) options.clip.clear(), options.time_s.reset();  // it is posed, not loaded in a pose
+  Scene scene = arguments.scenes.size() > 1
+                    ? open_scenes(arguments, hooks)
+                    : Scene::load(one_built_in ? built_in_name(only) : only, options, hooks);
+  if (one_built_in) pose_built_in(arguments, scene);
   show_line("");
   return scene;
 }

@@ -41,6 +41,12 @@ struct SceneOptions {
   /// bytes per texel, 14.7 of colour maps. Over it the largest maps are halved while they are read, with a
   /// note.
   double texture_budget_mb = 2000;
+  /// Other pigments for the skin, whose colour map changes by as much as the spectral model says
+  /// (docs/theory.md): pictures of what volume fractions it is to have, as `dermis profile --head` writes
+  /// them; empty: as its colour map has them.
+  std::string melanin_map{}, haemoglobin_map{};
+  /// Multiply those fractions, 0.01 to 100: blush, tan, pallor.
+  double melanin_factor = 1, haemoglobin_factor = 1;
 };
 
 /// Bounds of an asset's skin, or of all of it if nothing is skin; in its coordinates, metres.
@@ -53,7 +59,8 @@ struct AssetBounds {
 
 class Asset {
  public:
-  /// Loads glTF 2.0, .gltf or .glb. Warns of doubtful things. Takes seconds with large maps. Throws
+  /// Loads glTF 2.0, .gltf or .glb; or makes the built-in head of a skin: "built-in:light",
+  /// "built-in:medium", "built-in:dark". Warns of doubtful things. Takes seconds with large maps. Throws
   /// - InputError: one line with file and place;
   /// - Cancelled: a hook has ended the work.
   static Asset load(const std::filesystem::path& path, const SceneOptions& options = {},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "api/asset_state.h"
 #include "api/rig_pose.h"
@@ -10,6 +11,7 @@
 #include "builtin_head/builtin_head.h"
 #include "core/error.h"
 #include "core/hooks.h"
+#include "pigments/maps.h"
 #include "scene/framing.h"
 #include "scene/from_arrays.h"
 #include "scene/load.h"
@@ -40,6 +42,29 @@ scene::LoadOptions load_options(const SceneOptions& options) {
   return load;
 }
 
+pigments::Wanted wanted_pigments(const SceneOptions& options) {
+  return {.melanin_map = options.melanin_map,
+          .haemoglobin_map = options.haemoglobin_map,
+          .melanin = options.melanin_factor,
+          .haemoglobin = options.haemoglobin_factor};
+}
+
+std::shared_ptr<const scene::Scene> with_pigments(scene::Scene&& scene, const SceneOptions& options) {
+  if (wanted_pigments(options).changes()) pigments::repaint(scene, wanted_pigments(options));
+  return std::make_shared<const scene::Scene>(std::move(scene));
+}
+
+// "built-in:NAME" is no file.
+constexpr std::string_view built_in_prefix = "built-in:";
+
+builtin_head::Tone tone_of(const std::string& name, std::string_view skin) {
+  using builtin_head::Tone;
+  if (skin == "light") return Tone::light;
+  if (skin == "medium") return Tone::medium;
+  if (skin == "dark") return Tone::dark;
+  throw input_error(name, "the built-in head has no skin '{}'; known: light, medium, dark", skin);
+}
+
 std::array<double, 3> values_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
@@ -47,10 +72,19 @@ std::array<double, 3> values_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
   const HookScope scope(hooks);
   const scene::LoadOptions load = load_options(options);
+  if (const std::string name = path.string(); name.starts_with(built_in_prefix)) {
+    const std::string skin = name.substr(built_in_prefix.size());
+    scene::Scene made = builtin_head::make({.tone = tone_of(name, skin)});
+    if (skin != "medium") made.name = name;
+    const bool changed = wanted_pigments(options).changes();
+    return State::make(
+        with_pigments(std::move(made), options),
+        changed ? std::nullopt : std::optional(State::Source{.file = {}, .options = {}, .skin = skin}));
+  }
   if (api::open_scene_file(path))
     throw input_error(path.string(), "is a scene file, and an asset is glTF; give a scene file alone");
 
-  return State::make(std::make_shared<const scene::Scene>(scene::load_gltf(path, load)),
+  return State::make(with_pigments(scene::load_gltf(path, load), options),
                      State::Source{.file = std::filesystem::absolute(path), .options = options});
 }
 
@@ -62,7 +96,7 @@ Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options,
   if (!options.clip.empty() || options.time_s)
     throw input_error("", "clip and time_s must be empty for arrays");
   const scene::LoadOptions load = load_options(options);
-  return State::make(std::make_shared<const scene::Scene>(scene::scene_from_arrays(arrays, load)));
+  return State::make(with_pigments(scene::scene_from_arrays(arrays, load), options));
 }
 
 Asset Asset::built_in(const Hooks& hooks) {

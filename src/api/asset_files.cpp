@@ -48,9 +48,15 @@ void add_asset_files(Hash& hash, const Scene& scene) {
 
 double clip_end_s(const Scene& scene, const std::string& clip) {
   const std::set<fs::path> files = files_of(scene);
-  if (files.empty()) throw input_error(scene.name(), "has no animation, which clip needs");
-
   double end_s = 0;
+  for (const InstanceId id : scene.instances()) {
+    const Asset& asset = scene.instance(id).asset;
+    if (const auto& source = Asset::State::source_of(asset); source && !source->file.empty()) continue;
+    const std::vector<std::string> clips = asset.clips();
+    if (!clips.empty()) end_s = std::max(end_s, asset.clip_end_s(clip.empty() ? clips.front() : clip));
+  }
+  if (files.empty() && end_s == 0) throw input_error(scene.name(), "has no animation, which clip needs");
+
   for (const fs::path& file : files) {
     const gltf::Container container = gltf::open_container(file);
     const json::Document json = gltf::parse(container.json, file.string());

@@ -16,6 +16,7 @@ struct Asset::State {
   struct Source {
     std::filesystem::path file;  ///< absolute; empty: built in
     SceneOptions options;
+    std::string skin = "medium";  ///< of the built-in head
   };
 
   std::shared_ptr<const scene::Scene> data;

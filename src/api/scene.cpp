@@ -129,7 +129,9 @@ Scene::Scene(const Asset& asset) : Scene() {
 
 Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
   const HookScope scope(hooks);
-  if (const auto file = api::open_scene_file(path)) return api::load_scene_file(file->root(), path, options);
+  const bool is_built_in = path.string().starts_with("built-in:");
+  if (const auto file = is_built_in ? std::nullopt : api::open_scene_file(path))
+    return api::load_scene_file(file->root(), path, options);
   return Scene(Asset::load(path, options));
 }
 

@@ -73,11 +73,20 @@ class Reader {
   void read_asset(const json::Value& json) {
     Asset::State::Source source;
     std::string name = "built-in";
-    if (json.boolean_or("built_in", false)) {
+    const auto built_in = json.find("built_in");
+    const bool names_skin = built_in && built_in->is_text();
+    if (names_skin || json.boolean_or("built_in", false)) {
       json.only_keys({"name", "built_in"});
+      if (names_skin) source.skin = built_in->text();
+      if (source.skin != "light" && source.skin != "medium" && source.skin != "dark")
+        built_in->fail("must be true, light, medium or dark, got '{}'", source.skin);
+      if (source.skin != "medium") name += ":" + source.skin;
     } else {
       source.options = options_;
       read_json(json, {"name", "file", "built_in"}, source.options);
+      for (const auto& [key, map] : {std::pair{"melanin_map", &source.options.melanin_map},
+                                     {"haemoglobin_map", &source.options.haemoglobin_map}})
+        if (json.find(key) && !map->empty()) *map = (folder_ / *map).string();
       source.file = path_of(json.at("file"), folder_);
       name = json.at("file").text();
     }
@@ -237,7 +246,8 @@ Scene load_scene_file(const json::Value& root, const fs::path& path, const Scene
     auto found = loaded.find(number);
     if (found == loaded.end()) {
       const Asset::State::Source& source = file.assets[number];
-      Asset asset = source.file.empty() ? Asset::built_in() : Asset::load(source.file, source.options);
+      Asset asset = source.file.empty() ? Asset::load("built-in:" + source.skin)
+                                        : Asset::load(source.file, source.options);
       found = loaded.emplace(number, std::move(asset)).first;
     }
     state.instances[i].instance.asset = found->second;

@@ -98,18 +98,22 @@ class Writer {
 
     const ordered_json options = json_of(source->options);
     const std::string option_text = options.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-    const auto [known, is_new] = names_.try_emplace(std::pair(source->file, option_text));
+    const auto [known, is_new] = names_.try_emplace(std::pair(source->file, source->skin + option_text));
     if (is_new) {
       known->second = free_name(instance.asset.name());
       ordered_json& json = assets_.emplace_back(ordered_json{{"name", known->second}});
       if (source->file.empty()) {
         json["built_in"] = true;
+        if (source->skin != "medium") json["built_in"] = source->skin;
       } else {
         if (same_file(source->file, path_))
           throw input_error(path_.string(),
                             "is the file of an asset of this scene; it needs a name of its own");
         json["file"] = named_from(folder_, source->file).string();
         json.update(options);
+        for (const auto& [key, map] : {std::pair{"melanin_map", &source->options.melanin_map},
+                                       {"haemoglobin_map", &source->options.haemoglobin_map}})
+          if (!map->empty()) json[key] = named_from(folder_, fs::absolute(*map)).string();
       }
     }
     return known->second;

@@ -3,21 +3,15 @@
 
 #include <utility>
 
+#include "builtin_head/head_rig.h"
 #include "builtin_head/maps.h"
+#include "builtin_head/parts.h"
 #include "core/error.h"
 #include "core/hooks.h"
 #include "scene/tangents.h"
 
 namespace dermis::builtin_head {
 namespace {
-
-constexpr int columns = 120, rows = 108;  // 25,920 triangles
-
-// Converts the sculptor's coordinates (eyes at 0) to metres, with the centre of the bust at the origin.
-vec3 to_world_m(const vec3& p_mm) {
-  constexpr float middle_mm = 0.5f * (Sculpture::crown_mm + Sculpture::cut_mm);
-  return 0.001f * vec3(p_mm.x, p_mm.y - middle_mm, p_mm.z);
-}
 
 scene::Primitive make_mesh(const Net& net) {
   scene::Primitive mesh;
@@ -80,20 +74,25 @@ scene::Scene make(const Settings& settings) {
   const Sculpture bust;
   steps.done();
 
-  const Net net = wrap(bust, columns, rows);
+  const Net net = wrap(bust);
   scene::Scene scene;
   scene.name = "built-in";
   scene.primitives.push_back(make_mesh(net));
   scene.materials.push_back(make_material());
   steps.done();
 
-  Maps maps = bake(bust, net, scene.primitives.front(), size);
+  Maps maps = bake(bust, net, scene.primitives.front(), size, complexion(settings.tone));
   const auto add = [&](const char* name, image::Image8&& pixels) {
     scene.images.push_back({name, std::make_shared<const image::Image8>(std::move(pixels))});
   };
   add("built-in colour", std::move(maps.colour));
   add("built-in normal", std::move(maps.normal));
   add("built-in specular and roughness", std::move(maps.reflection));
+  add_eyes(bust, scene, std::clamp(size / 4, 64, 512));
+  add_teeth(scene);
+  add_hair_cards(bust, scene, std::clamp(size / 2, 64, 1024));
+  scene.rig = make_rig(net, scene);
+  for (const scene::RigClip& clip : scene.rig->clips) scene.clips.push_back(clip.clip.name);
   steps.done();
   return scene;
 }

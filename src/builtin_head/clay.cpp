@@ -30,33 +30,58 @@ bool outside(const vec3& p, const vec3& low, const vec3& high, float reach, bool
   return !frontal && (p.z < low.z - reach || p.z > high.z + reach);
 }
 
+// Boxes of `per_box` pieces between points, each grown by the points' radii.
+template <class At, class Radius>
+std::vector<PieceBox> boxes_of(std::size_t pieces, std::size_t per_box, const At& at, const Radius& radius) {
+  std::vector<PieceBox> boxes;
+  for (std::size_t first = 0; first < pieces; first += per_box) {
+    PieceBox box{first, std::min(first + per_box, pieces), vec3(1e9f), vec3(-1e9f)};
+    for (std::size_t k = box.first; k <= box.last; ++k) {
+      box.low = glm::min(box.low, at(k) - radius(k));
+      box.high = glm::max(box.high, at(k) + radius(k));
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+vec3 outside_box(const vec3& p, const vec3& low, const vec3& high) {
+  return glm::max(glm::max(low - p, p - high), vec3(0));
+}
+
 }  // namespace
 
 std::vector<vec3> smooth_curve(const std::vector<vec3>& points, int steps) { return through(points, steps); }
 
 Tube::Tube(const std::vector<Knot>& knots, int steps) {
-  std::vector<glm::vec4> packed;
+  std::vector<vec4> packed;
   for (const Knot& k : knots) packed.emplace_back(k.at, k.radius_mm);
   low_ = vec3(1e9f);
   high_ = vec3(-1e9f);
-  for (const glm::vec4& k : through(packed, steps)) {
+  for (const vec4& k : through(packed, steps)) {
     knots_.push_back({vec3(k), k.w});
     low_ = glm::min(low_, vec3(k) - k.w);
     high_ = glm::max(high_, vec3(k) + k.w);
   }
+  boxes_ = boxes_of(
+      knots_.size() - 1, static_cast<std::size_t>(steps), [&](std::size_t k) { return knots_[k].at; },
+      [&](std::size_t k) { return vec3(knots_[k].radius_mm); });
 }
 
 float Tube::operator()(const vec3& p, float far_mm) const {
-  const vec3 outside_by = glm::max(glm::max(low_ - p, p - high_), vec3(0));
-  const float box_mm = glm::length(outside_by);
+  const float box_mm = glm::length(outside_box(p, low_, high_));
   if (box_mm >= far_mm) return box_mm;
   float best = 1e9f;
-  for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
-    const vec3 ab = knots_[i + 1].at - knots_[i].at;
-    const vec3 ap = p - knots_[i].at;
-    const float t = std::clamp(glm::dot(ap, ab) / std::max(glm::dot(ab, ab), 1e-9f), 0.0f, 1.0f);
-    const float radius = knots_[i].radius_mm + t * (knots_[i + 1].radius_mm - knots_[i].radius_mm);
-    best = std::min(best, glm::length(ap - t * ab) - radius);
+  for (const PieceBox& box : boxes_) {
+    const vec3 by = outside_box(p, box.low, box.high);
+    if (best < 0 ? by != vec3(0) : glm::dot(by, by) > best * best) continue;
+    for (std::size_t i = box.first; i < box.last; ++i) {
+      const vec3 ab = knots_[i + 1].at - knots_[i].at;
+      const vec3 ap = p - knots_[i].at;
+      const float t = std::clamp(glm::dot(ap, ab) / std::max(glm::dot(ab, ab), 1e-9f), 0.0f, 1.0f);
+      const float radius = knots_[i].radius_mm + t * (knots_[i + 1].radius_mm - knots_[i].radius_mm);
+      best = std::min(best, glm::length(ap - t * ab) - radius);
+    }
   }
   return best;
 }
@@ -68,25 +93,35 @@ Stroke::Stroke(const std::vector<vec3>& points, const Brush& brush, int steps)
     low_ = glm::min(low_, p);
     high_ = glm::max(high_, p);
   }
+  boxes_ = boxes_of(
+      points_.size() - 1, static_cast<std::size_t>(steps), [&](std::size_t k) { return points_[k]; },
+      [](std::size_t) { return vec3(0); });
 }
 
 vec2 Stroke::nearest(const vec3& p, float reach_mm) const {
   if (outside(p, low_, high_, reach_mm, brush_.frontal)) return {1e3f, 0};
-  float best2 = 1e6f, along = 0;
+  float best2 = reach_mm * reach_mm, along = 0;
+  bool found = false;
   const float pieces = static_cast<float>(points_.size() - 1);
-  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-    vec3 ab = points_[i + 1] - points_[i];
-    vec3 ap = p - points_[i];
-    if (brush_.frontal) ab.z = ap.z = 0;
-    const float t = std::clamp(glm::dot(ap, ab) / std::max(glm::dot(ab, ab), 1e-9f), 0.0f, 1.0f);
-    const vec3 d = ap - t * ab;
-    const float d2 = glm::dot(d, d);
-    if (d2 < best2) {
-      best2 = d2;
-      along = (static_cast<float>(i) + t) / pieces;
+  for (const PieceBox& box : boxes_) {
+    vec3 by = outside_box(p, box.low, box.high);
+    if (brush_.frontal) by.z = 0;
+    if (glm::dot(by, by) > best2) continue;
+    for (std::size_t i = box.first; i < box.last; ++i) {
+      vec3 ab = points_[i + 1] - points_[i];
+      vec3 ap = p - points_[i];
+      if (brush_.frontal) ab.z = ap.z = 0;
+      const float t = std::clamp(glm::dot(ap, ab) / std::max(glm::dot(ab, ab), 1e-9f), 0.0f, 1.0f);
+      const vec3 d = ap - t * ab;
+      const float d2 = glm::dot(d, d);
+      if (d2 < best2) {
+        best2 = d2;
+        along = (static_cast<float>(i) + t) / pieces;
+        found = true;
+      }
     }
   }
-  return {std::sqrt(best2), along};
+  return found ? vec2(std::sqrt(best2), along) : vec2(1e3f, 0);
 }
 
 float Stroke::operator()(const vec3& p) const {

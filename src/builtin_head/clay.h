@@ -13,6 +13,7 @@ namespace dermis::builtin_head {
 
 using glm::vec2;
 using glm::vec3;
+using glm::vec4;
 
 /// Returns the union with a fillet about `k` wide (quadratic polynomial: smooth, local, exact outside the
 /// fillet).
@@ -69,15 +70,23 @@ struct Knot {
   float radius_mm = 1;
 };
 
+/// A box about some pieces of a curve, so that far ones are passed over; does not change a result.
+struct PieceBox {
+  std::size_t first = 0, last = 0;  ///< pieces
+  vec3 low{0}, high{0};
+};
+
 /// A tube of varying radius along a smooth curve through its knots.
 class Tube {
  public:
   explicit Tube(const std::vector<Knot>& knots, int steps = 5);
-  /// Returns the distance to the tube's surface; `far_mm` or more if p is that far outside the tube's box.
-  float operator()(const vec3& p, float far_mm = 12.0f) const;
+  /// Returns the distance to the tube's surface; `far_mm` or more if p is that far outside the tube's box. A
+  /// union with a field f and a fillet k needs it up to f + k.
+  float operator()(const vec3& p, float far_mm) const;
 
  private:
   std::vector<Knot> knots_;
+  std::vector<PieceBox> boxes_;
   vec3 low_{0}, high_{0};
 };
 
@@ -102,6 +111,7 @@ class Stroke {
  private:
   Brush brush_;
   std::vector<vec3> points_;
+  std::vector<PieceBox> boxes_;
   vec3 low_{0}, high_{0};
 };
 

@@ -12,26 +12,26 @@ Ear::Ear()
               {{-12.5f, 21, 2.6f}, 2.7f},
               {{-5, 28.5f, 3.2f}, 2.8f},
               {{4.5f, 30, 3.8f}, 2.9f},
-              {{12.5f, 25, 4.6f}, 2.9f},
-              {{16.6f, 15.5f, 5.0f}, 2.8f},
-              {{17.2f, 5, 4.8f}, 2.6f},
-              {{15, -5, 3.8f}, 2.4f},
-              {{11.2f, -14, 2.4f}, 2.4f},
-              {{7, -20.5f, 1.0f}, 2.6f}}),
-      antihelix_({{{-3, -15, 2.4f}, 2.4f},
-                  {{3.2f, -12.5f, 2.8f}, 2.6f},
-                  {{7.8f, -6, 3.6f}, 2.7f},
-                  {{9.8f, 2, 4.0f}, 2.8f},
-                  {{8.6f, 9.5f, 3.8f}, 3.0f},
-                  {{5.2f, 16.5f, 2.6f}, 2.8f},
-                  {{2.5f, 22, 1.2f}, 2.2f}}),
-      inferior_crus_({{{8.2f, 9, 3.4f}, 2.6f},
-                      {{3, 11.8f, 2.0f}, 2.5f},
-                      {{-3, 13.2f, 0.8f}, 2.3f},
-                      {{-8.5f, 13.2f, 0.2f}, 1.8f}}),
-      lobe_rim_({{{9, -18, 2.6f}, 3.0f},
-                 {{4.5f, -25.5f, 1.8f}, 3.5f},
-                 {{-2, -29, 1.0f}, 3.5f},
+              {{13.2f, 25.5f, 4.8f}, 2.8f},
+              {{17.2f, 16.0f, 5.2f}, 2.7f},
+              {{17.0f, 5, 5.0f}, 2.5f},
+              {{14.2f, -5, 3.9f}, 2.3f},
+              {{9.6f, -14, 2.4f}, 2.3f},
+              {{5.2f, -20.5f, 1.0f}, 2.6f}}),
+      antihelix_({{{-2.5f, -16, 2.8f}, 2.9f},
+                  {{3.4f, -14, 3.2f}, 2.7f},
+                  {{8.0f, -7, 4.4f}, 2.8f},
+                  {{9.6f, 2, 5.0f}, 2.9f},
+                  {{8.4f, 10, 4.6f}, 3.0f},
+                  {{6.4f, 17.5f, 3.2f}, 2.8f},
+                  {{5.2f, 23, 1.6f}, 2.2f}}),
+      inferior_crus_({{{8.0f, 10, 4.0f}, 2.6f},
+                      {{3, 12.2f, 2.8f}, 2.3f},
+                      {{-3, 13.0f, 1.6f}, 2.1f},
+                      {{-8.5f, 13.0f, 0.8f}, 1.8f}}),
+      lobe_rim_({{{7.2f, -17.5f, 2.6f}, 3.0f},
+                 {{3.4f, -25.0f, 1.8f}, 3.4f},
+                 {{-2.5f, -28.5f, 1.0f}, 3.5f},
                  {{-8, -26, 0.2f}, 3.2f},
                  {{-11, -19, -0.4f}, 2.8f}}) {
   // Axis 14 degrees back from the vertical, plate 27 degrees from the side of the head.
@@ -43,39 +43,38 @@ Ear::Ear()
   if (frame_.z.x < 0) frame_.z = -frame_.z;  // outwards; a mirrored frame is as good
 
   hollows_ = {
-      {{12.8f, 10, 6.0f}, {3.6f, 15, 6}, -1.6f},     // the groove between rim and inner fold
-      {{2.5f, 14.5f, 4}, {5.5f, 3.6f, 5}, -1.4f},    // between the legs of the fold
-      {{-10.5f, -2.2f, 4}, {3.2f, 2.4f, 5}, -1.2f},  // notch over the tragus
+      {{12.6f, 9, 6.0f}, {3.6f, 17, 7}, -2.3f},      // the groove between rim and inner fold
+      {{1.5f, 18.0f, 4}, {6.0f, 5.0f, 6}, -2.2f},    // between the legs of the fold
+      {{-10.5f, -1.4f, 4}, {3.2f, 2.6f, 5}, -1.4f},  // notch over the tragus
+      {{-7.5f, -14.0f, 4}, {3.2f, 3.6f, 5}, -1.8f},  // notch under it
   };
 }
 
 float Ear::add(float f, const vec3& p, Detail detail) const {
   const vec3 q = frame_.to_local(p);
   if (std::abs(q.x) > 34 || std::abs(q.y) > 46 || std::abs(q.z) > 26) return f;
-  const float far = 60;
-
   // Root: fills most of the groove behind the ear, which a mesh without undercuts could not follow.
-  f = soft_min(f, ellipsoid(q - vec3(1.5f, 2, -5.5f), {17.3f, 30.0f, 10.0f}), 5.0f);
+  f = soft_min(f, ellipsoid(q - vec3(0.0f, 1.5f, -6.5f), {15.0f, 27.0f, 9.5f}), 4.5f);
   if (detail == Detail::blunt)
     return soft_min(f, ellipsoid(q - vec3(2.0f, 1.0f, 2.0f), {21.0f, 34.0f, 9.0f}), 6.0f);
 
   // The plate is a dish: its edge stands out and carries the rim.
   const vec2 r((q.x - 1.5f) / 17.0f, (q.y - 3.5f) / 27.0f);
   const float dish = 3.4f * std::min(glm::dot(r, r), 1.6f);
-  float ear = ellipsoid(q - vec3(1.5f, 3.5f, dish - 0.6f), {17.8f, 28.5f, 4.2f});
+  float ear = ellipsoid(q - vec3(1.5f, 5.5f, dish - 0.6f), {17.6f, 26.0f, 4.2f});
   ear = soft_min(ear, ellipsoid(q - vec3(-2.5f, -22.5f, 0.0f), {9.5f, 8.5f, 3.2f}), 3.5f);
   f = soft_min(f, ear, 5.0f);
 
-  f = soft_max(f, -ellipsoid(q - vec3(-2.8f, -4.2f, 5.0f), {9.2f, 9.6f, 7.4f}), 3.0f);  // bowl, lower part
-  f = soft_max(f, -ellipsoid(q - vec3(-1.0f, 6.0f, 5.0f), {8.0f, 5.0f, 5.8f}), 2.6f);   // bowl, upper part
-  f = soft_min(f, helix_(q, far), 2.0f);
-  f = soft_min(f, antihelix_(q, far), 2.4f);
-  f = soft_min(f, inferior_crus_(q, far), 2.2f);
-  f = soft_min(f, lobe_rim_(q, far), 3.6f);
+  f = soft_max(f, -ellipsoid(q - vec3(-2.4f, -5.2f, 5.5f), {9.8f, 10.6f, 9.6f}), 3.0f);  // bowl, lower part
+  f = soft_max(f, -ellipsoid(q - vec3(-0.6f, 6.6f, 5.0f), {8.6f, 4.8f, 7.0f}), 2.6f);    // bowl, upper part
+  f = soft_min(f, helix_(q, f + 2.0f), 2.0f);
+  f = soft_min(f, antihelix_(q, f + 2.4f), 2.4f);
+  f = soft_min(f, inferior_crus_(q, f + 2.2f), 2.2f);
+  f = soft_min(f, lobe_rim_(q, f + 3.6f), 3.6f);
 
   // where the lobe grows from the jaw
   f = soft_min(f, ellipsoid(q - vec3(-9.5f, -21.0f, -4.0f), {6.0f, 9.0f, 5.5f}), 7.0f);
-  f = soft_min(f, ellipsoid(q - vec3(-12.0f, -6.6f, 2.4f), {3.2f, 5.2f, 4.0f}), 2.6f);  // tragus
+  f = soft_min(f, ellipsoid(q - vec3(-11.2f, -6.8f, 3.2f), {3.4f, 5.2f, 4.0f}), 2.6f);  // tragus
 
   for (const Dab& d : hollows_) f -= d(q);
   if (detail == Detail::fine) f -= Dab{{-1.5f, -20.5f, 3.2f}, {6, 4, 5}, -0.5f}(q);

@@ -24,10 +24,7 @@ vec2 point_on(const std::vector<vec3>& curve, float t) {
 }  // namespace
 
 Hairs::Hairs() {
-  for (const float side : {1.0f, -1.0f}) {
-    add_brow(side);
-    add_lashes(side);
-  }
+  for (const float side : {1.0f, -1.0f}) { add_brow(side); }
   sort_into_buckets();
 }
 
@@ -73,25 +70,6 @@ void Hairs::add_brow(float side) {
     }
 
     add(root, angle, turn, length, 0.12f + 0.08f * dice(7));
-  }
-}
-
-// The lashes of the upper lid hang over the lower one, fanned out, with their tips curling up.
-void Hairs::add_lashes(float side) {
-  const std::vector<vec3> curve = smooth_curve(lash_line, 8);
-  for (int n = 0; n < 105; ++n) {
-    const Dice dice{n, side > 0 ? 3 : 4};
-    const float t = 0.05f + 0.95f * (static_cast<float>(n) + dice(0)) / 105.0f;
-    vec2 root = point_on(curve, t) + vec2(0, 0.2f - 0.3f * dice(1));
-    float angle = -1.95f + 1.25f * t + 0.35f * (dice(2) - 0.5f), turn = 0.25f + 0.55f * t;
-    const float length =
-        (2.6f + 2.6f * dice(3)) * (0.55f + 0.75f * t) * (1 - 0.4f * smooth_step(0.85f, 1.0f, t));
-    if (side < 0) {
-      root.x = -root.x;
-      angle = 3.14159265f - angle;
-      turn = -turn;
-    }
-    add(root, angle, turn, length, 0.15f + 0.05f * dice(4));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Painted hairs of brows and lashes: strokes seen from the front, looked up by position.
+// Hairs of the brows: strokes seen from the front, looked up by position.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,6 @@ class Hairs {
   };
   void add(const vec2& root, float angle, float turn, float length_mm, float width_mm);
   void add_brow(float side);
-  void add_lashes(float side);
   void sort_into_buckets();
   static constexpr float bucket_mm = 1.5f;
   static constexpr int buckets_x = 88, buckets_y = 40;

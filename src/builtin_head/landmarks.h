@@ -8,13 +8,18 @@
 
 namespace dermis::builtin_head {
 
-// The line on which the lids meet: from the inner to the outer corner, lowest beyond its middle.
-inline const std::vector<vec3> lash_line = {{16.2f, -3.4f, 74}, {20.5f, -5.6f, 77}, {26, -7.4f, 80},
-                                            {32.5f, -8.0f, 80}, {39, -6.6f, 77},    {44.5f, -3.8f, 73},
-                                            {48.2f, -1.4f, 69}};
-inline const std::vector<vec3> upper_crease = {{16, 0.5f, 75}, {20, 4.6f, 77}, {26, 7.4f, 78}, {33, 8.2f, 78},
-                                               {40, 6.6f, 75}, {46, 2.6f, 71}, {51, -2.2f, 66}};
-inline const std::vector<vec3> lower_crease = {{17, -8.0f, 75},  {22, -12.0f, 76}, {29, -14.6f, 77},
+// Edges of the open lids, from the inner to the outer corner.
+inline const std::vector<vec3> upper_lid = {{16.4f, -3.2f, 74}, {19, -0.2f, 76},   {23, 2.9f, 79},
+                                            {27.5f, 4.6f, 81},  {32, 4.8f, 81},    {37, 3.7f, 79},
+                                            {42, 1.6f, 75},     {46.6f, -1.2f, 69}};
+inline const std::vector<vec3> lower_lid = {{16.4f, -3.2f, 74}, {19.5f, -4.4f, 76}, {24, -5.5f, 79},
+                                            {29, -6.0f, 80},    {34, -6.0f, 80},    {39, -5.1f, 77},
+                                            {43.5f, -3.2f, 73}, {46.6f, -1.2f, 69}};
+// Fold over the upper lid, and hollow under the lower one.
+inline const std::vector<vec3> upper_crease = {{15.5f, 0.3f, 75}, {19, 4.6f, 77}, {24, 8.0f, 79},
+                                               {30, 9.5f, 80},    {36, 8.8f, 78}, {42, 6.2f, 75},
+                                               {47, 2.4f, 70},    {51, -1.6f, 66}};
+inline const std::vector<vec3> lower_crease = {{17, -8.5f, 75},  {22, -12.4f, 76}, {29, -14.8f, 77},
                                                {36, -14.4f, 77}, {42, -11.6f, 75}, {47, -7.5f, 71}};
 inline const std::vector<vec3> tear_trough = {
     {14.5f, -5.5f, 76}, {18, -13, 77}, {24, -19, 78}, {32, -23, 79}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "builtin_head/openings.h"
 #include "core/parallel.h"
 
 namespace dermis::builtin_head {
@@ -39,6 +40,15 @@ FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net, int m
       const vec3 side =
           glm::mix(glm::mix(normal(0, 0), normal(1, 0), u), glm::mix(normal(0, 1), normal(1, 1), u), v);
 
+      const std::size_t self = row * static_cast<std::size_t>(fine.stride) + static_cast<std::size_t>(k);
+      if (cell_in_opening(i, j)) {  // lids' edges and lining are where the net has them, and wet
+        fine.at_mm[self] = flat;
+        fine.normal[self] = glm::normalize(side);
+        fine.region[self] = skin.region(flat);
+        fine.region[self].lips = 1;
+        continue;
+      }
+
       // Steps to the surface twice; the second step gives the normal.
       vec3 p = flat;
       bust.project(p, Detail::fine, 0.35f, 1);
@@ -50,7 +60,6 @@ FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net, int m
         if (!(glm::dot(g, side) > 0)) g = glm::normalize(side);
       }
 
-      const std::size_t self = row * static_cast<std::size_t>(fine.stride) + static_cast<std::size_t>(k);
       fine.at_mm[self] = p;
       fine.normal[self] = g;
       fine.region[self] = skin.region(p);
@@ -66,8 +75,9 @@ struct Place {
 
 class Baker {
  public:
-  Baker(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int size)
-      : skin_(bust),
+  Baker(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int size,
+        const Complexion& complexion)
+      : skin_(bust, complexion),
         net_(net),
         mesh_(mesh),
         fine_(refine_on(bust, skin_, net, size)),
@@ -206,8 +216,11 @@ void Baker::normal_row(int y, image::Image8& map) const {
 
 }  // namespace
 
-Maps bake(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int map_size) {
-  return Baker(bust, net, mesh, map_size).run();
+std::uint8_t linear_to_srgb8(float linear) { return to_srgb(linear); }
+
+Maps bake(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int map_size,
+          const Complexion& complexion) {
+  return Baker(bust, net, mesh, map_size, complexion).run();
 }
 
 }  // namespace dermis::builtin_head

@@ -26,8 +26,12 @@ struct Maps {
   image::Image8 reflection;  ///< R: specular intensity, G: roughness
 };
 
+/// Returns sRGB, 0..255, of a linear value, by a table.
+std::uint8_t linear_to_srgb8(float linear);
+
 /// Bakes the maps. `mesh` holds the net's nodes row by row (Net::index), with normals and tangents. Texels
 /// beyond the chart repeat its border.
-Maps bake(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int map_size);
+Maps bake(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int map_size,
+          const Complexion& complexion);
 
 }  // namespace dermis::builtin_head

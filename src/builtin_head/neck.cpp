@@ -9,15 +9,15 @@ namespace {
 struct Section {
   float y, half_width, half_depth, middle_z;
 };
-// From the base of the skull to the shoulders; the neck leans forwards going up.
-constexpr std::array<Section, 8> sections = {{{-20, 55, 46, -24},
-                                              {-50, 54, 45, -22},
-                                              {-80, 52.5f, 45, -18},
-                                              {-110, 52, 46, -14.5f},
-                                              {-138, 53, 47, -14},
-                                              {-158, 58, 49, -17},
-                                              {-176, 70, 51.5f, -22},
-                                              {-200, 98, 56, -30}}};
+// From the base of the skull down to the chest; the neck leans forwards going up.
+constexpr std::array<Section, 8> sections = {{{-20, 57, 47, -26},
+                                              {-50, 56.5f, 47, -25},
+                                              {-80, 56, 49.5f, -24},
+                                              {-110, 56, 52, -23.5f},
+                                              {-138, 57, 54.5f, -28},
+                                              {-158, 59, 56.5f, -34},
+                                              {-185, 64, 58, -42},
+                                              {-225, 76, 62, -50}}};
 
 Section section_at(float y) {
   std::size_t i = 0;
@@ -38,32 +38,35 @@ Section section_at(float y) {
 
 }  // namespace
 
-Neck::Neck() {
+Neck::Neck()
+    : shoulder_({{{0, -172, -66}, 41},
+                 {{34, -186, -62}, 42},
+                 {{72, -207, -54}, 42},
+                 {{112, -228, -48}, 42},
+                 {{150, -246, -46}, 42}}),
+      clavicle_({{{11, -196, 11}, 6.5f},
+                 {{30, -195, 8}, 5.5f},
+                 {{56, -190, -2}, 5.0f},
+                 {{84, -186, -16}, 5.5f},
+                 {{112, -190, -30}, 6.0f}}) {
   // sternocleidomastoid: from behind the ear to the pit of the neck, and the hollow before it
-  strokes_.emplace_back(std::vector<vec3>{{58, -46, -22},
-                                          {55, -72, -14},
-                                          {50, -98, -2},
-                                          {42, -125, 10},
-                                          {30, -152, 21},
-                                          {15, -178, 27},
-                                          {12, -192, 27}},
-                        Stroke::Brush{15, 3.4f, 0.15f, 0, false});
-  strokes_.emplace_back(std::vector<vec3>{{49, -86, 14}, {40, -108, 20}, {28, -134, 27}, {17, -160, 29}},
-                        Stroke::Brush{12, -1.8f, 0.3f, 0.4f, false});
-
-  // trapezius
-  strokes_.emplace_back(std::vector<vec3>{{20, -60, -66}, {36, -110, -56}, {58, -150, -46}, {88, -184, -36}},
-                        Stroke::Brush{26, 3.5f, 0.3f, 0, false});
-
-  // clavicle
-  strokes_.emplace_back(std::vector<vec3>{{13, -183, 26}, {34, -180, 23}, {58, -177, 12}, {84, -174, -4}},
-                        Stroke::Brush{10, 2.6f, 0.15f, 0.2f, false});
+  strokes_.emplace_back(std::vector<vec3>{{62, -46, -24},
+                                          {60, -72, -18},
+                                          {55, -98, -8},
+                                          {46, -125, 2},
+                                          {33, -152, 10},
+                                          {18, -180, 14},
+                                          {12, -198, 14}},
+                        Stroke::Brush{15, 3.2f, 0.15f, 0, false});
+  strokes_.emplace_back(std::vector<vec3>{{52, -92, 10}, {44, -112, 14}, {32, -136, 20}, {19, -164, 18}},
+                        Stroke::Brush{13, -1.8f, 0.3f, 0.4f, false});
 
   dabs_ = {
-      {{0, -142, 27}, {12, 13, 14}, 3.0f},   // larynx
-      {{0, -126, 28}, {22, 10, 16}, -1.2f},  // above it
-      {{52, -170, 6}, {24, 13, 22}, -4.0f},  // hollow over the clavicle
-      {{0, -86, -67}, {14, 40, 16}, -1.6f},  // nape
+      {{0, -146, 29}, {11, 12, 14}, 2.6f},     // larynx
+      {{0, -130, 32}, {20, 9, 16}, -1.2f},     // above it
+      {{0, -189, 15}, {12, 12, 14}, -2.2f},    // pit of the neck
+      {{58, -174, -14}, {24, 16, 24}, -4.0f},  // hollow over the clavicle
+      {{0, -96, -74}, {13, 40, 16}, -1.6f},    // nape
   };
 }
 
@@ -73,7 +76,13 @@ float Neck::mass(const vec3& p) const {
   const float k0 = glm::length(q / r), k1 = glm::length(q / (r * r));
   const float round = k1 > 1e-6f ? k0 * (k0 - 1) / k1 : -std::min(r.x, r.y);
   // Ends inside the skull.
-  return soft_max(0.9f * round, p.y + 30.0f, 20.0f);
+  float f = soft_max(0.95f * round, p.y + 30.0f, 20.0f);
+  if (p.y > -80.0f) return f;
+
+  // Trapezius and shoulder, the upper ribs, and the collar bone on them.
+  f = soft_min(f, shoulder_(p, f + 48.0f), 48.0f);
+  f = soft_min(f, ellipsoid(p - vec3(0, -262, -42), {150, 74, 62}), 26.0f);
+  return soft_min(f, clavicle_(p, f + 9.0f), 9.0f);
 }
 
 float Neck::add_muscles(float f, const vec3& p) const {

@@ -14,8 +14,14 @@ vec3 to_symmetric(const vec3& p) {
   return q;
 }
 
+vec3 from_symmetric(const vec3& q) {
+  vec3 p = q;
+  for (int k = 0; k < 4; ++k) p = q - (to_symmetric(p) - p);
+  return p;
+}
+
 float Sculpture::field(const vec3& p, Detail detail) const {
-  return soft_max(uncut(p, detail), cut_mm - p.y, 7.0f);
+  return soft_max(uncut(p, detail), 0.96f * (cut_mm(p.x, p.z) - p.y), 4.0f);
 }
 
 float Sculpture::uncut(const vec3& p, Detail detail) const {
@@ -42,6 +48,23 @@ vec3 Sculpture::project(vec3& p, Detail detail, float step_mm, int steps) const 
     p -= g * std::clamp(f / g2, -4.0f, 4.0f);
   }
   return glm::normalize(g);
+}
+
+vec3 Sculpture::onto_skin(vec3 q) const {
+  float outside = q.z + 14.0f, inside = q.z - 14.0f;
+  for (float z = outside; z > inside; z -= 0.7f) {
+    if (field(from_symmetric({q.x, q.y, z}), Detail::form) > 0) {
+      outside = z;
+    } else {
+      inside = z;
+      break;
+    }
+  }
+  for (int k = 0; k < 12; ++k) {
+    q.z = 0.5f * (inside + outside);
+    (field(from_symmetric(q), Detail::form) < 0 ? inside : outside) = q.z;
+  }
+  return q;
 }
 
 }  // namespace dermis::builtin_head

@@ -52,18 +52,24 @@ class Neck {
  private:
   std::vector<Stroke> strokes_;
   std::vector<Dab> dabs_;
+  Tube shoulder_, clavicle_;
 };
 
 class Sculpture {
  public:
-  static constexpr float crown_mm = 115;
-  static constexpr float cut_mm = -185;  ///< height of the plane that closes the bust below
+  static constexpr float eyes_over_origin_mm = 35;  ///< where the line of the eyes lies in the scene
+  /// Returns the height of the cut that closes the bust below, as a collar runs: lowest over the breastbone,
+  /// rising over the shoulders.
+  static float cut_mm(float x, float z) { return -207.0f - 0.20f * (z - 10.0f) + 0.0018f * x * x; }
   float field(const vec3& p, Detail detail) const;
   /// Returns the same with shoulders that continue below the cut.
   float uncut(const vec3& p, Detail detail) const;
   /// Moves p onto the surface along the gradient, `steps` Newton steps; returns the unit normal of the last
   /// one.
   vec3 project(vec3& p, Detail detail, float step_mm, int steps) const;
+  /// Moves a point of the symmetric face along z onto the form, coming from the front; it must be within 14
+  /// mm.
+  vec3 onto_skin(vec3 symmetric_mm) const;
   const Frame& ear_frame() const { return ear_.frame(); }
 
  private:
@@ -76,6 +82,8 @@ class Sculpture {
 /// Returns the point of the symmetric bust for a point of the bust, which has the small asymmetry of every
 /// face.
 vec3 to_symmetric(const vec3& p);
+/// Returns its inverse, within 0.01 mm.
+vec3 from_symmetric(const vec3& q);
 /// Returns |x| without its crease.
 inline float mirrored(float x) { return std::sqrt(x * x + 0.36f); }
 

@@ -7,12 +7,6 @@
 namespace dermis::builtin_head {
 namespace {
 
-// Optical densities of one more unit of melanin and of blood (red, green, blue): melanin falls steadily from
-// blue to red, haemoglobin absorbs green and blue and hardly any red.
-const vec3 melanin_density(0.22f, 0.40f, 0.62f);
-const vec3 blood_density(0.06f, 0.62f, 0.46f);
-const vec3 base_albedo(0.60f, 0.385f, 0.275f);  // a light to medium complexion, linear
-
 float bell(const vec3& p, const vec3& centre, const vec3& radii) {
   const vec3 q = (p - centre) / radii;
   return std::exp(-glm::dot(q, q));
@@ -26,11 +20,28 @@ float height_at(const std::vector<vec3>& curve, float x) {
   return glm::mix(curve[i].y, curve[i + 1].y, t);
 }
 
+// The hairline before the ear: z over y (as x and y of the points).
+const std::vector<vec3> temple_line = {{-26, 10, 0}, {-12, 20, 0}, {8, 27, 0},
+                                       {24, 36, 0},  {40, 46, 0},  {58, 54, 0}};
+
+// Returns how far a point lies within the hairline, about mm: across the forehead with a bay over each
+// temple, down before the ear, behind it, and across the nape.
+float inside_hairline(const vec3& q) {
+  const float bay = (q.x - 31.0f) / 15.0f;
+  const float front = 0.8f * (q.y - 71.0f - 7.0f * std::exp(-bay * bay));
+  const float temple = height_at(temple_line, std::clamp(q.y, -26.0f, 58.0f)) - q.z;
+  const float above = q.y > -10 ? std::max(front, temple) : std::min(temple, q.y + 24.0f);
+  const float behind = std::min(-24.0f - q.z, q.y + 74.0f + 0.08f * q.x);
+  return std::max(above, behind);
+}
+
 }  // namespace
 
-Skin::Skin(const Sculpture& bust)
-    : ear_(bust.ear_frame()),
-      lash_(lash_line, {1, 0, 0, 0, true}, 4),
+Skin::Skin(const Sculpture& bust, const Complexion& complexion)
+    : complexion_(complexion),
+      table_(skin_table()),
+      ear_(bust.ear_frame()),
+      lash_(upper_lid, {1, 0, 0, 0, true}, 4),
       brow_(brow_line, {1, 0, 0, 0, true}, 4),
       mouth_(mouth_line, {1, 0, 0, 0, true}, 4),
       upper_lip_(smooth_curve(upper_border, 4)),
@@ -53,9 +64,7 @@ Region Skin::region(const vec3& p) const {
   r.ear = 1.0f - smooth_step(0.75f, 1.25f, glm::dot(e, e));
   const float face = smooth_step(8, 48, q.z) * smooth_step(-124, -100, q.y);
   r.neck = 1.0f - smooth_step(-128, -108, q.y + 0.35f * (80 - q.z));
-  r.scalp = std::max(smooth_step(50, 96, q.y - 0.30f * (q.z - 60)) * smooth_step(-30, 20, q.y),
-                     smooth_step(26, -22, q.z) * smooth_step(-66, -26, q.y + 0.25f * q.z) * (1 - r.ear)) *
-            (1 - r.ear);
+  r.scalp = smooth_step(-7, 12, inside_hairline(q) + 4.0f * gradient_noise(p * 0.22f, 3)) * (1 - r.ear);
   if (face <= 0) return r;
   r.lips = lip_mask(q);
   r.cheek = face * (bell(q, {38, -27, 78}, {22, 19, 34}) + 0.5f * bell(q, {52, -42, 58}, {20, 26, 34}));
@@ -88,7 +97,8 @@ Region blend(const Region& a, const Region& b, float t) {
 
 float Skin::hair(const vec3& p, const vec3& q) const {
   if (q.z < 45 || q.y < -20 || q.y > 34 || q.x > 64) return 0;
-  float cover = hairs_.coverage({p.x > 0 ? q.x : -q.x, q.y}, 0.20f);
+  // The hairs themselves are cards; a softer layer of them lies on the skin.
+  float cover = 0.35f * hairs_.coverage({p.x > 0 ? q.x : -q.x, q.y}, 0.35f);
   // The skin under the brow is darker for the roots in it, and the lids' edge for the roots of the lashes.
   const vec2 brow = brow_.nearest(q, 6.0f);
   if (brow.x < 6.0f) {
@@ -105,13 +115,14 @@ vec3 Skin::tint(const vec3& p, const Region& r) const {
   const float broad = r.complexion, mottle = layered_noise(p * 0.16f, 3, 5),
               grain = gradient_noise(p * 1.1f, 9);
 
+  // Natural logarithms of how much more melanin and blood there are than on average.
   float melanin =
-      0.10f * broad + 0.05f * mottle + 0.05f * grain + 0.16f * r.forehead + 0.10f * r.neck - 0.10f * r.lips;
-  float blood = 0.10f * mottle + 0.07f * layered_noise(p * 0.45f, 2, 13) + 0.05f * broad;
-  blood += 0.34f * r.cheek * (1 + 0.7f * mottle) + 0.42f * r.nose_tip + 0.42f * r.ear + 0.18f * r.chin +
-           0.20f * r.upper_lid - 0.10f * r.forehead;
+      0.10f * broad + 0.05f * mottle + 0.05f * grain + 0.12f * r.forehead + 0.10f * r.neck - 0.05f;
+  float blood = 0.20f * mottle + 0.14f * layered_noise(p * 0.45f, 2, 13) + 0.10f * broad;
+  blood += 0.45f * r.cheek * (1 + 0.7f * mottle) + 1.25f * r.nose_tip + 0.75f * r.ear + 0.30f * r.chin +
+           0.40f * r.upper_lid - 0.20f * r.forehead - 0.15f;
   const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
-  blood += 0.25f * bell(q, {18, -42, 90}, {5, 8, 10});
+  blood += 0.45f * bell(q, {18, -42, 90}, {5, 8, 10});
 
   // Freckles: sparse cells, each with its own size and strength, over cheeks and nose.
   const float where = std::min(1.0f, 1.2f * r.cheek + 1.1f * r.nose + 0.25f * r.forehead + 0.12f);
@@ -124,19 +135,32 @@ vec3 Skin::tint(const vec3& p, const Region& r) const {
                  (1 - smooth_step(0.4f * radius, radius * 1.3f, c.nearest));
   }
 
-  // Both pigments absorb by Beer's law.
-  vec3 albedo = base_albedo * glm::exp(-melanin * melanin_density - blood * blood_density);
-  // Thin skin over veins; a shaven beard and a shaven scalp: hair in the skin looks blue-grey through it.
-  albedo *= glm::mix(vec3(1), vec3(0.88f, 0.86f, 0.92f), r.under_eye * 0.8f);
-  albedo *= glm::mix(vec3(1), vec3(0.93f, 0.90f, 0.92f), r.upper_lid * 0.7f);
-
+  // Blood of the veins below thin skin, and blood that has given off its oxygen, is blue.
+  const optics::Pigments& mean = complexion_.skin;
+  const std::array<float, 3> colour = table_.at(
+      optics::Pigments{.melanin = mean.melanin * double{std::exp(melanin)},
+                       .haemoglobin = mean.haemoglobin * double{std::exp(blood + 0.30f * r.under_eye)},
+                       .oxygenation = mean.oxygenation - double{0.45f * r.under_eye + 0.15f * r.upper_lid}});
+  vec3 albedo(colour[0], colour[1], colour[2]);
+  // A shaven beard and a shaven scalp: hair in the skin looks blue-grey through it.
   const float shaven = std::max(0.60f * r.beard, 0.95f * r.scalp);
   if (shaven > 0.01f) {
     albedo *= glm::mix(vec3(1), vec3(0.84f, 0.87f, 0.91f), shaven);
+    albedo *= glm::mix(vec3(1), vec3(0.62f, 0.66f, 0.70f), r.scalp);
     const Cell c = cells(p * 1.25f, 61);
     albedo *= 1.0f - 0.38f * shaven * (1 - smooth_step(0.08f, 0.22f, c.nearest)) * (0.4f + 0.6f * unit(c.id));
   }
   return albedo;
+}
+
+// Streaked along the lips' furrows, whose pigments are as uneven as the skin's.
+vec3 Skin::lip_colour(const vec3& p) const {
+  const float streak = gradient_noise(vec3(p.x * 1.5f, p.y * 0.25f, p.z * 0.4f), 81);
+  const std::array<float, 3> colour = table_.at(
+      optics::Pigments{.melanin = complexion_.lips.melanin * double{std::exp(-0.15f * streak)},
+                       .haemoglobin = complexion_.lips.haemoglobin * double{std::exp(-0.25f * streak)},
+                       .oxygenation = complexion_.lips.oxygenation});
+  return {colour[0], colour[1], colour[2]};
 }
 
 SkinPoint Skin::paint(const vec3& p, const Region& r) const {
@@ -151,13 +175,16 @@ SkinPoint Skin::paint(const vec3& p, const Region& r) const {
   s.roughness = 0.565f - 0.085f * r.t_zone + 0.03f * patch + 0.02f * r.cheek + 0.02f * r.neck;
 
   if (r.lips > 0) {
-    const float streak = gradient_noise(vec3(p.x * 1.5f, p.y * 0.25f, p.z * 0.4f), 81);
-    const vec3 lip = vec3(0.455f, 0.205f, 0.175f) * (1.0f + 0.10f * streak);
-    s.albedo = glm::mix(s.albedo, lip, 0.80f * r.lips);
+    // By the eye it is the lids' edge and the conjunctiva that are bare.
+    const vec3 bare = q.y > -25 ? vec3(0.48f, 0.30f, 0.25f) : lip_colour(p);
+    // The lining of the mouth is redder, and dark where hardly any light comes.
+    const float deep = q.y > -25 ? 0.0f : smooth_step(92.0f, 62.0f, q.z);
+    const vec3 lip = glm::mix(bare, vec3(0.10f, 0.028f, 0.024f), deep);
+    s.albedo = glm::mix(s.albedo, lip, r.lips);
     s.specular = glm::mix(s.specular, 1.0f, r.lips);
     s.roughness = glm::mix(s.roughness, 0.46f, r.lips);
     const vec2 line = mouth_.nearest(q, 2.5f);
-    s.albedo *= 1.0f - 0.45f * (1 - smooth_step(0.2f, 1.5f, line.x));
+    s.albedo *= 1.0f - 0.15f * (1 - smooth_step(0.2f, 0.8f, line.x));
   }
 
   const float hairs = hair(p, q);

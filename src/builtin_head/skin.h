@@ -2,6 +2,7 @@
 // The painter: the look of the skin at a point of the bust's surface.
 #pragma once
 
+#include "builtin_head/complexion.h"
 #include "builtin_head/hair.h"
 #include "builtin_head/sculpture.h"
 
@@ -26,7 +27,7 @@ Region blend(const Region& a, const Region& b, float t);
 
 class Skin {
  public:
-  explicit Skin(const Sculpture& bust);
+  Skin(const Sculpture& bust, const Complexion& complexion);
   Region region(const vec3& p_mm) const;
   SkinPoint paint(const vec3& p_mm, const Region& where) const;
   /// Returns the height of pores and fine lines over the sculpted surface, mm.
@@ -36,6 +37,9 @@ class Skin {
   vec3 tint(const vec3& p_mm, const Region& where) const;
   float lip_mask(const vec3& q) const;
   float hair(const vec3& p_mm, const vec3& symmetric) const;
+  vec3 lip_colour(const vec3& p_mm) const;
+  Complexion complexion_;
+  const optics::SkinTable& table_;
   Frame ear_;
   Hairs hairs_;
   Stroke lash_, brow_, mouth_;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "builtin_head/wrap.h"
 
-#include "core/assert.h"
+#include "builtin_head/openings.h"
 #include "core/parallel.h"
 
 namespace dermis::builtin_head {
 namespace {
 
 // One row runs along the rim of the cut, so that the edge is clean.
-constexpr int rim_part = 27;
+constexpr int rim_part = 30;
 // The seam runs from the cut up the back of the head and ends on the crown.
 const vec3 seam_end(0, 113, 18);
-constexpr float rim_mm = Sculpture::cut_mm + 1.5f;
+// Height of the rim over the cut.
+constexpr float rim_mm = 1.0f;
 
 // Returns the pull of the threads: where it is high the net contracts.
 float pull(const vec3& p, const Frame& ear) {
@@ -64,13 +65,13 @@ void lay_cap(Net& net) {
     const vec3 spine =
         glm::mix(net.at_mm[net.index(0, rim_row)], net.at_mm[net.index(net.columns / 2, rim_row)], along);
     vec3 line = middle + 0.75f * (spine - middle);
-    line.y = Sculpture::cut_mm;
+    line.y = 0;
 
     for (int j = 0; j < rim_row; ++j) {
       const float inwards = 1.0f - static_cast<float>(j) / static_cast<float>(rim_row);
       vec3& p = net.at_mm[net.index(i, j)];
       p = glm::mix(rim, line, inwards * std::sqrt(inwards));
-      p.y = Sculpture::cut_mm;
+      p.y = Sculpture::cut_mm(p.x, p.z);
     }
   }
 }
@@ -139,13 +140,6 @@ Net refine(const Net& coarse, int columns, int rows) {
   return net;
 }
 
-vec3 facing(const Net& net, int i, int j) {
-  const auto at = [&](int k, int l) { return net.at_mm[net.folded(k, l)]; };
-  const vec3 n = glm::cross(at(i + 1, j) - at(i - 1, j), at(i, j + 1) - at(i, j - 1));
-  const float length = glm::length(n);
-  return length > 1e-6f ? n / length : vec3(0);  // zero where the net is folded
-}
-
 // Returns where the threads pull node (i, j). A longer thread pulls harder than in proportion, which keeps
 // the net dense on nose and ears.
 vec3 balance(const Net& net, const std::vector<float>& weight, int i, int j) {
@@ -169,21 +163,24 @@ vec3 balance(const Net& net, const std::vector<float>& weight, int i, int j) {
 }
 
 vec3 to_rim(const Sculpture& bust, vec3 p) {
-  p.y = rim_mm;
-  for (int k = 0; k < 2; ++k) {
-    const vec3 out = glm::normalize(vec3(p.x, 0, p.z + 20.0f));
+  for (int k = 0; k < 3; ++k) {
+    p.y = Sculpture::cut_mm(p.x, p.z) + rim_mm;
+    const vec3 out = glm::normalize(vec3(p.x, 0, p.z + 40.0f));
     const float h = 0.5f, f = bust.uncut(p, Detail::form);
     const float slope = (bust.uncut(p + h * out, Detail::form) - f) / h;
     p -= out * std::clamp(f / std::max(slope, 0.3f), -6.0f, 6.0f);
   }
+  p.y = Sculpture::cut_mm(p.x, p.z) + rim_mm;
   return p;
 }
 
-void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps_mm) {
+void relax(Net& net, const Sculpture& bust, const Openings& openings, Detail detail, int rounds,
+           float eps_mm) {
   std::vector<vec3> next(net.at_mm.size());
   std::vector<float> weight(net.at_mm.size());
   if (net.normal.empty()) net.normal.resize(net.at_mm.size(), vec3(0));
-  const int rim_row = net.rows / rim_part;
+  const int rim_row = net.rows / rim_part, step_of_nodes = Openings::columns / net.columns;
+  openings.place(net);
 
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t k = 0; k < weight.size(); ++k) weight[k] = pull(net.at_mm[k], bust.ear_frame());
@@ -193,7 +190,8 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
         const std::size_t self = net.index(i, j);
         vec3 p = net.at_mm[self];
 
-        if (j < rim_row) {  // see lay_cap
+        // See lay_cap and Openings::place.
+        if (j < rim_row || in_opening(i * step_of_nodes, j * step_of_nodes)) {
           next[self] = p;
           continue;
         }
@@ -210,7 +208,7 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
         if (j == net.rows && i == net.columns / 2) step = seam_end - p;
         p += step;
 
-        const vec3 side = facing(net, i, j);
+        const vec3 side = mesh_normal(net, i, j);
         const float f = round % 3 == 0 ? bust.field(p, detail) : 0.0f;
         // Deep inside a thin part the gradient may lead through it: there the net's own side decides.
         if (f < -2.0f) p += side * std::min(-f, 4.0f);
@@ -229,11 +227,19 @@ void relax(Net& net, const Sculpture& bust, Detail detail, int rounds, float eps
     std::swap(net.at_mm, next);
     lay_cap(net);
     if (eps_mm > 1.0f) balance_halves(net);
+    openings.place(net);
     close_seam(net);
   }
 }
 
 }  // namespace
+
+vec3 mesh_normal(const Net& net, int i, int j) {
+  const auto at = [&](int k, int l) { return net.at_mm[net.folded(k, l)]; };
+  const vec3 n = glm::cross(at(i + 1, j) - at(i - 1, j), at(i, j + 1) - at(i, j - 1));
+  const float length = glm::length(n);
+  return length > 1e-6f ? n / length : vec3(0);  // zero where the net is folded
+}
 
 std::size_t Net::folded(int i, int j) const {
   if (i < 0) i += columns;
@@ -245,29 +251,41 @@ std::size_t Net::folded(int i, int j) const {
   return index(i, j);
 }
 
-Net wrap(const Sculpture& bust, int columns, int rows) {
-  DERMIS_ASSERT(columns % 8 == 0 && rows % (4 * rim_part) == 0);
+Net wrap(const Sculpture& bust) {
+  constexpr int columns = Openings::columns, rows = Openings::rows;
+  static_assert(columns % 8 == 0 && rows % (4 * rim_part) == 0);
+  const Openings openings(bust);
   Net net = first_net(bust, columns / 4, rows / 4);
 
   // Coarse nets are drawn over the blunt bust, the hollows last: a net that enters an ear before it is fine
   // enough jumps over its rim.
-  relax(net, bust, Detail::blunt, 120, 5.0f);
-  relax(net, bust, Detail::blunt, 80, 4.0f);
+  relax(net, bust, openings, Detail::blunt, 120, 5.0f);
+  relax(net, bust, openings, Detail::blunt, 80, 4.0f);
   net = refine(net, columns / 2, rows / 2);
-  relax(net, bust, Detail::blunt, 80, 3.0f);
+  relax(net, bust, openings, Detail::blunt, 80, 3.0f);
   net = refine(net, columns, rows);
-  relax(net, bust, Detail::blunt, 12, 2.0f);
-  relax(net, bust, Detail::form, 27, 1.2f);
-  relax(net, bust, Detail::form, 24, 0.8f);
+  relax(net, bust, openings, Detail::blunt, 8, 2.0f);
+  relax(net, bust, openings, Detail::form, 18, 1.2f);
+  relax(net, bust, openings, Detail::form, 15, 0.8f);
 
   for (int k = 0; k < 2; ++k) {
     parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
+      const int j = static_cast<int>(row);
       for (int i = 0; i <= columns; ++i) {
-        const std::size_t self = net.index(i, static_cast<int>(row));
+        if (in_opening(i, j)) continue;
+        const std::size_t self = net.index(i, j);
         net.normal[self] = bust.project(net.at_mm[self], Detail::form, 0.6f, 1);
       }
     });
     close_seam(net);
+  }
+
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) {
+      if (!in_opening(i, j)) continue;
+      const vec3 n = mesh_normal(net, i, j);
+      net.normal[net.index(i, j)] = n == vec3(0) ? vec3(0, 0, 1) : n;
+    }
   }
   return net;
 }

@@ -19,7 +19,10 @@ struct Net {
   std::size_t folded(int i, int j) const;
 };
 
+/// Returns the normal of the mesh at node (i, j), from its four neighbours; 0 where the net is folded.
+vec3 mesh_normal(const Net& net, int i, int j);
+
 /// Draws the net: evenly spaced (denser where the face needs it), on the form. The same bits on every run.
-Net wrap(const Sculpture& bust, int columns, int rows);
+Net wrap(const Sculpture& bust);
 
 }  // namespace dermis::builtin_head

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/error.h"
 #include "optics/fresnel.h"
@@ -119,6 +120,33 @@ struct AddingDoubling {
     return slab;
   }
 
+  /// Returns the reflectance of each upper layer on each half-space below it, row by row.
+  static std::vector<double> two_layers(const std::vector<Layer>& above, const std::vector<Layer>& below) {
+    const Directions d = directions_of(above.front().eta);
+    const auto slabs_of = [&](const std::vector<Layer>& layers) {
+      std::vector<SlabMatrices> slabs;
+      for (const Layer& layer : layers) slabs.push_back(make_slab(d, layer));
+      return slabs;
+    };
+    const std::vector<SlabMatrices> upper = slabs_of(above), lower = slabs_of(below);
+
+    const double enters = 1 / (d.mu[directions - 1] * d.weight[directions - 1]);  // unit flux
+    const Vector leaves = d.mu.cwiseProduct(d.weight).cwiseProduct(Vector::Ones() - d.surface);
+    std::vector<double> totals;
+    for (const SlabMatrices& slab : upper) {
+      for (const SlabMatrices& half_space : lower) {
+        const Matrix bounce =
+            (Matrix::Identity() - slab.reflect * half_space.reflect).partialPivLu().solve(slab.transmit);
+        const Matrix both = slab.reflect + slab.transmit * half_space.reflect * bounce;
+        const Vector down = (Matrix::Identity() - d.surface.asDiagonal() * both)
+                                .partialPivLu()
+                                .solve(Vector::Unit(directions - 1) * enters);
+        totals.push_back(leaves.dot(both * down));
+      }
+    }
+    return totals;
+  }
+
   static Totals solve(const Layers& layers, const std::string& where) {
     check(layers, where);
     for (const Layer& layer : layers)
@@ -154,6 +182,10 @@ Totals adding_doubling(const Layers& layers, const std::string& where) {
 }
 Totals adding_doubling_coarse(const Layers& layers, const std::string& where) {
   return AddingDoubling<4>::solve(layers, where);
+}
+
+std::vector<double> two_layers_coarse(const std::vector<Layer>& above, const std::vector<Layer>& below) {
+  return AddingDoubling<4>::two_layers(above, below);
 }
 
 namespace {

@@ -24,6 +24,11 @@ Totals adding_doubling(const Layers& layers, const std::string& where = "layers"
 /// Does the same with 8 directions: about six times faster, within 2e-3 absolute; for searches.
 Totals adding_doubling_coarse(const Layers& layers, const std::string& where = "layers");
 
+/// Returns adding_doubling_coarse(...).reflectance of each layer of `above` on each half-space of `below`:
+/// that of above[i] on below[j] at i * below.size() + j. Each layer is doubled once, so that the cost is some
+/// 4 us per result. All have one index; above are finite. None may be empty.
+std::vector<double> two_layers_coarse(const std::vector<Layer>& above, const std::vector<Layer>& below);
+
 /// Returns H(mu) of [C60], mu 0..1, for isotropic scattering of albedo 0..1 in a half-space without a
 /// boundary; within 1e-12 on 200 Gauss points.
 double chandrasekhar_h(double albedo, double mu);

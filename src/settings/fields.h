@@ -393,7 +393,23 @@ inline constexpr auto fields_of<SceneOptions> = std::tuple{
          .unit = "MB",
          .least = 1,
          .most = 1e6,
-         .option = "texture-budget"}}};
+         .option = "texture-budget"}},
+    Field{"melanin_map",
+          &SceneOptions::melanin_map,
+          {.help = "picture of the melanin that the skin is to have, as 'profile' writes it",
+           .none = "as its colour map has it",
+           .option = "melanin-map"}},
+    Field{"haemoglobin_map",
+          &SceneOptions::haemoglobin_map,
+          {.help = "picture of the blood that the skin is to have, as 'profile' writes it",
+           .none = "as its colour map has it",
+           .option = "haemoglobin-map"}},
+    Field{"melanin_factor",
+          &SceneOptions::melanin_factor,
+          {.help = "multiplies the melanin of the skin", .least = 0.01, .most = 100, .option = "melanin"}},
+    Field{"haemoglobin_factor",
+          &SceneOptions::haemoglobin_factor,
+          {.help = "multiplies the blood of the skin", .least = 0.01, .most = 100, .option = "haemoglobin"}}};
 
 /// Of what is one picture of the reference; how its work is watched and stopped has no row.
 template <>

@@ -200,7 +200,7 @@ TEST_F(Sequence, RefusesWhatMakesNoSense) {
   refuse({"--orbit", "0,0..90,0", "--distance", "5"}, "--distance replaces");
   refuse({"--orbit", "0,0..90,0", "--camera", "main"}, "--camera replaces");
   refuse({"--orbit", "0,0..90,0", "--eye", "0,0,1", "--target", "0,0,0"}, "camera.orbit_deg");
-  expect_refused(run({"sequence", "-o", in_folder("f-%d.png")}), "has no animation");
+  expect_refused(run({"sequence", "--clip", "walk", "-o", in_folder("f-%d.png")}), "it has: life");
 
   for (const char* range : {"0..90", "0,0..", "..90,0", "0,0.90,0", "0,0..90,0..20,0", "0,0..90,0,3", ""})
     expect_not_understood(sequence("f-%d.png", {"--orbit", range}), "--orbit");

@@ -158,8 +158,9 @@ TEST(Agreement, EveryKindOfLight) {
 TEST(Agreement, ScatteredLight) {
   const Agreement a = agreement(built_in_head(), "texture-space", settings(), 32);
   // Not noise, which ten thousand pixels average out, but the method: light maps of 1024 texels
-  // and a blur along the surface instead of the straight line through it.
-  for (const double ratio : a.ratio) EXPECT_NEAR(ratio, 1, 0.015);
+  // and a blur along the surface instead of the straight line through it, which is shorter across lids and
+  // between lips.
+  for (const double ratio : a.ratio) EXPECT_NEAR(ratio, 1, 0.018);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "api/scene_state.h"
 #include "dermis/scene.h"
 #include "scene/placement.h"
+#include "scene/primitives.h"
 #include "support/thrown.h"
 
 namespace dermis::scene::test {
@@ -118,8 +119,9 @@ TEST_F(Character, FaultsAreOneLineAndChangeNothing) {
 
   EXPECT_ERROR(tests::thrown<InputError>([&] { scene.save(temp_.path() / "scene.json"); }), "it has a pose");
   dermis::Scene still;
-  const InstanceId head = still.add({.asset = Asset::built_in()});
-  EXPECT_ERROR(tests::thrown<InputError>([&] { still.pose(head, "", 0); }),
+  const InstanceId ball =
+      still.add({.asset = Asset::State::make(std::make_shared<const Scene>(sphere(0.1)))});
+  EXPECT_ERROR(tests::thrown<InputError>([&] { still.pose(ball, "", 0); }),
                "has no clips, joints or morph weights");
 }
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What the skins of the built-in head are made of: pigments of measured groups of people.
+#pragma once
+
+#include <cstdint>
+
+#include "optics/skin_table.h"
+
+namespace dermis::builtin_head {
+
+enum class Tone : std::uint8_t { light, medium, dark };
+
+/// Volume fractions that the spectral model has for measured colours (complexion.cpp says whose).
+struct Complexion {
+  optics::Pigments skin;  ///< of cheek and forehead, before what differs from place to place
+  optics::Pigments lips;
+};
+const Complexion& complexion(Tone tone);
+
+/// Returns the table that the skin is painted with: of optics::measured_skin(), oxygenation 0.25 to 1. Made
+/// at the first call, some 0.2 s.
+const optics::SkinTable& skin_table();
+
+}  // namespace dermis::builtin_head

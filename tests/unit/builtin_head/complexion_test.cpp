@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// The three skins: their pigments are those of measured groups, and cheek, forehead and lips have those
+// colours.
+#include "builtin_head/complexion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "builtin_head/builtin_head.h"
+#include "builtin_head/parts.h"
+#include "builtin_head/skin.h"
+#include "image/colour.h"
+#include "optics/skin_colour.h"
+
+namespace dermis::builtin_head {
+namespace {
+
+using optics::Lab;
+
+// Of whom: complexion.cpp. Cheek and forehead are one where the arm stands for both.
+struct Measured {
+  const char* name;
+  Tone tone;
+  Lab skin, cheek, forehead, lips;
+};
+constexpr Measured groups[] = {
+    {"light", Tone::light, {59.4, 11.7, 14.85}, {59.6, 11.8, 14.6}, {59.2, 11.6, 15.1}, {49.4, 22.0, 12.3}},
+    {"medium",
+     Tone::medium,
+     {50.42, 12.69, 19.58},
+     {50.42, 12.69, 19.58},
+     {50.42, 12.69, 19.58},
+     {37.7, 17.2, 14.7}},
+    {"dark",
+     Tone::dark,
+     {38.14, 12.66, 15.04},
+     {38.14, 12.66, 15.04},
+     {38.14, 12.66, 15.04},
+     {37.7, 17.2, 14.7}}};
+
+void expect_pigments(const optics::Pigments& found, const Lab& measured) {
+  optics::Skin fixed = optics::measured_skin();
+  fixed.oxygenation = found.oxygenation;
+  const optics::Skin nearest = optics::nearest_skin(measured, fixed).skin;
+  EXPECT_NEAR(found.melanin / nearest.melanin, 1, 0.02);
+  EXPECT_NEAR(found.haemoglobin / nearest.haemoglobin, 1, 0.02);
+}
+
+TEST(Complexion, IsTheNearestSkinOfAMeasuredGroup) {
+  for (const Measured& group : groups) {
+    SCOPED_TRACE(group.name);
+    expect_pigments(complexion(group.tone).skin, group.skin);
+    expect_pigments(complexion(group.tone).lips, group.lips);
+  }
+}
+
+struct Mean {
+  std::array<double, 3> sum{};
+  int count = 0;
+  void add(const std::uint8_t* rgb) {
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += double{image::srgb8_to_linear(rgb[c])};
+    ++count;
+  }
+  // As an instrument sees it, without gloss: less than the albedo by what the surface keeps out.
+  Lab lab() const {
+    const double enters = optics::entering_part(optics::measured_skin()) / count;
+    return optics::lab_from_linear({sum[0] * enters, sum[1] * enters, sum[2] * enters});
+  }
+};
+
+TEST(Complexion, CheekForeheadAndLipsAreWithin4OfTheMeasuredColours) {
+  const Sculpture bust;
+  for (const Measured& group : groups) {
+    SCOPED_TRACE(group.name);
+    const scene::Scene head = make({.map_size = 512, .tone = group.tone});
+    const image::Image8& colour = *head.images[0].pixels;
+    const Skin skin(bust, complexion(group.tone));
+    Mean cheek, forehead, lips;
+    for (const scene::Vertex& v : head.primitives.front().vertices) {
+      const vec3 mm = 1000.0f * v.position_m - vec3(0, Sculpture::eyes_over_origin_mm, 0);
+      const Region r = skin.region(mm);
+      const std::uint8_t* const texel = colour.at(std::min(511, static_cast<int>(512 * v.uv0.x)),
+                                                  std::min(511, static_cast<int>(512 * v.uv0.y)));
+      if (r.cheek > 0.5f && r.beard < 0.1f) cheek.add(texel);
+      if (r.forehead > 0.9f && r.scalp < 0.02f) forehead.add(texel);
+      if (r.lips > 0.95f && mm.z > 92) lips.add(texel);
+    }
+    ASSERT_GT(std::min({cheek.count, forehead.count, lips.count}), 20);
+    const auto expect_near = [&](const char* name, const Mean& mean, const Lab& wanted) {
+      const Lab found = mean.lab();
+      std::printf("%-7s %-9s L*a*b* %.1f %.1f %.1f, measured %.1f %.1f %.1f: %.1f dE (%d vertices)\n",
+                  group.name, name, found.l, found.a, found.b, wanted.l, wanted.a, wanted.b,
+                  optics::delta_e76(found, wanted), mean.count);
+      EXPECT_LT(optics::delta_e76(found, wanted), 4) << name;
+    };
+    expect_near("cheek", cheek, group.cheek);
+    expect_near("forehead", forehead, group.forehead);
+    expect_near("lips", lips, group.lips);
+    EXPECT_GT(lips.lab().a, cheek.lab().a + 2);
+    // Much blood below much melanin is hardly seen.
+    if (group.tone == Tone::dark) continue;
+    EXPECT_GT(cheek.lab().a, forehead.lab().a) << "by blood";
+  }
+}
+
+}  // namespace
+}  // namespace dermis::builtin_head
