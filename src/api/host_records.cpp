@@ -19,7 +19,7 @@ std::vector<HostRecord> HostRecords::of(const passes::FrameData& frame,
     const std::uint32_t first = first_[setup.heads[i].instance];
     for (std::size_t mesh = 0; mesh < head.map_places.size(); ++mesh) {
       HostRecord& record = records[first + mesh];
-      record.origin = head.map_places[mesh].origin;
+      record.origin = head.map_places[mesh].cell * head.map_places[mesh].side;
       record.side = static_cast<float>(head.map_side);
       record.layer = head.map_places[mesh].batch;
       record.lit = head.visible ? 1 : 0;

@@ -89,8 +89,9 @@ setup::FrameSetup PlannedFrame::set_up(const Input& input, const RenderSettings&
   const setup::DeviceTraits traits{.software = limits.software,
                                    .memory_bytes = device().summary().memory_bytes,
                                    .max_image_side = limits.max_image_side};
-  setup::FrameSetup setup = setup::set_up(input.placed, input.subjects, settings, traits,
-                                          input.environment_lights, input.host ? &*input.host : nullptr);
+  setup::FrameSetup setup =
+      setup::set_up(input.placed, input.subjects, settings, traits, input.environment_lights,
+                    input.host ? &*input.host : nullptr, options_.all_views);
   setup.plan.labels = options_.labels;
   return setup;
 }

@@ -120,8 +120,8 @@ std::string describe_plan(const Scene& scene, const RenderSettings& settings, bo
     spheres.push_back(found->second.bounds.sphere);
   }
 
-  const setup::FrameSetup setup =
-      setup::set_up(api::placed_scene(scene, spheres), subjects, settings, {}, environment_lights);
+  const setup::FrameSetup setup = setup::set_up(api::placed_scene(scene, spheres), subjects, settings, {},
+                                                environment_lights, nullptr, false);
   passes::FramePlan plan;
   setup.technique->build(plan, setup.plan);
   return dot ? frame::print_dot(plan) : frame::print_text(plan);

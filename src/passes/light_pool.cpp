@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "passes/light_pool.h"
 
+#include "core/assert.h"
+
 namespace dermis::passes {
 
 VkRect2D UsedSquare::area() const {
@@ -20,8 +22,10 @@ UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
 
   const MapPlace& place = instance.map_places[mesh_in_asset(frame, square)];
   used.index = place.index;
-  used.origin = place.origin / (1u << square.halvings);
+  const std::uint32_t cell_side = most_halved_side(place.side, place.largest_side, square.halvings);
+  used.origin = place.cell * cell_side;
   if (square.halvings > 0) used.side = halved_side(instance.map_side, place.largest_side, square.halvings);
+  DERMIS_ASSERT_LE(used.side, cell_side);
   return used;
 }
 

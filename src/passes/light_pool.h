@@ -4,6 +4,7 @@
 /// Based on: [JG08] sec. 4: memory is allocated once for the largest map; a smaller one uses a corner of it
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -19,6 +20,12 @@ namespace dermis::passes {
 inline std::uint32_t halved_side(std::uint32_t side, std::uint32_t largest_side, std::uint32_t halvings) {
   for (std::uint32_t scaled = 2 * side; halvings > 0 && scaled <= largest_side; scaled *= 2) --halvings;
   return side >> halvings;
+}
+
+/// Returns a side that halved_side() never exceeds, for heads that use `most` texels of a side or fewer.
+inline std::uint32_t most_halved_side(std::uint32_t most, std::uint32_t largest_side,
+                                      std::uint32_t halvings) {
+  return std::min(most, (largest_side + 1) >> halvings);
 }
 
 /// Light of one skin mesh of one head, in maps of one size. Each frame sets its position in them and the used
@@ -41,7 +48,8 @@ inline std::uint32_t mesh_in_asset(const FrameData& frame, const MapSquare& squa
 MappedTerms terms_of(const FrameData& frame, const MapSquare& square);
 
 /// Returns what halved_side() takes for T_max where a head that uses fewer texels than T_max, however few
-/// fewer, halves less often: then it has at least the texels per sigma that a near head has.
+/// fewer, halves less often: then it has at least the texels per sigma that a near head has. Halved maps need
+/// room for that: see most_halved_side().
 inline std::uint32_t careful_largest_side(std::uint32_t largest_side) { return 2 * largest_side - 1; }
 
 /// A square as a frame uses it.

@@ -2,7 +2,6 @@
 #include "setup/frame_setup.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "core/assert.h"
@@ -16,7 +15,7 @@
 #include "setup/choose.h"
 #include "setup/frame_camera.h"
 #include "setup/models.h"
-#include "techniques/memory.h"
+#include "setup/pool.h"
 
 namespace dermis::setup {
 namespace {
@@ -146,52 +145,6 @@ void place_shadows(std::vector<HeadSetup>& heads, const techniques::FrameSetting
   }
 }
 
-constexpr double default_squares = 4;
-
-// How many squares of T_max, one per head and skin mesh, the pool of light maps holds.
-double squares_in_budget(std::uint64_t square_bytes, const RenderSettings& s, const DeviceTraits& device) {
-  const double square_mb = static_cast<double>(square_bytes) / 1e6;
-  double budget_mb = default_squares * square_mb;
-  if (device.memory_bytes > 0)
-    budget_mb = std::min(budget_mb, std::max(square_mb, static_cast<double>(device.memory_bytes) / 4e6));
-  if (s.quality.map_budget_mb) budget_mb = *s.quality.map_budget_mb;
-  if (budget_mb < square_mb)
-    throw input_error("",
-                      "quality.map_budget_mb {} does not hold the light maps of one head: at "
-                      "quality.map_size {} they take {:.0f} MB",
-                      budget_mb, s.quality.map_size, std::ceil(square_mb));
-
-  // As many rows and columns of squares as a texture of this device can have.
-  const double rows =
-      std::max<double>(1, device.max_image_side / static_cast<std::uint32_t>(s.quality.map_size));
-  return std::clamp(std::floor(budget_mb / square_mb * (1 + 1e-12)), 1.0, rows * rows);
-}
-
-// As many heads as the pool holds at a time; of a head with more skin meshes than that, as many meshes. Only
-// the published baseline uses one set of maps for one head after the other.
-void set_up_batches(FrameSetup& setup, const RenderSettings& s, const DeviceTraits& device) {
-  techniques::FrameSettings& plan = setup.plan;
-  plan.heads_per_batch = 1;
-  if (plan.skin.empty() || !setup.technique->has_light_maps) return;
-
-  const techniques::MapMemory memory = techniques::map_memory(*setup.technique, plan);
-  const double squares = squares_in_budget(memory.light_maps, s, device);
-  const auto meshes = static_cast<double>(plan.most_meshes());
-  if (squares < meshes) {
-    plan.meshes_per_batch = std::bit_floor(static_cast<std::uint32_t>(squares));
-    return;
-  }
-  if (!plan.optimise.any()) return;
-
-  // Their shadow maps come on top; large ones must not drive the heads of a batch out of memory.
-  const double shadow_mb = static_cast<double>(memory.shadow_maps) / 1e6;
-  const double shadowed = device.memory_bytes > 0
-                              ? std::max(1.0, static_cast<double>(device.memory_bytes) / 4e6 / shadow_mb)
-                              : squares;
-  plan.heads_per_batch = static_cast<std::uint32_t>(
-      std::clamp(std::floor(squares / meshes), 1.0, std::min(64.0, std::floor(shadowed))));
-}
-
 // From a measurement on each kind of device, docs/measuring.md; never from one at run time, or frames would
 // not be bit-equal.
 passes::SkipUnlit choose_skip_unlit(const RenderSettings& s, const DeviceTraits& device) {
@@ -227,7 +180,7 @@ void check_cascade(const techniques::FrameSettings& plan) {
 }
 
 void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s,
-                 const std::vector<scene::Light>& lights, const DeviceTraits& device) {
+                 const std::vector<scene::Light>& lights, const DeviceTraits& device, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
 
   plan.width = static_cast<std::uint32_t>(s.output.width);
@@ -268,7 +221,11 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     setup.gaussians = std::max(setup.gaussians, static_cast<int>(part.profile.terms.size()));
   if (!setup.technique->uses_profile) setup.gaussians = 0;
 
-  set_up_batches(setup, s, device);
+  PoolHeads heads{.count = static_cast<std::uint32_t>(setup.heads.size())};
+  for (const HeadSetup& head : setup.heads)
+    heads.most_side = std::max(heads.most_side,
+                               static_cast<std::uint32_t>(every_view ? s.quality.map_size : head.map_side));
+  set_up_pool(plan, *setup.technique, heads, s, device);
 }
 
 // Light from just outside the picture still arrives: as far as the widest Gaussian reaches.
@@ -320,7 +277,8 @@ std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
 
 FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects, const RenderSettings& s,
                   const DeviceTraits& device,
-                  const std::optional<std::vector<scene::Light>>& environment_lights, const HostSetup* host) {
+                  const std::optional<std::vector<scene::Light>>& environment_lights, const HostSetup* host,
+                  bool every_view) {
   DERMIS_ASSERT_EQ(subjects.size(), scene.instances.size());
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
@@ -350,7 +308,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   setup.plan.poses = std::any_of(scene.instances.begin(), scene.instances.end(),
                                  [](const PlacedAsset& instance) { return instance.posed != nullptr; });
   setup.plan.environment = environment_lights.has_value();
-  set_up_plan(setup, scene, s, lights, device);
+  set_up_plan(setup, scene, s, lights, device, every_view);
   if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
   setup.plan.shade_entries = s.quality.shading == Shading::compute && setup.plan.can_shade_entries();

@@ -8,6 +8,7 @@
 
 #include "dermis/settings.h"
 #include "setup/placed_scene.h"
+#include "setup/pool.h"
 #include "setup/subject.h"
 #include "shared/scene_io.h"
 #include "techniques/technique.h"
@@ -17,13 +18,6 @@ namespace dermis::setup {
 /// Throws InputError for a setting out of range; names it and its range. Called once per set of settings,
 /// before anything is made or read for them.
 void check_settings(const RenderSettings& settings);
-
-/// What the frame's structure takes from the device.
-struct DeviceTraits {
-  bool software = false;
-  std::uint64_t memory_bytes = 0;        ///< of the device; 0: unknown
-  std::uint32_t max_image_side = 16384;  ///< texels
-};
 
 struct HeadSetup {
   int number = 0;            ///< among the heads of the scene
@@ -94,11 +88,12 @@ struct HostSetup {
 /// choose; none: there is no environment, light from everywhere is uniform. Throws InputError: see
 /// placed_heads() and choose_camera(); or a map budget that does not hold one head. With a `host`, the frame
 /// is for its targets: the plan does not depend on the size of the picture, and the matrices of the camera
-/// are the host's, depth included.
+/// are the host's, depth included. With `every_view` the plan serves every camera; else this one, and takes
+/// no more memory for light maps than its heads use.
 FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects,
                   const RenderSettings& settings, const DeviceTraits& device = {},
                   const std::optional<std::vector<scene::Light>>& environment_lights = {},
-                  const HostSetup* host = nullptr);
+                  const HostSetup* host = nullptr, bool every_view = true);
 
 /// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel: which mesh
 /// has fewest, how many, what that means and what helps.

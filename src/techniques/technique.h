@@ -84,6 +84,7 @@ struct FrameSettings {
   std::uint32_t shadow_layers = 1;           ///< of one head, at least 1
   /// The model of each head, in the order in which they are drawn.
   std::vector<std::uint32_t> heads{0};
+  std::uint32_t square_side = 0;  ///< of the pool of light maps: no head uses more texels; 0: T_max
   /// Heads that are lit and blurred together. The pool has a square for each skin mesh of each of them, and
   /// there are as many sets of shadow maps.
   std::uint32_t heads_per_batch = 1;

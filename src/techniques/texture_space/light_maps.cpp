@@ -175,7 +175,7 @@ frame::TextureId LightMaps::stretch(std::uint32_t mesh) const {
 }
 
 Level LightMaps::make_level(std::uint32_t halvings) {
-  const std::uint32_t side = settings_->map_size >> halvings;
+  const std::uint32_t side = pool_.cell_side(halvings);
   Level level{.halvings = halvings};
   const auto name = [&](std::string_view what) { return at(what, level); };
 

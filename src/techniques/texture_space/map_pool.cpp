@@ -31,7 +31,8 @@ passes::MapPlace MapPool::place(std::uint32_t head, std::uint32_t mesh_in_model)
   const std::uint32_t index =
       head % settings_->heads_per_batch * meshes_per_batch() + mesh_in_model % meshes_per_batch();
   return {.index = index,
-          .origin = glm::uvec2(index % columns(), index / columns()) * settings_->map_size,
+          .cell = {index % columns(), index / columns()},
+          .side = cell_side(0),
           .largest_side = settings_->halving_side(),
           .batch = head / settings_->heads_per_batch * mesh_batches() + mesh_in_model / meshes_per_batch()};
 }
@@ -49,9 +50,14 @@ std::vector<passes::MapSquare> MapPool::squares(const Batch& batch, std::uint32_
   return squares_of(*settings_, batch, first, first + meshes_per_batch());
 }
 
+std::uint32_t MapPool::cell_side(std::uint32_t halvings) const {
+  const std::uint32_t side = settings_->square_side > 0 ? settings_->square_side : settings_->map_size;
+  return passes::most_halved_side(side, settings_->halving_side(), halvings);
+}
+
 gpu::TextureDesc MapPool::texture(std::uint32_t halvings, VkFormat format) const {
   const std::uint32_t rows = (squares() + columns() - 1) / columns();
-  const std::uint32_t side = settings_->map_size >> halvings;
+  const std::uint32_t side = cell_side(halvings);
   return {.width = columns() * side, .height = rows * side, .format = format};
 }
 

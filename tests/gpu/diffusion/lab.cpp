@@ -194,7 +194,7 @@ Result run(const Experiment& e) {
   data.instances[0].look = &look;
   data.instances[0].map_side = side;
   if (e.cascade) {
-    data.instances[0].map_places = {{.largest_side = passes::careful_largest_side(side)}};
+    data.instances[0].map_places = {{.side = side, .largest_side = passes::careful_largest_side(side)}};
     data.instances[0].mapped_terms = {terms};
   }
   std::optional<Moved> moved;

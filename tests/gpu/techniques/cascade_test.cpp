@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -74,6 +75,7 @@ TEST(Cascade, TwoHeadsOfABatchAreAsByThemselves) {
   RenderSettings s = small_cascade();
   s.camera.heads = 3;
   s.camera.distance = 6;
+  s.quality.depth = false;
   s.quality.map_budget_mb = 36;
   const Picture together = renderer().render(head(), s);
   s.quality.map_budget_mb = 16;  // one head at 512 takes 14 MB
@@ -81,6 +83,24 @@ TEST(Cascade, TwoHeadsOfABatchAreAsByThemselves) {
   EXPECT_GT(in_turns.statistics.passes.size(), together.statistics.passes.size());
   EXPECT_LT(in_turns.statistics.image_bytes, together.statistics.image_bytes);
   expect_equal_bits(together, in_turns);
+}
+
+// A head that uses nearly all texels of T_max halves its maps less often than one that uses all: its halved
+// maps need more room than those of a near head. Two of them lie side by side.
+TEST(Cascade, HeadsOfNearlyAllTexelsHaveRoom) {
+  RenderSettings s = small_settings("texture-space", 160, 1024);
+  s.quality.shadow_size = 256;
+  s.output.bloom = 0;
+  s.camera.heads = 2;
+  for (const double distance : {1.95, 2.3}) {
+    s.camera.distance = distance;
+    const Picture cascade = renderer().render(head(), with_cascade(s));
+    const int used = std::ranges::max(cascade.statistics.used_size);
+    SCOPED_TRACE(used);
+    EXPECT_GT(used, 512);
+    EXPECT_LT(used, 1024);
+    expect_unseen(renderer().render(head(), unoptimised(s)), cascade);
+  }
 }
 
 // Light that comes through the body joins the terms that spread it, on whatever level they are.

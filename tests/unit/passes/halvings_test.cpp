@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gaussians/known.h"
@@ -40,6 +41,25 @@ TEST(Halvings, FitTheirPoolAtEverySize) {
       EXPECT_GE(halved, std::min(side, (2048u >> n) / 2)) << "less than half the texels of a near head";
       EXPECT_EQ(side % halved, 0u);
     }
+}
+
+// Squares of the pool hold the maps of every head that uses no more than their side. Steps of a cascade halve
+// less often, so that a head of nearly T_max needs twice the side of a near head's halved map.
+TEST(Halvings, FitTheirCellAtEverySize) {
+  for (const std::uint32_t largest : {512u, 1024u, 2048u})
+    for (const std::uint32_t most : {largest, largest / 2, largest / 4})
+      for (const bool careful : {false, true})
+        for (std::uint32_t n = 0; n <= max_halvings; ++n) {
+          const std::uint32_t against = careful ? careful_largest_side(largest) : largest;
+          const std::uint32_t cell = most_halved_side(most, against, n);
+          std::uint32_t widest = 0;
+          for (std::uint32_t side = 32; side <= most; side += 32)
+            widest = std::max(widest, halved_side(side, against, n));
+          SCOPED_TRACE(testing::Message()
+                       << most << " of " << largest << ", careful " << careful << ", " << n);
+          EXPECT_LE(widest, cell);
+          EXPECT_GT(2 * widest, cell) << "room for nothing";
+        }
 }
 
 }  // namespace

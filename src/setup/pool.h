@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+/// How many heads are lit and blurred together, and how large the squares of their light maps are: decided by
+/// the budget of memory and by how many texels the heads use.
+#pragma once
+
+#include <cstdint>
+
+#include "dermis/settings.h"
+#include "techniques/technique.h"
+
+namespace dermis::setup {
+
+/// What the frame's structure takes from the device.
+struct DeviceTraits {
+  bool software = false;
+  std::uint64_t memory_bytes = 0;        ///< of the device; 0: unknown
+  std::uint32_t max_image_side = 16384;  ///< texels
+};
+
+/// The heads that share the pool.
+struct PoolHeads {
+  std::uint32_t count = 1;
+  std::uint32_t most_side = 0;  ///< texels of a side that one of them uses, at most
+};
+
+/// Sets square_side, heads_per_batch and meshes_per_batch of a plan that knows its maps and its skin.
+/// Throws InputError: a budget that does not hold one square.
+void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& technique,
+                 const PoolHeads& heads, const RenderSettings& settings, const DeviceTraits& device);
+
+}  // namespace dermis::setup
