@@ -169,6 +169,10 @@ double radius_of_share_mm(const SumOfGaussians& profile, std::size_t channel, do
   return inverse(within, share, std::sqrt(profile.max_variance_mm2()));
 }
 
+double disc_reach_mm(const SumOfGaussians& profile, double share) {
+  return radius_of_share_mm(profile, widest_channel(variances_mm2(profile)), share);
+}
+
 double burley_radius_of_share(double share) {
   // [CB15]: the share within r is 1 - e^(-r) / 4 - 3 e^(-r/3) / 4.
   return inverse([](double r) { return -std::expm1(-r) / 4 - 3 * std::expm1(-r / 3) / 4; }, share, 1);

@@ -58,6 +58,8 @@ std::vector<DiscTap> burley_disc_taps(const Rgb& distances_mm, int taps);
 
 /// Returns the radius that holds this share (0 <= share < 1) of the light of a channel, mm.
 double radius_of_share_mm(const SumOfGaussians& profile, std::size_t channel, double share);
+/// Returns the same of the channel that spreads widest.
+double disc_reach_mm(const SumOfGaussians& profile, double share);
 /// The same for normalised diffusion at d = 1 mm: radii are in proportion to d.
 double burley_radius_of_share(double share);
 

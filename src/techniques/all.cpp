@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "techniques/lambert/lambert.h"
+#include "techniques/separable/separable.h"
 #include "techniques/technique.h"
 #include "techniques/texture_space/texture_space.h"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr std::array all{
     &texture_space,
     &lambert,
+    &separable,
 };
 
 }  // namespace

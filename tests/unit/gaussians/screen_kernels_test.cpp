@@ -175,6 +175,7 @@ TEST(Burley, HasTheVarianceOfTheProfile) {
 
 TEST(DiscTaps, HoldMostOfTheLightOfRed) {
   EXPECT_NEAR(radius_of_share_mm(skin_six(), 0, .997), 6.95, 0.005);
+  EXPECT_EQ(disc_reach_mm(skin_six(), .997), radius_of_share_mm(skin_six(), 0, .997));
   EXPECT_NEAR(radius_of_share_mm(skin_six(), 0, 0), 0, 1e-9);
 }
 
