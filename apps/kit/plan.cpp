@@ -120,7 +120,7 @@ const std::vector<Invariant>& all_invariants() {
       {"what stands behind the heads", "*/Background.*:Backgrounds.*", false},
       {"shading in compute is that of the raster", "*/InCompute.*:InCompute*.*", false},
       {"texels lit in compute are those that are drawn", "Texels.*:*TexelPictures*.*", false},
-      {"techniques in screen space", "Separable.*", true},
+      {"techniques in screen space", "Separable.*:BurleyDisc.*:ScreenSpace.*", true},
       {"without width all techniques make one picture", "*/ZeroWidth.*", false},
       {"error against ground truth", "Truth*.*", false},
       {"the device does what is asked of it",

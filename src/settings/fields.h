@@ -262,10 +262,11 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .real_time = true}},
     Field{"taps",
           &QualitySettings::taps,
-          {.help = "of the kernels of techniques in screen space: separable 3 to 33, odd",
+          {.help = "of the kernels of techniques in screen space: separable 3 to 33, odd; "
+                   "burley-disc any",
            .least = 1,
            .most = 4096,
-           .none = "separable 25",
+           .none = "separable 25, burley-disc 64",
            .option = "taps",
            .rebuilds = true,
            .real_time = true}},

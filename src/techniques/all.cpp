@@ -2,6 +2,7 @@
 #include <array>
 
 #include "core/error.h"
+#include "techniques/burley_disc/burley_disc.h"
 #include "techniques/lambert/lambert.h"
 #include "techniques/separable/separable.h"
 #include "techniques/technique.h"
@@ -14,6 +15,7 @@ constexpr std::array all{
     &texture_space,
     &lambert,
     &separable,
+    &burley_disc,
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ std::string common_name(std::string name) {
 }
 
 // By how the name of a pass begins; the first that fits. The last three are names in older records.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 42> beginnings{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 43> beginnings{{
     {"shadow", 0},
     {"entering", 0},
     {"cull triangles", 1},
@@ -55,6 +55,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 42> beginnings{{
     {"shade", 4},
     {"clear skin", 4},
     {"separable", 3},
+    {"disc", 3},
     {"add scattered", 4},
     {"surfaces", 5},
     {"blended surfaces", 5},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <tuple>
 
 #include "gaussians/known.h"
 #include "gaussians/screen_kernels.h"
@@ -49,13 +50,13 @@ double distance_from_kernel(const Picture& picture, const std::vector<LineTap>& 
   return largest;
 }
 
-// From the profile on the surface, averaged over the pixel.
-std::array<double, 3> distance_from_exact(const Picture& picture, const RenderSettings& s,
-                                          double pixels_per_mm) {
+// From the profile on the surface, averaged over `width_mm`: a bilinear tap takes the mean over a pixel, one
+// at the nearest pixel that of the middle.
+std::array<double, 3> distance_from_exact(const Picture& picture, const RenderSettings& s, double width_mm) {
   std::array<double, 3> largest{};
   for (int x = 0; x < plane_width; ++x) {
     const std::array<double, 3> found = pixel(picture, x, middle_row),
-                                wanted = exact_edge(seen_mm(s, x, middle_row).x, 1 / pixels_per_mm);
+                                wanted = exact_edge(seen_mm(s, x, middle_row).x, width_mm);
     for (std::size_t c = 0; c < 3; ++c) largest[c] = std::max(largest[c], std::abs(found[c] - wanted[c]));
   }
   return largest;
@@ -104,7 +105,7 @@ TEST(Separable, IsNearTheExactEdge) {
                                                   {33, 6, 0.02}}) {
     RenderSettings s = facing_plane("separable", pixels_per_mm);
     s.quality.taps = taps;
-    const auto [r, g, b] = distance_from_exact(renderer().render(edge(), s), s, pixels_per_mm);
+    const auto [r, g, b] = distance_from_exact(renderer().render(edge(), s), s, 1 / pixels_per_mm);
     std::printf("%d taps, %g pixels per mm: %.4f %.4f %.4f from the exact edge\n", taps, pixels_per_mm, r, g,
                 b);
     EXPECT_LE(std::max({r, g, b}), most);
@@ -135,6 +136,75 @@ TEST(Separable, SpreadsAsFarOnATiltedPlane) {
       std::printf("tilt %g, towards %g: %.4f of the width\n", tilt_deg, azimuth_deg, spread);
       EXPECT_NEAR(spread, 1, 0.03);
     }
+}
+
+// What a disc makes of that row: each tap takes the nearest pixel.
+std::array<double, 3> of_disc(int x, const std::vector<gaussians::DiscTap>& taps, double pixels_per_mm) {
+  std::array<double, 3> light{}, weights{};
+  for (const gaussians::DiscTap& tap : taps) {
+    const int at = x + static_cast<int>(std::floor(0.5 + tap.x_mm * pixels_per_mm)),
+              row = middle_row + static_cast<int>(std::floor(0.5 - tap.y_mm * pixels_per_mm));
+    if (at < 0 || at >= plane_width || row < 0 || row >= plane_height) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      double weight = 0;
+      for (const gaussians::Gaussian& term : gaussians::skin_six().terms)
+        weight += term.weight[c] / term.variance_mm2 *
+                  std::exp(-tap.radius_mm * tap.radius_mm / (2 * term.variance_mm2));
+      weights[c] += weight * tap.per_density_mm2;
+      if (at < plane_width / 2) light[c] += weight * tap.per_density_mm2;
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) light[c] /= weights[c];
+  return light;
+}
+
+TEST(BurleyDisc, IsTheProfileAtItsTapsOnAFacingPlane) {
+  for (const int taps : {21, 40, 64, 1024}) {
+    RenderSettings s = facing_plane("burley-disc", 3);
+    s.quality.taps = taps;
+    const Picture picture = renderer().render(edge(), s);
+    const std::vector<gaussians::DiscTap> disc = gaussians::disc_taps(gaussians::skin_six(), taps);
+    double largest = 0;
+    for (int x = 0; x < plane_width; ++x) {
+      const std::array<double, 3> found = pixel(picture, x, middle_row), wanted = of_disc(x, disc, 3);
+      for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(found[c] - wanted[c]));
+    }
+    std::printf("%d taps: %.4f from its own taps\n", taps, largest);
+    EXPECT_LE(largest, 0.005);
+  }
+}
+
+// Few taps are far from it, which others hide by noise over many frames.
+TEST(BurleyDisc, IsNearTheExactEdge) {
+  struct Case {
+    int taps;
+    double pixels_per_mm, most;
+  };
+  for (const auto& [taps, pixels_per_mm, most] :
+       {Case{21, 2, 0.2}, {40, 2, 0.2}, {64, 2, 0.1}, {256, 2, 0.05}, {1024, 2, 0.01}, {1024, 4, 0.01}}) {
+    RenderSettings s = facing_plane("burley-disc", pixels_per_mm);
+    s.quality.taps = taps;
+    const auto [r, g, b] = distance_from_exact(renderer().render(edge(), s), s, 0);
+    std::printf("%d taps, %g pixels per mm: %.4f %.4f %.4f from the exact edge\n", taps, pixels_per_mm, r, g,
+                b);
+    EXPECT_LE(std::max({r, g, b}), most);
+  }
+}
+
+// Normalised diffusion has a pole in the middle, within a pixel, and a longer tail than the picture is high.
+TEST(BurleyDisc, SpreadsAsFarOnATiltedPlane) {
+  for (const double tilt_deg : {0.0, 60.0})
+    for (const double azimuth_deg : {0.0, 45.0, 90.0})
+      for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published}) {
+        RenderSettings s = facing_plane("burley-disc", 4, tilt_deg, azimuth_deg);
+        s.quality.taps = 1024;
+        s.quality.kernel = kernel;
+        const double spread = spread_of_red(renderer().render(edge(), s), s);
+        std::printf("%s, tilt %g, towards %g: %.4f of the width\n",
+                    kernel == ScreenKernel::profile ? "profile" : "normalised diffusion", tilt_deg,
+                    azimuth_deg, spread);
+        EXPECT_NEAR(spread, 1, kernel == ScreenKernel::profile ? 0.03 : 0.04);
+      }
 }
 
 // Two heads that touch: to the eye they are one plane.

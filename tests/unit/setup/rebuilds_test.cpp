@@ -101,7 +101,7 @@ std::vector<Value> values_for(const std::string& path, const About& about) {
     return all;
   } else if constexpr (std::is_same_v<Value, std::string>) {
     static const std::map<std::string, std::vector<std::string>> texts{
-        {"technique", {"texture-space", "lambert", "separable"}},
+        {"technique", {"texture-space", "lambert", "separable", "burley-disc"}},
         {"camera.name", {"", "side"}},
         {"lighting.environment", {"", "studio"}},
         {"skin.profile", {"skin", profile_file()}},
