@@ -112,6 +112,12 @@ enum class IrradianceBy : std::uint8_t {
   compute
 };
 
+/// What techniques in screen space blur by.
+enum class ScreenKernel : std::uint8_t {
+  profile,   ///< the profile of the skin, in mm
+  published  ///< what the technique was published with
+};
+
 /// Details against time and memory; what is not computed because it is not seen.
 /// [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 to 5.
 struct QualitySettings {
@@ -131,6 +137,8 @@ struct QualitySettings {
   Shading shading = Shading::raster;
   BlurOrder blur = BlurOrder::chain;
   IrradianceBy irradiance = IrradianceBy::raster;
+  ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
+  std::optional<int> taps{};  ///< of their kernels, see docs/techniques.md; none: as many as usual
   /// distance, in sphere radii, up to which maps have their full size; none: a texel per pixel
   std::optional<double> d_ref{};
   std::optional<double> clip_margin_mm{};  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma

@@ -30,16 +30,18 @@ Rgb rgb(const json::Value& value, double most = any) {
   return result;
 }
 
-double variance_mm2(const json::Value& value) {
+double variance_mm2(const json::Value& value, LeastVariance least) {
   if (value.is_array())
     value.fail(
         "is a list: variances per channel cannot be blurred together; make the profile with shared ones");
   const double variance_mm2 = value.number(-any, any);
-  if (!(variance_mm2 > 0)) value.fail("must be > 0 mm^2, is {}", variance_mm2);
+  const bool may_be_zero = least == LeastVariance::zero;
+  if (!(variance_mm2 > 0) && !(may_be_zero && variance_mm2 == 0))
+    value.fail("must be {} 0 mm^2, is {}", may_be_zero ? ">=" : ">", variance_mm2);
   return variance_mm2;
 }
 
-std::vector<Gaussian> read_terms(const json::Value& root) {
+std::vector<Gaussian> read_terms(const json::Value& root, LeastVariance least) {
   const json::Value variances = root.at("variances_mm2"), weights = root.at("weights");
   std::vector<Gaussian> terms(variances.array_size(1, max_terms));
   if (weights.array_size(1, max_terms) != terms.size())
@@ -47,7 +49,7 @@ std::vector<Gaussian> read_terms(const json::Value& root) {
               weights.array_size());
 
   for (std::size_t i = 0; i < terms.size(); ++i)
-    terms[i] = {.variance_mm2 = variance_mm2(variances.element(i)), .weight = rgb(weights.element(i))};
+    terms[i] = {.variance_mm2 = variance_mm2(variances.element(i), least), .weight = rgb(weights.element(i))};
 
   std::sort(terms.begin(), terms.end(),
             [](const Gaussian& a, const Gaussian& b) { return a.variance_mm2 < b.variance_mm2; });
@@ -74,14 +76,14 @@ void check_weights(std::vector<Gaussian>& terms, bool normalise, const json::Val
 
 }  // namespace
 
-SumOfGaussians read_json(const json::Value& root, bool normalise) {
+SumOfGaussians read_json(const json::Value& root, bool normalise, LeastVariance least) {
   root.only_keys({"name", "model", "variances_mm2", "weights", "error_percent", "total_reflectance",
                   "mean_free_path_mm", "diffuse_mean_free_path_mm"});
 
   SumOfGaussians sum;
   sum.name = root.text_or("name", sum.name);
   sum.model = root.text_or("model", sum.model);
-  sum.terms = read_terms(root);
+  sum.terms = read_terms(root, least);
   check_weights(sum.terms, normalise, root);
 
   if (const auto found = root.find("error_percent")) sum.error_percent = rgb(*found);
@@ -95,8 +97,8 @@ SumOfGaussians parse_json(std::string_view text, const std::string& where, bool 
   return read_json(json::Document(text, where, limits).root(), normalise);
 }
 
-SumOfGaussians load_json(const std::filesystem::path& path, bool normalise) {
-  return read_json(json::load(path, max_file_bytes, limits).root(), normalise);
+SumOfGaussians load_json(const std::filesystem::path& path, bool normalise, LeastVariance least) {
+  return read_json(json::load(path, max_file_bytes, limits).root(), normalise, least);
 }
 
 std::string to_json(const SumOfGaussians& sum) {
@@ -118,7 +120,7 @@ std::string to_json(const SumOfGaussians& sum) {
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise) {
+SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise, LeastVariance least) {
   const std::vector<std::string_view> names = known_names();
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) return known(name_or_path);
   std::error_code error;
@@ -126,7 +128,7 @@ SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise
     throw input_error("", "profile '{}' is neither a file nor a published name; published are: {}",
                       name_or_path, fmt::join(names, ", "));
   }
-  return load_json(name_or_path, normalise);
+  return load_json(name_or_path, normalise, least);
 }
 
 }  // namespace dermis::gaussians

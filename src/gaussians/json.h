@@ -12,19 +12,28 @@
 
 namespace dermis::gaussians {
 
-/// Terms are sorted narrow to wide. InputError: a key that is not known (lists the known ones), a variance <=
-/// 0, equal variances, a negative weight, weights that do not sum to 1 within 1e-3 per channel (unless
-/// normalise: they are divided by their sum), 0 or more than 8 terms.
-SumOfGaussians read_json(const json::Value& profile, bool normalise = false);
+/// The least variance that a term may have.
+enum class LeastVariance : std::uint8_t {
+  above_zero,
+  zero  ///< light of that term leaves where it entered
+};
+
+/// Terms are sorted narrow to wide. InputError: a key that is not known (lists the known ones), a variance <
+/// 0 (or 0, unless that may be), equal variances, a negative weight, weights that do not sum to 1 within 1e-3
+/// per channel (unless normalise: they are divided by their sum), 0 or more than 8 terms.
+SumOfGaussians read_json(const json::Value& profile, bool normalise = false,
+                         LeastVariance least = LeastVariance::above_zero);
 /// The same from a text, whose place is `where`.
 SumOfGaussians parse_json(std::string_view text, const std::string& where, bool normalise = false);
 /// The same from a file of at most 1 MiB, whose name is the place; also InputError if it cannot be read.
-SumOfGaussians load_json(const std::filesystem::path& path, bool normalise = false);
+SumOfGaussians load_json(const std::filesystem::path& path, bool normalise = false,
+                         LeastVariance least = LeastVariance::above_zero);
 /// The text that parse_json() reads back to the last bit; bytes of the name that are not UTF-8 are replaced.
 /// All numbers must be finite.
 std::string to_json(const SumOfGaussians& sum);
 
 /// A published name, else a file. InputError lists the known names when it is neither.
-SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise = false);
+SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise = false,
+                                 LeastVariance least = LeastVariance::above_zero);
 
 }  // namespace dermis::gaussians

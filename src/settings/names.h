@@ -26,6 +26,9 @@ template <>
 inline constexpr std::array<std::string_view, 2> names_of<IrradianceBy>{"raster", "compute"};
 
 template <>
+inline constexpr std::array<std::string_view, 2> names_of<ScreenKernel>{"profile", "published"};
+
+template <>
 inline constexpr std::array<std::string_view, 6> names_of<ToneMap>{"natural", "neutral", "agx",
                                                                    "filmic",  "srgb",    "linear"};
 

@@ -22,12 +22,21 @@ void check_camera(const CameraSettings& camera) {
     throw input_error("", "camera.matrices are the whole camera: no other setting of it may be given");
 }
 
+void check_taps(const RenderSettings& s) {
+  const techniques::TapRange& range = techniques::find_technique(s.technique).taps;
+  if (!s.quality.taps || range.most == 0) return;
+  const auto taps = static_cast<std::uint32_t>(*s.quality.taps);
+  if (taps < range.least || taps > range.most || (range.odd && taps % 2 == 0))
+    throw input_error("", "quality.taps of technique '{}' must be {} to {}{}, got {}", s.technique,
+                      range.least, range.most, range.odd ? " and odd" : "", taps);
+}
+
 }  // namespace
 
 void check_settings(const RenderSettings& s) {
   check_ranges(s);
   check_camera(s.camera);
-  techniques::find_technique(s.technique);
+  check_taps(s);
   background_of(s.output.background);
   if (s.quality.samples != 1 && s.quality.samples != 4)
     throw input_error("", "quality.samples must be 1 or 4, got {}", s.quality.samples);

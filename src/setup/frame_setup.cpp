@@ -16,6 +16,7 @@
 #include "setup/frame_camera.h"
 #include "setup/models.h"
 #include "setup/pool.h"
+#include "shared/entries_io.h"
 
 namespace dermis::setup {
 namespace {
@@ -179,6 +180,19 @@ void check_cascade(const techniques::FrameSettings& plan) {
         "maps; take quality.blur chain, or a larger quality.map_size");
 }
 
+// Light is blurred between the pixels of one picture of ours, in which ids tell heads apart.
+void check_screen_space(const FrameSetup& setup) {
+  const techniques::FrameSettings& plan = setup.plan;
+  if (!setup.technique->screen_space || !plan.has_skin() || plan.can_shade_entries()) return;
+  if (plan.host)
+    throw input_error("", "technique '{}' blurs light in a picture of its own, not in targets of a host",
+                      setup.technique->name);
+  throw input_error("",
+                    "technique '{}' tells skin apart by ids, which have room for {} parts, {} triangles per "
+                    "skin mesh and {} pixels; this frame has more",
+                    setup.technique->name, MOST_PARTS, MOST_TRIANGLES, MOST_SHADED_PIXELS);
+}
+
 void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s,
                  const std::vector<scene::Light>& lights, const DeviceTraits& device, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
@@ -215,6 +229,11 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
     plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
                                   [&](const PlacedAsset& instance) { return all_enters(instance, s); });
+  }
+
+  if (setup.technique->screen_space) {
+    plan.kernel = s.quality.kernel;
+    plan.taps = static_cast<std::uint32_t>(s.quality.taps.value_or(0));
   }
 
   for (const techniques::SkinPart& part : plan.skin)
@@ -311,7 +330,9 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   set_up_plan(setup, scene, s, lights, device, every_view);
   if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
-  setup.plan.shade_entries = s.quality.shading == Shading::compute && setup.plan.can_shade_entries();
+  check_screen_space(setup);
+  setup.plan.shade_entries = (s.quality.shading == Shading::compute || setup.technique->screen_space) &&
+                             setup.plan.can_shade_entries();
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;

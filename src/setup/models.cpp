@@ -42,6 +42,15 @@ gaussians::SumOfGaussians in_asset(gaussians::SumOfGaussians profile, double sca
   return profile;
 }
 
+// Takes the light that leaves where it entered out of the profile. A light map has at least one term.
+void take_unscattered(techniques::SkinPart& part) {
+  std::vector<gaussians::Gaussian>& terms = part.profile.terms;
+  if (terms.empty() || terms.front().variance_mm2 > 0) return;
+  part.unscattered = terms.front().weight;
+  terms.erase(terms.begin());
+  if (terms.empty()) terms.push_back({.variance_mm2 = 1, .weight = {}});
+}
+
 techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const RenderSettings& s) {
   const Subject& subject = *model.subject;
   const scene::SkinMesh& mesh = subject.skin[number];
@@ -53,6 +62,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   part.triangles = static_cast<std::uint32_t>(mesh.triangle_chart.size());
   part.draws = static_cast<std::uint32_t>(passes::draws_of(mesh).size());
   part.profile = model.profile ? *model.profile : choose_profile(subject.scene->materials[material], s);
+  take_unscattered(part);
   part.mm_per_unit = subject.scene->mm_per_unit;
   if (model.scale != 1) {
     part.profile = in_asset(part.profile, double{model.scale});
@@ -94,7 +104,8 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
   std::vector<ModelKey> keys;
   std::optional<gaussians::SumOfGaussians> for_all;
   if (!s.skin.profile.empty())
-    for_all = gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile);
+    for_all = gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile,
+                                           gaussians::LeastVariance::zero);
   std::map<std::pair<const Subject*, std::optional<std::size_t>>, std::uint32_t> first_unwraps;
   std::uint32_t unwraps = 0;
 

@@ -2,7 +2,9 @@
 #include <array>
 
 #include "core/error.h"
+#include "techniques/burley_disc/burley_disc.h"
 #include "techniques/lambert/lambert.h"
+#include "techniques/separable/separable.h"
 #include "techniques/technique.h"
 #include "techniques/texture_space/texture_space.h"
 
@@ -12,6 +14,8 @@ namespace {
 constexpr std::array all{
     &texture_space,
     &lambert,
+    &separable,
+    &burley_disc,
 };
 
 }  // namespace

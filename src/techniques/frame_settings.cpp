@@ -12,6 +12,11 @@ std::uint32_t FrameSettings::draws_of(const Model& model) const {
   return draws;
 }
 
+bool FrameSettings::has_skin() const {
+  return std::any_of(heads.begin(), heads.end(),
+                     [&](std::uint32_t model) { return draws_of(models[model]) > 0; });
+}
+
 bool FrameSettings::can_shade_entries() const {
   std::uint64_t parts = 0;
   for (const std::uint32_t model : heads) parts += draws_of(models[model]);

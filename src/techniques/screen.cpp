@@ -5,12 +5,14 @@
 #include <utility>
 
 #include "frame/together.h"
+#include "passes/add_scattered/add_scattered.h"
 #include "passes/background/background.h"
 #include "passes/bloom/bloom.h"
 #include "passes/clear_buffers.h"
 #include "passes/count/count.h"
 #include "passes/final_pass/final_pass.h"
 #include "passes/final_pass/shade.h"
+#include "passes/final_pass/shade_split.h"
 #include "passes/ids/ids.h"
 #include "passes/labels/labels.h"
 #include "passes/move_rig/move_rig.h"
@@ -127,6 +129,16 @@ void Screen::add_entries() {
   plan_->add<passes::EntryList>("entry list", {entries_});
 }
 
+passes::SkinLook Screen::look_of(passes::SkinLook look) const {
+  const SkinPart& part = settings_.skin[look.square.mesh];
+  look.environment = settings_.environment;
+  look.soft_shadows = settings_.soft_shadows;
+  look.off_map = part.off_map;
+  look.cut_out = part.cut_out;
+  look.emits = part.emits;
+  return look;
+}
+
 void Screen::add_skin(const std::vector<SkinOnScreen>& skin,
                       const std::function<std::string(std::string_view)>& name_of) {
   if (!settings_.draws_picture() || skin.empty()) return;
@@ -134,13 +146,7 @@ void Screen::add_skin(const std::vector<SkinOnScreen>& skin,
   Together<passes::Shade>::In computed;
   Together<passes::FinalPass>::In drawn;
   for (const auto& [asked, maps] : skin) {
-    passes::SkinLook look = asked;
-    const SkinPart& part = settings_.skin[look.square.mesh];
-    look.environment = settings_.environment;
-    look.soft_shadows = settings_.soft_shadows;
-    look.off_map = part.off_map;
-    look.cut_out = part.cut_out;
-    look.emits = part.emits;
+    const passes::SkinLook look = look_of(asked);
     const passes::SkinLights lights{maps, shadow_, entering_};
 
     if (shaded())
@@ -161,6 +167,35 @@ void Screen::add_skin(const std::vector<SkinOnScreen>& skin,
     plan_->add<Together<passes::Shade>>(name_of("shade"), computed);
   else
     plan_->add<Together<passes::FinalPass>>(name_of("final"), drawn);
+}
+
+void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
+                            const std::vector<gaussians::Rgb>& blurred, const passes::ScreenSurface& surface,
+                            const std::string& name) {
+  DERMIS_ASSERT(shaded());
+  if (skin.empty()) return;
+
+  Together<passes::ShadeSplit>::In split;
+  for (const passes::MapSquare& square : skin) {
+    const auto& [r, g, b] = blurred[square.mesh];
+    split.members.push_back(
+        {{{{}, shadow_}, entries_.parts, entries_.entries, entries_.pixels, surface},
+         {.look = look_of({.square = square}),
+          .blurred = {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)},
+          .mm_per_unit = settings_.skin[square.mesh].mm_per_unit,
+          .first_part = first_part(square),
+          .head_part = first_part_[square.instance],
+          .head_parts_end = first_part_[square.instance + 1],
+          .extent = {settings_.width, settings_.height},
+          .samples = settings_.samples}});
+  }
+  plan_->add<Together<passes::ShadeSplit>>(name, split);
+}
+
+void Screen::add_scattered(frame::TextureId blurred, const passes::ScreenSurface& surface) {
+  plan_->add<passes::AddScattered>("add scattered",
+                                   {blurred, surface.leaving, entries_.pixels, entries_.entries},
+                                   {.width = settings_.width, .height = settings_.height});
 }
 
 bool Screen::take_clear() { return !std::exchange(cleared_, true); }

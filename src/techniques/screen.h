@@ -8,6 +8,7 @@
 
 #include "passes/entries/entries.h"
 #include "passes/final_pass/skin_shading.h"
+#include "passes/screen_surface.h"
 #include "techniques/batches.h"
 #include "techniques/technique.h"
 
@@ -46,6 +47,12 @@ class Screen {
   /// draws no picture.
   void add_skin(const std::vector<SkinOnScreen>& skin,
                 const std::function<std::string(std::string_view)>& name_of);
+  /// Adds skin shaded in parts, of which `surface` takes what is blurred. blurred: the share of each skin
+  /// mesh of the plan. Needs add_entries().
+  void add_split_skin(const std::vector<passes::MapSquare>& skin, const std::vector<gaussians::Rgb>& blurred,
+                      const passes::ScreenSurface& surface, const std::string& name);
+  /// Adds what was blurred to the skin, once all of it is shaded.
+  void add_scattered(frame::TextureId blurred, const passes::ScreenSurface& surface);
   /// Adds the opaque parts of these heads that are not skin.
   void add_surfaces(const Batch& batch);
   /// Adds their blended parts, far to near, over all that is drawn.
@@ -62,6 +69,8 @@ class Screen {
   gpu::TextureDesc target(VkFormat format) const;
   bool shaded() const { return entries_.pixels.valid(); }  // add_entries() has been called
   std::uint32_t first_part(const passes::MapSquare& square) const;
+  // Fills in what the scene and the skin mesh decide.
+  passes::SkinLook look_of(passes::SkinLook asked) const;
   frame::TextureId add_picture();
   frame::TextureId add_open_share();
   void add_display(FrameOutputs& out);

@@ -28,6 +28,9 @@ namespace dermis::techniques {
 /// per mm (texture coordinates, 0..1) times its side.
 struct SkinPart {
   gaussians::SumOfGaussians profile;
+  /// Light that leaves where it entered: the weight of a Gaussian of variance 0, which `profile` lacks. If
+  /// all light does, `profile` has one Gaussian without weight.
+  gaussians::Rgb unscattered{};
   double mm_per_unit = 1000;  ///< mm of the asset per metre of the world
   /// Number of the mesh whose unwrap this is: instances of an asset that differ in their profile share it.
   std::uint32_t unwrap = 0;
@@ -110,10 +113,12 @@ struct FrameSettings {
   /// Skin is drawn as ids and shaded in compute, once per entry of a pixel (passes/entries); else where it is
   /// drawn. See can_shade_entries().
   bool shade_entries = false;
-  bool poses = false;         ///< some instance takes poses: passes::MoveRig
-  bool environment = false;   ///< light from a picture of the surroundings, else uniform
-  bool soft_shadows = false;  ///< some light has a radius
-  float bloom = 0;            ///< 0..1
+  ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
+  std::uint32_t taps = 0;                       ///< of their kernels; 0: as many as usual
+  bool poses = false;                           ///< some instance takes poses: passes::MoveRig
+  bool environment = false;                     ///< light from a picture of the surroundings, else uniform
+  bool soft_shadows = false;                    ///< some light has a radius
+  float bloom = 0;                              ///< 0..1
   ToneMap tone_map = ToneMap::natural;
   passes::Behind behind;         ///< the heads; black for a host, which composes by itself
   std::optional<HostPart> host;  ///< none: the frame ends as a picture of ours
@@ -136,6 +141,7 @@ struct FrameSettings {
   /// Returns whether ids can tell apart all skin, and whether its pixels fit in a buffer: limits of
   /// shared/entries_io.h. A host's targets are drawn into.
   bool can_shade_entries() const;
+  bool has_skin() const;  ///< of any head
   passes::PictureFormat picture_format() const {
     return host && host->picture ? *host->picture : passes::PictureFormat{};
   }
@@ -203,11 +209,20 @@ struct GutterSize {
   int width_texels = 0;
 };
 
+/// How many taps a kernel may have.
+struct TapRange {
+  std::uint32_t least = 0, most = 0, usual = 0;
+  bool odd = false;  ///< their number is odd
+};
+
 struct Technique {
   std::string_view name;       ///< as RenderSettings::technique names it
   std::string_view summary;    ///< one line, for help texts
   bool uses_profile = true;    ///< light spreads as the material's profile says
   bool has_light_maps = true;  ///< Optimise, mask, progressive and translucency mean something
+  /// Light is blurred in the picture: skin is shaded as entries, whatever the settings say.
+  bool screen_space = false;
+  TapRange taps{};  ///< of its kernels; it has none if `most` is 0
 
   /// Adds the passes of a frame to the empty `plan`, in the order in which they run. Needs no device.
   FrameOutputs (*build)(passes::FramePlan& plan, const FrameSettings& settings);

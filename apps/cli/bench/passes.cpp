@@ -24,7 +24,7 @@ std::string common_name(std::string name) {
 }
 
 // By how the name of a pass begins; the first that fits. The last three are names in older records.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 39> beginnings{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 43> beginnings{{
     {"shadow", 0},
     {"entering", 0},
     {"cull triangles", 1},
@@ -53,6 +53,10 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 39> beginnings{{
     {"part ranges", 4},
     {"clear parts", 4},
     {"shade", 4},
+    {"clear skin", 4},
+    {"separable", 3},
+    {"disc", 3},
+    {"add scattered", 4},
     {"surfaces", 5},
     {"blended surfaces", 5},
     {"blended cover", 5},

@@ -2,10 +2,7 @@
 // Light from the skin to the camera: the scattered light of its texels (or, with no terms, the light that
 // enters at the pixel), the part of the albedo that is applied afterwards, two specular lobes, and emission.
 // THROUGH: with transmitted light. Needs `io` (FinalPassIo).
-#include "shaders/half.glsl"
-#include "shaders/skin_point.glsl"
-#include "shaders/skin_lights.glsl"
-#include "shaders/cut_out.glsl"
+#include "passes/final_pass/skin_answer.glsl"
 #include "shared/gutters_io.h"
 #ifdef THROUGH
 #include "shaders/skin_through.glsl"
@@ -13,9 +10,7 @@
 layout(constant_id = 0) const int term_count = 6;
 layout(constant_id = 1) const bool direct = false;       // what the weights lack of 1 is lit per pixel
 layout(constant_id = 2) const bool progressive = false;  // maps of wide terms are smaller
-layout(constant_id = 12) const bool emits = false;
-layout(constant_id = 17) const bool summed = false;  // the first map holds the weighted sum
-layout(binding = 13) uniform sampler2D map_emissive;
+layout(constant_id = 17) const bool summed = false;      // the first map holds the weighted sum
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15) uniform sampler2D light_1;
 layout(binding = 16) uniform sampler2D light_2;
@@ -32,12 +27,6 @@ layout(binding = 21) uniform sampler2D light_7;
 // NaN.
 bool is_read(int i) { return i < term_count && (!direct || io.weights[i] != vec3(float(nothing()))); }
 
-// Where the skin is on its light map.
-struct OnMap {
-  vec2 unwrap;      // in its triangle
-  float uv_per_mm;  // texture coordinates
-};
-
 // Returns the part of a term that is read from its map.
 vec3 mapped_weight(int term, OnMap on) {
   return (1.0 - coarse_share(terms.sigma_mm[term], on.uv_per_mm)) * io.weights[term];
@@ -53,11 +42,6 @@ vec3 light_of(sampler2D light, int term, vec2 unwrap, vec2 at) {
         light_point(unwrap, float(side), vec2(io.map_origin) * (size / vec2(textureSize(light_0, 0)))) / size;
   }
   return cut_out ? light_left(light, at) : textureLod(light, at, 0.0).rgb;
-}
-
-vec3 emitted(ShadingPoint s) {
-  const MapIo map = material.maps[MAP_EMISSIVE];
-  return is_present(map) ? material.emissive * map_texel(map_emissive, map, s).rgb : material.emissive;
 }
 
 // Returns sum_i w_i (light blurred by term i), already times 2^EV / pi.
@@ -91,36 +75,6 @@ vec3 through_share(LitThrough r, OnMap on) {
   return sum;
 }
 #endif
-
-// Returns the environment in both lobes, by their directional albedo. Where skin occludes it, the lobe
-// reflects `skin`, the radiance that leaves skin here. At grazing angles a lobe is narrower than its slope
-// and bent towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the mean of
-// [KSK01]'s lobe, m = 0.1 to 0.4.
-vec3 mirrored_surroundings(ShadingPoint s, vec2 unwrap, vec3 n_geometric, SkinView view, SkinSpecular spec,
-                           vec3 skin) {
-  const vec3 n = view.n, v = view.to_eye;
-  const float n_v = dot(n, v), all = specular_albedo(directional_albedo, spec, n_v),
-              open = skin_open(s, unwrap);
-  if (!environment) return frame.ambient * (all * open);
-
-  const vec3 mirrored = reflect(-v, n),
-             turned = off_map ? vec3(0.0) : world_direction(textureLod(bent_normal, unwrap, 0.0).xyz),
-             sky = normalize(n_geometric + turned);
-  const float above = clamp(1.0 + 1.3 * dot(mirrored, n_geometric), 0.0,
-                            1.0);  // a mapped normal may reflect directions below the surface
-
-  vec2 albedo = vec2(0.0);
-  vec3 lobe[2];
-  for (int k = 0; k < 2; ++k) {
-    albedo[k] = spec.weight[k] * directional_albedo_lookup(directional_albedo, n_v, spec.m[k], spec.f0);
-    const float slope = spec.m[k] * sqrt(max(n_v, 0.0));
-    const vec3 towards = normalize(mirrored + n * (0.9 * spec.m[k] * pow(1.0 - n_v, 4.0)));
-    lobe[k] = mix(skin, surroundings_radiance(towards, slope),
-                  sky_in_lobe(sky, open, towards, slope) * above * above);
-  }
-
-  return (lobe[0] * albedo.x + lobe[1] * albedo.y) * (all / max(albedo.x + albedo.y, 1e-6));
-}
 
 // s.normal: interpolated, turned to the side that is seen. The result can be stored in half floats.
 vec3 skin_radiance(ShadingPoint s, OnMap on) {

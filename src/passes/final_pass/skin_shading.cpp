@@ -71,7 +71,7 @@ void SkinShading::prepare(gpu::PipelineLibrary& library) {
 std::vector<SkinVariant> SkinShading::variants() const {
   using Lit = SkinVariant::Lit;
   std::vector<SkinVariant> lit{{.lit = look_.weights.empty() ? Lit::at_pixel : Lit::on_map}};
-  if (look_.mixes || look_.terms.coarse) lit.push_back({.lit = Lit::mixed});
+  if (look_.mixes || look_.terms.coarse || look_.unscattered) lit.push_back({.lit = Lit::mixed});
   if (look_.mixes) lit.push_back({.lit = Lit::at_pixel});
   if (look_.off_map) lit.push_back({.lit = Lit::at_pixel, .off_map = true});
 
@@ -96,7 +96,7 @@ SkinVariant SkinShading::variant_of(const Instance& instance, const GpuDraw& dra
 }
 
 SkinVariant::Lit SkinShading::lit_of(const Instance& instance) const {
-  bool mixed = look_.terms.coarse, mapped = false;
+  bool mixed = look_.terms.coarse || look_.unscattered, mapped = false;
   for (std::size_t i = 0; i < look_.weights.size(); ++i) {
     const float share = share_of(i, instance);
     mixed = mixed || share > 0;

@@ -60,6 +60,8 @@ struct SkinLook {
   bool emits = false;    ///< some of the mesh's skin emits light
   /// where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
   bool mixes = false;
+  /// some light leaves where it entered, for which the weights leave room: it is lit per pixel
+  bool unscattered = false;
   TermsOnMap terms;
   float texels_per_mm = 0;  ///< mean of the unwrap, at T_max
   /// The profile, if there is transmitted light, also for the part lit per pixel. See Irradiance.

@@ -61,6 +61,7 @@ SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const
                    .halvings = read_halvings(settings, maps, count),
                    .summed = settings.cascade,
                    .mixes = settings.mixes(),
+                   .unscattered = part.unscattered != gaussians::Rgb{},
                    .terms = terms_on_map(settings, part),
                    .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
                    .through = std::move(through)},

@@ -12,6 +12,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "scene/primitives.h"
+#include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
@@ -75,7 +76,16 @@ TEST_P(CutOut, WhiteFurnace) {
       const Picture picture = renderer().render(strips ? striped_sphere() : wrap(half_plane()), s);
       const SkinRange skin = skin_range(picture);
       EXPECT_GT(skin.pixels, 500u);
-      EXPECT_GE(skin.low, 0.99f);
+      // Samples that are shaded together are shaded in their middle, which may lie in a gap that is as thin
+      // as a pixel: the red of what is cut away is their albedo then, with and without scattering.
+      float least = 0.99f;
+      if (strips && techniques::find_technique(GetParam()).screen_space) {
+        s.technique = "lambert";
+        s.quality.shading = Shading::compute;
+        least = 0.99f * skin_range(renderer().render(striped_sphere(), s)).low;
+        EXPECT_LT(least, 0.1f);
+      }
+      EXPECT_GE(skin.low, least);
       EXPECT_LE(skin.high, 1.005f);
       EXPECT_EQ(picture.statistics.unshaded_reads, 0u);
     }
@@ -144,7 +154,7 @@ TEST_P(CutOut, ValidationIsSilent) {
   made.materials.front().emissive = glm::vec3(1);
   RenderSettings s = settings_of(GetParam(), true);
   s.output.width = s.output.height = 32, s.quality.map_size = 64;
-  if (GetParam() != "lambert") s.output.show = "visibility";
+  if (GetParam() == "texture-space") s.output.show = "visibility";
   renderer().render(wrap(made), s);
 }
 

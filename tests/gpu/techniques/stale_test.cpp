@@ -70,7 +70,7 @@ void expect_nothing_stale(const Scene& scene, RenderSettings s) {
     for (const int side : picture.statistics.used_size)
       if (heads == 1) smallest = std::min(smallest, side);
   }
-  EXPECT_EQ(smallest < s.quality.map_size, s.quality.depth && s.technique != "lambert")
+  EXPECT_EQ(smallest < s.quality.map_size, s.quality.depth && s.technique == "texture-space")
       << "no square is used in part";
 }
 

@@ -104,11 +104,11 @@ TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
     for (const char* key : {"images", "buffers", "peak"}) EXPECT_GT(j.at("memory_bytes").at(key), 0) << key;
     EXPECT_TRUE(j.at("texels").at("used_size").is_array());
 
-    const bool scatters = technique != "lambert";
+    const bool has_maps = technique == "texture-space";
     EXPECT_EQ(j.at("optimise"),
-              scatters ? nlohmann::json({"cull", "depth", "clip"}) : nlohmann::json::array());
-    EXPECT_EQ(j.at("maps"), scatters ? nlohmann::json("full") : nlohmann::json());
-    EXPECT_EQ(j.at("mask").is_string(), scatters);
+              has_maps ? nlohmann::json({"cull", "depth", "clip"}) : nlohmann::json::array());
+    EXPECT_EQ(j.at("maps"), has_maps ? nlohmann::json("full") : nlohmann::json());
+    EXPECT_EQ(j.at("mask").is_string(), has_maps);
 
     EXPECT_EQ(j.at("size"), nlohmann::json({128, 128}));
     EXPECT_EQ(j.at("skin_materials"), nlohmann::json({"skin"}));

@@ -195,5 +195,21 @@ TEST(ProfileJson, NameOrFile) {
   EXPECT_THROW(from_name_or_file(std::filesystem::temp_directory_path().string()), InputError);
 }
 
+// Light that leaves where it entered: for those who can light it at the pixel.
+TEST(ProfileJson, AVarianceOfZeroIsForThoseThatTakeIt) {
+  const auto path = std::filesystem::temp_directory_path() / fmt::format("dermis-zero-{}.json", getpid());
+  const auto read = [&](const char* variances, LeastVariance least) {
+    std::ofstream(path) << two_terms(variances, good_weights);
+    return load_json(path, false, least);
+  };
+  EXPECT_THROW(read("[1, 0]", LeastVariance::above_zero), InputError);
+  EXPECT_THROW(read("[1, -0.5]", LeastVariance::zero), InputError);
+  EXPECT_THROW(read("[0, 0]", LeastVariance::zero), InputError);
+  const SumOfGaussians sum = read("[1, 0]", LeastVariance::zero);
+  EXPECT_EQ(sum.terms[0], (Gaussian{.variance_mm2 = 0, .weight = {0.75, 0.5, 0}}));
+  EXPECT_EQ(sum.terms[1].variance_mm2, 1);
+  std::filesystem::remove(path);
+}
+
 }  // namespace
 }  // namespace dermis::gaussians

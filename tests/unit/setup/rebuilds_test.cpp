@@ -36,6 +36,8 @@ constexpr Exception exceptions[] = {
     {"skin.normalise_profile", "weights that nearly sum to 1", "others are refused, or sum to 1 already"},
     {"quality.blur", "progressive maps", "a cascade takes no others"},
     {"quality.map_budget_mb", "heads in the studio", "a head by itself takes one square"},
+    {"quality.kernel", "in screen space", "light maps have no kernels in the picture"},
+    {"quality.taps", "in screen space", "nor taps"},
     {"skin.mix", "skin alone", "light must enter all that it falls on, and eyes and teeth are no skin"},
 };
 
@@ -68,6 +70,7 @@ std::vector<Frame> frames() {
   const Subject subject = head();
   return {{"the built-in head", subject, {}},
           {"progressive maps", subject, {.quality = {.maps = LightMaps::progressive}}},
+          {"in screen space", subject, {.technique = "separable"}},
           {"heads in the studio",
            subject,
            {.camera = {.heads = 3},
@@ -101,7 +104,7 @@ std::vector<Value> values_for(const std::string& path, const About& about) {
     return all;
   } else if constexpr (std::is_same_v<Value, std::string>) {
     static const std::map<std::string, std::vector<std::string>> texts{
-        {"technique", {"texture-space", "lambert"}},
+        {"technique", {"texture-space", "lambert", "separable", "burley-disc"}},
         {"camera.name", {"", "side"}},
         {"lighting.environment", {"", "studio"}},
         {"skin.profile", {"skin", profile_file()}},
@@ -122,6 +125,7 @@ std::vector<Value> values_for(const std::string& path, const About& about) {
             Value(1),
             Value(2),
             Value(4),
+            Value(21),
             Value(1000)};
   }
 }

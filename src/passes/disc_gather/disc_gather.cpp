@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "passes/disc_gather/disc_gather.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "frame/resources.h"
+#include "passes/bindings.h"
+#include "passes/disc_gather/disc_gather_io.h"
+
+namespace dermis::passes {
+namespace {
+
+io::DiscProfileIo profile_io(const Disc& disc) {
+  const auto& [r, g, b] = disc.burley_mm;
+  io::DiscProfileIo io{.mm_per_unit = static_cast<float>(disc.mm_per_unit),
+                       .reach_mm = static_cast<float>(disc.reach_mm),
+                       .distance_mm = glm::vec3(r, g, b),
+                       .terms = static_cast<std::uint32_t>(disc.profile.terms.size()),
+                       .variance_mm2 = {},
+                       .weight = {}};
+  DERMIS_ASSERT_LE(disc.profile.terms.size(), std::size_t{MOST_TERMS});
+  for (std::size_t i = 0; i < disc.profile.terms.size(); ++i) {
+    const gaussians::Gaussian& term = disc.profile.terms[i];
+    const glm::dvec3 weight(term.weight[0], term.weight[1], term.weight[2]);
+    io.variance_mm2[i] = static_cast<float>(term.variance_mm2);
+    io.weight[i] = glm::vec3(weight / (2 * std::numbers::pi * term.variance_mm2));
+  }
+  return io;
+}
+
+}  // namespace
+
+DiscGather::Out DiscGather::declare(frame::Declare& d) {
+  DERMIS_ASSERT(!settings.discs.empty());
+  const std::size_t taps = settings.discs.front().taps.size();
+  for (const Disc& disc : settings.discs) DERMIS_ASSERT_EQ(disc.taps.size(), taps);
+  compute(d, "disc_gather.comp",
+          {{"tap_count", static_cast<std::uint32_t>(taps)}, {"burley", settings.burley ? 1u : 0u}});
+
+  const gpu::TextureDesc desc = d.desc(in.surface.light);
+  out_.light = d.create("blurred light", screen_light(desc.width, desc.height));
+  d.sample(in.surface.light);
+  d.sample(in.surface.depth_mm);
+  d.sample(in.surface.surface);
+  d.sample(in.surface.leaving);
+  d.write(out_.light);
+  return out_;
+}
+
+void DiscGather::prepare(gpu::PipelineLibrary& library) {
+  ComputePass::prepare(library);
+  std::vector<io::DiscProfileIo> profiles;
+  std::vector<io::DiscTapIo> taps;
+  for (const Disc& disc : settings.discs) {
+    profiles.push_back(profile_io(disc));
+    for (const gaussians::DiscTap& tap : disc.taps)
+      taps.push_back({.offset_mm = glm::vec2(tap.x_mm, tap.y_mm),
+                      .per_density_mm2 = static_cast<float>(tap.per_density_mm2)});
+  }
+  constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  profiles_ = gpu::make_buffer(library.device(), "disc profiles",
+                               std::span<const io::DiscProfileIo>(profiles), usage);
+  taps_ = gpu::make_buffer(library.device(), "disc taps", std::span<const io::DiscTapIo>(taps), usage);
+}
+
+void DiscGather::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  Bindings()
+      .add("Frame", frame.frame_io)
+      .add("light", resources.nearest(in.surface.light))
+      .add("depth_of_skin", resources.nearest(in.surface.depth_mm))
+      .add("surface_of_skin", resources.nearest(in.surface.surface))
+      .add("leaving_skin", resources.nearest(in.surface.leaving))
+      .add("Profiles", profiles_)
+      .add("Taps", taps_)
+      .add("target", resources.storage(out_.light))
+      .bind(cmd, pipeline());
+  const gpu::TextureDesc& desc = resources.texture(out_.light).desc();
+  dispatch(cmd, screen_io(desc, frame.camera), desc.width, desc.height);
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Where the triangle of an entry is seen, and its skin there. Common part of shade.glsl and shade_split.comp.
+// Needs `shade` (ShadeIo) and what skin_answer.glsl declares.
+layout(constant_id = 16) const bool multisampled = true;
+
+// Where a pixel sees a triangle: barycentric coordinates, which sum to 1, and their change per pixel.
+struct Seen {
+  vec3 share, dx, dy;
+  bool front;  // its corners turn counter-clockwise
+};
+
+// Returns the mean of some samples of a pixel, in pixels; the middle if they are all. Positions are the
+// standard ones of Vulkan.
+vec2 middle_of(uint samples) {
+  if (samples == 15u || !multisampled) return vec2(0.5);
+  const vec2 sum = ((samples & 1u) != 0u ? vec2(0.375, 0.125) : vec2(0.0)) +
+                   ((samples & 2u) != 0u ? vec2(0.875, 0.375) : vec2(0.0)) +
+                   ((samples & 4u) != 0u ? vec2(0.125, 0.625) : vec2(0.0)) +
+                   ((samples & 8u) != 0u ? vec2(0.625, 0.875) : vec2(0.0));
+  return sum / float(bitCount(samples));
+}
+
+// The corners of a triangle in clip coordinates are a, b, c. The point on the ray through `at` is sum share_i
+// corner_i with sum share_i (x_i - at.x w_i) = 0, and y likewise: the shares are the cross product of both
+// rows. Relative to the ray, small triangles far away lose no digits.
+Seen seen_at(vec2 at, vec4 a, vec4 b, vec4 c) {
+  const vec3 w = vec3(a.w, b.w, c.w);
+  const vec3 x = vec3(a.x, b.x, c.x) - at.x * w, y = vec3(a.y, b.y, c.y) - at.y * w;
+  const vec3 area = cross(x, y), by_x = cross(y, w), by_y = cross(w, x);
+  const float whole = area.x + area.y + area.z;
+  if (!(abs(whole) > 0.0)) return Seen(vec3(1.0 / 3.0), vec3(0.0), vec3(0.0), true);
+
+  Seen seen;
+  seen.front = whole > 0.0;
+  seen.share = area / whole;
+  const vec2 step = 2.0 / vec2(shade.extent);
+  seen.dx = (by_x - seen.share * (by_x.x + by_x.y + by_x.z)) * (step.x / whole);
+  seen.dy = (by_y - seen.share * (by_y.x + by_y.y + by_y.z)) * (step.y / whole);
+
+  // The point may lie beside its triangle, whose edge is within the pixel.
+  seen.share = max(seen.share, vec3(0.0));
+  seen.share /= seen.share.x + seen.share.y + seen.share.z;
+  return seen;
+}
+
+vec4 clip_position(vec3 world_m) { return frame.camera.clip_from_world * vec4(world_m, 1.0); }
+
+vec2 at_seen(vec3 share, vec2 a, vec2 b, vec2 c) { return share.x * a + share.y * b + share.z * c; }
+vec3 at_seen(vec3 share, vec3 a, vec3 b, vec3 c) { return share.x * a + share.y * b + share.z * c; }
+vec4 at_seen(vec3 share, vec4 a, vec4 b, vec4 c) { return share.x * a + share.y * b + share.z * c; }
+
+// What an entry shows.
+struct SeenSkin {
+  ShadingPoint s;
+  OnMap on;
+};
+
+SeenSkin seen_skin(EntryIo entry) {
+  const uint first = 3u * (entry.x & (1u << ID_TRIANGLE_BITS) - 1u), pixel = entry.y & (1u << RANK_BITS) - 1u;
+  const uint i = indices[first], j = indices[first + 1u], k = indices[first + 2u];
+  const VertexIo a = vertices[i], b = vertices[j], c = vertices[k];
+  const vec3 pa = world_position(a.position_m), pb = world_position(b.position_m),
+             pc = world_position(c.position_m);
+
+  const vec2 at = vec2(pixel % shade.extent.x, pixel / shade.extent.x) + middle_of(entry.y >> RANK_BITS);
+  const Seen seen = seen_at((2.0 * at / vec2(shade.extent) - 1.0) * vec2(1.0, -1.0), clip_position(pa),
+                            clip_position(pb), clip_position(pc));
+
+  const VertexExtraIo ea = vertex_extra(i), eb = vertex_extra(j), ec = vertex_extra(k);
+  const vec4 uva = vec4(a.uv0, ea.uv1), uvb = vec4(b.uv0, eb.uv1), uvc = vec4(c.uv0, ec.uv1);
+  const vec4 uv = at_seen(seen.share, uva, uvb, uvc);
+
+  const vec3 position_m = at_seen(seen.share, pa, pb, pc);
+  const vec3 n = normalize(world_direction(at_seen(seen.share, a.normal, b.normal, c.normal)));
+  const vec4 tangent = at_seen(seen.share, a.tangent, b.tangent, c.tangent);
+  const ShadingPoint s =
+      ShadingPoint(position_m, seen.front ? n : -n, vec4(world_direction(tangent.xyz), tangent.w), uv.xy,
+                   uv.zw, at_seen(seen.share, ea.colour, eb.colour, ec.colour),
+                   at_seen(seen.dx, uva, uvb, uvc), at_seen(seen.dy, uva, uvb, uvc));
+
+  const SkinVertexIo sa = skin_vertices[i], sb = skin_vertices[j], sc = skin_vertices[k];
+  OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0);
+  if (coarse)
+    on.uv_per_mm =
+        dot(seen.share, vec3(uv_per_mm(sa.metric_mm2), uv_per_mm(sb.metric_mm2), uv_per_mm(sc.metric_mm2)));
+  return SeenSkin(s, on);
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "passes/final_pass/shade_split.h"
+
+#include "frame/resources.h"
+#include "passes/draw_skin.h"
+#include "passes/final_pass/shade_io.h"
+#include "shared/entries_io.h"
+
+namespace dermis::passes {
+
+ShadeSplit::Out ShadeSplit::declare(frame::Declare& d) {
+  d.kind(frame::PassKind::compute);
+  DERMIS_ASSERT(settings.look.weights.empty());
+  shading_ = SkinShading(settings.look, in.lights);
+  shading_.declare(d);
+  d.indirect(in.parts);
+  d.read(in.pixels);
+  d.write(in.entries);
+  d.write(in.surface.light);
+  d.write(in.surface.depth_mm);
+  d.write(in.surface.surface);
+  d.write(in.surface.leaving);
+  return {};
+}
+
+void ShadeSplit::prepare(gpu::PipelineLibrary& library) {
+  for (const SkinVariant& variant : shading_.variants())
+    pipelines_[variant.index()] =
+        &library.compute("shade_split.comp", {{"environment", settings.look.environment ? 1u : 0u},
+                                              {"soft_shadows", settings.look.soft_shadows ? 1u : 0u},
+                                              {"off_map", variant.off_map ? 1u : 0u},
+                                              {"emits", variant.emits ? 1u : 0u},
+                                              {"multisampled", settings.samples > 1 ? 1u : 0u}});
+  shading_.prepare(library);
+
+  const auto& [r, g, b] = settings.blurred;
+  const io::SplitIo split{
+      .blurred = {r, g, b},
+      .mm_per_unit = static_cast<float>(settings.mm_per_unit),
+      .mesh = static_cast<float>(static_cast<int>(settings.look.square.mesh) - SURFACE_MESH_MIDDLE),
+      .head = settings.look.square.instance,
+      .first_part = settings.head_part,
+      .end_part = settings.head_parts_end};
+  split_ = gpu::make_buffer(library.device(), "split skin", std::span<const io::SplitIo>(&split, 1),
+                            VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+}
+
+void ShadeSplit::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  const MapSquare& square = settings.look.square;
+  const Instance& instance = instance_of(frame, square);
+  if (!instance.is_drawn()) return;
+
+  const std::uint32_t mesh = mesh_in_asset(frame, square);
+  Bindings bindings;
+  shading_.offer(bindings, resources, frame);
+  bindings.add("Entries", resources.buffer(in.entries))
+      .add("Pixels", resources.buffer(in.pixels))
+      .add("Split", split_)
+      .add("light_of_skin", resources.storage(in.surface.light))
+      .add("depth_of_skin", resources.storage(in.surface.depth_mm))
+      .add("surface_of_skin", resources.storage(in.surface.surface))
+      .add("leaving_skin", resources.storage(in.surface.leaving));
+
+  io::ShadeIo io{.look = shading_.io(frame), .extent = settings.extent};
+  io.look.slot = settings.first_part;
+  for (const GpuDraw& draw : instance.scene->skin[mesh].draws) {
+    const GpuMaterial& material = instance.look->material(draw.material);
+    const gpu::Pipeline& pipeline = *pipelines_[shading_.variant_of(instance, draw, material).index()];
+    Bindings all = bindings;
+    offer_skin(all, instance, mesh, material);
+    all.bind(cmd, pipeline);
+    cmd.push(pipeline, io);
+    cmd.dispatch_indirect(resources.buffer(in.parts), io.look.slot * sizeof(io::PartIo));
+    ++io.look.slot;
+  }
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// How skin answers light at a point beside what it scatters: what it emits, and how it mirrors its
+// surroundings. Common part of skin_radiance.glsl and skin_split.glsl.
+#include "shaders/half.glsl"
+#include "shaders/skin_point.glsl"
+#include "shaders/skin_lights.glsl"
+#include "shaders/cut_out.glsl"
+layout(constant_id = 12) const bool emits = false;
+layout(binding = 13) uniform sampler2D map_emissive;
+
+// Where the skin is on its light map.
+struct OnMap {
+  vec2 unwrap;      // in its triangle
+  float uv_per_mm;  // texture coordinates
+};
+
+vec3 emitted(ShadingPoint s) {
+  const MapIo map = material.maps[MAP_EMISSIVE];
+  return is_present(map) ? material.emissive * map_texel(map_emissive, map, s).rgb : material.emissive;
+}
+
+// Returns the environment in both lobes, by their directional albedo. Where skin occludes it, the lobe
+// reflects `skin`, the radiance that leaves skin here. At grazing angles a lobe is narrower than its slope
+// and bent towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the mean of
+// [KSK01]'s lobe, m = 0.1 to 0.4.
+vec3 mirrored_surroundings(ShadingPoint s, vec2 unwrap, vec3 n_geometric, SkinView view, SkinSpecular spec,
+                           vec3 skin) {
+  const vec3 n = view.n, v = view.to_eye;
+  const float n_v = dot(n, v), all = specular_albedo(directional_albedo, spec, n_v),
+              open = skin_open(s, unwrap);
+  if (!environment) return frame.ambient * (all * open);
+
+  const vec3 mirrored = reflect(-v, n),
+             turned = off_map ? vec3(0.0) : world_direction(textureLod(bent_normal, unwrap, 0.0).xyz),
+             sky = normalize(n_geometric + turned);
+  const float above = clamp(1.0 + 1.3 * dot(mirrored, n_geometric), 0.0,
+                            1.0);  // a mapped normal may reflect directions below the surface
+
+  vec2 albedo = vec2(0.0);
+  vec3 lobe[2];
+  for (int k = 0; k < 2; ++k) {
+    albedo[k] = spec.weight[k] * directional_albedo_lookup(directional_albedo, n_v, spec.m[k], spec.f0);
+    const float slope = spec.m[k] * sqrt(max(n_v, 0.0));
+    const vec3 towards = normalize(mirrored + n * (0.9 * spec.m[k] * pow(1.0 - n_v, 4.0)));
+    lobe[k] = mix(skin, surroundings_radiance(towards, slope),
+                  sky_in_lobe(sky, open, towards, slope) * above * above);
+  }
+
+  return (lobe[0] * albedo.x + lobe[1] * albedo.y) * (all / max(albedo.x + albedo.y, 1e-6));
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// As skin_radiance.glsl with no terms, in parts: techniques in screen space blur what enters before it
+// leaves.
+#include "passes/final_pass/skin_answer.glsl"
+
+struct SplitSkin {
+  vec3 light;    // what is blurred: entered, times the part of the albedo before scattering; radiance
+  vec3 leaving;  // what blurred light is multiplied by
+  vec3 rest;     // what is not blurred: light lit at the pixel, reflection, emission
+};
+
+// blurred: the share of the light. Where skin occludes a lobe of its reflection, it reflects light that has
+// not been blurred. The parts can be stored in half floats.
+SplitSkin skin_split(ShadingPoint s, vec2 unwrap, vec3 blurred) {
+  const vec3 v = view_vector(s.position_m), n_geometric = s.normal;
+  const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
+  const SkinSpecular spec = skin_specular(s);
+  const SkinView view = skin_view(n, v, spec);
+  const vec3 albedo = skin_albedo(s);
+
+  const LitSkin lit = lit_skin(s, n, n_geometric, spec, true, view);
+  const vec3 entering = (lit.entering + entering_surroundings(s, n, unwrap)) * (frame.radiance_scale / pi);
+  const vec3 surroundings =
+      mirrored_surroundings(s, unwrap, n_geometric, view, spec, entering * albedo / frame.radiance_scale);
+  const float leaves = 1.0 - specular_albedo(directional_albedo, spec, dot(view.n, v));
+
+  SplitSkin split;
+  split.light = storable(entering * albedo_power(albedo, material.mix_before));
+  split.leaving = blurred * albedo_power(albedo, 1.0 - material.mix_before) * leaves;
+  split.rest =
+      (1.0 - blurred) * entering * albedo * leaves + (lit.reflected + surroundings) * frame.radiance_scale;
+  if (emits) split.rest += emitted(s) * frame.radiance_scale;
+  split.rest = storable(split.rest);
+  return split;
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "passes/screen_surface.h"
+
+#include "passes/clear_textures.h"
+#include "passes/targets.h"
+
+namespace dermis::passes {
+
+gpu::TextureDesc screen_light(std::uint32_t width, std::uint32_t height) {
+  return {.width = width, .height = height, .format = light_format};
+}
+
+ScreenSurface make_screen_surface(FramePlan& plan, std::uint32_t width, std::uint32_t height) {
+  gpu::TextureDesc leaving = screen_light(width, height);
+  leaving.layers = 2;
+  leaving.array = true;
+  const ScreenSurface made{
+      .light = plan.texture("light of skin", screen_light(width, height)),
+      .depth_mm =
+          plan.texture("depth of skin", {.width = width, .height = height, .format = VK_FORMAT_R32_SFLOAT}),
+      .surface =
+          plan.texture("surface of skin", {.width = width, .height = height, .format = VK_FORMAT_R32_UINT}),
+      .leaving = plan.texture("leaving skin", leaving)};
+  plan.add<ClearTextures>("clear skin", {{made.light, made.depth_mm, made.surface}});
+  return made;
+}
+
+// Rows of the matrix: clip x is dot(x, position), and clip w the distance along the view (of a matrix of any
+// scale). The part of x across the line of sight is what a metre there adds.
+io::ScreenIo screen_io(const gpu::TextureDesc& picture, const io::CameraIo& camera) {
+  const glm::mat4 rows = glm::transpose(camera.clip_from_world);
+  const glm::vec3 w(rows[3]);
+  const auto across = [&](const glm::vec3& row) {
+    if (camera.orthographic != 0) return glm::length(row);
+    return glm::length(row - w * (glm::dot(row, w) / glm::dot(w, w))) / glm::length(w);
+  };
+  return {.extent = {picture.width, picture.height},
+          .across = across(glm::vec3(rows[0])),
+          .up = across(glm::vec3(rows[1]))};
+}
+
+}  // namespace dermis::passes

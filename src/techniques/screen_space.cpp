@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/screen_space.h"
+
+#include "core/assert.h"
+#include "techniques/screen.h"
+
+namespace dermis::techniques {
+
+gaussians::Rgb scattered_share(const FrameSettings&, const SkinPart& part) {
+  gaussians::Rgb share{};
+  for (std::size_t c = 0; c < 3; ++c) share[c] = 1 - part.unscattered[c];
+  return share;
+}
+
+FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings& settings,
+                                   const ScreenBlur& blur) {
+  FrameSettings s = settings;
+  s.shade_entries = s.can_shade_entries();
+  DERMIS_ASSERT_EQ(s.shade_entries, s.has_skin());
+  Screen screen(plan, s);
+  screen.add_entries();
+
+  passes::ScreenSurface surface;
+  if (s.has_skin()) surface = passes::make_screen_surface(plan, s.width, s.height);
+  std::vector<gaussians::Rgb> blurred;
+  for (const SkinPart& part : s.skin) blurred.push_back(blur.blurred(s, part));
+
+  for (const Batch& batch : batches_of(s)) {
+    screen.add_shadows(batch);
+    const std::vector<passes::MapSquare> skin = squares_of(s, batch);
+    if (!skin.empty()) screen.add_split_skin(skin, blurred, surface, label("shade", s, batch));
+    screen.add_surfaces(batch);
+    screen.add_blended(batch);
+  }
+
+  if (s.has_skin()) screen.add_scattered(blur.add(plan, s, surface), surface);
+  return screen.finish();
+}
+
+}  // namespace dermis::techniques

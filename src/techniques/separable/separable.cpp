@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/separable/separable.h"
+
+#include "gaussians/screen_kernels.h"
+#include "passes/separable_blur/separable_blur.h"
+#include "techniques/screen.h"
+#include "techniques/screen_space.h"
+
+namespace dermis::techniques {
+namespace {
+
+constexpr TapRange range{
+    .least = gaussians::least_line_taps, .most = gaussians::most_line_taps, .usual = 25, .odd = true};
+
+bool is_published(const FrameSettings& settings) { return settings.kernel == ScreenKernel::published; }
+
+// The published kernel knows no profile, and has a part that stays where it is. It blurs all light, unless no
+// light is to scatter at all.
+gaussians::Rgb blurred(const FrameSettings& settings, const SkinPart& part) {
+  const gaussians::Rgb share = scattered_share(settings, part);
+  if (!is_published(settings)) return share;
+  return share == gaussians::Rgb{} ? share : gaussians::Rgb{1, 1, 1};
+}
+
+passes::LineKernel kernel_of(const FrameSettings& settings, const SkinPart& part) {
+  const auto taps = static_cast<int>(settings.taps > 0 ? settings.taps : range.usual);
+  return {.taps = is_published(settings) ? gaussians::published_line_kernel(taps)
+                                         : gaussians::line_spread_kernel(part.profile, taps),
+          .mm_per_unit = part.mm_per_unit,
+          .reach_mm = gaussians::line_kernel_reach_mm(part.profile)};
+}
+
+frame::TextureId add(passes::FramePlan& plan, const FrameSettings& settings,
+                     const passes::ScreenSurface& surface) {
+  passes::SeparableBlur::Settings blur{.kernels = {}, .axis = 0, .published = is_published(settings)};
+  for (const SkinPart& part : settings.skin) blur.kernels.push_back(kernel_of(settings, part));
+  const frame::TextureId rows =
+      plan.add<passes::SeparableBlur>("separable 1", {surface.light, surface}, blur).light;
+  blur.axis = 1;
+  return plan.add<passes::SeparableBlur>("separable 2", {rows, surface}, blur).light;
+}
+
+FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
+  return build_in_screen_space(plan, settings, {.blurred = blurred, .add = add});
+}
+
+}  // namespace
+
+constinit const Technique separable{
+    .name = "separable",
+    .summary = "light blurred in the picture by two passes (Jimenez et al. 2015)",
+    .uses_profile = true,
+    .has_light_maps = false,
+    .screen_space = true,
+    .taps = range,
+    .build = build,
+    .maps = screen_maps,
+    .report = screen_report,
+    .gutters = no_gutters};
+
+}  // namespace dermis::techniques

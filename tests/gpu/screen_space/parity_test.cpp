@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// All techniques share lights, shadow maps and shading: without width, they make one picture.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gpu/support/heads.h"
+#include "gpu/support/pictures.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/settings.h"
+
+namespace dermis::tests {
+namespace {
+
+// Samples of a pixel that show one surface are shaded together, in every technique.
+RenderSettings shaded_in_compute(const std::string& technique, int samples) {
+  RenderSettings s = small_settings(technique);
+  s.quality.shading = Shading::compute;
+  s.quality.samples = samples;
+  s.output.bloom = 0;
+  return s;
+}
+
+// By how many roundings of a half float a value is off at most; light below this counts as this.
+double largest_roundings(const Picture& a, const Picture& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.linear_rgba.size(); ++i) {
+    const double wanted = a.linear_rgba[i], off = std::abs(wanted - b.linear_rgba[i]);
+    most = std::max(most, off / (half_rounding * std::max(wanted, 1e-3)));
+  }
+  return most;
+}
+
+class ZeroWidth : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Techniques, ZeroWidth, testing::ValuesIn(technique_names()),
+                         [](const auto& technique) { return test_name_of(technique.param); });
+
+// A profile whose only Gaussian has no width. Light is stored twice on its way: with and without what is not
+// blurred.
+TEST_P(ZeroWidth, EveryTechniqueMakesThePictureOfLambert) {
+  const Scene scene = subject("built-in head").open();
+  for (const int samples : {1, 4})
+    for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published}) {
+      SCOPED_TRACE(std::to_string(samples) + " samples");
+      const auto drawn = [&](const std::string& technique) {
+        RenderSettings s = with_profile(shaded_in_compute(technique, samples), "no width",
+                                        {{.variance_mm2 = 0, .weight = {1, 1, 1}}});
+        s.quality.kernel = kernel;
+        return renderer().render(scene, s);
+      };
+      const Picture lambert = drawn("lambert");
+      EXPECT_GT(skin_range(lambert).mean[0], 0.01);
+      EXPECT_LE(largest_roundings(lambert, drawn(GetParam())), 2);
+    }
+}
+
+// Half of the light has no width. The rest of it is the profile's, in full: the picture lies between the two.
+TEST_P(ZeroWidth, APartWithoutWidthIsLitAtThePixel) {
+  const Scene scene = subject("built-in head").open();
+  const auto drawn = [&](const std::string& name, const std::vector<gaussians::Gaussian>& terms) {
+    RenderSettings s = with_profile(shaded_in_compute(GetParam(), 4), name, terms);
+    s.skin.translucency = false;
+    return renderer().render(scene, s);
+  };
+  const gaussians::Gaussian none{.variance_mm2 = 0, .weight = {1, 1, 1}},
+      wide{.variance_mm2 = 4, .weight = {1, 1, 1}};
+  const Picture sharp = drawn("no width", {none}), blurred = drawn("one width", {wide}),
+                both = drawn("half without width", {none, wide});
+  double most = 0;
+  for (std::size_t i = 0; i < both.linear_rgba.size(); ++i) {
+    const double mean = (double{sharp.linear_rgba[i]} + double{blurred.linear_rgba[i]}) / 2;
+    most = std::max(most, std::abs(both.linear_rgba[i] - mean));
+  }
+  EXPECT_LE(most, 4 * half_rounding);
+}
+
+}  // namespace
+}  // namespace dermis::tests
