@@ -16,13 +16,14 @@ namespace dermis::api {
 
 class PosedInstances {
  public:
-  /// Makes vertices of their own for the instances that have a pose, unless they are there; forgets those of
-  /// others. `ids`: of all instances of `placed`. Throws DeviceError: no memory, or more than shaders read.
+  /// Makes vertices of their own for the instances that have a pose, and in an environment maps of its light,
+  /// unless they are there; forgets those of others. `ids`: of all instances of `placed`. Throws DeviceError:
+  /// no memory, or more than shaders read.
   void keep(gpu::PipelineLibrary& library, const SceneOnDevice& scene, const std::vector<InstanceId>& ids,
             const setup::PlacedScene& placed);
 
-  /// Writes what the frame of this setup moves, and where its instances have their vertices. What it moves
-  /// counts as moved from here on.
+  /// Writes what the frame of this setup moves and lights anew, and where its instances have their vertices.
+  /// Both count as done from here on.
   void fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, passes::FrameData& data);
 
   /// Makes the next frame move all of them: the last one was not drawn, or what it made of them is lost.
@@ -32,14 +33,20 @@ class PosedInstances {
   struct Posed {
     AssetPointer asset;
     passes::PosedShape shape;
-    std::uint64_t moved = 0;  // InstanceChanges::rig of the pose that the vertices have; 0: none
+    // InstanceChanges::rig of the pose that the vertices have, and of that whose light the maps have; 0: none
+    std::uint64_t moved = 0, lit = 0;
+    std::shared_ptr<const SharedSky> lit_by;
   };
   struct Current {
     std::shared_ptr<Posed> posed;  // null: the instance has no pose
     std::shared_ptr<const setup::PosedAsset> pose;
     std::uint64_t change = 0;
+    std::shared_ptr<const SharedSky> sky;  // null: no environment, or the instance is not seen
   };
   static std::shared_ptr<Posed> make(gpu::Device& device, const AssetPointer& asset);
+  static void make_sky(gpu::Device& device, Posed& posed);
+  static void add_move(gpu::FrameMemory& memory, const Current& current, passes::FrameData& data);
+  static void add_sky_turn(gpu::FrameMemory& memory, const Current& current, passes::FrameData& data);
   static void add_placements(gpu::FrameMemory& memory, const Current& current, passes::Instance& instance);
 
   std::map<InstanceId, std::shared_ptr<Posed>> posed_;
