@@ -252,8 +252,9 @@ class HostFrames {
   ///
   /// Of the settings, camera and size of the picture are those of the views; output.exposure_ev must be
   /// given; tone map, bloom and samples have no meaning. Instances with a pose (Scene::set_pose()) are
-  /// refused so far: a host moves them with record_deformation(). Throws as Renderer::render() does: after an
-  /// InputError all is as before, after anything else record() refuses until an update() succeeds.
+  /// moved by the first record_depth() or record() that follows, in that command buffer; they cannot be
+  /// HostInputs::deformed, too. Throws as Renderer::render() does: after an InputError all is as before,
+  /// after anything else record() refuses until an update() succeeds.
   void update(const Scene& scene, const RenderSettings& settings, const HostInputs& inputs = {});
 
   /// Records the frame. Submits nothing, waits for nothing, allocates no device memory and makes no

@@ -31,7 +31,7 @@ void HostFrames::State::update(const Scene& wanted, const RenderSettings& settin
   frame.set(wanted, settings, host);
   images = std::move(next_images);
   // Unready until all below is done: any of it may throw.
-  frame.make_unready();
+  frame.pause();
   scene = wanted;
   inputs = wanted_inputs;
   records = api::HostRecords(frame.scene().subjects());
@@ -39,15 +39,15 @@ void HostFrames::State::update(const Scene& wanted, const RenderSettings& settin
   move.keep(frame.scene(), ids, inputs.deformed);
 
   // All frames take as much, whatever their camera.
-  fill(*slots.front());
+  fill(*slots.front(), true);
   for (const std::unique_ptr<Slot>& slot : slots) slot->memory.reserve(slots.front()->memory.bytes());
   frame.make_ready();
 }
 
 // Writes what the frame shows; nothing reaches the device before it is recorded.
-HostFrames::State::Filled HostFrames::State::fill(Slot& slot) {
+HostFrames::State::Filled HostFrames::State::fill(Slot& slot, bool measured) {
   slot.memory.clear();
-  Filled filled{.data = frame.data(slot.memory), .records = {}};
+  Filled filled{.data = frame.data(slot.memory, measured), .records = {}};
   for (std::size_t i = 0; i < filled.data.instances.size(); ++i)
     filled.data.instances[i].vertices = move.vertices_of(frame.setup().heads[i].instance);
   filled.records = slot.memory.add(std::span<const api::HostRecord>(records.of(filled.data, frame.setup())));
@@ -148,6 +148,7 @@ Recorded HostFrames::State::record(VkCommandBuffer commands, std::span<const Vie
   gpu::Cmd cmd(device, commands);
   cmd.barrier_all();
   slot.memory.record(commands);
+  frame.posed().record(cmd);
   frame.executor().record(commands, filled.data, {.changed = true});
   cmd.barrier_all();
 
@@ -193,10 +194,13 @@ void HostFrames::State::record_depth(VkCommandBuffer commands, const std::array<
       shown.push_back({.scene = on_device[head.instance].scene,
                        .look = on_device[head.instance].look,
                        .vertices = move.vertices_of(head.instance),
+                       .posed = frame.posed().shape(head.instance),
+                       .placements = frame.posed().placements(head.instance),
                        .transform = setup::instance_io(head.pose)});
 
   gpu::Cmd cmd(frame.device(), commands);
   cmd.barrier_all();
+  frame.posed().record(cmd);
   depths[view.targets].record(cmd, target, shown);
   cmd.barrier_all();
 }

@@ -53,7 +53,7 @@ struct HostFrames::State {
   std::vector<InstanceId> ids;
 
  private:
-  Filled fill(Slot& slot);
+  Filled fill(Slot& slot, bool measured = false);
   Slot& begin(const FrameNumbers& numbers);
   void set_targets(const View& view);
   passes::DrawIrradiance irradiance_drawer(const gpu::BufferBinding& records_at) const;

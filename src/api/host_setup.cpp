@@ -111,14 +111,14 @@ setup::HostSetup host_setup(const HostFrames::Options& options, const Scene& sce
                         .deformed = {},
                         .maps = {},
                         .shadows = {}};
-  for (const InstanceId id : ids)
-    if (scene.instance(id).pose)
-      throw input_error(
-          "", "instance {} has a pose, which frames of a host do not draw: see record_deformation()",
-          static_cast<std::uint32_t>(id));
   for (const InstanceId id : inputs.drawn_by_host)
     host.not_drawn.push_back(number_of(ids, id, "drawn_by_host"));
-  for (const InstanceId id : inputs.deformed) host.deformed.push_back(number_of(ids, id, "deformed"));
+  for (const InstanceId id : inputs.deformed) {
+    host.deformed.push_back(number_of(ids, id, "deformed"));
+    if (scene.instance(id).pose)
+      throw input_error("", "deformed: instance {} has a pose, by which dermis moves it",
+                        static_cast<std::uint32_t>(id));
+  }
   for (const MaterialImage& image : inputs.images) host.maps.push_back(host_map(scene, ids, image));
 
   if (!inputs.shadows.empty() && (settings.lighting.rig_lights || !settings.lighting.placed_lights.empty()))

@@ -73,7 +73,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
   next_scene.upload(renderer_->library, input.placed, settings, setup_, drawn, next_environment, scene_,
                     host ? &*host : nullptr);
   ids_ = scene.instances();
-  posed_.keep(renderer_->library, next_scene, ids_, input.placed);
+  posed_.keep(renderer_->library, next_scene, ids_, input.placed, host.has_value());
   if (plans) posed_.move_all();
   unwrap_assets_ = std::move(unwrap_assets);
   scene_ = std::move(next_scene);
@@ -128,10 +128,10 @@ void PlannedFrame::plan(const RenderSettings& settings, const setup::FrameSetup&
   outputs_ = made_outputs;
 }
 
-passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory) {
+passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory, bool measured) {
   passes::FrameData data =
       setup::frame_data(memory, setup_, outputs_, scene_.instances(), environment_.get());
-  posed_.fill(memory, setup_, data);
+  posed_.fill(memory, setup_, data, measured);
   if (options_.labels) motion_.fill(memory, setup_, input_.placed, ids_, data);
   return data;
 }

@@ -50,9 +50,15 @@ class PlannedFrame {
     motion_.undo();
   }
   void make_ready() { ready_ = true; }
+  /// Until make_ready(); what has moved stays moved.
+  void pause() { ready_ = false; }
 
-  /// Writes what changes per frame. Poses count as drawn from here on, unless make_unready() is called.
-  passes::FrameData data(gpu::FrameMemory& memory);
+  /// Writes what changes per frame. Poses count as drawn from here on, unless make_unready() is called, or
+  /// the frame is only `measured`.
+  passes::FrameData data(gpu::FrameMemory& memory, bool measured = false);
+
+  /// Instances in poses, for the frames of a host: these record what has moved by themselves.
+  PosedInstances& posed() { return posed_; }
 
   gpu::Device& device() const { return renderer_->device; }
   Renderer::State& renderer() const { return *renderer_; }

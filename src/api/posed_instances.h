@@ -10,20 +10,34 @@
 #include "api/scene_on_device.h"
 #include "dermis/scene.h"
 #include "gpu/frame_memory.h"
+#include "passes/move_rig/move_rig.h"
+#include "passes/turn_sky/turn_sky.h"
 #include "setup/frame_setup.h"
 
 namespace dermis::api {
 
 class PosedInstances {
  public:
-  /// Makes vertices of their own for the instances that have a pose, unless they are there; forgets those of
-  /// others. `ids`: of all instances of `placed`. Throws DeviceError: no memory, or more than shaders read.
+  /// Makes vertices of their own for the instances that have a pose, and in an environment maps of its light,
+  /// unless they are there; forgets those of others. `ids`: of all instances of `placed`. Throws DeviceError:
+  /// no memory, or more than shaders read.
+  /// `recorded`: record() moves them, else fill() says what a plan is to move.
   void keep(gpu::PipelineLibrary& library, const SceneOnDevice& scene, const std::vector<InstanceId>& ids,
-            const setup::PlacedScene& placed);
+            const setup::PlacedScene& placed, bool recorded = false);
 
-  /// Writes what the frame of this setup moves, and where its instances have their vertices. What it moves
-  /// counts as moved from here on.
-  void fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, passes::FrameData& data);
+  /// Writes what the frame of this setup moves and lights anew, and where its instances have their vertices.
+  /// Both count as done from here on, unless the frame is only `measured`.
+  void fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, passes::FrameData& data,
+            bool measured = false);
+
+  /// Moves and lights anew what has changed since the last call, seen or not, by commands of their own. Makes
+  /// nothing: what they need travels in the command buffer.
+  void record(gpu::Cmd& cmd);
+
+  /// Returns the moved shape of an instance, and the placements of its surfaces as record() writes them, one
+  /// per page or none; null: it has no pose.
+  const passes::PosedShape* shape(std::size_t instance) const;
+  std::vector<gpu::BufferBinding> placements(std::size_t instance) const;
 
   /// Makes the next frame move all of them: the last one was not drawn, or what it made of them is lost.
   void move_all();
@@ -32,18 +46,38 @@ class PosedInstances {
   struct Posed {
     AssetPointer asset;
     passes::PosedShape shape;
-    std::uint64_t moved = 0;  // InstanceChanges::rig of the pose that the vertices have; 0: none
+    // InstanceChanges::rig of the pose that the vertices have, and of that whose light the maps have; 0: none
+    std::uint64_t moved = 0, lit = 0;
+    std::uint64_t shown = 0;  // likewise, of the pose that the plan has seen
+    std::shared_ptr<const SharedSky> lit_by;
+
+    // For record(); empty otherwise.
+    gpu::Buffer matrices, weights, sky;
+    std::vector<gpu::Buffer> placements;  // PlacementIo[], one per page, or none
   };
   struct Current {
     std::shared_ptr<Posed> posed;  // null: the instance has no pose
     std::shared_ptr<const setup::PosedAsset> pose;
     std::uint64_t change = 0;
+    bool visible = true;
+    std::shared_ptr<const SharedSky> sky;  // null: no environment, or the instance is not seen
   };
   static std::shared_ptr<Posed> make(gpu::Device& device, const AssetPointer& asset);
+  static void make_sky(gpu::Device& device, Posed& posed);
+  static void make_recorded(gpu::Device& device, const Current& current);
+  static bool is_lit(const Current& current);
+  static passes::RigMove recorded_move(gpu::Cmd& cmd, const Current& current);
+  static passes::SkyTurn recorded_turn(gpu::Cmd& cmd, const Current& current);
+  static void add_move(gpu::FrameMemory& memory, const Current& current, passes::FrameData& data);
+  static void add_sky_turn(gpu::FrameMemory& memory, const Current& current, passes::FrameData& data);
   static void add_placements(gpu::FrameMemory& memory, const Current& current, passes::Instance& instance);
 
   std::map<InstanceId, std::shared_ptr<Posed>> posed_;
   std::vector<Current> instances_;  // by number in the scene
+  bool recorded_ = false;
+  passes::MoveRig move_;  // for record()
+  passes::TurnSky turn_;
+  bool prepared_ = false;
 };
 
 }  // namespace dermis::api

@@ -50,6 +50,10 @@ class SceneOnDevice {
   std::vector<scene::BoundingSphere> skin_spheres() const;  ///< one per instance, in its asset
   std::vector<AssetPointer> different_assets() const;       ///< each once
   const AssetPointer& asset(std::size_t instance) const { return assets_[instance]; }
+  /// After upload(); null: there is no environment, or the instance is not seen.
+  std::shared_ptr<const SharedSky> sky(std::size_t instance) const {
+    return instance < skies_.size() ? skies_[instance] : nullptr;
+  }
   double upload_ms() const;
 
   /// Brings the scene to the device, but for what is there, also of `before`, the same frame's last scene:

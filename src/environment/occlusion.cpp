@@ -11,9 +11,9 @@
 #include "core/hooks.h"
 #include "core/parallel.h"
 #include "environment/sky_rays.h"
+#include "environment/texel_grid.h"
 #include "image/colour.h"
 #include "rays/ray_scene.h"
-#include "scene/coverage.h"
 
 namespace dermis::environment {
 namespace {
@@ -22,39 +22,6 @@ namespace {
 constexpr std::size_t ray_steps = 14, bounce_steps = 3, all_steps = 1 + ray_steps + 1 + bounce_steps + 1;
 
 constexpr double least_open = 0.002;  // the same value as in the shaders
-constexpr int dilation = 6;           // texels; more than bilinear filtering ever reads beside a seam
-
-struct Texel {
-  std::uint32_t triangle = ~0u;
-  float u = 0, v = 0;  // weights of the second and third corner
-  bool covered() const { return triangle != ~0u; }
-};
-
-struct Grid {
-  int side;
-  std::vector<Texel> texels;
-  std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
-  }
-};
-
-Grid rasterise(const scene::SkinMesh& mesh, int side) {
-  Grid grid{side, std::vector<Texel>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side))};
-  for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) {
-    const auto uv = scene::triangle_uv(mesh, t);
-    const glm::dvec2 a(uv[0]), b = glm::dvec2(uv[1]) - a, c = glm::dvec2(uv[2]) - a;
-    const double area = b.x * c.y - b.y * c.x;
-    if (area == 0) continue;
-    scene::for_each_texel(uv, side, [&](int x, int y) {
-      const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) / static_cast<double>(side) - a;
-      const double u = std::clamp((p.x * c.y - p.y * c.x) / area, 0.0, 1.0),
-                   v = std::clamp((b.x * p.y - b.y * p.x) / area, 0.0, 1.0 - u);
-      grid.texels[grid.at(x, y)] = {static_cast<std::uint32_t>(t), static_cast<float>(u),
-                                    static_cast<float>(v)};
-    });
-  }
-  return grid;
-}
 
 // Returns two numbers in 0..1 that differ from texel to texel, so that the noise has no pattern.
 glm::dvec2 shift_of(std::uint32_t x, std::uint32_t y) {
@@ -200,13 +167,13 @@ Hidden bounced(const Around& around, const Seen& own, const std::vector<Seen>& a
 
 // Returns a 3 x 3 tent filter over texels of the same chart, against the remaining noise.
 template <class Values>
-std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid,
+std::vector<Values> smoothed(const scene::SkinMesh& mesh, const TexelGrid& grid,
                              const std::vector<Values>& values) {
   std::vector<Values> out(values.size(), Values{});
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < grid.side; ++x) {
-      const Texel& own = grid.texels[grid.at(x, y)];
+      const GridTexel& own = grid.texels[grid.at(x, y)];
       if (!own.covered()) continue;
 
       Values sum{};
@@ -214,7 +181,7 @@ std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid,
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
           if (x + dx < 0 || y + dy < 0 || x + dx >= grid.side || y + dy >= grid.side) continue;
-          const Texel& other = grid.texels[grid.at(x + dx, y + dy)];
+          const GridTexel& other = grid.texels[grid.at(x + dx, y + dy)];
           if (!other.covered() || mesh.triangle_chart[other.triangle] != mesh.triangle_chart[own.triangle])
             continue;
           const float weight = static_cast<float>((2 - std::abs(dx)) * (2 - std::abs(dy)));
@@ -230,7 +197,7 @@ std::vector<Values> smoothed(const scene::SkinMesh& mesh, const Grid& grid,
 
 // Fills texels off the mesh from their neighbours, ring by ring, and all others with `rest`.
 template <class Values>
-void dilate(const Grid& grid, std::vector<Values>& values, const Values& rest) {
+void dilate(const TexelGrid& grid, std::vector<Values>& values, const Values& rest) {
   std::vector<bool> filled(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) filled[i] = grid.texels[i].covered();
 
@@ -265,7 +232,7 @@ void dilate(const Grid& grid, std::vector<Values>& values, const Values& rest) {
 }
 
 // Returns the place of a texel; none if its triangle has no area or no normal.
-std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const Texel& texel) {
+std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const GridTexel& texel) {
   const scene::Vertex* corners[3];
   for (std::size_t k = 0; k < 3; ++k)
     corners[k] = &mesh.vertices[mesh.indices[3 * std::size_t{texel.triangle} + k]];
@@ -301,7 +268,7 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
   const auto side = static_cast<std::size_t>(settings.side);
   Steps steps("what the skin sees of its surroundings", all_steps);
   const rays::RayScene rays(scene);
-  const Grid grid = rasterise(mesh, settings.side);
+  const TexelGrid grid = rasterise(mesh, settings.side);
   const RaySet set(settings.rays);
   steps.done();
 

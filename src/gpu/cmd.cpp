@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/cmd.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/assert.h"
@@ -240,6 +241,13 @@ void Cmd::copy(const Texture& from, const Buffer& to, std::uint32_t layer) {
 
 void Cmd::fill(const Buffer& to, std::uint32_t value) {
   device_->vk().vkCmdFillBuffer(handle_, to.handle(), 0, VK_WHOLE_SIZE, value);
+}
+
+void Cmd::update(const Buffer& to, std::span<const std::byte> bytes) {
+  constexpr std::size_t most = 65536;  // of one command
+  DERMIS_ASSERT_LE(bytes.size(), to.desc().bytes);
+  for (std::size_t at = 0; at < bytes.size(); at += most)
+    device_->vk().vkCmdUpdateBuffer(handle_, to.handle(), at, std::min(bytes.size() - at, most), &bytes[at]);
 }
 
 void Cmd::clear(const Texture& to, std::array<float, 4> colour) {

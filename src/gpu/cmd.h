@@ -90,6 +90,8 @@ class Cmd {
   /// Copies mip 0, tightly packed; `from` must be in TRANSFER_SRC layout.
   void copy(const Texture& from, const Buffer& to, std::uint32_t layer = 0);
   void fill(const Buffer& to, std::uint32_t value);
+  /// Writes bytes that travel in the command buffer itself: a multiple of 4, few of them.
+  void update(const Buffer& to, std::span<const std::byte> bytes);
   void clear(const Texture& to, std::array<float, 4> colour);  ///< in TRANSFER_DST layout
   void barrier(const VkDependencyInfo& dependencies);
   /// Makes all that was written before visible to all that comes after.

@@ -31,6 +31,7 @@
   X(vkCmdDrawIndirect)              \
   X(vkCmdEndRendering)              \
   X(vkCmdFillBuffer)                \
+  X(vkCmdUpdateBuffer)              \
   X(vkCmdPipelineBarrier2)          \
   X(vkCmdPushConstants)             \
   X(vkCmdPushDescriptorSetKHR)      \

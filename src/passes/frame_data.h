@@ -48,6 +48,13 @@ struct PosedShape {
   /// vec3[], likewise: positions before the last frame that moved them, for motion vectors
   std::vector<gpu::Buffer> before_m;
   std::vector<gpu::Buffer> skin_vertices;  ///< SkinVertexIo[], one per skin mesh: with the moved metric
+  /// What its skin sees of the sky, one per skin mesh; empty until there is an environment. RGBA16F.
+  struct Sky {
+    gpu::Texture direct, bounced;  ///< as SkyMaps
+    gpu::Texture bent_normal;      ///< as GpuMesh::bent_normal
+    gpu::Buffer turns;             ///< vec4[], per vertex: the quaternion from the asset to the pose
+  };
+  std::vector<Sky> sky;
 };
 
 /// An instance that this frame moves.
@@ -55,6 +62,13 @@ struct RigMove {
   const PosedShape* shape = nullptr;
   const GpuScene* scene = nullptr;       ///< with its rig
   gpu::BufferBinding matrices, weights;  ///< mat4x3[], float[]: scene::PosedRig
+};
+
+/// An instance whose light of the sky this frame finds anew.
+struct SkyTurn {
+  const PosedShape* shape = nullptr;
+  const GpuScene* scene = nullptr;  ///< with its rig
+  gpu::BufferBinding sky;           ///< SkyHarmonicsIo
 };
 
 /// One head in the frame: an asset, placed. Each has its own shadow maps.
@@ -105,6 +119,7 @@ struct FrameData {
   const gpu::Texture* environment_picture = nullptr;
   std::vector<Instance> instances;  ///< at least one
   std::vector<RigMove> moves;       ///< those that move in this frame, each once
+  std::vector<SkyTurn> sky_turns;   ///< those, and any in a pose under another sky than before
   std::optional<VkRect2D> area;     ///< part of the targets that is the picture; none: all
   DrawIrradiance draw_irradiance;   ///< of a host
 };

@@ -28,10 +28,21 @@ class LightingSamplers {
   void offer_sky(Bindings& bindings, const Instance& instance, std::size_t number) const {
     const GpuMesh& mesh = instance.scene->skin[number];
     const gpu::Texture& white = instance.scene->white();
-    const SkyMaps* sky = number < instance.sky.size() ? &instance.sky[number] : nullptr;
-    bindings.add("bent_normal", gpu::SampledBinding{mesh.bent_normal ? &mesh.bent_normal : &white, table_})
-        .add("sky_direct", gpu::SampledBinding{sky ? &sky->direct : &white, table_})
-        .add("sky_bounced", gpu::SampledBinding{sky ? &sky->bounced : &white, table_});
+    const bool sky = number < instance.sky.size();
+    const gpu::Texture *bent_normal = mesh.bent_normal ? &mesh.bent_normal : &white,
+                       *direct = sky ? &instance.sky[number].direct : &white,
+                       *bounced = sky ? &instance.sky[number].bounced : &white;
+
+    if (sky && instance.posed && number < instance.posed->sky.size()) {
+      const PosedShape::Sky& turned = instance.posed->sky[number];
+      bent_normal = &turned.bent_normal;
+      direct = &turned.direct;
+      bounced = &turned.bounced;
+    }
+
+    bindings.add("bent_normal", gpu::SampledBinding{bent_normal, table_})
+        .add("sky_direct", gpu::SampledBinding{direct, table_})
+        .add("sky_bounced", gpu::SampledBinding{bounced, table_});
   }
 
  private:

@@ -117,14 +117,17 @@ SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLigh
   SkyOnSkin made{.of = std::move(environment_light),
                  .rotation_deg = rotation_deg,
                  .world_from_asset = world_from_asset,
+                 .sky = {},
+                 .bouncing_sky = {},
                  .maps = {}};
   const auto seen = [&](const environment::SkyHarmonics& world) {
     const environment::SkyHarmonics sky = environment::turned(world, rotation_deg * std::numbers::pi / 180);
     return world_from_asset == glm::mat3(1) ? sky : environment::seen_from(sky, glm::dmat3(world_from_asset));
   };
-  const environment::SkyHarmonics sky = seen(made.of->sky), bouncing_sky = seen(made.of->bouncing_sky);
+  made.sky = seen(made.of->sky);
+  made.bouncing_sky = seen(made.of->bouncing_sky);
   for (const environment::Occlusion& mesh : occlusion) {
-    const environment::SkyLight light = environment::sky_light(mesh, sky, bouncing_sky);
+    const environment::SkyLight light = environment::sky_light(mesh, made.sky, made.bouncing_sky);
     made.maps.push_back(
         {.direct = passes::unwrap_map(device, "light of the sky", mesh.side, light.direct),
          .bounced = passes::unwrap_map(device, "light of the sky, bounced", mesh.side, light.bounced)});

@@ -51,9 +51,10 @@ EnvironmentLight environment_light(gpu::Device& device, const EnvironmentSource&
 /// Light of an environment of intensity 1 that arrives on each texel of each skin mesh of an asset, on the
 /// device. Instances of the asset that are turned alike share it.
 struct SkyOnSkin {
-  std::shared_ptr<const EnvironmentLight> of;  ///< none: no maps
-  double rotation_deg = 0;                     ///< of the environment
-  glm::mat3 world_from_asset{1};               ///< a rotation
+  std::shared_ptr<const EnvironmentLight> of;       ///< none: no maps
+  double rotation_deg = 0;                          ///< of the environment
+  glm::mat3 world_from_asset{1};                    ///< a rotation
+  environment::SkyHarmonics sky{}, bouncing_sky{};  ///< in the coordinates of the asset
   std::vector<passes::SkyMaps> maps;
   bool is_of(const EnvironmentLight& environment, double rotation_deg,
              const glm::mat3& world_from_asset) const;

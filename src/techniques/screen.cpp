@@ -21,6 +21,7 @@
 #include "passes/shadow/shadow.h"
 #include "passes/surface/surface.h"
 #include "passes/tone_map/tone_map.h"
+#include "passes/turn_sky/turn_sky.h"
 
 namespace dermis::techniques {
 
@@ -82,6 +83,7 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
   counters_ = plan.buffer("counters", {.bytes = counters * sizeof(std::uint32_t)});
   plan.add<passes::ClearBuffers>("clear counters", {{counters_}}, {frame::Runs::for_statistics});
   if (settings.poses) plan.add<passes::MoveRig>("pose", {}, {});
+  if (settings.poses && settings.environment) plan.add<passes::TurnSky>("turn sky", {}, {});
 }
 
 gpu::TextureDesc Screen::target(VkFormat format) const {

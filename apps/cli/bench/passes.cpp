@@ -24,7 +24,7 @@ std::string common_name(std::string name) {
 }
 
 // By how the name of a pass begins; the first that fits. The last three are names in older records.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 43> beginnings{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 44> beginnings{{
     {"shadow", 0},
     {"entering", 0},
     {"cull triangles", 1},
@@ -34,6 +34,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 43> beginnings{{
     {"texel ", 1},
     {"clear irradiance", 1},
     {"stretch", 1},
+    {"turn sky", 1},
     {"dilate", 2},
     {"border", 2},
     {"clear border", 2},

@@ -3,9 +3,21 @@
 
 #include "passes/draw_skin.h"
 #include "passes/host_depth/host_depth_io.h"
+#include "passes/posed.h"
 #include "passes/targets.h"
 
 namespace dermis::passes {
+namespace {
+
+Instance shape_of(const HostDepthInstance& instance) {
+  return {.scene = instance.scene,
+          .look = instance.look,
+          .vertices = instance.vertices,
+          .posed = instance.posed,
+          .placements = instance.placements};
+}
+
+}  // namespace
 
 HostDepth::HostDepth(gpu::PipelineLibrary& library, const HostDepthFormat& format) {
   for (const bool cut_out : {false, true})
@@ -25,7 +37,7 @@ HostDepth::HostDepth(gpu::PipelineLibrary& library, const HostDepthFormat& forma
 
 void HostDepth::draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance,
                           const HostDepthTarget& target) const {
-  const Instance of_skin{.scene = instance.scene, .look = instance.look, .vertices = instance.vertices};
+  const Instance of_skin = shape_of(instance);
   Bindings bindings;
   bindings.add("Placements", instance.scene->unmoved);
   for (std::size_t mesh = 0; mesh < instance.scene->skin.size(); ++mesh)
@@ -43,11 +55,12 @@ void HostDepth::draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance,
 void HostDepth::draw_surfaces(gpu::Cmd& cmd, const HostDepthInstance& instance,
                               const HostDepthTarget& target) const {
   const GpuSurfaces& surfaces = instance.scene->surfaces;
+  const Instance shape = shape_of(instance);
   for (const GpuSurfaces::Group& group : surfaces.groups) {
     const GpuMaterial& material = instance.look->material(group.material);
     const gpu::Pipeline& pipeline = pipeline_of(material, target.cull);
     Bindings bindings;
-    surfaces.offer(bindings, group.page);
+    offer_page(shape, group.page, bindings);
     material.offer(bindings);
     bindings.bind(cmd, pipeline);
     cmd.push(pipeline,

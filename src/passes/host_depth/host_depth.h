@@ -2,6 +2,8 @@
 /// Draws the depth of heads into an image of a host.
 #pragma once
 
+#include <vector>
+
 #include "gpu/pipelines.h"
 #include "passes/frame_data.h"
 #include "shared/instance_io.h"
@@ -28,7 +30,10 @@ struct HostDepthTarget {
 struct HostDepthInstance {
   const GpuScene* scene = nullptr;
   const GpuLook* look = nullptr;
-  std::span<const gpu::Buffer> vertices;  ///< as Instance::vertices
+  // As those of Instance.
+  std::span<const gpu::Buffer> vertices;
+  const PosedShape* posed = nullptr;
+  std::vector<gpu::BufferBinding> placements;
   io::InstanceIo transform{};
 };
 

@@ -124,9 +124,9 @@ TEST_F(PosedPictures, OptimisedIsAsWhole) {
   }
 }
 
-// Light of an environment, and what hides it, stay those of the shape as it was loaded: the error that docs/
-// scenes.md states. Nothing else differs between these pictures.
-TEST_F(PosedPictures, HaveTheSkyOfTheAssetAtRest) {
+// What the skin sees of an environment turns with it; what the pose hides or opens is as it was loaded.
+// Nothing else differs between these pictures. Without the turn: 41.7 dB.
+TEST_F(PosedPictures, HaveTheSkyTurnedWithTheSkin) {
   RenderSettings s = unoptimised(close_up(160, 512));
   s.lighting.environment = "studio";
   Scene scene;
@@ -142,7 +142,7 @@ TEST_F(PosedPictures, HaveTheSkyOfTheAssetAtRest) {
                 image::mean_flip(shown(wanted), shown(found)));
     least = std::min(least, db);
   }
-  EXPECT_GE(least, 40);
+  EXPECT_GE(least, 45);
 }
 
 // Every frame of a session is the renderer's, whatever was posed before; and a steady frame allocates
