@@ -173,7 +173,7 @@ void add_tears(const Sculpture& bust, PartMesh& mesh, float side) {
   const vec3 centre(side * eye_centre.x, eye_centre.y, eye_centre.z);
   std::uint32_t first = 0;
   constexpr int across = 4;
-  const int along = static_cast<int>(edge.size()) - 6;
+  const int along = static_cast<int>(edge.size()) - 8;
 
   for (int i = 0; i < along; ++i) {
     const vec3 e = edge[static_cast<std::size_t>(i + 3)];
