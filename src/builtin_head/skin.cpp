@@ -192,7 +192,7 @@ SkinPoint Skin::paint(const vec3& p, const Region& r, SkinWalk& walk) const {
     const float gloss = lid ? 0.6f : (1 - 0.75f * std::max(folded, deep));
     s.specular = glm::mix(s.specular, gloss, r.lips);
     s.roughness = glm::mix(s.roughness, lid ? 0.50f : 0.455f - 0.045f * wet, r.lips);
-    s.albedo *= 1.0f - 0.30f * folded * r.lips;
+    s.albedo *= 1.0f - 0.15f * (1 - smooth_step(0.2f, 0.8f, line.x));
   }
 
   const float hairs = hair(p, q);
