@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # dermis_code_hash(TARGET FUNCTION files ...)
-#   Adds to TARGET a source that defines `const char* FUNCTION()`: a hash of the files as they are when TARGET is
-#   built, 16 hexadecimal digits. What a cache keeps of their work is then never taken for that of other code.
+#   Adds to TARGET a source that defines `const char* FUNCTION()`: a hash of the files as they are when TARGET
+#   is built, 16 hexadecimal digits. What a cache keeps of their work is then never taken for that of other
+#   code.
 # Run as a script (cmake -P) with FILES, FUNCTION and OUTPUT it writes that file.
 if(CMAKE_SCRIPT_MODE_FILE)
   set(all "")

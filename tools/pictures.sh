@@ -132,8 +132,8 @@ tone-maps() {
     -append -quality 88 -strip docs/pictures/$1.jpg
 }
 
-# head_sheet NAME LIGHT...: the built-in head from eight sides (columns), in its three skins (rows): front, three
-# quarters, profile, behind, below, near the eye, the ear, the mouth.
+# head_sheet NAME LIGHT...: the built-in head from eight sides (columns), in its three skins (rows): front,
+# three quarters, profile, behind, below, near the eye, the ear, the mouth.
 head_sheet() {
   local name=$1 skin view rows=()
   shift
