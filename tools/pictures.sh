@@ -16,7 +16,7 @@ environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
 names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets
-  tone-maps turntable talking)
+  tone-maps turntable talking head-studio head-hard-light)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -131,6 +131,32 @@ tone-maps() {
     \( $out/african-natural.png $out/european-natural.png +append \) \
     -append -quality 88 -strip docs/pictures/$1.jpg
 }
+
+# head_sheet NAME LIGHT...: the built-in head from eight sides (columns), in its three skins (rows): front,
+# three quarters, profile, behind, below, near the eye, the ear, the mouth.
+head_sheet() {
+  local name=$1 skin view rows=()
+  shift
+  for skin in light medium dark; do
+    local row=()
+    for view in "--orbit=0,0" "--orbit=35,5" "--orbit=90,0" "--orbit=180,0" "--orbit=25,-35" \
+      "--eye 0.06,0.03,0.4 --target 0.031,0.036,0.08 --fov 9" \
+      "--eye 0.4,0.03,0.03 --target 0.075,0.02,-0.01 --fov 13" \
+      "--eye 0.1,-0.02,0.4 --target 0,-0.035,0.09 --fov 11"; do
+      [[ $view == --eye* ]] || view="$view --fov 14"
+      # shellcheck disable=SC2086
+      render $name-$skin-${#row[@]} built-in:$skin --size 240x288 --map-size 1024 $view "$@"
+      row+=("$out/$name-$skin-${#row[@]}.png")
+    done
+    convert "${row[@]}" +append "$out/$name-$skin.png"
+    rows+=("$out/$name-$skin.png")
+  done
+  convert "${rows[@]}" -append -quality 88 -strip "docs/pictures/$name.jpg"
+}
+
+head-studio() { head_sheet $1 --environment studio --background studio --light 40,30,2; }
+
+head-hard-light() { head_sheet $1 --light 60,25,4 --ambient 0.03; }
 
 # sequence NAME ARGUMENTS...: the contact sheet, as docs/pictures/NAME.jpg
 sequence() {

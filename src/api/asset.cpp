@@ -9,6 +9,7 @@
 #include "api/rig_pose.h"
 #include "api/scene_file.h"
 #include "builtin_head/builtin_head.h"
+#include "core/cache.h"
 #include "core/error.h"
 #include "core/hooks.h"
 #include "pigments/maps.h"
@@ -74,7 +75,7 @@ Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options
   const scene::LoadOptions load = load_options(options);
   if (const std::string name = path.string(); name.starts_with(built_in_prefix)) {
     const std::string skin = name.substr(built_in_prefix.size());
-    scene::Scene made = builtin_head::make({.tone = tone_of(name, skin)});
+    scene::Scene made = builtin_head::make({.tone = tone_of(name, skin), .cache = cache::default_folder()});
     if (skin != "medium") made.name = name;
     const bool changed = wanted_pigments(options).changes();
     return State::make(
@@ -101,7 +102,8 @@ Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options,
 
 Asset Asset::built_in(const Hooks& hooks) {
   const HookScope scope(hooks);
-  return State::make(std::make_shared<const scene::Scene>(builtin_head::make()), State::Source{});
+  scene::Scene made = builtin_head::make({.cache = cache::default_folder()});
+  return State::make(std::make_shared<const scene::Scene>(std::move(made)), State::Source{});
 }
 
 const std::string& Asset::name() const { return state_->data->name; }

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "builtin_head/head_rig.h"
-#include "builtin_head/maps.h"
+#include "builtin_head/kept.h"
 #include "builtin_head/parts.h"
 #include "core/error.h"
 #include "core/hooks.h"
@@ -64,6 +64,17 @@ scene::Material make_material() {
   return m;
 }
 
+// The net and the maps, from the cache if it has them.
+Baked baked_head(const Sculpture& bust, const Settings& settings) {
+  const std::filesystem::path file = kept_file(settings.cache, settings.tone, settings.map_size);
+  if (std::optional<Baked> found = kept(file, settings.map_size)) return std::move(*found);
+
+  Baked made{.net = wrap(bust), .maps = {}};
+  made.maps = bake(bust, made.net, make_mesh(made.net), settings.map_size, complexion(settings.tone));
+  keep(file, made);
+  return made;
+}
+
 }  // namespace
 
 scene::Scene make(const Settings& settings) {
@@ -74,20 +85,20 @@ scene::Scene make(const Settings& settings) {
   const Sculpture bust;
   steps.done();
 
-  const Net net = wrap(bust);
+  Baked baked = baked_head(bust, settings);
+  const Net& net = baked.net;
   scene::Scene scene;
   scene.name = "built-in";
   scene.primitives.push_back(make_mesh(net));
   scene.materials.push_back(make_material());
   steps.done();
 
-  Maps maps = bake(bust, net, scene.primitives.front(), size, complexion(settings.tone));
   const auto add = [&](const char* name, image::Image8&& pixels) {
     scene.images.push_back({name, std::make_shared<const image::Image8>(std::move(pixels))});
   };
-  add("built-in colour", std::move(maps.colour));
-  add("built-in normal", std::move(maps.normal));
-  add("built-in specular and roughness", std::move(maps.reflection));
+  add("built-in colour", std::move(baked.maps.colour));
+  add("built-in normal", std::move(baked.maps.normal));
+  add("built-in specular and roughness", std::move(baked.maps.reflection));
   add_eyes(bust, scene, std::clamp(size / 4, 64, 512));
   add_teeth(scene);
   add_hair_cards(bust, scene, std::clamp(size / 2, 64, 1024));

@@ -3,6 +3,8 @@
 // show.
 #pragma once
 
+#include <filesystem>
+
 #include "builtin_head/complexion.h"
 #include "scene/scene.h"
 
@@ -11,12 +13,15 @@ namespace dermis::builtin_head {
 struct Settings {
   int map_size = 2048;  ///< texels per side of every map, a power of two, 64 to 4096
   Tone tone = Tone::medium;
+  std::filesystem::path
+      cache{};  ///< folder that keeps net and maps for the next call (core/cache.h); empty: none
 };
 
-/// Makes the head: about 40,000 triangles. The first primitive is the skin, one chart with colour, normal,
-/// specular and roughness maps; then eyes, caruncles, tears, teeth, gums and tongue, brows and lashes. Looks
-/// along +Z, its centre near the origin, about 0.32 m tall. Texture coordinates of the skin in 0..1 do not
-/// overlap; the seam is at the back. No lights, no cameras; a rig (head_rig.h). The same bits on every run.
+/// Makes the head: about 40,000 triangles. What comes from the cache has the same bits. The first primitive
+/// is the skin, one chart with colour, normal, specular and roughness maps; then eyes, caruncles, tears,
+/// teeth, gums and tongue, brows and lashes. Looks along +Z, its centre near the origin, about 0.32 m tall.
+/// Texture coordinates of the skin in 0..1 do not overlap; the seam is at the back. No lights, no cameras; a
+/// rig (head_rig.h). The same bits on every run.
 scene::Scene make(const Settings& settings = {});
 
 }  // namespace dermis::builtin_head

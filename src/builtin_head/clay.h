@@ -59,7 +59,10 @@ struct Dab {
   vec3 radii_mm{1};
   float amount_mm = 0;
   float operator()(const vec3& p) const {
-    const vec3 q = (p - centre) / radii_mm;
+    const vec3 d = p - centre;
+    // Most points are far from most dabs, and divisions take longest.
+    if (std::abs(d.y) >= radii_mm.y || std::abs(d.x) >= radii_mm.x) return 0;
+    const vec3 q = d / radii_mm;
     return amount_mm * falloff(glm::dot(q, q));
   }
 };

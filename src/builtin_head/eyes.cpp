@@ -77,6 +77,8 @@ vec3 eye_colour(const vec2& at) {
   const float light = std::clamp(0.34f + 0.36f * fibre + 0.18f * crypt + 0.38f * ruff, 0.0f, 1.0f);
   vec3 iris = glm::mix(iris_dark, iris_light, light);
   iris = glm::mix(iris, iris_rim, 0.75f * smooth_step(4.6f, 5.7f, r + 0.15f * crypt));
+  // The cornea gathers light from above on the lower part of the iris, and its rim shades the upper one.
+  iris *= 1.0f + 0.45f * std::clamp(at.y / limbus_mm, -1.0f, 1.0f);
   iris *= smooth_step(pupil_mm - 0.12f, pupil_mm + 0.22f, r + 0.06f * fibre);
   iris = glm::max(iris, vec3(0.0025f));
   return glm::mix(iris, white, smooth_step(limbus_mm - 0.55f, limbus_mm + 0.65f, r));
@@ -171,7 +173,7 @@ void add_tears(const Sculpture& bust, PartMesh& mesh, float side) {
   const vec3 centre(side * eye_centre.x, eye_centre.y, eye_centre.z);
   std::uint32_t first = 0;
   constexpr int across = 4;
-  const int along = static_cast<int>(edge.size()) - 6;
+  const int along = static_cast<int>(edge.size()) - 8;
 
   for (int i = 0; i < along; ++i) {
     const vec3 e = edge[static_cast<std::size_t>(i + 3)];
@@ -237,7 +239,7 @@ void add_eyes(const Sculpture& bust, scene::Scene& scene, int map_size) {
   scene.materials.push_back(wet("eye", vec4(1), 0.09f));
   scene.materials.back().base_colour_map.image = static_cast<int>(scene.images.size());
   scene.materials.push_back(wet("caruncle", {0.50f, 0.19f, 0.155f, 1}, 0.30f));
-  scene.materials.push_back(wet("tears", {0.62f, 0.52f, 0.48f, 0.35f}, 0.06f));
+  scene.materials.push_back(wet("tears", {0.50f, 0.36f, 0.32f, 0.25f}, 0.10f));
   scene.materials.back().alpha_mode = scene::AlphaMode::blend;
   scene.images.push_back({"built-in eye", std::make_shared<const image::Image8>(paint_eye(map_size))});
 

@@ -44,12 +44,14 @@ void Hairs::add(const vec2& root, float angle, float turn, float length_mm, floa
 // lower one up, and meet in a ridge.
 void Hairs::add_brow(float side) {
   const std::vector<vec3> curve = smooth_curve(brow_line, 8);
-  for (int n = 0; n < 470; ++n) {
+  for (int n = 0; n < 640; ++n) {
     const Dice dice{n, side > 0 ? 1 : 2};
-    const float t = 0.98f * std::pow(dice(0), 0.9f) - 0.03f + 0.04f * dice(6);
+    const float t = 0.98f * std::pow(dice(0), 0.9f) - 0.05f + 0.06f * dice(6);
     const vec2 middle = point_on(curve, t), ahead = point_on(curve, std::min(t + 0.04f, 1.0f)) -
                                                     point_on(curve, std::max(t - 0.04f, 0.0f));
 
+    // Sparse at its inner end, which is no edge.
+    if (dice(8) > 0.35f + 0.65f * smooth_step(-0.02f, 0.22f, t)) continue;
     const float half = 4.9f * (1 - 0.62f * t) * smooth_step(-0.25f, 0.22f, t);
     const float offset = (dice(1) + dice(2) - 1.0f) * half * 1.05f - 0.4f;
     const float flow = std::atan2(ahead.y, ahead.x);
@@ -69,7 +71,7 @@ void Hairs::add_brow(float side) {
       turn = -turn;
     }
 
-    add(root, angle, turn, length, 0.12f + 0.08f * dice(7));
+    add(root, angle, turn, length, 0.07f + 0.07f * dice(7));
   }
 }
 

@@ -9,9 +9,9 @@
 namespace dermis::builtin_head {
 
 // Edges of the open lids, from the inner to the outer corner.
-inline const std::vector<vec3> upper_lid = {{16.4f, -3.2f, 74}, {19, -0.2f, 76},   {23, 2.9f, 79},
-                                            {27.5f, 4.6f, 81},  {32, 4.8f, 81},    {37, 3.7f, 79},
-                                            {42, 1.6f, 75},     {46.6f, -1.2f, 69}};
+inline const std::vector<vec3> upper_lid = {{16.4f, -3.2f, 74}, {19, -0.5f, 76},   {23, 2.4f, 79},
+                                            {27.5f, 4.0f, 81},  {32, 4.2f, 81},    {37, 3.2f, 79},
+                                            {42, 1.3f, 75},     {46.6f, -1.2f, 69}};
 inline const std::vector<vec3> lower_lid = {{16.4f, -3.2f, 74}, {19.5f, -4.4f, 76}, {24, -5.5f, 79},
                                             {29, -6.0f, 80},    {34, -6.0f, 80},    {39, -5.1f, 77},
                                             {43.5f, -3.2f, 73}, {46.6f, -1.2f, 69}};

@@ -19,6 +19,9 @@ struct FineNet {
   std::vector<Region> region;
 };
 
+// A normal that is sampled this near to the surface is the surface's.
+constexpr float near_mm = 0.05f;
+
 FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net, int map_size) {
   FineNet fine;
   fine.per_cell = std::clamp(map_size / net.columns, 1, 4);
@@ -49,10 +52,10 @@ FineNet refine_on(const Sculpture& bust, const Skin& skin, const Net& net, int m
         continue;
       }
 
-      // Steps to the surface twice; the second step gives the normal.
+      // Steps to the surface; where that was more than a touch, a second step gives the normal.
       vec3 p = flat;
-      bust.project(p, Detail::fine, 0.35f, 1);
-      vec3 g = bust.project(p, Detail::fine, 0.25f, 1);
+      vec3 g = bust.project(p, Detail::fine, 0.30f, 1);
+      if (glm::distance(p, flat) > near_mm) g = bust.project(p, Detail::fine, 0.25f, 1);
       // A crease may be steep, but a normal that points into the mesh is a stray sample.
       const float facing = glm::dot(g, glm::normalize(side));
       if (!(facing > 0.12f)) {
@@ -150,11 +153,12 @@ std::uint8_t to_srgb(float linear) {
 }
 
 void Baker::paint_row(int y, Maps& maps) {
+  SkinWalk walk;
   for (int x = 0; x < size_; ++x) {
     const Place at = place(x, y);
     const vec3 p = sample(fine_.at_mm, at);
     const Region where = sample(fine_.region, at, blend);
-    const SkinPoint s = skin_.paint(p, where);
+    const SkinPoint s = skin_.paint(p, where, walk);
     std::uint8_t* colour = maps.colour.at(x, y);
     colour[0] = to_srgb(s.albedo.x);
     colour[1] = to_srgb(s.albedo.y);
@@ -163,7 +167,7 @@ void Baker::paint_row(int y, Maps& maps) {
     reflection[0] = to_byte(s.specular);
     reflection[1] = to_byte(s.roughness);
     reflection[2] = 0;
-    height_mm_[static_cast<std::size_t>(y) * size_ + x] = skin_.relief_mm(p, where);
+    height_mm_[static_cast<std::size_t>(y) * size_ + x] = s.height_mm;
   }
 }
 

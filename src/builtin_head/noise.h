@@ -3,6 +3,7 @@
 // everywhere.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 
@@ -26,5 +27,34 @@ struct Cell {
 /// Returns cellular noise with one point per cell, jittered within the middle 60 % so that eight cells
 /// suffice.
 Cell cells(const glm::vec3& p, std::uint32_t seed);
+
+/// gradient_noise() of one seed, to the same bits, that keeps the hashes of the last lattice cell:
+/// neighbouring texels mostly share it.
+class NoiseWalk {
+ public:
+  explicit NoiseWalk(std::uint32_t seed) : seed_(seed) {}
+  float operator()(const glm::vec3& p);
+
+ private:
+  std::uint32_t seed_;
+  bool filled_ = false;
+  int i_ = 0, j_ = 0, k_ = 0;
+  std::array<const float*, 8> slopes_{};
+};
+
+/// cells() of one seed, likewise.
+class CellWalk {
+ public:
+  explicit CellWalk(std::uint32_t seed) : seed_(seed) {}
+  /// `along`: cells are drawn out in this direction, by 1 / sqrt(1 - |along|^2); its length is under 0.9.
+  Cell operator()(const glm::vec3& p, const glm::vec3& along = glm::vec3(0));
+
+ private:
+  std::uint32_t seed_;
+  bool filled_ = false;
+  int i_ = 0, j_ = 0, k_ = 0;
+  std::array<glm::vec3, 8> points_{};
+  std::array<std::uint32_t, 8> hashes_{};
+};
 
 }  // namespace dermis::builtin_head

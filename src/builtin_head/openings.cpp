@@ -108,10 +108,11 @@ void Openings::add_mouth(const Sculpture& bust) {
       if (std::abs(s) > 0.999f) {
         p = seam + vec3(0, 0.1f * static_cast<float>(k), 0);
       } else {
-        // Lips touch for a few millimetres, then the pouch widens before the teeth and closes in the throat.
+        // Lips touch for a few millimetres (a wider gap shows the teeth as a white line), then the pouch
+        // widens before the teeth and closes in the throat.
         const int depth = half - std::abs(k);
         const vec3 inwards = glm::normalize(vec3(-0.35f * q.x / 25.0f, 0, -1));
-        p += vec3(0, up * (depth < 2 ? 0.10f : 0.25f), 0);
+        p += vec3(0, up * (depth < 2 ? 0.02f : 0.25f), 0);
         if (depth == 1) p += open * 2.5f * inwards;
         if (depth == 2) p += open * (5.0f * inwards + vec3(0, 2.5f * up, 0));
         if (depth == 3) p += open * (9.0f * inwards + vec3(0, 13.0f * up, 0));

@@ -38,8 +38,8 @@ float inside_hairline(const vec3& q) {
 }  // namespace
 
 Skin::Skin(const Sculpture& bust, const Complexion& complexion)
-    : complexion_(complexion),
-      table_(skin_table()),
+    : skin_(complexion.skin),
+      lips_(complexion.lips),
       ear_(bust.ear_frame()),
       lash_(upper_lid, {1, 0, 0, 0, true}, 4),
       brow_(brow_line, {1, 0, 0, 0, true}, 4),
@@ -59,13 +59,19 @@ Region Skin::region(const vec3& p) const {
   q.x = std::abs(q.x);
   r.symmetric = {p.x > 0 ? q.x : -q.x, q.y, q.z};
   r.complexion = layered_noise(p * 0.030f, 3, 1);
+  r.mottle = layered_noise(p * 0.16f, 3, 5);
+  r.blood = layered_noise(p * 0.45f, 2, 13);
+  r.oil = layered_noise(p * 0.12f, 2, 71);
 
   const vec3 e = (ear_.to_local(q) - vec3(1, 1, 2)) / vec3(21.5f, 36, 13);
   r.ear = 1.0f - smooth_step(0.75f, 1.25f, glm::dot(e, e));
   const float face = smooth_step(8, 48, q.z) * smooth_step(-124, -100, q.y);
   r.neck = 1.0f - smooth_step(-128, -108, q.y + 0.35f * (80 - q.z));
   r.scalp = smooth_step(-7, 12, inside_hairline(q) + 4.0f * gradient_noise(p * 0.22f, 3)) * (1 - r.ear);
-  if (face <= 0) return r;
+  if (face <= 0) {
+    r.line = tension_line(q, r) * vec3(p.x > 0 ? 1 : -1, 1, 1);
+    return r;
+  }
   r.lips = lip_mask(q);
   r.cheek = face * (bell(q, {38, -27, 78}, {22, 19, 34}) + 0.5f * bell(q, {52, -42, 58}, {20, 26, 34}));
   r.nose_tip = bell(q, {0, -38, 116}, {13, 9, 14}) + 0.8f * bell(q, {15, -43, 96}, {5, 6, 8});
@@ -81,6 +87,7 @@ Region Skin::region(const vec3& p) const {
   const float jaw = smooth_step(-52, -76, q.y + 0.25f * (60 - q.z)) * (1 - smooth_step(-112, -140, q.y)) *
                     smooth_step(2, 22, q.z);
   r.beard = std::min(1.0f, std::max(jaw, moustache)) * (1 - r.lips);
+  r.line = tension_line(q, r) * vec3(p.x > 0 ? 1 : -1, 1, 1);
   return r;
 }
 
@@ -88,9 +95,11 @@ Region blend(const Region& a, const Region& b, float t) {
   constexpr float Region::*parts[] = {
       &Region::lips,     &Region::cheek,  &Region::nose_tip,  &Region::nose,      &Region::ear,
       &Region::forehead, &Region::t_zone, &Region::under_eye, &Region::upper_lid, &Region::beard,
-      &Region::scalp,    &Region::neck,   &Region::crow,      &Region::chin,      &Region::complexion};
+      &Region::scalp,    &Region::neck,   &Region::crow,      &Region::chin,      &Region::complexion,
+      &Region::mottle,   &Region::blood,  &Region::oil};
   Region r;
-  r.symmetric = glm::mix(a.symmetric, b.symmetric, t);
+  r.symmetric = a.symmetric + t * (b.symmetric - a.symmetric);
+  r.line = a.line + t * (b.line - a.line);
   for (float Region::*const part : parts) r.*part = a.*part + t * (b.*part - a.*part);
   return r;
 }
@@ -111,24 +120,25 @@ float Skin::hair(const vec3& p, const vec3& q) const {
                              (1 - smooth_step(0.97f, 1.0f, lash.y)));
 }
 
-vec3 Skin::tint(const vec3& p, const Region& r) const {
-  const float broad = r.complexion, mottle = layered_noise(p * 0.16f, 3, 5),
-              grain = gradient_noise(p * 1.1f, 9);
+vec3 Skin::tint(const vec3& p, const Region& r, float pore, SkinWalk& walk) const {
+  const float grain = walk.grain(p * 1.1f);
 
   // Natural logarithms of how much more melanin and blood there are than on average.
   float melanin =
-      0.10f * broad + 0.05f * mottle + 0.05f * grain + 0.12f * r.forehead + 0.10f * r.neck - 0.05f;
-  float blood = 0.20f * mottle + 0.14f * layered_noise(p * 0.45f, 2, 13) + 0.10f * broad;
-  blood += 0.45f * r.cheek * (1 + 0.7f * mottle) + 1.25f * r.nose_tip + 0.75f * r.ear + 0.30f * r.chin +
-           0.40f * r.upper_lid - 0.20f * r.forehead - 0.15f;
+      0.10f * r.complexion + 0.05f * r.mottle + 0.05f * grain + 0.12f * r.forehead + 0.10f * r.neck - 0.05f;
+  float blood = 0.13f * r.mottle + 0.12f * r.blood + 0.10f * r.complexion;
+  blood += 0.45f * r.cheek * (1 + 0.35f * r.mottle) + 1.25f * r.nose_tip + 0.75f * r.ear + 0.30f * r.chin +
+           0.22f * r.upper_lid - 0.20f * r.forehead - 0.15f;
   const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
   blood += 0.45f * bell(q, {18, -42, 90}, {5, 8, 10});
+  // What fills a pore oxidises and is a little darker than the skin around it.
+  melanin += 0.45f * pore;
 
   // Freckles: sparse cells, each with its own size and strength, over cheeks and nose.
   const float where = std::min(1.0f, 1.2f * r.cheek + 1.1f * r.nose + 0.25f * r.forehead + 0.12f);
   for (int layer = 0; layer < (where > 0.2f ? 2 : 1); ++layer) {
     const float scale = layer == 0 ? 0.30f : 0.52f;
-    const Cell c = cells(p * scale + 0.15f * grain, 41u + static_cast<std::uint32_t>(layer));
+    const Cell c = walk.freckles[layer](p * scale + 0.15f * grain);
     const float chance = unit(c.id), radius = (0.10f + 0.16f * unit(c.id * 2246822519u));
     if (chance < 0.55f * where)
       melanin += (0.25f + 0.5f * unit(c.id * 3266489917u)) * where *
@@ -136,54 +146,52 @@ vec3 Skin::tint(const vec3& p, const Region& r) const {
   }
 
   // Blood of the veins below thin skin, and blood that has given off its oxygen, is blue.
-  const optics::Pigments& mean = complexion_.skin;
-  const std::array<float, 3> colour = table_.at(
-      optics::Pigments{.melanin = mean.melanin * double{std::exp(melanin)},
-                       .haemoglobin = mean.haemoglobin * double{std::exp(blood + 0.30f * r.under_eye)},
-                       .oxygenation = mean.oxygenation - double{0.45f * r.under_eye + 0.15f * r.upper_lid}});
-  vec3 albedo(colour[0], colour[1], colour[2]);
+  vec3 albedo = skin_.at(melanin, blood + 0.30f * r.under_eye, 0.45f * r.under_eye + 0.15f * r.upper_lid);
+  // Its walls keep light from its bottom.
+  albedo *= 1 - 0.25f * pore;
   // A shaven beard and a shaven scalp: hair in the skin looks blue-grey through it.
   const float shaven = std::max(0.60f * r.beard, 0.95f * r.scalp);
   if (shaven > 0.01f) {
     albedo *= glm::mix(vec3(1), vec3(0.84f, 0.87f, 0.91f), shaven);
     albedo *= glm::mix(vec3(1), vec3(0.62f, 0.66f, 0.70f), r.scalp);
-    const Cell c = cells(p * 1.25f, 61);
+    const Cell c = walk.stubble(p * 1.25f);
     albedo *= 1.0f - 0.38f * shaven * (1 - smooth_step(0.08f, 0.22f, c.nearest)) * (0.4f + 0.6f * unit(c.id));
   }
   return albedo;
 }
 
-// Streaked along the lips' furrows, whose pigments are as uneven as the skin's.
-vec3 Skin::lip_colour(const vec3& p) const {
-  const float streak = gradient_noise(vec3(p.x * 1.5f, p.y * 0.25f, p.z * 0.4f), 81);
-  const std::array<float, 3> colour = table_.at(
-      optics::Pigments{.melanin = complexion_.lips.melanin * double{std::exp(-0.15f * streak)},
-                       .haemoglobin = complexion_.lips.haemoglobin * double{std::exp(-0.25f * streak)},
-                       .oxygenation = complexion_.lips.oxygenation});
-  return {colour[0], colour[1], colour[2]};
-}
-
-SkinPoint Skin::paint(const vec3& p, const Region& r) const {
+SkinPoint Skin::paint(const vec3& p, const Region& r, SkinWalk& walk) const {
   SkinPoint s;
   const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
-  s.albedo = tint(p, r);
+  const Relief relief = walk.relief.at(p, r);
+  s.height_mm = relief.height_mm;
+  s.albedo = tint(p, r, relief.pore, walk);
 
-  const float patch = layered_noise(p * 0.12f, 2, 71);
-  s.specular = std::clamp(
-      0.62f + 0.30f * r.t_zone + 0.08f * patch - 0.12f * r.neck - 0.08f * r.scalp - 0.08f * r.under_eye, 0.0f,
-      1.0f);
-  s.roughness = 0.565f - 0.085f * r.t_zone + 0.03f * patch + 0.02f * r.cheek + 0.02f * r.neck;
+  // Oil lies on the T-zone in patches; the cheek beside it is drier. A pore hardly mirrors.
+  const float oil = r.t_zone * (1 + 0.35f * r.oil);
+  const float dry = r.cheek * (1 - r.t_zone);
+  s.specular = 0.64f + 0.30f * oil - 0.08f * dry + 0.08f * r.oil - 0.12f * r.neck - 0.08f * r.scalp -
+               0.08f * r.under_eye;
+  s.specular = std::clamp(s.specular * (1 - 0.45f * relief.pore), 0.0f, 1.0f);
+  s.roughness = 0.565f - 0.105f * oil + 0.045f * dry + 0.03f * r.oil + 0.02f * r.neck + 0.04f * relief.pore;
 
   if (r.lips > 0) {
+    // Streaked along the lips' furrows, whose pigments are as uneven as the skin's.
+    const float streak = walk.streak(vec3(p.x * 1.5f, p.y * 0.25f, p.z * 0.4f));
     // By the eye it is the lids' edge and the conjunctiva that are bare.
-    const vec3 bare = q.y > -25 ? vec3(0.48f, 0.30f, 0.25f) : lip_colour(p);
+    const vec3 bare = q.y > -25 ? vec3(0.40f, 0.225f, 0.185f) : lips_.at(-0.15f * streak, -0.25f * streak, 0);
     // The lining of the mouth is redder, and dark where hardly any light comes.
     const float deep = q.y > -25 ? 0.0f : smooth_step(92.0f, 62.0f, q.z);
     const vec3 lip = glm::mix(bare, vec3(0.10f, 0.028f, 0.024f), deep);
     s.albedo = glm::mix(s.albedo, lip, r.lips);
-    s.specular = glm::mix(s.specular, 1.0f, r.lips);
-    s.roughness = glm::mix(s.roughness, 0.46f, r.lips);
-    const vec2 line = mouth_.nearest(q, 2.5f);
+    // Wettest where they meet; what lies deeper is hardly lit, so that it must not mirror, nor the lids' edge
+    // as much as the lips.
+    const vec2 line = mouth_.nearest(q, 6.0f);
+    const float wet = 1 - smooth_step(1.5f, 5.0f, line.x), folded = 1 - smooth_step(0.4f, 1.4f, line.x);
+    const bool lid = q.y > -25;
+    const float gloss = lid ? 0.6f : (1 - 0.75f * std::max(folded, deep));
+    s.specular = glm::mix(s.specular, gloss, r.lips);
+    s.roughness = glm::mix(s.roughness, lid ? 0.50f : 0.455f - 0.045f * wet, r.lips);
     s.albedo *= 1.0f - 0.15f * (1 - smooth_step(0.2f, 0.8f, line.x));
   }
 
@@ -192,58 +200,6 @@ SkinPoint Skin::paint(const vec3& p, const Region& r) const {
   s.specular *= 1.0f - 0.5f * hairs;
   s.albedo = glm::clamp(s.albedo, vec3(0.01f), vec3(0.95f));
   return s;
-}
-
-float Skin::relief_mm(const vec3& p, const Region& r) const {
-  const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
-  // Pores: wide and deep on nose, inner cheek and chin, hardly any on lids and lips.
-  const float bare = (1 - r.lips) * (1 - 0.85f * std::min(1.0f, r.upper_lid + 0.7f * r.under_eye));
-  const float oily =
-      std::min(1.0f, r.nose + 0.8f * r.nose_tip + 0.55f * r.cheek + 0.45f * r.forehead + 0.4f * r.chin);
-  const Cell pore = cells(p * 0.78f, 101);
-  const float radius = 0.16f + 0.10f * unit(pore.id);
-  float h = -bare * (0.024f + 0.062f * oily) * (0.4f + 0.6f * unit(pore.id * 668265263u)) *
-            (1 - smooth_step(0.3f * radius, 1.5f * radius, pore.nearest));
-
-  // The net of fine furrows between them, and the softer unevenness of skin.
-  const Cell net = cells(p * 1.15f + 0.35f * gradient_noise(p * 0.6f, 107), 103);
-  h -= 0.016f * (1 - r.lips) * (1 - smooth_step(0.02f, 0.22f, net.second - net.nearest));
-  h += 0.030f * gradient_noise(p * 0.35f, 109) * (1 - r.lips) + 0.010f * gradient_noise(p * 1.6f, 113);
-
-  if (r.lips > 0) {
-    // Vertical furrows, crowded in the middle, fanning out.
-    const float wave = gradient_noise(vec3(p.x * 1.15f + 0.02f * p.x * (q.y + 68), p.y * 0.10f, 0.0f), 127);
-    const float fine = gradient_noise(vec3(p.x * 2.6f, p.y * 0.35f, 3.0f), 131);
-    h += r.lips * (0.075f * (std::abs(wave) - 0.3f) * 1.3f + 0.02f * fine);
-  }
-
-  if (r.forehead > 0.02f) {
-    // Draws wavy creases, deepest in the middle of the forehead.
-    const float wander = 2.2f * gradient_noise(vec3(p.x * 0.03f, p.y * 0.05f, 1), 137);
-    const float crease = std::abs(std::sin((q.y + wander - 4.0f * std::cos(q.x * 0.035f)) * 0.30f));
-    h -= 0.085f * r.forehead * (1 - smooth_step(0.0f, 0.20f, crease)) *
-         smooth_step(-0.2f, 0.5f, gradient_noise(vec3(p.x * 0.035f, p.y * 0.06f, 7), 139)) *
-         std::exp(-q.x * q.x / 1500);
-  }
-
-  const float eye = std::max(r.crow, 0.8f * r.under_eye);
-  if (eye > 0.02f) {
-    // Fine lines fan from the outer corner and run along the lower lid.
-    const float angle = std::atan2(q.y + 2.0f, q.x - 38.0f), reach = std::hypot(q.x - 38.0f, q.y + 2.0f);
-    const float fan = std::abs(std::sin(angle * 9.0f + 0.6f * gradient_noise(p * 0.12f, 149)));
-    h -= 0.060f * r.crow * (1 - smooth_step(0.0f, 0.30f, fan)) * smooth_step(10, 16, reach);
-    h -= 0.030f * r.under_eye *
-         (1 - smooth_step(0.0f, 0.5f,
-                          std::abs(std::sin(q.y * 1.5f + 0.05f * q.x * q.x * 0.1f +
-                                            1.2f * gradient_noise(p * 0.2f, 151)))));
-  }
-
-  if (r.neck > 0.05f) {
-    const float ring =
-        std::abs(std::sin((q.y + 0.22f * q.z + 2.0f * gradient_noise(p * 0.03f, 157)) * 0.16f));
-    h -= 0.13f * r.neck * (1 - smooth_step(0.0f, 0.22f, ring)) * smooth_step(-10, 20, q.z);
-  }
-  return h;
 }
 
 }  // namespace dermis::builtin_head

@@ -183,7 +183,12 @@ void relax(Net& net, const Sculpture& bust, const Openings& openings, Detail det
   openings.place(net);
 
   for (int round = 0; round < rounds; ++round) {
-    for (std::size_t k = 0; k < weight.size(); ++k) weight[k] = pull(net.at_mm[k], bust.ear_frame());
+    parallel_for(static_cast<std::size_t>(net.rows + 1), [&](std::size_t row) {
+      for (int i = 0; i <= net.columns; ++i) {
+        const std::size_t k = net.index(i, static_cast<int>(row));
+        weight[k] = pull(net.at_mm[k], bust.ear_frame());
+      }
+    });
     parallel_for(static_cast<std::size_t>(net.rows + 1), [&](std::size_t row) {
       const int j = static_cast<int>(row);
       for (int i = 0; i <= net.columns; ++i) {

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t default_limit_mb = 1000;
-constexpr std::array<std::string_view, 3> prefixes{"occlusion", "monte-carlo", "pipelines"};
+constexpr std::array<std::string_view, 4> prefixes{"occlusion", "monte-carlo", "pipelines", "built-in"};
 constexpr std::string_view unfinished = "unfinished", part_ending = ".part";
 // Another process may still be writing a younger file.
 constexpr std::chrono::hours part_lifetime{1};

@@ -37,8 +37,8 @@ std::optional<std::vector<std::byte>> read(const std::filesystem::path& file, st
 bool write(const std::filesystem::path& file, std::vector<std::byte> bytes,
            std::uint64_t limit = limit_bytes());
 
-/// Files of one kind: "occlusion", "monte-carlo", "pipelines", "unfinished" (left by a run that ended while
-/// writing).
+/// Files of one kind: "occlusion", "monte-carlo", "pipelines", "built-in" (head), "unfinished" (left by a run
+/// that ended while writing).
 struct Usage {
   std::string kind;
   std::size_t files = 0;
