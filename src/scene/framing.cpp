@@ -166,12 +166,13 @@ Camera group_camera(std::span<const BoundingSphere> spheres, double aspect, doub
   return camera_at(middle, distance_m, azimuth_deg, elevation_deg, fov_y_deg);
 }
 
-Camera distance_camera(const BoundingSphere& middle_head, double distance_radii, double fov_y_deg) {
+Camera distance_camera(const BoundingSphere& middle_head, double distance_radii, double azimuth_deg,
+                       double elevation_deg, double fov_y_deg) {
   require_sphere(middle_head);
   require_fov(fov_y_deg);
   if (!(distance_radii > 0) || !std::isfinite(distance_radii))
     throw input_error("distance", "must be > 0 bounding-sphere radii, got {}", distance_radii);
-  return camera_at(middle_head, distance_radii * middle_head.radius_m, 0, 0, fov_y_deg);
+  return camera_at(middle_head, distance_radii * middle_head.radius_m, azimuth_deg, elevation_deg, fov_y_deg);
 }
 
 Camera look_at_camera(const glm::dvec3& eye_m, const glm::dvec3& target_m, double fov_y_deg) {

@@ -47,9 +47,11 @@ Camera framing_camera(const BoundingSphere& sphere, double aspect, double azimut
 Camera group_camera(std::span<const BoundingSphere> spheres, double aspect, double azimuth_deg = 0,
                     double elevation_deg = 0, double fov_y_deg = 20, double fill = 0.95);
 
-/// Returns the camera of the paper's test, `distance_radii` (> 0) sphere radii in front of the centre of the
-/// middle head. Throws InputError if distance_radii is not a positive number, or the sphere empty.
-Camera distance_camera(const BoundingSphere& middle_head, double distance_radii, double fov_y_deg = 20);
+/// Returns the camera of the paper's test, `distance_radii` (> 0) sphere radii from the centre of the middle
+/// head, in front of it but for azimuth and elevation. Throws InputError if distance_radii is not a positive
+/// number, or the sphere empty.
+Camera distance_camera(const BoundingSphere& middle_head, double distance_radii, double azimuth_deg = 0,
+                       double elevation_deg = 0, double fov_y_deg = 20);
 
 /// Returns a camera at `eye_m` with `target_m` in the middle of the picture and +Y up; where it looks along
 /// Y, the upper border is towards -Z (from above) or +Z (from below). Throws InputError if the points are

@@ -34,7 +34,7 @@ inline constexpr auto fields_of<CameraSettings> =
                       .option = "distance"}},
                Field{"orbit_deg",
                      &CameraSettings::orbit_deg,
-                     {.help = "turn the framing camera: azimuth towards the head's left, elevation",
+                     {.help = "turn the camera around the heads: azimuth towards the head's left, elevation",
                       .unit = "degrees",
                       .least = -3600,
                       .most = 3600,

@@ -37,7 +37,9 @@ scene::Camera choose_camera(const PlacedScene& scene, const RenderSettings& s, c
     const std::array<double, 3>&eye = *s.camera.eye_m, &target = s.camera.target_m.value();
     return scene::look_at_camera({eye[0], eye[1], eye[2]}, {target[0], target[1], target[2]}, fov);
   }
-  if (s.camera.distance) return scene::distance_camera(spheres.middle, *s.camera.distance, fov);
+  const auto [azimuth, elevation] = s.camera.orbit_deg;
+  if (s.camera.distance)
+    return scene::distance_camera(spheres.middle, *s.camera.distance, azimuth, elevation, fov);
 
   const auto with_fov = [&](scene::Camera camera) {
     if (s.camera.fov_deg) camera.fov_y_rad = static_cast<float>(fov * std::numbers::pi / 180);
@@ -58,7 +60,6 @@ scene::Camera choose_camera(const PlacedScene& scene, const RenderSettings& s, c
   const bool orbits = s.camera.orbit_deg != std::array<double, 2>{0, 0};
   const bool one_head = scene.instances.size() == 1 && s.camera.heads == 1;
   if (!cameras.empty() && !orbits && one_head) return with_fov(cameras.front());
-  const auto [azimuth, elevation] = s.camera.orbit_deg;
   return spheres.framed.size() == 1
              ? scene::framing_camera(spheres.framed.front(), aspect, azimuth, elevation, fov)
              : scene::group_camera(spheres.framed, aspect, azimuth, elevation, fov);
