@@ -17,6 +17,7 @@
 #include "cli/bench/variants.h"
 #include "cli/progress.h"
 #include "core/error.h"
+#include "core/log.h"
 #include "dermis/cancelled.h"
 #include "gaussians/one.h"
 #include "image/codec.h"
@@ -26,6 +27,7 @@
 #include "image/tone_map.h"
 #include "settings/names.h"
 #include "setup/choose.h"
+#include "techniques/technique.h"
 
 namespace dermis::cli {
 namespace {
@@ -133,6 +135,7 @@ class Run {
   }
 
   SceneComparison result() {
+    const std::vector<std::string> names = drawn_techniques();
     show_line("regions");
     all_.regions = picture_regions(scene_, settings_.render, settings_.hooks);
     if (all_.regions.front().pixels == 0)
@@ -145,8 +148,6 @@ class Run {
       image::ImageF map;
       all_.noise = Comparer(all_, truth_).errors(noisy, image::to_display(noisy, tone_map_), map);
     }
-    std::vector<std::string> names = settings_.techniques;
-    if (names.empty()) names = technique_names();
     for (const std::string& name : names) add_technique(name);
     show_line("");
     return std::move(all_);
@@ -156,6 +157,33 @@ class Run {
   void check_stopped() const {
     if (settings_.hooks.stop && *settings_.hooks.stop)
       throw Cancelled("stopped before all techniques were compared");
+  }
+
+  // What is refused is refused now, not after the reference has taken its hours. Of all techniques those that
+  // cannot draw this picture are left out.
+  std::vector<std::string> drawn_techniques() const {
+    if (!settings_.techniques.empty()) {
+      for (const std::string& name : settings_.techniques) check_technique(name);
+      return settings_.techniques;
+    }
+
+    std::vector<std::string> names;
+    for (const std::string& name : technique_names()) {
+      try {
+        check_technique(name);
+        names.push_back(name);
+      } catch (const InputError& why) { warn("technique '{}' is left out: {}", name, why.what()); }
+    }
+    if (names.empty()) check_technique(technique_names().front());
+    return names;
+  }
+
+  void check_technique(const std::string& name) const {
+    RenderSettings s = settings_.render;
+    s.technique = name;
+    describe_plan(scene_, s, false, settings_.hooks);
+    s.output.width *= all_.supersample, s.output.height *= all_.supersample;
+    describe_plan(scene_, s, false, settings_.hooks);
   }
 
   // One for all pictures, the reference too.
@@ -232,7 +260,7 @@ class Run {
     RenderSettings s = settings_.render;
     s.technique = name;
     const Statistics first = add(name, scene_, s);
-    if (first.gaussians == 0) return;  // nothing spreads: no profile, nothing to optimise
+    if (!techniques::find_technique(name).has_light_maps) return;  // which the rows below are about
     if (settings_.each_optimisation) add_each_optimisation(name, s);
     if (first.gaussians == 1) return;
     const Scene one = with_one_gaussian(scene_, s);

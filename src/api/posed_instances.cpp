@@ -119,9 +119,15 @@ void PosedInstances::keep(gpu::PipelineLibrary& library, const SceneOnDevice& sc
       instances[i].posed->lit_by.reset();
   }
 
-  if (recorded && !kept.empty() && !std::exchange(prepared_, true)) {
+  const bool lit = std::any_of(instances.begin(), instances.end(),
+                               [](const Current& current) { return current.sky != nullptr; });
+  if (recorded && !kept.empty() && !move_prepared_) {
     move_.prepare(library);
+    move_prepared_ = true;
+  }
+  if (recorded && lit && !turn_prepared_) {
     turn_.prepare(library);
+    turn_prepared_ = true;
   }
   recorded_ = recorded;
 

@@ -77,7 +77,7 @@ class PosedInstances {
   bool recorded_ = false;
   passes::MoveRig move_;  // for record()
   passes::TurnSky turn_;
-  bool prepared_ = false;
+  bool move_prepared_ = false, turn_prepared_ = false;
 };
 
 }  // namespace dermis::api

@@ -180,6 +180,25 @@ void check_cascade(const techniques::FrameSettings& plan) {
         "maps; take quality.blur chain, or a larger quality.map_size");
 }
 
+// How many Gaussians the profile of a part has, that without width too.
+int gaussians_of(const techniques::SkinPart& part) {
+  const auto has_weight = [](const gaussians::Rgb& weight) { return weight != gaussians::Rgb{}; };
+  const std::vector<gaussians::Gaussian>& terms = part.profile.terms;
+  const bool all_leaves = terms.size() == 1 && !has_weight(terms.front().weight);
+  return static_cast<int>(all_leaves ? 0 : terms.size()) + (has_weight(part.unscattered) ? 1 : 0);
+}
+
+// The light of a host, and the light that it reads, are those of light maps, which hold what has scattered.
+void check_unscattered(const techniques::FrameSettings& plan) {
+  if (!plan.host || !(plan.host_lights() || plan.host->scattered)) return;
+  for (const techniques::SkinPart& part : plan.skin)
+    if (part.unscattered != gaussians::Rgb{})
+      throw input_error(
+          "",
+          "a profile with a variance of 0 mm^2 goes neither with light that a host draws nor with "
+          "blurred light that it reads");
+}
+
 // Light is blurred between the pixels of one picture of ours, in which ids tell heads apart.
 void check_screen_space(const FrameSetup& setup) {
   const techniques::FrameSettings& plan = setup.plan;
@@ -237,7 +256,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
   }
 
   for (const techniques::SkinPart& part : plan.skin)
-    setup.gaussians = std::max(setup.gaussians, static_cast<int>(part.profile.terms.size()));
+    setup.gaussians = std::max(setup.gaussians, gaussians_of(part));
   if (!setup.technique->uses_profile) setup.gaussians = 0;
 
   PoolHeads heads{.count = static_cast<std::uint32_t>(setup.heads.size())};
@@ -331,6 +350,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
   check_screen_space(setup);
+  check_unscattered(setup.plan);
   setup.plan.shade_entries = (s.quality.shading == Shading::compute || setup.technique->screen_space) &&
                              setup.plan.can_shade_entries();
   place_shadows(setup.heads, setup.plan);

@@ -132,6 +132,20 @@ TEST_F(CompareScene, EachOptimisationAndAPage) {
   EXPECT_NE(page.find("class=\"slider\""), std::string::npos);
 }
 
+// Before the reference takes its time.
+TEST_F(CompareScene, ATechniqueThatCannotDrawIsLeftOutOfAll) {
+  const Result all = compare({"--taps", "64", "--supersample", "1", "--json", "-"});
+  ASSERT_EQ(all.status, 0) << all.err;
+  EXPECT_NE(all.err.find("technique 'separable' is left out: "), std::string::npos) << all.err;
+  const json numbers = json::parse(all.out, nullptr, false);
+  std::vector<std::string> names;
+  for (const json& t : numbers.at("techniques")) names.push_back(t.at("name"));
+  EXPECT_EQ(std::count(names.begin(), names.end(), "separable"), 0);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "burley-disc"), 1);
+
+  expect_refused(compare({"--techniques", "lambert,separable", "--taps", "64"}), "taps");
+}
+
 TEST_F(CompareScene, WhatMakesNoSense) {
   const auto refuse = [&](const Arguments& arguments, const std::string& says) {
     SCOPED_TRACE(arguments[0] + " " + arguments[1]);

@@ -38,7 +38,7 @@ void ShadeSplit::prepare(gpu::PipelineLibrary& library) {
       .blurred = {r, g, b},
       .mm_per_unit = static_cast<float>(settings.mm_per_unit),
       .mesh = static_cast<float>(static_cast<int>(settings.look.square.mesh) - SURFACE_MESH_MIDDLE),
-      .head = settings.look.square.instance,
+      .head = settings.head_part,  // heads without skin take no numbers
       .first_part = settings.head_part,
       .end_part = settings.head_parts_end};
   split_ = gpu::make_buffer(library.device(), "split skin", std::span<const io::SplitIo>(&split, 1),

@@ -21,10 +21,10 @@ layout(binding = 7, rgba16f) uniform writeonly image2D target;
 #include "passes/screen_surface.glsl"
 #include "passes/screen_tangents.glsl"
 
-// Returns the light between the pixels around a point, of those that are skin.
-vec3 light_at(vec2 pixels) {
+// Returns the light between the pixels around a point, of those that are skin; `none` where hardly one is.
+vec3 light_at(vec2 pixels, vec3 none) {
   const vec4 found = textureLod(light, pixels / vec2(io.extent), 0.0);
-  return found.rgb / max(found.a, 1e-4);
+  return found.a < 1e-4 ? none : found.rgb / found.a;
 }
 
 // Returns whether no skin of another head is among the four pixels around a point.
@@ -48,8 +48,9 @@ vec3 blurred_as_published(ivec2 at, vec3 middle, float depth_mm, uint first, flo
     const LineTapIo tap = taps[first + uint(i)];
     const vec2 p = clamp(vec2(at) + 0.5 + tap.offset * step, vec2(0.5), vec2(io.extent) - 0.5);
     const float there_mm = texelFetch(depth_of_skin, ivec2(p), 0).r;
-    const float off = clamp(follow * abs(depth_mm - there_mm), 0.0, 1.0);
-    sum += tap.weight * mix(light_at(p), middle, off);
+    // Where nothing is theirs is far away.
+    const float off = there_mm > 0.0 ? clamp(follow * abs(depth_mm - there_mm), 0.0, 1.0) : 1.0;
+    sum += tap.weight * mix(light_at(p, middle), middle, off);
   }
   return sum;
 }
@@ -71,7 +72,7 @@ vec3 blurred_on_surface(ivec2 at, vec3 middle, float depth_mm, uint first, LineK
     const vec2 p = clamp(vec2(at) + 0.5 + tap.offset * step, vec2(0.5), vec2(io.extent) - 0.5);
     const ivec2 nearest = ivec2(p);
     const bool same = head_of(texelFetch(surface_of_skin, nearest, 0).x) == head_of(surface);
-    const vec3 there = only_of(head_of(surface), p) ? light_at(p) : texelFetch(light, nearest, 0).rgb;
+    const vec3 there = only_of(head_of(surface), p) ? light_at(p, middle) : texelFetch(light, nearest, 0).rgb;
     const float off_mm =
         texelFetch(depth_of_skin, nearest, 0).r - plane_depth_mm(t, depth_mm, vec2(nearest - at));
     // Light does not go where the plane is off by as much as the kernel reaches.
