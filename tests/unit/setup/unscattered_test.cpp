@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A profile of which some light leaves where it entered: what counts it, and who cannot draw it.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "alone.h"
+#include "dermis/error.h"
+#include "scene/primitives.h"
+#include "support/files.h"
+#include "support/thrown.h"
+
+namespace dermis::setup {
+namespace {
+
+class Unscattered : public testing::Test {
+ protected:
+  RenderSettings with(const std::string& profile) const {
+    const std::filesystem::path file = folder_.path() / "profile.json";
+    tests::write_text(file, profile);
+    RenderSettings s;
+    s.skin.profile = file.string();
+    return s;
+  }
+  RenderSettings half() const {
+    return with(R"({"variances_mm2": [0, 1], "weights": [[0.5, 0.5, 0.5], [0.5, 0.5, 0.5]]})");
+  }
+
+  tests::TempFolder folder_;
+  Subject ball_ = examine(std::make_shared<const scene::Scene>(scene::sphere(0.1)));
+};
+
+TEST_F(Unscattered, CountsAsAGaussian) {
+  EXPECT_EQ(set_up_alone(ball_, half()).gaussians, 2);
+  EXPECT_EQ(set_up_alone(ball_, with(R"({"variances_mm2": [0], "weights": [[1, 1, 1]]})")).gaussians, 1);
+}
+
+TEST_F(Unscattered, IsRefusedWhereAHostDrawsOrReadsTheLight) {
+  HostSetup host;
+  EXPECT_NO_THROW(set_up_alone(ball_, half(), {}, &host));
+  for (const bool draws : {false, true}) {
+    host.part = {.scattered = !draws, .irradiance = draws};
+    const std::string said = tests::thrown<InputError>([&] { set_up_alone(ball_, half(), {}, &host); });
+    EXPECT_NE(said.find("variance of 0 mm^2"), std::string::npos) << said;
+    EXPECT_NO_THROW(set_up_alone(ball_, {}, {}, &host)) << "another profile";
+  }
+}
+
+}  // namespace
+}  // namespace dermis::setup
