@@ -134,7 +134,7 @@ TEST(Nodes, SkinOfManyNodesIsDrawnInBatchesUnderTheBudget) {
     other.quality.map_budget_mb = budget_mb;
     return fresh.render(wrap(skin_balls(nodes)), other).statistics.image_bytes;
   };
-  EXPECT_LT(images(10, 0.8), images(10, 8));
+  EXPECT_LT(images(10, 0.4), images(10, 8));
 }
 
 std::size_t heap_bytes() {

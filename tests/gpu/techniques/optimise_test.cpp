@@ -93,7 +93,7 @@ TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
     s.quality.clip_margin_mm = margin_mm;
 
     const glm::dmat4 camera_from_world =
-        glm::inverse(glm::dmat4(scene::distance_camera(sphere, 2.5, 20).world_from_camera));
+        glm::inverse(glm::dmat4(scene::distance_camera(sphere, 2.5).world_from_camera));
     const double slope_y = std::tan(glm::radians(10.0)), slope_x = slope_y * 192 / 128;
 
     const auto inside = [&](std::size_t t, const glm::dvec3& w) {
@@ -129,7 +129,7 @@ TEST_F(OnTheScan, DepthTakesTheMapThatTheNearestPointNeeds) {
     frame.set(s);
     const Statistics st = frame.picture().statistics;
 
-    const glm::dvec3 eye(scene::distance_camera(sphere, distance, 20).world_from_camera[3]);
+    const glm::dvec3 eye(scene::distance_camera(sphere, distance).world_from_camera[3]);
     const double d = glm::distance(eye, glm::clamp(eye, low, high)) / sphere.radius_m;
     const int expected = static_cast<int>(32 * std::ceil(std::min(1.0, st.d_ref / d) * side / 32));
     ASSERT_EQ(st.used_size, std::vector<int>{expected}) << distance;
