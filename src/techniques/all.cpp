@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "techniques/burley_disc/burley_disc.h"
 #include "techniques/lambert/lambert.h"
+#include "techniques/screen_gaussians/screen_gaussians.h"
 #include "techniques/separable/separable.h"
 #include "techniques/technique.h"
 #include "techniques/texture_space/texture_space.h"
@@ -11,12 +12,15 @@
 namespace dermis::techniques {
 namespace {
 
+// clang-format off
 constexpr std::array all{
     &texture_space,
     &lambert,
+    &screen_gaussians,
     &separable,
     &burley_disc,
 };
+// clang-format on
 
 }  // namespace
 

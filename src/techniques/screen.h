@@ -71,6 +71,8 @@ class Screen {
   std::uint32_t first_part(const passes::MapSquare& square) const;
   // Fills in what the scene and the skin mesh decide.
   passes::SkinLook look_of(passes::SkinLook asked) const;
+  // The same of skin that is wholly lit per pixel, with light through the body.
+  passes::SkinLook whole_look_of(const passes::MapSquare& square) const;
   frame::TextureId add_picture();
   frame::TextureId add_open_share();
   void add_display(FrameOutputs& out);

@@ -114,6 +114,7 @@ struct FrameSettings {
   /// drawn. See can_shade_entries().
   bool shade_entries = false;
   ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
+  bool half_resolution = false;                 ///< they blur in a picture of half the size
   std::uint32_t taps = 0;                       ///< of their kernels; 0: as many as usual
   bool poses = false;                           ///< some instance takes poses: passes::MoveRig
   bool environment = false;                     ///< light from a picture of the surroundings, else uniform
@@ -220,9 +221,10 @@ struct Technique {
   std::string_view summary;    ///< one line, for help texts
   bool uses_profile = true;    ///< light spreads as the material's profile says
   bool has_light_maps = true;  ///< Optimise, mask, progressive and translucency mean something
-  /// Light is blurred in the picture: skin is shaded as entries, whatever the settings say.
+  /// Skin is shaded as entries, whatever the settings say, as by techniques that blur light in the picture.
   bool screen_space = false;
-  TapRange taps{};  ///< of its kernels; it has none if `most` is 0
+  bool ue_kernel = false;  ///< it has ScreenKernel::ue
+  TapRange taps{};         ///< of its kernels; it has none if `most` is 0
 
   /// Adds the passes of a frame to the empty `plan`, in the order in which they run. Needs no device.
   FrameOutputs (*build)(passes::FramePlan& plan, const FrameSettings& settings);

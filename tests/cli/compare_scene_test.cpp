@@ -72,8 +72,9 @@ TEST_F(CompareScene, EveryTechniqueCostAndErrorPerRegion) {
     EXPECT_EQ(t.at("error").at("skin").at("share"), 1);
   }
 
-  EXPECT_EQ(techniques, (std::vector<std::string>{"texture-space", "texture-space, one Gaussian", "lambert",
-                                                  "separable", "burley-disc"}));
+  EXPECT_EQ(techniques,
+            (std::vector<std::string>{"texture-space", "texture-space, one Gaussian", "lambert",
+                                      "screen-gaussians", "separable", "burley-disc"}));
   EXPECT_EQ(j.at("techniques")[0].at("gaussians"), 6);
   EXPECT_EQ(j.at("techniques")[1].at("gaussians"), 1);
   EXPECT_EQ(j.at("techniques")[2].at("gaussians"), 0);
@@ -152,7 +153,8 @@ TEST_F(CompareScene, WhatMakesNoSense) {
     expect_refused(compare(arguments), says);
   };
 
-  refuse({"--techniques", "oil"}, "all, texture-space, lambert, separable, burley-disc");
+  refuse({"--techniques", "oil"},
+         "all, texture-space, lambert, screen-gaussians, separable, burley-disc");
   refuse({"--techniques", "all,lambert"}, "'all'");
   refuse({"--supersample", "0"}, "--supersample");
   refuse({"--supersample", "17"}, "--supersample");

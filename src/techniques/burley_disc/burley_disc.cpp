@@ -46,7 +46,9 @@ passes::Disc disc_of(const FrameSettings& settings, const SkinPart& part) {
 
 frame::TextureId add(passes::FramePlan& plan, const FrameSettings& settings,
                      const passes::ScreenSurface& surface) {
-  passes::DiscGather::Settings gather{.discs = {}, .burley = settings.kernel == ScreenKernel::published};
+  passes::DiscGather::Settings gather{.discs = {},
+                                      .burley = settings.kernel == ScreenKernel::published,
+                                      .ue = settings.kernel == ScreenKernel::ue};
   for (const SkinPart& part : settings.skin) gather.discs.push_back(disc_of(settings, part));
   return plan.add<passes::DiscGather>("disc", {surface}, gather).light;
 }
@@ -63,6 +65,7 @@ constinit const Technique burley_disc{
     .uses_profile = true,
     .has_light_maps = false,
     .screen_space = true,
+    .ue_kernel = true,
     .taps = range,
     .build = build,
     .maps = screen_maps,
