@@ -270,10 +270,11 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
           &QualitySettings::taps,
           {.help =
                "of the kernels of techniques in screen space, no effect on others: screen-gaussians 5 to 13, "
-               "odd; separable 3 to 33, odd; burley-disc 1 to 4096",
+               "odd; separable 3 to 33, odd; burley-disc 1 to 4096; pre-integrated, of its filter of "
+               "shadows, 1 to 1024",
            .least = 1,
            .most = 4096,
-           .none = "screen-gaussians 13, separable 25, burley-disc 64",
+           .none = "screen-gaussians 13, separable 25, burley-disc 64, pre-integrated 32",
            .option = "taps",
            .rebuilds = true,
            .real_time = true}},

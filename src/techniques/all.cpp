@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "techniques/burley_disc/burley_disc.h"
 #include "techniques/lambert/lambert.h"
+#include "techniques/pre_integrated/pre_integrated.h"
 #include "techniques/screen_gaussians/screen_gaussians.h"
 #include "techniques/separable/separable.h"
 #include "techniques/technique.h"
@@ -19,6 +20,7 @@ constexpr std::array all{
     &screen_gaussians,
     &separable,
     &burley_disc,
+    &pre_integrated,
 };
 // clang-format on
 

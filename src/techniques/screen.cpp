@@ -12,6 +12,7 @@
 #include "passes/count/count.h"
 #include "passes/final_pass/final_pass.h"
 #include "passes/final_pass/shade.h"
+#include "passes/final_pass/shade_pre_integrated.h"
 #include "passes/final_pass/shade_split.h"
 #include "passes/ids/ids.h"
 #include "passes/labels/labels.h"
@@ -204,6 +205,28 @@ void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
           .samples = settings_.samples}});
   }
   plan_->add<Together<passes::ShadeSplit>>(name, split);
+}
+
+void Screen::add_pre_integrated_skin(const std::vector<passes::MapSquare>& skin,
+                                     const std::vector<frame::BufferId>& curvatures,
+                                     std::uint32_t shadow_taps, const std::string& name) {
+  DERMIS_ASSERT(shaded());
+  Together<passes::ShadePreIntegrated>::In shade;
+  for (const passes::MapSquare& square : skin) {
+    const SkinPart& part = settings_.skin[square.mesh];
+    passes::ShadePreIntegrated::Settings settings{.look = whole_look_of(square),
+                                                  .profile = part.profile,
+                                                  .ring = settings_.kernel == ScreenKernel::published,
+                                                  .shadow_taps = shadow_taps,
+                                                  .mm_per_unit = part.mm_per_unit,
+                                                  .first_part = first_part(square),
+                                                  .extent = {settings_.width, settings_.height},
+                                                  .samples = settings_.samples};
+    for (std::size_t c = 0; c < 3; ++c) settings.scattered[c] = static_cast<float>(1 - part.unscattered[c]);
+    const passes::SkinLights lights{{}, shadow_, entering_};
+    shade.members.push_back({{lights, entries_.parts, entries_.entries, curvatures[square.mesh]}, settings});
+  }
+  plan_->add<Together<passes::ShadePreIntegrated>>(name, shade);
 }
 
 void Screen::add_scattered(frame::TextureId blurred, const passes::ScreenSurface& surface) {

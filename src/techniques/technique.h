@@ -35,7 +35,7 @@ struct SkinPart {
   /// Number of the mesh whose unwrap this is: instances of an asset that differ in their profile share it.
   std::uint32_t unwrap = 0;
   std::uint32_t in_model = 0;  ///< number among the meshes of its model
-  std::uint32_t triangles = 0;
+  std::uint32_t triangles = 0, vertices = 0;
   std::uint32_t draws = 1;       ///< runs of triangles of one material: passes::GpuMesh::draws
   double max_uv_per_mm = 1;      ///< a twentieth of the skin has more
   double even_uv_per_mm = 1;     ///< if the skin filled the map evenly
@@ -223,6 +223,7 @@ struct Technique {
   bool has_light_maps = true;  ///< Optimise, mask, progressive and translucency mean something
   /// Skin is shaded as entries, whatever the settings say, as by techniques that blur light in the picture.
   bool screen_space = false;
+  bool curvature = false;  ///< it needs GpuMesh::welded
   bool ue_kernel = false;  ///< it has ScreenKernel::ue
   TapRange taps{};         ///< of its kernels; it has none if `most` is 0
 
