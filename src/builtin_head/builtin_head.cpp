@@ -101,9 +101,9 @@ scene::Scene make(const Settings& settings) {
   add("built-in colour", std::move(baked.maps.colour));
   add("built-in normal", std::move(baked.maps.normal));
   add("built-in specular and roughness", std::move(baked.maps.reflection));
-  add_eyes(bust, scene, std::clamp(size / 4, 64, 512));
+  add_eyes(bust, scene, complexion(settings.tone).colours, std::clamp(size / 4, 64, 512));
   add_teeth(scene);
-  add_hair_cards(bust, scene, std::clamp(size / 2, 64, 1024));
+  add_hair_cards(bust, scene, complexion(settings.tone).colours, std::clamp(size / 2, 64, 1024));
   scene.rig = make_rig(net, scene);
   for (const scene::RigClip& clip : scene.rig->clips) scene.clips.push_back(clip.clip.name);
   steps.done();
