@@ -130,7 +130,7 @@ scene::Material wet(const char* name, const vec4& colour, float roughness, float
 
 void add_teeth(scene::Scene& scene) {
   const int enamel = static_cast<int>(scene.materials.size());
-  scene.materials.push_back(wet("teeth", {0.64f, 0.55f, 0.41f, 1}, 0.16f, 1.62f));
+  scene.materials.push_back(wet("teeth", {0.68f, 0.55f, 0.40f, 1}, 0.16f, 1.62f));
   scene.materials.push_back(wet("gums and tongue", {0.36f, 0.115f, 0.10f, 1}, 0.30f, 1.4f));
 
   // The lips and what they open onto keep most of the surroundings away.
