@@ -16,7 +16,7 @@ environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
 names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets
-  tone-maps turntable talking head-studio head-hard-light)
+  tone-maps turntable talking skins head-studio head-hard-light)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -143,7 +143,7 @@ head_sheet() {
       "--eye 0.06,0.03,0.4 --target 0.031,0.036,0.08 --fov 9" \
       "--eye 0.4,0.03,0.03 --target 0.075,0.02,-0.01 --fov 13" \
       "--eye 0.1,-0.02,0.4 --target 0,-0.035,0.09 --fov 11"; do
-      [[ $view == --eye* ]] || view="$view --fov 14"
+      [[ $view == --eye* ]] || view="$view --fov 11"
       # shellcheck disable=SC2086
       render $name-$skin-${#row[@]} built-in:$skin --size 240x288 --map-size 1024 $view "$@"
       row+=("$out/$name-$skin-${#row[@]}.png")
@@ -152,6 +152,12 @@ head_sheet() {
     rows+=("$out/$name-$skin.png")
   done
   convert "${rows[@]}" -append -quality 88 -strip "docs/pictures/$name.jpg"
+}
+
+skins() {
+  render $1 built-in:light built-in:medium built-in:dark --layout row --environment studio \
+    --background studio --light 40,30,2 --orbit=25,5 --size 1080x480
+  convert "$out/$1.png" -quality 88 -strip "docs/pictures/$1.jpg"
 }
 
 head-studio() { head_sheet $1 --environment studio --background studio --light 40,30,2; }
