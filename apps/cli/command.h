@@ -44,6 +44,9 @@ struct SceneArguments {
   std::optional<ReferenceSettings> reference;  ///< of commands that compute ground truth
 };
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use);
+/// Reads WIDTHxHEIGHT; false for anything else. CLI11 turns that into exit status 2; sizes that parse but
+/// make no sense are refused by the renderer.
+bool parse_size(const std::string& text, OutputSettings& output);
 Scene open_scene(const SceneArguments& arguments, const Hooks& hooks);
 /// Shows on a terminal how far the loading is.
 Scene open_scene(const SceneArguments& arguments);

@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/hooks.h"
 #include "core/log.h"
+#include "gaussians/json.h"
 #include "image/codec.h"
 #include "image/tone_map.h"
 #include "optics/presets.h"
@@ -86,6 +87,15 @@ void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>&
          scene.name, open);
 }
 
+reference::Model model_of(ReferenceModel model) {
+  switch (model) {
+    case ReferenceModel::bssrdf: break;
+    case ReferenceModel::volume: return reference::Model::volume;
+    case ReferenceModel::gaussians: return reference::Model::gaussians;
+  }
+  return reference::Model::bssrdf;
+}
+
 // Steps of the work before the first sample.
 constexpr std::size_t tracer_steps = 4, set_up_steps = 4 + tracer_steps;
 
@@ -97,7 +107,7 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
   steps.done();
 
   reference::Job job;
-  job.model = r.model == ReferenceModel::volume ? reference::Model::volume : reference::Model::bssrdf;
+  job.model = model_of(r.model);
   job.setup = setup::reference_setup(placed, s);
   if (const auto source = setup::choose_environment(s, of_scene)) {
     environment::Environment environment = setup::read_environment(*source);
@@ -109,13 +119,15 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
     steps.done(2);
   }
 
+  const auto least = job.model == reference::Model::gaussians ? gaussians::LeastVariance::zero
+                                                              : gaussians::LeastVariance::above_zero;
   job.profiles.resize(scene.materials.size());
   const std::size_t first_material =
       skin.empty() ? 0 : static_cast<std::size_t>(skin.front().triangle_material.front());
   for (const scene::SkinMesh& mesh : skin) {
     // One profile per mesh, that of its first triangle, as the renderer has it.
     const scene::Material& first = scene.materials[static_cast<std::size_t>(mesh.triangle_material.front())];
-    const gaussians::SumOfGaussians profile = setup::choose_profile(first, s);
+    const gaussians::SumOfGaussians profile = setup::choose_profile(first, s, {}, least);
     for (const int material : mesh.triangle_material) {
       gaussians::SumOfGaussians& of = job.profiles[static_cast<std::size_t>(material)];
       if (of.terms.empty()) of = profile;

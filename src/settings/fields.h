@@ -434,7 +434,9 @@ template <>
 inline constexpr auto fields_of<ReferenceSettings> = std::tuple{
     Field{"model",
           &ReferenceSettings::model,
-          {.help = "bssrdf: the profile over the surface; volume: light followed through the medium",
+          {.help =
+               "bssrdf: the profile over the surface; volume: light followed through the medium; gaussians: "
+               "as bssrdf, with terms that have no width",
            .option = "model"}},
     Field{"medium",
           &ReferenceSettings::medium,
