@@ -258,16 +258,15 @@ void add_eyes(const Sculpture& bust, scene::Scene& scene, const Colouring& colou
   scene.materials.back().base_colour_map.image = static_cast<int>(scene.images.size());
   scene.materials.back().occlusion_map.image = static_cast<int>(scene.images.size()) + 1;
   scene.materials.push_back(wet("caruncle", {0.50f, 0.19f, 0.155f, 1}, 0.30f));
-  scene.materials.push_back(wet("tears", {0.50f, 0.36f, 0.32f, 0.25f}, 0.10f));
+  scene.materials.push_back(wet("tears", {0.34f, 0.24f, 0.21f, 0.20f}, 0.10f));
   scene.materials.back().alpha_mode = scene::AlphaMode::blend;
   scene.images.push_back(
       {"built-in eye", std::make_shared<const image::Image8>(paint_eye(map_size, colours))});
   scene.images.push_back(
       {"built-in eye, openness", std::make_shared<const image::Image8>(paint_openness(64))});
 
-  const int openness = add_openness(scene, "built-in lids, openness", 0.45f);
-  for (const int material : {eye + 1, eye + 2})
-    scene.materials[static_cast<std::size_t>(material)].occlusion_map.image = openness;
+  scene.materials[static_cast<std::size_t>(eye) + 1].occlusion_map.image =
+      add_openness(scene, "built-in lids, openness", 0.45f);
 
   PartMesh globes("eyes", eye), caruncles("caruncles", eye + 1), tears("tears", eye + 2);
   for (const float side : {1.0f, -1.0f}) {

@@ -167,7 +167,7 @@ float Face::add_nose(float f, const vec3& p, Detail detail) const {
   if (p.x > 36 || p.y > 28 || p.y < -66 || p.z < 60) return f;
   f = soft_min(f, nose_core_(p, f + 12), 12);
   f = soft_min(f, bridge_(p, f + 9), 9);
-  f = soft_min(f, ellipsoid(p - vec3(2.5f, -36.6f, 107.0f), {7.9f, 8.2f, 10.0f}), 9.0f);
+  f = soft_min(f, ellipsoid(p - vec3(1.5f, -36.6f, 107.0f), {8.2f, 8.2f, 10.0f}), 9.0f);
   f = soft_min(f, ala_(p, f + 3.6f), 3.6f);
   f = soft_min(f, columella_(p, f + 3), 3);
   if (detail == Detail::blunt) return f;
