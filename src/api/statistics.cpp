@@ -48,6 +48,7 @@ std::string Statistics::json() const {
                  {"launched", launched},
                  {"unshaded_reads", unshaded_reads},
                  {"transmission_misses", transmission_misses},
+                 {"light_reads", light_reads},
                  {"used_size", used_size},
                  {"mapped_terms", mapped_terms}};
 
