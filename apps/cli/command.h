@@ -24,13 +24,15 @@ void add_plan_command(CLI::App& app, int& exit_status);
 void add_reference_command(CLI::App& app, int& exit_status);
 void add_render_command(CLI::App& app, int& exit_status);
 void add_sequence_command(CLI::App& app, int& exit_status);
+/// Starts the program of the viewer, which lies beside this one.
+void add_view_command(CLI::App& app, char** arguments);
 
 /// The reference knows no light maps, no shadow maps, no bloom and one head. A comparison has both: what
 /// would be ambiguous is called
 /// --scene (the file), --msaa (the renderer's samples), --techniques. The benchmark has lists of heads and
 /// distances, and chooses technique and optimisations itself. A sequence draws each frame once, and may turn
 /// its camera from frame to frame.
-enum class SceneUse { render, sequence, plan, reference, comparison, bench };
+enum class SceneUse { render, view, sequence, plan, reference, comparison, bench };
 
 /// What render, plan, reference and later commands have in common.
 struct SceneArguments {

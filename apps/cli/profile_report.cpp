@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "gaussians/algebra.h"
+#include "gaussians/exchange.h"
 #include "gaussians/json.h"
 #include "profile/noise.h"
 
@@ -220,6 +221,15 @@ PlottedSum plotted(const std::string& name_or_path) {
   PlottedSum out{.label = sum.name.empty() ? name_or_path : sum.name, .channels = {}};
   for (int c = 0; c < 3; ++c) out.channels[c] = gaussians::channel(sum, c);
   return out;
+}
+
+std::string exported(const Source& source, const Fitted& fitted, const std::string& system) {
+  gaussians::Exported input{
+      .name = source.name, .profiles = source.profiles, .terms = {}, .medium = source.medium};
+  for (int c = 0; c < 3; ++c)
+    for (const gaussians::Term& term : normalised(fitted, c))
+      input.terms[c].push_back({term.variance_mm2, term.weight});
+  return gaussians::export_text(system, input);
 }
 
 }  // namespace dermis::cli

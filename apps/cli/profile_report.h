@@ -37,6 +37,9 @@ std::string differences(const PlottedSum& fit, const std::vector<PlottedSum>& ot
 /// filled with terms of weight 0.
 std::string profile_json(const Source& source, const Fitted& fitted);
 
+/// The profile in the parameters of another system (gaussians/exchange.h), with what gets lost.
+std::string exported(const Source& source, const Fitted& fitted, const std::string& system);
+
 /// The fit as curves: its label is the number of terms that it has.
 PlottedSum plotted(const Fitted& fitted);
 /// A published sum or a profile file as curves. InputError as from_name_or_file().

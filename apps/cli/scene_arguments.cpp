@@ -130,6 +130,7 @@ bool is_left_out(const std::string& path, const About& about, SceneUse use) {
   };
   switch (use) {
     case SceneUse::render: return false;
+    case SceneUse::view: return is({"output.frames", "output.show"});
     case SceneUse::sequence: return is({"output.frames", "camera.orbit_deg"});
     case SceneUse::plan: return is({"output.frames", "output.show"});
     case SceneUse::reference: return about.real_time;
