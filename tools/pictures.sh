@@ -16,7 +16,7 @@ environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
 names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets
-  tone-maps turntable talking skins head-studio head-hard-light)
+  tone-maps turntable talking skins head-studio head-hard-light peers)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -163,6 +163,17 @@ skins() {
 head-studio() { head_sheet $1 --environment studio --background studio --light 40,30,2; }
 
 head-hard-light() { head_sheet $1 --light 60,25,4 --ambient 0.03; }
+
+# Above the pictures, below their maps of errors.
+peers() {
+  compare peers --scene test:nose --techniques texture-space,separable,burley-disc,lambert \
+    --model gaussians --shading compute --size 320x240 --samples 128 --supersample 1
+  local id
+  for id in reference technique-{0,1,2,3}{,-error}; do from_page peers $id; done
+  convert \( $out/peers-{reference,technique-0,technique-1,technique-2,technique-3}.png +append \) \
+    \( -size 320x240 xc:black $out/peers-technique-{0,1,2,3}-error.png +append \) -append \
+    -quality 88 -strip docs/pictures/$1.jpg
+}
 
 # sequence NAME ARGUMENTS...: the contact sheet, as docs/pictures/NAME.jpg
 sequence() {

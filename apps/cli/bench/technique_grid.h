@@ -33,8 +33,9 @@ struct ViewCost {
 };
 ViewCost view_cost(const Measured& measured);
 
-/// Sentences: in which cells the first column is faster than each other one, between which coverages and
-/// numbers of heads they cross, and with how many views, if light maps were shared by all.
+/// Sentences: in which cells the technique of the first column, in its fastest column there, is faster than
+/// each other one, between which coverages and numbers of heads they cross, and with how many views, if light
+/// maps were shared by all.
 std::vector<std::string> crossovers(const Run& run);
 
 std::string technique_grid_head(const Run& run, const std::vector<Variant>& columns);

@@ -39,10 +39,21 @@ struct Duel {
   std::vector<std::string> views;
 };
 
+const std::string& technique_of(const Measured& column) { return column.variant.settings.technique; }
+
+/// Returns the fastest column of the technique that comes first.
+const Measured& fastest_of_first(const Cell& cell) {
+  const Measured* fastest = &cell.measured.front();
+  for (const Measured& column : cell.measured)
+    if (technique_of(column) == technique_of(cell.measured.front()) && column.ms() < fastest->ms())
+      fastest = &column;
+  return *fastest;
+}
+
 Duel fought(const Run& run, std::size_t other) {
   Duel duel;
   for (const Cell& cell : run.cells) {
-    const Measured &ours = cell.measured.front(), &theirs = cell.measured[other];
+    const Measured &ours = fastest_of_first(cell), &theirs = cell.measured[other];
     const double coverage = coverage_of(cell, run.settings);
     const bool wins = ours.ms() < theirs.ms();
     (wins ? duel.won : duel.lost).push_back(place_name(cell, run.settings));
@@ -79,8 +90,9 @@ std::vector<std::string> crossovers(const Run& run) {
   std::vector<std::string> sentences;
   if (run.cells.empty()) return sentences;
   const std::vector<Measured>& columns = run.cells.front().measured;
-  const std::string& first = columns.front().variant.heading;
+  const std::string& first = technique_of(columns.front());
   for (std::size_t i = 1; i < columns.size(); ++i) {
+    if (technique_of(columns[i]) == first) continue;
     const Duel duel = fought(run, i);
     std::string text = fmt::format("{} against {}: faster in {} of {} cells", first,
                                    columns[i].variant.heading, duel.won.size(), run.cells.size());

@@ -62,6 +62,19 @@ TEST(TechniqueGrid, SaysWhereOneOvertakesTheOther) {
   EXPECT_TRUE(crossovers(bench::Run{}).empty());
 }
 
+TEST(TechniqueGrid, TakesTheFastestColumnOfTheFirstTechnique) {
+  bench::Run run = two_techniques();
+  for (Cell& cell : run.cells) {
+    Measured better = column("maps", "progressive", 1, 2, 5000);
+    better.variant.key = better.variant.heading = "maps compute";
+    cell.measured.push_back(std::move(better));
+  }
+  const std::vector<std::string> sentences = crossovers(run);
+  ASSERT_EQ(sentences.size(), 1u) << "not against itself";
+  EXPECT_NE(sentences[0].find("maps against picture: faster in 2 of 2 cells"), std::string::npos)
+      << sentences[0];
+}
+
 TEST(TechniqueGrid, JsonAndPageHaveEveryColumn) {
   const bench::Run run = two_techniques();
   const auto json = nlohmann::json::parse(technique_grid_json(run));
