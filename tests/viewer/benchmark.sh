@@ -27,10 +27,11 @@ orbit() {
 mark; orbit 40; wait_for 'picture .* at rest'
 mark; before=$(ticks); start=$(milliseconds)
 orbit 200
-took=$(($(milliseconds) - start)) used=$(($(ticks) - before)) count=$(since 'picture .* moving' | wc -l)
+took=$(($(milliseconds) - start)) used=$(($(ticks) - before))
+count=$(since 'picture .* moving' | wc -l)
 echo "orbit: $count pictures in $took ms, $((1000 * count / took)) per second, at" \
-  "$(since 'picture .* moving' | tail -n 1 | cut -d' ' -f3,4); $((10 * used / (count > 0 ? count : 1))) ms of" \
-  "processor time per picture, panels included"
+  "$(since 'picture .* moving' | tail -n 1 | cut -d' ' -f3,4);" \
+  "$((10 * used / (count > 0 ? count : 1))) ms of processor time per picture, panels included"
 wait_for 'picture .* at rest'
 
 click Skin; click 'made of'; mark; click 'melanin and blood'; wait_for 'skin .*final' 240
