@@ -19,7 +19,7 @@ namespace {
 
 constexpr double rest_s = 0.25;            // after the last change, a picture at rest
 constexpr double held_rest_s = 0.6;        // the same while a button is held: more is likely to come
-constexpr double software_frame_s = 0.03;  // panels leave the processors to the picture
+constexpr double software_frame_s = 0.05;  // panels leave the processors to the picture
 constexpr double play_frame_s = 1.0 / 30;
 constexpr double closing_s = 0.8;
 
@@ -75,7 +75,8 @@ RenderSettings App::shown_settings() const {
 }
 
 RenderSettings App::window_settings() const {
-  const RenderSettings settings = shown_settings();
+  RenderSettings settings = shown_settings();
+  settings.output.show = view_.show;
   return view_.compare.is_on() && view_.compare.truth ? truth_settings(settings) : settings;
 }
 
@@ -153,8 +154,13 @@ void App::draw_frame() {
 void App::wish() {
   if (!history_ || area_.width <= 0) return;
   const RenderSettings settings = window_settings();
-  const Wished wanted{history_->revision(), settings.output.width, settings.output.height,
-                      view_.compare.is_on() && view_.compare.truth};
+  const Wished wanted{.revision = history_->revision(),
+                      .width = settings.output.width,
+                      .height = settings.output.height,
+                      .truth = view_.compare.is_on() && view_.compare.truth,
+                      .show = view_.show,
+                      .timed = view_.timed,
+                      .labels = view_.loupe};
   if (wanted != changed_) {
     changed_ = wanted;
     changed_at_ = Clock::now();
@@ -165,7 +171,12 @@ void App::wish() {
   if (!moving) wish_b();
   if (last == wanted) return;
   last = wanted;
-  painter_.wish({.scene = now().scene, .settings = settings, .revision = wanted.revision, .moving = moving});
+  painter_.wish({.scene = now().scene,
+                 .settings = settings,
+                 .revision = wanted.revision,
+                 .moving = moving,
+                 .timed = view_.timed,
+                 .labels = view_.loupe});
 }
 
 // When the panels may be drawn again.
@@ -211,11 +222,12 @@ int App::close() {
   first_.end();
   opener_.end();
   skin_maker_.end();
+  pager_.end();
   if (truth_) truth_->end();
   bool ended = painter_.stop(closing_s);
   const auto is_running = [&] {
     return first_.is_running() || opener_.is_running() || skin_maker_.is_running() ||
-           comparer_.is_running() || (truth_ && truth_->is_running());
+           comparer_.is_running() || pager_.is_running() || (truth_ && truth_->is_running());
   };
   while (is_running() && seconds_since(start) < closing_s) window_.wait(0.01);
   ended = ended && !is_running();

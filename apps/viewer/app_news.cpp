@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viewer/app_state.h"
+#include "viewer/model/page.h"
 
 namespace dermis::viewer {
 
@@ -67,6 +68,10 @@ void App::show(std::shared_ptr<const Painted> painted) {
   presenter_.set_picture(PictureSlot::a, picture.width, picture.height, picture.display_rgba);
   tell(fmt::format("picture {} {}x{} 1/{} {:.1f} ms {}", painted->revision, picture.width, picture.height,
                    painted->divisor, painted->ms, painted->moving ? "moving" : "at rest"));
+  view_.frame_ms.push_back(static_cast<float>(painted->ms));
+  if (view_.frame_ms.size() > 120) view_.frame_ms.erase(view_.frame_ms.begin());
+  // What was wrong is so no more.
+  if (view_.is_error && painted->revision != (shown_ ? shown_->revision : 0)) view_.message.clear();
   shown_ = std::move(painted);
 }
 
@@ -85,10 +90,20 @@ void App::take_painted() {
   frames_left_ = std::max(frames_left_, 1);
 }
 
+void App::take_page() {
+  std::optional<Outcome<std::string>> outcome = pager_.take();
+  if (!outcome) return;
+  if (!outcome->error.empty()) say(outcome->error, true);
+  if (!outcome->result) return;
+  say("wrote " + *outcome->result);
+  open_page(*outcome->result);
+}
+
 void App::take_news() {
   take_first();
   if (history_) take_opened();
   if (history_) take_skin();
+  take_page();
   take_truth();
   take_comparison();
   take_painted();

@@ -8,8 +8,34 @@
 
 #include "viewer/app_state.h"
 #include "viewer/model/command_line.h"
+#include "viewer/model/page.h"
 
 namespace dermis::viewer {
+
+void App::save_scene(const SaveNames& names) {
+  now().scene.save(names.scene);
+  saved_scene_ = {now().scene, names.scene};
+  say("saved " + names.scene.string());
+}
+
+// The words that name the scene; writes the scene file that they need.
+std::vector<std::string> App::scene_in_file(const SaveNames& names) {
+  if (!scene_words(now(), saved_scene_)) save_scene(names);
+  return scene_words(now(), saved_scene_).value();
+}
+
+void App::write_page_number(std::size_t number) {
+  if (pager_.is_running()) {
+    say("a page is being written", true);
+    return;
+  }
+  try {
+    const std::vector<Page> pages =
+        pages_of(scene_in_file(save_names(view_.save_name)), option_words(shown_settings()), options_.device);
+    pager_.start([page = pages.at(number)](const Hooks& hooks) { return write_page(page, hooks); });
+    say(std::string("computing: ") + pages.at(number).title);
+  } catch (const InputError& error) { say(error.what(), true); }
+}
 
 void App::save_one(const Requests& requests, const SaveNames& names) {
   if (requests.save_settings) {
@@ -23,15 +49,10 @@ void App::save_one(const Requests& requests, const SaveNames& names) {
     say("saved " + names.profile.string());
   }
 
-  std::optional<std::vector<std::string>> words = scene_words(now(), saved_scene_);
-  if (requests.save_scene || (requests.copy_command && !words)) {
-    now().scene.save(names.scene);
-    saved_scene_ = {now().scene, names.scene};
-    say("saved " + names.scene.string());
-    words = scene_words(now(), saved_scene_);
-  }
+  if (requests.save_scene) save_scene(names);
   if (!requests.copy_command) return;
-  view_.command_line = render_command(*words, shown_settings(), options_.device, names.picture.string());
+  view_.command_line =
+      render_command(scene_in_file(names), shown_settings(), options_.device, names.picture.string());
   ImGui::SetClipboardText(view_.command_line.c_str());
   say("copied the command line");
   tell("command: " + view_.command_line);
@@ -59,6 +80,7 @@ void App::serve(const Requests& requests) {
   }
   to_open_.insert(to_open_.end(), requests.open.begin(), requests.open.end());
   save(requests);
+  if (requests.page) write_page_number(*requests.page);
   if (requests.undo || requests.redo || requests.frame) frames_left_ = std::max(frames_left_, 2);
 }
 

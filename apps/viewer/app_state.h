@@ -39,6 +39,7 @@ class App {
   void take_news();
   void take_first();
   void take_opened();
+  void take_page();
   void take_skin();
   void take_truth();
   void take_comparison();
@@ -56,6 +57,9 @@ class App {
   void apply(Desk& desk);
   void serve(const Requests& requests);
   void save(const Requests& requests);
+  void save_scene(const SaveNames& names);
+  void write_page_number(std::size_t number);
+  std::vector<std::string> scene_in_file(const SaveNames& names);
   void save_one(const Requests& requests, const SaveNames& names);
   void open_next();
   void play();
@@ -87,6 +91,7 @@ class App {
   Background<Scene> first_{Window::wake};
   Background<OpenedFile> opener_{Window::wake};
   std::vector<std::string> to_open_;
+  Background<std::string> pager_{Window::wake};
   SkinMaker skin_maker_{Window::wake};
   std::optional<MadeSkin> skin_;
   std::uint64_t wanted_skin_ = 0;
@@ -103,6 +108,8 @@ class App {
     std::uint64_t revision = 0;
     int width = 0, height = 0;
     bool truth = false;  // B is, so A is drawn as the truth is
+    std::string show{};
+    bool timed = false, labels = false;
     bool operator==(const Wished&) const = default;
   };
   Wished changed_, moving_wish_, resting_wish_, b_wish_;

@@ -36,7 +36,7 @@ mark() { marked=$(wc -l <"$log"); }
 marked=0
 
 # since PATTERN: lines after the mark.
-since() { tail -n "+$((marked + 1))" "$log" | grep -E -- "$1"; }
+since() { tail -n "+$((marked + 1))" "$log" | grep -E "${@:2}" -- "$1"; }
 
 # wait_for PATTERN [SECONDS]: a line after the mark.
 wait_for() {

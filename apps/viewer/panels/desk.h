@@ -16,6 +16,7 @@
 #include "viewer/model/comparison.h"
 #include "viewer/model/document.h"
 #include "viewer/model/painter.h"
+#include "viewer/model/shown_maps.h"
 #include "viewer/model/skin_maker.h"
 
 namespace dermis::viewer {
@@ -46,8 +47,12 @@ struct ViewState {
   std::vector<std::string> notes{};  ///< of the library, newest last
   std::string command_line{};        ///< copied last
   CompareState compare{};
-  bool scale = true;       ///< a bar of millimetres in the picture
-  std::string exported{};  ///< skin in another system's parameters, shown last
+  std::string show = first_shown;  ///< output.show of the window
+  bool timed = false, loupe = false;
+  std::optional<std::array<float, 2>> pointer{};  ///< in the picture, 0 to 1
+  std::vector<float> frame_ms{};                  ///< of the last pictures
+  bool scale = true;                              ///< a bar of millimetres in the picture
+  std::string exported{};                         ///< skin in another system's parameters, shown last
 };
 
 /// What the app does after a frame of the panels.
@@ -56,6 +61,7 @@ struct Requests {
   bool undo = false, redo = false, frame = false;
   bool save_png = false, save_exr = false, save_settings = false, save_scene = false, save_profile = false,
        copy_command = false;
+  std::optional<std::size_t> page{};  ///< number of the page to be written
 };
 
 struct Desk {
@@ -99,6 +105,7 @@ void light_panel(Desk& desk);
 void skin_panel(Desk& desk);
 void compare_panel(Desk& desk);
 void animation_panel(Desk& desk);
+void inside_panel(Desk& desk);
 void save_panel(Desk& desk);
 
 /// The picture itself, and the mouse in it. `moving`: the picture is smaller than it will be.

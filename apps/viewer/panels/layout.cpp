@@ -50,7 +50,8 @@ struct Tab {
 };
 constexpr std::array tabs{Tab{"Picture", picture_panel}, Tab{"Light", light_panel},
                           Tab{"Skin", skin_panel},       Tab{"Pose", animation_panel},
-                          Tab{"Compare", compare_panel}, Tab{"Save", save_panel}};
+                          Tab{"Compare", compare_panel}, Tab{"Inside", inside_panel},
+                          Tab{"Save", save_panel}};
 
 void panels(Desk& desk, const History& history, ImVec2 low, ImVec2 size) {
   ImGui::SetNextWindowPos(low);

@@ -109,7 +109,10 @@ bool slide(Desk& desk, const Frame& frame) {
 // Throws InputError: the settings name no camera of the scene.
 void move_camera(Desk& desk, const Frame& frame) {
   if (!slide(desk, frame) && ImGui::IsItemActive()) drag(desk, frame);
+  desk.view.pointer.reset();
   if (!ImGui::IsItemHovered()) return;
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  desk.view.pointer = {(pointer.x - frame.low.x) / frame.size.x, (pointer.y - frame.low.y) / frame.size.y};
   if (const float wheel = ImGui::GetIO().MouseWheel; wheel != 0)
     move(desk, "dolly", dollied(camera_place(desk.now), std::pow(dolly_per_notch, wheel)));
   fly(desk);
