@@ -242,8 +242,8 @@ void check_scenes(const SceneArguments& a) {
     throw input_error("", "camera.heads must be 1 for several files, got {}", a.settings.camera.heads);
 }
 
-Asset open_asset(const std::string& file, const SceneArguments& arguments, const Hooks& hooks) {
-  return Asset::load(is_built_in(file) ? built_in_name(file) : file, arguments.options, hooks);
+Asset open_asset(const std::string& file, const SceneOptions& options, const Hooks& hooks) {
+  return Asset::load(is_built_in(file) ? built_in_name(file) : file, options, hooks);
 }
 
 // Nothing of a file can be chosen where there is none.
@@ -254,7 +254,7 @@ Scene open_test_scene(const std::string& name, const SceneArguments& arguments, 
 }
 
 // A file that is given twice is loaded once.
-Scene open_scenes(const SceneArguments& arguments, const Hooks& hooks) {
+Scene open_scenes(const SceneArguments& arguments, const SceneOptions& options, const Hooks& hooks) {
   std::vector<Asset> assets;
   for (const std::string& file : arguments.scenes) {
     const auto before = std::find_if(
@@ -263,7 +263,7 @@ Scene open_scenes(const SceneArguments& arguments, const Hooks& hooks) {
           return other == file || (!is_built_in(file) && !is_built_in(other) && same_file(other, file));
         });
     const auto number = static_cast<std::size_t>(before - arguments.scenes.begin());
-    assets.push_back(number < assets.size() ? Asset(assets[number]) : open_asset(file, arguments, hooks));
+    assets.push_back(number < assets.size() ? Asset(assets[number]) : open_asset(file, options, hooks));
   }
   return laid_out(assets, arguments.layout.value_or(Layout::row));
 }
@@ -335,41 +335,38 @@ void save_scene(const SceneArguments& arguments, const Scene& scene) {
   if (!arguments.save_scene.empty()) scene.save(arguments.save_scene);
 }
 
-bool shows_built_in(const SceneArguments& arguments) {
-  if (arguments.scenes.size() > 1) return false;
-  const std::string& only = arguments.scenes.empty() ? arguments.scene : arguments.scenes.front();
-  return is_built_in(only);
-}
-
-void pose_built_in(const SceneArguments& arguments, Scene& scene) {
-  const SceneOptions& options = arguments.options;
-  if (options.clip.empty() && !options.time_s) return;
-  const InstanceId head = scene.instances().front();
-  const std::string clip = options.clip.empty() ? scene.instance(head).asset.clips().front() : options.clip;
-  scene.pose(head, clip, options.time_s.value_or(0.0));
-}
-
-Scene open_scene(const SceneArguments& arguments) { return open_scene(arguments, terminal_hooks()); }
-
-Scene open_scene(const SceneArguments& arguments, const Hooks& hooks) {
+PlayingScene open_playing_scene(const SceneArguments& arguments, const Hooks& hooks) {
   if (!arguments.save_settings.empty()) check_writable(arguments.save_settings);
   check_scenes(arguments);
 
   const bool takes_several = arguments.use != SceneUse::comparison && arguments.use != SceneUse::bench;
   const std::string only =
       takes_several && !arguments.scenes.empty() ? arguments.scenes.front() : arguments.scene;
-  SceneOptions options = arguments.options;
-  if (arguments.scenes.size() <= 1 && test_scenes::is_test_scene(only)) {
-    Scene scene = open_test_scene(only, arguments, hooks);
-    show_line("");
-    return scene;
-  }
-  const bool one_built_in = arguments.scenes.size() <= 1 && is_built_in(only);
-  if (one_built_in) options.clip.clear(), options.time_s.reset();  // it is posed, not loaded in a pose
+  if (arguments.scenes.size() <= 1 && test_scenes::is_test_scene(only))
+    return {open_test_scene(only, arguments, hooks), {}};
+
+  const SceneOptions options = api::at_begin(arguments.options);
   Scene scene = arguments.scenes.size() > 1
-                    ? open_scenes(arguments, hooks)
-                    : Scene::load(one_built_in ? built_in_name(only) : only, options, hooks);
-  if (one_built_in) pose_built_in(arguments, scene);
+                    ? open_scenes(arguments, options, hooks)
+                    : Scene::load(is_built_in(only) ? built_in_name(only) : only, options, hooks);
+  std::vector<api::Playing> playing = api::playing(scene, arguments.options);
+  return {std::move(scene), std::move(playing)};
+}
+
+PlayingScene open_playing_scene(const SceneArguments& arguments) {
+  PlayingScene opened = open_playing_scene(arguments, terminal_hooks());
+  show_line("");
+  return opened;
+}
+
+Scene open_scene(const SceneArguments& arguments, const Hooks& hooks) {
+  PlayingScene opened = open_playing_scene(arguments, hooks);
+  api::play(opened.playing, arguments.options.time_s.value_or(0), opened.scene);
+  return std::move(opened.scene);
+}
+
+Scene open_scene(const SceneArguments& arguments) {
+  Scene scene = open_scene(arguments, terminal_hooks());
   show_line("");
   return scene;
 }

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 
+#include "api/rig_pose.h"
 #include "api/scene_file.h"
 #include "api/scene_state.h"
 #include "core/error.h"
@@ -84,6 +85,10 @@ class Reader {
     } else {
       source.options = options_;
       read_json(json, {"name", "file", "built_in"}, source.options);
+      const auto time = json.find("time_s");
+      source.holds_time = time && !time->is_null();
+      if (!source.holds_time) source.options.time_s = options_.time_s;
+      if (source.options.clip.empty()) source.options.clip = options_.clip;
       for (const auto& [key, map] : {std::pair{"melanin_map", &source.options.melanin_map},
                                      {"haemoglobin_map", &source.options.haemoglobin_map}})
         if (json.find(key) && !map->empty()) *map = (folder_ / *map).string();
@@ -99,7 +104,7 @@ class Reader {
 
   void read_instance(const json::Value& json) {
     Instance instance{.asset = stand_in_};
-    read_json(json, {"asset", "translation_m", "rotation", "scale", "profile"}, instance);
+    read_json(json, {"asset", "translation_m", "rotation", "scale", "profile", "clip", "time_s"}, instance);
     if (const auto parts = transform_of(json)) instance.world_from_asset = *parts;
     if (const auto profile = json.find("profile")) instance.profile = profile_of(*profile);
 
@@ -110,8 +115,14 @@ class Reader {
 
     const InstanceId id = at_place(json, [&] { return made_.scene.add(instance); });
     made_.asset_of_instance.push_back(found->second);
+    made_.pose_of_instance.push_back(pose_of(json));
     ids_.push_back(id);
     if (!instance.name.empty()) ids_by_name_[instance.name].push_back(id);
+  }
+
+  static std::optional<RigPose> pose_of(const json::Value& json) {
+    if (!json.has("clip") && !json.has("time_s")) return {};
+    return RigPose{.clip = ClipTime{json.text_or("clip", ""), json.number_or("time_s", 0)}};
   }
 
   std::string known_assets() const {
@@ -248,9 +259,13 @@ Scene load_scene_file(const json::Value& root, const fs::path& path, const Scene
       const Asset::State::Source& source = file.assets[number];
       Asset asset = source.file.empty() ? Asset::load("built-in:" + source.skin)
                                         : Asset::load(source.file, source.options);
+      if (source.holds_time) asset = Asset::State::make(Asset::State::of(asset), source);
       found = loaded.emplace(number, std::move(asset)).first;
     }
-    state.instances[i].instance.asset = found->second;
+    Scene::State::PlacedInstance& placed = state.instances[i];
+    placed.instance.asset = found->second;
+    placed.instance.pose = file.pose_of_instance[i];
+    placed.posed = posed_asset(*Asset::State::of(found->second), placed.instance.pose);
   }
   return Scene::State::make(std::move(state));
 }

@@ -55,6 +55,7 @@ void MoveRig::record_metric(gpu::Cmd& cmd, const RigMove& move) const {
         .add("SkinVertices", move.shape->skin_vertices[i])
         .add("Indices", move.scene->skin[i].indices)
         .add("MetricTriangles", move.scene->rig->skin[i].metric_triangles)
+        .add("AtRest", move.scene->skin[i].skin_vertices)
         .bind(cmd, *metric_);
     dispatch(cmd, *metric_, move.scene->rig->parts[i].count, move.scene->mm_per_unit);
   }
