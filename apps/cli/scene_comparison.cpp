@@ -151,6 +151,11 @@ class Run {
     all_.tone_map = name_of(settings.render.output.tone_map);
     all_.width = settings.render.output.width, all_.height = settings.render.output.height;
     all_.supersample = settings.supersample;
+
+    // The profile over the surface is that of a flat half-space: what is compared is how it is blurred.
+    const bool is_of_profile =
+        settings_.reference_file.empty() && settings_.reference.model == ReferenceModel::bssrdf;
+    if (is_of_profile && !settings_.render.skin.shape_aware) settings_.render.skin.shape_aware = false;
   }
 
   SceneComparison result() {
@@ -284,6 +289,11 @@ class Run {
     const Statistics first = add(name, scene_, s);
     if (!techniques::find_technique(name).has_light_maps) return;  // which the rows below are about
     if (settings_.each_optimisation) add_each_optimisation(name, s);
+    if (first.shape_aware) {
+      s.skin.shape_aware = false;
+      add(name + ", --shape-aware off", scene_, s);
+      s.skin.shape_aware = settings_.render.skin.shape_aware;
+    }
     if (first.gaussians == 1 || !settings_.one_gaussian) return;
     const Scene one = with_one_gaussian(scene_, s);
     s.skin.profile.clear();

@@ -46,6 +46,7 @@ struct Statistics {
   int environment_lights = 0;  ///< of `lights`: suns and other compact sources of the environment, at most 8
   std::optional<double> distance;  ///< as in the settings, sphere radii
   bool translucency = false;       ///< light came through the body
+  bool shape_aware = false;        ///< light that left followed curvature and thickness, of some head
   std::string tone_map;
   RenderSettings settings;  ///< as given
   double exposure_ev = 0;   ///< given or chosen

@@ -170,6 +170,7 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   st.mask = report.mask;
   st.maps = report.maps;
   st.translucency = report.translucency;
+  st.shape_aware = report.shape_aware;
   st.irradiance_texels = report.irradiance_texels;
   st.convolved_texels = report.convolved_texels;
   st.launched = report.launched;

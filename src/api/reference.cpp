@@ -41,9 +41,11 @@ int samples_of(const ReferenceSettings& r) {
   return r.samples.value_or(r.noise_percent ? std::numeric_limits<int>::max() : 64);
 }
 
-/// A profile that dermis made from a homogeneous medium says what it was made of: 1/sigma_t' and 1/sigma_tr,
-/// and sigma_tr^2 = 3 sigma_a sigma_t'. Scattering is then the reduced one, isotropic.
+/// A profile that dermis made says what it was made of. In older files these are 1/sigma_t' and 1/sigma_tr,
+/// with sigma_tr^2 = 3 sigma_a sigma_t': scattering is then the reduced one, isotropic, and the index the
+/// material's.
 optics::RgbMedium medium_of(const gaussians::SumOfGaussians& profile, double eta) {
+  if (profile.medium) return optics::rgb_medium(*profile.medium);
   optics::RgbMedium medium;
   for (std::size_t c = 0; c < 3; ++c) {
     const double free = profile.mean_free_path_mm[c], diffuse = profile.diffuse_mean_free_path_mm[c];

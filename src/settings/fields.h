@@ -162,6 +162,15 @@ inline constexpr auto fields_of<SkinSettings> = std::tuple{
            .on = "on",
            .off = "off",
            .rebuilds = true,
+           .real_time = true}},
+    Field{"shape_aware",
+          &SkinSettings::shape_aware,
+          {.help = "light that leaves follows curvature and thickness of the body: on, off",
+           .none = "on for profiles made of a medium, off for published ones",
+           .option = "shape-aware",
+           .on = "on",
+           .off = "off",
+           .rebuilds = true,
            .real_time = true}}};
 
 template <>

@@ -42,4 +42,7 @@ template <>
 inline constexpr std::array<std::string_view, 6> names_of<ProfileModel>{"dipole", "better",      "multipole",
                                                                         "beam",   "monte-carlo", "auto"};
 
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<ProfileFit>{"plane", "energy"};
+
 }  // namespace dermis

@@ -191,7 +191,7 @@ struct FrameReport {
   std::uint64_t skin_pixels = 0;
   std::vector<std::string> optimise;  ///< of cull, depth, clip
   std::string mask, maps;             ///< empty: there are none
-  bool translucency = false;
+  bool translucency = false, shape_aware = false;
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0;
   std::uint64_t unshaded_reads = 0, transmission_misses = 0;
   std::uint64_t light_reads = 0;  ///< taps of convolutions over light maps; 0: not counted, or none

@@ -187,6 +187,8 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
   if (is_sparse(settings)) report.mask = name_of(settings.skip_unlit);
   report.maps = settings.progressive ? "progressive" : "full";
   report.translucency = settings.translucency;
+  report.shape_aware = std::any_of(settings.skin.begin(), settings.skin.end(),
+                                   [](const SkinPart& part) { return part.profile.shape.has_value(); });
   report.irradiance_texels = figures.irradiance_texels;
   report.convolved_texels = figures.convolved_texels;
   report.launched = figures.launched;
