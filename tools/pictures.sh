@@ -169,9 +169,9 @@ peers() {
   compare peers --scene test:nose --techniques texture-space,separable,burley-disc,lambert \
     --model gaussians --shading compute --size 320x240 --samples 128 --supersample 1
   local id
-  for id in reference technique-{0,1,2,3}{,-error}; do from_page peers $id; done
-  convert \( $out/peers-{reference,technique-0,technique-1,technique-2,technique-3}.png +append \) \
-    \( -size 320x240 xc:black $out/peers-technique-{0,1,2,3}-error.png +append \) -append \
+  for id in reference technique-{0,2,3,4}{,-error}; do from_page peers $id; done
+  convert \( $out/peers-{reference,technique-0,technique-2,technique-3,technique-4}.png +append \) \
+    \( -size 320x240 xc:black $out/peers-technique-{0,2,3,4}-error.png +append \) -append \
     -quality 88 -strip docs/pictures/$1.jpg
 }
 
