@@ -47,7 +47,8 @@ void optimisations(Desk& desk) {
 void passes(const Statistics& s) {
   double most = 1e-9;
   for (const PassStatistics& pass : s.passes) most = std::max(most, pass.ms);
-  const float name_width = ImGui::GetFontSize() * 11, width = ImGui::GetContentRegionAvail().x - name_width;
+  const float name_width = ImGui::GetFontSize() * 12.5f,
+              width = ImGui::GetContentRegionAvail().x - name_width;
   for (const PassStatistics& pass : s.passes) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::TextUnformatted(pass.name.c_str());

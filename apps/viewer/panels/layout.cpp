@@ -116,7 +116,7 @@ PictureArea main_layout(Desk& desk, const History& history, const std::string& d
   take_keys(desk, keys);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float line = ImGui::GetFrameHeight() + 2;
-  const float side = desk.view.panels ? std::min(ImGui::GetFontSize() * 25, window.x * 0.5f) : 0;
+  const float side = desk.view.panels ? std::min(ImGui::GetFontSize() * 27, window.x * 0.5f) : 0;
   const ImVec2 picture(window.x - side, window.y - line);
 
   ImGui::SetNextWindowPos({0, 0});
