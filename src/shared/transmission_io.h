@@ -5,7 +5,7 @@
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 #define TRANSMISSION_GROUPS 3  // of terms that share a map of transmitted light, at most
-#define TRANSMISSION_GAINS 24   // at thicknesses that rise as the square of their number
+#define TRANSMISSION_GAINS 24  // at thicknesses that rise as the square of their number
 // Distribution of transmitted light over the groups: see passes/transmission.h.
 struct TransmissionIo {
   float falloff_per_m2[MOST_TERMS];  // 1 / (2 v)
