@@ -22,6 +22,7 @@ namespace dermis::tests {
 namespace {
 
 using std::numbers::pi;
+constexpr double lamp_mm = 30;
 constexpr int side_px = 24, fine = 4;
 
 /// A plane of 1.5 m, whose texels are 47 mm wide on a map of 32, and a lamp 30 mm above it that makes its
