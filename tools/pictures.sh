@@ -143,7 +143,7 @@ head_sheet() {
       "--eye 0.06,0.03,0.4 --target 0.031,0.036,0.08 --fov 9" \
       "--eye 0.4,0.03,0.03 --target 0.075,0.02,-0.01 --fov 13" \
       "--eye 0.1,-0.02,0.4 --target 0,-0.035,0.09 --fov 11"; do
-      [[ $view == --eye* ]] || view="$view --fov 11"
+      [[ $view == --eye* ]] || view="$view --distance 6 --fov 17"
       # shellcheck disable=SC2086
       render $name-$skin-${#row[@]} built-in:$skin --size 240x288 --map-size 1024 $view "$@"
       row+=("$out/$name-$skin-${#row[@]}.png")
