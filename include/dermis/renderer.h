@@ -69,7 +69,7 @@ struct Statistics {
   /// Taps by which light is blurred: over light maps, what shader invocations read; in the picture, taps per
   /// pixel of skin times skin_pixels. 0: not counted (a cascade of blurs), or nothing is blurred.
   std::uint64_t light_reads = 0;
-  std::vector<int> used_size;             ///< T of each head in the row, texels; 0: skipped
+  std::vector<int> used_size;  ///< T of each head in the row, texels; 0: skipped
   /// Of each head: Gaussians that are read from light maps, the widest ones; the others are lit per pixel.
   /// 0: the head has no light maps in this frame.
   std::vector<int> mapped_terms;
