@@ -7,7 +7,7 @@
 #ifdef THROUGH
 #include "passes/final_pass/through_at_pixel.glsl"
 #endif
-layout(constant_id = 19) const bool unscattered = false;  // some light leaves where it entered
+layout(constant_id = 21) const bool unscattered = false;  // some light leaves where it entered
 layout(binding = 16) uniform sampler2D lit_table;
 layout(binding = 17) uniform sampler2D edge_table;
 layout(binding = 18, scalar) uniform PreIntegrated { PreIntegratedIo scatter; };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the edge of a shadow is: shadows filtered over a disc that faces the light, as wide as skin scatters.
 // Follows lights.glsl.
-layout(constant_id = 18) const int shadow_taps = 32;
+layout(constant_id = 20) const int shadow_taps = 32;
 
 // Returns the distance of a straight edge from the middle of a disc of which this share is lit, in radii.
 // With x = sin(E / 2), the share is 1/2 + (E + sin E) / 2 pi, solved by two Newton steps from the far end.

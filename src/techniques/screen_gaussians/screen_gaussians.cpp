@@ -49,6 +49,19 @@ std::vector<passes::GaussianStep> gaussian_steps(const FrameSettings& settings, 
   return steps;
 }
 
+std::uint32_t gaussian_taps_of(const FrameSettings& settings) {
+  return settings.taps > 0 ? settings.taps : gaussian_taps.usual;
+}
+
+// In two passes per Gaussian of the longest chain; the authors take seven in each.
+std::uint32_t gaussian_taps_per_pixel(const FrameSettings& settings) {
+  const bool published = settings.kernel == ScreenKernel::published;
+  std::size_t longest = 0;
+  for (const SkinPart& part : settings.skin)
+    longest = std::max(longest, gaussian_steps(settings, part).size());
+  return static_cast<std::uint32_t>(longest) * 2 * (published ? 7 : gaussian_taps_of(settings));
+}
+
 frame::TextureId add_gaussians(passes::FramePlan& plan, const FrameSettings& settings,
                                const passes::ScreenSurface& surface) {
   std::vector<std::vector<passes::GaussianStep>> chains;
@@ -58,7 +71,7 @@ frame::TextureId add_gaussians(passes::FramePlan& plan, const FrameSettings& set
     longest = std::max(longest, chains.back().size());
   }
 
-  const auto taps = static_cast<int>(settings.taps > 0 ? settings.taps : gaussian_taps.usual);
+  const auto taps = static_cast<int>(gaussian_taps_of(settings));
   const gpu::TextureDesc desc = passes::screen_light(settings.width, settings.height);
   const frame::TextureId half = plan.texture("half blurred light", desc),
                          whole = plan.texture("blurred light", desc),
@@ -92,6 +105,7 @@ constinit const Technique screen_gaussians{
     .has_light_maps = false,
     .screen_space = true,
     .taps = gaussian_taps,
+    .taps_per_pixel = gaussian_taps_per_pixel,
     .build = build_screen_gaussians,
     .maps = screen_maps,
     .report = screen_report,
