@@ -160,8 +160,17 @@ TEST(ShapeAware, PublishedProfilesHaveNone) {
 TEST(ShapeAware, FollowsAPose) {
   const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
   scene::Scene made = ball(5);
-  made.rig = morphing(made, [](const glm::vec3& p) { return 2.0f * p; });
   made.cameras = {camera_from_above(0.010, {0, 0, 0.1f})};
+
+  // The camera stands at a node of its own.
+  auto rig = std::make_shared<scene::Rig>(*morphing(made, [](const glm::vec3& p) { return 2.0f * p; }));
+  rig->camera_nodes = {static_cast<int>(rig->nodes.size())};
+  rig->order.push_back(rig->camera_nodes.front());
+  rig->nodes.emplace_back();
+  rig->rest.push_back({.transform = {.translation = {0, 0, 0.1}}, .weights = {}});
+  rig->first_weight.push_back(rig->first_weight.back());
+  made.rig = rig;
+
   Scene scene;
   const InstanceId id = scene.add({.asset = Asset::State::make(std::make_shared<const scene::Scene>(made))});
   scene.set_pose(id, RigPose{.weights = {{.name = "0", .weight = 1}}});
