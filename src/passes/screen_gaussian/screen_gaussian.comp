@@ -108,13 +108,13 @@ vec3 blurred_as_published(Middle m, float sigma_mm, float mm_per_unit) {
   const bool orthographic = frame.camera.orthographic != 0u;
   const float pixels_per_mm =
       io.up * 0.5 * float(io.extent.y) / (orthographic ? mm_per_unit : max(m.depth_mm, 1e-6));
-  const float z_mm = orthographic ? 0.5 * float(io.extent.y) * PUBLISHED_COT / pixels_per_mm : m.depth_mm;
+  const float z_mm = orthographic ? 0.5 * float(io.extent.y) * GAUSSIANS_COT / pixels_per_mm : m.depth_mm;
 
   const ivec2 other = axis == 0 ? ivec2(m.at.x, m.at.y ^ 1) : ivec2(m.at.x ^ 1, m.at.y);
   const float there_mm = all(lessThan(other, ivec2(io.extent))) ? texelFetch(depth_of_skin, other, 0).r : 0.0;
   const float gradient_mm =
-      there_mm > 0.0 ? min(abs(there_mm - m.depth_mm), PUBLISHED_MOST_GRADIENT) : PUBLISHED_MOST_GRADIENT;
-  const float sigma = sigma_mm * pixels_per_mm * z_mm / (z_mm + PUBLISHED_GRADIENT * gradient_mm);
+      there_mm > 0.0 ? min(abs(there_mm - m.depth_mm), GAUSSIANS_MOST_GRADIENT) : GAUSSIANS_MOST_GRADIENT;
+  const float sigma = sigma_mm * pixels_per_mm * z_mm / (z_mm + GAUSSIANS_GRADIENT * gradient_mm);
 
   const vec2 step = axis == 0 ? vec2(0.0, sigma) : vec2(sigma, 0.0), middle = vec2(m.at) + 0.5;
   const float weights[] = {0.242, 0.061, 0.006};

@@ -128,7 +128,7 @@ TEST(UeKernel, IsStretchedOnATiltedPlane) {
     double tilt_deg, along, across;
   };
   for (const auto& [tilt_deg, along, across] :
-       {Case{0, 1, 1}, Case{30, 1.018, .982}, Case{45, 1.042, .956}, Case{60, 1.081, .912}}) {
+       {Case{0, 1, 1}, Case{30, 1.018, .982}, Case{60, 1.081, .912}}) {
     const auto spread = [&, tilt = tilt_deg](double azimuth_deg) {
       RenderSettings s = facing_plane("burley-disc", 4, tilt, azimuth_deg);
       s.quality.kernel = ScreenKernel::ue;
