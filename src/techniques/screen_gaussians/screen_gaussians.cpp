@@ -15,7 +15,8 @@ namespace dermis::techniques {
 namespace {
 
 // Taps of one axis of one Gaussian; those of the authors are always seven.
-constexpr TapRange gaussian_taps{.least = 5, .most = 2 * passes::kernel_radius + 1, .usual = 13, .odd = true};
+constexpr TapRange gaussian_taps{
+    .least = 5, .most = 2 * passes::kernel_radius + 1, .usual = 13, .odd = true, .published = 7};
 
 // The published skin has a part that is not blurred, whatever the profile, unless no light is to scatter at
 // all.
@@ -59,7 +60,8 @@ std::uint32_t gaussian_taps_per_pixel(const FrameSettings& settings) {
   std::size_t longest = 0;
   for (const SkinPart& part : settings.skin)
     longest = std::max(longest, gaussian_steps(settings, part).size());
-  return static_cast<std::uint32_t>(longest) * 2 * (published ? 7 : gaussian_taps_of(settings));
+  return static_cast<std::uint32_t>(longest) * 2 *
+         (published ? gaussian_taps.published : gaussian_taps_of(settings));
 }
 
 frame::TextureId add_gaussians(passes::FramePlan& plan, const FrameSettings& settings,
