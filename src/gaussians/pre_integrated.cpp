@@ -124,7 +124,7 @@ double edge_in_disc(double lit_share) {
   return (low + high) / 2;
 }
 
-double shadow_filter_mm(const SumOfGaussians& profile) { return 6 * std::sqrt(profile.max_variance_mm2()); }
+double shadow_filter_mm(const SumOfGaussians& profile) { return 4 * std::sqrt(profile.max_variance_mm2()); }
 
 LightTable lit_table(const SumOfGaussians& profile, int columns, int rows, bool ring) {
   LightTable table{.columns = columns, .rows = rows, .light = {}};
@@ -141,11 +141,25 @@ LightTable lit_table(const SumOfGaussians& profile, int columns, int rows, bool 
   return table;
 }
 
+namespace {
+
+// lit_edge(), but 0 and 1 from the border of the filter on, beyond which no edge is known.
+Rgb lit_within_filter(const SumOfGaussians& profile, double x_mm) {
+  const double border_mm = shadow_filter_mm(profile) / 2;
+  const Rgb least = lit_edge(profile, -border_mm), most = lit_edge(profile, border_mm);
+  Rgb light = lit_edge(profile, x_mm);
+  for (std::size_t c = 0; c < 3; ++c)
+    if (most[c] > least[c]) light[c] = std::clamp((light[c] - least[c]) / (most[c] - least[c]), 0.0, 1.0);
+  return light;
+}
+
+}  // namespace
+
 LightTable edge_table(const SumOfGaussians& profile, int columns) {
   LightTable table{.columns = columns, .rows = 1, .light = {}};
   for (int i = 0; i < columns; ++i) {
     const double t = -1 + 2.0 * i / (columns - 1);
-    table.light.push_back(lit_edge(profile, t * std::abs(t) * shadow_filter_mm(profile) / 2));
+    table.light.push_back(lit_within_filter(profile, t * std::abs(t) * shadow_filter_mm(profile) / 2));
   }
   return table;
 }
@@ -157,7 +171,7 @@ LightTable shadow_table(const SumOfGaussians& profile, int columns, int rows) {
       // On the surface the filter is wider than across the light.
       const double cosine = (j + 1.0) / rows, x_mm = edge_in_disc(static_cast<double>(i) / (columns - 1)) *
                                                      shadow_filter_mm(profile) / (2 * cosine);
-      table.light.push_back(lit_edge(profile, x_mm));
+      table.light.push_back(lit_within_filter(profile, x_mm));
     }
   return table;
 }

@@ -30,8 +30,8 @@ Rgb lit_edge(const SumOfGaussians& profile, double x_mm);
 /// its area, 0..1, in radii of the disc: -1..1, positive where more than half is lit.
 double edge_in_disc(double lit_share);
 
-/// Returns the width of the filter of shadows that a profile needs, six sigma of its widest Gaussian: 16.3 mm
-/// for the published six.
+/// Returns the width of the filter of shadows of a profile, four sigma of its widest Gaussian: 10.9 mm for
+/// the published six. A wider one finds more shadows that are none, in hollows of the skin.
 double shadow_filter_mm(const SumOfGaussians& profile);
 
 /// A table of two variables, row by row.
@@ -47,8 +47,8 @@ inline constexpr double most_curvature_per_mm = 1;  ///< of the last row: a ball
 /// -1 + 2 i / (n - 1). Row j of m: the curvature most_curvature_per_mm (j / (m - 1))^2. Both sides > 1.
 LightTable lit_table(const SumOfGaussians& profile, int columns, int rows, bool ring = false);
 
-/// Returns lit_edge(), one row. Column i of n: with t = -1 + 2 i / (n - 1), x is t |t| times half of
-/// shadow_filter_mm().
+/// Returns lit_edge(), stretched to end at 0 and 1, one row. Column i of n: with t = -1 + 2 i / (n - 1), x is
+/// t |t| times half of shadow_filter_mm().
 LightTable edge_table(const SumOfGaussians& profile, int columns);
 
 /// Returns the light beside the edge of a shadow, for who filters shadows over a disc of diameter

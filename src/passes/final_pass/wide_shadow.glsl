@@ -18,8 +18,8 @@ float edge_in_tent(float share) {
 }
 
 // Returns the lit share of a disc of this radius around a point of the map. A tap is lit unless something
-// there is nearer to the light than the surface: than its tangent plane, but where that falls away steeply,
-// than 60 degrees. Further out the surface may bend towards the light.
+// there is nearer to the light than the surface: than its tangent plane, or 60 degrees where that falls away
+// more steeply. The skin may rise by 45 degrees beside the point: less is a hollow, and no occluder.
 float disc_lit(MapLook m, MapRay ray, vec2 slope, float radius_m, float texel_m) {
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), here = m.uv * size;
   const float depth = m.clip.z / m.clip.w, radius = min(radius_m / texel_m, 0.5 * size.x);
@@ -28,9 +28,9 @@ float disc_lit(MapLook m, MapRay ray, vec2 slope, float radius_m, float texel_m)
     const float r = radius * sqrt((float(i) + 0.5) / float(shadow_taps)), angle = 2.39996323 * float(i);
     const vec2 at = here + r * vec2(cos(angle), sin(angle)), base = floor(at - 0.5), f = at - 0.5 - base;
 
-    const float off_m = r * texel_m, off = off_m / radius_m;
+    const float off_m = r * texel_m;
     const float plane_m = way_of(ray, max(depth + dot(slope, at - here), 0.0)),
-                free_m = max(plane_m, -1.7 * off_m) + 1.5 * texel_m + 0.2 * off * off_m;
+                free_m = max(plane_m, -1.7 * off_m) + 1.5 * texel_m + off_m;
     const float free = (ray.clip.z + free_m * ray.zw.x) / (ray.clip.w + free_m * ray.zw.y);
 
     const vec4 z = textureGather(shadow_depths, vec3((base + 1.0) / size, m.layer));
@@ -57,7 +57,8 @@ float lit_distance_m(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   const float wide_m = radius_m * edge_in_disc(disc_lit(m, ray, slope, radius_m, texel_m));
 
   // Beside the edge the few texels of the ordinary filter know better where it is than taps far apart.
+  // Its weights sum to 1 but for rounding.
   const float sharp = share_not_beyond(m);
-  if (sharp <= 0.0) return min(wide_m, -2.0 * texel_m);
-  return sharp >= 1.0 ? max(wide_m, 2.0 * texel_m) : edge_in_tent(sharp) * texel_m;
+  if (sharp <= 1e-4) return min(wide_m, -2.0 * texel_m);
+  return sharp >= 1.0 - 1e-4 ? max(wide_m, 2.0 * texel_m) : edge_in_tent(sharp) * texel_m;
 }
