@@ -19,8 +19,8 @@ float edge_in_tent(float share) {
 
 // Returns the lit share of a disc of this radius around a point of the map. A tap is lit unless something
 // there is nearer to the light than the surface: than its tangent plane, or 60 degrees where that falls away
-// more steeply. The skin may rise by 45 degrees beside the point: less is a hollow, and no occluder.
-float disc_lit(MapLook m, MapRay ray, vec2 slope, float radius_m, float texel_m) {
+// more steeply. rise: by how much skin beside the point may be nearer, of its distance, and still be a hollow.
+float disc_lit(MapLook m, MapRay ray, vec2 slope, float radius_m, float texel_m, float rise) {
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), here = m.uv * size;
   const float depth = m.clip.z / m.clip.w, radius = min(radius_m / texel_m, 0.5 * size.x);
   float lit = 0.0;
@@ -30,7 +30,7 @@ float disc_lit(MapLook m, MapRay ray, vec2 slope, float radius_m, float texel_m)
 
     const float off_m = r * texel_m;
     const float plane_m = way_of(ray, max(depth + dot(slope, at - here), 0.0)),
-                free_m = max(plane_m, -1.7 * off_m) + 1.5 * texel_m + off_m;
+                free_m = max(plane_m, -1.7 * off_m) + 1.5 * texel_m + rise * off_m;
     const float free = (ray.clip.z + free_m * ray.zw.x) / (ray.clip.w + free_m * ray.zw.y);
 
     const vec4 z = textureGather(shadow_depths, vec3((base + 1.0) / size, m.layer));
@@ -54,11 +54,12 @@ float lit_distance_m(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   const MapRay ray = MapRay(m.clip, (m.from_world * vec4(a.to_light, 0.0)).zw);
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy),
              slope = depth_slope(m.from_world, m.clip, n_geometric, a.to_light) / size;
-  const float wide_m = radius_m * edge_in_disc(disc_lit(m, ray, slope, radius_m, texel_m));
+  // What is in shadow has an occluder, and may lie deep in a fold; beside what is lit up to 45 degrees are a hollow.
+  const float sharp = share_not_beyond(m), rise = sharp < 0.5 ? 0.1 : 1.0;
+  const float wide_m = radius_m * edge_in_disc(disc_lit(m, ray, slope, radius_m, texel_m, rise));
 
-  // Beside the edge the few texels of the ordinary filter know better where it is than taps far apart.
-  // Its weights sum to 1 but for rounding.
-  const float sharp = share_not_beyond(m);
+  // Beside the edge the few texels of the ordinary filter know better where it is than taps far apart. Their
+  // weights sum to 1 but for rounding.
   if (sharp <= 1e-4) return min(wide_m, -2.0 * texel_m);
   return sharp >= 1.0 - 1e-4 ? max(wide_m, 2.0 * texel_m) : edge_in_tent(sharp) * texel_m;
 }
