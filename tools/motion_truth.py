@@ -31,8 +31,8 @@ def measure(head, frame, a):
     truth, variance, result = (out / f"{name}{end}" for end in (".exr", ".variance.exr", f"{a.tag}.json"))
     scene = [*pose(frame, a), "--light", a.light, "--size", a.size, *a.camera.split()]
     if not truth.exists():
-        run([a.dermis, "reference", head, *scene, "--samples", a.samples, "--variance", variance, "-o",
-             truth])
+        run([a.dermis, "reference", head, *scene, "--samples", a.samples, "--variance", variance,
+             "-o", truth])
     if not result.exists():
         run([a.dermis, "compare", "--scene", head, *scene, "--reference", truth, "--variance", variance,
              "--techniques", "texture-space", "--map-size", a.map_size, "--shadow-size", a.shadow_size,

@@ -25,13 +25,15 @@ void add_plan_command(CLI::App& app, int& exit_status);
 void add_reference_command(CLI::App& app, int& exit_status);
 void add_render_command(CLI::App& app, int& exit_status);
 void add_sequence_command(CLI::App& app, int& exit_status);
+/// Starts the program of the viewer, which lies beside this one.
+void add_view_command(CLI::App& app, char** arguments);
 
 /// The reference knows no light maps, no shadow maps, no bloom and one head. A comparison has both: what
 /// would be ambiguous is called
 /// --scene (the file), --msaa (the renderer's samples), --techniques. The benchmark has lists of heads and
 /// distances, and chooses technique and optimisations itself. A sequence draws each frame once, and may turn
 /// its camera from frame to frame.
-enum class SceneUse { render, sequence, plan, reference, comparison, bench };
+enum class SceneUse { render, view, sequence, plan, reference, comparison, bench };
 
 /// What render, plan, reference and later commands have in common.
 struct SceneArguments {
@@ -45,6 +47,9 @@ struct SceneArguments {
   std::optional<ReferenceSettings> reference;  ///< of commands that compute ground truth
 };
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use);
+/// Reads WIDTHxHEIGHT; false for anything else. CLI11 turns that into exit status 2; sizes that parse but
+/// make no sense are refused by the renderer.
+bool parse_size(const std::string& text, OutputSettings& output);
 
 /// A scene, and what of it plays the clip of --clip and --time: loaded at the begin of the clip, not posed
 /// yet.
@@ -54,8 +59,10 @@ struct PlayingScene {
 };
 /// Shows on a terminal how far the loading is.
 PlayingScene open_playing_scene(const SceneArguments& arguments);
+PlayingScene open_playing_scene(const SceneArguments& arguments, const Hooks& hooks);
 /// Likewise, and puts it in the pose of --time.
 Scene open_scene(const SceneArguments& arguments);
+Scene open_scene(const SceneArguments& arguments, const Hooks& hooks);
 
 /// Where a command draws.
 struct DeviceArguments {

@@ -92,4 +92,15 @@ CLI::Option* add_count(CLI::App& command, const std::string& name, std::uint64_t
       ->default_str(std::to_string(value));
 }
 
+std::string quoted(std::string_view word) {
+  const bool plain =
+      !word.empty() &&
+      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+@%") ==
+          std::string_view::npos;
+  if (plain) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 }  // namespace dermis::cli

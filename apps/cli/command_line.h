@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dermis::cli {
@@ -13,6 +14,9 @@ namespace dermis::cli {
 /// CLI11 would take every further word, the scene included; here only what can be a value of the list belongs
 /// to it: a number after --heads and --distances, a known name after --optimise.
 std::vector<std::string> join_lists(const std::vector<std::string>& arguments);
+
+/// Returns a word as a shell takes it.
+std::string quoted(std::string_view word);
 
 /// Shows an option as it is to be typed. CLI11 adds "..." to whatever holds several values and "x 2" to
 /// pairs, also where a comma parts them or where the option has to be repeated.

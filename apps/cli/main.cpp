@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli/brief_log.h"
@@ -9,21 +8,6 @@
 #include "cli/command_line.h"
 #include "cli/failure.h"
 #include "cli/profile_command.h"
-
-namespace {
-
-std::string quoted(std::string_view word) {
-  const bool plain =
-      !word.empty() &&
-      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+@%") ==
-          std::string_view::npos;
-  if (plain) return std::string(word);
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"dermis: human skin in real time, and what it costs"};
@@ -33,10 +17,11 @@ int main(int argc, char** argv) {
   app.get_formatter()->column_width(38);
   app.option_defaults()->always_capture_default();
 
-  for (int i = 0; i < argc; ++i) dermis::cli::command_line() += (i ? " " : "") + quoted(argv[i]);
+  for (int i = 0; i < argc; ++i) dermis::cli::command_line() += (i ? " " : "") + dermis::cli::quoted(argv[i]);
   int exit_status = 0;
   dermis::cli::add_render_command(app, exit_status);
   dermis::cli::add_sequence_command(app, exit_status);
+  dermis::cli::add_view_command(app, argv);
   dermis::cli::add_reference_command(app, exit_status);
   dermis::cli::add_plan_command(app, exit_status);
   dermis::cli::add_profile_command(app, exit_status);

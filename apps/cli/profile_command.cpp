@@ -98,21 +98,13 @@ Source open_with_progress(const SourceOptions& options) {
   return source;
 }
 
-std::string exported(const Source& source, const Fitted& fitted, const std::string& system) {
-  gaussians::Exported input{
-      .name = source.name, .profiles = source.profiles, .terms = {}, .medium = source.medium};
-  for (int c = 0; c < 3; ++c)
-    for (const gaussians::Term& term : normalised(fitted, c))
-      input.terms[c].push_back({term.variance_mm2, term.weight});
-  return gaussians::export_text(system, input);
-}
-
 void run(const ProfileArguments& options) {
   check(options);
   std::vector<PlottedSum> others;
   for (const std::string& name : options.compare) others.push_back(plotted(name));
   const Source source = open_with_progress(options.source);
-  const Fitted fitted = fit(source, options.source.profile.gaussians, options.variances == "shared");
+  const Fitted fitted = fit(source, options.source.profile.gaussians, options.variances == "shared",
+                            options.source.profile.fit);
   const ProfilePlot plot{.title = source.name + ": " + source.model,
                          .profiles = source.profiles,
                          .fit = plotted(fitted),

@@ -24,7 +24,7 @@ struct Fitted {
 };
 
 /// terms: 1 to 8. InputError names the channel that no sum of Gaussians fits.
-Fitted fit(const Source& source, int terms, bool shared);
+Fitted fit(const Source& source, int terms, bool shared, ProfileFit measure = ProfileFit::plane);
 
 /// Terms of channel c (0..2) with weights that sum to 1.
 std::vector<gaussians::Term> normalised(const Fitted& fitted, int c);
@@ -36,6 +36,9 @@ std::string differences(const PlottedSum& fit, const std::vector<PlottedSum>& ot
 /// The profile file; with variances_mm2 [k][3] if they are per channel, where a channel with fewer terms is
 /// filled with terms of weight 0.
 std::string profile_json(const Source& source, const Fitted& fitted);
+
+/// The profile in the parameters of another system (gaussians/exchange.h), with what gets lost.
+std::string exported(const Source& source, const Fitted& fitted, const std::string& system);
 
 /// The fit as curves: its label is the number of terms that it has.
 PlottedSum plotted(const Fitted& fitted);

@@ -13,6 +13,7 @@
 #include "core/file.h"
 #include "gaussians/json.h"
 #include "gaussians/known.h"
+#include "gaussians/scatter_profile.h"
 #include "settings/json.h"
 
 namespace dermis::api {
@@ -155,7 +156,7 @@ class Reader {
 
   std::optional<ScatterProfile> profile_of(const json::Value& json) {
     if (json.is_null()) return {};
-    if (json.is_object()) return made_of(gaussians::read_json(json));
+    if (json.is_object()) return gaussians::scatter_profile(gaussians::read_json(json));
     if (!json.is_text()) json.fail("must be a name, a file or an object");
 
     const std::string& name = json.text();
@@ -164,25 +165,8 @@ class Reader {
     const std::vector<std::string_view> names = gaussians::known_names();
     const bool is_name = std::find(names.begin(), names.end(), name) != names.end();
     const std::string source = is_name ? name : path_of(json, folder_).string();
-    const auto read = [&] { return made_of(gaussians::from_name_or_file(source)); };
+    const auto read = [&] { return gaussians::scatter_profile(gaussians::from_name_or_file(source)); };
     return profiles_.emplace(name, at_place(json, read)).first->second;
-  }
-
-  static ScatterProfile made_of(const gaussians::SumOfGaussians& sum) {
-    ScatterProfile made{.name = sum.name,
-                        .model = sum.model,
-                        .variances_mm2 = {},
-                        .weights = {},
-                        .error_percent = sum.error_percent,
-                        .total_reflectance = sum.total_reflectance,
-                        .mean_free_path_mm = sum.mean_free_path_mm,
-                        .diffuse_mean_free_path_mm = sum.diffuse_mean_free_path_mm,
-                        .model_total = sum.total_reflectance};
-    for (const gaussians::Gaussian& term : sum.terms) {
-      made.variances_mm2.push_back(term.variance_mm2);
-      made.weights.push_back(term.weight);
-    }
-    return made;
   }
 
   void read_light(const json::Value& json) {

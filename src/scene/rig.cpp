@@ -23,7 +23,7 @@ bool finite(const glm::dmat4& m) {
   return true;
 }
 
-glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
+glm::dvec3 unit_or_other(const glm::dvec3& v, const glm::dvec3& otherwise) {
   const double length = glm::length(v);
   return length > 1e-30 && std::isfinite(length) ? v / length : otherwise;
 }
@@ -50,11 +50,12 @@ void move_vertex(const RigMesh& mesh, const PosedRig& pose, std::size_t number, 
   const Frame frame = frame_at(mesh, pose, from);
   v.position_m = glm::vec3(frame.matrix * glm::dvec4(p, 1));
   // Where a matrix leaves no direction, one that does not depend on the pose before.
-  const glm::dvec3 normal = unit_or(frame.normal_matrix * n, unit_or(mesh.normals[from], {0, 0, 1}));
+  const glm::dvec3 normal =
+      unit_or_other(frame.normal_matrix * n, unit_or_other(mesh.normals[from], {0, 0, 1}));
   v.normal = glm::vec3(normal);
   const glm::dvec3 along = glm::dmat3(frame.matrix) * t;
-  const glm::dvec3 tangent =
-      unit_or(along - normal * glm::dot(normal, along), unit_or(mesh.tangents[number], {1, 0, 0}));
+  const glm::dvec3 tangent = unit_or_other(along - normal * glm::dot(normal, along),
+                                           unit_or_other(mesh.tangents[number], {1, 0, 0}));
   v.tangent = glm::vec4(glm::vec3(tangent), v.tangent.w);
 }
 

@@ -91,7 +91,8 @@ TEST_F(Views, OnlyWhatHasNoPoseOfItsOwnPlays) {
   tests::write_text(temp_.path() / "scene.json", R"({"dermis_scene": 1, "assets": [
     {"name": "plays", "file": "carrier.glb"}, {"name": "turns", "file": "carrier.glb", "clip": "turn"},
     {"name": "stands", "file": "carrier.glb", "time_s": 1}], "instances": [
-    {"asset": "plays"}, {"asset": "turns"}, {"asset": "stands"}, {"asset": "plays", "clip": "move", "time_s": 2}]})");
+    {"asset": "plays"}, {"asset": "turns"}, {"asset": "stands"},
+    {"asset": "plays", "clip": "move", "time_s": 2}]})");
   SceneOptions wanted{.clip = "move", .time_s = 0.5};
   dermis::Scene scene = dermis::Scene::load(temp_.path() / "scene.json", api::at_begin(wanted));
   const std::vector<InstanceId> ids = scene.instances();

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "cli/command.h"
+#include "core/error.h"
+
+namespace dermis::cli {
+namespace {
+
+// The viewer's program is of the same build, so its own --help knows its options.
+void start_viewer(char** arguments) {
+  std::error_code error;
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  const std::filesystem::path viewer = here / "dermis-view";
+  if (!std::filesystem::exists(viewer, error))
+    throw input_error(
+        "view",
+        "this build has no viewer ({} is not there): it is left out where GLFW or Dear ImGui are "
+        "not found (Debian, Ubuntu: apt install libglfw3-dev libimgui-dev); 'dermis render' "
+        "draws to a file",
+        viewer.string());
+  execv(viewer.c_str(), arguments);
+  throw input_error(viewer.string(), "cannot be started: {}", std::strerror(errno));
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app, char** arguments) {
+  CLI::App* command =
+      app.add_subcommand("view", "look at a scene in a window, and change it (see 'view --help')");
+  command->set_help_flag();
+  command->prefix_command();
+  command->callback([arguments] { start_viewer(arguments); });
+}
+
+}  // namespace dermis::cli

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What panels ask for: files, undo, the camera.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "viewer/app_state.h"
+#include "viewer/model/command_line.h"
+#include "viewer/model/page.h"
+
+namespace dermis::viewer {
+
+void App::save_scene(const SaveNames& names) {
+  now().scene.save(names.scene);
+  saved_scene_ = {now().scene, names.scene};
+  say("saved " + names.scene.string());
+}
+
+// The words that name the scene; writes the scene file that they need.
+std::vector<std::string> App::scene_in_file(const SaveNames& names) {
+  if (!scene_words(now(), saved_scene_)) save_scene(names);
+  return scene_words(now(), saved_scene_).value();
+}
+
+void App::write_page_number(std::size_t number) {
+  if (pager_.is_running()) {
+    say("a page is being written", true);
+    return;
+  }
+  try {
+    const std::vector<Page> pages =
+        pages_of(scene_in_file(save_names(view_.save_name)), option_words(shown_settings()), options_.device);
+    pager_.start([page = pages.at(number)](const Hooks& hooks) { return write_page(page, hooks); });
+    say(std::string("computing: ") + pages.at(number).title);
+  } catch (const InputError& error) { say(error.what(), true); }
+}
+
+void App::save_one(const Requests& requests, const SaveNames& names) {
+  if (requests.save_settings) {
+    Document as_shown = now();
+    as_shown.settings = shown_settings();
+    save_settings(as_shown, names.settings);
+    say("saved " + names.settings.string());
+  }
+  if (requests.save_profile) {
+    write_profile(profile_of(now()), names.profile.string());
+    say("saved " + names.profile.string());
+  }
+
+  if (requests.save_scene) save_scene(names);
+  if (!requests.copy_command) return;
+  view_.command_line =
+      render_command(scene_in_file(names), shown_settings(), options_.device, names.picture.string());
+  ImGui::SetClipboardText(view_.command_line.c_str());
+  say("copied the command line");
+  tell("command: " + view_.command_line);
+}
+
+void App::save(const Requests& requests) {
+  try {
+    const SaveNames names = save_names(view_.save_name);
+    if (requests.save_png) painter_.save({now().scene, shown_settings(), names.picture});
+    if (requests.save_exr) painter_.save({now().scene, shown_settings(), names.light});
+    save_one(requests, names);
+  } catch (const InputError& error) { say(error.what(), true); }
+}
+
+void App::serve(const Requests& requests) {
+  if (requests.undo) history_->undo();
+  if (requests.redo) history_->redo();
+  if (requests.frame) {
+    Document next = now();
+    const double aspect = static_cast<double>(std::max(area_.width, 1)) / std::max(area_.height, 1);
+    try {
+      set_camera(next.settings, framed(camera_place(next), spheres_.of(next), aspect));
+      history_->take(std::move(next), "frame the heads");
+    } catch (const InputError& error) { say(error.what(), true); }
+  }
+  to_open_.insert(to_open_.end(), requests.open.begin(), requests.open.end());
+  save(requests);
+  if (requests.page) write_page_number(*requests.page);
+  if (requests.undo || requests.redo || requests.frame) frames_left_ = std::max(frames_left_, 2);
+}
+
+}  // namespace dermis::viewer

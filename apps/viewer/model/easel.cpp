@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/model/easel.h"
+
+#include <chrono>
+#include <utility>
+
+namespace dermis::viewer {
+namespace {
+
+double ms_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Sessions draw pictures of a known exposure; all else takes a prepared frame.
+bool needs_prepared(const Wish& wish) {
+  if (wish.settings.output.show != "picture") return true;
+  if (wish.moving) return false;
+  return wish.timed || !wish.settings.output.exposure_ev;
+}
+
+}  // namespace
+
+Renderer& Easel::renderer() {
+  if (!renderer_) renderer_.emplace(options_);
+  return *renderer_;
+}
+
+Session& Easel::session(bool moving, bool labels) {
+  if (moving) {
+    if (!moving_) moving_.emplace(renderer(), Session::Options{.frames_in_flight = 1});
+    return *moving_;
+  }
+  if (resting_ && resting_has_labels_ != labels) resting_.reset();
+  resting_has_labels_ = labels;
+  if (!resting_)
+    resting_.emplace(renderer(),
+                     Session::Options{.frames_in_flight = 1, .statistics = true, .labels = labels});
+  return *resting_;
+}
+
+Painted Easel::draw(const Wish& wish) {
+  const auto start = std::chrono::steady_clock::now();
+  if (before_drawing_) before_drawing_();
+  Painted painted = needs_prepared(wish) ? draw_prepared(wish) : draw_in_session(wish);
+  painted.revision = wish.revision;
+  painted.moving = wish.moving;
+  painted.is_b = wish.is_b;
+  painted.ms = ms_since(start);
+  device_name_ = painted.picture.statistics.device;
+  return painted;
+}
+
+Painted Easel::draw_in_session(const Wish& wish) {
+  RenderSettings settings = wish.moving ? pace_.settings(wish.settings) : wish.settings;
+  if (!settings.output.exposure_ev) settings.output.exposure_ev = last_exposure_ev_;
+
+  Session& session = this->session(wish.moving, wish.labels && !wish.moving);
+  const auto start = std::chrono::steady_clock::now();
+  const Ticket ticket = session.draw(wish.scene, settings);
+  Painted painted{.picture = session.picture(ticket)};
+  if (wish.labels && !wish.moving) painted.labels = session.labels(ticket);
+
+  if (wish.moving) {
+    painted.divisor = pace_.divisor();
+    pace_.drew(ms_since(start));
+  }
+  return painted;
+}
+
+Painted Easel::draw_prepared(const Wish& wish) {
+  RenderSettings settings = wish.moving ? pace_.settings(wish.settings) : wish.settings;
+  if (wish.moving && !settings.output.exposure_ev) settings.output.exposure_ev = last_exposure_ev_;
+  settings.output.frames = 1;
+  if (prepared_)
+    prepared_->set(wish.scene, settings);
+  else
+    prepared_.emplace(renderer().prepare(wish.scene, settings));
+  if (wish.timed) prepared_->draw();
+  Painted painted{.picture = prepared_->picture()};
+  if (!settings.output.exposure_ev) last_exposure_ev_ = painted.picture.statistics.exposure_ev;
+
+  if (wish.moving) painted.divisor = pace_.divisor();
+  return painted;
+}
+
+void Easel::save(const SaveWish& wish) {
+  if (before_drawing_) before_drawing_();
+  RenderSettings settings = wish.settings;
+  settings.output.frames = 1;
+  renderer().render(wish.scene, settings).save(wish.file);
+}
+
+void Easel::renew() {
+  if (renderer_) {
+    const std::vector<std::string> messages = renderer_->validation_messages();
+    said_.insert(said_.end(), messages.begin(), messages.end());
+  }
+  prepared_.reset();
+  moving_.reset();
+  resting_.reset();
+  renderer_.reset();
+}
+
+std::vector<std::string> Easel::validation_messages() const {
+  std::vector<std::string> all = said_;
+  if (renderer_) {
+    const std::vector<std::string> messages = renderer_->validation_messages();
+    all.insert(all.end(), messages.begin(), messages.end());
+  }
+  return all;
+}
+
+}  // namespace dermis::viewer

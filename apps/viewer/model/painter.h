@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+/// The thread that draws pictures: it owns the renderer, so that the window answers while a slow device
+/// works. It draws the newest wish and passes over those between; what is saved comes first.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "dermis/renderer.h"
+#include "dermis/session.h"
+
+namespace dermis::viewer {
+
+/// A picture that the window would like to show.
+struct Wish {
+  Scene scene;
+  RenderSettings settings{};
+  std::uint64_t revision = 0;  ///< of the document
+  bool moving = false;         ///< while something changes: as small as the device needs it
+  bool timed = false;          ///< with the times of the passes
+  bool labels = false;         ///< with what each pixel shows
+  bool is_b = false;           ///< of what A is compared with
+};
+
+struct Painted {
+  Picture picture;
+  std::optional<Labels> labels{};
+  std::uint64_t revision = 0;
+  int divisor = 1;  ///< of the sides of what was wished
+  bool is_b = false;
+  bool moving = false;
+  double ms = 0;  ///< wall clock, from wish to picture
+};
+
+/// A picture to be written: drawn as `dermis render` draws it.
+struct SaveWish {
+  Scene scene;
+  RenderSettings settings{};
+  std::filesystem::path file;
+};
+
+/// What the thread has to say.
+struct PainterNews {
+  std::shared_ptr<const Painted> painted{}, painted_b{};  ///< newest since the last call, or null
+  std::vector<std::string> saved{};                       ///< files that were written
+  std::vector<std::string> errors{};                      ///< of wishes and of files, one line each
+  std::vector<std::string> notes{};                       ///< what the library said
+  bool renewed = false;                                   ///< the device was lost, and another one draws
+};
+
+class Easel;  // viewer/model/easel.h
+
+class Painter {
+ public:
+  struct Options {
+    std::string device = "best";
+    bool validate = false;
+    /// Called by any thread after something new; may be empty.
+    std::function<void()> on_news{};
+    /// For tests: called before each picture, and may throw what a device throws.
+    std::function<void()> before_drawing{};
+  };
+
+  explicit Painter(Options options);
+  Painter(const Painter&) = delete;
+  Painter& operator=(const Painter&) = delete;
+  ~Painter();  ///< ends what is under way as soon as it can be ended
+
+  void wish(Wish wish);
+  void save(SaveWish wish);
+  PainterNews take_news();
+
+  bool is_busy() const;       ///< draws, or has something to draw
+  std::string doing() const;  ///< "what the skin sees of its surroundings: 40 %"; empty if nothing takes long
+  std::vector<std::string> validation_messages() const;
+  std::string device_name() const;  ///< empty before the first picture
+
+  /// Ends the thread if that takes no longer than so many seconds. Returns whether it has ended.
+  bool stop(double seconds);
+
+ private:
+  void run();
+  void serve(Easel& easel, const std::optional<Wish>& wish, const std::optional<SaveWish>& to_save);
+  void tell(const std::function<void(PainterNews&)>& change);
+
+  Options options_;
+  std::atomic<bool> stop_ = false;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_, ended_;
+  std::optional<Wish> wish_, wish_b_;
+  std::vector<SaveWish> saves_;
+  PainterNews news_;
+  bool working_ = false, has_ended_ = false;
+  std::string doing_, device_name_;
+  std::vector<std::string> validation_;
+  std::thread thread_;  ///< last: it uses all of the above
+};
+
+}  // namespace dermis::viewer

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/model/shown_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "settings/fields.h"
+
+namespace dermis::viewer {
+namespace {
+
+std::string_view help_of_show() {
+  std::string_view help;
+  const OutputSettings settings;
+  for_each_setting(settings, [&](const std::string& path, const About& about, const auto&, std::string_view) {
+    if (path == "show") help = about.help;
+  });
+  return help;
+}
+
+void add_labels(PixelValues& pixel, const Labels& labels, const Statistics& statistics, std::size_t i) {
+  static constexpr const char* regions[] = {"no skin", "nose", "ear", "skin"};
+  pixel.is_labelled = true;
+  pixel.instance = labels.instance[i];
+  pixel.material = labels.material[i];
+  pixel.region = regions[std::min<std::size_t>(labels.region[i], 3)];
+  pixel.depth_m = labels.depth_m[i];
+  for (std::size_t c = 0; c < 3; ++c) pixel.normal[c] = labels.normal[3 * i + c];
+  if (pixel.instance == 0) return;
+
+  const std::size_t head = pixel.instance - 1;
+  if (head < statistics.used_size.size()) pixel.map_side = statistics.used_size[head];
+  if (head < statistics.mapped_terms.size()) pixel.mapped_terms = statistics.mapped_terms[head];
+  for (std::size_t c = 0; c < 2; ++c) {
+    pixel.uv[c] = labels.uv[2 * i + c];
+    pixel.texel[c] = pixel.uv[c] * static_cast<float>(pixel.map_side);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> shown_map_names(int gaussians, int lights) {
+  std::vector<std::string> names;
+  std::string_view rest = help_of_show();
+  while (!rest.empty()) {
+    const std::size_t comma = rest.find(", ");
+    const std::string name(rest.substr(0, comma));
+    rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 2);
+    if (!name.ends_with(":K")) {
+      names.push_back(name);
+      continue;
+    }
+    const int count = name.starts_with("shadow") ? lights : gaussians;
+    for (int k = 0; k < count; ++k) names.push_back(name.substr(0, name.size() - 1) + std::to_string(k));
+  }
+  return names;
+}
+
+std::optional<PixelValues> pixel_at(const Painted& painted, float u, float v) {
+  const Picture& picture = painted.picture;
+  const int x = static_cast<int>(std::floor(u * static_cast<float>(picture.width)));
+  const int y = static_cast<int>(std::floor(v * static_cast<float>(picture.height)));
+  if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return {};
+
+  PixelValues pixel{.x = x, .y = y};
+  const auto i =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
+  for (std::size_t c = 0; c < 4; ++c) pixel.linear[c] = picture.linear_rgba[4 * i + c];
+  for (std::size_t c = 0; c < 3; ++c) pixel.display[c] = picture.display_rgba[4 * i + c];
+  if (painted.labels && i < painted.labels->instance.size())
+    add_labels(pixel, *painted.labels, picture.statistics, i);
+  return pixel;
+}
+
+}  // namespace dermis::viewer

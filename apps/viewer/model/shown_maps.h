@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+/// What else than the picture can be shown, and what is known of one pixel.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/model/painter.h"
+
+namespace dermis::viewer {
+
+inline constexpr const char* first_shown = "picture";
+
+/// Returns the values of output.show, from the row of the setting: those with a number, once for each of it.
+std::vector<std::string> shown_map_names(int gaussians, int lights);
+
+/// What a picture and its labels say of a pixel.
+struct PixelValues {
+  int x = 0, y = 0;
+  std::array<float, 4> linear{};  ///< radiance with exposure, and the share of skin
+  std::array<int, 3> display{};
+  bool is_labelled = false;  ///< the rest is known
+  std::uint32_t instance = 0, material = 0;
+  std::string region;
+  float depth_m = 0;
+  std::array<float, 3> normal{};
+  std::array<float, 2> uv{}, texel{};
+  int map_side = 0;       ///< T of its head
+  int mapped_terms = -1;  ///< Gaussians that its head reads from maps; -1: not known
+};
+
+/// `u`, `v`: place in the picture, 0 to 1. None: outside.
+std::optional<PixelValues> pixel_at(const Painted& painted, float u, float v);
+
+}  // namespace dermis::viewer

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// What a picture is made of: its maps, what each pass costs, what lies under the pointer.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "settings/fields.h"
+#include "viewer/model/page.h"
+#include "viewer/model/shown_maps.h"
+#include "viewer/panels/desk.h"
+#include "viewer/panels/places.h"
+#include "viewer/panels/rows.h"
+
+namespace dermis::viewer {
+namespace {
+
+void show_row(Desk& desk) {
+  const Statistics* statistics = desk.shown ? &desk.shown->picture.statistics : nullptr;
+  const bool open = ImGui::BeginCombo("show", desk.view.show.c_str());
+  note_place("show");
+  if (!open) return;
+  for (const std::string& name :
+       shown_map_names(statistics ? statistics->gaussians : 1, statistics ? statistics->lights : 1)) {
+    if (ImGui::Selectable(name.c_str(), name == desk.view.show)) desk.view.show = name;
+    note_place("show " + name);
+  }
+  ImGui::EndCombo();
+}
+
+// Optimisations as switches, so that one sees what each saves.
+void optimisations(Desk& desk) {
+  QualitySettings quality = desk.now.settings.quality;
+  bool changed = false;
+  for_each_setting(quality, [&](const std::string& name, const About& about, auto& value, std::string_view) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, bool>)
+      if (about.option == "optimise") {
+        changed |= switch_row(name, about, value);
+        ImGui::SameLine();
+      }
+  });
+  ImGui::NewLine();
+  if (changed) desk.edit("optimise", [&](Document& next) { next.settings.quality = quality; });
+}
+
+void passes(const Statistics& s) {
+  double most = 1e-9;
+  for (const PassStatistics& pass : s.passes) most = std::max(most, pass.ms);
+  const float name_width = ImGui::GetFontSize() * 12.5f,
+              width = ImGui::GetContentRegionAvail().x - name_width;
+  for (const PassStatistics& pass : s.passes) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::TextUnformatted(pass.name.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float length =
+        std::max(1.0f, (width - ImGui::GetFontSize() * 4) * static_cast<float>(pass.ms / most));
+    list.AddRectFilled({at.x + name_width, at.y + 2},
+                       {at.x + name_width + length, at.y + ImGui::GetTextLineHeight() - 1},
+                       IM_COL32(190, 115, 92, 255));
+    list.AddText({at.x + name_width + length + 4, at.y}, IM_COL32(200, 200, 200, 255),
+                 fmt::format("{:.2f} ms", pass.ms).c_str());
+  }
+}
+
+void cost(Desk& desk) {
+  if (!desk.shown) return;
+  const Statistics& s = desk.shown->picture.statistics;
+  ImGui::Text("%d lights, %d Gaussians, %d heads", s.lights, s.gaussians, s.heads);
+  std::string sides;
+  for (const int side : s.used_size) sides += (sides.empty() ? "" : ", ") + std::to_string(side);
+  ImGui::TextWrapped("T %s texels; lit %.3f million, blurred %.3f million", sides.c_str(),
+                     static_cast<double>(s.irradiance_texels) / 1e6,
+                     static_cast<double>(s.convolved_texels) / 1e6);
+  ImGui::Text("images %.0f MB, buffers %.0f MB, at most %.0f MB", static_cast<double>(s.image_bytes) / 1e6,
+              static_cast<double>(s.buffer_bytes) / 1e6, static_cast<double>(s.peak_bytes) / 1e6);
+  if (!desk.view.frame_ms.empty())
+    ImGui::PlotLines(
+        "##ms", desk.view.frame_ms.data(), static_cast<int>(desk.view.frame_ms.size()), 0,
+        fmt::format("{:.0f} ms, last {} pictures", desk.view.frame_ms.back(), desk.view.frame_ms.size())
+            .c_str(),
+        0, *std::max_element(desk.view.frame_ms.begin(), desk.view.frame_ms.end()) * 1.1f,
+        {ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 4});
+  if (!s.passes.empty()) passes(s);
+}
+
+void loupe(const Desk& desk) {
+  if (!desk.view.pointer || !desk.shown) return;
+  const std::optional<PixelValues> pixel =
+      pixel_at(*desk.shown, desk.view.pointer->at(0), desk.view.pointer->at(1));
+  if (!pixel) return;
+  ImGui::Text("pixel %d, %d: linear %.4f %.4f %.4f", pixel->x, pixel->y, pixel->linear[0], pixel->linear[1],
+              pixel->linear[2]);
+  ImGui::Text("display %d %d %d, skin %.0f %%", pixel->display[0], pixel->display[1], pixel->display[2],
+              100 * pixel->linear[3]);
+  if (!pixel->is_labelled) return;
+  if (pixel->instance == 0) {
+    ImGui::TextDisabled("nothing is there");
+    return;
+  }
+  ImGui::Text("instance %u, material %u, %s", pixel->instance, pixel->material, pixel->region.c_str());
+  ImGui::Text("%.1f mm from the eye; normal %.2f %.2f %.2f", 1000 * pixel->depth_m, pixel->normal[0],
+              pixel->normal[1], pixel->normal[2]);
+  ImGui::Text("uv %.4f %.4f, texel %.1f %.1f of T %d", pixel->uv[0], pixel->uv[1], pixel->texel[0],
+              pixel->texel[1], pixel->map_side);
+  if (pixel->mapped_terms >= 0)
+    ImGui::Text("%d of %d Gaussians from maps", pixel->mapped_terms,
+                desk.shown->picture.statistics.gaussians);
+}
+
+}  // namespace
+
+void inside_panel(Desk& desk) {
+  ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x * 0.6f);
+  show_row(desk);
+  ImGui::PopItemWidth();
+  optimisations(desk);
+
+  ImGui::Checkbox("times of the passes", &desk.view.timed);
+  note_place("times of the passes");
+  ImGui::SameLine();
+  ImGui::Checkbox("loupe", &desk.view.loupe);
+  note_place("loupe");
+  ImGui::Separator();
+  if (desk.view.loupe) {
+    if (desk.view.timed || desk.view.show != first_shown)
+      ImGui::TextDisabled("labels need the picture itself, untimed");
+    loupe(desk);
+    ImGui::Separator();
+  }
+  cost(desk);
+
+  if (ImGui::CollapsingHeader("Pages")) {
+    ImGui::TextDisabled("computed beside the window, opened in the browser");
+    const std::vector<Page> pages = pages_of({}, {}, "");
+    for (std::size_t i = 0; i < pages.size(); ++i)
+      if (noted_button(pages[i].title)) desk.requests.page = i;
+  }
+  if (!desk.view.notes.empty() && ImGui::CollapsingHeader("What the library said"))
+    for (const std::string& note : desk.view.notes) ImGui::TextWrapped("%s", note.c_str());
+}
+
+}  // namespace dermis::viewer

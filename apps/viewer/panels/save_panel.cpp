@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What was made, as files.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "settings/fields.h"
+#include "viewer/model/saving.h"
+#include "viewer/panels/desk.h"
+#include "viewer/panels/places.h"
+#include "viewer/panels/rows.h"
+
+namespace dermis::viewer {
+namespace {
+
+// Rows of the picture's size; the window's own without them.
+void size_rows(Desk& desk) {
+  ImGui::Checkbox("a size of its own", &desk.view.fixed_size);
+  if (!desk.view.fixed_size) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("(else that of the window)");
+    return;
+  }
+  Document next = desk.now;
+  bool changed = false;
+  for_each_setting(next.settings.output,
+                   [&](const std::string& path, const About& about, auto& value, std::string_view) {
+                     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, int>)
+                       if (about.option == "size") changed |= number_row(path, about, value);
+                   });
+  if (changed) desk.changed("size", std::move(next));
+}
+
+}  // namespace
+
+void save_panel(Desk& desk) {
+  Requests& requests = desk.requests;
+  ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x * 0.6f);
+  ImGui::InputText("name", &desk.view.save_name);
+  note_place("name");
+  size_rows(desk);
+  ImGui::PopItemWidth();
+
+  const ImVec2 wide(ImGui::GetContentRegionAvail().x, 0);
+  requests.save_png |= noted_button("Picture, as shown (.png)", wide);
+  requests.save_exr |= noted_button("Picture, linear light (.exr)", wide);
+  requests.save_settings |= noted_button("Settings (.settings.json)", wide);
+  requests.save_scene |= noted_button("Scene (.scene.json)", wide);
+  requests.save_profile |= noted_button("Profile (.profile.json)", wide);
+  requests.copy_command |= noted_button("Copy the command line", wide);
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("draws exactly this picture; writes the scene file that it needs");
+  if (!desk.view.command_line.empty()) {
+    ImGui::InputTextMultiline("##command", &desk.view.command_line, {wide.x, ImGui::GetFontSize() * 6},
+                              ImGuiInputTextFlags_ReadOnly);
+  }
+}
+
+}  // namespace dermis::viewer

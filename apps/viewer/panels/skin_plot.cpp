@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/panels/skin_plot.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/panels/places.h"
+
+namespace dermis::viewer {
+namespace {
+
+constexpr ImU32 channel_colours[] = {IM_COL32(235, 90, 80, 255), IM_COL32(95, 200, 110, 255),
+                                     IM_COL32(100, 150, 255, 255)};
+constexpr ImU32 grid = IM_COL32(62, 64, 70, 255), text = IM_COL32(170, 170, 175, 255);
+
+struct Axes {
+  ImVec2 low, size;
+  double first_mm, last_mm, most;
+
+  float x(double r_mm) const {
+    return low.x + size.x * static_cast<float>(std::log(r_mm / first_mm) / std::log(last_mm / first_mm));
+  }
+  double r_mm(float at) const {
+    return first_mm * std::pow(last_mm / first_mm, static_cast<double>((at - low.x) / size.x));
+  }
+  float y(double value) const {
+    return low.y + size.y * (1 - static_cast<float>(std::clamp(value / most, 0.0, 1.0)));
+  }
+};
+
+double most_of(const SkinCurves& curves) {
+  double most = 1e-9;
+  for (std::size_t i = 0; i < curves.r_mm.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      most = std::max(most, curves.r_mm[i] * curves.fit[i][c]);
+      if (!curves.model.empty() && std::isfinite(curves.model[i][c]))
+        most = std::max(most, curves.r_mm[i] * std::min(curves.model[i][c], 3 * curves.fit[i][c]));
+    }
+  return most * 1.08;
+}
+
+void draw_grid(const Axes& axes, ImDrawList& list) {
+  const ImVec2 high(axes.low.x + axes.size.x, axes.low.y + axes.size.y);
+  list.AddRectFilled(axes.low, high, IM_COL32(28, 29, 32, 255));
+  for (const double mark : {0.01, 0.1, 1.0, 10.0}) {
+    const float x = axes.x(mark);
+    list.AddLine({x, axes.low.y}, {x, high.y}, grid);
+    list.AddText({x + 3, high.y - ImGui::GetFontSize() - 1}, text, fmt::format("{:g} mm", mark).c_str());
+  }
+  list.AddText({axes.low.x + 4, axes.low.y + 2}, text, "r R(r)");
+}
+
+void draw_channel(const Axes& axes, ImDrawList& list, const SkinCurves& curves, std::size_t c) {
+  const ImU32 colour = channel_colours[c], faint = (colour & 0x00ffffffu) | 0x40000000u;
+  ImVec2 last;
+  for (std::size_t i = 0; i < curves.r_mm.size(); ++i) {
+    const double r = curves.r_mm[i];
+    const float x = axes.x(r);
+    if (!curves.model.empty() && std::isfinite(curves.model[i][c])) {
+      const double value = r * curves.model[i][c], error = r * curves.standard_error[i][c];
+      if (error > 0) list.AddLine({x, axes.y(value - error)}, {x, axes.y(value + error)}, faint, 3);
+      const ImVec2 at(x, axes.y(value));
+      if (i > 0) list.AddLine(last, at, colour, 1.5f);
+      last = at;
+    }
+    if (i % 2 == 0) list.AddCircleFilled({x, axes.y(r * curves.fit[i][c])}, 1.5f, colour, 6);
+  }
+}
+
+// The mean of the channels carries the points.
+double mean(const std::array<double, 3>& v) { return (v[0] + v[1] + v[2]) / 3; }
+
+void keep_normal(ScatterProfile& profile) {
+  std::array<double, 3> sums{};
+  for (const auto& weight : profile.weights)
+    for (std::size_t c = 0; c < 3; ++c) sums[c] += weight[c];
+  for (auto& weight : profile.weights)
+    for (std::size_t c = 0; c < 3; ++c)
+      weight[c] = sums[c] > 0 ? weight[c] / sums[c] : 1.0 / static_cast<double>(profile.weights.size());
+}
+
+void drag_term(ScatterProfile& profile, std::size_t i, double sigma_mm, double factor) {
+  // Terms stay in their order, a little apart.
+  const double below = i > 0 ? profile.variances_mm2[i - 1] * 1.02 : 1e-6;
+  const double above = i + 1 < profile.variances_mm2.size() ? profile.variances_mm2[i + 1] / 1.02 : 1e4;
+  if (below < above) profile.variances_mm2[i] = std::clamp(sigma_mm * sigma_mm, below, above);
+  for (double& weight : profile.weights[i]) weight = std::clamp(weight * factor, 1e-6, 1.0);
+  keep_normal(profile);
+}
+
+bool handles(const Axes& axes, ImDrawList& list, ScatterProfile& profile) {
+  bool changed = false;
+  for (std::size_t i = 0; i < profile.variances_mm2.size(); ++i) {
+    const double sigma = std::sqrt(profile.variances_mm2[i]);
+    const ImVec2 at(axes.x(sigma), axes.y(sigma * mean(reflectance(profile, sigma))));
+    const float radius = ImGui::GetFontSize() * 0.4f;
+    ImGui::SetCursorScreenPos({at.x - radius, at.y - radius});
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::InvisibleButton("term", {2 * radius, 2 * radius});
+    note_place(fmt::format("term {}", i));
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive())
+      ImGui::SetTooltip("variance %.4g mm^2, weights %.3f %.3f %.3f", profile.variances_mm2[i],
+                        profile.weights[i][0], profile.weights[i][1], profile.weights[i][2]);
+    const ImVec2 by = ImGui::GetIO().MouseDelta;
+    if (ImGui::IsItemActive() && (by.x != 0 || by.y != 0)) {
+      drag_term(profile, i, axes.r_mm(at.x + by.x), std::exp(static_cast<double>(-4 * by.y / axes.size.y)));
+      changed = true;
+    }
+    list.AddCircleFilled(at, radius, IM_COL32(230, 200, 160, 255), 16);
+    list.AddCircle(at, radius, IM_COL32(30, 30, 30, 255), 16);
+    ImGui::PopID();
+    if (changed) break;
+  }
+  return changed;
+}
+
+}  // namespace
+
+bool skin_plot(const SkinCurves& curves, ScatterProfile* terms) {
+  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFontSize() * 11;
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const Axes axes{low, {width, height}, curves.r_mm.front(), curves.r_mm.back(), most_of(curves)};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushClipRect(low, {low.x + width, low.y + height}, true);
+  draw_grid(axes, list);
+  for (std::size_t c = 0; c < 3; ++c) draw_channel(axes, list, curves, c);
+  const bool changed = terms && handles(axes, list, *terms);
+  ImGui::PopClipRect();
+  ImGui::SetCursorScreenPos(low);
+  ImGui::Dummy({width, height + 4});
+  return changed;
+}
+
+}  // namespace dermis::viewer

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/window/presenter.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#include "dermis/error.h"
+#include "viewer/window/style.h"
+
+namespace dermis::viewer {
+
+Presenter::Presenter(const Window& window, bool validate) : window_(window), validate_(validate) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  set_style(window.scale());
+  ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
+  try {
+    make();
+  } catch (...) {
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+    throw;
+  }
+}
+
+Presenter::~Presenter() {
+  parts_.reset();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void Presenter::make() {
+  if (parts_) said_.insert(said_.end(), parts_->device.messages().begin(), parts_->device.messages().end());
+  parts_.reset();
+  try {
+    parts_ = std::make_unique<Parts>(window_, validate_);
+  } catch (const SurfaceLost&) {
+    throw DeviceError("the window's surface was lost, and no other one can be made");
+  }
+  for (std::size_t i = 1; i < picture_slots; ++i)
+    if (!kept_[i].rgba.empty())
+      parts_->ui.set_picture(static_cast<PictureSlot>(i), kept_[i].width, kept_[i].height, kept_[i].rgba);
+}
+
+void Presenter::set_picture(PictureSlot slot, int width, int height, std::span<const std::uint8_t> rgba) {
+  kept_.at(static_cast<std::size_t>(slot)) = {width, height, {rgba.begin(), rgba.end()}};
+  parts_->ui.set_picture(slot, width, height, rgba);
+}
+
+bool Presenter::begin() {
+  const VkExtent2D pixels = window_.pixels();
+  if (pixels.width == 0 || pixels.height == 0) return false;
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+  return true;
+}
+
+bool Presenter::end() {
+  ImGui::Render();
+  constexpr std::array<float, 4> ground{0.09f, 0.09f, 0.1f, 1};
+  try {
+    // A swapchain that has just become too old gives none; the next one does.
+    for (int tries = 0; tries < 2; ++tries) {
+      const std::optional<Swapchain::Frame> frame = parts_->chain.begin(window_.pixels());
+      if (!frame) continue;
+      parts_->ui.record(*frame, *ImGui::GetDrawData(), ground);
+      parts_->chain.present();
+      ++frames_;
+      return true;
+    }
+  } catch (const SurfaceLost&) {
+    const auto now = std::chrono::steady_clock::now();
+    if (lost_at_.time_since_epoch().count() != 0 && now - lost_at_ < std::chrono::seconds(2))
+      throw DeviceError(
+          "the window's device was lost twice within two seconds; 'dermis render' draws without");
+    lost_at_ = now;
+    make();
+  }
+  return false;
+}
+
+std::vector<std::string> Presenter::validation_messages() const {
+  std::vector<std::string> all = said_;
+  all.insert(all.end(), parts_->device.messages().begin(), parts_->device.messages().end());
+  return all;
+}
+
+}  // namespace dermis::viewer

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+/// What shows frames of ImGui in a window: a device, a swapchain, what draws the lists. Made anew when the
+/// surface or the device is lost.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "viewer/window/ui_renderer.h"
+#include "viewer/window/window.h"
+
+namespace dermis::viewer {
+
+class Presenter {
+ public:
+  /// Throws DeviceError: see PresentDevice.
+  Presenter(const Window& window, bool validate);
+  Presenter(const Presenter&) = delete;
+  Presenter& operator=(const Presenter&) = delete;
+  ~Presenter();
+
+  void set_picture(PictureSlot slot, int width, int height, std::span<const std::uint8_t> rgba);
+
+  /// Begins a frame of ImGui. False: the window shows nothing now (minimised); no frame was begun.
+  bool begin();
+  /// Draws and shows the frame. Returns whether it was shown: a window that is just changing or hidden takes
+  /// none. Throws DeviceError if the device is lost again and again.
+  bool end();
+
+  bool is_software() const { return parts_->device.is_software(); }
+  std::vector<std::string> validation_messages() const;
+  std::uint64_t frames() const { return frames_; }  ///< that were shown
+
+ private:
+  struct Parts {
+    Parts(const Window& window, bool validate)
+        : device(window.handle(), validate), chain(device), ui(device, chain.format()) {}
+    PresentDevice device;
+    Swapchain chain;
+    UiRenderer ui;
+  };
+  /// A picture, so that new parts have it too.
+  struct Kept {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+  };
+  void make();
+
+  const Window& window_;
+  bool validate_;
+  std::vector<std::string> said_;  ///< by the validation layer of parts that are gone
+  std::array<Kept, picture_slots> kept_;
+  std::unique_ptr<Parts> parts_;
+  std::chrono::steady_clock::time_point lost_at_{};
+  std::uint64_t frames_ = 0;
+};
+
+}  // namespace dermis::viewer

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/model/painter.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "dermis/error.h"
+#include "unit/viewer/documents.h"
+
+namespace dermis::viewer {
+namespace {
+
+RenderSettings small() {
+  RenderSettings settings;
+  settings.output.width = 48;
+  settings.output.height = 40;
+  settings.quality.map_size = 64;
+  settings.quality.shadow_size = 64;
+  settings.quality.samples = 1;
+  return settings;
+}
+
+// Waits until nothing is to be done any more, and returns all that was told.
+PainterNews settle(Painter& painter) {
+  PainterNews all;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+  while (painter.is_busy() && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_FALSE(painter.is_busy());
+  return painter.take_news();
+}
+
+TEST(Painter, DrawsWhatTheRendererDraws) {
+  const Document document = tests::square_document();
+  Painter painter({});
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 7});
+  const PainterNews news = settle(painter);
+  ASSERT_TRUE(news.painted);
+  EXPECT_EQ(news.painted->revision, 7u);
+  Renderer renderer;
+  EXPECT_EQ(news.painted->picture.display_rgba, renderer.render(document.scene, small()).display_rgba);
+}
+
+TEST(Painter, PassesOverWishesThatAreOld) {
+  const Document document = tests::square_document();
+  Painter painter({});
+  for (std::uint64_t i = 1; i <= 20; ++i)
+    painter.wish({.scene = document.scene, .settings = small(), .revision = i, .moving = true});
+  const PainterNews news = settle(painter);
+  ASSERT_TRUE(news.painted);
+  EXPECT_EQ(news.painted->revision, 20u);
+  EXPECT_TRUE(news.painted->moving);
+}
+
+TEST(Painter, GivesBothPicturesOfAComparison) {
+  Document document = tests::square_document();
+  Painter painter({});
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 1});
+  RenderSettings other = small();
+  other.output.exposure_ev = 1;
+  painter.wish({.scene = document.scene, .settings = other, .revision = 1, .is_b = true});
+  const PainterNews news = settle(painter);
+  ASSERT_TRUE(news.painted && news.painted_b);
+  EXPECT_NE(news.painted->picture.display_rgba, news.painted_b->picture.display_rgba);
+}
+
+TEST(Painter, OpensALostDeviceOnceMore) {
+  const Document document = tests::square_document();
+  int drawn = 0;
+  Painter painter({.before_drawing = [&] {
+    if (++drawn == 2) throw DeviceError("the device was lost");
+  }});
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 1});
+  const PainterNews first = settle(painter);
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 2});
+  const PainterNews second = settle(painter);
+  EXPECT_FALSE(first.renewed);
+  EXPECT_TRUE(second.renewed);
+  EXPECT_TRUE(second.errors.empty());
+  ASSERT_TRUE(first.painted && second.painted);
+  EXPECT_EQ(first.painted->picture.display_rgba, second.painted->picture.display_rgba);
+}
+
+TEST(Painter, TellsWhatIsLostForGood) {
+  const Document document = tests::square_document();
+  Painter painter({.before_drawing = [] { throw DeviceError("the device was lost"); }});
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 1});
+  const PainterNews news = settle(painter);
+  EXPECT_FALSE(news.painted);
+  EXPECT_EQ(news.errors, (std::vector<std::string>{"the device was lost"}));
+}
+
+TEST(Painter, TellsWhatIsWrongAndGoesOn) {
+  const Document document = tests::square_document();
+  Painter painter({});
+  RenderSettings wrong = small();
+  wrong.lighting.environment = "nowhere.hdr";
+  painter.wish({.scene = document.scene, .settings = wrong, .revision = 1});
+  EXPECT_EQ(settle(painter).errors.size(), 1u);
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 2});
+  EXPECT_TRUE(settle(painter).painted);
+}
+
+TEST(Painter, TimesLabelsAndMaps) {
+  const Document document = tests::square_document();
+  Painter painter({});
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 1, .timed = true});
+  const PainterNews timed = settle(painter);
+  ASSERT_TRUE(timed.painted);
+  EXPECT_GT(timed.painted->picture.statistics.passes.size(), 3u);
+
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 1, .labels = true});
+  const PainterNews labelled = settle(painter);
+  ASSERT_TRUE(labelled.painted && labelled.painted->labels);
+  EXPECT_EQ(labelled.painted->labels->instance.size(), 48u * 40u);
+  EXPECT_EQ(labelled.painted->picture.display_rgba, timed.painted->picture.display_rgba);
+
+  RenderSettings map = small();
+  map.output.show = "irradiance";
+  painter.wish({.scene = document.scene, .settings = map, .revision = 1});
+  EXPECT_TRUE(settle(painter).painted);
+}
+
+TEST(Painter, SavesWhatTheRendererDraws) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "dermis-painter-test.png";
+  const Document document = tests::square_document();
+  Painter painter({});
+  painter.save({.scene = document.scene, .settings = small(), .file = file});
+  EXPECT_EQ(settle(painter).saved, (std::vector<std::string>{file.string()}));
+  EXPECT_GT(std::filesystem::file_size(file), 100u);
+  std::filesystem::remove(file);
+  painter.save({.scene = document.scene,
+                .settings = small(),
+                .file = std::filesystem::path("no-such-folder") / "a.png"});
+  EXPECT_EQ(settle(painter).errors.size(), 1u);
+}
+
+TEST(Painter, Stops) {
+  const Document document = tests::square_document();
+  Painter painter({});
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 1});
+  EXPECT_TRUE(painter.stop(20));
+}
+
+}  // namespace
+}  // namespace dermis::viewer

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/model/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include "viewer/model/shown_maps.h"
+#include "viewer/model/truth.h"
+
+namespace dermis::viewer {
+namespace {
+
+Picture grey(int width, int height, std::uint8_t value) {
+  Picture picture;
+  picture.width = width;
+  picture.height = height;
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  picture.display_rgba.assign(4 * pixels, value);
+  picture.linear_rgba.assign(4 * pixels, static_cast<float>(value) / 255);
+  return picture;
+}
+
+TEST(Comparison, OfAPictureWithItselfIsNothing) {
+  const Picture a = grey(24, 16, 100);
+  const Comparison same = compare(a, a, {}, CompareMode::difference);
+  ASSERT_EQ(same.regions.size(), 1u);
+  EXPECT_EQ(same.regions[0].flip, 0);
+  EXPECT_EQ(same.regions[0].psnr_db, 100);
+  for (std::size_t i = 0; i < same.map_rgba.size(); ++i) EXPECT_EQ(same.map_rgba[i], i % 4 == 3 ? 255 : 0);
+}
+
+TEST(Comparison, CountsEachRegionByItself) {
+  const Picture b = grey(40, 20, 100);
+  Picture a = b;
+  PictureRegion left{.name = "left", .mask = std::vector<std::uint8_t>(800, 0), .pixels = 400};
+  PictureRegion none{.name = "none", .mask = std::vector<std::uint8_t>(800, 0), .pixels = 0};
+  for (std::size_t y = 0; y < 20; ++y)
+    for (std::size_t x = 0; x < 20; ++x) {
+      left.mask[y * 40 + x] = 1;
+      a.display_rgba[(y * 40 + x) * 4] = 110;
+    }
+  const Comparison both = compare(a, b, {left, none}, CompareMode::difference);
+  ASSERT_EQ(both.regions.size(), 2u) << "an empty region has no figures";
+  EXPECT_EQ(both.regions[1].name, "left");
+  // One channel of three differs by 10, in all of it and in half of it.
+  EXPECT_NEAR(both.regions[1].psnr_db, 32.9, 0.02);
+  EXPECT_NEAR(both.regions[0].psnr_db, 32.9 + 3.01, 0.02);
+  EXPECT_EQ(both.map_rgba[0], 40);
+  EXPECT_EQ(both.map_rgba[4 * 39], 0);
+  EXPECT_EQ(compare(a, b, {}, CompareMode::flip).map_rgba.size(), 4u * 800);
+  EXPECT_TRUE(compare(a, b, {}, CompareMode::slider).map_rgba.empty());
+}
+
+TEST(Truth, HasSoManyPixelsAtMost) {
+  for (const auto& [width, height] : {std::pair{100, 100}, {1280, 720}, {3840, 2160}, {321, 5000}}) {
+    const int by = truth_divisor(width, height);
+    EXPECT_LE((width / by) * (height / by), most_truth_pixels);
+    if (by > 1) { EXPECT_GT((width / (by - 1)) * (height / (by - 1)), most_truth_pixels); }
+  }
+  RenderSettings settings;
+  EXPECT_EQ(truth_settings(settings).output.bloom, 0);
+}
+
+TEST(ShownMaps, AreThoseOfTheRow) {
+  const std::vector<std::string> names = shown_map_names(2, 3);
+  EXPECT_EQ(names.front(), first_shown);
+  for (const char* name : {"irradiance", "texel-density", "blur:0", "blur:1", "shadow:2"})
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+  EXPECT_EQ(std::find(names.begin(), names.end(), "blur:2"), names.end());
+}
+
+TEST(PixelValues, AreThoseUnderThePointer) {
+  Painted painted{.picture = grey(4, 2, 51)};
+  painted.picture.display_rgba[4 * (1 * 4 + 2) + 1] = 200;
+  painted.picture.statistics.used_size = {64};
+  painted.picture.statistics.mapped_terms = {5};
+  Labels& labels = painted.labels.emplace();
+  labels.instance.assign(8, 1);
+  labels.material.assign(8, 2);
+  labels.depth_m.assign(8, 0.5f);
+  labels.normal.assign(24, 0);
+  labels.uv.assign(16, 0.25f);
+  labels.region.assign(8, Labels::nose);
+
+  const std::optional<PixelValues> pixel = pixel_at(painted, 0.6f, 0.9f);
+  ASSERT_TRUE(pixel);
+  EXPECT_EQ(pixel->x, 2);
+  EXPECT_EQ(pixel->y, 1);
+  EXPECT_EQ(pixel->display[1], 200);
+  EXPECT_EQ(pixel->region, "nose");
+  EXPECT_EQ(pixel->texel[0], 16);
+  EXPECT_EQ(pixel->mapped_terms, 5);
+  EXPECT_FALSE(pixel_at(painted, 1.0f, 0.5f));
+  EXPECT_FALSE(pixel_at(painted, -0.1f, 0.5f));
+}
+
+}  // namespace
+}  // namespace dermis::viewer

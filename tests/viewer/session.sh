@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+# A session with the viewer: it opens the scan (else the built-in head), orbits, moves a light, changes
+# melanin, compares with the truth, and saves. The saved picture is that of the copied command line, to the
+# bit.
+set -euo pipefail
+source_folder=$1 program=$2 events=$3
+source "$source_folder/tests/viewer/drive.sh"
+
+scan=$source_folder/assets/heads/lee-perry-smith.gltf
+[[ -f $source_folder/assets/heads/LeePerrySmith.glb ]] || scan=built-in
+open_display 1024x768x24
+cd "$work"
+start_viewer "$scan" --window 800x560 --map-size 256 --shadow-size 256 --samples 1 --bloom 0
+
+echo "opened"
+# orbit, nearer, frame, undo
+mark; drag picture 40 50 60 40; wait_for 'picture .* moving'; wait_for 'picture .* at rest'
+mark; xdotool mousemove --window "$window" 150 200 click 4; wait_for 'picture .* at rest'
+mark; xdotool key f; wait_for 'picture .* at rest'
+mark; xdotool key ctrl+z; wait_for 'picture .* at rest'
+
+echo "moved the camera"
+# a light on its ball
+click Light
+grep -q 'place Edit each of them' "$log" && click 'Edit each of them'
+mark; click 'light 1'; drag ball 60 40 35 30; wait_for 'picture .* at rest'
+
+echo "moved a light"
+# melanin
+click Skin
+click 'made of'; mark; click 'melanin and blood'; wait_for 'skin .*quick'
+mark; drag melanin 10 50 40 50; wait_for 'skin .*quick'; wait_for 'picture .* at rest'
+
+echo "changed the skin"
+# the truth, until there is a comparison
+click Compare
+mark; click 'Ground truth as B'; wait_for 'compared skin: FLIP' 240
+click 'A alone'
+
+echo "compared"
+# files
+click Save
+for what in 'Settings (.settings.json)' 'Profile (.profile.json)' 'Copy the command line' \
+  'Picture, as shown (.png)'; do
+  mark; click "$what"; wait_for 'message: (saved|copied)'
+done
+wait_for 'message: saved skin.png' 240
+close_viewer
+grep -q '^closed in 0' "$log" || fail "closing took long: $(grep '^closed' "$log")"
+
+line=$(sed -n 's/^command: dermis //p' "$log" | tail -n 1)
+echo "dermis $line"
+eval "\"${program%-view}\" ${line/-o skin.png/-o again.png}" >/dev/null
+cmp skin.png again.png || fail "the saved picture is not that of the command line"
+"${program%-view}" render skin.scene.json --settings skin.settings.json -o settings.png >/dev/null
+cmp skin.png settings.png || fail "the saved picture is not that of the saved settings"
+grep -q variances_mm2 skin.profile.json || fail "no profile"
