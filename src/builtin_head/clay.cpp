@@ -58,14 +58,20 @@ Tube::Tube(const std::vector<Knot>& knots, int steps) {
   for (const Knot& k : knots) packed.emplace_back(k.at, k.radius_mm);
   low_ = vec3(1e9f);
   high_ = vec3(-1e9f);
+  std::vector<Knot> fine;
   for (const vec4& k : through(packed, steps)) {
-    knots_.push_back({vec3(k), k.w});
+    fine.push_back({vec3(k), k.w});
     low_ = glm::min(low_, vec3(k) - k.w);
     high_ = glm::max(high_, vec3(k) + k.w);
   }
+  for (std::size_t k = 0; k + 1 < fine.size(); ++k) {
+    const vec3 ab = fine[k + 1].at - fine[k].at;
+    pieces_.push_back({fine[k].at, ab, std::max(glm::dot(ab, ab), 1e-9f), fine[k].radius_mm,
+                       fine[k + 1].radius_mm - fine[k].radius_mm});
+  }
   boxes_ = boxes_of(
-      knots_.size() - 1, static_cast<std::size_t>(steps), [&](std::size_t k) { return knots_[k].at; },
-      [&](std::size_t k) { return vec3(knots_[k].radius_mm); });
+      pieces_.size(), static_cast<std::size_t>(steps), [&](std::size_t k) { return fine[k].at; },
+      [&](std::size_t k) { return vec3(fine[k].radius_mm); });
 }
 
 float Tube::operator()(const vec3& p, float far_mm) const {
@@ -76,25 +82,29 @@ float Tube::operator()(const vec3& p, float far_mm) const {
     const vec3 by = outside_box(p, box.low, box.high);
     if (best < 0 ? by != vec3(0) : glm::dot(by, by) > best * best) continue;
     for (std::size_t i = box.first; i < box.last; ++i) {
-      const vec3 ab = knots_[i + 1].at - knots_[i].at;
-      const vec3 ap = p - knots_[i].at;
-      const float t = std::clamp(glm::dot(ap, ab) / std::max(glm::dot(ab, ab), 1e-9f), 0.0f, 1.0f);
-      const float radius = knots_[i].radius_mm + t * (knots_[i + 1].radius_mm - knots_[i].radius_mm);
-      best = std::min(best, glm::length(ap - t * ab) - radius);
+      const Piece& piece = pieces_[i];
+      const vec3 ap = p - piece.from;
+      const float t = std::clamp(glm::dot(ap, piece.along) / piece.along2, 0.0f, 1.0f);
+      best = std::min(best, glm::length(ap - t * piece.along) - (piece.radius_mm + t * piece.widens_mm));
     }
   }
   return best;
 }
 
-Stroke::Stroke(const std::vector<vec3>& points, const Brush& brush, int steps)
-    : brush_(brush), points_(smooth_curve(points, steps)) {
-  low_ = high_ = points_.front();
-  for (const vec3& p : points_) {
+Stroke::Stroke(const std::vector<vec3>& points, const Brush& brush, int steps) : brush_(brush) {
+  const std::vector<vec3> curve = smooth_curve(points, steps);
+  low_ = high_ = curve.front();
+  for (const vec3& p : curve) {
     low_ = glm::min(low_, p);
     high_ = glm::max(high_, p);
   }
+  for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
+    vec3 ab = curve[k + 1] - curve[k];
+    if (brush_.frontal) ab.z = 0;
+    pieces_.push_back({curve[k], ab, std::max(glm::dot(ab, ab), 1e-9f)});
+  }
   boxes_ = boxes_of(
-      points_.size() - 1, static_cast<std::size_t>(steps), [&](std::size_t k) { return points_[k]; },
+      pieces_.size(), static_cast<std::size_t>(steps), [&](std::size_t k) { return curve[k]; },
       [](std::size_t) { return vec3(0); });
 }
 
@@ -102,17 +112,17 @@ vec2 Stroke::nearest(const vec3& p, float reach_mm) const {
   if (outside(p, low_, high_, reach_mm, brush_.frontal)) return {1e3f, 0};
   float best2 = reach_mm * reach_mm, along = 0;
   bool found = false;
-  const float pieces = static_cast<float>(points_.size() - 1);
+  const float pieces = static_cast<float>(pieces_.size());
   for (const PieceBox& box : boxes_) {
     vec3 by = outside_box(p, box.low, box.high);
     if (brush_.frontal) by.z = 0;
     if (glm::dot(by, by) > best2) continue;
     for (std::size_t i = box.first; i < box.last; ++i) {
-      vec3 ab = points_[i + 1] - points_[i];
-      vec3 ap = p - points_[i];
-      if (brush_.frontal) ab.z = ap.z = 0;
-      const float t = std::clamp(glm::dot(ap, ab) / std::max(glm::dot(ab, ab), 1e-9f), 0.0f, 1.0f);
-      const vec3 d = ap - t * ab;
+      const Piece& piece = pieces_[i];
+      vec3 ap = p - piece.from;
+      if (brush_.frontal) ap.z = 0;
+      const float t = std::clamp(glm::dot(ap, piece.along) / piece.along2, 0.0f, 1.0f);
+      const vec3 d = ap - t * piece.along;
       const float d2 = glm::dot(d, d);
       if (d2 < best2) {
         best2 = d2;

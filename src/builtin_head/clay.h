@@ -30,6 +30,9 @@ inline float falloff(float d2) {
   return w * w * w;
 }
 
+/// Returns exp(-x); far out without the library's way to a number that is too small.
+inline float faded(float x) { return x > 104.0f ? 0.0f : std::exp(-x); }
+
 inline float smooth_step(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
   return t * t * (3.0f - 2.0f * t);
@@ -88,7 +91,12 @@ class Tube {
   float operator()(const vec3& p, float far_mm) const;
 
  private:
-  std::vector<Knot> knots_;
+  struct Piece {
+    vec3 from{0}, along{0};
+    float along2 = 0;  ///< squared length, not 0
+    float radius_mm = 0, widens_mm = 0;
+  };
+  std::vector<Piece> pieces_;
   std::vector<PieceBox> boxes_;
   vec3 low_{0}, high_{0};
 };
@@ -113,7 +121,11 @@ class Stroke {
 
  private:
   Brush brush_;
-  std::vector<vec3> points_;
+  struct Piece {
+    vec3 from{0}, along{0};
+    float along2 = 0;  ///< squared length, not 0; without z if the brush is frontal
+  };
+  std::vector<Piece> pieces_;
   std::vector<PieceBox> boxes_;
   vec3 low_{0}, high_{0};
 };

@@ -138,6 +138,12 @@ void Places::draw(const std::array<vec2, 3>& nodes) {
   }
 }
 
+// What a texel shows: a point of the sculpture, and the relief over it.
+struct Surface {
+  vec3 at_mm{0};
+  float height_mm = 0;
+};
+
 class Baker {
  public:
   Baker(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int size,
@@ -148,13 +154,13 @@ class Baker {
         fine_(refine_on(bust, skin_, net, size)),
         places_(net, size),
         size_(size),
-        height_mm_(static_cast<std::size_t>(size) * size) {}
+        surface_(static_cast<std::size_t>(size) * size) {}
 
   Maps run() {
     Maps maps;
     for (image::Image8* map : {&maps.colour, &maps.normal, &maps.reflection}) {
       map->width = map->height = size_;
-      map->rgba.assign(height_mm_.size() * 4, 255);
+      map->rgba.assign(surface_.size() * 4, 255);
     }
     parallel_for(static_cast<std::size_t>(size_),
                  [&](std::size_t y) { paint_row(static_cast<int>(y), maps); });
@@ -188,7 +194,7 @@ class Baker {
   FineNet fine_;
   Places places_;
   int size_;
-  std::vector<float> height_mm_;
+  std::vector<Surface> surface_;
 };
 
 std::uint8_t to_byte(float x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f); }
@@ -224,7 +230,7 @@ void Baker::paint_row(int y, Maps& maps) {
     reflection[0] = to_byte(s.specular);
     reflection[1] = to_byte(s.roughness);
     reflection[2] = 0;
-    height_mm_[static_cast<std::size_t>(y) * size_ + x] = s.height_mm;
+    surface_[static_cast<std::size_t>(y) * size_ + x] = {p, s.height_mm};
   }
 }
 
@@ -236,10 +242,12 @@ vec3 Baker::surface_slope(int x, int y) const {
   const int xc = std::clamp(x, low, high), yc = std::clamp(y, low, high);
   const int xa = std::max(xc - 1, low), xb = std::min(xc + 1, high), ya = std::max(yc - 1, low),
             yb = std::min(yc + 1, high);
-  const auto h = [&](int a, int b) { return height_mm_[static_cast<std::size_t>(b) * size_ + a]; };
-  const float hx = h(xb, yc) - h(xa, yc), hy = h(xc, yb) - h(xc, ya);
-  const vec3 px = sample(fine_.at_mm, places_(xb, yc)) - sample(fine_.at_mm, places_(xa, yc));
-  const vec3 py = sample(fine_.at_mm, places_(xc, yb)) - sample(fine_.at_mm, places_(xc, ya));
+  const auto at = [&](int a, int b) -> const Surface& {
+    return surface_[static_cast<std::size_t>(b) * size_ + a];
+  };
+  const float hx = at(xb, yc).height_mm - at(xa, yc).height_mm,
+              hy = at(xc, yb).height_mm - at(xc, ya).height_mm;
+  const vec3 px = at(xb, yc).at_mm - at(xa, yc).at_mm, py = at(xc, yb).at_mm - at(xc, ya).at_mm;
   const float e = glm::dot(px, px), f = glm::dot(px, py), g = glm::dot(py, py);
   const float det = std::max(e * g - f * f, 1e-3f * e * g + 1e-12f);
   return ((hx * g - hy * f) * px + (hy * e - hx * f) * py) / det;

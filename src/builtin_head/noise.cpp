@@ -26,7 +26,6 @@ constexpr float edges[16][3] = {{1, 1, 0},  {-1, 1, 0},  {1, -1, 0}, {-1, -1, 0}
                                 {1, 0, -1}, {-1, 0, -1}, {0, 1, 1},  {0, -1, 1},  {0, 1, -1}, {0, -1, -1},
                                 {1, 1, 0},  {-1, 1, 0},  {0, -1, 1}, {0, -1, -1}};
 const float* slope_of(std::uint32_t h) { return edges[h >> 28]; }
-float rise(const float* e, float x, float y, float z) { return e[0] * x + e[1] * y + e[2] * z; }
 
 float fade(float t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 float mix(float a, float b, float t) { return a + t * (b - a); }
@@ -43,9 +42,13 @@ float gradient_noise(const glm::vec3& p, std::uint32_t seed) { return NoiseWalk(
 float NoiseWalk::operator()(const glm::vec3& p) {
   const int i = floor_int(p.x), j = floor_int(p.y), k = floor_int(p.z);
   if (!filled_ || i != i_ || j != j_ || k != k_) {
-    for (int n = 0; n < 8; ++n)
-      slopes_[static_cast<std::size_t>(n)] =
-          slope_of(lattice_hash(i + (n & 1), j + ((n >> 1) & 1), k + (n >> 2), seed_));
+    // Corners with the lower x first, then those with the lower y: halves are mixed.
+    for (std::size_t n = 0; n < 8; ++n) {
+      const int corner = static_cast<int>(n);
+      const float* slope =
+          slope_of(lattice_hash(i + (corner >> 2), j + ((corner >> 1) & 1), k + (corner & 1), seed_));
+      slope_x_[n] = slope[0], slope_y_[n] = slope[1], slope_z_[n] = slope[2];
+    }
     i_ = i, j_ = j, k_ = k;
     filled_ = true;
   }
@@ -53,11 +56,13 @@ float NoiseWalk::operator()(const glm::vec3& p) {
   const float x = p.x - static_cast<float>(i), y = p.y - static_cast<float>(j),
               z = p.z - static_cast<float>(k);
   const float u = fade(x), v = fade(y), w = fade(z);
-  const float near = mix(mix(rise(slopes_[0], x, y, z), rise(slopes_[1], x - 1, y, z), u),
-                         mix(rise(slopes_[2], x, y - 1, z), rise(slopes_[3], x - 1, y - 1, z), u), v);
-  const float far = mix(mix(rise(slopes_[4], x, y, z - 1), rise(slopes_[5], x - 1, y, z - 1), u),
-                        mix(rise(slopes_[6], x, y - 1, z - 1), rise(slopes_[7], x - 1, y - 1, z - 1), u), v);
-  return mix(near, far, w);
+  const Corners dx = {x, x, x, x, x - 1, x - 1, x - 1, x - 1}, dy = {y, y, y - 1, y - 1, y, y, y - 1, y - 1},
+                dz = {z, z - 1, z, z - 1, z, z - 1, z, z - 1};
+  Corners rise;
+  for (std::size_t n = 0; n < 8; ++n)
+    rise[n] = slope_x_[n] * dx[n] + slope_y_[n] * dy[n] + slope_z_[n] * dz[n];
+  for (std::size_t n = 0; n < 4; ++n) rise[n] = mix(rise[n], rise[n + 4], u);
+  return mix(mix(rise[0], rise[2], v), mix(rise[1], rise[3], v), w);
 }
 
 float layered_noise(const glm::vec3& p, int octaves, std::uint32_t seed) {
@@ -84,19 +89,25 @@ Cell CellWalk::operator()(const glm::vec3& p, const glm::vec3& along) {
       };
       const auto self = static_cast<std::size_t>(n);
       hashes_[self] = h;
-      points_[self] = {static_cast<float>(a) + jitter(0), static_cast<float>(b) + jitter(10),
-                       static_cast<float>(c) + jitter(20)};
+      x_[self] = static_cast<float>(a) + jitter(0);
+      y_[self] = static_cast<float>(b) + jitter(10);
+      z_[self] = static_cast<float>(c) + jitter(20);
     }
     i_ = i, j_ = j, k_ = k;
     filled_ = true;
   }
 
+  Corners squared;
+  for (std::size_t n = 0; n < 8; ++n) {
+    const float dx = x_[n] - p.x, dy = y_[n] - p.y, dz = z_[n] - p.z;
+    const float slanted = dx * along.x + dy * along.y + dz * along.z;
+    squared[n] = std::max(dx * dx + dy * dy + dz * dz - slanted * slanted, 0.0f);
+  }
+
   float first2 = 1e9f, second2 = 1e9f;
   std::size_t nearest = 0;
   for (std::size_t n = 0; n < 8; ++n) {
-    const glm::vec3 d = points_[n] - p;
-    const float slanted = glm::dot(d, along);
-    const float d2 = std::max(glm::dot(d, d) - slanted * slanted, 0.0f);
+    const float d2 = squared[n];
     nearest = d2 < first2 ? n : nearest;
     second2 = std::min(second2, std::max(first2, d2));
     first2 = std::min(first2, d2);

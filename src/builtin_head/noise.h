@@ -28,6 +28,9 @@ struct Cell {
 /// suffice.
 Cell cells(const glm::vec3& p, std::uint32_t seed);
 
+/// Eight numbers, one for each corner of a lattice cell: loops over them become vector instructions.
+using Corners = std::array<float, 8>;
+
 /// gradient_noise() of one seed, to the same bits, that keeps the hashes of the last lattice cell:
 /// neighbouring texels mostly share it.
 class NoiseWalk {
@@ -39,7 +42,7 @@ class NoiseWalk {
   std::uint32_t seed_;
   bool filled_ = false;
   int i_ = 0, j_ = 0, k_ = 0;
-  std::array<const float*, 8> slopes_{};
+  Corners slope_x_{}, slope_y_{}, slope_z_{};
 };
 
 /// cells() of one seed, likewise.
@@ -53,7 +56,7 @@ class CellWalk {
   std::uint32_t seed_;
   bool filled_ = false;
   int i_ = 0, j_ = 0, k_ = 0;
-  std::array<glm::vec3, 8> points_{};
+  Corners x_{}, y_{}, z_{};
   std::array<std::uint32_t, 8> hashes_{};
 };
 

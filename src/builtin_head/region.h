@@ -2,6 +2,9 @@
 // The position of a point on the face: which part of it this is.
 #pragma once
 
+#include <array>
+#include <bit>
+
 #include "builtin_head/clay.h"
 
 namespace dermis::builtin_head {
@@ -15,7 +18,13 @@ struct Region {
   // Unevenness, about -1..1: of all pigments, of their blotches, of the blood, of the film of oil.
   float complexion = 0, mottle = 0, blood = 0, oil = 0;
 };
-/// Returns a (1 - t) + b t for every member.
-Region blend(const Region& a, const Region& b, float t);
+/// Returns a + t (b - a) for every member: all are numbers, one after the other.
+inline Region blend(const Region& a, const Region& b, float t) {
+  using Numbers = std::array<float, sizeof(Region) / sizeof(float)>;
+  const auto from = std::bit_cast<Numbers>(a), to = std::bit_cast<Numbers>(b);
+  Numbers between;
+  for (std::size_t k = 0; k < between.size(); ++k) between[k] = from[k] + t * (to[k] - from[k]);
+  return std::bit_cast<Region>(between);
+}
 
 }  // namespace dermis::builtin_head

@@ -9,7 +9,7 @@ namespace {
 
 float bell(const vec3& p, const vec3& centre, const vec3& radii) {
   const vec3 q = (p - centre) / radii;
-  return std::exp(-glm::dot(q, q));
+  return faded(glm::dot(q, q));
 }
 
 // Returns y of a curve at x (its points run outwards).
@@ -92,19 +92,6 @@ Region Skin::region(const vec3& p) const {
                     smooth_step(2, 22, q.z);
   r.beard = std::min(1.0f, std::max(jaw, moustache)) * (1 - r.lips);
   r.line = tension_line(q, r) * vec3(p.x > 0 ? 1 : -1, 1, 1);
-  return r;
-}
-
-Region blend(const Region& a, const Region& b, float t) {
-  constexpr float Region::*parts[] = {
-      &Region::lips,     &Region::cheek,  &Region::nose_tip,  &Region::nose,      &Region::ear,
-      &Region::forehead, &Region::t_zone, &Region::under_eye, &Region::upper_lid, &Region::beard,
-      &Region::scalp,    &Region::neck,   &Region::crow,      &Region::chin,      &Region::complexion,
-      &Region::mottle,   &Region::blood,  &Region::oil};
-  Region r;
-  r.symmetric = a.symmetric + t * (b.symmetric - a.symmetric);
-  r.line = a.line + t * (b.line - a.line);
-  for (float Region::*const part : parts) r.*part = a.*part + t * (b.*part - a.*part);
   return r;
 }
 

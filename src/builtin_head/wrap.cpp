@@ -18,19 +18,19 @@ constexpr float rim_mm = 1.0f;
 float pull(const vec3& p, const Frame& ear) {
   const auto near = [&](const vec3& c, const vec3& r) {
     const vec3 q = (p - c) / r;
-    return std::exp(-glm::dot(q, q));
+    return faded(glm::dot(q, q));
   };
   const vec3 m(std::abs(p.x), p.y, p.z);
   const vec3 e = (vec3(m.x, m.y, m.z) - ear.origin) / vec3(20, 36, 30);
   float w = 0.45f + 0.55f * near({0, -30, 95}, {62, 75, 55}) + 0.22f * near({0, 42, 90}, {60, 38, 60});
   w += 2.6f * near({31, -1, 78}, {23, 17, 30}) + 1.1f * near({0, -69, 97}, {31, 16, 30}) +
        2.0f * near({0, -38, 108}, {23, 20, 34}) + 0.45f * near({50, -30, 66}, {26, 30, 34});
-  w += 1.2f * std::exp(-glm::dot(e, e) * glm::dot(e, e));
+  w += 1.2f * faded(glm::dot(e, e) * glm::dot(e, e));
   // Averaging makes the net sparse on a sharp ridge, so the rim of the ear pulls more.
   const vec3 local = ear.to_local(m);
   const float ring = (glm::length(vec2(local.x - 1.5f, local.y - 1.0f) / vec2(18.0f, 31.0f)) - 1.0f) / 0.16f,
               level = (local.z - 3.0f) / 6.0f;
-  w += 1.6f * std::exp(-ring * ring - level * level);
+  w += 1.6f * faded(ring * ring + level * level);
   // The threads shorten with the square root of their weight (see balance).
   return w * w;
 }
