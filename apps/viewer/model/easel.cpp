@@ -11,11 +11,13 @@ double ms_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Sessions draw pictures of a known exposure; all else takes a prepared frame.
+// A session has all that any camera may need, so pictures follow at once; a prepared frame has what one view
+// needs: for a picture at rest, which costs less after a change of the profile. It also times passes, chooses
+// an exposure and shows maps; labels are the session's.
 bool needs_prepared(const Wish& wish) {
   if (wish.settings.output.show != "picture") return true;
   if (wish.moving) return false;
-  return wish.timed || !wish.settings.output.exposure_ev;
+  return wish.timed || !wish.labels || !wish.settings.output.exposure_ev;
 }
 
 }  // namespace
