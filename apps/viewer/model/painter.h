@@ -94,6 +94,8 @@ class Painter {
 
   Options options_;
   std::atomic<bool> stop_ = false;
+  std::atomic<bool> cancel_ = false;  ///< what is being prepared: a newer wish waits
+  bool may_cancel_ = false;           ///< a picture at rest is being drawn
   mutable std::mutex mutex_;
   std::condition_variable wake_, ended_;
   std::optional<Wish> wish_, wish_b_;
