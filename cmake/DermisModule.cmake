@@ -32,8 +32,14 @@ endfunction()
 cmake_language(DEFER DIRECTORY ${PROJECT_SOURCE_DIR} CALL dermis_write_house)
 
 function(dermis_compile_options target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
     -Wno-missing-field-initializers)   # designated initialisers leave the rest at their defaults, on purpose
+  if(DERMIS_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # These two take names of the files beside for names of the same file, or of a header.
+    target_compile_options(${target} PRIVATE -Wshadow=local -Wno-subobject-linkage)
+  else()
+    target_compile_options(${target} PRIVATE -Wshadow)
+  endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # g++ 12 invents overlaps in "text" + std::string once it has inlined it:
     # https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105651

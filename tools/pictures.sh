@@ -16,7 +16,7 @@ environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
 names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets
-  tone-maps turntable talking head-studio head-hard-light)
+  tone-maps turntable talking skins head-studio head-hard-light peers)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -143,7 +143,7 @@ head_sheet() {
       "--eye 0.06,0.03,0.4 --target 0.031,0.036,0.08 --fov 9" \
       "--eye 0.4,0.03,0.03 --target 0.075,0.02,-0.01 --fov 13" \
       "--eye 0.1,-0.02,0.4 --target 0,-0.035,0.09 --fov 11"; do
-      [[ $view == --eye* ]] || view="$view --fov 14"
+      [[ $view == --eye* ]] || view="$view --distance 6 --fov 17"
       # shellcheck disable=SC2086
       render $name-$skin-${#row[@]} built-in:$skin --size 240x288 --map-size 1024 $view "$@"
       row+=("$out/$name-$skin-${#row[@]}.png")
@@ -154,9 +154,26 @@ head_sheet() {
   convert "${rows[@]}" -append -quality 88 -strip "docs/pictures/$name.jpg"
 }
 
+skins() {
+  render $1 built-in:light built-in:medium built-in:dark --layout row --environment studio \
+    --background studio --light 40,30,2 --orbit=25,5 --size 1080x480
+  convert "$out/$1.png" -quality 88 -strip "docs/pictures/$1.jpg"
+}
+
 head-studio() { head_sheet $1 --environment studio --background studio --light 40,30,2; }
 
 head-hard-light() { head_sheet $1 --light 60,25,4 --ambient 0.03; }
+
+# Above the pictures, below their maps of errors.
+peers() {
+  compare peers --scene test:nose --techniques texture-space,separable,burley-disc,lambert \
+    --model gaussians --shading compute --size 320x240 --samples 128 --supersample 1
+  local id
+  for id in reference technique-{0,2,3,4}{,-error}; do from_page peers $id; done
+  convert \( $out/peers-{reference,technique-0,technique-2,technique-3,technique-4}.png +append \) \
+    \( -size 320x240 xc:black $out/peers-technique-{0,2,3,4}-error.png +append \) -append \
+    -quality 88 -strip docs/pictures/$1.jpg
+}
 
 # sequence NAME ARGUMENTS...: the contact sheet, as docs/pictures/NAME.jpg
 sequence() {

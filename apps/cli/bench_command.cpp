@@ -6,17 +6,18 @@
 #include <memory>
 #include <thread>
 
+#include "cli/bench/held_frames.h"
 #include "cli/bench/measure.h"
 #include "cli/bench/page.h"
 #include "cli/bench/paper.h"
 #include "cli/bench/recorded.h"
+#include "cli/bench/technique_grid.h"
 #include "cli/command.h"
 #include "cli/commit.h"
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/file.h"
-#include "gpu/device.h"
 #include "setup/frame_setup.h"
 
 namespace dermis::cli {
@@ -28,7 +29,8 @@ struct BenchArguments : SceneArguments {
   int rounds = 5, picture_samples = 4;
   std::optional<double> frames_mb;
   bool quick = false, fail_if_slower = false;
-  std::vector<std::string> compare;  // old, new
+  std::vector<std::string> techniques;  // none: the paper's test
+  std::vector<std::string> compare;     // old, new
   std::string json, html, device = "best";
 };
 
@@ -81,18 +83,11 @@ void check(const BenchArguments& a, const bench::Task& task) {
   check_files(a);
 }
 
-// Half of the device: the other half is for the scene and for one frame that is on its way.
-std::uint64_t half_of(const std::string& device) {
-  for (const gpu::DeviceSummary& summary : gpu::list_devices())
-    if (summary.name == device && summary.memory_bytes > 0) return summary.memory_bytes / 2;
-  return std::uint64_t{2} << 30;
-}
-
 bench::Task task_of(const BenchArguments& a) {
   const auto frames_bytes = [given = a.frames_mb,
                              half = std::optional<std::uint64_t>()](const std::string& device) mutable {
     if (given) return static_cast<std::uint64_t>(*given * 1e6);
-    if (!half) half = half_of(device);
+    if (!half) half = bench::half_of_device(device);
     return *half;
   };
   return {.settings = a.settings,
@@ -124,6 +119,43 @@ void compare(const BenchArguments& a, int& exit_status) {
   exit_status = 1;
 }
 
+void check_some(const bench::Run& found) {
+  if (found.cells.empty())
+    throw input_error("", "stopped before the first cell was measured: nothing to write");
+}
+
+void run_paper(const BenchArguments& a, Renderer& renderer, const Scene& scene, const bench::Task& task,
+               bench::Run& found) {
+  bool first = true;
+  bench::measure(renderer, scene, task, found, [&](const bench::Cell& cell) {
+    if (a.json == "-") return;
+    if (std::exchange(first, false)) write_text("-", bench::table_head(found));
+    write_text("-", bench::table_line(cell));
+  });
+
+  check_some(found);
+  const std::string page = a.html.empty() ? "" : bench::run_page(found);
+  if (!a.html.empty()) write_file(a.html, page);
+  if (!a.json.empty()) write_text(a.json, bench::run_json(found));
+  if (a.json != "-") write_text("-", bench::table_foot(found));
+}
+
+void run_techniques(const BenchArguments& a, Renderer& renderer, const Scene& scene, const bench::Task& task,
+                    bench::Run& found) {
+  std::vector<std::string> names = a.techniques;
+  if (names == std::vector<std::string>{"all"}) names.clear();
+  const std::vector<bench::Variant> columns = bench::technique_variants(scene, task.settings, names);
+  if (a.json != "-") write_text("-", bench::technique_grid_head(found, columns));
+  bench::measure_techniques(renderer, scene, task, columns, found, [&](const bench::Cell& cell) {
+    if (a.json != "-") write_text("-", bench::technique_grid_line(cell, found.settings));
+  });
+
+  check_some(found);
+  if (!a.html.empty()) write_file(a.html, bench::technique_grid_page(found));
+  if (!a.json.empty()) write_text(a.json, bench::technique_grid_json(found));
+  if (a.json != "-") write_text("-", bench::technique_grid_foot(found));
+}
+
 void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   if (!a.compare.empty()) return compare(a, exit_status);
   if (a.fail_if_slower) throw input_error("--fail-if-slower", "is for --compare");
@@ -137,7 +169,8 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   task.stop = &catch_interrupts();
   Renderer renderer({.device = a.device, .validate = false, .hooks = terminal_hooks()});
   const Scene scene = open_scene(a);
-  task.cascade = bench::cascade_is_possible(scene, a.settings);
+  const bool of_techniques = !a.techniques.empty();
+  if (!of_techniques) task.cascade = bench::cascade_is_possible(scene, a.settings);
   bench::Run found{
       .version = DERMIS_VERSION, .commit = commit(), .command = command_line(), .scene = scene.name()};
   found.cores = static_cast<int>(std::thread::hardware_concurrency());
@@ -146,19 +179,8 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   found.settings = a.settings;
   found.options = a.options;
 
-  bool first = true;
-  bench::measure(renderer, scene, task, found, [&](const bench::Cell& cell) {
-    if (a.json == "-") return;
-    if (std::exchange(first, false)) write_text("-", bench::table_head(found));
-    write_text("-", bench::table_line(cell));
-  });
-
-  if (found.cells.empty())
-    throw input_error("", "stopped before the first cell was measured: nothing to write");
-  const std::string page = a.html.empty() ? "" : bench::run_page(found);
-  if (!a.html.empty()) write_file(a.html, page);
-  if (!a.json.empty()) write_text(a.json, bench::run_json(found));
-  if (a.json != "-") write_text("-", bench::table_foot(found));
+  of_techniques ? run_techniques(a, renderer, scene, task, found)
+                : run_paper(a, renderer, scene, task, found);
   save_settings(a);
 
   if (found.complete) return;
@@ -211,6 +233,15 @@ void add_bench_command(CLI::App& app, int& exit_status) {
                    "super-samples along each axis for the difference of the pictures; 0: no difference")
       ->group("Cells");
 
+  command
+      ->add_option("--techniques", a->techniques,
+                   "columns are techniques (all, or names of `render --technique`) instead of the paper's "
+                   "optimisations: where does one overtake another?")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME,NAME,..")
+      ->default_str("")
+      ->group("Cells");
   command->add_flag("--quick", a->quick,
                     "for a first look, where not given: 360x225 pixels, maps of 384, 1 and 4 heads, 3 "
                     "distances, 3 rounds, 2 super-samples");

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "api/playing.h"
 #include "cli/layout.h"
 #include "dermis/reference.h"
 #include "dermis/renderer.h"
@@ -46,14 +47,22 @@ struct SceneArguments {
   std::optional<ReferenceSettings> reference;  ///< of commands that compute ground truth
 };
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use);
-Scene open_scene(const SceneArguments& arguments, const Hooks& hooks);
-/// Shows on a terminal how far the loading is.
-Scene open_scene(const SceneArguments& arguments);
+/// Reads WIDTHxHEIGHT; false for anything else. CLI11 turns that into exit status 2; sizes that parse but
+/// make no sense are refused by the renderer.
+bool parse_size(const std::string& text, OutputSettings& output);
 
-/// Returns whether open_scene() returns the built-in head.
-bool shows_built_in(const SceneArguments& arguments);
-/// Puts the built-in head in the pose that --clip and --time name; does nothing where neither is given.
-void pose_built_in(const SceneArguments& arguments, Scene& scene);
+/// A scene, and what of it plays the clip of --clip and --time: loaded at the begin of the clip, not posed
+/// yet.
+struct PlayingScene {
+  Scene scene;
+  std::vector<api::Playing> playing;
+};
+/// Shows on a terminal how far the loading is.
+PlayingScene open_playing_scene(const SceneArguments& arguments);
+PlayingScene open_playing_scene(const SceneArguments& arguments, const Hooks& hooks);
+/// Likewise, and puts it in the pose of --time.
+Scene open_scene(const SceneArguments& arguments);
+Scene open_scene(const SceneArguments& arguments, const Hooks& hooks);
 
 /// Where a command draws.
 struct DeviceArguments {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -7,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/compare_page.h"
+#include "cli/comparison/table.h"
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/scene_comparison.h"
@@ -25,6 +27,9 @@ struct CompareArguments : SceneArguments {
   std::string a, b, json, html, region;
   std::vector<std::string> variances;
   SceneComparisonSettings scene_settings;
+  bool table = false;
+  std::vector<std::string> sizes{"640x360", "1280x720"}, test_scenes{"all"};
+  std::vector<double> distances{2.5, 10};
 };
 
 /// What can be refused before pictures are read.
@@ -114,11 +119,53 @@ void compare_two(const CompareArguments& arguments) {
   if (arguments.json != "-") write_text("-", compared_text(compared));
 }
 
-void compare_techniques(const CompareArguments& arguments) {
+SceneComparisonSettings comparison_settings(const CompareArguments& arguments) {
   SceneComparisonSettings settings = arguments.scene_settings;
   settings.render = arguments.settings;
   settings.reference = *arguments.reference;
   if (settings.techniques == std::vector<std::string>{"all"}) settings.techniques.clear();
+  return settings;
+}
+
+comparison::PictureSize picture_size(const std::string& text) {
+  OutputSettings output;
+  if (!parse_size(text, output))
+    throw input_error("", "--sizes: expected WIDTHxHEIGHT in pixels, got '{}'", text);
+  return {.width = output.width, .height = output.height};
+}
+
+// What a table chooses by itself must not be given once more.
+void check_table(const CompareArguments& a) {
+  const CameraSettings& camera = a.settings.camera;
+  if (camera.distance || camera.eye_m || !camera.name.empty())
+    throw input_error("", "a table has --distances; --distance, --eye and --camera are of one comparison");
+  if (!a.scene_settings.reference_file.empty())
+    throw input_error("--reference", "is of one picture, and a table has several");
+  if (a.sizes.empty() || a.distances.empty())
+    throw input_error("", "a table needs at least one of --sizes and one of --distances");
+}
+
+void compare_cases(const CompareArguments& arguments) {
+  check_table(arguments);
+  comparison::TableSettings settings{.comparison = comparison_settings(arguments),
+                                     .sizes = {},
+                                     .distances = arguments.distances,
+                                     .test_scenes = comparison::test_scenes_of(arguments.test_scenes)};
+  for (const std::string& size : arguments.sizes) settings.sizes.push_back(picture_size(size));
+  const Scene scene = open_scene(arguments);
+  catch_interrupts();
+  settings.comparison.hooks = terminal_hooks();
+
+  comparison::Table table = comparison::compare_table(scene, settings);
+  table.settings = settings_file(arguments);
+  if (!arguments.html.empty()) write_file(arguments.html, comparison::table_page(table));
+  if (!arguments.json.empty()) write_text(arguments.json, comparison::table_json(table));
+  if (arguments.json != "-") write_text("-", comparison::table_text(table));
+  save_settings(arguments);
+}
+
+void compare_techniques(const CompareArguments& arguments) {
+  SceneComparisonSettings settings = comparison_settings(arguments);
   const Scene scene = open_scene(arguments);
   catch_interrupts();
   settings.hooks = terminal_hooks();
@@ -139,13 +186,43 @@ void run(const CompareArguments& arguments) {
   if (arguments.variances.size() > 2)
     throw CLI::ArgumentMismatch::AtMost("--z", 2, arguments.variances.size());
   check_outputs(arguments);
-  arguments.scene.empty() ? compare_two(arguments) : compare_techniques(arguments);
+  if (arguments.scene.empty())
+    compare_two(arguments);
+  else
+    arguments.table ? compare_cases(arguments) : compare_techniques(arguments);
+}
+
+void add_table_options(CLI::App& command, CompareArguments& a) {
+  const char* group = "Table";
+  CLI::Option* table =
+      command
+          .add_flag("--table", a.table,
+                    "compare over sizes, distances and test scenes, and say in words where each "
+                    "technique is the right choice")
+          ->group(group);
+  const auto add = [&](const char* name, auto& values, const char* type, const std::string& preset,
+                       const char* help) {
+    command.add_option(name, values, help)
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name(type)
+        ->default_str(preset)
+        ->needs(table)
+        ->group(group);
+  };
+  add("--sizes", a.sizes, "WxH,..", fmt::format("{}", fmt::join(a.sizes, ",")), "of pictures, pixels");
+  add("--distances", a.distances, "D,..", fmt::format("{}", fmt::join(a.distances, ",")),
+      "from the eye to the head, in radii of its bounding sphere");
+  add("--test-scenes", a.test_scenes, "NAME,..", "all",
+      "all, none, or names: scenes for what techniques cannot do, at the smallest of the sizes "
+      "(docs/peers.md)");
 }
 
 // Everything that belongs to a scene says so when there is none.
 void add_scene_options(CLI::App& command, CompareArguments& a) {
   a.settings.output.width = a.settings.output.height = 512;
   a.settings.output.bloom = 0;  // the reference has none
+  a.settings.output.frames = 3;
 
   const std::vector<CLI::Option*> before = command.get_options();
   add_scene_arguments(command, a, SceneUse::comparison);
@@ -168,7 +245,14 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
           "--supersample", s.supersample,
           "errors are of pictures this many times as wide and as high, averaged; times stay those of --size")
       ->group(group);
+  command
+      .add_flag(
+          "--curves", s.curves,
+          "further frames of each technique with its own quality settings (taps, kernels, maps): a curve of "
+          "error over cost")
+      ->group(group);
   add_device_option(command, s.device)->group(group);
+  add_table_options(command, a);
 
   CLI::Option* file =
       command

@@ -103,7 +103,8 @@ void run(const ProfileArguments& options) {
   std::vector<PlottedSum> others;
   for (const std::string& name : options.compare) others.push_back(plotted(name));
   const Source source = open_with_progress(options.source);
-  const Fitted fitted = fit(source, options.source.profile.gaussians, options.variances == "shared");
+  const Fitted fitted = fit(source, options.source.profile.gaussians, options.variances == "shared",
+                            options.source.profile.fit);
   const ProfilePlot plot{.title = source.name + ": " + source.model,
                          .profiles = source.profiles,
                          .fit = plotted(fitted),

@@ -7,12 +7,15 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "core/error.h"
 #include "gaussians/algebra.h"
 #include "gaussians/exchange.h"
 #include "gaussians/json.h"
+#include "optics/media.h"
 #include "profile/noise.h"
+#include "profile/shape_laws.h"
 
 namespace dermis::cli {
 namespace {
@@ -104,6 +107,26 @@ std::string error_rows(const Source& source, const Fitted& fitted) {
   return text;
 }
 
+/// What the laws of shape say of a few bodies: light that leaves, relative to a flat half-space.
+std::string shape_rows(const Source& source) {
+  if (!optics::coefficients_of(source.medium)) return "";
+  const ShapeLaws laws = profile::shape_laws(source.medium);
+  gaussians::Rgb sphere{}, hollow{}, cylinder{}, front{}, back{};
+  constexpr double slab_mm = 2;
+  for (std::size_t c = 0; c < 3; ++c) {
+    sphere[c] = profile::curved_total(laws, c, 0.1, 0);
+    hollow[c] = profile::curved_total(laws, c, -0.1, 0);
+    cylinder[c] = profile::curved_total(laws, c, 0.1, 0.1);
+    front[c] = profile::slab_front(laws, c, slab_mm);
+    back[c] = profile::slab_backs(source.medium[c], std::span(&slab_mm, 1)).front();
+  }
+  return "light that leaves, over that of a flat half-space (docs/theory.md, Shapes)\n" +
+         row("  sphere of 10 mm", sphere) + row("  hollow of 10 mm", hollow) +
+         row("  cylinder of 5 mm", cylinder) + row("  front of a slab of 2 mm", front) +
+         row("  back of a slab of 2 mm", back) + row("  towards the normal", laws.exit_normal) +
+         row("  at grazing angles", laws.exit_grazing);
+}
+
 std::string per_channel_json(const Source& source, const Fitted& fitted) {
   nlohmann::ordered_json root;
   root["name"] = source.name;
@@ -133,7 +156,7 @@ std::string per_channel_json(const Source& source, const Fitted& fitted) {
 
 }  // namespace
 
-Fitted fit(const Source& source, int terms, bool shared) {
+Fitted fit(const Source& source, int terms, bool shared, ProfileFit measure) {
   Fitted out;
   for (int c = 0; c < 3; ++c) {
     out.model_total[c] = source.profiles[c]->total();
@@ -143,11 +166,12 @@ Fitted fit(const Source& source, int terms, bool shared) {
   }
 
   if (shared) {
-    out.shared = gaussians::fit_shared(source.profiles, terms, source.name);
+    out.shared = gaussians::fit_shared(source.profiles, terms, source.name, measure);
     out.error_percent = out.shared.error_percent;
   } else {
     for (int c = 0; c < 3; ++c) {
-      out.channels[c] = gaussians::fit_channel(*source.profiles[c], terms);
+      out.channels[c] =
+          gaussians::fit_channel(*source.profiles[c], terms, gaussians::Weights::non_negative, measure);
       out.error_percent[c] = out.channels[c].error_percent;
     }
   }
@@ -180,7 +204,7 @@ std::string table(const Source& source, const Fitted& fitted) {
   const char* which = source.equivalent ? " (equivalent)" : "";
   text += row(fmt::format("mean free path{}, mm", which), fitted.mean_free_path_mm);
   text += row(fmt::format("diffuse m.f.p.{}, mm", which), fitted.diffuse_mean_free_path_mm);
-  return text;
+  return text + shape_rows(source);
 }
 
 std::string differences(const PlottedSum& fit, const std::vector<PlottedSum>& others) {
@@ -201,6 +225,8 @@ std::string profile_json(const Source& source, const Fitted& fitted) {
   sum.total_reflectance = fitted.total;
   sum.mean_free_path_mm = finite_or_0(fitted.mean_free_path_mm);
   sum.diffuse_mean_free_path_mm = finite_or_0(fitted.diffuse_mean_free_path_mm);
+  sum.medium = optics::coefficients_of(source.medium);
+  if (sum.medium) sum.shape = profile::shape_laws(source.medium);
   return gaussians::to_json(sum);
 }
 

@@ -24,7 +24,7 @@ struct Fitted {
 };
 
 /// terms: 1 to 8. InputError names the channel that no sum of Gaussians fits.
-Fitted fit(const Source& source, int terms, bool shared);
+Fitted fit(const Source& source, int terms, bool shared, ProfileFit measure = ProfileFit::plane);
 
 /// Terms of channel c (0..2) with weights that sum to 1.
 std::vector<gaussians::Term> normalised(const Fitted& fitted, int c);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "api/scene_file.h"
@@ -11,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/progress.h"
 #include "cli/settings_options.h"
+#include "cli/test_scenes/test_scenes.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "settings/fields.h"
@@ -25,16 +27,6 @@ bool is_built_in(std::string_view name) {
 }
 std::string built_in_name(const std::string& name) {
   return name.find(':') < name.size() ? name : "built-in:medium";
-}
-
-// WIDTHxHEIGHT. CLI11 turns a false into exit status 2; sizes that parse but make no sense are refused by the
-// renderer.
-bool parse_size(const std::string& text, OutputSettings& output) {
-  const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, output.width);
-  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return false;
-  const auto height = std::from_chars(width.ptr + 1, end, output.height);
-  return height.ec == std::errc() && height.ptr == end;
 }
 
 // AZ,EL or AZ,EL,IRRADIANCE.
@@ -203,8 +195,8 @@ void add_scene(CLI::App& command, SceneArguments& arguments) {
   if (arguments.use == SceneUse::comparison) {
     command
         .add_option("--scene", arguments.scene,
-                    "techniques against ground truth: a .gltf, .glb or scene file, or 'built-in' for the "
-                    "built-in head")
+                    "techniques against ground truth: a .gltf, .glb or scene file, 'built-in' for the "
+                    "built-in head, or a test scene, 'test:NAME' (docs/peers.md)")
         ->group("Scene");
     return;
   }
@@ -217,7 +209,9 @@ void add_scene(CLI::App& command, SceneArguments& arguments) {
       .add_option(
           "SCENE", arguments.scenes,
           "a .gltf, .glb or scene file (docs/scenes.md), or several .gltf and .glb beside each other; "
-          "'built-in', or nothing: the built-in head, also built-in:light and built-in:dark")
+          "'built-in', or nothing: the built-in head, also built-in:light and built-in:dark; 'test:NAME': a "
+          "test "
+          "scene (docs/peers.md)")
       ->default_str("");
   const auto read = [&arguments](const std::string& name) {
     arguments.layout = find_name<Layout>("--layout", name);
@@ -248,12 +242,19 @@ void check_scenes(const SceneArguments& a) {
     throw input_error("", "camera.heads must be 1 for several files, got {}", a.settings.camera.heads);
 }
 
-Asset open_asset(const std::string& file, const SceneArguments& arguments, const Hooks& hooks) {
-  return Asset::load(is_built_in(file) ? built_in_name(file) : file, arguments.options, hooks);
+Asset open_asset(const std::string& file, const SceneOptions& options, const Hooks& hooks) {
+  return Asset::load(is_built_in(file) ? built_in_name(file) : file, options, hooks);
+}
+
+// Nothing of a file can be chosen where there is none.
+Scene open_test_scene(const std::string& name, const SceneArguments& arguments, const Hooks& hooks) {
+  if (json_of(arguments.options) != json_of(SceneOptions{}))
+    throw input_error(name, "is generated: options of files, such as a unit scale or a clip, are not for it");
+  return test_scenes::make(name, arguments.settings.output.height, hooks);
 }
 
 // A file that is given twice is loaded once.
-Scene open_scenes(const SceneArguments& arguments, const Hooks& hooks) {
+Scene open_scenes(const SceneArguments& arguments, const SceneOptions& options, const Hooks& hooks) {
   std::vector<Asset> assets;
   for (const std::string& file : arguments.scenes) {
     const auto before = std::find_if(
@@ -262,12 +263,20 @@ Scene open_scenes(const SceneArguments& arguments, const Hooks& hooks) {
           return other == file || (!is_built_in(file) && !is_built_in(other) && same_file(other, file));
         });
     const auto number = static_cast<std::size_t>(before - arguments.scenes.begin());
-    assets.push_back(number < assets.size() ? Asset(assets[number]) : open_asset(file, arguments, hooks));
+    assets.push_back(number < assets.size() ? Asset(assets[number]) : open_asset(file, options, hooks));
   }
   return laid_out(assets, arguments.layout.value_or(Layout::row));
 }
 
 }  // namespace
+
+bool parse_size(const std::string& text, OutputSettings& output) {
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, output.width);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return false;
+  const auto height = std::from_chars(width.ptr + 1, end, output.height);
+  return height.ec == std::errc() && height.ptr == end;
+}
 
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse use) {
   command.option_defaults()->always_capture_default();
@@ -326,36 +335,38 @@ void save_scene(const SceneArguments& arguments, const Scene& scene) {
   if (!arguments.save_scene.empty()) scene.save(arguments.save_scene);
 }
 
-bool shows_built_in(const SceneArguments& arguments) {
-  if (arguments.scenes.size() > 1) return false;
-  const std::string& only = arguments.scenes.empty() ? arguments.scene : arguments.scenes.front();
-  return is_built_in(only);
-}
-
-void pose_built_in(const SceneArguments& arguments, Scene& scene) {
-  const SceneOptions& options = arguments.options;
-  if (options.clip.empty() && !options.time_s) return;
-  const InstanceId head = scene.instances().front();
-  const std::string clip = options.clip.empty() ? scene.instance(head).asset.clips().front() : options.clip;
-  scene.pose(head, clip, options.time_s.value_or(0.0));
-}
-
-Scene open_scene(const SceneArguments& arguments) { return open_scene(arguments, terminal_hooks()); }
-
-Scene open_scene(const SceneArguments& arguments, const Hooks& hooks) {
+PlayingScene open_playing_scene(const SceneArguments& arguments, const Hooks& hooks) {
   if (!arguments.save_settings.empty()) check_writable(arguments.save_settings);
   check_scenes(arguments);
 
   const bool takes_several = arguments.use != SceneUse::comparison && arguments.use != SceneUse::bench;
   const std::string only =
       takes_several && !arguments.scenes.empty() ? arguments.scenes.front() : arguments.scene;
-  SceneOptions options = arguments.options;
-  const bool one_built_in = arguments.scenes.size() <= 1 && is_built_in(only);
-  if (one_built_in) options.clip.clear(), options.time_s.reset();  // it is posed, not loaded in a pose
+  if (arguments.scenes.size() <= 1 && test_scenes::is_test_scene(only))
+    return {open_test_scene(only, arguments, hooks), {}};
+
+  const SceneOptions options = api::at_begin(arguments.options);
   Scene scene = arguments.scenes.size() > 1
-                    ? open_scenes(arguments, hooks)
-                    : Scene::load(one_built_in ? built_in_name(only) : only, options, hooks);
-  if (one_built_in) pose_built_in(arguments, scene);
+                    ? open_scenes(arguments, options, hooks)
+                    : Scene::load(is_built_in(only) ? built_in_name(only) : only, options, hooks);
+  std::vector<api::Playing> playing = api::playing(scene, arguments.options);
+  return {std::move(scene), std::move(playing)};
+}
+
+PlayingScene open_playing_scene(const SceneArguments& arguments) {
+  PlayingScene opened = open_playing_scene(arguments, terminal_hooks());
+  show_line("");
+  return opened;
+}
+
+Scene open_scene(const SceneArguments& arguments, const Hooks& hooks) {
+  PlayingScene opened = open_playing_scene(arguments, hooks);
+  api::play(opened.playing, arguments.options.time_s.value_or(0), opened.scene);
+  return std::move(opened.scene);
+}
+
+Scene open_scene(const SceneArguments& arguments) {
+  Scene scene = open_scene(arguments, terminal_hooks());
   show_line("");
   return scene;
 }

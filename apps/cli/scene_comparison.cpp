@@ -14,7 +14,10 @@
 #include <tuple>
 
 #include "cli/bench/measure.h"
+#include "cli/bench/statistics.h"
 #include "cli/bench/variants.h"
+#include "cli/comparison/quality.h"
+#include "cli/comparison/turns.h"
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -67,20 +70,16 @@ class Comparer {
                                                  image::ImageF& flip_map) const {
     flip_map = image::flip_map(all_.shown_reference, shown);
     const image::ImageF hdr_map = image::hdr_flip(truth_.linear, linear).map;
+    const auto sum = [](const PictureRegion& r, double mean) { return mean * static_cast<double>(r.pixels); };
+
     std::vector<std::optional<RegionError>> out;
-    const auto sum = [&](const PictureRegion& r, double mean) {
-      return mean * static_cast<double>(r.pixels);
-    };
     double skin = 0;
     for (const PictureRegion& region : all_.regions) {
       out.emplace_back();
       if (region.pixels == 0) continue;
-      RegionError e;
+      RegionError e = error(linear, shown, region);
       e.flip = image::summarise_flip(flip_map, region.mask).mean;
       e.hdr_flip = image::summarise_flip(hdr_map, region.mask).mean;
-      e.psnr_db = image::psnr_db(all_.shown_reference, shown, region.mask);
-      e.rel_mse = image::rel_mse(truth_.linear, linear, region.mask);
-      if (!truth_.variance.values.empty()) e.rel_mse_unbiased = e.rel_mse - noise_rel_mse(region.mask);
       if (out.size() == 1) skin = sum(region, e.flip);
       e.share = skin > 0 ? sum(region, e.flip) / skin : 0;
       out.back() = e;
@@ -88,7 +87,27 @@ class Comparer {
     return out;
   }
 
+  /// Over skin alone.
+  RegionError over_skin(const image::ImageF& linear, const image::Image8& shown) const {
+    const PictureRegion& skin = all_.regions.front();
+    RegionError e = error(linear, shown, skin);
+    e.flip = image::summarise_flip(image::flip_map(all_.shown_reference, shown), skin.mask).mean;
+    e.hdr_flip = image::summarise_flip(image::hdr_flip(truth_.linear, linear).map, skin.mask).mean;
+    e.share = 1;
+    return e;
+  }
+
  private:
+  // Without FLIP.
+  RegionError error(const image::ImageF& linear, const image::Image8& shown,
+                    const PictureRegion& region) const {
+    RegionError e;
+    e.psnr_db = image::psnr_db(all_.shown_reference, shown, region.mask);
+    e.rel_mse = image::rel_mse(truth_.linear, linear, region.mask);
+    if (!truth_.variance.values.empty()) e.rel_mse_unbiased = e.rel_mse - noise_rel_mse(region.mask);
+    return e;
+  }
+
   // E (t - r - noise)^2 = (t - r)^2 + variance; the divisor is that of image::rel_mse.
   double noise_rel_mse(const std::vector<std::uint8_t>& mask) const {
     double sum = 0;
@@ -132,6 +151,11 @@ class Run {
     all_.tone_map = name_of(settings.render.output.tone_map);
     all_.width = settings.render.output.width, all_.height = settings.render.output.height;
     all_.supersample = settings.supersample;
+
+    // The profile over the surface is that of a flat half-space: what is compared is how it is blurred.
+    const bool is_of_profile =
+        settings_.reference_file.empty() && settings_.reference.model == ReferenceModel::bssrdf;
+    if (is_of_profile && !settings_.render.skin.shape_aware) settings_.render.skin.shape_aware = false;
   }
 
   SceneComparison result() {
@@ -149,6 +173,9 @@ class Run {
       all_.noise = Comparer(all_, truth_).errors(noisy, image::to_display(noisy, tone_map_), map);
     }
     for (const std::string& name : names) add_technique(name);
+    if (settings_.curves)
+      for (const std::string& name : names) add_curves(name);
+    take_times();
     show_line("");
     return std::move(all_);
   }
@@ -262,33 +289,90 @@ class Run {
     const Statistics first = add(name, scene_, s);
     if (!techniques::find_technique(name).has_light_maps) return;  // which the rows below are about
     if (settings_.each_optimisation) add_each_optimisation(name, s);
-    if (first.gaussians == 1) return;
+    if (first.shape_aware) {
+      s.skin.shape_aware = false;
+      add(name + ", --shape-aware off", scene_, s);
+      s.skin.shape_aware = settings_.render.skin.shape_aware;
+    }
+    if (first.gaussians == 1 || !settings_.one_gaussian) return;
     const Scene one = with_one_gaussian(scene_, s);
     s.skin.profile.clear();
     add(name + ", one Gaussian", one, s);
   }
 
-  // Cost at the size that was asked for, error at as many samples per pixel as wanted, of light maps of the
-  // same size.
-  Statistics add(const std::string& name, const Scene& scene, RenderSettings s) {
+  void add_curves(const std::string& name) {
+    for (const comparison::QualitySetting& one :
+         comparison::quality_settings(scene_, settings_.render, name)) {
+      const Drawn drawn = draw(fmt::format("{}, {}", one.curve, one.label), scene_, one.settings);
+      QualityPoint point{.curve = one.curve, .label = one.label, .error = {}, .at_size = {}};
+      point.taps_per_pixel = taps_per_pixel(drawn.statistics);
+      point.at_size = Comparer(all_, truth_).over_skin(drawn.at_size, drawn.at_size_shown);
+      point.error =
+          all_.supersample > 1 ? Comparer(all_, truth_).over_skin(drawn.linear, drawn.shown) : point.at_size;
+      all_.curves.push_back(std::move(point));
+    }
+  }
+
+  struct Drawn {
+    Statistics statistics;
+    image::ImageF linear, at_size;  // averaged down, and the picture itself
+    image::Image8 shown, at_size_shown;
+  };
+
+  // Error at as many samples per pixel as wanted, of light maps of the same size.
+  Drawn draw(const std::string& name, const Scene& scene, RenderSettings s) {
     check_stopped();
     show_line(name);
+    turns_.push_back({.scene = scene, .settings = s});
+    s.output.frames = 1;
+    Picture picture = renderer_.render(scene, s);
+    Drawn out{
+        .statistics = picture.statistics, .linear = {}, .at_size = {}, .shown = {}, .at_size_shown = {}};
+    out.at_size = without_alpha(picture.linear_rgba, picture.width, picture.height);
+    out.at_size_shown = image::to_display(out.at_size, tone_map_);
+    if (all_.supersample == 1) {
+      out.linear = out.at_size;
+      out.shown = out.at_size_shown;
+      return out;
+    }
+
+    s.output.width *= all_.supersample, s.output.height *= all_.supersample;
+    s.quality.samples = 1;
+    if (!s.quality.d_ref && picture.statistics.d_ref > 0) s.quality.d_ref = picture.statistics.d_ref;
+    picture = renderer_.render(scene, s);
+    out.linear = image::downsample_box(without_alpha(picture.linear_rgba, picture.width, picture.height),
+                                       all_.supersample);
+    out.shown = image::to_display(out.linear, tone_map_);
+    return out;
+  }
+
+  Statistics add(const std::string& name, const Scene& scene, const RenderSettings& s) {
+    Drawn drawn = draw(name, scene, s);
+    const Comparer comparer(all_, truth_);
     ComparedTechnique row;
     row.name = name;
-    Picture picture = renderer_.render(scene, s);
-    row.statistics = picture.statistics;
-    if (all_.supersample > 1) {
-      s.output.width *= all_.supersample, s.output.height *= all_.supersample;
-      s.quality.samples = 1, s.output.frames = 1;
-      if (!s.quality.d_ref && picture.statistics.d_ref > 0) s.quality.d_ref = picture.statistics.d_ref;
-      picture = renderer_.render(scene, s);
-    }
-    const image::ImageF linear = image::downsample_box(
-        without_alpha(picture.linear_rgba, picture.width, picture.height), all_.supersample);
-    row.shown = image::to_display(linear, tone_map_);
-    row.errors = Comparer(all_, truth_).errors(linear, row.shown, row.flip_map);
+    row.statistics = drawn.statistics;
+    row.errors = comparer.errors(drawn.linear, drawn.shown, row.flip_map);
+    if (all_.supersample > 1) row.at_size = comparer.over_skin(drawn.at_size, drawn.at_size_shown);
+    row.shown = std::move(drawn.shown);
     all_.techniques.push_back(std::move(row));
     return all_.techniques.back().statistics;
+  }
+
+  // Of all rows and points, in turns.
+  void take_times() {
+    const std::vector<std::vector<double>> ms =
+        comparison::draw_in_turns(renderer_, turns_, settings_.render.output.frames, settings_.hooks.stop);
+    for (std::size_t i = 0; i < ms.size(); ++i) {
+      const bench::Spread spread = bench::spread_of(ms[i]);
+      if (i >= all_.techniques.size()) {
+        all_.curves[i - all_.techniques.size()].ms = spread.median;
+        continue;
+      }
+      Statistics& s = all_.techniques[i].statistics;
+      s.frame_ms_median = spread.median, s.frame_ms_min = spread.min, s.frame_ms_max = spread.max;
+      s.frames = settings_.render.output.frames;
+    }
   }
 
   const Scene& scene_;
@@ -297,9 +381,12 @@ class Run {
   Renderer renderer_;
   SceneComparison all_;
   Truth truth_;
+  std::vector<comparison::Turn> turns_;  // of the rows, then of the points of curves
 };
 
-void check(const SceneComparisonSettings& s) {
+}  // namespace
+
+void check_comparison(const SceneComparisonSettings& s) {
   const std::vector<std::string> known = technique_names();
   for (const std::string& name : s.techniques)
     if (std::find(known.begin(), known.end(), name) == known.end())
@@ -315,10 +402,8 @@ void check(const SceneComparisonSettings& s) {
                       s.supersample, s.supersample * side);
 }
 
-}  // namespace
-
 SceneComparison compare_scene(const Scene& scene, const SceneComparisonSettings& settings) {
-  check(settings);
+  check_comparison(settings);
   return Run(scene, settings).result();
 }
 

@@ -6,11 +6,13 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "cli/comparison/table.h"
 #include "cli/scene_comparison.h"
 #include "image/compare_flip.h"
 #include "image/compare_map.h"
 #include "report/escape.h"
 #include "report/html.h"
+#include "report/point_chart.h"
 
 namespace dermis::cli {
 namespace {
@@ -33,8 +35,16 @@ Row joined(Row a, const Row& b) {
 }
 
 Row headings(std::size_t region) {
-  return region == 0 ? joined({"technique", "frame ms"}, error_headings)
-                     : joined({"technique", "of all error"}, error_headings);
+  if (region > 0) return joined({"technique", "of all error"}, error_headings);
+  return joined(joined({"technique", "frame ms", "taps/pixel", "MB"}, error_headings), {"at size"});
+}
+
+std::string taps_text(double taps) { return taps > 0 ? fmt::format("{:.0f}", taps) : "-"; }
+
+Row cost_cells(const ComparedTechnique& t) {
+  const Statistics& s = t.statistics;
+  return {fmt::format("{:.1f}", t.ms()), taps_text(taps_per_pixel(s)),
+          fmt::format("{:.0f}", static_cast<double>(s.image_bytes + s.buffer_bytes) / 1e6)};
 }
 
 /// Over skin with the cost, over other regions with their share of the error.
@@ -42,12 +52,22 @@ std::vector<Row> rows(const SceneComparison& c, std::size_t region) {
   std::vector<Row> out;
   for (const ComparedTechnique& t : c.techniques) {
     const auto& e = t.errors[region];
-    const std::string second = region == 0 ? fmt::format("{:.1f}", t.statistics.frame_ms_median)
-                               : e         ? fmt::format("{:.0f} %", 100 * e->share)
-                                           : "-";
-    out.push_back(joined({t.name, second}, error_cells(e)));
+    if (region > 0) {
+      out.push_back(joined({t.name, e ? fmt::format("{:.0f} %", 100 * e->share) : "-"}, error_cells(e)));
+      continue;
+    }
+    const std::optional<RegionError>& at_size = c.supersample > 1 ? t.at_size : e;
+    out.push_back(joined(joined(joined({t.name}, cost_cells(t)), error_cells(e)),
+                         {at_size ? fmt::format("{:.3g}", at_size->rel_mse) : "-"}));
   }
-  if (c.noise) out.push_back(joined({"noise of the reference", "-"}, error_cells((*c.noise)[region])));
+
+  if (!c.noise) return out;
+  Row noise = joined({"noise of the reference", "-"}, error_cells((*c.noise)[region]));
+  if (region == 0) {
+    noise.insert(noise.begin() + 2, 2, "-");
+    noise.push_back("-");
+  }
+  out.push_back(std::move(noise));
   return out;
 }
 
@@ -64,15 +84,17 @@ std::string reference_line(const SceneComparison& c) {
 std::string picture_line(const SceneComparison& c) {
   std::string text = fmt::format("{}, {}x{}, tone map {}, exposure {:g} EV", c.scene, c.width, c.height,
                                  c.tone_map, c.exposure_ev);
-  if (c.supersample > 1) text += fmt::format(", errors of {0} x {0} pictures a pixel", c.supersample);
+  if (c.supersample > 1)
+    text += fmt::format(", errors of {0} x {0} pictures per pixel; at size: relMSE of the picture itself",
+                        c.supersample);
   return text;
 }
 
 std::string device_line(const SceneComparison& c) {
   if (c.techniques.empty()) return "";
   const Statistics& s = c.techniques.front().statistics;
-  return fmt::format("{} ({}, Vulkan {}), {} light{}, median of {} frame{}", s.device, s.driver, s.api,
-                     s.lights, s.lights == 1 ? "" : "s", s.frames, s.frames == 1 ? "" : "s");
+  return fmt::format("{} ({}, Vulkan {}), {} light{}, median of {} frame{} in turns", s.device, s.driver,
+                     s.api, s.lights, s.lights == 1 ? "" : "s", s.frames, s.frames == 1 ? "" : "s");
 }
 
 std::string text_table(const Row& head, const std::vector<Row>& body) {
@@ -88,17 +110,22 @@ std::string text_table(const Row& head, const std::vector<Row>& body) {
   return text;
 }
 
-nlohmann::ordered_json errors_json(const SceneComparison& c, const Errors& errors) {
+nlohmann::ordered_json error_json(const RegionError& e) {
   using nlohmann::ordered_json;
-  ordered_json out;
+  return {
+      {"flip", e.flip},
+      {"hdr_flip", e.hdr_flip},
+      {"psnr_db", e.psnr_db},
+      {"rel_mse", e.rel_mse},
+      {"rel_mse_unbiased", e.rel_mse_unbiased ? ordered_json(*e.rel_mse_unbiased) : ordered_json(nullptr)},
+      {"share", e.share}};
+}
+
+nlohmann::ordered_json errors_json(const SceneComparison& c, const Errors& errors) {
+  nlohmann::ordered_json out;
   for (std::size_t i = 0; i < c.regions.size(); ++i) {
-    ordered_json& region = out[c.regions[i].name];
-    const auto& e = errors[i];
-    if (!e) continue;  // null
-    region = {{"flip", e->flip}, {"hdr_flip", e->hdr_flip}, {"psnr_db", e->psnr_db}, {"rel_mse", e->rel_mse}};
-    region["rel_mse_unbiased"] =
-        e->rel_mse_unbiased ? ordered_json(*e->rel_mse_unbiased) : ordered_json(nullptr);
-    region["share"] = e->share;
+    nlohmann::ordered_json& region = out[c.regions[i].name];
+    if (errors[i]) region = error_json(*errors[i]);  // else null
   }
   return out;
 }
@@ -133,6 +160,12 @@ std::string scene_comparison_text(const SceneComparison& c) {
 }
 
 std::string scene_comparison_json(const SceneComparison& c) {
+  // Names of files need not be UTF-8.
+  return scene_comparison_object(c).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+         "\n";
+}
+
+nlohmann::ordered_json scene_comparison_object(const SceneComparison& c) {
   using nlohmann::ordered_json;
   ordered_json json{
       {"scene", c.scene},       {"settings", json_of(c.settings)}, {"size", {c.width, c.height}},
@@ -171,15 +204,48 @@ std::string scene_comparison_json(const SceneComparison& c) {
                                     {"min", s.frame_ms_min},
                                     {"max", s.frame_ms_max},
                                     {"frames", s.frames}}},
+                                  {"taps_per_pixel", taps_per_pixel(s)},
+                                  {"device_bytes", s.image_bytes + s.buffer_bytes},
+                                  {"at_size", t.at_size ? error_json(*t.at_size) : ordered_json(nullptr)},
                                   {"error", errors_json(c, t.errors)}});
   }
 
+  json["curves"] = ordered_json::array();
+  for (const QualityPoint& p : c.curves)
+    json["curves"].push_back({{"curve", p.curve},
+                              {"setting", p.label},
+                              {"frame_ms", p.ms},
+                              {"taps_per_pixel", p.taps_per_pixel},
+                              {"error", error_json(p.error)},
+                              {"at_size", error_json(p.at_size)}});
+
   json["noise"] = c.noise ? errors_json(c, *c.noise) : ordered_json(nullptr);
-  // Names of files need not be UTF-8.
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json;
 }
 
-std::string scene_comparison_page(const SceneComparison& c) {
+std::string error_over_cost(const SceneComparison& c) {
+  report::PointChart chart{.title = "error over cost, over skin",
+                           .x_name = "frame, ms",
+                           .y_name = "relMSE at size, less noise",
+                           .curves = {}};
+  const auto curve_of = [&](const std::string& name) -> report::PointCurve& {
+    for (report::PointCurve& curve : chart.curves)
+      if (curve.name == name) return curve;
+    return chart.curves.emplace_back(report::PointCurve{.name = name, .points = {}});
+  };
+
+  for (const QualityPoint& p : c.curves)
+    curve_of(p.curve).points.push_back({.x = p.ms, .y = comparison::less_noise(p.at_size), .name = p.label});
+  if (c.curves.empty())
+    for (const ComparedTechnique& t : c.techniques) {
+      const std::optional<RegionError>& e = t.at_size ? t.at_size : t.errors.front();
+      if (e)
+        curve_of(t.name).points.push_back({.x = t.ms(), .y = comparison::less_noise(*e), .name = t.name});
+    }
+  return report::point_chart(chart);
+}
+
+std::string scene_comparison_body(const SceneComparison& c, const std::string& id) {
   using namespace report;
   std::string body = fmt::format("<p>{}<br>{}<br>{}</p>\n", escape(picture_line(c)),
                                  escape(reference_line(c)), escape(device_line(c)));
@@ -188,6 +254,7 @@ std::string scene_comparison_page(const SceneComparison& c) {
     body += "<h2>" + escape(title_of(c.regions[i])) + "</h2>\n";
     if (c.regions[i].pixels > 0) body += grid(headings(i), rows(c, i));
   }
+  body += "<h2>Error over cost</h2>\n" + error_over_cost(c);
 
   // Give all maps of errors one scale, up to the largest error on skin.
   double full_scale = 0;
@@ -195,26 +262,31 @@ std::string scene_comparison_page(const SceneComparison& c) {
     full_scale = std::max(full_scale, image::summarise_flip(t.flip_map, c.regions[0].mask).max);
   if (full_scale <= 0) full_scale = 1;
 
+  const std::string truth = id + "reference";
   body += "<h2>Against the reference</h2>\n<div class=\"figures\">\n" +
-          figure("the reference", picture("reference", c.shown_reference, "the reference")) + "</div>\n";
+          figure("the reference", picture(truth, c.shown_reference, "the reference")) + "</div>\n";
   for (std::size_t i = 0; i < c.techniques.size(); ++i) {
     const ComparedTechnique& t = c.techniques[i];
-    const std::string id = fmt::format("technique-{}", i);
+    const std::string own = fmt::format("{}technique-{}", id, i);
     body += "<h2>" + escape(t.name) + "</h2>\n<div class=\"figures\">\n";
-    body += figure(escape(t.name), picture(id, t.shown, t.name));
+    body += figure(escape(t.name), picture(own, t.shown, t.name));
     const image::Image8 colours =
         image::error_colours(t.flip_map, static_cast<float>(full_scale), c.regions[0].mask);
     body += figure("FLIP; grey: no skin",
-                   picture(id + "-error", colours, "map of errors") + magma_scale(full_scale));
-    body += figure("left: the reference", slider("reference", id, "reference", t.name)) + "</div>\n";
+                   picture(own + "-error", colours, "map of errors") + magma_scale(full_scale));
+    body += figure("left: the reference", slider(truth, own, "reference", t.name)) + "</div>\n";
   }
 
   body += "<h2>Regions</h2>\n<div class=\"figures\">\n";
   for (std::size_t i = 1; i < c.regions.size(); ++i)
     if (c.regions[i].pixels > 0)
       body += figure(escape(title_of(c.regions[i])),
-                     picture(fmt::format("region-{}", i), region_picture(c, i), c.regions[i].name));
-  return page(c.scene + " against ground truth", body + "</div>\n");
+                     picture(fmt::format("{}region-{}", id, i), region_picture(c, i), c.regions[i].name));
+  return body + "</div>\n";
+}
+
+std::string scene_comparison_page(const SceneComparison& c) {
+  return report::page(c.scene + " against ground truth", scene_comparison_body(c, ""));
 }
 
 }  // namespace dermis::cli

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "api/asset_files.h"
 #include "cli/command.h"
 #include "cli/progress.h"
 #include "cli/sequence/arguments.h"
@@ -60,12 +59,12 @@ void check_outputs(const SequenceArguments& a) {
 }
 
 // Where nothing says how long it is: as long as the clip, or default_s.
-Timeline timeline_of(const SequenceArguments& a, const Scene& scene) {
+Timeline timeline_of(const SequenceArguments& a, const SceneSource& scenes) {
   Timeline timeline = a.timeline;
   if (a.to_s) {
     timeline.to_s = *a.to_s;
   } else if (clip_plays(a)) {
-    timeline.to_s = api::clip_end_s(scene, a.options.clip);
+    timeline.to_s = scenes.clip_end_s();
     if (!(timeline.to_s > timeline.from_s))
       throw input_error("--from", "the clip ends at {:g} s; there is nothing to show from {:g} s on",
                         timeline.to_s, timeline.from_s);
@@ -101,7 +100,7 @@ void run(const SequenceArguments& a, int& exit_status) {
 
   const auto start = std::chrono::steady_clock::now();
   SceneSource scenes(a, clip_plays(a));
-  const Timeline timeline = timeline_of(a, scenes.scene_at(a.timeline.from_s));
+  const Timeline timeline = timeline_of(a, scenes);
   const Written written =
       is_video(a.output) ? write_video(a, timeline, scenes) : write_pictures(a, timeline, scenes);
   if (written.validation || written.frames < timeline.frames()) {

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,34 @@ struct ProfileTable {
   std::vector<std::array<double, 3>> standard_error_per_mm2;
 };
 
+/// A homogeneous half-space per channel.
+struct Coefficients {
+  std::array<double, 3> sigma_a_per_mm{};  ///< 0 to 1e6
+  std::array<double, 3> sigma_s_per_mm{};  ///< 0 to 1e6
+  double g = 0;                            ///< above -1, below 1
+  double eta = 1.4;                        ///< 1 to 3
+  bool operator==(const Coefficients&) const = default;
+};
+
+/// How much light leaves curved and thin skin of a medium, where the profile is that of a flat half-space:
+/// laws fitted to light followed through spheres, cylinders and slabs (docs/theory.md, "Shapes"). Per
+/// channel.
+struct ShapeLaws {
+  // Total over curvature: 1 + a H / (1 + b |H| + e D) + c D^2, H the mean of the principal curvatures (1/mm,
+  // convex positive) and D half of their difference.
+  std::array<double, 3> curvature_mm{};    ///< a
+  std::array<double, 3> convex_mm{};       ///< b where H > 0; may be negative
+  std::array<double, 3> concave_mm{};      ///< b where H < 0
+  std::array<double, 3> difference_mm{};   ///< e; may be negative
+  std::array<double, 3> difference_mm2{};  ///< c
+  // Front of a slab over its thickness d: 1 - share exp(-d / front_mm). Its back: slab_back().
+  std::array<double, 3> front_share{};  ///< 0..1
+  std::array<double, 3> front_mm{};     ///< > 0
+  // Radiance over exitance / pi, over the cosine x of the angle of exit: grazing + (normal - grazing) x^2.
+  std::array<double, 3> exit_grazing{1, 1, 1}, exit_normal{1, 1, 1};
+  bool operator==(const ShapeLaws&) const = default;
+};
+
 /// R(r) = total * sum_i w_i exp(-r^2 / (2 v_i)) / (2 pi v_i), r in mm, per colour channel (linear Rec.709).
 struct ScatterProfile {
   std::string name;
@@ -44,6 +73,11 @@ struct ScatterProfile {
   /// 1 / sigma_t'; of the equivalent half-space where skin has layers
   std::array<double, 3> mean_free_path_mm{};
   std::array<double, 3> diffuse_mean_free_path_mm{};  ///< 1 / sigma_tr; 0 where there is no absorption
+  /// What the profile was made of, index included: the medium in which ground truth follows light. Of layers
+  /// and spectral skin, the equivalent half-space. None of published sets, and of files before there was one.
+  std::optional<Coefficients> medium;
+  /// how its light changes with the shape of the body; with a medium alone
+  std::optional<ShapeLaws> shape;
   /// what the model itself reflects; "beam" can give more light back than entered
   std::array<double, 3> model_total{};
 
@@ -55,14 +89,6 @@ struct ScatterProfile {
   std::array<double, 3> noise_percent{};
   /// 0..1, of the light: photons that were given up after 200,000 scatterings
   std::array<double, 3> missing_light{};
-};
-
-/// A homogeneous half-space per channel.
-struct Coefficients {
-  std::array<double, 3> sigma_a_per_mm{};  ///< 0 to 1e6
-  std::array<double, 3> sigma_s_per_mm{};  ///< 0 to 1e6
-  double g = 0;                            ///< above -1, below 1
-  double eta = 1.4;                        ///< 1 to 3
 };
 
 /// Spectral skin (Donner and Jensen 2006).
@@ -84,10 +110,17 @@ enum class ProfileModel : std::uint8_t {
   automatic     ///< the cheapest that is right for the coefficients
 };
 
+/// What a fit of Gaussians gets right.
+enum class ProfileFit : std::uint8_t {
+  plane,  ///< R(r) over the plane, [JG08] eq. 2: the core, where most of the light leaves
+  energy  ///< the light that leaves within r, at each r on a logarithmic scale: core and tail alike
+};
+
 /// How to compute.
 struct ProfileOptions {
   int gaussians = 6;  ///< 1 to 8
   ProfileModel model = ProfileModel::automatic;
+  ProfileFit fit = ProfileFit::plane;
   std::uint64_t photons = 500'000;  ///< Monte-Carlo, per channel: 1e3 to 1e9; time is proportional
   std::uint64_t seed = 1;
 };

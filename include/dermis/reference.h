@@ -6,9 +6,10 @@
 ///   dermis::ReferencePicture truth = dermis::render_reference(scene, settings, {.samples = 256});
 ///   truth.picture.save("truth.exr");
 ///
-/// Two models (docs/theory.md, "Ground truth"): "bssrdf" integrates the very profile that the real-time
+/// Three models (docs/theory.md, "Ground truth"): "bssrdf" integrates the very profile that the real-time
 /// techniques blur, over the surface, so a difference is the error of their method; "volume" follows light
-/// through the medium, so a difference to "bssrdf" is the error of diffusion theory.
+/// through the medium, so a difference to "bssrdf" is the error of diffusion theory; "gaussians" is "bssrdf"
+/// of every profile that the techniques take, those with a term without width too.
 ///
 /// Takes minutes to hours. The picture depends on settings and seed only: threads, stops and checkpoints do
 /// not change a bit of it. Hooks (dermis/hooks.h) that end it leave the samples that there are.
@@ -36,7 +37,10 @@ struct ReferenceProgress {
 /// What spreads light in the skin.
 enum class ReferenceModel : std::uint8_t {
   bssrdf,  ///< the profile, integrated over the surface
-  volume   ///< the medium, in which light is followed from one scattering to the next
+  volume,  ///< the medium, in which light is followed from one scattering to the next
+  /// the Gaussians that techniques blur, gathered over the surface by straight distance; a term of variance 0
+  /// leaves where it entered. With other profiles the same bits as bssrdf
+  gaussians
 };
 
 /// How to compute the truth; RenderSettings say of what.

@@ -46,6 +46,7 @@ struct Statistics {
   int environment_lights = 0;  ///< of `lights`: suns and other compact sources of the environment, at most 8
   std::optional<double> distance;  ///< as in the settings, sphere radii
   bool translucency = false;       ///< light came through the body
+  bool shape_aware = false;        ///< light that left followed curvature and thickness, of some head
   std::string tone_map;
   RenderSettings settings;  ///< as given
   double exposure_ev = 0;   ///< given or chosen
@@ -65,7 +66,10 @@ struct Statistics {
   /// blur them; shader invocations of shading and convolution; reads of texels that were never lit.
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0, unshaded_reads = 0;
   std::uint64_t transmission_misses = 0;  ///< light through the body that was looked up where none was stored
-  std::vector<int> used_size;             ///< T of each head in the row, texels; 0: skipped
+  /// Taps by which light is blurred: over light maps, what shader invocations read; in the picture, taps per
+  /// pixel of skin times skin_pixels. 0: not counted (a cascade of blurs), or nothing is blurred.
+  std::uint64_t light_reads = 0;
+  std::vector<int> used_size;  ///< T of each head in the row, texels; 0: skipped
   /// Of each head: Gaussians that are read from light maps, the widest ones; the others are lit per pixel.
   /// 0: the head has no light maps in this frame.
   std::vector<int> mapped_terms;

@@ -79,7 +79,8 @@ class Scene {
  public:
   /// Empty: cannot be rendered before it has an instance.
   Scene();
-  /// One instance of the asset, where it stands, and the lights of its file.
+  /// One instance of the asset, where it stands, and the lights of its file, which move with its poses as
+  /// their nodes do, until set_light() has changed them.
   explicit Scene(const Asset& asset);
   Scene(const Scene&);
   Scene(Scene&&) noexcept;
@@ -97,8 +98,8 @@ class Scene {
 
   /// Writes a scene file, atomically: load() of it gives an equal scene, and the same picture to the bit.
   /// Assets stay in their files, which it names relative to itself. Throws InputError: an asset that is of no
-  /// file, surroundings of pixels, or an instance with a pose (says which); the file cannot be written, or
-  /// holds one of the assets.
+  /// file, surroundings of pixels, or an instance whose pose is more than a clip at a time (says which); the
+  /// file cannot be written, or holds one of the assets.
   void save(const std::filesystem::path& path) const;
 
   /// Names the scene file or the asset, or how many instances there are.
@@ -137,7 +138,8 @@ class Scene {
   const std::optional<SceneEnvironment>& environment() const;
 
   InstanceChanges changes(InstanceId id) const;
-  std::uint64_t light_changes() const;  ///< also grows when an instance with a rig of lights moves
+  /// Also grows when an instance moves lights, by a rig of them or by a pose of its file's nodes.
+  std::uint64_t light_changes() const;
   std::uint64_t environment_changes() const;
 
   struct State;  // of the library

@@ -76,6 +76,9 @@ struct SkinSettings {
   /// part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
   std::optional<double> mix{};
   bool translucency = true;  ///< light also comes through the body: ears lit from behind glow
+  /// How much light leaves follows the curvature and the thickness of the body (docs/techniques.md); none:
+  /// true for profiles that know their medium, false for published ones, which cannot have it.
+  std::optional<bool> shape_aware{};
 };
 
 /// How convolutions skip unlit texels.

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "api/asset_files.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
 
 #include "api/asset_state.h"
-#include "core/error.h"
 #include "core/file.h"
-#include "scene/gltf/bytes.h"
 #include "scene/gltf/document.h"
-#include "scene/gltf/play.h"
 #include "scene/gltf/uri.h"
 
 namespace dermis::api {
@@ -44,27 +40,6 @@ void add_asset_files(Hash& hash, const Scene& scene) {
       hash.bytes(bytes.data(), bytes.size());
     }
   }
-}
-
-double clip_end_s(const Scene& scene, const std::string& clip) {
-  const std::set<fs::path> files = files_of(scene);
-  double end_s = 0;
-  for (const InstanceId id : scene.instances()) {
-    const Asset& asset = scene.instance(id).asset;
-    if (const auto& source = Asset::State::source_of(asset); source && !source->file.empty()) continue;
-    const std::vector<std::string> clips = asset.clips();
-    if (!clips.empty()) end_s = std::max(end_s, asset.clip_end_s(clip.empty() ? clips.front() : clip));
-  }
-  if (files.empty() && end_s == 0) throw input_error(scene.name(), "has no animation, which clip needs");
-
-  for (const fs::path& file : files) {
-    const gltf::Container container = gltf::open_container(file);
-    const json::Document json = gltf::parse(container.json, file.string());
-    const gltf::Document document = gltf::read_document(json.root(), container, file);
-    gltf::Bytes bytes(document, container);
-    end_s = std::max(end_s, gltf::read_clip(document, bytes, gltf::find_animation(document, clip)).end_s());
-  }
-  return end_s;
 }
 
 }  // namespace dermis::api

@@ -17,6 +17,7 @@ struct Asset::State {
     std::filesystem::path file;  ///< absolute; empty: built in
     SceneOptions options;
     std::string skin = "medium";  ///< of the built-in head
+    bool holds_time = false;      ///< a scene file says at which time of its clip it stands
   };
 
   std::shared_ptr<const scene::Scene> data;

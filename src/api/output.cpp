@@ -170,11 +170,15 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   st.mask = report.mask;
   st.maps = report.maps;
   st.translucency = report.translucency;
+  st.shape_aware = report.shape_aware;
   st.irradiance_texels = report.irradiance_texels;
   st.convolved_texels = report.convolved_texels;
   st.launched = report.launched;
   st.unshaded_reads = report.unshaded_reads;
   st.transmission_misses = report.transmission_misses;
+  st.light_reads = report.light_reads;
+  if (setup.technique->taps_per_pixel)
+    st.light_reads += report.skin_pixels * setup.technique->taps_per_pixel(setup.plan);
 
   if (!setup.technique->has_light_maps) return;
   st.used_size.resize(setup.heads.size());

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "environment/body_shape.h"
 #include "gpu/device.h"
 #include "image/colour.h"
 #include "setup/turned_sky.h"
@@ -43,6 +44,9 @@ std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device,
   scene.make_rig(device, *asset->subject.scene, asset->subject.skin);
   auto posed = std::make_shared<Posed>();
   posed->asset = asset;
+  posed->has_shape = asset->has_shape;
+  for (std::size_t i = 0; asset->has_shape && i < scene.skin.size(); ++i)
+    scene.make_rig_curvature(device, i, asset->subject.skin[i], environment::curvature_scale_mm);
 
   std::vector<std::pair<const gpu::Buffer*, const gpu::Buffer*>> copies;
   passes::PosedShape& shape = posed->shape;
@@ -105,7 +109,8 @@ void PosedInstances::keep(gpu::PipelineLibrary& library, const SceneOnDevice& sc
     const setup::PlacedAsset& instance = placed.instances[i];
     if (!instance.posed) continue;
     const auto before = posed_.find(ids[i]);
-    const bool known = before != posed_.end() && before->second->asset == scene.asset(i);
+    const bool known = before != posed_.end() && before->second->asset == scene.asset(i) &&
+                       before->second->has_shape == scene.asset(i)->has_shape;
     kept[ids[i]] = known ? before->second : make(library.device(), scene.asset(i));
     instances[i] = {.posed = kept[ids[i]],
                     .pose = instance.posed,

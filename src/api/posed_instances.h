@@ -50,6 +50,7 @@ class PosedInstances {
     std::uint64_t moved = 0, lit = 0;
     std::uint64_t shown = 0;  // likewise, of the pose that the plan has seen
     std::shared_ptr<const SharedSky> lit_by;
+    bool has_shape = false;  // as the asset, when its buffers were copied
 
     // For record(); empty otherwise.
     gpu::Buffer matrices, weights, sky;

@@ -14,6 +14,7 @@
 #include "optics/skin_colour.h"
 #include "profile/equivalent.h"
 #include "profile/noise.h"
+#include "profile/shape_laws.h"
 #include "profile/spectral.h"
 #include "profile/table.h"
 #include "settings/check.h"
@@ -37,15 +38,17 @@ static_assert(std::get<0>(fields_of<ProfileOptions>).about.most == gaussians::ma
 /// Fits the profiles. `medium` is the modelled medium; if it is null, `eta` is the index of the surface.
 ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made,
                       const optics::RgbMedium* medium, double eta, const ProfileOptions& options) {
-  const gaussians::SumOfGaussians sum = gaussians::fit_shared(made.profiles, options.gaussians, name);
+  const gaussians::SumOfGaussians sum =
+      gaussians::fit_shared(made.profiles, options.gaussians, name, options.fit);
   ScatterProfile out = gaussians::scatter_profile(sum);
   out.model = made.profiles[0]->name();
   out.model_reason = made.reason;
   out.model_curves = std::make_shared<const ModelCurves>(made.profiles);
 
+  optics::RgbMedium made_of;
   for (int c = 0; c < 3; ++c) {
-    const optics::Medium one =
-        medium != nullptr ? (*medium)[c] : profile::equivalent_medium(*made.profiles[c], eta);
+    made_of[c] = medium != nullptr ? (*medium)[c] : profile::equivalent_medium(*made.profiles[c], eta);
+    const optics::Medium& one = made_of[c];
     const double diffuse_mm = one.diffuse_mean_free_path().mm;
     out.model_total[c] = sum.total_reflectance[c];
     out.total_reflectance[c] = std::min(out.model_total[c], 1.0);
@@ -57,6 +60,8 @@ ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& 
     }
   }
 
+  out.medium = optics::coefficients_of(made_of);
+  if (out.medium) out.shape = profile::shape_laws(made_of);
   return out;
 }
 
@@ -88,11 +93,7 @@ ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const P
   const HookScope scope(hooks);
   check_ranges(options);
   check_ranges(coefficients);
-  optics::RgbMedium medium;
-  for (int c = 0; c < 3; ++c)
-    medium[c] = {coefficients.sigma_a_per_mm[c], coefficients.sigma_s_per_mm[c], coefficients.g,
-                 coefficients.eta};
-  return of_medium("coefficients", medium, options);
+  return of_medium("coefficients", optics::rgb_medium(coefficients), options);
 }
 
 ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& options, const Hooks& hooks) {

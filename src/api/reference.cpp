@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/hooks.h"
 #include "core/log.h"
+#include "gaussians/json.h"
 #include "image/codec.h"
 #include "image/tone_map.h"
 #include "optics/presets.h"
@@ -40,9 +41,11 @@ int samples_of(const ReferenceSettings& r) {
   return r.samples.value_or(r.noise_percent ? std::numeric_limits<int>::max() : 64);
 }
 
-/// A profile that dermis made from a homogeneous medium says what it was made of: 1/sigma_t' and 1/sigma_tr,
-/// and sigma_tr^2 = 3 sigma_a sigma_t'. Scattering is then the reduced one, isotropic.
+/// A profile that dermis made says what it was made of. In older files these are 1/sigma_t' and 1/sigma_tr,
+/// with sigma_tr^2 = 3 sigma_a sigma_t': scattering is then the reduced one, isotropic, and the index the
+/// material's.
 optics::RgbMedium medium_of(const gaussians::SumOfGaussians& profile, double eta) {
+  if (profile.medium) return optics::rgb_medium(*profile.medium);
   optics::RgbMedium medium;
   for (std::size_t c = 0; c < 3; ++c) {
     const double free = profile.mean_free_path_mm[c], diffuse = profile.diffuse_mean_free_path_mm[c];
@@ -86,6 +89,15 @@ void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>&
          scene.name, open);
 }
 
+reference::Model model_of(ReferenceModel model) {
+  switch (model) {
+    case ReferenceModel::bssrdf: break;
+    case ReferenceModel::volume: return reference::Model::volume;
+    case ReferenceModel::gaussians: return reference::Model::gaussians;
+  }
+  return reference::Model::bssrdf;
+}
+
 // Steps of the work before the first sample.
 constexpr std::size_t tracer_steps = 4, set_up_steps = 4 + tracer_steps;
 
@@ -97,7 +109,7 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
   steps.done();
 
   reference::Job job;
-  job.model = r.model == ReferenceModel::volume ? reference::Model::volume : reference::Model::bssrdf;
+  job.model = model_of(r.model);
   job.setup = setup::reference_setup(placed, s);
   if (const auto source = setup::choose_environment(s, of_scene)) {
     environment::Environment environment = setup::read_environment(*source);
@@ -109,13 +121,15 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
     steps.done(2);
   }
 
+  const auto least = job.model == reference::Model::gaussians ? gaussians::LeastVariance::zero
+                                                              : gaussians::LeastVariance::above_zero;
   job.profiles.resize(scene.materials.size());
   const std::size_t first_material =
       skin.empty() ? 0 : static_cast<std::size_t>(skin.front().triangle_material.front());
   for (const scene::SkinMesh& mesh : skin) {
     // One profile per mesh, that of its first triangle, as the renderer has it.
     const scene::Material& first = scene.materials[static_cast<std::size_t>(mesh.triangle_material.front())];
-    const gaussians::SumOfGaussians profile = setup::choose_profile(first, s);
+    const gaussians::SumOfGaussians profile = setup::choose_profile(first, s, {}, least);
     for (const int material : mesh.triangle_material) {
       gaussians::SumOfGaussians& of = job.profiles[static_cast<std::size_t>(material)];
       if (of.terms.empty()) of = profile;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/one_line.h"
 #include "scene/limits.h"
 
 namespace dermis::api {
@@ -19,6 +20,12 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 const scene::Rig& rig_of(const scene::Scene& asset) {
+  if (!asset.rig && !asset.why_no_rig.empty())
+    throw input_error(
+        asset.name,
+        "cannot be posed once it is loaded: {}; a scene file can load it in a pose, by clip and "
+        "time_s of the asset",
+        asset.why_no_rig);
   if (!asset.rig) throw input_error(asset.name, "has no clips, joints or morph weights: it cannot be posed");
   return *asset.rig;
 }
@@ -88,12 +95,31 @@ void set_joint(const scene::Scene& asset, const JointTransform& wanted, scene::P
   to.rotation = glm::normalize(q);
 }
 
+const scene::Clip& clip_called(const scene::Scene& asset, const std::string& name) {
+  const std::vector<std::string>& names = asset.clips;
+  const auto found = name.empty() ? names.begin() : std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw input_error(asset.name, "has no clip '{}'; {}", name, listed(names));
+  const scene::RigClip& clip = rig_of(asset).clips.at(static_cast<std::size_t>(found - names.begin()));
+  if (!clip.error.empty()) throw input_error("", "{}", clip.error);
+  return clip.clip;
+}
+
 scene::Pose played(const scene::Scene& asset, const std::optional<ClipTime>& at, const char* member) {
   scene::Pose pose = asset.rig->rest;
   if (!at) return pose;
   require(asset, std::isfinite(at->seconds), fmt::format("pose: {}.seconds", member), "finite", at->seconds);
-  scene::play(find_clip(asset, at->clip), at->seconds, pose);
+  scene::play(clip_called(asset, at->clip), at->seconds, pose);
   return pose;
+}
+
+scene::Pose made_of(const scene::Scene& asset, const RigPose& pose) {
+  rig_of(asset);
+  require(asset, pose.blend >= 0 && pose.blend <= 1, "pose: blend", "0 to 1", pose.blend);
+  scene::Pose result = played(asset, pose.clip, "clip");
+  if (pose.second) result = scene::blended(result, played(asset, pose.second, "second"), pose.blend);
+  for (const MorphWeight& weight : pose.weights) set_weight(asset, weight, result);
+  for (const JointTransform& joint : pose.joints) set_joint(asset, joint, result);
+  return result;
 }
 
 }  // namespace
@@ -115,23 +141,14 @@ std::vector<std::string> morph_names(const scene::Scene& asset) {
   return names;
 }
 
+// Names of a file may hold anything.
 const scene::Clip& find_clip(const scene::Scene& asset, const std::string& name) {
-  const std::vector<std::string>& names = asset.clips;
-  const auto found = name.empty() ? names.begin() : std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw input_error(asset.name, "has no clip '{}'; {}", name, listed(names));
-  const scene::RigClip& clip = rig_of(asset).clips.at(static_cast<std::size_t>(found - names.begin()));
-  if (!clip.error.empty()) throw input_error("", "{}", clip.error);
-  return clip.clip;
+  const auto found = with_one_line_errors([&] { return &clip_called(asset, name); });
+  return *found;
 }
 
 scene::Pose resolved(const scene::Scene& asset, const RigPose& pose) {
-  rig_of(asset);
-  require(asset, pose.blend >= 0 && pose.blend <= 1, "pose: blend", "0 to 1", pose.blend);
-  scene::Pose result = played(asset, pose.clip, "clip");
-  if (pose.second) result = scene::blended(result, played(asset, pose.second, "second"), pose.blend);
-  for (const MorphWeight& weight : pose.weights) set_weight(asset, weight, result);
-  for (const JointTransform& joint : pose.joints) set_joint(asset, joint, result);
-  return result;
+  return with_one_line_errors([&] { return made_of(asset, pose); });
 }
 
 std::shared_ptr<const setup::PosedAsset> posed_asset(const scene::Scene& asset,
@@ -139,7 +156,7 @@ std::shared_ptr<const setup::PosedAsset> posed_asset(const scene::Scene& asset,
   if (!pose) return nullptr;
   const scene::Pose nodes = resolved(asset, *pose);
   auto posed = std::make_shared<setup::PosedAsset>();
-  posed->rig = scene::posed(*asset.rig, nodes, asset.name);
+  posed->rig = with_one_line_errors([&] { return scene::posed(*asset.rig, nodes, asset.name); });
   posed->all = scene::posed_bounds(*asset.rig, posed->rig, true);
   posed->skin = scene::posed_bounds(*asset.rig, posed->rig, false);
   posed->reach = scene::reach_of(scene::posed_corners(*asset.rig, posed->rig));

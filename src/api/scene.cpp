@@ -18,6 +18,7 @@
 #include "environment/environment.h"
 #include "gaussians/scatter_profile.h"
 #include "scene/framing.h"
+#include "scene/views.h"
 
 namespace dermis {
 namespace {
@@ -103,6 +104,7 @@ scene::LightType type_of(LightType type) {
 }
 
 glm::dvec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+std::array<double, 3> array_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
@@ -120,10 +122,13 @@ Scene& Scene::operator=(Scene&& other) noexcept {
 Scene::~Scene() = default;
 
 Scene::Scene(const Asset& asset) : Scene() {
-  add({.asset = asset});
+  const InstanceId id = add({.asset = asset});
   // As the file has them: its loader has checked them.
-  for (const Light& light : asset.lights())
-    state_->lights.push_back({.id = LightId{state_->next_id++}, .light = {.light = light}});
+  const std::vector<Light> lights = asset.lights();
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    state_->lights.push_back({.id = LightId{state_->next_id++},
+                              .light = {.light = lights[i]},
+                              .carrier = State::Carrier{.instance = id, .number = i}});
   state_->light_changes = next_change();
 }
 
@@ -166,7 +171,13 @@ InstanceId Scene::add(const Instance& instance) {
 }
 
 void Scene::remove(InstanceId id) {
-  state_->instances.erase(find(state_->instances, id, "instance"));
+  const auto removed = find(state_->instances, id, "instance");
+  for (State::PlacedLight& placed : state_->lights)
+    if (placed.carrier && placed.carrier->instance == id) {
+      placed.light.light = api::light_now(*state_, placed);
+      placed.carrier.reset();
+    }
+  state_->instances.erase(removed);
   if (std::erase_if(state_->lights, [&](const State::PlacedLight& l) { return l.light.rig == id; }) > 0)
     state_->light_changes = next_change();
 }
@@ -226,6 +237,10 @@ void Scene::set_pose(InstanceId id, const std::optional<RigPose>& pose) {
   placed.posed = api::posed_asset(*Asset::State::of(placed.instance.asset), pose);
   placed.instance.pose = pose;
   placed.changes.rig = next_change();
+  if (std::any_of(state_->lights.begin(), state_->lights.end(), [&](const State::PlacedLight& light) {
+        return light.carrier && light.carrier->instance == id;
+      }))
+    state_->light_changes = placed.changes.rig;
 }
 
 void Scene::pose(InstanceId id, const std::string& clip, double seconds) {
@@ -258,6 +273,7 @@ void Scene::set_light(LightId id, const SceneLight& light) {
   check_light(light.light);
   if (light.rig) find(state_->instances, *light.rig, "instance");
   placed.light = light;
+  placed.carrier.reset();
   state_->light_changes = next_change();
 }
 
@@ -280,6 +296,19 @@ namespace api {
 const scene::Scene& only_asset(const Scene& scene) {
   DERMIS_ASSERT_EQ(scene.state().instances.size(), std::size_t{1});
   return *Asset::State::of(scene.state().instances.front().instance.asset);
+}
+
+Light light_now(const Scene::State& scene, const Scene::State::PlacedLight& placed) {
+  Light light = placed.light.light;
+  if (!placed.carrier) return light;
+  const auto& instance = *find(scene.instances, placed.carrier->instance, "instance");
+  if (!instance.posed) return light;
+
+  scene::Light moved;
+  scene::stand_at(instance.posed->rig.lights.at(placed.carrier->number), moved);
+  light.position_m = array_of(moved.position_m);
+  light.direction = array_of(moved.direction);
+  return light;
 }
 
 scene::Light placed_light(const Light& light, const setup::Pose& pose) {
@@ -322,7 +351,7 @@ setup::PlacedScene placed_scene(const Scene& scene, const std::vector<scene::Bou
   for (const Scene::State::PlacedLight& light : state.lights) {
     setup::Pose rig;
     if (light.light.rig) rig = find(state.instances, *light.light.rig, "instance")->pose;
-    placed.lights.push_back(placed_light(light.light.light, rig));
+    placed.lights.push_back(placed_light(light_now(state, light), rig));
   }
   return placed;
 }

@@ -23,6 +23,7 @@ struct SceneFile {
   std::vector<Asset::State::Source> assets;
   Scene scene;  ///< whole, but its instances share an asset that is empty
   std::vector<std::size_t> asset_of_instance;
+  std::vector<std::optional<RigPose>> pose_of_instance;  ///< taken once its asset is there
 };
 
 /// Returns the JSON of a scene file; none for any other file, known by its content. Throws InputError: what

@@ -6,12 +6,14 @@
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 
+#include "api/rig_pose.h"
 #include "api/scene_file.h"
 #include "api/scene_state.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "gaussians/json.h"
 #include "gaussians/known.h"
+#include "gaussians/scatter_profile.h"
 #include "settings/json.h"
 
 namespace dermis::api {
@@ -84,6 +86,10 @@ class Reader {
     } else {
       source.options = options_;
       read_json(json, {"name", "file", "built_in"}, source.options);
+      const auto time = json.find("time_s");
+      source.holds_time = time && !time->is_null();
+      if (!source.holds_time) source.options.time_s = options_.time_s;
+      if (source.options.clip.empty()) source.options.clip = options_.clip;
       for (const auto& [key, map] : {std::pair{"melanin_map", &source.options.melanin_map},
                                      {"haemoglobin_map", &source.options.haemoglobin_map}})
         if (json.find(key) && !map->empty()) *map = (folder_ / *map).string();
@@ -99,7 +105,7 @@ class Reader {
 
   void read_instance(const json::Value& json) {
     Instance instance{.asset = stand_in_};
-    read_json(json, {"asset", "translation_m", "rotation", "scale", "profile"}, instance);
+    read_json(json, {"asset", "translation_m", "rotation", "scale", "profile", "clip", "time_s"}, instance);
     if (const auto parts = transform_of(json)) instance.world_from_asset = *parts;
     if (const auto profile = json.find("profile")) instance.profile = profile_of(*profile);
 
@@ -110,8 +116,14 @@ class Reader {
 
     const InstanceId id = at_place(json, [&] { return made_.scene.add(instance); });
     made_.asset_of_instance.push_back(found->second);
+    made_.pose_of_instance.push_back(pose_of(json));
     ids_.push_back(id);
     if (!instance.name.empty()) ids_by_name_[instance.name].push_back(id);
+  }
+
+  static std::optional<RigPose> pose_of(const json::Value& json) {
+    if (!json.has("clip") && !json.has("time_s")) return {};
+    return RigPose{.clip = ClipTime{json.text_or("clip", ""), json.number_or("time_s", 0)}};
   }
 
   std::string known_assets() const {
@@ -144,7 +156,7 @@ class Reader {
 
   std::optional<ScatterProfile> profile_of(const json::Value& json) {
     if (json.is_null()) return {};
-    if (json.is_object()) return made_of(gaussians::read_json(json));
+    if (json.is_object()) return gaussians::scatter_profile(gaussians::read_json(json));
     if (!json.is_text()) json.fail("must be a name, a file or an object");
 
     const std::string& name = json.text();
@@ -153,25 +165,8 @@ class Reader {
     const std::vector<std::string_view> names = gaussians::known_names();
     const bool is_name = std::find(names.begin(), names.end(), name) != names.end();
     const std::string source = is_name ? name : path_of(json, folder_).string();
-    const auto read = [&] { return made_of(gaussians::from_name_or_file(source)); };
+    const auto read = [&] { return gaussians::scatter_profile(gaussians::from_name_or_file(source)); };
     return profiles_.emplace(name, at_place(json, read)).first->second;
-  }
-
-  static ScatterProfile made_of(const gaussians::SumOfGaussians& sum) {
-    ScatterProfile made{.name = sum.name,
-                        .model = sum.model,
-                        .variances_mm2 = {},
-                        .weights = {},
-                        .error_percent = sum.error_percent,
-                        .total_reflectance = sum.total_reflectance,
-                        .mean_free_path_mm = sum.mean_free_path_mm,
-                        .diffuse_mean_free_path_mm = sum.diffuse_mean_free_path_mm,
-                        .model_total = sum.total_reflectance};
-    for (const gaussians::Gaussian& term : sum.terms) {
-      made.variances_mm2.push_back(term.variance_mm2);
-      made.weights.push_back(term.weight);
-    }
-    return made;
   }
 
   void read_light(const json::Value& json) {
@@ -248,9 +243,13 @@ Scene load_scene_file(const json::Value& root, const fs::path& path, const Scene
       const Asset::State::Source& source = file.assets[number];
       Asset asset = source.file.empty() ? Asset::load("built-in:" + source.skin)
                                         : Asset::load(source.file, source.options);
+      if (source.holds_time) asset = Asset::State::make(Asset::State::of(asset), source);
       found = loaded.emplace(number, std::move(asset)).first;
     }
-    state.instances[i].instance.asset = found->second;
+    Scene::State::PlacedInstance& placed = state.instances[i];
+    placed.instance.asset = found->second;
+    placed.instance.pose = file.pose_of_instance[i];
+    placed.posed = posed_asset(*Asset::State::of(found->second), placed.instance.pose);
   }
   return Scene::State::make(std::move(state));
 }

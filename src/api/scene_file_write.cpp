@@ -44,7 +44,7 @@ class Writer {
       instances.push_back(json_of_instance(i));
     }
     for (const Scene::State::PlacedLight& placed : state_.lights)
-      lights.push_back(json_of_light(placed.light));
+      lights.push_back(json_of_light({light_now(state_, placed), placed.light.rig}));
 
     std::string text = fmt::format("{{\n  \"{}\": {}", scene_file_key, scene_file_version);
     text += list("assets", assets_) + list("instances", instances) + list("lights", lights);
@@ -73,16 +73,22 @@ class Writer {
     const Scene::State::PlacedInstance& placed = state_.instances[number];
     const Instance& instance = placed.instance;
     ordered_json json{{"asset", asset_name(number)}};
-    if (instance.pose)
-      throw input_error(
-          path_.string(),
-          "instance {}{}: it has a pose, which a scene file cannot hold; an asset can be loaded "
-          "with a clip and a time",
-          number, instance.name.empty() ? "" : " ('" + instance.name + "')");
     json.update(json_of(instance));
+    if (instance.pose) json.update(json_of_pose(*instance.pose, number));
     if (instance.profile)
       json["profile"] = ordered_json::parse(gaussians::to_json(gaussians::checked_sum(*instance.profile)));
     return json;
+  }
+
+  ordered_json json_of_pose(const RigPose& pose, std::size_t number) const {
+    if (!pose.clip || pose.second || !pose.weights.empty() || !pose.joints.empty()) {
+      const std::string& name = state_.instances[number].instance.name;
+      throw input_error(path_.string(),
+                        "instance {}{}: it has a pose that is more than a clip at a time, which a scene file "
+                        "cannot hold",
+                        number, name.empty() ? "" : " ('" + name + "')");
+    }
+    return {{"clip", pose.clip->clip}, {"time_s", pose.clip->seconds}};
   }
 
   /// Returns the name of the asset of this instance in the file; lists the asset at its first.

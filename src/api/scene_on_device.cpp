@@ -8,6 +8,7 @@
 #include "core/cache.h"
 #include "core/hooks.h"
 #include "core/warnings.h"
+#include "environment/body_shape.h"
 #include "regions/parts.h"
 
 namespace dermis::api {
@@ -53,6 +54,20 @@ void add_bent_normals(gpu::Device& device, SharedAsset& asset) {
     asset.bent_normal.push_back(std::move(seen));
     steps.done();
   }
+}
+
+// Finds the shape of the body at each vertex.
+void add_shape(gpu::Device& device, SharedAsset& asset) {
+  if (asset.has_shape) return;
+  const UploadTime time(asset);
+  Steps steps("the shape of the body", asset.subject.skin.size());
+  for (std::size_t i = 0; i < asset.subject.skin.size(); ++i) {
+    const auto shape =
+        environment::cached_body_shape(*asset.subject.scene, asset.subject.skin[i], cache::default_folder());
+    asset.gpu->give_shape(device, i, asset.subject.skin[i], shape);
+    steps.done();
+  }
+  asset.has_shape = true;
 }
 
 // Finds nose and ears, for labels.
@@ -114,6 +129,9 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
     if (environment) add_bent_normals(device, *asset);
     if (setup.plan.labels) add_parts(device, *asset);
   }
+
+  for (std::size_t i = 0; i < setup.plan.skin.size(); ++i)
+    if (setup.plan.skin[i].profile.shape) add_shape(device, *assets_[setup.meshes[i].instance]);
 
   make_looks(device, scene, settings, before, host);
   make_skies(device, scene, setup, settings, environment, before, host);

@@ -22,9 +22,15 @@ struct Scene::State {
     std::optional<gaussians::SumOfGaussians> profile;
     InstanceChanges changes;
   };
+  /// Of a light of a file: the instance whose poses move it, and its number in the asset.
+  struct Carrier {
+    InstanceId instance{};
+    std::size_t number = 0;
+  };
   struct PlacedLight {
     LightId id{};
     SceneLight light;
+    std::optional<Carrier> carrier{};  ///< none: it is of the caller
   };
 
   std::string name;  ///< empty: that of the asset
@@ -51,6 +57,10 @@ const scene::Scene& only_asset(const Scene& scene);
 setup::PlacedScene placed_scene(const Scene& scene, const std::vector<scene::BoundingSphere>& spheres);
 /// Likewise, and finds the spheres.
 setup::PlacedScene placed_scene(const Scene& scene);
+
+/// Returns a light of the scene as it stands: what a file has at one of its nodes moves with the pose of its
+/// instance.
+Light light_now(const Scene::State& scene, const Scene::State::PlacedLight& placed);
 
 /// Returns the light of a rig or of the world, in the world.
 scene::Light placed_light(const Light& light, const setup::Pose& world_from_rig);

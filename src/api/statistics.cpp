@@ -26,6 +26,7 @@ std::string Statistics::json() const {
   j["environment_lights"] = environment_lights;
   j["gaussians"] = gaussians;
   j["translucency"] = translucency;
+  j["shape_aware"] = shape_aware;
   j["tone_map"] = tone_map;
   j["exposure_ev"] = exposure_ev;
   j["skin_mean"] = skin_mean ? nlohmann::ordered_json(*skin_mean) : nlohmann::ordered_json(nullptr);
@@ -48,6 +49,7 @@ std::string Statistics::json() const {
                  {"launched", launched},
                  {"unshaded_reads", unshaded_reads},
                  {"transmission_misses", transmission_misses},
+                 {"light_reads", light_reads},
                  {"used_size", used_size},
                  {"mapped_terms", mapped_terms}};
 

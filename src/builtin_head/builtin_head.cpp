@@ -6,6 +6,7 @@
 #include "builtin_head/head_rig.h"
 #include "builtin_head/kept.h"
 #include "builtin_head/parts.h"
+#include "builtin_head/unwrap.h"
 #include "core/error.h"
 #include "core/hooks.h"
 #include "scene/tangents.h"
@@ -25,7 +26,7 @@ scene::Primitive make_mesh(const Net& net) {
       scene::Vertex& v = mesh.vertices[net.index(i, j)];
       v.position_m = to_world_m(net.at_mm[net.index(i, j)]);
       v.normal = net.normal[net.index(i, j)];
-      v.uv0 = v.uv1 = chart_uv(net, static_cast<float>(i), static_cast<float>(j));
+      v.uv0 = v.uv1 = chart_uv(net.chart[net.index(i, j)]);
     }
   }
 
@@ -70,6 +71,7 @@ Baked baked_head(const Sculpture& bust, const Settings& settings) {
   if (std::optional<Baked> found = kept(file, settings.map_size)) return std::move(*found);
 
   Baked made{.net = wrap(bust), .maps = {}};
+  made.net.chart = unwrap(made.net, bust.ear_frame());
   made.maps = bake(bust, made.net, make_mesh(made.net), settings.map_size, complexion(settings.tone));
   keep(file, made);
   return made;
@@ -99,9 +101,9 @@ scene::Scene make(const Settings& settings) {
   add("built-in colour", std::move(baked.maps.colour));
   add("built-in normal", std::move(baked.maps.normal));
   add("built-in specular and roughness", std::move(baked.maps.reflection));
-  add_eyes(bust, scene, std::clamp(size / 4, 64, 512));
+  add_eyes(bust, scene, complexion(settings.tone).colours, std::clamp(size / 4, 64, 512));
   add_teeth(scene);
-  add_hair_cards(bust, scene, std::clamp(size / 2, 64, 1024));
+  add_hair_cards(bust, scene, complexion(settings.tone).colours, std::clamp(size / 2, 64, 1024));
   scene.rig = make_rig(net, scene);
   for (const scene::RigClip& clip : scene.rig->clips) scene.clips.push_back(clip.clip.name);
   steps.done();

@@ -22,7 +22,6 @@ struct Band {
   float root_v, tip_v;
 };
 constexpr Band upper_band{0.53f, 0.76f}, lower_band{0.80f, 0.96f};
-const vec3 hair_colour(0.022f, 0.014f, 0.010f);
 
 // Draws one hair into the alpha of the map: a parabola from root to tip, tapered.
 void draw_lash(image::Image8& map, const vec2& root, const vec2& tip, float bend, float width) {
@@ -61,11 +60,11 @@ void draw_lashes(image::Image8& map, const Band& band, int count, int kind) {
                          (1 - 0.35f * smooth_step(0.8f, 1.0f, u));
     const vec2 root(u * w, band.root_v * h + 2.0f),
         tip((u + tuft + 0.030f * (dice(2) - 0.5f)) * w, glm::mix(band.root_v, band.tip_v, length) * h);
-    draw_lash(map, root, tip, 0.010f * w * (dice(3) - 0.5f), w * (0.0042f + 0.0014f * dice(4)));
+    draw_lash(map, root, tip, 0.010f * w * (dice(3) - 0.5f), w * (0.0060f + 0.0020f * dice(4)));
   }
 }
 
-image::Image8 paint_hairs(int size) {
+image::Image8 paint_hairs(int size, const vec3& colour) {
   image::Image8 map;
   map.width = map.height = size;
   map.rgba.assign(static_cast<std::size_t>(size) * size * 4, 0);
@@ -78,15 +77,16 @@ image::Image8 paint_hairs(int size) {
       const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size);
       std::uint8_t* out = map.at(x, static_cast<int>(row));
       const float tone = 1.0f + 0.5f * gradient_noise({u * 40.0f, v * 9.0f, 0}, 881);
-      for (int k = 0; k < 3; ++k) out[k] = linear_to_srgb8(hair_colour[k] * tone);
+      const vec3 here = v < brow_v ? colour : 0.4f * colour;  // lashes are darker
+      for (int k = 0; k < 3; ++k) out[k] = linear_to_srgb8(here[k] * tone);
       if (v >= brow_v) continue;
       const vec2 at(glm::mix(brow_low.x, brow_high.x, u), glm::mix(brow_high.y, brow_low.y, v / brow_v));
       out[3] = static_cast<std::uint8_t>(255.0f * std::min(1.0f, hairs.coverage(at, 1.2f * texel_mm)));
     }
   });
 
-  draw_lashes(map, upper_band, 84, 1);
-  draw_lashes(map, lower_band, 58, 2);
+  draw_lashes(map, upper_band, 104, 1);
+  draw_lashes(map, lower_band, 62, 2);
   return map;
 }
 
@@ -102,7 +102,7 @@ void add_brow(const Sculpture& bust, PartMesh& mesh, float side) {
                   t = 2.0f * static_cast<float>(j) / (rows - 1) - 1.0f;
       const vec3 middle = curve[static_cast<std::size_t>(s * static_cast<float>(curve.size() - 1) + 0.5f)];
       const vec2 at =
-          glm::clamp(vec2(glm::mix(6.6f, 57.0f, s), middle.y + t * 8.0f), brow_low + 0.5f, brow_high - 0.5f);
+          glm::clamp(vec2(glm::mix(8.0f, 57.0f, s), middle.y + t * 8.0f), brow_low + 0.5f, brow_high - 0.5f);
       const vec3 p = bust.onto_skin({side * at.x, at.y, middle.z});
       vec3 q = from_symmetric(p);
       const vec3 n = bust.project(q, Detail::form, 1.0f, 1);
@@ -147,7 +147,7 @@ void add_lashes(const Sculpture& bust, PartMesh& mesh, float side, bool is_upper
 
 }  // namespace
 
-void add_hair_cards(const Sculpture& bust, scene::Scene& scene, int map_size) {
+void add_hair_cards(const Sculpture& bust, scene::Scene& scene, const Colouring& colours, int map_size) {
   const int material = static_cast<int>(scene.materials.size());
   scene::Material m;
   m.name = "hair";
@@ -159,7 +159,8 @@ void add_hair_cards(const Sculpture& bust, scene::Scene& scene, int map_size) {
   m.base_colour_map.image = static_cast<int>(scene.images.size());
   m.base_colour_map.wrap_u = m.base_colour_map.wrap_v = scene::Wrap::clamp;
   scene.materials.push_back(m);
-  scene.images.push_back({"built-in hair", std::make_shared<const image::Image8>(paint_hairs(map_size))});
+  scene.images.push_back(
+      {"built-in hair", std::make_shared<const image::Image8>(paint_hairs(map_size, colours.hair))});
 
   PartMesh brows("brows", material), lashes("lashes", material);
   for (const float side : {1.0f, -1.0f}) {

@@ -17,8 +17,6 @@ constexpr float limbus_mm = 5.85f, cornea_mm = 7.8f;
 constexpr float last_angle = 1.75f;  // of the modelled part of the globe, from the pupil
 constexpr float pupil_mm = 1.9f;
 
-const vec3 iris_dark(0.045f, 0.022f, 0.010f), iris_light(0.20f, 0.115f, 0.045f),
-    iris_rim(0.030f, 0.020f, 0.014f);
 const vec3 sclera(0.53f, 0.475f, 0.42f), sclera_corner(0.42f, 0.28f, 0.235f), vessel(0.50f, 0.10f, 0.07f);
 
 // Crooked vessels of the conjunctiva, from the corners of the eye towards the iris: points in the plane of
@@ -56,15 +54,15 @@ std::vector<Vessel> vessels() {
 }
 
 // Returns the colour at a place of the map: `at` in mm along the globe from the pupil, `angle` around it.
-vec3 eye_colour(const vec2& at) {
+vec3 eye_colour(const vec2& at, const Colouring& colours) {
   const float along = glm::length(at), angle = along > 1e-4f ? std::atan2(at.y, at.x) : 0.0f;
   const float r = eyeball_mm * std::sin(std::min(along / eyeball_mm, 1.57f));  // from the axis, mm
 
   // Sclera: yellowish white, redder towards the corners.
   const vec3 p(at * 0.25f, 3.0f);
   const float redness = smooth_step(8.0f, 17.0f, along) * (0.5f + 0.5f * std::abs(std::cos(angle)));
-  vec3 white =
-      glm::mix(sclera, sclera_corner, std::clamp(redness + 0.12f * layered_noise(p, 2, 611), 0.0f, 1.0f));
+  vec3 white = colours.sclera * glm::mix(sclera, sclera_corner,
+                                         std::clamp(redness + 0.12f * layered_noise(p, 2, 611), 0.0f, 1.0f));
   if (r > limbus_mm + 1.2f) return white;
 
   // Iris: fibres from the pupil to the rim, a paler ruff around the pupil, a dark rim.
@@ -75,8 +73,8 @@ vec3 eye_colour(const vec2& at) {
   const float ruff =
       smooth_step(pupil_mm, pupil_mm + 0.4f, r) * (1 - smooth_step(2.7f, 3.7f, r + 0.35f * crypt));
   const float light = std::clamp(0.34f + 0.36f * fibre + 0.18f * crypt + 0.38f * ruff, 0.0f, 1.0f);
-  vec3 iris = glm::mix(iris_dark, iris_light, light);
-  iris = glm::mix(iris, iris_rim, 0.75f * smooth_step(4.6f, 5.7f, r + 0.15f * crypt));
+  vec3 iris = glm::mix(colours.iris_dark, colours.iris_light, light);
+  iris = glm::mix(iris, 0.6f * colours.iris_dark, 0.75f * smooth_step(4.6f, 5.7f, r + 0.15f * crypt));
   // The cornea gathers light from above on the lower part of the iris, and its rim shades the upper one.
   iris *= 1.0f + 0.45f * std::clamp(at.y / limbus_mm, -1.0f, 1.0f);
   iris *= smooth_step(pupil_mm - 0.12f, pupil_mm + 0.22f, r + 0.06f * fibre);
@@ -84,7 +82,7 @@ vec3 eye_colour(const vec2& at) {
   return glm::mix(iris, white, smooth_step(limbus_mm - 0.55f, limbus_mm + 0.65f, r));
 }
 
-image::Image8 paint_eye(int size) {
+image::Image8 paint_eye(int size, const Colouring& colours) {
   image::Image8 map;
   map.width = map.height = size;
   map.rgba.assign(static_cast<std::size_t>(size) * size * 4, 255);
@@ -118,12 +116,32 @@ image::Image8 paint_eye(int size) {
       const float shade = (1 - 0.50f * smooth_step(1.5f, 6.5f, y)) *
                           (1 - 0.30f * smooth_step(3.0f, 7.0f, -y)) *
                           (1 - 0.30f * smooth_step(7.5f, 12.5f, std::abs(at.x)));
-      const vec3 c =
-          shade * glm::mix(eye_colour(at), vessel, 0.8f * blood[row * static_cast<std::size_t>(size) + x]);
+      const vec3 c = shade * glm::mix(eye_colour(at, colours), vessel,
+                                      0.8f * blood[row * static_cast<std::size_t>(size) + x]);
       std::uint8_t* out = map.at(x, static_cast<int>(row));
       for (int k = 0; k < 3; ++k) out[k] = linear_to_srgb8(c[k]);
     }
   });
+  return map;
+}
+
+// How much of its surroundings a place of the eye sees between lids and lashes; brow and nose hide some, too.
+image::Image8 paint_openness(int size) {
+  image::Image8 map;
+  map.width = map.height = size;
+  map.rgba.assign(static_cast<std::size_t>(size) * size * 4, 255);
+  const float reach = last_angle * eyeball_mm, per_texel = 2.0f * reach / static_cast<float>(size);
+  for (int row = 0; row < size; ++row) {
+    for (int x = 0; x < size; ++x) {
+      const vec2 at = (vec2(x, row) + 0.5f) * per_texel - reach;
+      const float below_upper = std::max(4.8f + at.y, 0.0f), above_lower = std::max(6.6f - at.y, 0.0f);
+      const float open = 0.82f * (1 - std::exp(-below_upper / 2.6f)) *
+                         (1 - 0.6f * std::exp(-above_lower / 1.6f)) *
+                         (1 - 0.65f * smooth_step(6.0f, 14.0f, std::abs(at.x)));
+      const auto byte = static_cast<std::uint8_t>(255.0f * open + 0.5f);
+      std::fill_n(map.at(x, row), 3, byte);
+    }
+  }
   return map;
 }
 
@@ -234,14 +252,21 @@ float eye_radius_mm(const vec3& d) {
   return soft_max(eyeball_mm, cap, 0.5f);
 }
 
-void add_eyes(const Sculpture& bust, scene::Scene& scene, int map_size) {
+void add_eyes(const Sculpture& bust, scene::Scene& scene, const Colouring& colours, int map_size) {
   const int eye = static_cast<int>(scene.materials.size());
   scene.materials.push_back(wet("eye", vec4(1), 0.09f));
   scene.materials.back().base_colour_map.image = static_cast<int>(scene.images.size());
+  scene.materials.back().occlusion_map.image = static_cast<int>(scene.images.size()) + 1;
   scene.materials.push_back(wet("caruncle", {0.50f, 0.19f, 0.155f, 1}, 0.30f));
-  scene.materials.push_back(wet("tears", {0.50f, 0.36f, 0.32f, 0.25f}, 0.10f));
+  scene.materials.push_back(wet("tears", {0.34f, 0.24f, 0.21f, 0.20f}, 0.10f));
   scene.materials.back().alpha_mode = scene::AlphaMode::blend;
-  scene.images.push_back({"built-in eye", std::make_shared<const image::Image8>(paint_eye(map_size))});
+  scene.images.push_back(
+      {"built-in eye", std::make_shared<const image::Image8>(paint_eye(map_size, colours))});
+  scene.images.push_back(
+      {"built-in eye, openness", std::make_shared<const image::Image8>(paint_openness(64))});
+
+  scene.materials[static_cast<std::size_t>(eye) + 1].occlusion_map.image =
+      add_openness(scene, "built-in lids, openness", 0.45f);
 
   PartMesh globes("eyes", eye), caruncles("caruncles", eye + 1), tears("tears", eye + 2);
   for (const float side : {1.0f, -1.0f}) {

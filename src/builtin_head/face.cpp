@@ -50,7 +50,7 @@ std::vector<Stroke> folds() {
 std::vector<Stroke> lid_strokes() {
   return {
       {upper_crease, {4.2f, -1.2f, 0.25f, 0.4f}},
-      {{{16, 8, 80}, {23, 12.6f, 81}, {32, 14.2f, 81}, {41, 11.4f, 78}, {48, 6.5f, 72}, {53, 0.5f, 66}},
+      {{{16, 7, 80}, {23, 11.4f, 81}, {32, 12.9f, 81}, {41, 10.3f, 78}, {48, 5.9f, 72}, {53, 0.3f, 66}},
        {6.0f, 1.5f, 0.35f, 0.3f}},
       {tear_trough, {5.5f, -0.5f, 0.2f, 0.7f}},
       {lower_crease, {3.2f, -0.35f, 0.3f, 0.4f}},
@@ -116,9 +116,9 @@ Face::Face()
                {{0, -34, 106.0f}, 8.0f}}),
       nose_core_({{{0, 4, 72}, 6.5f},
                   {{0, -8, 75}, 9.0f},
-                  {{0, -22, 80}, 13.0f},
-                  {{0, -33, 85}, 15.4f},
-                  {{0, -36.5f, 87}, 14.6f}}),
+                  {{0, -22, 80}, 12.0f},
+                  {{0, -33, 86}, 13.6f},
+                  {{0, -36.5f, 88}, 13.0f}}),
       columella_({{{0, -43.2f, 110}, 3.0f}, {{0, -45.2f, 104}, 2.8f}, {{0, -47, 96.5f}, 3.4f}}),
       ala_({{{7.5f, -40.5f, 107}, 4.2f},
             {{11.2f, -41.2f, 103}, 4.4f},
@@ -167,7 +167,7 @@ float Face::add_nose(float f, const vec3& p, Detail detail) const {
   if (p.x > 36 || p.y > 28 || p.y < -66 || p.z < 60) return f;
   f = soft_min(f, nose_core_(p, f + 12), 12);
   f = soft_min(f, bridge_(p, f + 9), 9);
-  f = soft_min(f, ellipsoid(p - vec3(2.5f, -36.6f, 107.0f), {8.4f, 8.4f, 10.0f}), 9.0f);
+  f = soft_min(f, ellipsoid(p - vec3(1.5f, -36.6f, 107.0f), {8.2f, 8.2f, 10.0f}), 9.0f);
   f = soft_min(f, ala_(p, f + 3.6f), 3.6f);
   f = soft_min(f, columella_(p, f + 3), 3);
   if (detail == Detail::blunt) return f;

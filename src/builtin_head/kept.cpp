@@ -13,12 +13,12 @@
 namespace dermis::builtin_head {
 namespace {
 
-// The file: a line of text that names code and size, positions and normals of the net's nodes, then of each
-// map the channels that it uses.
+// The file: a line of text that names code and size, positions, normals and chart of the net's nodes, then
+// of each map the channels that it uses.
 std::string first_line(int map_size) { return fmt::format("dermis built-in {} {}\n", code_hash(), map_size); }
 
 constexpr std::size_t nodes = std::size_t{Openings::columns + 1} * (Openings::rows + 1);
-constexpr std::size_t net_bytes = 2 * nodes * sizeof(vec3);
+constexpr std::size_t net_bytes = nodes * (2 * sizeof(vec3) + sizeof(vec2));
 constexpr std::size_t channels[] = {3, 3, 2};     // of colour, normal, reflection
 constexpr std::uint8_t unused[] = {255, 255, 0};  // the blue of the reflection
 
@@ -32,9 +32,13 @@ std::size_t bytes_of(int map_size) {
   return first_line(map_size).size() + net_bytes + texels * (channels[0] + channels[1] + channels[2]);
 }
 
-bool finite(const std::vector<vec3>& values) {
-  for (const vec3& v : values)
-    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
+template <class Vector>
+bool take(const std::byte*& from, std::vector<Vector>& values) {
+  values.resize(nodes);
+  std::memcpy(values.data(), from, nodes * sizeof(Vector));
+  from += nodes * sizeof(Vector);
+  for (const Vector& v : values)
+    if (!std::isfinite(glm::dot(v, v))) return false;
   return true;
 }
 
@@ -55,14 +59,11 @@ std::optional<Baked> kept(const std::filesystem::path& file, int map_size) {
     return std::nullopt;
   const std::byte* from = bytes->data() + line.size();
 
-  Baked baked{.net = {.columns = Openings::columns, .rows = Openings::rows, .at_mm = {}, .normal = {}},
-              .maps = {}};
-  for (std::vector<vec3>* values : {&baked.net.at_mm, &baked.net.normal}) {
-    values->resize(nodes);
-    std::memcpy(values->data(), from, nodes * sizeof(vec3));
-    from += nodes * sizeof(vec3);
-    if (!finite(*values)) return std::nullopt;
-  }
+  Baked baked;
+  Net& net = baked.net;
+  net.columns = Openings::columns;
+  net.rows = Openings::rows;
+  if (!take(from, net.at_mm) || !take(from, net.normal) || !take(from, net.chart)) return std::nullopt;
 
   const std::size_t texels = static_cast<std::size_t>(map_size) * static_cast<std::size_t>(map_size);
   for (std::size_t k = 0; image::Image8 * map : maps_of(baked.maps)) {
@@ -90,6 +91,7 @@ void keep(const std::filesystem::path& file, const Baked& baked) {
   add(std::as_bytes(std::span(line)));
   add(std::as_bytes(std::span(baked.net.at_mm)));
   add(std::as_bytes(std::span(baked.net.normal)));
+  add(std::as_bytes(std::span(baked.net.chart)));
 
   for (std::size_t k = 0; const image::Image8* map : maps_of(baked.maps)) {
     for (std::size_t i = 0; i < map->rgba.size(); i += 4)

@@ -76,6 +76,68 @@ struct Place {
   float x = 0, y = 0;  // in cells
 };
 
+// Finds which place of the net the centre of each texel shows.
+class Places {
+ public:
+  Places(const Net& net, int size)
+      : net_(net),
+        size_(size),
+        low_(static_cast<int>(std::ceil(chart_margin * static_cast<float>(size) - 0.5f))),
+        high_(size - 1 - low_),
+        places_(static_cast<std::size_t>(size) * size) {
+    for (int j = 0; j < net.rows; ++j) {
+      for (int i = 0; i < net.columns; ++i) {
+        draw({vec2(i, j), vec2(i + 1, j), vec2(i + 1, j + 1)});
+        draw({vec2(i, j), vec2(i + 1, j + 1), vec2(i, j + 1)});
+      }
+    }
+  }
+  /// Texels beyond the chart repeat its border.
+  const Place& operator()(int x, int y) const {
+    return places_[static_cast<std::size_t>(std::clamp(y, low_, high_)) * size_ +
+                   static_cast<std::size_t>(std::clamp(x, low_, high_))];
+  }
+  int low() const { return low_; }
+  int high() const { return high_; }
+
+ private:
+  void draw(const std::array<vec2, 3>& nodes);
+  const Net& net_;
+  int size_, low_, high_;
+  std::vector<Place> places_;
+};
+
+// A centre on an edge belongs to both triangles, the later wins.
+void Places::draw(const std::array<vec2, 3>& nodes) {
+  std::array<vec2, 3> at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const vec2& chart = net_.chart[net_.index(static_cast<int>(nodes[k].x), static_cast<int>(nodes[k].y))];
+    at[k] = chart_uv(chart) * static_cast<float>(size_) - 0.5f;
+  }
+  const vec2 ab = at[1] - at[0], ac = at[2] - at[0];
+  const float area = ab.x * ac.y - ab.y * ac.x;
+  if (area == 0) return;
+  constexpr float rounding = -1e-3f;
+  const auto first = [&](float a, float b, float c) {
+    return std::max(low_, static_cast<int>(std::floor(std::min({a, b, c}))));
+  };
+  const auto last = [&](float a, float b, float c) {
+    return std::min(high_, static_cast<int>(std::ceil(std::max({a, b, c}))));
+  };
+
+  for (int y = first(at[0].y, at[1].y, at[2].y); y <= last(at[0].y, at[1].y, at[2].y); ++y) {
+    for (int x = first(at[0].x, at[1].x, at[2].x); x <= last(at[0].x, at[1].x, at[2].x); ++x) {
+      const vec2 p = vec2(x, y) - at[0];
+      const float b = (p.x * ac.y - p.y * ac.x) / area, c = (ab.x * p.y - ab.y * p.x) / area;
+      if (std::min({b, c, 1 - b - c}) < rounding) continue;
+      const vec2 place = nodes[0] + b * (nodes[1] - nodes[0]) + c * (nodes[2] - nodes[0]);
+      places_[static_cast<std::size_t>(y) * size_ + static_cast<std::size_t>(x)] = {
+          std::clamp(place.x, 0.0f, static_cast<float>(net_.columns)),
+          std::clamp(place.y, 0.0f, static_cast<float>(net_.rows))};
+    }
+  }
+}
+
 class Baker {
  public:
   Baker(const Sculpture& bust, const Net& net, const scene::Primitive& mesh, int size,
@@ -84,6 +146,7 @@ class Baker {
         net_(net),
         mesh_(mesh),
         fine_(refine_on(bust, skin_, net, size)),
+        places_(net, size),
         size_(size),
         height_mm_(static_cast<std::size_t>(size) * size) {}
 
@@ -101,13 +164,6 @@ class Baker {
   }
 
  private:
-  Place place(int x, int y) const {
-    const float inner = 1.0f - 2.0f * chart_margin, texel = 1.0f / static_cast<float>(size_);
-    const float u = ((static_cast<float>(x) + 0.5f) * texel - chart_margin) / inner;
-    const float v = (1.0f - chart_margin - (static_cast<float>(y) + 0.5f) * texel) / inner;
-    return {std::clamp(u, 0.0f, 1.0f) * static_cast<float>(net_.columns),
-            std::clamp(v, 0.0f, 1.0f) * static_cast<float>(net_.rows)};
-  }
   template <class T, class Mix>
   T sample(const std::vector<T>& field, const Place& at, const Mix& mix) const {
     const float x = at.x * static_cast<float>(fine_.per_cell), y = at.y * static_cast<float>(fine_.per_cell);
@@ -130,6 +186,7 @@ class Baker {
   const Net& net_;
   const scene::Primitive& mesh_;
   FineNet fine_;
+  Places places_;
   int size_;
   std::vector<float> height_mm_;
 };
@@ -155,7 +212,7 @@ std::uint8_t to_srgb(float linear) {
 void Baker::paint_row(int y, Maps& maps) {
   SkinWalk walk;
   for (int x = 0; x < size_; ++x) {
-    const Place at = place(x, y);
+    const Place& at = places_(x, y);
     const vec3 p = sample(fine_.at_mm, at);
     const Region where = sample(fine_.region, at, blend);
     const SkinPoint s = skin_.paint(p, where, walk);
@@ -175,15 +232,14 @@ void Baker::paint_row(int y, Maps& maps) {
 // to mm.
 vec3 Baker::surface_slope(int x, int y) const {
   // One-sided at the borders of the chart, whose neighbours repeat the border.
-  const int low = static_cast<int>(std::ceil(chart_margin * static_cast<float>(size_))),
-            high = size_ - 1 - low;
+  const int low = places_.low(), high = places_.high();
   const int xc = std::clamp(x, low, high), yc = std::clamp(y, low, high);
   const int xa = std::max(xc - 1, low), xb = std::min(xc + 1, high), ya = std::max(yc - 1, low),
             yb = std::min(yc + 1, high);
   const auto h = [&](int a, int b) { return height_mm_[static_cast<std::size_t>(b) * size_ + a]; };
   const float hx = h(xb, yc) - h(xa, yc), hy = h(xc, yb) - h(xc, ya);
-  const vec3 px = sample(fine_.at_mm, place(xb, yc)) - sample(fine_.at_mm, place(xa, yc));
-  const vec3 py = sample(fine_.at_mm, place(xc, yb)) - sample(fine_.at_mm, place(xc, ya));
+  const vec3 px = sample(fine_.at_mm, places_(xb, yc)) - sample(fine_.at_mm, places_(xa, yc));
+  const vec3 py = sample(fine_.at_mm, places_(xc, yb)) - sample(fine_.at_mm, places_(xc, ya));
   const float e = glm::dot(px, px), f = glm::dot(px, py), g = glm::dot(py, py);
   const float det = std::max(e * g - f * f, 1e-3f * e * g + 1e-12f);
   return ((hx * g - hy * f) * px + (hy * e - hx * f) * py) / det;
@@ -207,7 +263,7 @@ glm::mat3 Baker::mesh_frame(const Place& at) const {
 
 void Baker::normal_row(int y, image::Image8& map) const {
   for (int x = 0; x < size_; ++x) {
-    const Place at = place(x, y);
+    const Place& at = places_(x, y);
     const vec3 n = glm::normalize(glm::normalize(sample(fine_.normal, at)) - surface_slope(x, y));
     const glm::mat3 frame = mesh_frame(at);
     vec3 local = n * frame;  // row vector times matrix: the three dot products

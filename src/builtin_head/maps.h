@@ -12,12 +12,11 @@ namespace dermis::builtin_head {
 /// Margin of the chart in the unit square, so that filtering and blurring never reach the border of the map.
 inline constexpr float chart_margin = 1.0f / 64.0f;
 
-/// Returns the texture coordinates of node (i, j) of the net, u to the right, v down. Columns grow to the
-/// left side of the head, rows upwards.
-inline vec2 chart_uv(const Net& net, float i, float j) {
+/// Returns the texture coordinates of a place in the chart, u to the right, v down. Columns of the net grow
+/// to the left side of the head, rows upwards.
+inline vec2 chart_uv(const vec2& chart) {
   const float inner = 1.0f - 2.0f * chart_margin;
-  return {chart_margin + inner * i / static_cast<float>(net.columns),
-          1.0f - chart_margin - inner * j / static_cast<float>(net.rows)};
+  return {chart_margin + inner * chart.x, 1.0f - chart_margin - inner * chart.y};
 }
 
 struct Maps {

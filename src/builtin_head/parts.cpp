@@ -5,6 +5,15 @@
 
 namespace dermis::builtin_head {
 
+int add_openness(scene::Scene& scene, const char* name, float share) {
+  constexpr int side = 4;
+  const auto byte = static_cast<std::uint8_t>(255.0f * share + 0.5f);
+  image::Image8 map{.width = side, .height = side, .rgba = {}};
+  map.rgba.assign(static_cast<std::size_t>(side) * side * 4, byte);
+  scene.images.push_back({name, std::make_shared<const image::Image8>(std::move(map))});
+  return static_cast<int>(scene.images.size()) - 1;
+}
+
 PartMesh::PartMesh(const char* name, int material) {
   mesh_.name = name;
   mesh_.material = material;

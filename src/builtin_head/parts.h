@@ -2,6 +2,7 @@
 // What the head has beside its skin: eyes with tears and caruncles, teeth, gums and tongue, brows and lashes.
 #pragma once
 
+#include "builtin_head/complexion.h"
 #include "builtin_head/sculpture.h"
 #include "image/image.h"
 #include "scene/scene.h"
@@ -12,6 +13,10 @@ namespace dermis::builtin_head {
 inline vec3 to_world_m(const vec3& p_mm) {
   return 0.001f * vec3(p_mm.x, p_mm.y + Sculpture::eyes_over_origin_mm, p_mm.z);
 }
+
+/// Adds a map that says which share of their surroundings parts see, everywhere the same, 0..1. Returns its
+/// number.
+int add_openness(scene::Scene& scene, const char* name, float share);
 
 /// Builds a primitive of a part from points of the symmetric face.
 class PartMesh {
@@ -35,12 +40,12 @@ class PartMesh {
 float eye_radius_mm(const vec3& d);
 
 /// Adds both eyeballs, the rim of tears along the lower lids and the caruncles, with their materials and map.
-void add_eyes(const Sculpture& bust, scene::Scene& scene, int map_size);
+void add_eyes(const Sculpture& bust, scene::Scene& scene, const Colouring& colours, int map_size);
 
 /// Adds teeth, gums and the tongue, behind the lips.
 void add_teeth(scene::Scene& scene);
 
 /// Adds brows and lashes: blended cards with one map.
-void add_hair_cards(const Sculpture& bust, scene::Scene& scene, int map_size);
+void add_hair_cards(const Sculpture& bust, scene::Scene& scene, const Colouring& colours, int map_size);
 
 }  // namespace dermis::builtin_head

@@ -45,7 +45,7 @@ float ReliefWalk::lips_mm(const vec3& p, const Region& r) {
   const float up = r.symmetric.y + 68;
   const float wave = lip_wave_({p.x * (1.15f + 0.02f * up), p.y * 0.10f, 0.0f});
   const float fine = lip_fine_({p.x * (2.6f + 0.04f * up), p.y * 0.35f, 3.0f});
-  return 0.10f * (std::abs(wave) - 0.3f) * 1.3f + 0.035f * (std::abs(fine) - 0.3f);
+  return 0.085f * (std::abs(wave) - 0.3f) + 0.022f * (std::abs(fine) - 0.3f);
 }
 
 // Wavy creases, deepest in the middle of the forehead, and finer ones between them.
@@ -76,27 +76,31 @@ float ReliefWalk::neck_mm(const vec3& p, const Region& r) {
   const float fine = creases_({p.x * 0.10f, (p.y + 0.22f * p.z) * 0.55f, p.z * 0.10f});
   const float front = smooth_step(-10, 20, q.z);
   return -r.neck *
-         (0.13f * front * crease(ring, 0.22f) + 0.035f * (0.4f + 0.6f * front) * crease(fine, 0.22f));
+         (0.07f * front * crease(ring, 0.35f) + 0.030f * (0.4f + 0.6f * front) * crease(fine, 0.22f));
 }
 
 Relief ReliefWalk::at(const vec3& p, const Region& r) {
   // Pores: wide and deep on nose, inner cheek and chin, hardly any on lids and lips.
-  const float bare = (1 - r.lips) * (1 - 0.85f * std::min(1.0f, r.upper_lid + 0.7f * r.under_eye));
+  const float bare =
+      (1 - r.lips) * (1 - r.scalp) * (1 - 0.85f * std::min(1.0f, r.upper_lid + 0.7f * r.under_eye));
   const float oily =
       std::min(1.0f, r.nose + 0.8f * r.nose_tip + 0.65f * r.cheek + 0.45f * r.forehead + 0.4f * r.chin);
   const vec3 along = drawn_out * r.line;
   Relief relief;
 
-  const Cell cell = pores_(p * pores_per_mm, along);
-  const float size = unit(cell.id * 668265263u), shown = smooth_step(0.0f, 0.2f, 0.35f + oily - size);
-  const float radius_mm = 0.17f + 0.10f * oily + 0.08f * unit(cell.id),
-              s = cell.nearest / pores_per_mm / radius_mm;
-  relief.pore = bare * shown * (0.35f + 0.65f * oily) * falloff(0.8f * s * s);
-  float h = -0.095f * (0.6f + 0.4f * size) * relief.pore;
+  float h = 0;
+  if (bare > 0) {
+    const Cell cell = pores_(p * pores_per_mm, along);
+    const float size = unit(cell.id * 668265263u), shown = smooth_step(0.0f, 0.2f, 0.35f + oily - size);
+    const float radius_mm = 0.17f + 0.10f * oily + 0.08f * unit(cell.id),
+                s = cell.nearest / pores_per_mm / radius_mm;
+    relief.pore = bare * shown * (0.35f + 0.65f * oily) * falloff(0.8f * s * s);
+    h = -0.095f * (0.6f + 0.4f * size) * relief.pore;
+  }
 
   // The net of fine furrows between them, and the softer unevenness of skin.
   const Cell net = furrows_(p * 1.15f, along);
-  h -= 0.018f * (1 - r.lips) * (1 - smooth_step(0.02f, 0.22f, net.second - net.nearest));
+  h -= 0.026f * (1 - r.lips) * (1 - smooth_step(0.02f, 0.22f, net.second - net.nearest));
   h += 0.030f * soft_(p * 0.35f) * (1 - r.lips) + 0.010f * fine_(p * 1.6f);
 
   if (r.lips > 0) h += r.lips * lips_mm(p, r);

@@ -40,6 +40,7 @@ float inside_hairline(const vec3& q) {
 Skin::Skin(const Sculpture& bust, const Complexion& complexion)
     : skin_(complexion.skin),
       lips_(complexion.lips),
+      hair_colour_(complexion.colours.hair * 1.5f),
       ear_(bust.ear_frame()),
       lash_(upper_lid, {1, 0, 0, 0, true}, 4),
       brow_(brow_line, {1, 0, 0, 0, true}, 4),
@@ -67,7 +68,10 @@ Region Skin::region(const vec3& p) const {
   r.ear = 1.0f - smooth_step(0.75f, 1.25f, glm::dot(e, e));
   const float face = smooth_step(8, 48, q.z) * smooth_step(-124, -100, q.y);
   r.neck = 1.0f - smooth_step(-128, -108, q.y + 0.35f * (80 - q.z));
-  r.scalp = smooth_step(-7, 12, inside_hairline(q) + 4.0f * gradient_noise(p * 0.22f, 3)) * (1 - r.ear);
+  const float nape = smooth_step(-10, -40, q.y) * smooth_step(-10, -40, q.z);  // cut shorter there
+  r.scalp =
+      smooth_step(-7 - 6 * nape, 12 + 22 * nape, inside_hairline(q) + 4.0f * gradient_noise(p * 0.22f, 3)) *
+      (1 - r.ear);
   if (face <= 0) {
     r.line = tension_line(q, r) * vec3(p.x > 0 ? 1 : -1, 1, 1);
     return r;
@@ -120,6 +124,25 @@ float Skin::hair(const vec3& p, const vec3& q) const {
                              (1 - smooth_step(0.97f, 1.0f, lash.y)));
 }
 
+// Hair of a few millimetres, from the whorl behind the crown down on all sides: strands as drawn-out cells,
+// fewer towards the hairline.
+float Skin::crop(const vec3& p, const Region& r, SkinWalk& walk) const {
+  if (r.scalp < 0.02f) return 0;
+  const vec3 from_whorl = p - vec3(8, 104, -58);
+  // Bent, or where the surface lies along its cells they would show as rings.
+  const vec3 bent = p + 0.7f * vec3(r.mottle, r.blood, r.oil);
+  const vec3 flow = glm::normalize(from_whorl + vec3(0, -0.35f * glm::length(from_whorl), 0));
+  float bare = 1;
+  for (int layer = 0; layer < 2; ++layer) {
+    const Cell c = walk.crop[layer](bent * (layer == 0 ? 1.7f : 2.6f), 0.88f * flow);
+    if (unit(c.id) > 1.15f * r.scalp) continue;
+    bare *= 1 - (0.45f + 0.40f * r.scalp) * (0.7f + 0.3f * unit(c.id * 2246822519u)) *
+                    (1 - smooth_step(0.10f, 0.42f, c.nearest));
+  }
+  // Roots, and hairs that are finer than a texel.
+  return 1 - bare * (1 - 0.72f * r.scalp);
+}
+
 vec3 Skin::tint(const vec3& p, const Region& r, float pore, SkinWalk& walk) const {
   const float grain = walk.grain(p * 1.1f);
 
@@ -127,7 +150,7 @@ vec3 Skin::tint(const vec3& p, const Region& r, float pore, SkinWalk& walk) cons
   float melanin =
       0.10f * r.complexion + 0.05f * r.mottle + 0.05f * grain + 0.12f * r.forehead + 0.10f * r.neck - 0.05f;
   float blood = 0.13f * r.mottle + 0.12f * r.blood + 0.10f * r.complexion;
-  blood += 0.45f * r.cheek * (1 + 0.35f * r.mottle) + 1.25f * r.nose_tip + 0.75f * r.ear + 0.30f * r.chin +
+  blood += 0.29f * r.cheek * (1 + 0.25f * r.mottle) + 1.0f * r.nose_tip + 0.75f * r.ear + 0.30f * r.chin +
            0.22f * r.upper_lid - 0.20f * r.forehead - 0.15f;
   const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
   blood += 0.45f * bell(q, {18, -42, 90}, {5, 8, 10});
@@ -135,8 +158,10 @@ vec3 Skin::tint(const vec3& p, const Region& r, float pore, SkinWalk& walk) cons
   melanin += 0.45f * pore;
 
   // Freckles: sparse cells, each with its own size and strength, over cheeks and nose.
-  const float where = std::min(1.0f, 1.2f * r.cheek + 1.1f * r.nose + 0.25f * r.forehead + 0.12f);
-  for (int layer = 0; layer < (where > 0.2f ? 2 : 1); ++layer) {
+  const float where =
+      std::min(1.0f, 1.2f * r.cheek + 1.1f * r.nose + 0.25f * r.forehead + 0.12f) * (1 - r.scalp);
+  const int layers = where > 0.2f ? 2 : (where > 0.01f ? 1 : 0);
+  for (int layer = 0; layer < layers; ++layer) {
     const float scale = layer == 0 ? 0.30f : 0.52f;
     const Cell c = walk.freckles[layer](p * scale + 0.15f * grain);
     const float chance = unit(c.id), radius = (0.10f + 0.16f * unit(c.id * 2246822519u));
@@ -147,15 +172,15 @@ vec3 Skin::tint(const vec3& p, const Region& r, float pore, SkinWalk& walk) cons
 
   // Blood of the veins below thin skin, and blood that has given off its oxygen, is blue.
   vec3 albedo = skin_.at(melanin, blood + 0.30f * r.under_eye, 0.45f * r.under_eye + 0.15f * r.upper_lid);
-  // Its walls keep light from its bottom.
+  // Its walls keep light from its bottom, as those of the ear's bowl do.
   albedo *= 1 - 0.25f * pore;
-  // A shaven beard and a shaven scalp: hair in the skin looks blue-grey through it.
-  const float shaven = std::max(0.60f * r.beard, 0.95f * r.scalp);
+  if (r.ear > 0) albedo *= 1 - 0.75f * bell(ear_.to_local(q), {-7.0f, -5.5f, -2.5f}, {3.6f, 4.2f, 5.0f});
+  // A shaven beard: hair in the skin looks blue-grey through it.
+  const float shaven = 0.60f * r.beard;
   if (shaven > 0.01f) {
     albedo *= glm::mix(vec3(1), vec3(0.84f, 0.87f, 0.91f), shaven);
-    albedo *= glm::mix(vec3(1), vec3(0.62f, 0.66f, 0.70f), r.scalp);
     const Cell c = walk.stubble(p * 1.25f);
-    albedo *= 1.0f - 0.38f * shaven * (1 - smooth_step(0.08f, 0.22f, c.nearest)) * (0.4f + 0.6f * unit(c.id));
+    albedo *= 1.0f - 0.45f * shaven * (1 - smooth_step(0.08f, 0.22f, c.nearest)) * (0.4f + 0.6f * unit(c.id));
   }
   return albedo;
 }
@@ -179,7 +204,8 @@ SkinPoint Skin::paint(const vec3& p, const Region& r, SkinWalk& walk) const {
     // Streaked along the lips' furrows, whose pigments are as uneven as the skin's.
     const float streak = walk.streak(vec3(p.x * 1.5f, p.y * 0.25f, p.z * 0.4f));
     // By the eye it is the lids' edge and the conjunctiva that are bare.
-    const vec3 bare = q.y > -25 ? vec3(0.40f, 0.225f, 0.185f) : lips_.at(-0.15f * streak, -0.25f * streak, 0);
+    const vec3 bare =
+        q.y > -25 ? 1.25f * lips_.at(0, -0.4f, 0) : lips_.at(-0.15f * streak, -0.25f * streak, 0);
     // The lining of the mouth is redder, and dark where hardly any light comes.
     const float deep = q.y > -25 ? 0.0f : smooth_step(92.0f, 62.0f, q.z);
     const vec3 lip = glm::mix(bare, vec3(0.10f, 0.028f, 0.024f), deep);
@@ -191,13 +217,17 @@ SkinPoint Skin::paint(const vec3& p, const Region& r, SkinWalk& walk) const {
     const bool lid = q.y > -25;
     const float gloss = lid ? 0.6f : (1 - 0.75f * std::max(folded, deep));
     s.specular = glm::mix(s.specular, gloss, r.lips);
-    s.roughness = glm::mix(s.roughness, lid ? 0.50f : 0.455f - 0.045f * wet, r.lips);
+    s.roughness = glm::mix(s.roughness, lid ? 0.50f : 0.465f - 0.040f * wet, r.lips);
     s.albedo *= 1.0f - 0.15f * (1 - smooth_step(0.2f, 0.8f, line.x));
   }
 
-  const float hairs = hair(p, q);
-  s.albedo = glm::mix(s.albedo, vec3(0.055f, 0.036f, 0.026f), 0.94f * hairs);
-  s.specular *= 1.0f - 0.5f * hairs;
+  const float cropped = crop(p, r, walk);
+  s.height_mm += 0.10f * cropped;
+  s.specular += (0.21f - s.specular) * cropped;
+  s.roughness += (0.68f - s.roughness) * cropped;
+  const float brows = hair(p, q), hairs = std::max(brows, cropped);
+  s.albedo = glm::mix(s.albedo, hair_colour_, 0.94f * hairs);
+  s.specular *= 1.0f - 0.5f * brows;
   s.albedo = glm::clamp(s.albedo, vec3(0.01f), vec3(0.95f));
   return s;
 }

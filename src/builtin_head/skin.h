@@ -21,7 +21,7 @@ struct SkinPoint {
 struct SkinWalk {
   ReliefWalk relief;
   NoiseWalk grain{9}, streak{81};
-  CellWalk freckles[2] = {CellWalk(41), CellWalk(42)}, stubble{61};
+  CellWalk freckles[2] = {CellWalk(41), CellWalk(42)}, stubble{61}, crop[2] = {CellWalk(63), CellWalk(64)};
 };
 
 class Skin {
@@ -32,9 +32,11 @@ class Skin {
 
  private:
   vec3 tint(const vec3& p_mm, const Region& where, float pore, SkinWalk& walk) const;
+  float crop(const vec3& p_mm, const Region& where, SkinWalk& walk) const;
   float lip_mask(const vec3& q) const;
   float hair(const vec3& p_mm, const vec3& symmetric) const;
   Tints skin_, lips_;
+  vec3 hair_colour_;
   Frame ear_;
   Hairs hairs_;
   Stroke lash_, brow_, mouth_;

@@ -130,8 +130,13 @@ scene::Material wet(const char* name, const vec4& colour, float roughness, float
 
 void add_teeth(scene::Scene& scene) {
   const int enamel = static_cast<int>(scene.materials.size());
-  scene.materials.push_back(wet("teeth", {0.62f, 0.55f, 0.42f, 1}, 0.16f, 1.62f));
+  scene.materials.push_back(wet("teeth", {0.68f, 0.55f, 0.40f, 1}, 0.16f, 1.62f));
   scene.materials.push_back(wet("gums and tongue", {0.36f, 0.115f, 0.10f, 1}, 0.30f, 1.4f));
+
+  // The lips and what they open onto keep most of the surroundings away.
+  const int openness = add_openness(scene, "built-in mouth, openness", 0.35f);
+  for (const int material : {enamel, enamel + 1})
+    scene.materials[static_cast<std::size_t>(material)].occlusion_map.image = openness;
 
   PartMesh upper_teeth("upper teeth", enamel), lower_teeth("lower teeth", enamel);
   add_row(upper_teeth, upper_arch, upper);

@@ -98,7 +98,7 @@ void close_seam(Net& net) {
 }
 
 Net first_net(const Sculpture& bust, int columns, int rows) {
-  Net net{columns, rows, std::vector<vec3>(static_cast<std::size_t>((columns + 1) * (rows + 1))), {}};
+  Net net{columns, rows, std::vector<vec3>(static_cast<std::size_t>((columns + 1) * (rows + 1))), {}, {}};
   const vec3 middle(0, -35, -5);
 
   parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {
@@ -123,7 +123,7 @@ Net first_net(const Sculpture& bust, int columns, int rows) {
 }
 
 Net refine(const Net& coarse, int columns, int rows) {
-  Net net{columns, rows, std::vector<vec3>(static_cast<std::size_t>((columns + 1) * (rows + 1))), {}};
+  Net net{columns, rows, std::vector<vec3>(static_cast<std::size_t>((columns + 1) * (rows + 1))), {}, {}};
   for (int j = 0; j <= rows; ++j) {
     for (int i = 0; i <= columns; ++i) {
       const float x = static_cast<float>(i * coarse.columns) / static_cast<float>(columns),
@@ -267,11 +267,11 @@ Net wrap(const Sculpture& bust) {
   relax(net, bust, openings, Detail::blunt, 120, 5.0f);
   relax(net, bust, openings, Detail::blunt, 80, 4.0f);
   net = refine(net, columns / 2, rows / 2);
-  relax(net, bust, openings, Detail::blunt, 80, 3.0f);
+  relax(net, bust, openings, Detail::blunt, 60, 3.0f);
   net = refine(net, columns, rows);
   relax(net, bust, openings, Detail::blunt, 8, 2.0f);
-  relax(net, bust, openings, Detail::form, 18, 1.2f);
-  relax(net, bust, openings, Detail::form, 15, 0.8f);
+  relax(net, bust, openings, Detail::form, 14, 1.2f);
+  relax(net, bust, openings, Detail::form, 11, 0.8f);
 
   for (int k = 0; k < 2; ++k) {
     parallel_for(static_cast<std::size_t>(rows + 1), [&](std::size_t row) {

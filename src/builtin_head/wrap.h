@@ -13,6 +13,7 @@ struct Net {
   int columns = 0, rows = 0;
   std::vector<vec3> at_mm;
   std::vector<vec3> normal;  ///< unit, of the form
+  std::vector<vec2> chart;   ///< places on the square of the maps (unwrap.h)
 
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * (columns + 1) + i; }
   /// Returns the node at (i, j) across the sides: any i, j up to one width beyond.

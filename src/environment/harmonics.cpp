@@ -10,33 +10,29 @@
 namespace dermis::environment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int order = harmonic_order;
 
 /// Zonal factors of the cosine lobe by order, [RH01] eq. 8.
 constexpr std::array<double, order + 1> zonal{pi, 2 * pi / 3, pi / 4, 0, -pi / 24, 0};
 
-constexpr std::size_t number(int l, int m) { return static_cast<std::size_t>(l * (l + 1) + m); }
-
-/// Returns sqrt((2 l + 1) / (4 pi) (l - m)! / (l + m)!), times sqrt 2 for m > 0, where cosine and sine share
-/// it.
-double norm(int l, int m) {
-  double factorials = 1;
-  for (int i = l - m + 1; i <= l + m; ++i) factorials *= i;
-  return std::sqrt((m > 0 ? 2 : 1) * (2 * l + 1) / (4 * pi) / factorials);
-}
-
 const std::array<double, harmonic_terms>& norms() {
   static const std::array<double, harmonic_terms> table = [] {
     std::array<double, harmonic_terms> made{};
     for (int l = 0; l <= order; ++l)
-      for (int m = -l; m <= l; ++m) made[number(l, m)] = norm(l, std::abs(m));
+      for (int m = -l; m <= l; ++m) made[harmonic_number(l, m)] = harmonic_norm(l, std::abs(m));
     return made;
   }();
   return table;
 }
 
 }  // namespace
+
+double harmonic_norm(int l, int m) {
+  double factorials = 1;
+  for (int i = l - m + 1; i <= l + m; ++i) factorials *= i;
+  return std::sqrt((m > 0 ? 2 : 1) * (2 * l + 1) / (4 * pi) / factorials);
+}
 
 Harmonics harmonics(const glm::dvec3& d) {
   Harmonics out{};
@@ -46,8 +42,8 @@ Harmonics harmonics(const glm::dvec3& d) {
   for (int m = 0; m <= order; ++m) {
     double before = 0, here = diagonal;
     for (int l = m; l <= order; ++l) {
-      out[number(l, m)] = norms()[number(l, m)] * here * cosine;
-      if (m > 0) out[number(l, -m)] = norms()[number(l, m)] * here * sine;
+      out[harmonic_number(l, m)] = norms()[harmonic_number(l, m)] * here * cosine;
+      if (m > 0) out[harmonic_number(l, -m)] = norms()[harmonic_number(l, m)] * here * sine;
       // (l - m + 1) P_{l+1}^m = (2 l + 1) y P_l^m - (l + m) P_{l-1}^m.
       const double next = (d.y * (2 * l + 1) * here - (l + m) * before) / (l - m + 1);
       before = here;
@@ -64,7 +60,7 @@ Harmonics harmonics(const glm::dvec3& d) {
 Harmonics cosine_lobe(const glm::dvec3& normal) {
   Harmonics lobe = harmonics(normal);
   for (int l = 0; l <= order; ++l)
-    for (int m = -l; m <= l; ++m) lobe[number(l, m)] *= zonal[static_cast<std::size_t>(l)];
+    for (int m = -l; m <= l; ++m) lobe[harmonic_number(l, m)] *= zonal[static_cast<std::size_t>(l)];
   return lobe;
 }
 
@@ -89,7 +85,7 @@ SkyHarmonics sky_of(const image::ImageF& picture) {
 glm::dvec3 irradiance_of(const SkyHarmonics& sky, const glm::dvec3& normal, int highest) {
   const Harmonics lobe = cosine_lobe(normal);
   glm::dvec3 sum(0);
-  for (std::size_t k = 0; k < number(highest, highest) + 1; ++k) sum += sky[k] * lobe[k];
+  for (std::size_t k = 0; k < harmonic_number(highest, highest) + 1; ++k) sum += sky[k] * lobe[k];
   return sum;
 }
 
@@ -99,7 +95,7 @@ namespace {
 SkyHarmonics windowed(const SkyHarmonics& sky, double lambda) {
   SkyHarmonics out = sky;
   for (int l = 1; l <= order; ++l)
-    for (int m = -l; m <= l; ++m) out[number(l, m)] /= 1 + lambda * l * l * (l + 1) * (l + 1);
+    for (int m = -l; m <= l; ++m) out[harmonic_number(l, m)] /= 1 + lambda * l * l * (l + 1) * (l + 1);
   return out;
 }
 
@@ -137,9 +133,9 @@ SkyHarmonics turned(const SkyHarmonics& sky, double angle_rad) {
   for (int m = 1; m <= order; ++m) {
     const double c = std::cos(m * angle_rad), s = std::sin(m * angle_rad);
     for (int l = m; l <= order; ++l) {
-      const glm::dvec3 &cosine = sky[number(l, m)], &sine = sky[number(l, -m)];
-      out[number(l, m)] = cosine * c - sine * s;
-      out[number(l, -m)] = cosine * s + sine * c;
+      const glm::dvec3 &cosine = sky[harmonic_number(l, m)], &sine = sky[harmonic_number(l, -m)];
+      out[harmonic_number(l, m)] = cosine * c - sine * s;
+      out[harmonic_number(l, -m)] = cosine * s + sine * c;
     }
   }
   return out;

@@ -20,7 +20,14 @@ namespace dermis::environment {
 inline constexpr int harmonic_order = 5;
 inline constexpr std::size_t harmonic_terms = (harmonic_order + 1) * (harmonic_order + 1);
 
-/// Entry l (l + 1) + m has order l, degree m; m < 0 holds the sine. Orthonormal over the sphere.
+/// Returns the entry that has order l and degree m; m < 0 holds the sine.
+constexpr std::size_t harmonic_number(int l, int m) { return static_cast<std::size_t>(l * (l + 1) + m); }
+
+/// Returns sqrt((2 l + 1) / (4 pi) (l - m)! / (l + m)!), times sqrt 2 for m > 0, where cosine and sine share
+/// it; m is not below 0.
+double harmonic_norm(int l, int m);
+
+/// Entries by harmonic_number(), orthonormal over the sphere.
 using Harmonics = std::array<double, harmonic_terms>;
 Harmonics harmonics(const glm::dvec3& direction);
 

@@ -16,7 +16,7 @@ Basis polynomials(const glm::dvec3& n) {
 }
 
 // Squared norms of the harmonics: Y = k * polynomial, so projection onto Y and evaluation multiply by k^2.
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr Basis squared_factors{1 / (4 * pi),  3 / (4 * pi),  3 / (4 * pi),  3 / (4 * pi),  15 / (4 * pi),
                                 15 / (4 * pi), 5 / (16 * pi), 15 / (4 * pi), 15 / (16 * pi)};
 // Factors of the cosine lobe per order: pi, 2 pi / 3, pi / 4.

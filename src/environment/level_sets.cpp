@@ -12,7 +12,7 @@
 namespace dermis::environment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::uint32_t none = ~0u;
 
 /// Angular radius of a disc as large as a region of each size may be: a sun, its glare, a lamp or a window.

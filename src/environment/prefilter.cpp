@@ -5,11 +5,12 @@
 
 #include "core/parallel.h"
 #include "environment/environment.h"
+#include "environment/radical_inverse.h"
 
 namespace dermis::environment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int lobe_samples = 192;
 
 image::ImageF empty(int width, int height) {
@@ -36,13 +37,6 @@ image::ImageF resampled(const image::ImageF& from, int width, int height) {
     }
   });
   return to;
-}
-
-double radical_inverse(unsigned i) {
-  double value = 0, digit = 0.5;
-  for (; i > 0; i >>= 1, digit /= 2)
-    if (i & 1) value += digit;
-  return value;
 }
 
 // A direction of the lobe around +Z and its weight; `level` is the level of the chain whose pixels are as

@@ -2,35 +2,22 @@
 #include "environment/sky_rays.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+
+#include "environment/radical_inverse.h"
 
 namespace dermis::environment {
 namespace {
 
-constexpr int order = harmonic_order;
-constexpr std::size_t number(int l, int m) { return static_cast<std::size_t>(l * (l + 1) + m); }
-
-double radical_inverse(unsigned i) {
-  double value = 0, digit = 0.5;
-  for (; i > 0; i >>= 1, digit /= 2)
-    if (i & 1) value += digit;
-  return value;
-}
-
-/// Returns the norms of harmonics.cpp, by the same formula.
-std::array<float, harmonic_terms> make_norms() {
+std::array<float, harmonic_terms> make_lane_norms() {
   std::array<float, harmonic_terms> made{};
-  for (int l = 0; l <= order; ++l)
-    for (int m = -l; m <= l; ++m) {
-      const int degree = std::abs(m);
-      double factorials = 1;
-      for (int i = l - degree + 1; i <= l + degree; ++i) factorials *= i;
-      made[number(l, m)] = static_cast<float>(
-          std::sqrt((degree > 0 ? 2 : 1) * (2 * l + 1) / (4 * std::numbers::pi) / factorials));
-    }
+  for (int l = 0; l <= harmonic_order; ++l)
+    for (int m = -l; m <= l; ++m)
+      made[harmonic_number(l, m)] = static_cast<float>(harmonic_norm(l, std::abs(m)));
   return made;
 }
-const std::array<float, harmonic_terms> norms = make_norms();
+const std::array<float, harmonic_terms> lane_norms = make_lane_norms();
 
 }  // namespace
 
@@ -40,12 +27,13 @@ void harmonics_of(const DirectionLanes& d, HarmonicLanes& out) {
   cosine.fill(1);
   float diagonal = 1;  // 1 3 5 ... (2 m - 1)
 
-  for (int m = 0; m <= order; ++m) {
+  for (int m = 0; m <= harmonic_order; ++m) {
     std::array<float, ray_lanes> before{}, here;
     here.fill(diagonal);
-    for (int l = m; l <= order; ++l) {
-      const float norm = norms[number(l, m)];
-      std::array<float, ray_lanes>&positive = out[number(l, m)], &negative = out[number(l, -m)];
+    for (int l = m; l <= harmonic_order; ++l) {
+      const float norm = lane_norms[harmonic_number(l, m)];
+      std::array<float, ray_lanes>&positive = out[harmonic_number(l, m)],
+                        &negative = out[harmonic_number(l, -m)];
       const float a = static_cast<float>(2 * l + 1) / static_cast<float>(l - m + 1),
                   b = static_cast<float>(l + m) / static_cast<float>(l - m + 1);
 

@@ -11,7 +11,7 @@
 namespace dermis::environment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The least irradiance of a source, as a share of that of the picture. Weaker ones neither ring nor cast a
 /// visible shadow.

@@ -156,6 +156,14 @@ std::vector<Index> narrow_to_wide(const VectorXd& log_variance) {
   return order;
 }
 
+/// The terms of channel c as fitted.
+std::vector<Term> terms_of(const Solution& solution, int c) {
+  std::vector<Term> terms;
+  for (Index j = 0; j < solution.log_variance.size(); ++j)
+    terms.push_back({std::exp(solution.log_variance[j]), solution.projected.weights(j, c)});
+  return terms;
+}
+
 constexpr double same_variance = 1e-6;  // relative: closer terms are joined
 
 }  // namespace
@@ -165,9 +173,9 @@ double ChannelFit::weight_sum() const {
                          [](double sum, const Term& term) { return sum + term.weight; });
 }
 
-ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Weights weights) {
+ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Weights weights, Measure measure) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
-  const Target target(profile, profile.name());
+  const Target target(profile, profile.name(), measure);
   Range range = range_of(profile);
   range.any_sign = weights == Weights::any_sign;
   const Solution solution = search({&target, 1}, range, terms);
@@ -180,11 +188,12 @@ ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Weights
     else if (weight != 0)
       fit.terms.push_back({variance, weight});
   }
+  if (measure != Measure::plane) fit.error_percent = error_percent(profile, fit.terms);
   return fit;
 }
 
 SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms,
-                          const std::string& name) {
+                          const std::string& name, Measure measure) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
 
   Steps steps(work_name, 3 + search_steps);
@@ -192,7 +201,7 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
   Range range{.low = 1e300, .high = -1e300, .floor = 1e300};
   constexpr const char* colour[] = {"red", "green", "blue"};
   for (int c = 0; c < 3; ++c) {
-    targets.emplace_back(*profiles[c], name + ": " + colour[c]);
+    targets.emplace_back(*profiles[c], name + ": " + colour[c], measure);
     const Range one = range_of(*profiles[c]);
     range = {.low = std::min(range.low, one.low),
              .high = std::max(range.high, one.high),
@@ -206,7 +215,9 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
   sum.name = name;
   for (int c = 0; c < 3; ++c) {
     sum.total_reflectance[c] = profiles[c]->total();
-    sum.error_percent[c] = 100 * std::sqrt(solution.projected.channel_residual2[c]);
+    sum.error_percent[c] = measure == Measure::plane
+                               ? 100 * std::sqrt(solution.projected.channel_residual2[c])
+                               : error_percent(*profiles[c], terms_of(solution, c));
   }
 
   for (const Index j : narrow_to_wide(solution.log_variance)) {

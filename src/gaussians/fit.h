@@ -36,23 +36,27 @@ struct ChannelFit {
 /// unlike neighbours is negative far out, which no sum of positive terms can follow.
 enum class Weights { non_negative, any_sign };
 
+/// What is minimised: Int r (R - S)^2 dr, or Int (E_R - E_S)^2 d(log r) with E(r) the light that leaves
+/// within r.
+using Measure = ProfileFit;
+
 /// Fits `terms` (1 to 8) Gaussians of variance > 0 to a profile: minimises Int r (R - S)^2 dr, [JG08] eq. 2,
-/// in R^ where that is known in closed form. Deterministic. Returns fewer terms if two would coincide. Throws
-/// InputError if the profile is 0 everywhere. Counts steps (core/hooks.h): may take seconds, and throws
-/// Cancelled if its caller ends it.
+/// in R^ where that is known in closed form, or the measure of energy. The error is that of the plane either
+/// way. Deterministic. Returns fewer terms if two would coincide. Throws InputError if the profile is 0
+/// everywhere. Counts steps (core/hooks.h): may take seconds, and throws Cancelled if its caller ends it.
 ///
 /// If R has a 1/r pole (light scattered once, Burley), Int r R^2 dr diverges at 0. Then R and S are compared
 /// as a narrow Gaussian beam sees them, see core_variance_mm2(): Int k (R^ - S^)^2 e^{-v k^2} dk. Terms much
 /// narrower than the beam are not resolved and not made.
 ChannelFit fit_channel(const profile::RadialProfile& profile, int terms,
-                       Weights weights = Weights::non_negative);
+                       Weights weights = Weights::non_negative, Measure measure = Measure::plane);
 
 /// Fits three channels that share their variances, the form that the GPU blurs: minimises the sum of the
 /// three squared relative errors. Weights are returned divided by their sum per channel, errors are those
 /// before the division, total_reflectance is the profile's own total. Mean free paths stay 0: the caller
 /// knows them.
 SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms,
-                          const std::string& name);
+                          const std::string& name, Measure measure = Measure::plane);
 
 /// Returns the variance [mm^2] of the beam through which a profile with a 1/r pole is fitted and its error
 /// measured. Its sigma is the radius that holds 5 % of the energy (0.02 to 0.1 mm on pale skin), but at least

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "gaussians/known.h"
+#include "gaussians/shape_json.h"
 #include "json/document.h"
 
 namespace dermis::gaussians {
@@ -78,7 +79,7 @@ void check_weights(std::vector<Gaussian>& terms, bool normalise, const json::Val
 
 SumOfGaussians read_json(const json::Value& root, bool normalise, LeastVariance least) {
   root.only_keys({"name", "model", "variances_mm2", "weights", "error_percent", "total_reflectance",
-                  "mean_free_path_mm", "diffuse_mean_free_path_mm"});
+                  "mean_free_path_mm", "diffuse_mean_free_path_mm", "medium", "shape"});
 
   SumOfGaussians sum;
   sum.name = root.text_or("name", sum.name);
@@ -90,6 +91,7 @@ SumOfGaussians read_json(const json::Value& root, bool normalise, LeastVariance 
   if (const auto found = root.find("total_reflectance")) sum.total_reflectance = rgb(*found, 1);
   if (const auto found = root.find("mean_free_path_mm")) sum.mean_free_path_mm = rgb(*found);
   if (const auto found = root.find("diffuse_mean_free_path_mm")) sum.diffuse_mean_free_path_mm = rgb(*found);
+  read_shape(root, sum);
   return sum;
 }
 
@@ -116,6 +118,7 @@ std::string to_json(const SumOfGaussians& sum) {
   root["total_reflectance"] = sum.total_reflectance;
   root["mean_free_path_mm"] = sum.mean_free_path_mm;
   root["diffuse_mean_free_path_mm"] = sum.diffuse_mean_free_path_mm;
+  write_shape(root, sum);
   // A name that is not UTF-8 is no reason to lose a profile: its odd bytes are replaced.
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

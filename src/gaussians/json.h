@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The profile file: JSON with name, variances_mm2 [k], weights [k][3], and optionally model, error_percent,
-// total_reflectance, mean_free_path_mm, diffuse_mean_free_path_mm, each [3].
+// total_reflectance, mean_free_path_mm, diffuse_mean_free_path_mm, each [3]; and "medium" and "shape"
+// (shape_json.h).
 #pragma once
 
 #include <filesystem>

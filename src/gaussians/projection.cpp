@@ -124,15 +124,35 @@ Rows broken_rows(const RadialProfile& profile) {
   return rows;
 }
 
+/// Rows evenly in log r, from where hardly any light leaves nearer to where hardly any leaves farther.
+Rows energy_rows(const RadialProfile& profile) {
+  constexpr double step = 0.1, share = 5e-4;
+  const double low = profile.quantile(share), high = profile.quantile(1 - share);
+  Rows rows;
+  if (!(low > 0)) return rows;
+  for (double i = 0; i <= std::ceil(std::log(high / low) / step); ++i) {
+    const double r = low * std::exp(step * i);
+    rows.add(r, std::sqrt(step), profile.within(r));
+  }
+  return rows;
+}
+
+Rows rows_of(const RadialProfile& profile, bool spectral, Measure measure) {
+  if (measure == Measure::energy) return energy_rows(profile);
+  return spectral || profile.break_points_mm().empty() ? smooth_rows(profile, spectral)
+                                                       : broken_rows(profile);
+}
+
 }  // namespace
 
-Target::Target(const RadialProfile& profile, std::string where)
-    : where_(std::move(where)), spectral_(profile.hankel_is_exact() || profile.has_pole()) {
+Target::Target(const RadialProfile& profile, std::string where, Measure measure)
+    : where_(std::move(where)),
+      spectral_(measure == Measure::plane && (profile.hankel_is_exact() || profile.has_pole())),
+      energy_(measure == Measure::energy) {
   if (!(profile.total() > 0))
     throw input_error(where_, "the profile reflects nothing: there is no sum of Gaussians to fit");
 
-  const Rows rows =
-      spectral_ || profile.break_points_mm().empty() ? smooth_rows(profile, spectral_) : broken_rows(profile);
+  const Rows rows = rows_of(profile, spectral_, measure);
   const auto vector = [](const std::vector<double>& from) {
     return Eigen::Map<const VectorXd>(from.data(), static_cast<Index>(from.size()));
   };
@@ -161,7 +181,11 @@ double core_variance_mm2(const profile::RadialProfile& profile) {
 
 void Target::column(double variance_mm2, Eigen::Ref<VectorXd> basis, Eigen::Ref<VectorXd> slope) const {
   const double v = variance_mm2;
-  if (spectral_) {  // G^ = e^{-v k^2/2}
+  if (energy_) {  // E = 1 - e^{-r^2/(2v)}
+    const Eigen::ArrayXd t = x2_.array() / (2 * v);
+    basis = (row_weight_.array() * (1 - (-t).exp())).matrix();
+    slope = (row_weight_.array() * (-t).exp() * -t).matrix();
+  } else if (spectral_) {  // G^ = e^{-v k^2/2}
     const Eigen::ArrayXd t = x2_.array() * (v / 2);
     basis = (row_weight_.array() * (-t).exp()).matrix();
     slope = (-basis.array() * t).matrix();

@@ -19,7 +19,7 @@ class Target {
  public:
   /// Throws InputError (place `where`, such as a channel) if the profile is 0 everywhere, or so wide or
   /// narrow that its norm overflows or vanishes.
-  Target(const profile::RadialProfile& profile, std::string where);
+  Target(const profile::RadialProfile& profile, std::string where, Measure measure = Measure::plane);
 
   const std::string& where() const { return where_; }
   Eigen::Index rows() const { return value_.size(); }
@@ -31,6 +31,7 @@ class Target {
  private:
   std::string where_;
   bool spectral_ = false;  // x is k and the rows hold R^
+  bool energy_ = false;    // x is r and the rows hold what leaves within it
   Eigen::VectorXd x2_;     // x^2
   Eigen::VectorXd row_weight_;
   Eigen::VectorXd value_;

@@ -6,6 +6,9 @@
 
 #include "core/error.h"
 #include "core/one_line.h"
+#include "gaussians/shape_json.h"
+#include "optics/media.h"
+#include "profile/shape_laws.h"
 
 namespace dermis::gaussians {
 
@@ -67,6 +70,10 @@ SumOfGaussians checked_sum(const ScatterProfile& profile, const std::string& whe
   check_variances(profile, place);
   check_weights(profile, place);
   check_numbers(profile, place);
+  if (profile.medium) optics::check(optics::rgb_medium(*profile.medium), place + ": medium");
+  if (profile.shape) check_shape(*profile.shape, place);
+  if (profile.shape && !profile.medium)
+    throw input_error(place, "shape needs the medium that it is of: medium is not given");
 
   SumOfGaussians sum{.name = profile.name,
                      .model = profile.model,
@@ -74,9 +81,12 @@ SumOfGaussians checked_sum(const ScatterProfile& profile, const std::string& whe
                      .total_reflectance = profile.total_reflectance,
                      .error_percent = profile.error_percent,
                      .mean_free_path_mm = profile.mean_free_path_mm,
-                     .diffuse_mean_free_path_mm = profile.diffuse_mean_free_path_mm};
+                     .diffuse_mean_free_path_mm = profile.diffuse_mean_free_path_mm,
+                     .medium = profile.medium,
+                     .shape = profile.shape};
   for (std::size_t i = 0; i < profile.weights.size(); ++i)
     sum.terms.push_back({profile.variances_mm2[i], profile.weights[i]});
+  if (sum.medium && !sum.shape) sum.shape = profile::shape_laws(optics::rgb_medium(*sum.medium));
   return sum;
 }
 
@@ -93,6 +103,8 @@ ScatterProfile scatter_profile(const SumOfGaussians& sum) {
   profile.model_total = sum.total_reflectance;
   profile.mean_free_path_mm = sum.mean_free_path_mm;
   profile.diffuse_mean_free_path_mm = sum.diffuse_mean_free_path_mm;
+  profile.medium = sum.medium;
+  profile.shape = sum.shape;
   return profile;
 }
 

@@ -7,8 +7,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "dermis/profile.h"
 
 namespace dermis::gaussians {
 
@@ -34,6 +37,9 @@ struct SumOfGaussians {
   Rgb error_percent{};
   Rgb mean_free_path_mm{};          ///< 1 / sigma_t'; 0 if unknown
   Rgb diffuse_mean_free_path_mm{};  ///< 1 / sigma_tr; 0 if unknown
+  /// what it was made of, see ScatterProfile::medium; none if published or unknown
+  std::optional<Coefficients> medium;
+  std::optional<ShapeLaws> shape;  ///< with a medium alone, in mm
 
   bool operator==(const SumOfGaussians&) const = default;
   double max_variance_mm2() const { return terms.empty() ? 0 : terms.back().variance_mm2; }

@@ -9,7 +9,7 @@
 namespace dermis::image::flip {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // [ANAMOF20] table 1: contrast sensitivity as Gaussians a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees.
 struct Sensitivity {

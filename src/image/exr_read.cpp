@@ -18,9 +18,9 @@ namespace dermis::image::formats {
 
 namespace {
 
-class MemoryStream : public Imf::IStream {
+class MemoryInput : public Imf::IStream {
  public:
-  explicit MemoryStream(Bytes bytes) : IStream("EXR"), bytes_(bytes) {}
+  explicit MemoryInput(Bytes bytes) : IStream("EXR"), bytes_(bytes) {}
 
   bool read(char out[], int count) override {
     if (count < 0 || static_cast<std::uint64_t>(count) > bytes_.size() - at_)
@@ -126,7 +126,7 @@ ImageF decode_exr(Bytes bytes, const std::string& where, const DecodeLimits& lim
                   std::uint64_t most_pixels) {
   check_exr_header(bytes, where, limits);
   try {
-    MemoryStream stream(bytes);
+    MemoryInput stream(bytes);
     Imf::InputFile file(stream, 0);
     const Colours colours = choose_channels(file.header().channels(), where);
     if (!file.isComplete()) throw input_error(where, "EXR is truncated");

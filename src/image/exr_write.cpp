@@ -18,9 +18,9 @@ namespace dermis::image::formats {
 
 namespace {
 
-class MemoryStream : public Imf::OStream {
+class MemoryOutput : public Imf::OStream {
  public:
-  MemoryStream() : OStream("EXR") {}
+  MemoryOutput() : OStream("EXR") {}
 
   void write(const char in[], int count) override {
     const std::size_t end = at_ + static_cast<std::size_t>(count);
@@ -42,7 +42,7 @@ std::uint16_t finite_half(float value) {
   return float_to_half(std::isfinite(value) ? std::clamp(value, -max_half, max_half) : value);
 }
 
-void write(MemoryStream& stream, const ImageF& picture, Imf::PixelType type, const void* pixels,
+void write(MemoryOutput& stream, const ImageF& picture, Imf::PixelType type, const void* pixels,
            std::size_t value_bytes) {
   constexpr const char* names[] = {"R", "G", "B", "A"};
   Imf::Header header(picture.width, picture.height, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y,
@@ -65,7 +65,7 @@ void write(MemoryStream& stream, const ImageF& picture, Imf::PixelType type, con
 }  // namespace
 
 std::vector<std::byte> encode_exr(const ImageF& picture, bool half_float, const std::string& where) {
-  MemoryStream stream;
+  MemoryOutput stream;
   try {
     if (half_float) {
       std::vector<std::uint16_t> halves(picture.values.size());

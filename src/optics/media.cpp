@@ -30,6 +30,26 @@ void check(const RgbMedium& medium, const std::string& where) {
   for (int c = 0; c < 3; ++c) check(medium[c], where + ": " + channel[c]);
 }
 
+RgbMedium rgb_medium(const Coefficients& coefficients) {
+  RgbMedium medium;
+  for (std::size_t c = 0; c < 3; ++c)
+    medium[c] = {.sigma_a_per_mm = coefficients.sigma_a_per_mm[c],
+                 .sigma_s_per_mm = coefficients.sigma_s_per_mm[c],
+                 .g = coefficients.g,
+                 .eta = coefficients.eta};
+  return medium;
+}
+
+std::optional<Coefficients> coefficients_of(const RgbMedium& medium) {
+  Coefficients out{.g = medium[0].g, .eta = medium[0].eta};
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (medium[c].g != out.g || medium[c].eta != out.eta) return std::nullopt;
+    out.sigma_a_per_mm[c] = medium[c].sigma_a_per_mm;
+    out.sigma_s_per_mm[c] = medium[c].sigma_s_per_mm;
+  }
+  return out;
+}
+
 RgbMedium parse_coefficients(const std::string& text, const std::string& where) {
   std::map<std::string, Rgb> values = parse_key_values(text, {"sigma_a", "sigma_s", "g", "eta"}, where);
   for (const char* key : {"sigma_a", "sigma_s"})

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "dermis/profile.h"
@@ -59,6 +60,11 @@ struct Medium {
 
 /// A medium per colour channel.
 using RgbMedium = std::array<Medium, 3>;
+
+/// Returns the same coefficients as a medium per channel, and the reverse: none if channels differ in g or
+/// eta.
+RgbMedium rgb_medium(const Coefficients& coefficients);
+std::optional<Coefficients> coefficients_of(const RgbMedium& medium);
 
 /// Throws InputError (place `where`) unless all values are in their ranges and sigma_t' > 0.
 void check(const Medium& medium, const std::string& where);

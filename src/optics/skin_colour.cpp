@@ -12,11 +12,10 @@
 #include "core/parallel.h"
 #include "optics/key_values.h"
 #include "optics/radiative.h"
+#include "optics/skin_table.h"
 
 namespace dermis::optics {
 namespace {
-
-constexpr double least_melanin = 5e-4, most_melanin = 0.5, least_blood = 5e-4, most_blood = 0.1;
 
 /// Integrates every `stride`-th sample of the tables. Stride 1 serves to state a colour; stride 2 with 8
 /// directions serves to compare skins (0.2 dE).

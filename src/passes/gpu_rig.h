@@ -25,6 +25,9 @@ struct GpuRig {
   struct Skin {
     gpu::Buffer metric_triangles;     ///< uint[], scene::metric_triangles
     gpu::Buffer touching_neighbours;  ///< uint[], scene::touching_neighbours
+    /// uint[] and CurvatureNeighbourIo[], scene::CurvatureStencil; empty until skin that knows its shape
+    /// moves
+    gpu::Buffer curvature_first, curvature_neighbours;
     /// uint[], shared/turned_sky_io.h; empty until an instance in a pose stands in an environment
     gpu::Buffer sky_texels;
     std::uint32_t sky_texel_count = 0;

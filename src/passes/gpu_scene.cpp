@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <new>
 
 #include "core/error.h"
@@ -22,6 +23,7 @@
 #include "scene/fine_normals.h"
 #include "scene/turned.h"
 #include "shared/gutters_io.h"
+#include "shared/rig_io.h"
 #include "shared/sources_io.h"
 
 namespace dermis::passes {
@@ -133,18 +135,32 @@ gpu::Texture upload_directional_albedo(gpu::Device& device) {
   return texture;
 }
 
+// Without a shape it is 0.
+std::vector<io::SkinVertexIo> skin_vertices_of(const scene::SkinMesh& skin,
+                                               std::span<const scene::VertexShape> shape) {
+  std::vector<io::SkinVertexIo> vertices;
+  for (std::size_t i = 0; i < skin.vertices.size(); ++i) {
+    const scene::VertexShape body = shape.empty() ? scene::VertexShape{} : shape[i];
+    vertices.push_back({.unwrap = skin.unwrap[i],
+                        .metric_mm2 = skin.metric[i],
+                        .chart = 0,
+                        .curvature_per_mm =
+                            glm::packHalf2x16({body.curvature.mean_per_mm, body.curvature.difference_per_mm}),
+                        .thickness_mm = body.thickness_mm});
+  }
+  for (std::size_t i = 0; i < skin.indices.size(); ++i)
+    vertices[skin.indices[i]].chart = skin.triangle_chart[i / 3];  // no vertex is between two
+  return vertices;
+}
+
 GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std::size_t number) {
   std::vector<io::VertexIo> vertices;
   std::vector<io::VertexExtraIo> extras;
-  std::vector<io::SkinVertexIo> skin_vertices;
   for (std::size_t i = 0; i < skin.vertices.size(); ++i) {
     vertices.push_back(vertex_io(skin.vertices[i]));
     extras.push_back(vertex_extra_io(skin.vertices[i]));
-    skin_vertices.push_back({.unwrap = skin.unwrap[i], .metric_mm2 = skin.metric[i], .chart = 0});
   }
   join_equal(extras);
-  for (std::size_t i = 0; i < skin.indices.size(); ++i)
-    skin_vertices[skin.indices[i]].chart = skin.triangle_chart[i / 3];  // no vertex is between two
 
   GpuMesh mesh;
   mesh.name = fmt::format("skin {}", number);
@@ -154,7 +170,7 @@ GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std
   };
   mesh.vertices = make("vertices", vertices, storage);
   mesh.vertex_extras = make("vertex extras", extras, storage);
-  mesh.skin_vertices = make("skin vertices", skin_vertices, storage);
+  mesh.skin_vertices = make("skin vertices", skin_vertices_of(skin, {}), storage);
   mesh.indices = make("indices", skin.indices, storage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   mesh.first_corners =
       make("first corners", first_corner_indices(skin.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
@@ -335,6 +351,33 @@ void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene
 void GpuScene::make_rig(gpu::Device& device, const scene::Scene& scene,
                         const std::vector<scene::SkinMesh>& skin_meshes) {
   if (!rig) rig.emplace(upload_rig(device, scene, skin_meshes, surfaces));
+}
+
+void GpuScene::give_shape(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh,
+                          std::span<const scene::VertexShape> shape) {
+  DERMIS_ASSERT_EQ(shape.size(), mesh.vertices.size());
+  const std::vector<io::SkinVertexIo> vertices = skin_vertices_of(mesh, shape);
+  skin[number].skin_vertices = gpu::make_buffer(device, skin[number].name + " skin vertices",
+                                                std::span<const io::SkinVertexIo>(vertices), storage);
+}
+
+void GpuScene::make_rig_curvature(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh,
+                                  double scale_mm) {
+  GpuRig::Skin& of_rig = rig->skin[number];
+  if (of_rig.curvature_first) return;
+  const scene::CurvatureStencil stencil =
+      scene::curvature_stencil(mesh.vertices, mesh.indices, double{mm_per_unit}, scale_mm);
+  std::vector<io::CurvatureNeighbourIo> neighbours;
+  for (const scene::CurvatureNeighbour& one : stencil.neighbours)
+    neighbours.push_back({.vertex = one.vertex, .weight = one.weight});
+  if (neighbours.empty()) neighbours.emplace_back();  // Vulkan has no empty buffers
+
+  const std::string& name = skin[number].name;
+  of_rig.curvature_first = gpu::make_buffer(device, name + " first neighbours",
+                                            std::span<const std::uint32_t>(stencil.first), storage);
+  of_rig.curvature_neighbours =
+      gpu::make_buffer(device, name + " neighbours in curvature",
+                       std::span<const io::CurvatureNeighbourIo>(neighbours), storage);
 }
 
 const GpuMesh::Sources* GpuMesh::sources_of(int source_mesh) const {

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "passes/bindings.h"
 #include "passes/gpu_rig.h"
 #include "passes/gpu_surfaces.h"
+#include "scene/curvature.h"
 #include "scene/gutters.h"
 #include "scene/scene.h"
 #include "scene/unwrap.h"
@@ -128,6 +130,16 @@ class GpuScene {
   /// wide, unless it has them as wide or wider.
   void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side,
                     int width_texels);
+
+  /// Gives the vertices of `mesh`, skin mesh `number`, the shape of the body, one per vertex. Copies of
+  /// GpuMesh::skin_vertices that were made before lack it.
+  void give_shape(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh,
+                  std::span<const scene::VertexShape> shape);
+
+  /// Makes what finds the curvature of moved skin, unless it is there: scene::curvature_stencil(). Needs a
+  /// rig.
+  void make_rig_curvature(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh,
+                          double scale_mm);
 
   /// Makes the lists of the vertices of `mesh`, skin mesh `number`, that a host may move, unless they are
   /// there.

@@ -14,7 +14,7 @@
 namespace dermis::passes {
 namespace {
 
-constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+constexpr VkBufferUsageFlags surface_storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 io::PlacementIo placement_io(const scene::Placement& placement) {
   const glm::mat4x3 m(placement.world_from_mesh);
@@ -39,9 +39,9 @@ struct PageData {
   std::vector<GpuSurfaces::Page::Copy> copies;
 };
 
-class Builder {
+class SurfaceBuilder {
  public:
-  Builder(gpu::Device& device, const scene::Scene& scene) : device_(&device), scene_(&scene) {}
+  SurfaceBuilder(gpu::Device& device, const scene::Scene& scene) : device_(&device), scene_(&scene) {}
 
   bool is_blended(const scene::Primitive& p) const {
     return scene_->materials[static_cast<std::size_t>(p.material)].alpha_mode == scene::AlphaMode::blend;
@@ -136,15 +136,15 @@ class Builder {
     const std::string name = "surfaces " + std::to_string(made_.pages.size());
     GpuSurfaces::Page page;
     page.vertices = gpu::make_buffer(*device_, name + " vertices",
-                                     std::span<const io::VertexIo>(page_.vertices), storage);
+                                     std::span<const io::VertexIo>(page_.vertices), surface_storage);
     join_equal(page_.extras);
     page.vertex_extras = gpu::make_buffer(*device_, name + " vertex extras",
-                                          std::span<const io::VertexExtraIo>(page_.extras), storage);
+                                          std::span<const io::VertexExtraIo>(page_.extras), surface_storage);
     page.indices =
         gpu::make_buffer(*device_, name + " indices", std::span<const std::uint32_t>(page_.indices),
                          VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     page.placements = gpu::make_buffer(*device_, name + " placements",
-                                       std::span<const io::PlacementIo>(page_.placements), storage);
+                                       std::span<const io::PlacementIo>(page_.placements), surface_storage);
     page.parts = std::move(page_.parts);
     page.copies = std::move(page_.copies);
     made_.pages.push_back(std::move(page));
@@ -173,7 +173,7 @@ void GpuSurfaces::record(gpu::Cmd& cmd, std::uint32_t page, const Draw& draw) co
 }
 
 GpuSurfaces upload_surfaces(gpu::Device& device, const scene::Scene& scene) {
-  Builder builder(device, scene);
+  SurfaceBuilder builder(device, scene);
   std::vector<const scene::Primitive*> parts;
   for (const scene::Primitive& p : scene.primitives)
     if (!scene.materials[static_cast<std::size_t>(p.material)].skin) parts.push_back(&p);
@@ -207,7 +207,7 @@ std::vector<io::PlacementIo> posed_placements(const GpuSurfaces::Page& page, con
 
 gpu::Buffer unmoved(gpu::Device& device) {
   const io::PlacementIo placement{};
-  return gpu::make_buffer(device, "unmoved", std::span(&placement, 1), storage);
+  return gpu::make_buffer(device, "unmoved", std::span(&placement, 1), surface_storage);
 }
 
 }  // namespace dermis::passes

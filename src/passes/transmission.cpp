@@ -2,9 +2,12 @@
 #include "passes/transmission.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/assert.h"
+#include "optics/media.h"
+#include "profile/shape_laws.h"
 
 namespace dermis::passes {
 
@@ -20,6 +23,31 @@ std::vector<std::size_t> transmission_groups(std::size_t terms) {
   return first;
 }
 
+double gains_end_mm(const gaussians::SumOfGaussians& profile) {
+  return std::sqrt(2 * std::log(1000.0) * profile.max_variance_mm2());
+}
+
+std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
+                                       std::span<const double> thicknesses_mm) {
+  std::vector<gaussians::Rgb> gains(thicknesses_mm.size(), gaussians::Rgb{1, 1, 1});
+  if (!profile.shape || !profile.medium) return gains;
+  constexpr double most = 12;
+
+  const optics::RgbMedium medium = optics::rgb_medium(*profile.medium);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::vector<double> backs = profile::slab_backs(medium[c], thicknesses_mm);
+    for (std::size_t i = 0; i < gains.size(); ++i) {
+      const double d = thicknesses_mm[i];
+      double gaussian = 0;
+      for (const gaussians::Gaussian& term : profile.terms)
+        gaussian += term.weight[c] * std::exp(-d * d / (2 * term.variance_mm2));
+      const double front = std::max(profile::slab_front(*profile.shape, c, d), 0.1);
+      gains[i][c] = std::clamp(backs[i] / std::max(gaussian * front, 1e-9), 0.0, most);
+    }
+  }
+  return gains;
+}
+
 io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit) {
   const std::size_t terms = profile.terms.size();
   DERMIS_ASSERT_LE(terms, std::size_t{MOST_TERMS});
@@ -29,6 +57,16 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
     out.falloff_per_m2[i] =
         static_cast<float>(mm_per_unit * mm_per_unit / (2 * profile.terms[i].variance_mm2));
   }
+
+  const double end_mm = std::max(gains_end_mm(profile), 1e-6);
+  out.gains_end_per_m = static_cast<float>(mm_per_unit / end_mm);
+  std::array<double, TRANSMISSION_GAINS> thicknesses_mm{};
+  for (std::size_t i = 0; i < thicknesses_mm.size(); ++i) {
+    const double root = static_cast<double>(i) / (TRANSMISSION_GAINS - 1);
+    thicknesses_mm[i] = end_mm * root * root;
+  }
+  const std::vector<gaussians::Rgb> gains = slab_gains(profile, thicknesses_mm);
+  for (std::size_t i = 0; i < gains.size(); ++i) out.gain[i] = {gains[i][0], gains[i][1], gains[i][2]};
 
   std::vector<std::size_t> first = transmission_groups(terms);
   first.push_back(terms);

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "frame/resources.h"
@@ -26,6 +27,15 @@ namespace dermis::passes {
 /// make min(k, 3) groups; the narrow ones take more terms, because wide Gaussians carry nearly all of the
 /// light and are blurred most.
 std::vector<std::size_t> transmission_groups(std::size_t terms);
+
+/// Returns the thickness of the last gain: the widest Gaussian holds less than a thousandth of its light
+/// there.
+double gains_end_mm(const gaussians::SumOfGaussians& profile);
+/// Returns, for each thickness, what a slab of the profile's medium lets through (profile::slab_backs()) over
+/// what the Gaussians say, at most 12, and over the light that its front returns, by which the final pass
+/// multiplies all light. 1 of a profile without ShapeLaws.
+std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
+                                       std::span<const double> thicknesses_mm);
 
 /// Returns the constants of a profile. share[group * MOST_TERMS + i] is the part of T_i that joins at that
 /// group; summed over groups and weighted as in the final sum, each T_i counts w_i. A channel without weight

@@ -28,9 +28,16 @@ double importance(const gaussians::Gaussian& g) { return std::hypot(g.weight[0],
 Diffusion::Diffusion(const gaussians::SumOfGaussians& profile, double mm_per_unit)
     : mm_per_unit_(mm_per_unit) {
   double all = 0;
-  for (const gaussians::Gaussian& g : profile.terms) all += importance(g);
+  for (const gaussians::Gaussian& g : profile.terms)
+    if (g.variance_mm2 > 0) all += importance(g);
+
   for (const gaussians::Gaussian& g : profile.terms) {
     if (importance(g) == 0) continue;
+    if (g.variance_mm2 == 0) {
+      unscattered_ += glm::dvec3(g.weight[0], g.weight[1], g.weight[2]);
+      continue;
+    }
+
     Term term{};
     term.variance_mm2 = g.variance_mm2;
     term.reach_mm = reach_in_sigma * std::sqrt(g.variance_mm2);
@@ -89,6 +96,9 @@ rays::Ray Diffusion::probe(const rays::SurfacePoint& o, const std::array<glm::dv
 glm::dvec3 Diffusion::sample(const rays::RayScene& rays, const rays::SurfacePoint& o, Random& random,
                              std::vector<rays::Hit>& scratch,
                              const std::function<glm::dvec3(const rays::SurfacePoint&)>& light) const {
+  const glm::dvec3 here = unscattered_ == glm::dvec3(0) ? unscattered_ : unscattered_ * light(o);
+  if (terms_.empty()) return here;
+
   const std::array<glm::dvec3, 3> axes = axes_of(o.face_normal);
   glm::dvec3 sum(0);
   for (int probed = 0; probed < 2 * strata; ++probed) {
@@ -102,7 +112,7 @@ glm::dvec3 Diffusion::sample(const rays::RayScene& rays, const rays::SurfacePoin
       if (found > 0) sum += profile(glm::length(offset_mm)) * light(x) / found;
     }
   }
-  return sum / static_cast<double>(strata);
+  return here + sum / static_cast<double>(strata);
 }
 
 }  // namespace dermis::reference

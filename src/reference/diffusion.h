@@ -17,13 +17,13 @@ namespace dermis::reference {
 
 /// A sum of Gaussians, prepared for sampling. |x - o| is the straight distance between both points, through
 /// the body or across a fold: so the far side of an ear counts, and on a sphere of radius a the weights sum
-/// to 1 - sum_i w_i exp(-2 a^2 / v_i).
+/// to 1 - sum_i w_i exp(-2 a^2 / v_i). A term without width is light that leaves where it entered.
 class Diffusion {
  public:
   /// Takes mm_per_unit of the scene.
   Diffusion(const gaussians::SumOfGaussians& profile, double mm_per_unit);
 
-  /// Returns R(r) per channel, 1/mm^2.
+  /// Returns R(r) per channel, 1/mm^2, without the term that has no width.
   glm::dvec3 profile(double radius_mm) const;
 
   /// Returns one sample of the integral of R(|x - o|) light(x) dA. Rays probe the skin along the normal at
@@ -47,6 +47,7 @@ class Diffusion {
                  const glm::dvec3& face_normal) const;
 
   std::vector<Term> terms_;
+  glm::dvec3 unscattered_{0};  // weight of the term without width
   double mm_per_unit_;
 };
 

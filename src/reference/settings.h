@@ -15,7 +15,8 @@
 namespace dermis::reference {
 
 /// bssrdf: the profile, integrated over the surface. volume: light traced through the medium below it.
-enum class Model { bssrdf, volume };
+/// gaussians: as bssrdf, of the terms that the techniques blur, those without width too.
+enum class Model { bssrdf, volume, gaussians };
 
 struct RenderSetup {
   scene::Camera camera;
@@ -31,7 +32,8 @@ struct RenderSetup {
 struct Job {
   RenderSetup setup;
   Model model = Model::bssrdf;
-  /// bssrdf: one per material of the scene; empty for materials that are not skin
+  /// bssrdf, gaussians: one per material of the scene; empty for materials that are not skin. Of gaussians,
+  /// the first term may have a variance of 0.
   std::vector<gaussians::SumOfGaussians> profiles;
   optics::RgbMedium medium{};  ///< volume; one g and one eta for all channels
 };

@@ -39,7 +39,7 @@ Tracer::Tracer(const scene::Scene& scene, const Job& job, Steps steps)
       shading_(next(steps, [&] { return Shading(rays_, job.setup); })),
       medium_(job.medium, scene.mm_per_unit) {
   steps.done();
-  if (job.model == Model::bssrdf)
+  if (job.model != Model::volume)
     for (const gaussians::SumOfGaussians& profile : job.profiles)
       diffusion_.emplace_back(profile, scene.mm_per_unit);
   if (job.model == Model::volume) medium_total_ = diffuse_total(job.medium);
@@ -65,7 +65,7 @@ glm::dvec3 Tracer::from_the_medium(const rays::SurfacePoint& s, const glm::dvec3
 glm::dvec3 Tracer::skin_radiance(rays::SurfacePoint& s, double side, const glm::dvec3& to_eye, Random& random,
                                  std::vector<rays::Hit>& scratch) const {
   glm::dvec3 scattered(0);
-  if (job_.model == Model::bssrdf)
+  if (job_.model != Model::volume)
     scattered = diffusion_[s.material].sample(rays_, s, random, scratch, [&](const rays::SurfacePoint& x) {
       return shading_.light_in_skin(x, random);
     });

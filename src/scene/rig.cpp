@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "scene/local_mesh.h"
+#include "scene/views.h"
 
 namespace dermis::scene {
 namespace {
@@ -22,9 +23,9 @@ bool finite(const glm::dmat4& m) {
   return true;
 }
 
-glm::dvec3 unit_or(const glm::dvec3& v, const glm::vec3& otherwise) {
+glm::dvec3 unit_or_other(const glm::dvec3& v, const glm::dvec3& otherwise) {
   const double length = glm::length(v);
-  return length > 1e-30 && std::isfinite(length) ? v / length : glm::dvec3(otherwise);
+  return length > 1e-30 && std::isfinite(length) ? v / length : otherwise;
 }
 
 // The matrix of a vertex: the mean of those that it hangs on (glTF 2.0, 3.7.3.3).
@@ -48,11 +49,14 @@ void move_vertex(const RigMesh& mesh, const PosedRig& pose, std::size_t number, 
 
   const Frame frame = frame_at(mesh, pose, from);
   v.position_m = glm::vec3(frame.matrix * glm::dvec4(p, 1));
-  const glm::dvec3 normal = unit_or(frame.normal_matrix * n, v.normal);
+  // Where a matrix leaves no direction, one that does not depend on the pose before.
+  const glm::dvec3 normal =
+      unit_or_other(frame.normal_matrix * n, unit_or_other(mesh.normals[from], {0, 0, 1}));
   v.normal = glm::vec3(normal);
   const glm::dvec3 along = glm::dmat3(frame.matrix) * t;
-  v.tangent = glm::vec4(glm::vec3(unit_or(along - normal * glm::dot(normal, along), glm::vec3(v.tangent))),
-                        v.tangent.w);
+  const glm::dvec3 tangent = unit_or_other(along - normal * glm::dot(normal, along),
+                                           unit_or_other(mesh.tangents[number], {1, 0, 0}));
+  v.tangent = glm::vec4(glm::vec3(tangent), v.tangent.w);
 }
 
 // The most by which a matrix stretches a length.
@@ -127,13 +131,20 @@ PosedRig posed(const Rig& rig, const Pose& pose, const std::string& file) {
     world[i] = (node.parent < 0 ? units : world[static_cast<std::size_t>(node.parent)]) * local;
   }
 
+  const auto checked = [&](const glm::dmat4& matrix, int node) {
+    if (!finite(matrix))
+      throw input_error(file, "in this pose node {} ('{}') is not at a finite place", node,
+                        rig.nodes[static_cast<std::size_t>(node)].name);
+    return matrix;
+  };
+
   PosedRig out;
-  for (const RigMatrix& matrix : rig.matrices) {
-    out.matrices.push_back(world[static_cast<std::size_t>(matrix.node)] * matrix.bind);
-    if (!finite(out.matrices.back()))
-      throw input_error(file, "in this pose node {} ('{}') is not at a finite place", matrix.node,
-                        rig.nodes[static_cast<std::size_t>(matrix.node)].name);
-  }
+  for (const RigMatrix& matrix : rig.matrices)
+    out.matrices.push_back(checked(world[static_cast<std::size_t>(matrix.node)] * matrix.bind, matrix.node));
+  for (const int node : rig.camera_nodes)
+    out.cameras.push_back(checked(world[static_cast<std::size_t>(node)], node));
+  for (const int node : rig.light_nodes)
+    out.lights.push_back(checked(world[static_cast<std::size_t>(node)], node));
   for (const NodePose& node : pose)
     out.weights.insert(out.weights.end(), node.weights.begin(), node.weights.end());
   return out;
@@ -153,6 +164,11 @@ void take_pose(const Rig& rig, const PosedRig& pose, Scene& scene) {
     for (std::size_t v = 0; v < primitive.vertices.size(); ++v)
       move_vertex(mesh, pose, v, primitive.vertices[v]);
   });
+
+  DERMIS_ASSERT_EQ(pose.cameras.size(), scene.cameras.size());
+  DERMIS_ASSERT_EQ(pose.lights.size(), scene.lights.size());
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) stand_at(pose.cameras[i], scene.cameras[i]);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) stand_at(pose.lights[i], scene.lights[i]);
 }
 
 // A vertex is a mean of the places that the matrices move it to, so it lies within what holds all of these.

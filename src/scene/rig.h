@@ -87,21 +87,24 @@ struct Rig {
   std::vector<RigMatrix> matrices;
   std::vector<std::uint32_t> first_weight;  ///< by node, number of its first morph weight; and one more
   std::vector<RigClip> clips;
-  std::vector<RigMesh> meshes;    ///< one for each of Scene::primitives
-  std::vector<RigBounds> bounds;  ///< of all meshes
+  std::vector<RigMesh> meshes;                 ///< one for each of Scene::primitives
+  std::vector<RigBounds> bounds;               ///< of all meshes
+  std::vector<int> camera_nodes, light_nodes;  ///< at which those of the scene stand, in their order
 };
 
 /// A pose as vertices need it.
 struct PosedRig {
   std::vector<glm::dmat4> matrices;  ///< world from mesh, one for each of Rig::matrices
   std::vector<double> weights;       ///< of all morph targets of all nodes
+  std::vector<glm::dmat4> cameras,
+      lights;  ///< world from the node of each, by Rig::camera_nodes, light_nodes
 };
 
 /// Throws InputError (`file` names the asset): a matrix is not finite.
 PosedRig posed(const Rig& rig, const Pose& pose, const std::string& file);
 
-/// Moves vertices and placements of the scene that the rig belongs to. Texture coordinates, colours,
-/// handedness, winding, lights and cameras stay.
+/// Moves vertices, placements, cameras and lights of the scene that the rig belongs to. Texture coordinates,
+/// colours, handedness and winding stay.
 void take_pose(const Rig& rig, const PosedRig& pose, Scene& scene);
 
 /// Returns a box and a sphere that hold all vertices of the skin in a pose, or of everything (`all`); not the

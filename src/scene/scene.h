@@ -177,6 +177,7 @@ struct Scene {
   std::vector<std::string> clips;  ///< names of its animations
   /// What poses it again; null: nothing can move. Shared, as pixels are.
   std::shared_ptr<const Rig> rig;
+  std::string why_no_rig;  ///< empty: there is one, or nothing can move
   /// world metres to mm; unit_scale multiplies positions at load, so this stays 1000
   double mm_per_unit = 1000;
 };

@@ -162,6 +162,15 @@ inline constexpr auto fields_of<SkinSettings> = std::tuple{
            .on = "on",
            .off = "off",
            .rebuilds = true,
+           .real_time = true}},
+    Field{"shape_aware",
+          &SkinSettings::shape_aware,
+          {.help = "light that leaves follows curvature and thickness of the body: on, off",
+           .none = "on for profiles made of a medium, off for published ones",
+           .option = "shape-aware",
+           .on = "on",
+           .off = "off",
+           .rebuilds = true,
            .real_time = true}}};
 
 template <>
@@ -434,7 +443,9 @@ template <>
 inline constexpr auto fields_of<ReferenceSettings> = std::tuple{
     Field{"model",
           &ReferenceSettings::model,
-          {.help = "bssrdf: the profile over the surface; volume: light followed through the medium",
+          {.help =
+               "bssrdf: the profile over the surface; volume: light followed through the medium; gaussians: "
+               "as bssrdf, with terms that have no width",
            .option = "model"}},
     Field{"medium",
           &ReferenceSettings::medium,

@@ -36,10 +36,13 @@ template <>
 inline constexpr std::array<std::string_view, 3> names_of<LightType>{"directional", "spot", "point"};
 
 template <>
-inline constexpr std::array<std::string_view, 2> names_of<ReferenceModel>{"bssrdf", "volume"};
+inline constexpr std::array<std::string_view, 3> names_of<ReferenceModel>{"bssrdf", "volume", "gaussians"};
 
 template <>
 inline constexpr std::array<std::string_view, 6> names_of<ProfileModel>{"dipole", "better",      "multipole",
                                                                         "beam",   "monte-carlo", "auto"};
+
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<ProfileFit>{"plane", "energy"};
 
 }  // namespace dermis

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dermis/settings.h"
+#include "gaussians/json.h"
 #include "gaussians/sum.h"
 #include "setup/placed_scene.h"
 
@@ -21,7 +22,10 @@ std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSe
                                         const HeadSpheres& spheres);
 
 /// Returns the settings' profile, else the instance's, else the material's, else the published six Gaussians.
-gaussians::SumOfGaussians choose_profile(const scene::Material& material, const RenderSettings& settings,
-                                         const std::optional<gaussians::SumOfGaussians>& of_instance = {});
+/// `least`: of the settings' profile.
+gaussians::SumOfGaussians choose_profile(
+    const scene::Material& material, const RenderSettings& settings,
+    const std::optional<gaussians::SumOfGaussians>& of_instance = {},
+    gaussians::LeastVariance least = gaussians::LeastVariance::above_zero);
 
 }  // namespace dermis::setup

@@ -8,10 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.h"
+#include "core/one_line.h"
 #include "gaussians/json.h"
 #include "passes/final_pass/skin_shading.h"
 #include "passes/gpu_scene.h"
 #include "setup/choose.h"
+#include "techniques/technique.h"
 
 namespace dermis::setup {
 namespace {
@@ -39,7 +42,31 @@ void fill_coarse(techniques::SkinPart& part, const scene::UnwrapDensity& density
 // In the millimetres of an asset that is shown at this scale.
 gaussians::SumOfGaussians in_asset(gaussians::SumOfGaussians profile, double scale) {
   for (gaussians::Gaussian& term : profile.terms) term.variance_mm2 /= scale * scale;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (profile.medium) {
+      profile.medium->sigma_a_per_mm[c] *= scale;
+      profile.medium->sigma_s_per_mm[c] *= scale;
+    }
+    if (!profile.shape) continue;
+    ShapeLaws& laws = *profile.shape;
+    for (auto* lengths_mm :
+         {&laws.curvature_mm, &laws.convex_mm, &laws.concave_mm, &laws.difference_mm, &laws.front_mm})
+      (*lengths_mm)[c] /= scale;
+    laws.difference_mm2[c] /= scale * scale;
+  }
   return profile;
+}
+
+// Leaves the laws of shape in a profile that is to follow them.
+void choose_shape(gaussians::SumOfGaussians& profile, const RenderSettings& s) {
+  const bool can_follow = techniques::find_technique(s.technique).has_light_maps;
+  if (s.skin.shape_aware == true && can_follow && !profile.shape)
+    throw input_error(
+        "",
+        "skin.shape_aware: profile '{}' does not say what medium it is of; profiles that `dermis "
+        "profile` makes do",
+        one_line(profile.name, 80));
+  if (!can_follow || !s.skin.shape_aware.value_or(true)) profile.shape.reset();
 }
 
 // Takes the light that leaves where it entered out of the profile. A light map has at least one term.
@@ -62,6 +89,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   part.triangles = static_cast<std::uint32_t>(mesh.triangle_chart.size());
   part.draws = static_cast<std::uint32_t>(passes::draws_of(mesh).size());
   part.profile = model.profile ? *model.profile : choose_profile(subject.scene->materials[material], s);
+  choose_shape(part.profile, s);
   take_unscattered(part);
   part.mm_per_unit = subject.scene->mm_per_unit;
   if (model.scale != 1) {

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "scene/framing.h"
+#include "scene/views.h"
 
 namespace dermis::setup {
 namespace {
@@ -148,8 +149,11 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
 std::vector<scene::Camera> placed_cameras(const PlacedScene& scene) {
   std::vector<scene::Camera> cameras;
   for (const PlacedAsset& instance : scene.instances)
-    for (const scene::Camera& camera : instance.asset->cameras)
+    for (std::size_t i = 0; i < instance.asset->cameras.size(); ++i) {
+      scene::Camera camera = instance.asset->cameras[i];
+      if (instance.posed) scene::stand_at(instance.posed->rig.cameras.at(i), camera);
       cameras.push_back(placed(camera, instance.pose));
+    }
   return cameras;
 }
 

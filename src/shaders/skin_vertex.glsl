@@ -7,3 +7,6 @@ float uv_per_mm(vec3 metric_mm2) {
   const float determinant = max(metric_mm2.x * metric_mm2.z - metric_mm2.y * metric_mm2.y, 1e-12);
   return inversesqrt(sqrt(determinant));
 }
+
+// Returns mean and half difference of the principal curvatures per mm, and the thickness in mm.
+vec3 body_shape(SkinVertexIo skin) { return vec3(unpackHalf2x16(skin.curvature_per_mm), skin.thickness_mm); }

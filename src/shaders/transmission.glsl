@@ -9,6 +9,7 @@
 const int last_term = through_terms - 1,
           term_before = through_terms > 1 ? through_terms - 2 : 0;  // both use rays around the ray of light
 
+layout(constant_id = 19) const bool slab_gains = false;      // the profile knows what slabs let through
 layout(constant_id = 15) const bool entering_stored = true;  // else all light enters at any surface
 
 struct LightRead {
@@ -100,6 +101,14 @@ float nearer_factor(LightIo light, Arriving a, LightRead r) {
   return ratio * ratio;
 }
 
+// Returns the gain at a thickness, between those that are stored.
+vec3 slab_gain(float thickness_m) {
+  const float last = float(TRANSMISSION_GAINS - 1);
+  const float x = min(sqrt(thickness_m * transmission.gains_end_per_m), 1.0) * last;
+  const int i = min(int(x), TRANSMISSION_GAINS - 2);
+  return mix(transmission.gain[i], transmission.gain[i + 1], x - float(i));
+}
+
 // Adds, per Gaussian, the part of the light crossing the map's plane that arrives. cosine_here < 0.
 //
 // For a Gaussian of variance v, all the light of the lit side that reaches a point is the mean of exp(-z^2 /
@@ -114,6 +123,8 @@ float nearer_factor(LightIo light, Arriving a, LightRead r) {
 void add_slab_factors(LightRead r, float cosine_here, vec3 light, inout vec3 through[MOST_TERMS]) {
   // [DLE07]: thickness between sides that face away from each other, elsewhere the distance along the light.
   const float d_m = r.way_m * mix(1.0, -cosine_here, r.facing);
+  // A slab's gain holds where the sides face away from each other, and not for a chord beside the terminator.
+  if (slab_gains) light *= mix(vec3(1.0), slab_gain(d_m), smoothstep(0.3, 0.9, r.facing));
   const float d2 = d_m * d_m, plane = smoothstep(0.97, 1.0, r.facing);
   const vec3 narrow = light * (r.cosine * r.facing);
   for (int i = 0; i < term_before; ++i) through[i] += narrow * exp(-d2 * transmission.falloff_per_m2[i]);

@@ -25,11 +25,17 @@ struct MorphDeltaIo {
   uint weight;  // number of its weight
 };
 
+// scene::CurvatureNeighbour
+struct CurvatureNeighbourIo {
+  uint vertex;
+  float weight;
+};
 DERMIS_IO_END
 
 #ifdef __cplusplus
 static_assert(sizeof(dermis::io::RigVertexIo) == 13 * 4);
 static_assert(sizeof(dermis::io::InfluenceIo) == 2 * 4);
 static_assert(sizeof(dermis::io::MorphDeltaIo) == 10 * 4);
+static_assert(sizeof(dermis::io::CurvatureNeighbourIo) == 2 * 4);
 #endif
 #endif

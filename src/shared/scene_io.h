@@ -21,9 +21,11 @@ struct VertexExtraIo {
 };
 
 struct SkinVertexIo {
-  vec2 unwrap;      // texture coordinates of the light maps, 0..1, v down
-  vec3 metric_mm2;  // g_uu, g_uv, g_vv: mm^2 per unit of unwrap squared
-  uint chart;       // of all triangles at this vertex; 0: they have none
+  vec2 unwrap;            // texture coordinates of the light maps, 0..1, v down
+  vec3 metric_mm2;        // g_uu, g_uv, g_vv: mm^2 per unit of unwrap squared
+  uint chart;             // of all triangles at this vertex; 0: they have none
+  uint curvature_per_mm;  // mean of both principal curvatures, half their difference: two half floats
+  float thickness_mm;     // of the body; both are 0 until a profile asks for them
 };
 
 struct MapIo {
@@ -111,7 +113,7 @@ DERMIS_IO_END
 #ifdef __cplusplus
 static_assert(sizeof(dermis::io::VertexIo) == 12 * 4);
 static_assert(sizeof(dermis::io::VertexExtraIo) == 6 * 4);
-static_assert(sizeof(dermis::io::SkinVertexIo) == 6 * 4);
+static_assert(sizeof(dermis::io::SkinVertexIo) == 8 * 4);
 static_assert(sizeof(dermis::io::MapIo) == 40);
 static_assert(sizeof(dermis::io::LightIo) == 68);
 #endif

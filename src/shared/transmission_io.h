@@ -5,6 +5,7 @@
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 #define TRANSMISSION_GROUPS 3  // of terms that share a map of transmitted light, at most
+#define TRANSMISSION_GAINS 24  // at thicknesses that rise as the square of their number
 // Distribution of transmitted light over the groups: see passes/transmission.h.
 struct TransmissionIo {
   float falloff_per_m2[MOST_TERMS];  // 1 / (2 v)
@@ -13,6 +14,9 @@ struct TransmissionIo {
   vec3 group_weight[TRANSMISSION_GROUPS];  // sum of its terms'
   // part of the light of each term that joins at each group
   vec3 share[TRANSMISSION_GROUPS * MOST_TERMS];
+  // What a slab of the medium lets through over what the Gaussians say: passes/transmission.h.
+  vec3 gain[TRANSMISSION_GAINS];
+  float gains_end_per_m;  // 1 over the thickness of the last
 };
 DERMIS_IO_END
 #endif

@@ -191,9 +191,10 @@ struct FrameReport {
   std::uint64_t skin_pixels = 0;
   std::vector<std::string> optimise;  ///< of cull, depth, clip
   std::string mask, maps;             ///< empty: there are none
-  bool translucency = false;
+  bool translucency = false, shape_aware = false;
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0;
   std::uint64_t unshaded_reads = 0, transmission_misses = 0;
+  std::uint64_t light_reads = 0;  ///< taps of convolutions over light maps; 0: not counted, or none
 };
 
 /// A head that a frame draws.
@@ -223,6 +224,8 @@ struct Technique {
   /// Light is blurred in the picture: skin is shaded as entries, whatever the settings say.
   bool screen_space = false;
   TapRange taps{};  ///< of its kernels; it has none if `most` is 0
+  /// Returns how many taps its blur in the picture takes per pixel of skin; null: it has none.
+  std::uint32_t (*taps_per_pixel)(const FrameSettings& settings) = nullptr;
 
   /// Adds the passes of a frame to the empty `plan`, in the order in which they run. Needs no device.
   FrameOutputs (*build)(passes::FramePlan& plan, const FrameSettings& settings);

@@ -137,6 +137,37 @@ TEST_F(Bench, ProgressiveMapsAreABaselineOfTheirOwn) {
   EXPECT_FALSE(alone.at("variants").contains("progressive"));
 }
 
+TEST_F(Bench, TechniquesAsColumns) {
+  const std::string page = (folder() / "grid.html").string();
+  const json j = found({"--techniques", "texture-space,separable,lambert", "--html", page});
+  ASSERT_EQ(j.at("cells").size(), 2u);
+  for (const json& cell : j.at("cells")) {
+    for (const char* key : {"texture-space_ms", "separable_ms", "lambert_ms"})
+      EXPECT_GT(cell.at(key), 0) << key;
+    EXPECT_FALSE(cell.contains("burley-disc_ms"));
+    EXPECT_GT(cell.at("coverage"), 0);
+    const json& separable = cell.at("variants").at("separable");
+    EXPECT_EQ(separable.at("rounds_ms").size(), 2u);
+    EXPECT_GT(separable.at("light_reads"), 0);
+    EXPECT_GT(separable.at("per_view_ms"), 0);
+    EXPECT_GT(cell.at("variants").at("texture-space").at("shared_by_views_ms"), 0);
+  }
+  EXPECT_FALSE(j.at("crossovers").empty());
+  EXPECT_TRUE(read_text(page).starts_with("<!doctype html>"));
+
+  // `--compare` reads it, too.
+  const std::string own = (folder() / "grid.json").string();
+  ASSERT_EQ(tiny({"--techniques", "separable", "--json", own}).status, 0);
+  const Result compared = run({"bench", "--compare", own, own});
+  EXPECT_EQ(compared.status, 0) << compared.err;
+
+  const Result table = tiny({"--techniques", "all"});
+  EXPECT_EQ(table.status, 0) << table.err;
+  for (const char* part : {"burley-disc", "lambert", "against"})
+    EXPECT_NE(table.out.find(part), std::string::npos) << part;
+  expect_refused(tiny({"--techniques", "oil"}), "texture-space, lambert, separable, burley-disc");
+}
+
 TEST_F(Bench, ATableForPeopleAndAPage) {
   const fs::path page = folder() / "page.html", numbers = folder() / "numbers.json";
   const Result result = tiny({"--html", page.string(), "--json", numbers.string()});

@@ -24,7 +24,7 @@ class CompareScene : public Program {
     if (!given("--size")) all.insert(all.end(), {"--size", "24x24"});
     if (!given("--samples")) all.insert(all.end(), {"--samples", "16"});
     if (!given("--map-size")) all.insert(all.end(), {"--map-size", "64"});
-    all.insert(all.end(), {"--shadow-size", "64"});
+    all.insert(all.end(), {"--shadow-size", "64", "--frames", "1"});
     all.insert(all.end(), arguments.begin(), arguments.end());
     return run(all);
   }
@@ -130,6 +130,102 @@ TEST_F(CompareScene, EachOptimisationAndAPage) {
   const std::string page = read_text(folder() / "page.html");
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_NE(page.find("class=\"slider\""), std::string::npos);
+}
+
+TEST_F(CompareScene, CurvesHaveThePointsThatATechniqueCanDraw) {
+  const json j = found({"--techniques", "separable,lambert", "--curves", "--supersample", "1", "--model",
+                        "gaussians", "--size", "16x16"});
+  EXPECT_EQ(j.at("reference").at("model"), "gaussians");
+  std::vector<std::string> labels;
+  for (const json& p : j.at("curves")) {
+    labels.push_back(p.at("curve").get<std::string>() + ": " + p.at("setting").get<std::string>());
+    EXPECT_GT(p.at("frame_ms"), 0);
+    EXPECT_EQ(p.at("error"), p.at("at_size")) << "one picture per pixel";
+  }
+  EXPECT_EQ(labels, (std::vector<std::string>{
+                        "separable, kernel profile: 5 taps", "separable, kernel profile: 9 taps",
+                        "separable, kernel profile: 17 taps", "separable, kernel profile: 25 taps",
+                        "separable, kernel profile: 33 taps", "separable, kernel published: 5 taps",
+                        "separable, kernel published: 9 taps", "separable, kernel published: 17 taps",
+                        "separable, kernel published: 25 taps", "separable, kernel published: 33 taps",
+                        "lambert: lambert"}));
+  EXPECT_EQ(j.at("curves")[3].at("taps_per_pixel"), 50) << "25 in each of two passes";
+  EXPECT_EQ(j.at("techniques")[0].at("taps_per_pixel"), 50);
+  EXPECT_EQ(j.at("techniques")[1].at("taps_per_pixel"), 0);
+}
+
+// Two sizes, two distances, one generated scene; its own camera and light, at the smaller size.
+TEST_F(CompareScene, ATableOfCases) {
+  const Arguments table{"--table",
+                        "--sizes",
+                        "24x24,16x16",
+                        "--distances",
+                        "3,6",
+                        "--test-scenes",
+                        "tilt-60,fringe",
+                        "--techniques",
+                        "separable,lambert",
+                        "--supersample",
+                        "1",
+                        "--samples",
+                        "2",
+                        "--html",
+                        in_folder("table.html")};
+  Arguments all = table;
+  all.insert(all.end(), {"--json", in_folder("table.json")});
+  const Result result = compare(all);
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json j = json::parse(read_text(folder() / "table.json"));
+  std::vector<std::string> names;
+  for (const json& one : j.at("cases")) names.push_back(one.at("name"));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"24x24, 3 radii", "24x24, 6 radii", "16x16, 3 radii", "16x16, 6 radii",
+                                      "test:tilt-60", "test:fringe, --msaa 4", "test:fringe, --msaa 1"}));
+  EXPECT_EQ(j.at("cases")[4].at("comparison").at("size"), json({16, 16}));
+  EXPECT_EQ(j.at("cases")[4].at("comparison").at("lights"), 1);
+  EXPECT_NE(j.at("cases")[5].at("comparison").at("techniques")[0].at("error"),
+            j.at("cases")[6].at("comparison").at("techniques")[0].at("error"))
+      << "samples make a difference at silhouettes";
+  EXPECT_EQ(j.at("verdict").size(), names.size() + 2);
+  EXPECT_NE(result.out.find("separable"), std::string::npos);
+  EXPECT_TRUE(read_text(folder() / "table.html").starts_with("<!doctype html>"));
+}
+
+TEST_F(CompareScene, WhatATableCannotHave) {
+  const auto refuse = [&](Arguments arguments, const std::string& says) {
+    arguments.insert(arguments.begin(), "--table");
+    expect_refused(compare(arguments), says);
+  };
+  refuse({"--distance", "3"}, "--distances");
+  refuse({"--sizes", "10x"}, "expected WIDTHxHEIGHT");
+  refuse({"--sizes", "0x10"}, "output.width");
+  refuse({"--distances", "-1"}, "camera.distance");
+  refuse({"--test-scenes", "moon"}, "all, none, tilt-0, tilt-30");
+  refuse({"--techniques", "oil"}, "all, texture-space");
+  expect_not_understood(compare({"--sizes", "10x10"}), "--table");
+}
+
+// Every test scene that needs no head: a picture, the truth, and an error of both.
+TEST_F(CompareScene, TestScenesAreGenerated) {
+  for (const std::string name : {"tilt-0", "tilt-75", "nose", "outside", "thin-ear", "open-curl", "fringe"}) {
+    SCOPED_TRACE(name);
+    const Result result = run({"compare", "--scene", "test:" + name, "--techniques", "texture-space,lambert",
+                               "--size", "32x18", "--samples", "8", "--map-size", "128", "--shadow-size",
+                               "256", "--supersample", "1", "--frames", "1", "--json", "-"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json j = json::parse(result.out, nullptr, false);
+    EXPECT_EQ(j.at("scene"), "test:" + name);
+    EXPECT_EQ(j.at("lights"), 1);
+    EXPECT_GT(j.at("regions")[0].at("pixels"), 10);
+    EXPECT_GT(j.at("techniques")[1].at("error").at("skin").at("rel_mse"),
+              j.at("techniques")[0].at("error").at("skin").at("rel_mse"))
+        << "without scattering the error is larger";
+  }
+  expect_refused(run({"compare", "--scene", "test:moon"}), "tilt-0, tilt-30");
+  expect_refused(run({"compare", "--scene", "test:nose", "--unit-scale", "2"}), "is generated");
+  expect_refused(run({"render", "test:nose", "--save-scene", in_folder("s.json"), "--size", "8x8", "-o",
+                      in_folder("a.png")}),
+                 "test:nose");
 }
 
 // Before the reference takes its time.

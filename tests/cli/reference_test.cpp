@@ -32,7 +32,7 @@ class Reference : public Program {
 };
 
 TEST_F(Reference, IsTheSameOnAnyNumberOfThreadsAndNeedsNoDevice) {
-  for (const std::string model : {"bssrdf", "volume"}) {
+  for (const std::string model : {"bssrdf", "volume", "gaussians"}) {
     const Arguments options{"--model", model, "--samples", "3", "--medium", "skin1"};
     const auto with = [&](std::initializer_list<std::string> more) {
       Arguments all = options;
@@ -56,6 +56,22 @@ TEST_F(Reference, IsTheSameOnAnyNumberOfThreadsAndNeedsNoDevice) {
   EXPECT_FALSE(fs::exists(folder() / "a.exr.resume"));
   EXPECT_EQ(reference("a.png", {"--samples", "1"}).status, 0);
   EXPECT_TRUE(read_text(folder() / "a.png").starts_with("\x89PNG"));
+}
+
+// Light without width leaves where it entered: the model of what techniques blur takes it, the others do not.
+TEST_F(Reference, OnlyGaussiansTakeATermWithoutWidth) {
+  const std::string profile = file("zero.json", R"({"name": "zero", "variances_mm2": [0, 2],
+    "weights": [[0.5, 0.5, 0.5], [0.5, 0.5, 0.5]]})");
+  const Result made =
+      reference("a.exr", {"--samples", "2", "--profile", profile, "--model", "gaussians", "--stats", "-"});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.out.find("gaussians"), std::string::npos) << made.out;
+  expect_refused(reference("b.exr", {"--samples", "2", "--profile", profile}), "must be > 0 mm^2");
+
+  // Of other profiles it is the same integral, to the bit.
+  EXPECT_EQ(reference("c.exr", {"--samples", "2", "--model", "gaussians"}).status, 0);
+  EXPECT_EQ(reference("d.exr", {"--samples", "2"}).status, 0);
+  EXPECT_EQ(read_text(folder() / "c.exr"), read_text(folder() / "d.exr"));
 }
 
 TEST_F(Reference, CtrlCWritesWhatThereIsAndResumeGoesOn) {

@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstring>
 #include <random>
+#include <thread>
 
 #include "cli/program.h"
 #include "cli/tiny_gltf.h"
@@ -149,6 +151,21 @@ TEST_F(Sequence, FramesAreThoseOfRenderToTheBit) {
               read_text(folder() / ("f-03" + std::string(c.ending))));
     for (const std::string& name : names) fs::remove(folder() / name);
   }
+}
+
+// A sequence costs what it draws: the file is not read again for each frame. Here it is gone after the first.
+TEST_F(Sequence, ReadsItsFileOnce) {
+  std::atomic<bool> ended = false;
+  std::thread remover([&] {
+    while (!ended && !fs::exists(folder() / "f-000.png"))
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    fs::remove(folder() / "head.gltf");
+  });
+  const Result result = sequence("f-%03d.png", {"--clip", "turn", "--fps", "50", "--technique", "lambert"});
+  ended = true;
+  remover.join();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(files("f-").size(), 100u);
 }
 
 TEST_F(Sequence, RefusesWhatMakesNoSense) {

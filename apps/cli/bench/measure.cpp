@@ -4,106 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
-#include "cli/bench/passes.h"
+#include "cli/bench/contest.h"
 #include "cli/bench/pictures.h"
 #include "cli/progress.h"
 #include "core/error.h"
 
 namespace dermis::cli::bench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-// A device that was idle needs a while to come up to its clocks: rounds are drawn and thrown away until this
-// much has gone by.
-constexpr double warm_up_ms = 300;
-
-// The frames of one cell. Those that fit in the task's memory stay prepared; the others are made anew for
-// each turn.
-class Contest {
- public:
-  Contest(Renderer& renderer, const Scene& scene, const Task& task, const Place& place)
-      : renderer_(&renderer), scene_(&scene), task_(&task) {
-    for (Variant& variant : variants_of(settings_at(task, place), task.cascade))
-      entries_.push_back(
-          {.measured = {.variant = std::move(variant), .rounds_ms = {}, .passes = {}, .counts = {}}});
-  }
-
-  std::size_t size() const { return entries_.size(); }
-  const Measured& measured(std::size_t i) const { return entries_[i].measured; }
-
-  /// The first frame of a variant: warms up, counts, and is the picture.
-  Picture warm_up(std::size_t i) {
-    Entry& entry = entries_[i];
-    const auto start = Clock::now();
-    Picture picture = prepared(entry).picture();
-    warm_ms_ += ms_since(start);
-    entry.measured.counts = picture.statistics;
-    // What the device holds by now, this frame and those before it.
-    const std::uint64_t held = picture.statistics.image_bytes + picture.statistics.buffer_bytes;
-    if (none_waits_ || held > task_->frames_bytes(picture.statistics.device)) entry.frame.reset();
-    return picture;
-  }
-
-  double warm_ms() const { return warm_ms_; }
-
-  void draw(std::size_t i, bool counts) {
-    Entry& entry = entries_[i];
-    const bool keep = entry.frame.has_value();
-    PreparedFrame& frame = prepared(entry);
-    const double ms = frame.draw();
-    warm_ms_ += ms;
-    if (counts) {
-      entry.measured.rounds_ms.push_back(ms);
-      entry.passes.push_back(merge_passes(frame.last_passes()));
-    }
-    if (!keep) entry.frame.reset();
-  }
-
-  std::vector<Measured> finish() {
-    std::vector<Measured> all;
-    for (Entry& entry : entries_) {
-      entry.measured.passes = median_passes(entry.passes);
-      all.push_back(std::move(entry.measured));
-    }
-    return all;
-  }
-
- private:
-  struct Entry {
-    Measured measured;
-    std::optional<PreparedFrame> frame;
-    std::vector<std::vector<PassStatistics>> passes;  ///< of each round
-  };
-
-  PreparedFrame& prepared(Entry& entry) {
-    if (entry.frame) return *entry.frame;
-    try {
-      entry.frame = renderer_->prepare(*scene_, entry.measured.variant.settings);
-    } catch (const DeviceError&) {
-      // Too little memory beside the frames that wait: from here on none does.
-      if (std::none_of(entries_.begin(), entries_.end(), [](const Entry& e) { return e.frame.has_value(); }))
-        throw;
-      for (Entry& other : entries_) other.frame.reset();
-      none_waits_ = true;
-      entry.frame = renderer_->prepare(*scene_, entry.measured.variant.settings);
-    }
-    return *entry.frame;
-  }
-
-  Renderer* renderer_;
-  const Scene* scene_;
-  const Task* task_;
-  bool none_waits_ = false;
-  double warm_ms_ = 0;
-  std::vector<Entry> entries_;
-};
 
 // How long a cell takes beside others, in frames of one head: what does not depend on heads costs about half
 // a head.
@@ -125,7 +33,8 @@ struct Bench {
   std::optional<Cell> cell(const Place& place) {
     const std::string where =
         fmt::format("{} head{} at {:g} radii", place.heads, place.heads == 1 ? "" : "s", place.distance);
-    std::optional<Contest> contest(std::in_place, renderer, scene, task, place);
+    std::optional<Contest> contest(std::in_place, renderer, scene,
+                                   variants_of(settings_at(task, place), task.cascade), task.frames_bytes);
     std::optional<Picture> baseline, optimised;
     const auto each = [&](const std::string& what, const auto& action) {
       for (std::size_t i = 0; i < contest->size() && !stopped(); ++i) {
@@ -142,11 +51,9 @@ struct Bench {
       else if (key == optimised_key)
         optimised = std::move(picture);
     });
-    while (contest->warm_ms() < warm_up_ms && !stopped())
-      for (std::size_t i = 0; i < contest->size(); ++i) contest->draw(i, false);
+    contest->wake_the_device([&] { return stopped(); });
     for (int round = 0; round < task.rounds; ++round)
-      each(fmt::format("round {} of {}", round + 1, task.rounds),
-           [&](std::size_t i) { contest->draw(i, true); });
+      each(fmt::format("round {} of {}", round + 1, task.rounds), [&](std::size_t i) { contest->draw(i); });
     if (stopped()) return std::nullopt;
     Cell cell{
         .heads = place.heads, .distance = place.distance, .measured = contest->finish(), .differences = {}};

@@ -31,22 +31,6 @@ ordered_json texels_json(const Statistics& s) {
           {"mapped_terms", s.mapped_terms}};
 }
 
-ordered_json variant_json(const Measured& m) {
-  const Spread spread = m.spread();
-  ordered_json passes = ordered_json::array();
-  for (const PassStatistics& pass : m.passes)
-    passes.push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
-  return {{"meaning", m.variant.meaning},
-          {"technique", m.counts.technique},
-          {"optimise", m.counts.optimise},
-          {"maps", m.counts.maps.empty() ? ordered_json(nullptr) : ordered_json(m.counts.maps)},
-          {"mask", m.counts.mask.empty() ? ordered_json(nullptr) : ordered_json(m.counts.mask)},
-          {"skip_unseen_heads", or_null(m.variant.settings.quality.skip_unseen_heads)},
-          {"ms", {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}}},
-          {"rounds_ms", m.rounds_ms},
-          {"passes", passes}};
-}
-
 ordered_json cell_json(const Cell& cell) {
   ordered_json json{{"heads", cell.heads}, {"distance", cell.distance}};
   for (const Measured& m : cell.measured) json[m.variant.key + "_ms"] = m.ms();
@@ -72,11 +56,27 @@ ordered_json cell_json(const Cell& cell) {
 
   for (const Measured& m : cell.measured)
     if (m.variant.settings.technique != "lambert") json["texels"][m.variant.key] = texels_json(m.counts);
-  for (const Measured& m : cell.measured) json["variants"][m.variant.key] = variant_json(m);
+  for (const Measured& m : cell.measured) json["variants"][m.variant.key] = variant_object(m);
   return json;
 }
 
 }  // namespace
+
+nlohmann::ordered_json variant_object(const Measured& m) {
+  const Spread spread = m.spread();
+  ordered_json passes = ordered_json::array();
+  for (const PassStatistics& pass : m.passes)
+    passes.push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
+  return {{"meaning", m.variant.meaning},
+          {"technique", m.counts.technique},
+          {"optimise", m.counts.optimise},
+          {"maps", m.counts.maps.empty() ? ordered_json(nullptr) : ordered_json(m.counts.maps)},
+          {"mask", m.counts.mask.empty() ? ordered_json(nullptr) : ordered_json(m.counts.mask)},
+          {"skip_unseen_heads", or_null(m.variant.settings.quality.skip_unseen_heads)},
+          {"ms", {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}}},
+          {"rounds_ms", m.rounds_ms},
+          {"passes", passes}};
+}
 
 bool Cell::has(const std::string& key) const {
   return std::any_of(measured.begin(), measured.end(),

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,6 +76,9 @@ struct Run {
   std::vector<CellPictures> pictures;  ///< one per cell, or none
   std::optional<MapPictures> maps;
 };
+
+/// Returns times, passes and settings of a variant, as `variants` of a cell has them.
+nlohmann::ordered_json variant_object(const Measured& measured);
 
 /// For programs. Keys that others rely on: see docs/measuring.md.
 std::string run_json(const Run& run);

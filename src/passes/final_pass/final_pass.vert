@@ -18,6 +18,7 @@ layout(location = 5) centroid out vec2 out_unwrap;
 layout(location = 6) flat out vec4 out_unwrap_ab;  // of the triangle's corners
 layout(location = 7) flat out vec2 out_unwrap_c;
 layout(location = 8) out float out_uv_per_mm;  // texture coordinates per mm
+layout(location = 9) out vec3 out_shape;       // curvatures per mm, thickness in mm
 void main() {
   const uint vertex = vertex_drawn();
   const VertexIo v = vertices[vertex];
@@ -30,6 +31,7 @@ void main() {
   out_colour = extra.colour;
   out_unwrap = skin.unwrap;
   out_uv_per_mm = uv_per_mm(skin.metric_mm2);
+  out_shape = body_shape(skin);
   const uint first = is_first_corner() ? 3u * gl_VertexIndex : 0u;
   out_unwrap_ab = vec4(skin_vertices[indices[first]].unwrap, skin_vertices[indices[first + 1]].unwrap);
   out_unwrap_c = skin_vertices[indices[first + 2]].unwrap;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef DERMIS_PASSES_FINAL_PASS_IO_H
 #define DERMIS_PASSES_FINAL_PASS_IO_H
+#include "shared/shape_io.h"
 #include "shared/terms.h"
 #include "shared/types.h"
 DERMIS_IO_BEGIN
@@ -17,6 +18,7 @@ struct SkinTermsIo {
   float widest_mm;             // the last of them
   float even_uv_per_mm;        // texture coordinates per mm, if the skin filled the map evenly
   float largest_side;          // T_max, texels
+  ShapeIo shape;
 };
 DERMIS_IO_END
 #ifdef __cplusplus

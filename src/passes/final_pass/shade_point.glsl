@@ -79,9 +79,10 @@ SeenSkin seen_skin(EntryIo entry) {
                    at_seen(seen.dx, uva, uvb, uvc), at_seen(seen.dy, uva, uvb, uvc));
 
   const SkinVertexIo sa = skin_vertices[i], sb = skin_vertices[j], sc = skin_vertices[k];
-  OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0);
+  OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0, vec3(0.0));
   if (coarse)
     on.uv_per_mm =
         dot(seen.share, vec3(uv_per_mm(sa.metric_mm2), uv_per_mm(sb.metric_mm2), uv_per_mm(sc.metric_mm2)));
+  if (shape_aware) on.shape = at_seen(seen.share, body_shape(sa), body_shape(sb), body_shape(sc));
   return SeenSkin(s, on);
 }

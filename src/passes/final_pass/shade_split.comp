@@ -14,7 +14,7 @@ layout(binding = 25, scalar) buffer Entries { EntryIo entries[]; };
 #include "shaders/vertex_pull.glsl"
 #include "passes/screen_surface.glsl"
 #include "passes/final_pass/skin_split.glsl"
-const bool coarse = false;
+const bool coarse = false, shape_aware = false;
 #include "passes/final_pass/shade_point.glsl"
 layout(binding = 14, rgba16f) uniform writeonly image2D light_of_skin;
 layout(binding = 15, r32f) uniform writeonly image2D depth_of_skin;

@@ -12,6 +12,7 @@ layout(binding = 13) uniform sampler2D map_emissive;
 struct OnMap {
   vec2 unwrap;      // in its triangle
   float uv_per_mm;  // texture coordinates
+  vec3 shape;       // of the body there: shape_factor.glsl
 };
 
 vec3 emitted(ShadingPoint s) {

@@ -22,6 +22,7 @@ layout(binding = 21) uniform sampler2D light_7;
 
 #include "passes/final_pass/coarse_share.glsl"
 #include "passes/final_pass/light_point.glsl"
+#include "passes/final_pass/shape_factor.glsl"
 
 // Returns whether a term is read from its map. One without weight may not have been written: 0 times NaN is
 // NaN.
@@ -103,6 +104,7 @@ vec3 skin_radiance(ShadingPoint s, OnMap on) {
     diffuse += leaving * (frame.radiance_scale / pi);
   }
 
+  if (shape_aware) diffuse *= shape_factor(on.shape, dot(n_geometric, v));
   const vec3 surroundings =
       mirrored_surroundings(s, on.unwrap, n_geometric, view, spec, diffuse / frame.radiance_scale);
   diffuse *= 1.0 - specular_albedo(directional_albedo, spec, dot(view.n, v));

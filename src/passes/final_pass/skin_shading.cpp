@@ -38,6 +38,25 @@ float share_at_pixel(float sigma_mm, float texels_per_mm, std::uint32_t largest_
   return direct_share(sigma_mm * texels_per_mm / shrink, shrink);
 }
 
+namespace {
+
+io::ShapeIo shape_io(const ShapeLaws& laws) {
+  const auto rgb = [](const std::array<double, 3>& values) {
+    return glm::vec3(values[0], values[1], values[2]);
+  };
+  return {.curvature_mm = rgb(laws.curvature_mm),
+          .convex_mm = rgb(laws.convex_mm),
+          .concave_mm = rgb(laws.concave_mm),
+          .difference_mm = rgb(laws.difference_mm),
+          .difference_mm2 = rgb(laws.difference_mm2),
+          .front_share = rgb(laws.front_share),
+          .front_per_mm = 1.0f / rgb(laws.front_mm),
+          .exit_grazing = rgb(laws.exit_grazing),
+          .exit_change = rgb(laws.exit_normal) - rgb(laws.exit_grazing)};
+}
+
+}  // namespace
+
 gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms,
                        const std::optional<ThroughMesh>& through) {
   io::ThroughTermsIo io{};
@@ -45,6 +64,7 @@ gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms,
   io.terms.widest_mm = terms.sigmas_mm.empty() ? 0 : terms.sigmas_mm.back();
   io.terms.even_uv_per_mm = terms.even_uv_per_mm;
   io.terms.largest_side = static_cast<float>(terms.largest_side);
+  if (terms.shape) io.terms.shape = shape_io(*terms.shape);
   if (through) io.transmission = transmission_io(through->profile, through->mm_per_unit);
   return gpu::make_buffer(device, "skin terms", std::span<const io::ThroughTermsIo>(&io, 1),
                           VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
@@ -122,10 +142,12 @@ gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
                            {"summed", look_.summed ? 1u : 0u},
                            {"off_map", variant.off_map ? 1u : 0u},
                            {"coarse", look_.terms.coarse ? 1u : 0u},
+                           {"shape_aware", look_.terms.shape ? 1u : 0u},
                            {"cut_out", variant.cut_out ? 1u : 0u},
                            {"emits", variant.emits ? 1u : 0u}};
   if (through(variant)) {
     constants.emplace_back("through_terms", terms);
+    constants.emplace_back("slab_gains", look_.through->profile.shape ? 1u : 0u);
     constants.emplace_back("entering_stored", lights_.entering.valid() ? 1u : 0u);
   }
   return constants;

@@ -43,6 +43,8 @@ struct TermsOnMap {
   float even_uv_per_mm = 1;        ///< texture coordinates per mm, if the skin filled the map evenly
   std::uint32_t largest_side = 0;  ///< T_max
   bool coarse = false;             ///< see coarse_share(); if set, decided per pixel
+  /// in mm of the asset; none: light leaves as from a flat half-space
+  std::optional<ShapeLaws> shape;
 };
 
 /// What the plan knows of the skin of one mesh.

@@ -42,9 +42,11 @@ void main() {
   mat3 cofactors = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
   if (dot(m[0], cofactors[0]) < 0.0) cofactors = -cofactors;
 
+  // Where a matrix leaves no direction, one that does not depend on the pose before.
   vertices[i].position_m = m * vec4(p, 1.0);
-  const vec3 normal = unit_or(cofactors * n, vertices[i].normal);
+  const vec3 normal = unit_or(cofactors * n, unit_or(rig.normal, vec3(0.0, 0.0, 1.0)));
   vertices[i].normal = normal;
   const vec3 along = mat3(m) * t;
-  vertices[i].tangent.xyz = unit_or(along - normal * dot(normal, along), vertices[i].tangent.xyz);
+  vertices[i].tangent.xyz =
+      unit_or(along - normal * dot(normal, along), unit_or(rig.tangent, vec3(1.0, 0.0, 0.0)));
 }

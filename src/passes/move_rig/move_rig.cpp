@@ -30,6 +30,7 @@ MoveRig::Out MoveRig::declare(frame::Declare& d) {
 void MoveRig::prepare(gpu::PipelineLibrary& library) {
   vertices_ = &library.compute("move_rig.comp");
   metric_ = &library.compute("rig_metric.comp");
+  curvature_ = &library.compute("rig_curvature.comp");
 }
 
 void MoveRig::record_vertices(gpu::Cmd& cmd, const RigMove& move) const {
@@ -55,8 +56,24 @@ void MoveRig::record_metric(gpu::Cmd& cmd, const RigMove& move) const {
         .add("SkinVertices", move.shape->skin_vertices[i])
         .add("Indices", move.scene->skin[i].indices)
         .add("MetricTriangles", move.scene->rig->skin[i].metric_triangles)
+        .add("AtRest", move.scene->skin[i].skin_vertices)
         .bind(cmd, *metric_);
     dispatch(cmd, *metric_, move.scene->rig->parts[i].count, move.scene->mm_per_unit);
+  }
+}
+
+// Only of skin that knows its shape.
+void MoveRig::record_curvature(gpu::Cmd& cmd, const RigMove& move) const {
+  for (std::size_t i = 0; i < move.shape->skin_vertices.size(); ++i) {
+    const GpuRig::Skin& skin = move.scene->rig->skin[i];
+    if (!skin.curvature_first) continue;
+    Bindings()
+        .add("Vertices", move.shape->vertices[i])
+        .add("SkinVertices", move.shape->skin_vertices[i])
+        .add("First", skin.curvature_first)
+        .add("Neighbours", skin.curvature_neighbours)
+        .bind(cmd, *curvature_);
+    dispatch(cmd, *curvature_, move.scene->rig->parts[i].count, move.scene->mm_per_unit);
   }
 }
 
@@ -67,6 +84,8 @@ void MoveRig::record(gpu::Cmd& cmd, const frame::Resources&, const FrameData& fr
   for (const RigMove& move : frame.moves) record_vertices(cmd, move);
   cmd.barrier_all();
   for (const RigMove& move : frame.moves) record_metric(cmd, move);
+  cmd.barrier_all();
+  for (const RigMove& move : frame.moves) record_curvature(cmd, move);
   cmd.barrier_all();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Moves the vertices of instances that take poses, and finds the metric of their moved skin.
+/// Moves the vertices of instances that take poses, and finds metric and curvature of their moved skin.
 /// Based on: glTF 2.0 specification, sections 3.7.2.2 (morph targets) and 3.7.3.3 (skins)
 #pragma once
 
@@ -23,9 +23,11 @@ class MoveRig {
  private:
   void record_vertices(gpu::Cmd& cmd, const RigMove& move) const;
   void record_metric(gpu::Cmd& cmd, const RigMove& move) const;
+  void record_curvature(gpu::Cmd& cmd, const RigMove& move) const;
 
   const gpu::Pipeline* vertices_ = nullptr;
   const gpu::Pipeline* metric_ = nullptr;
+  const gpu::Pipeline* curvature_ = nullptr;
 };
 
 }  // namespace dermis::passes

@@ -10,6 +10,7 @@ layout(binding = 0, scalar) readonly buffer Vertices { VertexIo vertices[]; };
 layout(binding = 1, scalar) buffer SkinVertices { SkinVertexIo skin_vertices[]; };
 layout(binding = 2, scalar) readonly buffer Indices { uint indices[]; };
 layout(binding = 3, scalar) readonly buffer MetricTriangles { uint metric_triangles[]; };
+layout(binding = 4, scalar) readonly buffer AtRest { SkinVertexIo at_rest[]; };
 
 // g = J^T J times the area on the map, and that area; 0 if the triangle has none.
 vec4 weighted_metric(uint triangle) {
@@ -41,5 +42,6 @@ void main() {
   vec4 sum = vec4(0.0);
   for (uint k = metric_triangles[v]; k < metric_triangles[v + 1u]; ++k)
     sum += weighted_metric(metric_triangles[k]);
-  if (sum.w > 0.0) skin_vertices[v].metric_mm2 = well_conditioned(sum.xyz / sum.w);
+  // Where all triangles have collapsed, that of the asset: a pose does not depend on the one before.
+  skin_vertices[v].metric_mm2 = sum.w > 0.0 ? well_conditioned(sum.xyz / sum.w) : at_rest[v].metric_mm2;
 }

@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/finish.h"
 
-#include <cmath>
+#include "scene/views.h"
 
 namespace dermis::scene::gltf {
 
 namespace {
 
-/// Returns the rotation of a node without its scale; it looks along -Z.
-glm::dmat3 rotation_of(const glm::dmat4& world) {
-  const glm::dvec3 z(world[2]), y(world[1]);
-  const glm::dvec3 back = glm::length(z) > 0 ? glm::normalize(z) : glm::dvec3(0, 0, 1);
-  const glm::dvec3 side = glm::cross(y, back);
-  const glm::dvec3 any = std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-  const glm::dvec3 right =
-      glm::normalize(glm::length(side) > 1e-9 * glm::length(y) ? side : glm::cross(any, back));
-  return {right, glm::cross(back, right), back};
-}
-
 Camera place_camera(Camera camera, const Node& node, const glm::dmat4& world, double unit_scale) {
   if (camera.name.empty()) camera.name = node.name;
-  camera.world_from_camera = glm::mat4(glm::dmat4(rotation_of(world)));
-  camera.world_from_camera[3] = glm::vec4(glm::vec3(world[3]), 1);
+  stand_at(world, camera);
   const auto scale = static_cast<float>(unit_scale);
   camera.znear_m *= scale;
   camera.ymag_m *= scale;
@@ -32,8 +20,7 @@ Camera place_camera(Camera camera, const Node& node, const glm::dmat4& world, do
 Light place_light(Light light, const Node& node, const glm::dmat4& world, double unit_scale) {
   if (light.name.empty()) light.name = node.name;
   const auto scale = static_cast<float>(unit_scale);
-  light.position_m = glm::vec3(world[3]);
-  light.direction = glm::vec3(-rotation_of(world)[2]);
+  stand_at(world, light);
   light.range_m *= scale;
   // The distance in colour / d^2 is scaled, and so must be the intensity: a change of units must not change
   // the brightness of the head.
@@ -69,15 +56,21 @@ std::vector<MaterialSource> used_materials(const Document& document, MaterialNum
   return used;
 }
 
-void place_lights_and_cameras(const Document& document, double unit_scale, Scene& scene) {
+ViewNodes place_lights_and_cameras(const Document& document, double unit_scale, Scene& scene) {
+  ViewNodes placed;
   const std::vector<glm::dmat4> world = world_matrices(document, unit_scale);
   for (const int n : shown_nodes(document)) {
     const Node& node = document.nodes[n];
-    if (node.camera >= 0)
+    if (node.camera >= 0) {
       scene.cameras.push_back(place_camera(document.cameras[node.camera], node, world[n], unit_scale));
-    if (node.light >= 0 && document.lights[node.light])
+      placed.cameras.push_back(n);
+    }
+    if (node.light >= 0 && document.lights[node.light]) {
       scene.lights.push_back(place_light(*document.lights[node.light], node, world[n], unit_scale));
+      placed.lights.push_back(n);
+    }
   }
+  return placed;
 }
 
 }  // namespace dermis::scene::gltf

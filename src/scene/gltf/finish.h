@@ -23,6 +23,12 @@ struct ImageLimits {
 /// picture), also if memory runs out.
 void decode_images(const Document& document, Bytes& bytes, const ImageLimits& limits, Scene& scene);
 
-void place_lights_and_cameras(const Document& document, double unit_scale, Scene& scene);
+/// The nodes at which cameras and lights of a scene stand, in their order.
+struct ViewNodes {
+  std::vector<int> cameras, lights;
+};
+
+/// Adds those of the shown nodes to the scene.
+ViewNodes place_lights_and_cameras(const Document& document, double unit_scale, Scene& scene);
 
 }  // namespace dermis::scene::gltf

@@ -4,6 +4,7 @@
 #include "core/hooks.h"
 #include "core/log.h"
 #include "core/one_line.h"
+#include "core/warnings.h"
 #include "scene/complete.h"
 #include "scene/gltf/finish.h"
 #include "scene/gltf/play.h"
@@ -18,15 +19,29 @@ using namespace gltf;
 
 // What cannot be posed is still shown in the pose of its file.
 void keep_rig(const Document& document, Bytes& bytes, const LoadOptions& options, const Placed& placed,
-              Scene& scene) {
+              const ViewNodes& views, Scene& scene) {
   std::vector<bool> own_tangents;
   for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
     const auto material = static_cast<std::size_t>(scene.primitives[i].material);
     own_tangents.push_back(keeps_tangents(scene.materials[material], placed.file_tangents[i]));
   }
   try {
-    scene.rig = read_rig(document, bytes, options.unit_scale, placed.moving, own_tangents, scene);
-  } catch (const InputError& error) { warn("{}; it cannot be posed once it is loaded", error.what()); }
+    scene.rig = read_rig(document, bytes, options.unit_scale, placed.moving, own_tangents, views, scene);
+  } catch (const InputError& error) {
+    scene.why_no_rig = error.what();
+    warn("{}; it cannot be posed once it is loaded", error.what());
+  }
+}
+
+// Returns whether a rig is to be kept. Says so if there would be one, and it is too large.
+bool wants_rig(const Document& document, Scene& scene) {
+  if (!can_move(document)) return false;
+  scene.why_no_rig = too_large_to_pose(document);
+  if (scene.why_no_rig.empty()) return true;
+  const std::string line =
+      fmt::format("{}: has {}, so it cannot be posed once it is loaded", document.file, scene.why_no_rig);
+  warn_of(line, document.file, line);
+  return false;
 }
 
 Scene load(const std::filesystem::path& path, const LoadOptions& options) {
@@ -55,17 +70,17 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   }
 
   check_skin_nodes(document, numbers);
-  const bool posable = can_be_posed(document);
+  const bool posable = wants_rig(document, scene);
   Placed placed = place_meshes(document, bytes, numbers, options, posable);
   scene.primitives = std::move(placed.primitives);
   leave_out_maps_without_uv(document.file, placed.has_uv, scene);
   steps.done();
 
   complete_surfaces(placed.file_tangents, scene);
-  if (posable) keep_rig(document, bytes, options, placed, scene);
+  const ViewNodes views = place_lights_and_cameras(document, options.unit_scale, scene);
+  if (posable) keep_rig(document, bytes, options, placed, views, scene);
   steps.done();
 
-  place_lights_and_cameras(document, options.unit_scale, scene);
   decode_images(document, bytes,
                 {.max_side = options.max_map_side,
                  .budget_bytes = static_cast<std::uint64_t>(options.texture_budget_mb * 1e6)},

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "core/assert.h"
-#include "core/warnings.h"
 #include "scene/gltf/play.h"
 
 namespace dermis::scene::gltf {
@@ -15,22 +14,6 @@ namespace {
 // Far more than a performance has. Without limits a file of a few bytes could name accessors of zeros for
 // hours, and a large one take twice its memory.
 constexpr std::uint64_t most_vertices = 5'000'000, most_deltas = 50'000'000, most_key_numbers = 50'000'000;
-
-/// Returns why a rig would be too large; empty if it is not.
-std::string too_large(const Document& document) {
-  std::uint64_t vertices = 0, deltas = 0;
-  for (const Node& node : document.nodes) {
-    if (node.mesh < 0) continue;
-    for (const MeshPrimitive& primitive : document.meshes[node.mesh].primitives) {
-      const std::uint64_t here = std::min(claimed_vertices(document, primitive), most_vertices + 1);
-      vertices += here;
-      deltas += here * primitive.targets.size();
-      if (vertices > most_vertices) return fmt::format("more than {} vertices", most_vertices);
-      if (deltas > most_deltas) return fmt::format("more than {} vertices of morph targets", most_deltas);
-    }
-  }
-  return {};
-}
 
 std::uint64_t claimed_numbers(const Document& document, const AnimationSource& animation) {
   std::uint64_t claimed = 0;
@@ -246,24 +229,33 @@ void add_directions(const LocalMesh& local, const Primitive& primitive, bool own
 
 }  // namespace
 
-bool can_be_posed(const Document& document) {
-  const bool moves = !document.animations.empty() ||
-                     std::any_of(document.nodes.begin(), document.nodes.end(), [&](const Node& node) {
-                       return node.skin >= 0 ||
-                              (node.mesh >= 0 && !document.meshes[node.mesh].primitives[0].targets.empty());
-                     });
-  if (!moves) return false;
-  const std::string why = too_large(document);
-  if (why.empty()) return true;
-  const std::string line =
-      fmt::format("{}: has {}, so it cannot be posed once it is loaded", document.file, why);
-  warn_of(line, document.file, line);
-  return false;
+bool can_move(const Document& document) {
+  return !document.animations.empty() ||
+         std::any_of(document.nodes.begin(), document.nodes.end(), [&](const Node& node) {
+           return node.skin >= 0 ||
+                  (node.mesh >= 0 && !document.meshes[node.mesh].primitives[0].targets.empty());
+         });
+}
+
+std::string too_large_to_pose(const Document& document) {
+  std::uint64_t vertices = 0, deltas = 0;
+  for (const Node& node : document.nodes) {
+    if (node.mesh < 0) continue;
+    for (const MeshPrimitive& primitive : document.meshes[node.mesh].primitives) {
+      const std::uint64_t here = std::min(claimed_vertices(document, primitive), most_vertices + 1);
+      vertices += here;
+      deltas += here * primitive.targets.size();
+      if (vertices > most_vertices) return fmt::format("more than {} vertices", most_vertices);
+      if (deltas > most_deltas) return fmt::format("more than {} vertices of morph targets", most_deltas);
+    }
+  }
+  return {};
 }
 
 std::shared_ptr<const Rig> read_rig(const Document& document, Bytes& bytes, double unit_scale,
                                     const std::vector<MovingMesh>& moving,
-                                    const std::vector<bool>& own_tangents, const Scene& scene) {
+                                    const std::vector<bool>& own_tangents, const ViewNodes& views,
+                                    const Scene& scene) {
   DERMIS_ASSERT_EQ(moving.size(), scene.primitives.size());
   auto rig = std::make_shared<Rig>();
   rig->unit_scale = unit_scale;
@@ -271,6 +263,8 @@ std::shared_ptr<const Rig> read_rig(const Document& document, Bytes& bytes, doub
   rig->order = parents_first(document);
   rig->rest = rest_pose(document);
   rig->clips = read_clips(document, bytes);
+  rig->camera_nodes = views.cameras;
+  rig->light_nodes = views.lights;
   rig->first_weight = {0};
   for (const NodePose& node : rig->rest)
     rig->first_weight.push_back(rig->first_weight.back() + static_cast<std::uint32_t>(node.weights.size()));

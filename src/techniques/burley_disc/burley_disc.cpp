@@ -21,8 +21,12 @@ bool spreads(const SkinPart& part) {
   });
 }
 
+std::uint32_t disc_taps_per_pixel(const FrameSettings& settings) {
+  return settings.taps > 0 ? settings.taps : range.usual;
+}
+
 passes::Disc disc_of(const FrameSettings& settings, const SkinPart& part) {
-  const auto taps = static_cast<int>(settings.taps > 0 ? settings.taps : range.usual);
+  const auto taps = static_cast<int>(disc_taps_per_pixel(settings));
   passes::Disc disc{.taps = std::vector<gaussians::DiscTap>(static_cast<std::size_t>(taps)),
                     .profile = part.profile,
                     .burley_mm = {1, 1, 1},
@@ -64,6 +68,7 @@ constinit const Technique burley_disc{
     .has_light_maps = false,
     .screen_space = true,
     .taps = range,
+    .taps_per_pixel = disc_taps_per_pixel,
     .build = build,
     .maps = screen_maps,
     .report = screen_report,

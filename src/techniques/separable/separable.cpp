@@ -22,8 +22,15 @@ gaussians::Rgb blurred(const FrameSettings& settings, const SkinPart& part) {
   return share == gaussians::Rgb{} ? share : gaussians::Rgb{1, 1, 1};
 }
 
+std::uint32_t line_taps(const FrameSettings& settings) {
+  return settings.taps > 0 ? settings.taps : range.usual;
+}
+
+// Both passes.
+std::uint32_t line_taps_per_pixel(const FrameSettings& settings) { return 2 * line_taps(settings); }
+
 passes::LineKernel kernel_of(const FrameSettings& settings, const SkinPart& part) {
-  const auto taps = static_cast<int>(settings.taps > 0 ? settings.taps : range.usual);
+  const auto taps = static_cast<int>(line_taps(settings));
   return {.taps = is_published(settings) ? gaussians::published_line_kernel(taps)
                                          : gaussians::line_spread_kernel(part.profile, taps),
           .mm_per_unit = part.mm_per_unit,
@@ -53,6 +60,7 @@ constinit const Technique separable{
     .has_light_maps = false,
     .screen_space = true,
     .taps = range,
+    .taps_per_pixel = line_taps_per_pixel,
     .build = build,
     .maps = screen_maps,
     .report = screen_report,

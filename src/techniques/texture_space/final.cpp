@@ -47,7 +47,8 @@ passes::TermsOnMap terms_on_map(const FrameSettings& settings, const SkinPart& p
   return {.sigmas_mm = sigmas_mm(part.profile),
           .even_uv_per_mm = static_cast<float>(part.even_uv_per_mm),
           .largest_side = settings.map_size,
-          .coarse = part.coarse && !settings.host_lights()};
+          .coarse = part.coarse && !settings.host_lights(),
+          .shape = part.profile.shape};
 }
 
 SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const passes::MapSquare& square) {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "passes/blur/blur.h"
+#include "passes/kernels.h"
 #include "shared/tiles_io.h"
 #include "techniques/cascade_plan.h"
 #include "techniques/mapped_terms.h"
@@ -124,6 +125,7 @@ class Figures {
   /// count too.
   std::uint64_t convolved_texels = 0;
   std::uint64_t launched = 0;  ///< shader invocations of shading, downsampling and convolution
+  std::uint64_t taps = 0;      ///< of convolutions; those of a cascade differ from step to step, and are not
 
  private:
   // Adds what skin mesh `i` of a head has taken.
@@ -150,6 +152,7 @@ class Figures {
       if (skip_unlit(settings_) == passes::SkipUnlit::by_depth)
         at_once = counted(halvings, counter_masked_texels);
       launched += at_once * level.convolutions + side * side * level.moves;
+      if (!settings_.cascade) taps += at_once * level.convolutions * (2 * passes::kernel_radius + 1);
     }
   }
 
@@ -184,9 +187,12 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
   if (is_sparse(settings)) report.mask = name_of(settings.skip_unlit);
   report.maps = settings.progressive ? "progressive" : "full";
   report.translucency = settings.translucency;
+  report.shape_aware = std::any_of(settings.skin.begin(), settings.skin.end(),
+                                   [](const SkinPart& part) { return part.profile.shape.has_value(); });
   report.irradiance_texels = figures.irradiance_texels;
   report.convolved_texels = figures.convolved_texels;
   report.launched = figures.launched;
+  report.light_reads = figures.taps;
   report.unshaded_reads = counters[counter_unshaded_reads];
   report.transmission_misses = counters[counter_transmission_misses];
   return report;

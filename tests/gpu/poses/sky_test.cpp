@@ -47,7 +47,7 @@ Asset moved(const Asset& asset, const RigPose& pose) {
   return Asset::State::make(still);
 }
 
-double psnr(const Picture& a, const Picture& b) { return image::psnr_db(shown(a), shown(b)); }
+double psnr_of_sky(const Picture& a, const Picture& b) { return image::psnr_db(shown(a), shown(b)); }
 
 std::array<double, 4> about_y(double angle_deg) {
   const double half = angle_deg * std::numbers::pi / 360;
@@ -93,7 +93,7 @@ TEST_F(SkyOfPoses, IsNearThatOfTheMovedShape) {
   for (const Case& c : cases) {
     const Picture wanted = renderer().render(alone(moved(c.asset, c.pose)), s),
                   found = renderer().render(alone(c.asset, c.pose), s);
-    const double db = psnr(wanted, found);
+    const double db = psnr_of_sky(wanted, found);
     std::printf("%s: %.1f dB, FLIP %.4f\n", c.name, db, image::mean_flip(shown(wanted), shown(found)));
     EXPECT_GE(db, c.least_db) << c.name;
   }
@@ -121,7 +121,7 @@ TEST_F(SkyOfPoses, IsThatOfAnInstanceTurnedAsMuch) {
   }
   all.emplace_back(all.back()).quality.irradiance = IrradianceBy::compute;
   for (const RenderSettings& one : all) {
-    const double db = psnr(renderer().render(turned, one), renderer().render(posed, one));
+    const double db = psnr_of_sky(renderer().render(turned, one), renderer().render(posed, one));
     std::printf("%s, %s maps, %s, %s%s: %.1f dB\n", one.technique.c_str(),
                 one.quality.maps == LightMaps::progressive ? "progressive" : "full",
                 one.quality.blur == BlurOrder::cascade ? "cascade" : "chain",
@@ -150,13 +150,13 @@ TEST_F(SkyOfPoses, IsEachInstancesOwn) {
   scene.set_pose(first, RigPose{.joints = {{.name = "root", .rotation = about_y(-40)}}});
   const Picture posed = renderer().render(scene, s);
   expect_equal_bits(posed, renderer().render(scene, s));
-  EXPECT_GE(psnr(posed, renderer().render(alone(*man_, scene.instance(first).pose), s)), 100);
-  EXPECT_LE(psnr(posed, rest), 30);
+  EXPECT_GE(psnr_of_sky(posed, renderer().render(alone(*man_, scene.instance(first).pose), s)), 100);
+  EXPECT_LE(psnr_of_sky(posed, rest), 30);
 
   // In a row all heads share a pose; and the same frame after another sky is as before.
   RenderSettings turned = s;
   turned.lighting.environment_rotation_deg = 70;
-  EXPECT_LE(psnr(posed, renderer().render(scene, turned)), 40);
+  EXPECT_LE(psnr_of_sky(posed, renderer().render(scene, turned)), 40);
   expect_equal_bits(posed, renderer().render(scene, s));
   scene.set_pose(first, {});
   expect_equal_bits(rest, renderer().render(scene, s));

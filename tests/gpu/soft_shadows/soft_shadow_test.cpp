@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/gtc/constants.hpp>
+#include <numbers>
 
 #include "api/scene_state.h"
 #include "dermis/reference.h"
@@ -22,7 +23,7 @@
 namespace dermis::tests {
 namespace {
 
-constexpr double pi = glm::pi<double>();
+using std::numbers::pi;
 
 scene::Light directional(const glm::vec3& direction, double tangent) {
   scene::Light light = directional_light(direction, glm::vec3(static_cast<float>(pi)));

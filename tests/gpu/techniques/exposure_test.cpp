@@ -20,9 +20,9 @@ RenderSettings chosen() {
   return s;
 }
 
-Scene head() { return subject("built-in head").open(); }
+Scene opened_head() { return subject("built-in head").open(); }
 
-Picture picture_of(const RenderSettings& s) { return renderer().render(head(), s); }
+Picture picture_of(const RenderSettings& s) { return renderer().render(opened_head(), s); }
 
 TEST(ChosenExposure, IsTheSameEveryTimeAndGivenAgainTheSamePicture) {
   RenderSettings s = chosen();
@@ -89,7 +89,7 @@ TEST(ChosenExposure, WithoutLitSkinIsNone) {
 // A prepared frame that is given an exposure, and none again.
 TEST(ChosenExposure, FollowsTheSettingsOfAPreparedFrame) {
   RenderSettings s = chosen();
-  PreparedFrame frame = renderer().prepare(head(), s);
+  PreparedFrame frame = renderer().prepare(opened_head(), s);
   const double ev = frame.picture().statistics.exposure_ev;
   s.output.exposure_ev = 1.5;
   frame.set(s);

@@ -31,7 +31,7 @@ RenderSettings settings_at(double distance) {
   return s;
 }
 
-const Scene& head() {
+const Scene& kept_head() {
   static const Scene opened = subject("built-in head").open();
   return opened;
 }
@@ -67,7 +67,7 @@ TEST(TermsByNeed, AHeadFarAwayHasNoLightMap) {
   for (const bool translucency : {false, true}) {
     RenderSettings s = settings_at(60);
     s.skin.translucency = translucency;
-    const Statistics st = renderer().render(head(), s).statistics;
+    const Statistics st = renderer().render(kept_head(), s).statistics;
     EXPECT_EQ(st.mapped_terms, std::vector<int>{0});
     EXPECT_EQ(st.used_size, std::vector<int>{32});
     EXPECT_EQ(st.irradiance_texels, 0u);
@@ -84,10 +84,10 @@ TEST(TermsByNeed, ThenItIsDrawnAsWithoutScattering) {
   RenderSettings s = settings_at(60);
   s.skin.profile = "skin";
   s.skin.translucency = false;
-  const Picture far = renderer().render(head(), s);
+  const Picture far = renderer().render(kept_head(), s);
   EXPECT_EQ(far.statistics.mapped_terms, std::vector<int>{0});
   s.technique = "lambert";
-  expect_equal_bits(renderer().render(head(), s), far);
+  expect_equal_bits(renderer().render(kept_head(), s), far);
 }
 
 // Without a mask each step of the chain launches the whole used square, along both axes.
@@ -96,7 +96,7 @@ TEST(TermsByNeed, NarrowTermsOfAFarHeadAreNotBlurred) {
   for (const double distance : {2.0, 5.0, 8.0, 16.0, 30.0, 400.0}) {
     RenderSettings s = settings_at(distance);
     s.quality.mask = BlurMask::alpha;
-    const Statistics st = renderer().render(head(), s).statistics;
+    const Statistics st = renderer().render(kept_head(), s).statistics;
     ASSERT_EQ(st.mapped_terms.size(), 1u);
     const auto terms = static_cast<std::uint64_t>(st.mapped_terms.front());
     const auto side = static_cast<std::uint64_t>(st.used_size.front());
@@ -130,8 +130,8 @@ TEST(TermsByNeed, TheChainStartsFromTheIrradiance) {
     RenderSettings s = settings_at(6.2);
     s.quality.mask = mask;
     s.skin.translucency = false;
-    const Picture whole = renderer().render(head(), with_profile(s, "all terms", all));
-    const Picture rest = renderer().render(head(), with_profile(s, "wide terms alone", wide));
+    const Picture whole = renderer().render(kept_head(), with_profile(s, "all terms", all));
+    const Picture rest = renderer().render(kept_head(), with_profile(s, "wide terms alone", wide));
     EXPECT_EQ(whole.statistics.mapped_terms, std::vector<int>{3});
     EXPECT_EQ(rest.statistics.mapped_terms, std::vector<int>{3});
     EXPECT_EQ(whole.statistics.convolved_texels, rest.statistics.convolved_texels);
@@ -145,7 +145,8 @@ TEST(TermsByNeed, AreNotMissedInThePicture) {
   for (const double distance : {5.0, 8.0, 16.0, 30.0}) {
     SCOPED_TRACE(distance);
     const RenderSettings s = super_sampled(settings_at(distance), 4);
-    const Picture wanted = renderer().render(head(), unoptimised(s)), found = renderer().render(head(), s);
+    const Picture wanted = renderer().render(kept_head(), unoptimised(s)),
+                  found = renderer().render(kept_head(), s);
     expect_unseen(downsampled(wanted, 4), downsampled(found, 4));
   }
 }
@@ -203,11 +204,11 @@ TEST_P(StaleMaps, AreNotReadWhereTermsAreLeftOut) {
 
 // The same frame, moved through all numbers of terms and back: what earlier views have left is not read.
 TEST(TermsByNeed, ViewsLeaveNothingToEachOther) {
-  PreparedFrame moved = poisoned_renderer().prepare(head(), settings_at(400));
+  PreparedFrame moved = poisoned_renderer().prepare(kept_head(), settings_at(400));
   for (const double distance : {400.0, 16.0, 2.0, 8.0, 30.0, 2.0, 400.0, 5.0}) {
     SCOPED_TRACE(distance);
     moved.set(settings_at(distance));
-    expect_equal_bits(renderer().render(head(), settings_at(distance)), moved.picture());
+    expect_equal_bits(renderer().render(kept_head(), settings_at(distance)), moved.picture());
   }
 }
 
@@ -215,7 +216,7 @@ TEST(TermsByNeed, AMapThatIsNotStoredIsNotShown) {
   const auto refused = [&](double distance, const std::string& show) {
     RenderSettings s = settings_at(distance);
     s.output.show = show;
-    return thrown<InputError>([&] { renderer().render(head(), s); });
+    return thrown<InputError>([&] { renderer().render(kept_head(), s); });
   };
   EXPECT_EQ(
       refused(400, "irradiance"),
@@ -228,19 +229,19 @@ TEST(TermsByNeed, AMapThatIsNotStoredIsNotShown) {
   for (const auto& [distance, show] : {std::pair(8.0, "irradiance"), {8.0, "blur:5"}, {400.0, "stretch"}}) {
     RenderSettings s = settings_at(distance);
     s.output.show = show;
-    EXPECT_GT(renderer().render(head(), s).width, 0) << show;
+    EXPECT_GT(renderer().render(kept_head(), s).width, 0) << show;
   }
   RenderSettings whole = settings_at(400);
   whole.quality.depth = false;
   whole.output.show = "blur:0";
-  EXPECT_EQ(renderer().render(head(), whole).width, map_size);
+  EXPECT_EQ(renderer().render(kept_head(), whole).width, map_size);
 }
 
 // The published technique has all maps at any distance.
 TEST(TermsByNeed, WithWholeMapsAllTermsAreBlurred) {
   RenderSettings s = unoptimised(settings_at(400));
   s.quality.cull = true;
-  const Statistics st = renderer().render(head(), s).statistics;
+  const Statistics st = renderer().render(kept_head(), s).statistics;
   EXPECT_EQ(st.mapped_terms, std::vector<int>{6});
   EXPECT_GT(st.irradiance_texels, 0u);
   EXPECT_EQ(st.convolved_texels, 6 * st.irradiance_texels);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "dermis/reference.h"
 #include "gpu/support/pictures.h"
@@ -17,7 +18,7 @@
 namespace dermis::tests {
 namespace {
 
-constexpr double pi = 3.14159265358979;
+using std::numbers::pi;
 constexpr double thicknesses_mm[] = {0.5, 1, 2, 4, 8};
 
 struct Lit {

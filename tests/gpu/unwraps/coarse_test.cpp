@@ -21,7 +21,8 @@
 namespace dermis::tests {
 namespace {
 
-constexpr double pi = std::numbers::pi, lamp_mm = 30;
+using std::numbers::pi;
+constexpr double lamp_mm = 30;
 constexpr int side_px = 24, fine = 4;
 
 /// A plane of 1.5 m, whose texels are 47 mm wide on a map of 32, and a lamp 30 mm above it that makes its

@@ -142,7 +142,7 @@ TEST_F(OnTheDevice, VerticesTakeWhatTheyNeed) {
   const passes::GpuScene scene = uploaded(made);
   const passes::GpuMesh& mesh = scene.skin.front();
   EXPECT_EQ(mesh.vertices.desc().bytes, 12 * number * vertices);
-  EXPECT_EQ(mesh.skin_vertices.desc().bytes, 6 * number * vertices);
+  EXPECT_EQ(mesh.skin_vertices.desc().bytes, 8 * number * vertices);
   EXPECT_EQ(mesh.vertex_extras.desc().bytes, 6 * number) << "all are white, without a second coordinate";
   EXPECT_EQ(mesh.indices.desc().bytes, 3 * number * triangles);
   EXPECT_EQ(mesh.first_corners.desc().bytes, 3 * number * triangles);

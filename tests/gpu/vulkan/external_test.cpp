@@ -11,7 +11,7 @@
 namespace dermis::gpu {
 namespace {
 
-struct FillPush {
+struct FillPushIo {
   float weights[3];
   std::uint32_t count;
 };
@@ -22,7 +22,7 @@ void record_fill(Device& device, PipelineLibrary& library, VkCommandBuffer comma
   Cmd cmd(device, commands);
   const Pipeline& fill = library.compute("fill.comp");
   cmd.bind(fill, std::array<Binding, 2>{BufferBinding{&in}, BufferBinding{&out}});
-  cmd.push(fill, FillPush{{100, 10, 1}, 4});
+  cmd.push(fill, FillPushIo{{100, 10, 1}, 4});
   cmd.dispatch_over(fill, 4, 1);
 }
 

@@ -104,6 +104,7 @@ TEST(BuiltinHead, IsOneSkinPrimitiveWithEyesOf25000To40000Triangles) {
   }
   EXPECT_EQ(skins, 1u);
   EXPECT_GE(triangles, 25000u);
+  std::printf("%zu triangles\n", triangles);
   EXPECT_LE(triangles, 40000u);
   for (const char* part : {"eyes", "caruncles", "tears"}) EXPECT_TRUE(names.contains(part)) << part;
 
@@ -201,7 +202,40 @@ TEST(BuiltinHead, UnwrapDoesNotOverlapAndKeepsTheFaceDense) {
     const vec2 u = b.uv0 - a.uv0, v = c.uv0 - a.uv0;
     face += 0.5 * static_cast<double>(std::abs(u.x * v.y - u.y * v.x)) * 2048 * 2048;
   }
+  std::printf("%.1f texels per mm on the face, of maps of 2048\n", std::sqrt(face / area));
   EXPECT_GT(std::sqrt(face / area), 3);
+}
+
+// Lengths of the skin along and across, over those of the map: the ratio of both, worst direction to best.
+TEST(BuiltinHead, UnwrapStretchesHardlyAnySkinBeyond3To1) {
+  const Primitive& m = mesh();
+  double area = 0, even = 0;
+  for (std::size_t t = 0; t < m.indices.size(); t += 3) {
+    const Vertex &a = m.vertices[m.indices[t]], &b = m.vertices[m.indices[t + 1]],
+                 &c = m.vertices[m.indices[t + 2]];
+    const dvec3 g = triangle_metric(a.position_m, b.position_m, c.position_m, a.uv0, b.uv0, c.uv0);
+    const double mean = 0.5 * (g.x + g.z), apart = std::hypot(0.5 * (g.x - g.z), g.y);
+    const double here = 0.5 * static_cast<double>(glm::length(
+                                  glm::cross(b.position_m - a.position_m, c.position_m - a.position_m)));
+    area += here;
+    if (mean + apart < 9 * (mean - apart)) even += here;
+  }
+  std::printf("%.1f %% of the skin is stretched less than 3:1\n", 100 * even / area);
+  EXPECT_GT(even, 0.95 * area);
+}
+
+TEST(BuiltinHead, TheSeamOfTheUnwrapIsAtTheBack) {
+  std::map<Key, std::vector<std::uint32_t>> places;
+  for (std::uint32_t i = 0; i < mesh().vertices.size(); ++i) places[key(i)].push_back(i);
+  int pairs = 0;
+  for (const auto& [place, ids] : places) {
+    if (ids.size() < 2 || mesh().vertices[ids[0]].uv0 == mesh().vertices[ids[1]].uv0) continue;
+    ++pairs;
+    // From the crown over the back to the underside of the bust.
+    EXPECT_LT(std::abs(place[0]), 0.01f);
+    EXPECT_TRUE(place[2] < 0 || place[1] > 0.13f || place[1] < -0.16f) << place[1] << " " << place[2];
+  }
+  EXPECT_GT(pairs, 100);
 }
 
 TEST(BuiltinHead, LooksLikeAFace) {

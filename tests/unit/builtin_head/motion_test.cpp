@@ -121,5 +121,29 @@ TEST(Motion, TheClipOfSixSecondsBeginsAndEndsAtRest) {
   EXPECT_GT(gap(at(3.6), Openings::mouth), 10) << "opens the mouth";
 }
 
+TEST(Motion, TheClipUsesEveryExpressionAndJoint) {
+  const scene::Clip& clip = rig().clips.front().clip;
+  Pose most = rig().rest;
+  std::vector<double> turned(most.size(), 0);
+  for (double seconds = 0; seconds < 6; seconds += 0.05) {
+    Pose pose = rig().rest;
+    scene::play(clip, seconds, pose);
+    for (std::size_t node = 0; node < pose.size(); ++node) {
+      for (std::size_t k = 0; k < pose[node].weights.size(); ++k)
+        most[node].weights[k] = std::max(most[node].weights[k], pose[node].weights[k]);
+      const double cosine = glm::dot(pose[node].transform.rotation, rig().rest[node].transform.rotation);
+      turned[node] = std::max(turned[node], 1 - std::abs(cosine));
+    }
+  }
+  for (std::size_t node = 0; node < most.size(); ++node) {
+    const std::string& name = rig().nodes[node].name;
+    for (std::size_t k = 0; k < most[node].weights.size(); ++k)
+      EXPECT_GT(most[node].weights[k], 0.8) << rig().nodes[node].weights[k];
+    // The jaw opens by an expression, which carries the lips with it.
+    if (name == "body" || name == "jaw") continue;
+    EXPECT_GT(turned[node], 1e-4) << name;
+  }
+}
+
 }  // namespace
 }  // namespace dermis::builtin_head

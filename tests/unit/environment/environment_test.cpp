@@ -14,7 +14,7 @@
 namespace dermis::environment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Environment painted(int width, int height, const std::function<glm::dvec3(const glm::dvec3&)>& radiance) {
   Environment e{.name = "painted",

@@ -11,7 +11,7 @@
 namespace dermis::environment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Over the sphere, in steps whose sum is exact for polynomials of this degree in all but rounding of the
 // steps.

@@ -13,7 +13,7 @@
 namespace dermis::environment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Disc {
   glm::dvec3 towards;

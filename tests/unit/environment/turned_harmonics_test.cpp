@@ -15,7 +15,7 @@
 namespace dermis::environment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // As many directions as terms, and more, in no plane of symmetry.
 std::vector<glm::dvec3> directions() {

@@ -130,7 +130,7 @@ TEST(ProfileJson, Keys) {
   EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "wieghts": 3)")),
             "p.json: unknown key 'wieghts'; known are: name, model, variances_mm2, weights, "
             "error_percent, total_reflectance, "
-            "mean_free_path_mm, diffuse_mean_free_path_mm");
+            "mean_free_path_mm, diffuse_mean_free_path_mm, medium, shape");
   EXPECT_EQ(error_of(R"({"weights": [[1,1,1]]})"), "p.json: 'variances_mm2' is missing");
   EXPECT_EQ(error_of(R"({"variances_mm2": [1]})"), "p.json: 'weights' is missing");
   EXPECT_EQ(error_of(R"({"variances_mm2": [1], "weights": [[1,1,1]], "variances_mm2": [2]})"),
@@ -143,6 +143,46 @@ TEST(ProfileJson, Keys) {
             "p.json: mean_free_path_mm[1]: must be at least 0, is -2");
   EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "error_percent": 1)")),
             "p.json: error_percent: must be a list of three numbers (red, green, blue)");
+}
+
+const std::string medium =
+    R"(, "medium": {"sigma_a_per_mm": [0.01, 0.07, 0.1], "sigma_s_per_mm": [1, 1.5, 2], "g": 0, "eta": 1.3})";
+
+TEST(ProfileJson, KnowsItsMediumAndItsLaws) {
+  const SumOfGaussians sum = parse_json(two_terms("[1, 2]", good_weights, medium), "p.json");
+  ASSERT_TRUE(sum.medium && sum.shape);
+  EXPECT_EQ(sum.medium->sigma_a_per_mm, (Rgb{0.01, 0.07, 0.1}));
+  EXPECT_EQ(sum.medium->eta, 1.3);
+  EXPECT_GT(sum.shape->curvature_mm[0], sum.shape->curvature_mm[2]);
+  EXPECT_EQ(parse_json(to_json(sum), "p.json"), sum) << "to the last bit";
+
+  // Laws of a file are those that count.
+  SumOfGaussians other = sum;
+  other.shape->curvature_mm = {3, 2, 1};
+  EXPECT_EQ(parse_json(to_json(other), "p.json").shape->curvature_mm, (Rgb{3, 2, 1}));
+  EXPECT_FALSE(parse_json(two_terms("[1, 2]", good_weights), "p.json").shape);
+}
+
+TEST(ProfileJson, MediaAndLawsThatNothingCanBeMadeOf) {
+  const auto error_with = [](const std::string& more) {
+    return error_of(two_terms("[1, 2]", good_weights, more));
+  };
+  EXPECT_EQ(error_with(R"(, "shape": {})"), "p.json: shape: needs the medium that it is of: \"medium\"");
+  EXPECT_EQ(error_with(medium + R"(, "shape": {"curvature": 1})"),
+            "p.json: shape: unknown key 'curvature'; known are: curvature_mm, convex_mm, concave_mm, "
+            "difference_mm, difference_mm2, front_share, front_mm, exit_grazing, exit_normal");
+  EXPECT_EQ(error_with(medium + R"(, "shape": {"curvature_mm": [1, 2, -3]})"),
+            "p.json: shape.curvature_mm[2]: must be 0 to 1000000, is -3");
+  EXPECT_EQ(error_with(R"(, "medium": {"sigma_a_per_mm": [1, 1, 1]})"),
+            "p.json: medium: 'sigma_s_per_mm' is missing");
+  EXPECT_NE(error_with(
+                R"(, "medium": {"sigma_a_per_mm": [0, 1, 1], "sigma_s_per_mm": [0, 1, 1], "g": 0, "eta": 1})")
+                .find("sigma_a and sigma_s are both 0"),
+            std::string::npos);
+  EXPECT_NE(error_with(
+                R"(, "medium": {"sigma_a_per_mm": [1, 1, 1], "sigma_s_per_mm": [1, 1, 1], "g": 1, "eta": 1})")
+                .find("p.json: medium"),
+            std::string::npos);
 }
 
 TEST(ProfileJson, BrokenText) {

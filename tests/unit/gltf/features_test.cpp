@@ -16,11 +16,6 @@ glm::vec3 face_normal(const Primitive& p, std::size_t triangle = 0) {
   return glm::normalize(glm::cross(b - a, c - a));
 }
 
-/// The smallest PNG: one pixel, red and half transparent, as a data uri.
-const char* const one_pixel =
-    "data:image/png;base64,"
-    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==";
-
 void add_texture(Builder& b) {
   b.json["images"] = Json::array({{{"uri", one_pixel}}});
   b.json["textures"] = Json::array({{{"source", 0}}});

@@ -8,10 +8,6 @@ namespace dermis::scene::test {
 
 namespace {
 
-constexpr const char* one_pixel =
-    "data:image/png;base64,"
-    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==";
-
 /// Triangles of one material with a colour map of set 0 and an occlusion map of set 1; for each, whether it
 /// has the two sets.
 Builder triangles(const std::vector<std::array<bool, 2>>& has_uv, const std::string& name) {

@@ -29,6 +29,11 @@ using tests::write_text;
 /// The shared assets ($DERMIS_ASSET_CACHE, else beside the source); none if they are not there.
 std::optional<fs::path> assets();
 
+/// The smallest PNG: one pixel, red and half transparent, as a data uri.
+inline constexpr const char* one_pixel =
+    "data:image/png;base64,"
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==";
+
 /// A document and its one buffer. Starts as an empty scene; `json` may be bent in any way before it is
 /// loaded.
 class Builder {

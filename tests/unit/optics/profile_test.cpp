@@ -197,6 +197,9 @@ TEST(PublicProfile, FilesAreReadBack) {
   EXPECT_EQ(read.total_reflectance, made.total_reflectance);
   EXPECT_EQ(read.mean_free_path_mm, made.mean_free_path_mm);
   EXPECT_EQ(read.diffuse_mean_free_path_mm, made.diffuse_mean_free_path_mm);
+  EXPECT_EQ(read.medium, made.medium);
+  EXPECT_EQ(read.medium->eta, 1.3);
+  EXPECT_EQ(read.shape, made.shape);
   EXPECT_EQ(tests::thrown<InputError>([&] { model_table(read); }),
             "profile 'skin1' has no curves of a model: it was read, or put together by hand");
   check_profile(read);
@@ -242,6 +245,12 @@ TEST(PublicProfile, WhatNoPictureCanBeMadeWithIsRefused) {
        "mean_free_path_mm of red must be >= 0 and finite, got -1"},
       {[&](auto& p) { p.diffuse_mean_free_path_mm[0] = nan; },
        "diffuse_mean_free_path_mm of red must be >= 0 and finite, got nan"},
+      {[](auto& p) { p.shape.emplace(); }, "shape.front_mm must be 1e-12 to 1000000, got 0"},
+      {[](auto& p) {
+         p.shape.emplace();
+         p.shape->front_mm = {1, 1, 1};
+       },
+       "shape needs the medium that it is of: medium is not given"},
   };
   for (const Case& bad : cases) {
     ScatterProfile profile = good;

@@ -10,7 +10,7 @@
 namespace dermis::passes {
 namespace {
 
-const std::vector<double> published{0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41};
+const std::vector<double> published_mm2{0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41};
 
 // The variance of each term on its way through all narrower steps is its own, and what moving adds is taken
 // off once: by heads that take all steps, and by those that begin with a later one.
@@ -19,8 +19,8 @@ TEST(CascadeSteps, EachTermGetsItsVariance) {
     const CascadeDensity density{.max_texels_per_mm = 1.5 * texels_per_mm,
                                  .mean_texels_per_mm = texels_per_mm,
                                  .coarse_texels_per_mm = texels_per_mm / 1.5};
-    const std::uint32_t narrow = narrow_terms(published, texels_per_mm, 4);
-    const std::vector<CascadeStep> steps = cascade_steps(published, narrow, density, 3);
+    const std::uint32_t narrow = narrow_terms(published_mm2, texels_per_mm, 4);
+    const std::vector<CascadeStep> steps = cascade_steps(published_mm2, narrow, density, 3);
 
     double variance_mm2 = 0, share = 0;
     std::size_t terms = narrow;
@@ -33,7 +33,7 @@ TEST(CascadeSteps, EachTermGetsItsVariance) {
       EXPECT_GE(step.halvings, step.halvings_after);
       if (!step.term) continue;
       EXPECT_EQ(*step.term, terms);
-      EXPECT_NEAR(variance_mm2, published[terms++], 1e-9);
+      EXPECT_NEAR(variance_mm2, published_mm2[terms++], 1e-9);
       EXPECT_NEAR(share, 1, 1e-9);
       share = 0;
 
@@ -42,7 +42,7 @@ TEST(CascadeSteps, EachTermGetsItsVariance) {
       EXPECT_GE(std::sqrt(step.total_mm2) * density.coarse_texels_per_mm / ratio, level_sigma);
       EXPECT_GT(step.total_mm2 * std::pow(density.coarse_texels_per_mm, 2), moved_texels2(ratio));
     }
-    EXPECT_EQ(terms, published.size());
+    EXPECT_EQ(terms, published_mm2.size());
 
     for (std::uint32_t first = 0; first < steps.size(); ++first) {
       double moved = 0, blurred_mm2 = 0;
@@ -55,14 +55,14 @@ TEST(CascadeSteps, EachTermGetsItsVariance) {
         for (std::uint32_t i = 0; i < level.terms; ++i) blurred_mm2 += level.steps_mm2[i];
       }
       EXPECT_NEAR(moved, moved_texels2(1u << steps.back().halvings), 1e-5);
-      EXPECT_NEAR(blurred_mm2, published.back(), 1e-5);
+      EXPECT_NEAR(blurred_mm2, published_mm2.back(), 1e-5);
     }
   }
 }
 
 TEST(CascadeSteps, LevelsFollowTheDensity) {
   const auto coarsest = [](double texels_per_mm) {
-    return cascade_steps(published, 0, {texels_per_mm, texels_per_mm, texels_per_mm}, 3).back().halvings;
+    return cascade_steps(published_mm2, 0, {texels_per_mm, texels_per_mm, texels_per_mm}, 3).back().halvings;
   };
   EXPECT_EQ(coarsest(0.7), 0u);
   EXPECT_EQ(coarsest(0.75), 1u);

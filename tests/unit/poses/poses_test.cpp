@@ -87,6 +87,27 @@ TEST_F(Character, TakesWeightsAndJointsByName) {
   EXPECT_EQ(apart(*rest, *setup::flattened(api::placed_scene(scene))).positions, 0);
 }
 
+// A clip at a time is kept in a scene file, by instance.
+TEST_F(Character, StandsInAScenefileAsItDid) {
+  const Warnings quiet;
+  const Asset asset = Asset::load(file_, {.clip = "performance"});
+  dermis::Scene scene;
+  scene.pose(scene.add({.asset = asset}), "performance", 1.0 / 3);
+  scene.pose(scene.add({.asset = asset}), "", 1.7);
+  scene.add({.asset = asset});
+  scene.save(temp_.path() / "scene.json");
+
+  const dermis::Scene again = dermis::Scene::load(temp_.path() / "scene.json");
+  const std::vector<InstanceId> ids = again.instances();
+  ASSERT_EQ(ids.size(), 3u);
+  EXPECT_EQ(again.instance(ids[0]).pose->clip->clip, "performance");
+  EXPECT_EQ(again.instance(ids[0]).pose->clip->seconds, 1.0 / 3);
+  EXPECT_FALSE(again.instance(ids[2]).pose);
+  const Apart a =
+      apart(*setup::flattened(api::placed_scene(scene)), *setup::flattened(api::placed_scene(again)));
+  EXPECT_EQ(a.positions + a.normals + a.tangents, 0);
+}
+
 TEST_F(Character, FaultsAreOneLineAndChangeNothing) {
   const Warnings quiet;
   const Asset asset = Asset::load(file_);
@@ -117,7 +138,9 @@ TEST_F(Character, FaultsAreOneLineAndChangeNothing) {
                "more than");
   EXPECT_EQ(scene.instance(id).pose->clip->clip, "performance");
 
-  EXPECT_ERROR(tests::thrown<InputError>([&] { scene.save(temp_.path() / "scene.json"); }), "it has a pose");
+  scene.set_pose(id, RigPose{.weights = {{"mouth-open", 1}}});
+  EXPECT_ERROR(tests::thrown<InputError>([&] { scene.save(temp_.path() / "scene.json"); }),
+               "it has a pose that is more than a clip at a time");
   dermis::Scene still;
   const InstanceId ball =
       still.add({.asset = Asset::State::make(std::make_shared<const Scene>(sphere(0.1)))});

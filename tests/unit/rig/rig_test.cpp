@@ -41,34 +41,6 @@ class Character : public testing::Test {
   TempFolder temp_;
 };
 
-// Every file that has something to move, by its first clip, without loading it again.
-TEST(PosedFiles, StandAsAnEvaluationByHandHasThem) {
-  DERMIS_NEED_ASSETS(folder);
-  const Warnings quiet;
-  std::size_t compared = 0;
-  for (const char* part : {"gltf-valid", "makehuman", "ict-facekit"})
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(*folder / part)) {
-      const std::string extension = entry.path().extension().string();
-      if (extension != ".gltf" && extension != ".glb") continue;
-      if (entry.path().string().find("-sub1") != std::string::npos) continue;
-      if (read_text(entry.path()).find("\"animations\"") == std::string::npos) continue;
-      if (!error_of(entry.path()).empty() || !error_of(entry.path(), {.time_s = 1.0}).empty()) continue;
-      SCOPED_TRACE(entry.path().filename().string());
-      const PosedByHand by_hand(entry.path());
-      if (by_hand.is_compressed()) continue;
-      const Scene scene = load_gltf(entry.path());
-      ASSERT_TRUE(scene.rig);
-      for (int i = 0; i < 10; ++i) {
-        const double seconds = by_hand.end_s(0) * (1.2 * i / 9 - 0.05);
-        const Compared c =
-            compare(posed_scene(scene, pose_at(scene, 0, seconds)), by_hand.positions_m(0, seconds));
-        EXPECT_LE(c.farthest, 1e-5 * c.size) << seconds << " s";
-      }
-      ++compared;
-    }
-  EXPECT_GE(compared, 10u);
-}
-
 TEST_F(Character, BlendsTwoClips) {
   const fs::path file = with_second_clip(file_, temp_.path() / "two.glb");
   const Scene scene = load_gltf(file);

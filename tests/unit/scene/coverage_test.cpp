@@ -7,12 +7,11 @@
 
 #include "scan.h"
 #include "scene/primitives.h"
+#include "skin_meshes.h"
 #include "support/log_lines.h"
 
 namespace dermis::scene {
 namespace {
-
-SkinMesh mesh_of(const Scene& scene) { return skin_meshes(scene).at(0); }
 
 /// Two copies of a square of the map, side by side in the world; the second moved by `shift` on the map.
 Scene two_squares(glm::vec2 shift) {
@@ -99,25 +98,25 @@ TEST(Coverage, StaysOnTheMap) {
 }
 
 TEST(Overlap, Fractions) {
-  EXPECT_EQ(uv_overlap_fraction(mesh_of(plane(0.05, glm::dmat2(1), {}, 7))), 0);
-  EXPECT_EQ(uv_overlap_fraction(mesh_of(sphere(0.1, 12))), 0);
-  EXPECT_EQ(uv_overlap_fraction(mesh_of(two_squares({0, 0}))), 1);
-  EXPECT_EQ(uv_overlap_fraction(mesh_of(two_squares({0.5f, 0}))), 0);
-  EXPECT_NEAR(uv_overlap_fraction(mesh_of(two_squares({0.25f, 0}))), 1.0 / 3, 1e-9);
+  EXPECT_EQ(uv_overlap_fraction(only_mesh(plane(0.05, glm::dmat2(1), {}, 7))), 0);
+  EXPECT_EQ(uv_overlap_fraction(only_mesh(sphere(0.1, 12))), 0);
+  EXPECT_EQ(uv_overlap_fraction(only_mesh(two_squares({0, 0}))), 1);
+  EXPECT_EQ(uv_overlap_fraction(only_mesh(two_squares({0.5f, 0}))), 0);
+  EXPECT_NEAR(uv_overlap_fraction(only_mesh(two_squares({0.25f, 0}))), 1.0 / 3, 1e-9);
 }
 
 TEST(Overlap, WarnsFromHalfAPercentOn) {
   tests::LogLines said;
-  EXPECT_NEAR(warn_overlap(mesh_of(two_squares({0.4985f, 0}))), 0.0015, 0.002);
+  EXPECT_NEAR(warn_overlap(only_mesh(two_squares({0.4985f, 0}))), 0.0015, 0.002);
   EXPECT_TRUE(said.all.empty());
-  warn_overlap(mesh_of(two_squares({0.25f, 0})));
+  warn_overlap(only_mesh(two_squares({0.25f, 0})));
   ASSERT_EQ(said.all.size(), 1u);
   EXPECT_NE(said.all[0].find("33.3 %"), std::string::npos) << said.all[0];
 }
 
 TEST(Overlap, Scan) {
   DERMIS_NEED_SCAN(scan);
-  const double fraction = uv_overlap_fraction(mesh_of(*scan));
+  const double fraction = uv_overlap_fraction(only_mesh(*scan));
   EXPECT_LT(fraction, 0.005);
   RecordProperty("overlap_percent", std::to_string(100 * fraction));
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "scan.h"
 #include "scene/primitives.h"
@@ -12,7 +13,7 @@
 namespace dermis::scene {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// value: 0..1 at texel centres, u and v in 0..1.
 image::Image8 heights_of(int width, int height, const std::function<double(double, double)>& value) {

@@ -7,19 +7,19 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 
 #include "scan.h"
 #include "scene/coverage.h"
 #include "scene/primitives.h"
 #include "scene/tangents.h"
+#include "skin_meshes.h"
 #include "support/log_lines.h"
 
 namespace dermis::scene {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-SkinMesh mesh_of(const Scene& scene) { return skin_meshes(scene).at(0); }
+using std::numbers::pi;
 
 /// Chart per texel by coverage, 0 = none.
 std::vector<int> coverage(const SkinMesh& mesh, int side) {
@@ -87,7 +87,7 @@ SkinMesh mesh_from(Primitive primitive) {
   primitive.node = 0;
   make_missing_normals(primitive);
   scene.primitives[0] = std::move(primitive);
-  return mesh_of(scene);
+  return only_mesh(scene);
 }
 
 TEST(Gutters, CylinderSeamGoesRoundToItsOtherSide) {
@@ -194,7 +194,7 @@ glm::dvec3 position_mm_at(const SkinMesh& mesh, glm::dvec2 uv) {
 
 TEST(Gutters, SphereFollowsGreatCircles) {
   constexpr double radius_mm = 10, margin = 0.03;
-  const SkinMesh mesh = mesh_of(sphere(radius_mm * 1e-3, 24, margin));
+  const SkinMesh mesh = only_mesh(sphere(radius_mm * 1e-3, 24, margin));
   constexpr int side = 512, width = 14;
   const std::vector<GutterTexel> gutters = build_gutters(mesh, side, width);
   expect_sound(mesh, gutters, side);
@@ -244,7 +244,7 @@ TEST(Gutters, SphereFollowsGreatCircles) {
 }
 
 TEST(Gutters, SphereChartsKeepTheirOwnSide) {
-  const SkinMesh mesh = mesh_of(sphere(0.01, 16, 0.01));
+  const SkinMesh mesh = only_mesh(sphere(0.01, 16, 0.01));
   constexpr int side = 512;  // 10 texels between charts: the nearer one wins although both ask for 40
   const std::vector<GutterTexel> gutters = build_gutters(mesh, side, 40);
   expect_sound(mesh, gutters, side);
@@ -263,7 +263,7 @@ TEST(Gutters, SphereChartsKeepTheirOwnSide) {
 }
 
 TEST(Gutters, OpenBordersOnlyFill) {
-  const SkinMesh mesh = mesh_of(plane(0.05, glm::dmat2(0.5), {0.25, 0.25}, 3));
+  const SkinMesh mesh = only_mesh(plane(0.05, glm::dmat2(0.5), {0.25, 0.25}, 3));
   constexpr int side = 64;
   const std::vector<GutterTexel> gutters = build_gutters(mesh, side, 40);
   expect_sound(mesh, gutters, side);
@@ -279,7 +279,7 @@ TEST(Gutters, OpenBordersOnlyFill) {
 TEST(Gutters, ListsTexelsOnTheBorderItself) {
   // The border runs through texel centres: whether a device covers them is its own affair.
   const double half = 0.5 / 64;
-  const SkinMesh mesh = mesh_of(plane(0.05, glm::dmat2(0.5), {0.25 + half, 0.25 + half}, 3));
+  const SkinMesh mesh = only_mesh(plane(0.05, glm::dmat2(0.5), {0.25 + half, 0.25 + half}, 3));
   std::size_t on_border = 0;
   for (const GutterTexel& g : build_gutters(mesh, 64, 4))
     if (g.x == 16 && g.y >= 16 && g.y <= 48) ++on_border;
@@ -314,7 +314,7 @@ TEST(Gutters, SurviveDegenerateTriangles) {
   for (std::size_t v = 0; v < 30; ++v) p.vertices[v].uv0 = p.vertices[0].uv0;
   // no area in the world
   for (std::size_t v = 100; v < 120; ++v) p.vertices[v].position_m = p.vertices[100].position_m;
-  const SkinMesh mesh = mesh_of(scene);
+  const SkinMesh mesh = only_mesh(scene);
   const std::vector<GutterTexel> gutters = build_gutters(mesh, 128, 20);
   expect_sound(mesh, gutters, 128);
   EXPECT_FALSE(gutters.empty());
@@ -328,13 +328,13 @@ TEST(Gutters, GiveUpOnManifoldOverlap) {
   const std::vector<std::uint32_t> quad = p.indices;
   for (int i = 0; i < 70; ++i) p.indices.insert(p.indices.end(), quad.begin(), quad.end());
   tests::LogLines said;
-  EXPECT_TRUE(build_gutters(mesh_of(scene), 64, 4).empty());
+  EXPECT_TRUE(build_gutters(only_mesh(scene), 64, 4).empty());
   EXPECT_EQ(said.all.size(), 1u);
 }
 
 TEST(Gutters, Scan) {
   DERMIS_NEED_SCAN(scan);
-  const SkinMesh mesh = mesh_of(*scan);
+  const SkinMesh mesh = only_mesh(*scan);
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<GutterTexel> gutters = build_gutters(mesh, 2048, 40);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

@@ -78,6 +78,30 @@ TEST(SceneFileByHand, TakesOptionsForWhatItsAssetsDoNotSay) {
   EXPECT_EQ(file.assets.at(0).file, "/none/a.glb");
 }
 
+// A clip or a time that is empty is none: a scene that was saved plays what a command says.
+TEST(SceneFileByHand, HasPosesByClipAndTime) {
+  const std::string assets =
+      R"("assets": [{"file": "a.glb"}, {"file": "b.glb", "clip": "walk", "time_s": null},)"
+      R"({"file": "c.glb", "clip": "", "time_s": 3}],)";
+  const api::SceneFile file =
+      read(with(assets + R"("instances": [{"asset": "a.glb"}, {"asset": "b.glb", "time_s": 2},)"
+                         R"({"asset": "c.glb", "clip": "run", "time_s": -1.5}])"),
+           {.clip = "talk", .time_s = 0.0});
+  EXPECT_EQ(file.assets.at(0).options.clip, "talk");
+  EXPECT_EQ(file.assets.at(1).options.clip, "walk");
+  EXPECT_EQ(file.assets.at(1).options.time_s, 0.0);
+  EXPECT_FALSE(file.assets.at(1).holds_time);
+  EXPECT_EQ(file.assets.at(2).options.clip, "talk");
+  EXPECT_EQ(file.assets.at(2).options.time_s, 3.0);
+  EXPECT_TRUE(file.assets.at(2).holds_time);
+
+  EXPECT_FALSE(file.pose_of_instance.at(0));
+  EXPECT_EQ(file.pose_of_instance.at(1)->clip->clip, "");
+  EXPECT_EQ(file.pose_of_instance.at(1)->clip->seconds, 2);
+  EXPECT_EQ(file.pose_of_instance.at(2)->clip->clip, "run");
+  EXPECT_EQ(file.pose_of_instance.at(2)->clip->seconds, -1.5);
+}
+
 TEST(SceneFileByHand, NamesARigByNameOrNumber) {
   const auto rig_of = [](const std::string& light) {
     const api::SceneFile file = read(lit(light));
@@ -149,6 +173,9 @@ TEST(HostileSceneFile, Instances) {
   refuse(one(R"("tint": [1, 1, 1e300])"), "instances[1]: tint must be");
   refuse(one(R"("tint": [1, 1, 1e999])"), "is not valid JSON");
   refuse(one(R"("name": 3)"), "instances[1].name: must be a string");
+  refuse(one(R"("clip": 3)"), "instances[1].clip: must be a string");
+  refuse(one(R"("time_s": "now")"), "instances[1].time_s: must be a number");
+  refuse(one(R"("time_s": 1e999)"), "is not valid JSON");
 }
 
 TEST(HostileSceneFile, Transforms) {

@@ -108,7 +108,7 @@ TEST(Settings, HaveHelpAndAPathOfTheirOwn) {
   EXPECT_GT(expect_whole_rows<RenderSettings>(), 30u);
   EXPECT_GE(expect_whole_rows<SceneOptions>(), 3u);
   EXPECT_GE(expect_whole_rows<ReferenceSettings>(), 6u);
-  EXPECT_EQ(expect_whole_rows<ProfileOptions>(), 4u);
+  EXPECT_EQ(expect_whole_rows<ProfileOptions>(), 5u);
   EXPECT_EQ(expect_whole_rows<SpectralSkin>(), 5u);
   EXPECT_EQ(expect_whole_rows<Coefficients>(), 4u);
 }

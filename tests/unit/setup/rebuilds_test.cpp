@@ -38,6 +38,7 @@ constexpr Exception exceptions[] = {
     {"quality.map_budget_mb", "heads in the studio", "a head by itself takes one square"},
     {"quality.kernel", "in screen space", "light maps have no kernels in the picture"},
     {"quality.taps", "in screen space", "nor taps"},
+    {"skin.shape_aware", "a profile of a medium", "published ones know none"},
     {"skin.mix", "skin alone", "light must enter all that it falls on, and eyes and teeth are no skin"},
 };
 
@@ -66,6 +67,19 @@ const std::string& profile_file() {
   return path;
 }
 
+/// A file: a profile that knows its medium.
+const std::string& medium_file() {
+  static const tests::TempFolder folder;
+  static const std::string path = [] {
+    const std::filesystem::path file = folder.path() / "medium.json";
+    tests::write_text(file,
+                      R"({"variances_mm2": [0.1, 1], "weights": [[0.5, 0.5, 0.5], [0.5, 0.5, 0.5]], "medium":
+            {"sigma_a_per_mm": [0.01, 0.07, 0.1], "sigma_s_per_mm": [1, 1.5, 2], "g": 0, "eta": 1.3}})");
+    return file.string();
+  }();
+  return path;
+}
+
 std::vector<Frame> frames() {
   const Subject subject = head();
   return {{"the built-in head", subject, {}},
@@ -80,7 +94,8 @@ std::vector<Frame> frames() {
            subject,
            {.camera = {.eye_m = std::array{0.1, 0.0, 0.8}, .target_m = std::array{0.0, 0.05, 0.0}}}},
           {"skin alone", skin_alone(), {}},
-          {"weights that nearly sum to 1", subject, {.skin = {.profile = profile_file()}}}};
+          {"weights that nearly sum to 1", subject, {.skin = {.profile = profile_file()}}},
+          {"a profile of a medium", subject, {.skin = {.profile = medium_file()}}}};
 }
 
 FrameSetup set_up_frame(const Frame& frame) {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "cli/comparison/quality.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+
+#include "cli/bench/measure.h"
+#include "cli/bench/variants.h"
+#include "settings/names.h"
+#include "techniques/technique.h"
+
+namespace dermis::cli::comparison {
+namespace {
+
+constexpr std::array tap_counts{5, 9, 17, 25, 33, 64, 128, 256, 1024};
+/// Fractions of the map size that is asked for.
+constexpr std::array map_divisors{8, 4, 2, 1};
+
+bool can_have(const techniques::TapRange& range, int taps) {
+  const auto count = static_cast<std::uint32_t>(taps);
+  return count >= range.least && count <= range.most && (!range.odd || count % 2 == 1);
+}
+
+void add_taps(const RenderSettings& common, const techniques::Technique& technique,
+              std::vector<QualitySetting>& to) {
+  for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published})
+    for (const int taps : tap_counts) {
+      if (!can_have(technique.taps, taps)) continue;
+      RenderSettings s = common;
+      s.quality.kernel = kernel;
+      s.quality.taps = taps;
+      to.push_back({.curve = fmt::format("{}, kernel {}", technique.name, name_of(kernel)),
+                    .label = fmt::format("{} taps", taps),
+                    .settings = std::move(s)});
+    }
+}
+
+void add_maps(const RenderSettings& common, std::vector<QualitySetting>& to) {
+  for (const bool cascade : {false, true})
+    for (const int divisor : map_divisors) {
+      RenderSettings s = common;
+      if (cascade) s = bench::shaded_in_compute(bench::with_cascade(s));
+      s.quality.map_size = common.quality.map_size / divisor;
+      to.push_back({.curve = common.technique + (cascade ? ", cascade in compute" : ""),
+                    .label = fmt::format("map of {}", s.quality.map_size),
+                    .settings = std::move(s)});
+    }
+}
+
+}  // namespace
+
+std::vector<QualitySetting> quality_settings(const Scene& scene, const RenderSettings& common,
+                                             const std::string& name) {
+  const techniques::Technique& technique = techniques::find_technique(name);
+  RenderSettings s = common;
+  s.technique = name;
+
+  std::vector<QualitySetting> wanted;
+  if (technique.taps.most > 0) add_taps(s, technique, wanted);
+  if (technique.has_light_maps) add_maps(s, wanted);
+  if (wanted.empty()) wanted.push_back({.curve = name, .label = name, .settings = s});
+
+  std::vector<QualitySetting> possible;
+  for (QualitySetting& one : wanted)
+    if (bench::has_plan(scene, one.settings)) possible.push_back(std::move(one));
+  return possible;
+}
+
+}  // namespace dermis::cli::comparison

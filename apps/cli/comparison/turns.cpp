@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "cli/comparison/turns.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+
+#include "cli/progress.h"
+#include "dermis/cancelled.h"
+
+namespace dermis::cli::comparison {
+
+std::vector<std::vector<double>> draw_in_turns(Renderer& renderer, const std::vector<Turn>& turns, int rounds,
+                                               const std::atomic<bool>* stop) {
+  const auto most_bytes = [half = std::map<std::string, std::uint64_t>()](const std::string& device) mutable {
+    const auto [found, is_new] = half.try_emplace(device, 0);
+    if (is_new) found->second = bench::half_of_device(device);
+    return found->second;
+  };
+  const std::function<std::uint64_t(const std::string&)> budget = most_bytes;
+  bench::HeldFrames frames(renderer, budget);
+  for (const Turn& turn : turns) {
+    RenderSettings one = turn.settings;
+    one.output.frames = 1;
+    frames.add(turn.scene, one);
+  }
+
+  std::vector<std::vector<double>> ms(turns.size());
+  for (int round = 0; round <= rounds; ++round)
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      if (stop && *stop) throw Cancelled("stopped before all frames were timed");
+      show_line(fmt::format("round {} of {}, frame {} of {}", round, rounds, i + 1, turns.size()));
+      if (round == 0)
+        frames.warm_up(i);
+      else
+        ms[i].push_back(frames.draw(i));
+    }
+  return ms;
+}
+
+}  // namespace dermis::cli::comparison

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+/// The shape of the body around each vertex of the skin: what changes how much light leaves it
+/// (profile/shape_laws.h). Curvature comes from scene/curvature.h, thickness from rays into the body.
+/// Based on: [SSC08] Shapira, Shamir, Cohen-Or: Consistent Mesh Partitioning and Skeletonisation using the
+/// Shape
+///           Diameter Function. The Visual Computer 24, 2008 (rays into a cone around the inward normal)
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "scene/curvature.h"
+#include "scene/unwrap.h"
+
+namespace dermis::environment {
+
+inline constexpr float most_thickness_mm = 50;  ///< what is thicker has this
+
+/// The scale at which curvature is taken, one standard deviation. Light in skin spreads over less in green
+/// and blue and over more in red; docs/truth.md ("Skin that knows its shape")
+/// compares scales.
+inline constexpr double curvature_scale_mm = 2.5;
+
+/// Finds the shape at each vertex of a mesh. Convex curvature counts by the share of the directions around
+/// the normal that no other skin closes within 6 mm: the law is that of light that leaves into the open, and
+/// the rims of closed lids and lips, which are convex, would shine.
+///
+/// The result does not depend on the number of threads. Counts
+/// steps (core/hooks.h): takes up to a second, and throws Cancelled if its caller ends it.
+std::vector<scene::VertexShape> body_shape(const scene::Scene& scene, const scene::SkinMesh& mesh);
+
+/// The same, or from a file in `folder` (none if empty; see core/cache.h), named by a hash of all that it
+/// depends on. Writes nothing if cancelled.
+std::vector<scene::VertexShape> cached_body_shape(const scene::Scene& scene, const scene::SkinMesh& mesh,
+                                                  const std::filesystem::path& folder);
+
+}  // namespace dermis::environment

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Curvature of skin at its vertices, at the scale that light spreads over.
+// Based on:
+// [R04] Rusinkiewicz: Estimating Curvatures and Their Derivatives on Triangle Meshes. 3DPVT 2004 (the second
+//       fundamental form as the best linear change of normals); here over a Gaussian neighbourhood
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace dermis::scene {
+
+/// Both principal curvatures k1 >= k2 as their mean and half of their difference. Convex is positive: a
+/// sphere of radius R mm has mean 1/R and difference 0, a cylinder 1/2R and 1/2R, a saddle mean 0.
+struct Curvature {
+  float mean_per_mm = 0;        ///< (k1 + k2) / 2
+  float difference_per_mm = 0;  ///< (k1 - k2) / 2, >= 0
+};
+
+/// What is known of the body around a vertex of skin, in mm of the asset.
+struct VertexShape {
+  Curvature curvature;
+  float thickness_mm = 0;  ///< of a slab its thickness; environment/body_shape.h finds it
+};
+
+/// A neighbour that counts for the curvature of a vertex.
+struct CurvatureNeighbour {
+  std::uint32_t vertex = 0;
+  float weight = 0;  ///< its area, times a Gaussian of its distance; those of a vertex sum to 1
+};
+
+/// Which neighbours count for each vertex: those of vertex v are [first[v], first[v + 1]) of `neighbours`.
+/// It holds for the mesh in every pose: a neighbourhood moves with its skin.
+struct CurvatureStencil {
+  std::vector<std::uint32_t> first;  ///< as many as vertices, and one
+  std::vector<CurvatureNeighbour> neighbours;
+};
+
+inline constexpr std::size_t most_curvature_neighbours = 32;
+
+/// Finds the neighbours of each vertex: those that edges reach within 2.5 scale_mm (so that lips that touch
+/// do not count for each other), at least those at the other end of its edges; of many, an even selection.
+/// Vertices at one place (at seams) have the same. indices.size() is a multiple of 3, all < vertices.size();
+/// scale_mm > 0. O(n); the result does not depend on the number of threads. Throws Cancelled if a hook ends
+/// it.
+CurvatureStencil curvature_stencil(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
+                                   double mm_per_unit, double scale_mm);
+
+/// Returns the curvature at each vertex, 0 where a vertex has fewer than three neighbours or they lie on a
+/// line. At most 2 per mm: a rim may be sharp. `vertices` may have moved since the stencil was made.
+std::vector<Curvature> curvatures(std::span<const Vertex> vertices, const CurvatureStencil& stencil,
+                                  double mm_per_unit);
+
+}  // namespace dermis::scene

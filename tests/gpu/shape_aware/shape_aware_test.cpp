@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// Skin that knows its shape: pictures against the laws in double, on bodies whose curvature and thickness are
+// known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "api/asset_state.h"
+#include "dermis/profile.h"
+#include "gaussians/scatter_profile.h"
+#include "gpu/support/pictures.h"
+#include "gpu/support/renderer.h"
+#include "gpu/support/scenes.h"
+#include "gpu/support/settings.h"
+#include "image/metrics.h"
+#include "passes/transmission.h"
+#include "profile/shape_laws.h"
+#include "scene/primitives.h"
+#include "support/files.h"
+#include "support/rigs.h"
+#include "support/thrown.h"
+
+namespace dermis::tests {
+namespace {
+
+constexpr double pi = 3.14159265358979;
+
+const ScatterProfile& skin2() {
+  static const ScatterProfile made = profile_of_preset("skin2");
+  return made;
+}
+
+/// The profile as a file, in a folder of the program.
+const std::string& skin2_file() {
+  static const std::string path = [] {
+    const std::string file = (program_folder() / "skin2.json").string();
+    write_profile(skin2(), file);
+    return file;
+  }();
+  return path;
+}
+
+RenderSettings settings(bool shape_aware, int side = 48, int map_side = 256) {
+  RenderSettings s = small_settings("texture-space", side, map_side);
+  s.quality.samples = 1;
+  s.lighting.ambient = 1;
+  s.lighting.rig_lights = 0;
+  s.lighting.specular = false;
+  s.lighting.white_albedo = true;
+  s.output.bloom = 0;
+  s.skin.profile = skin2_file();
+  s.skin.shape_aware = shape_aware;
+  return s;
+}
+
+/// A sphere in a furnace, where the blur shows 1, seen without perspective.
+scene::Scene ball(double radius_mm) {
+  scene::Scene made = scene::sphere(radius_mm / 1000, 24);
+  made.materials.front().skin_settings.mix = 0;
+  made.cameras = {camera_from_above(radius_mm / 1000, {0, 0, 0.1f})};
+  return made;
+}
+
+/// What the laws say of a sphere at a pixel; its thickness is that of rays into a cone: 2 R cos^2, 1.5 R on
+/// average.
+double wanted(const gaussians::SumOfGaussians& profile, std::size_t c, double radius_mm, double cosine) {
+  return profile::curved_total(*profile.shape, c, 1 / radius_mm, 0) *
+         profile::slab_front(*profile.shape, c, 1.5 * radius_mm) *
+         profile::exit_factor(*profile.shape, c, cosine);
+}
+
+/// Calls body(cosine of the angle of exit, pixel) well inside the disc of the sphere.
+template <class Body>
+void for_each_on_ball(const Picture& picture, const Body& body) {
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const double u = (x + 0.5) / picture.width * 2 - 1, v = (y + 0.5) / picture.height * 2 - 1;
+      if (u * u + v * v > 0.9) continue;
+      body(std::sqrt(1 - u * u - v * v), static_cast<std::size_t>(4 * (y * picture.width + x)));
+    }
+}
+
+TEST(ShapeAware, ASphereShowsItsLaws) {
+  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  for (const double radius_mm : {6.0, 15.0}) {
+    const Scene scene = wrap(ball(radius_mm));
+    const Picture off = renderer().render(scene, settings(false)),
+                  on = renderer().render(scene, settings(true));
+    EXPECT_FALSE(off.statistics.shape_aware);
+    EXPECT_TRUE(on.statistics.shape_aware);
+    for_each_on_ball(on, [&](double cosine, std::size_t i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(off.linear_rgba[i + c], 1, 0.005);
+        EXPECT_NEAR(on.linear_rgba[i + c], wanted(profile, c, radius_mm, cosine), 0.015)
+            << radius_mm << " mm, " << c << ", cosine " << cosine;
+      }
+    });
+  }
+}
+
+// Each way through a frame multiplies by the same.
+TEST(ShapeAware, IsTheSameHoweverSkinIsShaded) {
+  const Scene scene = wrap(ball(8));
+  const Picture raster = renderer().render(scene, settings(true));
+  RenderSettings compute = settings(true);
+  compute.quality.shading = Shading::compute;
+  for (const RenderSettings& s : {compute, with_cascade(settings(true)), with_cascade(compute)})
+    EXPECT_GE(image::psnr_db(shown(raster), shown(renderer().render(scene, s))), 50);
+  expect_equal_bits(raster, renderer().render(scene, settings(true)));
+}
+
+// A head that is far away is lit at the pixel: its light is multiplied as well.
+TEST(ShapeAware, HoldsFarAway) {
+  const Scene scene = wrap(ball(12));
+  RenderSettings s = settings(true, 64, 512);
+  s.camera.distance = 25;
+  RenderSettings whole = unoptimised(s);
+  EXPECT_GE(image::psnr_db(shown(renderer().render(scene, whole)), shown(renderer().render(scene, s))), 40);
+}
+
+// An instance of another size has its own curvature: twice as large, half as curved.
+TEST(ShapeAware, FollowsTheSizeOfAnInstance) {
+  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  scene::Scene made = ball(5);
+  made.cameras = {camera_from_above(0.010, {0, 0, 0.1f})};
+  Scene scene;
+  scene.add({.asset = Asset::State::make(std::make_shared<const scene::Scene>(made)),
+             .world_from_asset = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1}});
+  const Picture picture = renderer().render(scene, settings(true));
+  const std::size_t middle =
+      4 * static_cast<std::size_t>(picture.width * (picture.height / 2) + picture.width / 2);
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(picture.linear_rgba[middle + c], wanted(profile, c, 10, 1), 0.015) << c;
+}
+
+// Published sets know no medium: nothing changes to the bit, and asking for it is refused.
+TEST(ShapeAware, PublishedProfilesHaveNone) {
+  const Scene scene = wrap(ball(8));
+  RenderSettings published = settings(false);
+  published.skin.profile = "skin";
+  const Picture off = renderer().render(scene, published);
+  published.skin.shape_aware.reset();
+  expect_equal_bits(off, renderer().render(scene, published));
+  EXPECT_FALSE(off.statistics.shape_aware);
+
+  published.skin.shape_aware = true;
+  EXPECT_NE(thrown<InputError>([&] {
+              renderer().render(scene, published);
+            }).find("skin.shape_aware: profile 'skin' does not say what medium it is of"),
+            std::string::npos);
+  published.technique = "lambert";  // does not scatter
+  EXPECT_FALSE(renderer().render(scene, published).statistics.shape_aware);
+
+  RenderSettings by_itself = settings(true);
+  by_itself.skin.shape_aware.reset();
+  EXPECT_TRUE(renderer().render(scene, by_itself).statistics.shape_aware);
+}
+
+// A sphere whose morph target makes it larger: curvature is found again, on the device.
+TEST(ShapeAware, FollowsAPose) {
+  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  scene::Scene made = ball(5);
+  made.cameras = {camera_from_above(0.010, {0, 0, 0.1f})};
+
+  // The camera stands at a node of its own.
+  auto rig = std::make_shared<scene::Rig>(*morphing(made, [](const glm::vec3& p) { return 2.0f * p; }));
+  rig->camera_nodes = {static_cast<int>(rig->nodes.size())};
+  rig->order.push_back(rig->camera_nodes.front());
+  rig->nodes.emplace_back();
+  rig->rest.push_back({.transform = {.translation = {0, 0, 0.1}}, .weights = {}});
+  rig->first_weight.push_back(rig->first_weight.back());
+  made.rig = rig;
+
+  Scene scene;
+  const InstanceId id = scene.add({.asset = Asset::State::make(std::make_shared<const scene::Scene>(made))});
+  scene.set_pose(id, RigPose{.weights = {{.name = "0", .weight = 1}}});
+  const Picture picture = renderer().render(scene, settings(true));
+
+  const std::size_t middle =
+      4 * static_cast<std::size_t>(picture.width * (picture.height / 2) + picture.width / 2);
+  for (std::size_t c = 0; c < 3; ++c) {
+    // Its thickness stays that of the asset.
+    const double front =
+        profile::slab_front(*profile.shape, c, 1.5 * 5) / profile::slab_front(*profile.shape, c, 1.5 * 10);
+    EXPECT_NEAR(picture.linear_rgba[middle + c], front * wanted(profile, c, 10, 1), 0.02) << c;
+  }
+}
+
+// A slab that is lit from behind lets through what the medium says, where its Gaussians say less.
+TEST(ShapeAware, SlabsLetThroughWhatTheirMediumDoes) {
+  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  const optics::RgbMedium medium = optics::rgb_medium(*profile.medium);
+  for (const double thickness_mm : {2.0, 4.0}) {
+    scene::Scene made = two_planes(0.06, 12, [&](scene::Vertex& v) {
+      v.position_m = {-v.position_m.x, v.position_m.y, -static_cast<float>(thickness_mm / 1000)};
+      v.normal = {-v.normal.x, v.normal.y, -v.normal.z};
+      v.tangent = {-v.tangent.x, v.tangent.y, -v.tangent.z, v.tangent.w};
+    });
+    made.cameras = {camera_from_above(0.001, {0, 0, 0.1f})};
+    made.lights = {directional_light({0, 0, 1}, glm::vec3(static_cast<float>(pi)))};
+    const Scene scene = wrap(std::move(made));
+    for (const Shading shading : {Shading::raster, Shading::compute}) {
+      RenderSettings s = settings(true, 8, 512);
+      s.lighting.rig_lights.reset();
+      s.lighting.ambient = 0;
+      s.quality.shading = shading;
+      const auto seen = mean_colour(renderer().render(scene, s));
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double back = profile::slab_backs(medium[c], std::span(&thickness_mm, 1)).front() *
+                            profile::exit_factor(*profile.shape, c, 1);
+        double gaussians = 0;
+        for (const gaussians::Gaussian& term : profile.terms)
+          gaussians += term.weight[c] * std::exp(-thickness_mm * thickness_mm / (2 * term.variance_mm2));
+        if (gaussians < 0.01) continue;  // held back by the most that a gain may be
+        EXPECT_NEAR(seen[c], back, 0.05 * back) << thickness_mm << " mm, " << c;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dermis::tests
