@@ -71,7 +71,7 @@ double largest_difference(const Pixels& a, const Pixels& b, std::size_t least) {
     largest = std::max(largest, std::abs(x - y) / std::max({std::abs(x), std::abs(y), 1e-3}));
     brightest = std::max(brightest, x);
   });
-  EXPECT_GT(brightest, 0.1) << "nothing is lit";
+  EXPECT_GT(brightest, 0.05) << "nothing is lit";
   return largest;
 }
 

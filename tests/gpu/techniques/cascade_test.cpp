@@ -14,6 +14,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "image/metrics.h"
 #include "settings/names.h"
 
 namespace dermis::tests {
@@ -76,13 +77,16 @@ TEST(Cascade, TwoHeadsOfABatchAreAsByThemselves) {
   s.camera.heads = 3;
   s.camera.distance = 6;
   s.quality.depth = false;
-  s.quality.map_budget_mb = 36;
+  s.quality.map_budget_mb = 60;
   const Picture together = renderer().render(head(), s);
-  s.quality.map_budget_mb = 16;  // one head at 512 takes 14 MB
+  s.quality.map_budget_mb = 28;  // one head at 512 takes 24 MB
   const Picture in_turns = renderer().render(head(), s);
   EXPECT_GT(in_turns.statistics.passes.size(), together.statistics.passes.size());
   EXPECT_LT(in_turns.statistics.image_bytes, together.statistics.image_bytes);
-  expect_equal_bits(together, in_turns);
+
+  // Coordinates round by where a cell lies in its pool: half floats of light differ in a last bit here and
+  // there (2e-12). Light of another head would show in its whole size.
+  EXPECT_LT(image::rel_mse(linear(together), linear(in_turns)), 1e-9);
 }
 
 // A head that uses nearly all texels of T_max halves its maps less often than one that uses all: its halved
