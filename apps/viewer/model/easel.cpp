@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "api/shader_scope.h"
+
 namespace dermis::viewer {
 namespace {
 
@@ -23,8 +25,12 @@ bool needs_prepared(const Wish& wish) {
 }  // namespace
 
 Renderer& Easel::renderer() {
-  if (!renderer_) renderer_.emplace(options_);
-  return *renderer_;
+  if (renderer_) return *renderer_;
+  const api::ShaderScope scope([shaders = shaders_](std::string_view name) {
+    const auto found = shaders->find(name);
+    return found == shaders->end() ? std::span<const std::uint32_t>() : std::span(found->second);
+  });
+  return renderer_.emplace(options_);
 }
 
 Session& Easel::session(bool moving, bool labels) {
@@ -90,6 +96,12 @@ void Easel::save(const SaveWish& wish) {
   RenderSettings settings = wish.settings;
   settings.output.frames = 1;
   renderer().render(wish.scene, settings).save(wish.file);
+}
+
+// A pipeline is kept as long as its renderer, so there is another one.
+void Easel::use_shaders(std::shared_ptr<const ShaderSet> shaders) {
+  renew();
+  shaders_ = std::move(shaders);
 }
 
 void Easel::renew() {

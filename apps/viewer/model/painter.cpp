@@ -46,6 +46,11 @@ void Painter::save(SaveWish wish) {
   wake_.notify_all();
 }
 
+void Painter::use_shaders(std::shared_ptr<const ShaderSet> shaders) {
+  const std::lock_guard lock(mutex_);
+  shaders_ = std::move(shaders);
+}
+
 PainterNews Painter::take_news() {
   const std::lock_guard lock(mutex_);
   return std::exchange(news_, {});
@@ -100,6 +105,7 @@ void Painter::run() {
     for (;;) {
       std::optional<Wish> wish;
       std::optional<SaveWish> to_save;
+      std::shared_ptr<const ShaderSet> shaders;
       {
         std::unique_lock lock(mutex_);
         working_ = false;
@@ -114,7 +120,9 @@ void Painter::run() {
         }
         may_cancel_ = wish && !wish->moving;
         cancel_ = stop_.load();
+        shaders = std::exchange(shaders_, {});
       }
+      if (shaders) easel.use_shaders(std::move(shaders));
       serve(easel, wish, to_save);
     }
     // The renderer ends here, before anybody is told.
