@@ -205,7 +205,11 @@ int App::run() {
     open_next();
     play();
     blink();
-    if (frames_left_ > 0 && seconds_to_frame() <= 0) draw_frame();
+    wish();  // of what has come, before the panels are drawn: they take as long as a small picture
+    if (frames_left_ > 0 && seconds_to_frame() <= 0) {
+      draw_frame();
+      if (history_) take_skin();  // what was edited is computed while the loop waits
+    }
     if (window_.is_minimised()) frames_left_ = 0;
     wish();
     compare_now();

@@ -73,8 +73,8 @@ grep -q variances_mm2 skin.profile.json || fail "no profile"
 
 # The second of them is half a turn later, as `render` draws it.
 [[ -f skin-0000.png && ! -f skin-0002.png ]] || fail "not two pictures of a sequence: $(ls)"
-half=$(sed -E 's/^sequence /render /; s/--orbit .?0,([-0-9]+)\.\.[^ ]*/--orbit 180,\1/; s/--fps .* --device/--device/
-  s/skin-%04d.png/half.png/; s/.half.png./half.png/' <<<"$sequence")
+half=$(sed -E 's/^sequence /render /; s/--orbit .?0,([-0-9]+)\.\.[^ ]*/--orbit 180,\1/
+  s/--fps .* --device/--device/; s/skin-%04d.png/half.png/' <<<"$sequence")
 eval "\"${program%-view}\" $half" >/dev/null
 cmp skin-0001.png half.png || fail "the sequence is not what render draws: $half"
 
