@@ -19,7 +19,8 @@ float edge_in_tent(float share) {
 
 // Returns the lit share of a disc of this radius around a point of the map. A tap is lit unless something
 // there is nearer to the light than the surface: than its tangent plane, or 60 degrees where that falls away
-// more steeply. rise: by how much skin beside the point may be nearer, of its distance, and still be a hollow.
+// more steeply. rise: by how much skin beside the point may be nearer, of its distance, and still be a
+// hollow.
 float disc_lit(MapLook m, MapRay ray, vec2 slope, float radius_m, float texel_m, float rise) {
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), here = m.uv * size;
   const float depth = m.clip.z / m.clip.w, radius = min(radius_m / texel_m, 0.5 * size.x);
@@ -54,7 +55,8 @@ float lit_distance_m(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   const MapRay ray = MapRay(m.clip, (m.from_world * vec4(a.to_light, 0.0)).zw);
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy),
              slope = depth_slope(m.from_world, m.clip, n_geometric, a.to_light) / size;
-  // What is in shadow has an occluder, and may lie deep in a fold; beside what is lit up to 45 degrees are a hollow.
+  // What is in shadow has an occluder, and may lie deep in a fold; beside what is lit up to 45 degrees are a
+  // hollow.
   const float sharp = share_not_beyond(m), rise = sharp < 0.5 ? 0.1 : 1.0;
   const float wide_m = radius_m * edge_in_disc(disc_lit(m, ray, slope, radius_m, texel_m, rise));
 
