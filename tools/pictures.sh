@@ -16,8 +16,7 @@ environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
 names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets
-  tone-maps turntable talking skins head-studio head-hard-light head-beside-scan
-  peers)
+  tone-maps turntable talking skins head-studio head-hard-light head-beside-scan peers peers-heads)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -194,15 +193,40 @@ views_of() {
   convert "${row[@]}" +append "$out/$name.png"
 }
 
-# Above the pictures, below their maps of errors.
+# Truth and techniques; below maps of FLIP.
 peers() {
-  compare peers --scene test:nose --techniques texture-space,separable,burley-disc,lambert \
-    --model gaussians --shading compute --size 320x240 --samples 128 --supersample 1
-  local id
-  for id in reference technique-{0,2,3,4}{,-error}; do from_page peers $id; done
-  convert \( $out/peers-{reference,technique-0,technique-2,technique-3,technique-4}.png +append \) \
-    \( -size 320x240 xc:black $out/peers-technique-{0,2,3,4}-error.png +append \) -append \
-    -quality 88 -strip docs/pictures/$1.jpg
+  compare peers --scene test:nose --techniques all --model gaussians --shading compute --size 240x240 \
+    --samples 128 --supersample 1
+  local id row=() errors=()
+  for id in 0 3 4 5 6 2; do
+    from_page peers technique-$id
+    from_page peers technique-$id-error
+    row+=($out/peers-technique-$id.png) errors+=($out/peers-technique-$id-error.png)
+  done
+  from_page peers reference
+  convert \( $out/peers-reference.png "${row[@]}" +append \) \
+    \( -size 240x240 xc:black "${errors[@]}" +append \) -append -quality 88 -strip docs/pictures/$1.jpg
+}
+
+# A row per head: truth and techniques; below maps of FLIP.
+peers_row() {
+  compare $1 "${@:2}" --techniques all --model gaussians --shading compute --light 60,20 --size 200x230 --samples 128
+  local id row=() errors=()
+  for id in 0 3 4 5 6 2; do
+    from_page $1 technique-$id
+    from_page $1 technique-$id-error
+    row+=($out/$1-technique-$id.png) errors+=($out/$1-technique-$id-error.png)
+  done
+  from_page $1 reference
+  convert \( $out/$1-reference.png "${row[@]}" +append \) \
+    \( -size 200x230 xc:black "${errors[@]}" +append \) -append $out/$1.png
+}
+
+peers-heads() {
+  peers_row peers-scan --scene $scan.gltf --fov 10 --shadow-size 4096
+  peers_row peers-african --scene "$makehuman/mh-african-man-young.glb" --fov 6
+  peers_row peers-asian --scene "$makehuman/mh-asian-woman-young.glb" --fov 6
+  convert $out/peers-{scan,african,asian}.png -append -quality 85 -strip docs/pictures/$1.jpg
 }
 
 # sequence NAME ARGUMENTS...: the contact sheet, as docs/pictures/NAME.jpg

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli/profile_command.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
 #include "cli/output.h"
+#include "cli/profile_export.h"
 #include "cli/profile_report.h"
 #include "cli/profile_source.h"
 #include "cli/profile_swatches.h"
@@ -15,7 +16,6 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/hooks.h"
-#include "gaussians/exchange.h"
 #include "gaussians/known.h"
 #include "image/codec.h"
 #include "optics/skin_colour.h"
@@ -29,7 +29,8 @@ namespace {
 struct ProfileArguments {
   SourceOptions source;
   std::string variances = "shared";
-  std::string output, plot, swatches, export_to;
+  std::string output, plot, swatches;
+  ExportOptions exports;
   std::vector<std::string> compare;
 };
 
@@ -78,11 +79,8 @@ void check(const ProfileArguments& options) {
   for (const std::string& picture :
        {options.plot, options.swatches, options.source.melanin_map, options.source.haemoglobin_map})
     if (picture == "-") throw input_error("--plot, --swatches and maps", "need a file, not standard output");
-  const auto systems = gaussians::exchange_names();
-  if (!options.export_to.empty() &&
-      std::find(systems.begin(), systems.end(), options.export_to) == systems.end())
-    throw input_error("--export", "no system '{}'; known: {}", options.export_to, fmt::join(systems, ", "));
-  if (!options.export_to.empty() && options.output == "-")
+  check_export(options.exports);
+  if (!options.exports.name.empty() && options.output == "-")
     throw input_error("--export", "both it and -o - would write to standard output");
   if (options.compare.size() > 3)
     throw input_error("--compare", "at most 3 sums, got {}", options.compare.size());
@@ -114,8 +112,8 @@ void run(const ProfileArguments& options) {
     image::save_png(options.swatches, skin_swatches(source.skin.value_or(optics::Skin{})));
   if (!options.output.empty()) write_text(options.output, profile_json(source, fitted));
   if (options.output == "-") return;  // only JSON goes to standard output
-  write_text("-", options.export_to.empty() ? table(source, fitted) + differences(plot.fit, plot.others)
-                                            : exported(source, fitted, options.export_to));
+  write_text("-", options.exports.name.empty() ? table(source, fitted) + differences(plot.fit, plot.others)
+                                               : exported(source, fitted, options.exports));
 }
 
 constexpr const char* source_group = "Source (exactly one)";
@@ -219,9 +217,14 @@ void add_profile_command(CLI::App& app, int&) {
                    "published sum or profile file to draw and measure beside; up to 3 times")
       ->allow_extra_args(false)
       ->default_str("");
-  add_text(*command, "--export", options->export_to,
+  add_text(*command, "--export", options->exports.name,
            "print the parameters of another system as JSON instead of the table: separable, unity, unreal, "
-           "gltf, openpbr or cycles");
+           "gltf, openpbr or cycles; or a kernel: separable-kernel, burley-disc, pre-integrated-tables");
+  add_text(*command, "--export-to", options->exports.folder,
+           "folder for a kernel's files in place of printing it: JSON, arrays of C and GLSL, EXR");
+  command->add_option(
+      "--export-taps", options->exports.taps,
+      "of a kernel: separable-kernel 3 to 33, odd (default 25); burley-disc 1 to 4096 (default 64)");
   add_text(*command, "--swatches", options->swatches,
            "PNG: colours of spectral skin, melanin to the right, hemoglobin downwards");
 

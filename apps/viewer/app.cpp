@@ -13,6 +13,7 @@
 #include "dermis/error.h"
 #include "setup/frame_setup.h"
 #include "viewer/model/animation.h"
+#include "viewer/model/label_views.h"
 
 namespace dermis::viewer {
 namespace {
@@ -44,6 +45,8 @@ App::App(const AppOptions& options)
                 .on_news = Window::wake,
                 .before_drawing = lost_device_hook()}) {
   view_.fixed_size = options.fixed_size;
+  if (!options.shader_folder.empty())
+    live_shaders_.emplace(options.shader_folder, options.shader_compiler, Window::wake);
   first_.start([&options](const Hooks& hooks) { return options.load(hooks); });
 }
 
@@ -76,7 +79,7 @@ RenderSettings App::shown_settings() const {
 
 RenderSettings App::window_settings() const {
   RenderSettings settings = shown_settings();
-  settings.output.show = view_.show;
+  settings.output.show = is_label_view(view_.show) ? first_shown : view_.show;
   return view_.compare.is_on() && view_.compare.truth ? truth_settings(settings) : settings;
 }
 
@@ -157,10 +160,11 @@ void App::wish() {
   const Wished wanted{.revision = history_->revision(),
                       .width = settings.output.width,
                       .height = settings.output.height,
+                      .shaders = shaders_taken_,
                       .truth = view_.compare.is_on() && view_.compare.truth,
                       .show = view_.show,
                       .timed = view_.timed,
-                      .labels = view_.loupe};
+                      .labels = view_.loupe || is_label_view(view_.show)};
   if (wanted != changed_) {
     changed_ = wanted;
     changed_at_ = Clock::now();
@@ -176,7 +180,7 @@ void App::wish() {
                  .revision = wanted.revision,
                  .moving = moving,
                  .timed = view_.timed,
-                 .labels = view_.loupe});
+                 .labels = view_.loupe || is_label_view(view_.show)});
 }
 
 // When the panels may be drawn again.
@@ -201,13 +205,18 @@ int App::run() {
     open_next();
     play();
     blink();
-    if (frames_left_ > 0 && seconds_to_frame() <= 0) draw_frame();
+    wish();  // of what has come, before the panels are drawn: they take as long as a small picture
+    if (frames_left_ > 0 && seconds_to_frame() <= 0) {
+      draw_frame();
+      if (history_) take_skin();  // what was edited is computed while the loop waits
+    }
     if (window_.is_minimised()) frames_left_ = 0;
     wish();
     compare_now();
 
     const double wait_s = timeout();
-    if (wait_s < 0 && !painter_.is_busy() && !opener_.is_running() && !skin_maker_.is_running())
+    if (wait_s < 0 && !painter_.is_busy() && !opener_.is_running() && !skin_maker_.is_running() &&
+        !recorder_.is_running())
       tell(fmt::format("idle after {} frames", presenter_.frames()));
     window_.wait(wait_s < 0 ? -1 : std::max(wait_s, 0.0));
     if (window_.take_touched()) frames_left_ = std::max(frames_left_, 3);
@@ -223,11 +232,13 @@ int App::close() {
   opener_.end();
   skin_maker_.end();
   pager_.end();
+  recorder_.end();
   if (truth_) truth_->end();
   bool ended = painter_.stop(closing_s);
   const auto is_running = [&] {
     return first_.is_running() || opener_.is_running() || skin_maker_.is_running() ||
-           comparer_.is_running() || pager_.is_running() || (truth_ && truth_->is_running());
+           comparer_.is_running() || pager_.is_running() || recorder_.is_running() ||
+           (truth_ && truth_->is_running());
   };
   while (is_running() && seconds_since(start) < closing_s) window_.wait(0.01);
   ended = ended && !is_running();

@@ -25,6 +25,8 @@ struct AppOptions {
   std::function<Scene(const Hooks&)> load;
   SceneOptions scene_options{};
   RenderSettings settings{};
+  /// Shaders that are compiled while it runs, and what compiles them; empty: those of the build.
+  std::string shader_folder{}, shader_compiler{};
   bool scripted = false;  ///< tells on standard output what happens, a line each, for tests
 };
 

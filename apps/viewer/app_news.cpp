@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viewer/app_state.h"
+#include "viewer/model/label_views.h"
 #include "viewer/model/page.h"
 
 namespace dermis::viewer {
@@ -65,7 +66,9 @@ void App::take_skin() {
 
 void App::show(std::shared_ptr<const Painted> painted) {
   const Picture& picture = painted->picture;
-  presenter_.set_picture(PictureSlot::a, picture.width, picture.height, picture.display_rgba);
+  const std::vector<std::uint8_t> labels = label_picture(*painted, view_.show);
+  presenter_.set_picture(PictureSlot::a, picture.width, picture.height,
+                         labels.empty() ? picture.display_rgba : labels);
   tell(fmt::format("picture {} {}x{} 1/{} {:.1f} ms {}", painted->revision, picture.width, picture.height,
                    painted->divisor, painted->ms, painted->moving ? "moving" : "at rest"));
   view_.frame_ms.push_back(static_cast<float>(painted->ms));
@@ -99,11 +102,38 @@ void App::take_page() {
   open_page(*outcome->result);
 }
 
+void App::take_recorded() {
+  std::optional<Outcome<std::string>> outcome = recorder_.take();
+  if (!outcome) return;
+  view_.records = false;
+  frames_left_ = std::max(frames_left_, 2);
+  if (!outcome->error.empty())
+    say(outcome->error, true);
+  else
+    say(outcome->result ? "recorded " + *outcome->result : "recording was stopped");
+}
+
+// A picture of the new ones is drawn; of faulty ones there is none, and the old picture stays.
+void App::take_shaders() {
+  std::optional<LiveShaders::News> news = live_shaders_->take();
+  if (!news) return;
+  tell(news->errors.empty() ? fmt::format("shaders: {} other than built", news->shaders->size())
+                            : "shader error: " + news->errors.substr(0, news->errors.find('\n')));
+  view_.shader_errors = std::move(news->errors);
+  if (view_.shader_errors.empty()) {
+    painter_.use_shaders(std::move(news->shaders));
+    ++shaders_taken_;
+  }
+  frames_left_ = std::max(frames_left_, 2);
+}
+
 void App::take_news() {
   take_first();
   if (history_) take_opened();
   if (history_) take_skin();
   take_page();
+  take_recorded();
+  if (live_shaders_) take_shaders();
   take_truth();
   take_comparison();
   take_painted();

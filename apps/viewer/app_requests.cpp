@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/command_line.h"
 #include "viewer/app_state.h"
 #include "viewer/model/command_line.h"
 #include "viewer/model/page.h"
@@ -37,6 +38,31 @@ void App::write_page_number(std::size_t number) {
   } catch (const InputError& error) { say(error.what(), true); }
 }
 
+// A clip is played by the sequence, from a scene file in which it plays nothing yet.
+void App::start_recording() {
+  const SaveNames names = save_names(view_.save_name);
+  const std::string base = std::filesystem::path(names.picture).replace_extension().string();
+  Document document = now();
+  document.settings = shown_settings();
+  std::vector<std::string> words;
+  if (view_.recording.motion == RecordedMotion::clip) {
+    const std::string clip = clip_of(now().scene);
+    if (clip.empty()) throw InputError("record", "no clip is chosen in the panel Pose");
+    const std::string file = base + ".sequence.scene.json";
+    ready_for_clip(now(), clip).scene.save(file);
+    words = {file};
+  } else {
+    words = scene_in_file(names);
+  }
+  words = sequence_words(view_.recording, words, document, options_.device, base);
+  std::string line = "sequence:";
+  for (const std::string& word : words) line += " " + cli::quoted(word);
+  tell(line);
+  recorder_.start([words](const Hooks& hooks) { return record(words, hooks); });
+  view_.records = true;
+  say("recording " + base);
+}
+
 void App::save_one(const Requests& requests, const SaveNames& names) {
   if (requests.save_settings) {
     Document as_shown = now();
@@ -64,6 +90,8 @@ void App::save(const Requests& requests) {
     if (requests.save_png) painter_.save({now().scene, shown_settings(), names.picture});
     if (requests.save_exr) painter_.save({now().scene, shown_settings(), names.light});
     save_one(requests, names);
+    if (requests.record && !view_.records) start_recording();
+    if (requests.stop_recording) recorder_.end();
   } catch (const InputError& error) { say(error.what(), true); }
 }
 

@@ -13,6 +13,7 @@
 
 #include "viewer/app.h"
 #include "viewer/model/background.h"
+#include "viewer/model/live_shaders.h"
 #include "viewer/model/opening.h"
 #include "viewer/model/saving.h"
 #include "viewer/model/truth.h"
@@ -40,6 +41,9 @@ class App {
   void take_first();
   void take_opened();
   void take_page();
+  void take_shaders();
+  void take_recorded();
+  void start_recording();
   void take_skin();
   void take_truth();
   void take_comparison();
@@ -91,11 +95,13 @@ class App {
   Background<Scene> first_{Window::wake};
   Background<OpenedFile> opener_{Window::wake};
   std::vector<std::string> to_open_;
-  Background<std::string> pager_{Window::wake};
+  Background<std::string> pager_{Window::wake}, recorder_{Window::wake};
   SkinMaker skin_maker_{Window::wake};
   std::optional<MadeSkin> skin_;
   std::uint64_t wanted_skin_ = 0;
   Painter painter_;
+  std::optional<LiveShaders> live_shaders_;
+  int shaders_taken_ = 0;
   std::shared_ptr<const Painted> shown_, shown_b_;
   std::optional<Truth> truth_;
   std::shared_ptr<const TruthStep> truth_step_;
@@ -107,6 +113,7 @@ class App {
   struct Wished {
     std::uint64_t revision = 0;
     int width = 0, height = 0;
+    int shaders = 0;     // how often they have changed
     bool truth = false;  // B is, so A is drawn as the truth is
     std::string show{};
     bool timed = false, labels = false;

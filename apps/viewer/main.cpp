@@ -18,7 +18,7 @@ namespace {
 
 struct ViewArguments : dermis::cli::SceneArguments {
   dermis::cli::DeviceArguments on;
-  bool scripted = false;
+  bool scripted = false, live_shaders = false;
   std::string window = "1280x800";
 };
 
@@ -38,6 +38,12 @@ void view(const ViewArguments& a, const CLI::App& command, int& exit_status) {
     options.words.emplace_back("--layout");
     options.words.emplace_back(dermis::name_of(*a.layout));
   }
+#ifdef DERMIS_LIVE_SHADERS
+  if (a.live_shaders) {
+    options.shader_folder = DERMIS_SHADER_FOLDER;
+    options.shader_compiler = DERMIS_SHADER_COMPILER;
+  }
+#endif
   options.load = [&a](const dermis::Hooks& hooks) { return dermis::cli::open_scene(a, hooks); };
   exit_status = dermis::viewer::run(options);
 }
@@ -59,6 +65,10 @@ int main(int argc, char** argv) {
   dermis::cli::add_device_arguments(*command, arguments->on);
   command->add_option("--window", arguments->window, "size of the window at first, pixels")->type_name("WxH");
   command->add_flag("--tell", arguments->scripted, "print what happens, a line each, for scripts");
+#ifdef DERMIS_LIVE_SHADERS
+  command->add_flag("--live-shaders", arguments->live_shaders,
+                    "for developers: compile the shaders of " DERMIS_SHADER_FOLDER " whenever they change");
+#endif
   command->callback([arguments, command, &exit_status] { view(*arguments, *command, exit_status); });
 
   dermis::cli::BriefLog log(app);

@@ -117,8 +117,15 @@ enum class IrradianceBy : std::uint8_t {
 
 /// What techniques in screen space blur by.
 enum class ScreenKernel : std::uint8_t {
-  profile,   ///< the profile of the skin, in mm
-  published  ///< what the technique was published with
+  profile,    ///< the profile of the skin, in mm
+  published,  ///< what the technique was published with
+  ue          ///< of burley-disc alone: the profile, weighted as Unreal Engine does
+};
+
+/// In which picture techniques in screen space blur.
+enum class BlurResolution : std::uint8_t {
+  full,
+  half  ///< of half the width and height; what is blurred is spread over the pixels of the same surface
 };
 
 /// Details against time and memory; what is not computed because it is not seen.
@@ -140,7 +147,8 @@ struct QualitySettings {
   Shading shading = Shading::raster;
   BlurOrder blur = BlurOrder::chain;
   IrradianceBy irradiance = IrradianceBy::raster;
-  ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
+  ScreenKernel kernel = ScreenKernel::profile;            ///< of techniques in screen space
+  BlurResolution blur_resolution = BlurResolution::full;  ///< likewise, of those that blur
   std::optional<int> taps{};  ///< of their kernels, see docs/techniques.md; none: as many as usual
   /// distance, in sphere radii, up to which maps have their full size; none: a texel per pixel
   std::optional<double> d_ref{};

@@ -178,7 +178,8 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   st.transmission_misses = report.transmission_misses;
   st.light_reads = report.light_reads;
   if (setup.technique->taps_per_pixel)
-    st.light_reads += report.skin_pixels * setup.technique->taps_per_pixel(setup.plan);
+    st.light_reads += report.skin_pixels * setup.technique->taps_per_pixel(setup.plan) /
+                      (setup.plan.half_resolution ? 4 : 1);
 
   if (!setup.technique->has_light_maps) return;
   st.used_size.resize(setup.heads.size());

@@ -4,21 +4,39 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "api/asset_state.h"
 #include "api/renderer_state.h"
 #include "api/scene_state.h"
+#include "api/shader_scope.h"
 #include "dermis/vulkan.h"
 #include "passes/shaders.h"
 #include "settings/names.h"
 #include "setup/frame_setup.h"
 
 namespace dermis {
+namespace {
+
+thread_local const api::ShaderScope* innermost = nullptr;
+
+}  // namespace
+
+namespace api {
+
+ShaderScope::ShaderScope(gpu::ShaderSource shaders) : shaders_(std::move(shaders)), outer_(innermost) {
+  innermost = this;
+}
+ShaderScope::~ShaderScope() { innermost = outer_; }
+gpu::ShaderSource ShaderScope::current() { return innermost ? innermost->shaders_ : gpu::ShaderSource(); }
+
+}  // namespace api
 
 Renderer::State::State(const Options& wanted)
     : options(wanted),
       device({.select = wanted.device, .validate = wanted.validate}),
-      library(device, passes::find_shader, gpu::default_pipeline_cache()) {}
+      library(device, passes::find_shader, gpu::default_pipeline_cache(), VK_NULL_HANDLE,
+              api::ShaderScope::current()) {}
 
 Renderer::State::State(const vulkan::Host& host, const Hooks& hooks)
     : options{.hooks = hooks},

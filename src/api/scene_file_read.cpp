@@ -105,7 +105,8 @@ class Reader {
 
   void read_instance(const json::Value& json) {
     Instance instance{.asset = stand_in_};
-    read_json(json, {"asset", "translation_m", "rotation", "scale", "profile", "clip", "time_s"}, instance);
+    read_json(json, {"asset", "translation_m", "rotation", "scale", "profile", "clip", "time_s", "weights"},
+              instance);
     if (const auto parts = transform_of(json)) instance.world_from_asset = *parts;
     if (const auto profile = json.find("profile")) instance.profile = profile_of(*profile);
 
@@ -122,8 +123,15 @@ class Reader {
   }
 
   static std::optional<RigPose> pose_of(const json::Value& json) {
-    if (!json.has("clip") && !json.has("time_s")) return {};
-    return RigPose{.clip = ClipTime{json.text_or("clip", ""), json.number_or("time_s", 0)}};
+    const bool has_clip = json.has("clip") || json.has("time_s");
+    const std::optional<json::Value> weights = json.find("weights");
+    if (!has_clip && !weights) return {};
+    RigPose pose;
+    if (has_clip) pose.clip = ClipTime{json.text_or("clip", ""), json.number_or("time_s", 0)};
+    if (weights)
+      for (const std::string& name : weights->object().keys())
+        pose.weights.push_back({name, weights->at(name).number(-100, 100)});
+    return pose;
   }
 
   std::string known_assets() const {

@@ -81,14 +81,18 @@ class Writer {
   }
 
   ordered_json json_of_pose(const RigPose& pose, std::size_t number) const {
-    if (!pose.clip || pose.second || !pose.weights.empty() || !pose.joints.empty()) {
+    if (pose.second || !pose.joints.empty()) {
       const std::string& name = state_.instances[number].instance.name;
-      throw input_error(path_.string(),
-                        "instance {}{}: it has a pose that is more than a clip at a time, which a scene file "
-                        "cannot hold",
-                        number, name.empty() ? "" : " ('" + name + "')");
+      throw input_error(
+          path_.string(),
+          "instance {}{}: it has a pose of two clips or of single joints, which a scene file cannot "
+          "hold",
+          number, name.empty() ? "" : " ('" + name + "')");
     }
-    return {{"clip", pose.clip->clip}, {"time_s", pose.clip->seconds}};
+    ordered_json json = ordered_json::object();
+    if (pose.clip) json = {{"clip", pose.clip->clip}, {"time_s", pose.clip->seconds}};
+    for (const MorphWeight& weight : pose.weights) json["weights"][weight.name] = weight.weight;
+    return json;
   }
 
   /// Returns the name of the asset of this instance in the file; lists the asset at its first.

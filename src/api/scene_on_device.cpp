@@ -82,6 +82,13 @@ void add_parts(gpu::Device& device, SharedAsset& asset) {
   asset.has_parts = true;
 }
 
+// Uploads what finds the curvature of its skin, unless it is there.
+void add_welded(gpu::Device& device, SharedAsset& asset) {
+  const UploadTime time(asset);
+  for (std::size_t i = 0; i < asset.subject.skin.size(); ++i)
+    asset.gpu->make_welded(device, i, asset.subject.skin[i]);
+}
+
 template <class Shared, class Matches>
 std::shared_ptr<const Shared> find_shared(const std::vector<std::shared_ptr<const Shared>>& all,
                                           const Matches& matches) {
@@ -128,6 +135,7 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
     upload_asset(library, *asset);
     if (environment) add_bent_normals(device, *asset);
     if (setup.plan.labels) add_parts(device, *asset);
+    if (setup.technique->curvature) add_welded(device, *asset);
   }
 
   for (std::size_t i = 0; i < setup.plan.skin.size(); ++i)

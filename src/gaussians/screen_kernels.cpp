@@ -151,6 +151,13 @@ std::vector<LineTap> line_spread_kernel(const SumOfGaussians& profile, int taps)
   return finished(std::move(kernel));
 }
 
+PartlyBlurred published_skin_gaussians() {
+  return {.unblurred = {0.240516183695, 0.447403391891, 0.615796108321},
+          .terms = {{0.0516500425655, {0.115857499765, 0.366176401412, 0.343917471552}},
+                    {0.271928080903, {0.183619017698, 0.186420206697, 0}},
+                    {2.00626388153, {0.460007298842, 0, 0.0402864201267}}}};
+}
+
 Rgb burley_distances_mm(const SumOfGaussians& profile) {
   Rgb d = variances_mm2(profile);
   for (double& distance : d) distance = std::sqrt(distance / 7);
@@ -169,8 +176,10 @@ double radius_of_share_mm(const SumOfGaussians& profile, std::size_t channel, do
   return inverse(within, share, std::sqrt(profile.max_variance_mm2()));
 }
 
+std::size_t widest_channel(const SumOfGaussians& profile) { return widest_channel(variances_mm2(profile)); }
+
 double disc_reach_mm(const SumOfGaussians& profile, double share) {
-  return radius_of_share_mm(profile, widest_channel(variances_mm2(profile)), share);
+  return radius_of_share_mm(profile, widest_channel(profile), share);
 }
 
 double burley_radius_of_share(double share) {
@@ -179,7 +188,7 @@ double burley_radius_of_share(double share) {
 }
 
 std::vector<DiscTap> disc_taps(const SumOfGaussians& profile, int taps) {
-  const std::size_t widest = widest_channel(variances_mm2(profile));
+  const std::size_t widest = widest_channel(profile);
   double all = 0;
   for (const Gaussian& term : profile.terms) all += term.weight[widest];
   const auto density = [&](double r) {

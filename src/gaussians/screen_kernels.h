@@ -5,6 +5,8 @@
 //         rule that its authors published with their demo
 // [CB15]  Christensen, Burley: Approximate Reflectance Profiles for Efficient Subsurface Scattering. Pixar
 //         TM 15-04, 2015 (normalised diffusion)
+// [JSG09] Jimenez, Sundstedt, Gutierrez: Screen-Space Perceptual Rendering of Human Skin. TAP 6(4), 2009, and
+//         the demo of its authors
 #pragma once
 
 #include <vector>
@@ -38,6 +40,16 @@ std::vector<LineTap> line_spread_kernel(const SumOfGaussians& profile, int taps)
 /// widest Gaussian (2.755 sigma) for others.
 double line_kernel_reach_mm(const SumOfGaussians& profile);
 
+/// A profile as a part that is not blurred, and Gaussians with weights that sum to 1 beside it.
+struct PartlyBlurred {
+  Rgb unblurred{};
+  std::vector<Gaussian> terms;
+};
+
+/// Returns the skin of the demo of [JSG09], reduced from six Gaussians to three and a part that is not
+/// blurred.
+PartlyBlurred published_skin_gaussians();
+
 /// A profile as [CB15] has it: R(r) = (e^(-r/d) + e^(-r/3d)) / (8 pi d r), d in mm per channel, with the
 /// variance of this sum of Gaussians: 7 d^2 = sum_i w_i v_i.
 Rgb burley_distances_mm(const SumOfGaussians& profile);
@@ -58,7 +70,9 @@ std::vector<DiscTap> burley_disc_taps(const Rgb& distances_mm, int taps);
 
 /// Returns the radius that holds this share (0 <= share < 1) of the light of a channel, mm.
 double radius_of_share_mm(const SumOfGaussians& profile, std::size_t channel, double share);
-/// Returns the same of the channel that spreads widest.
+/// Returns the channel that spreads widest.
+std::size_t widest_channel(const SumOfGaussians& profile);
+/// Returns the radius that holds this share of its light.
 double disc_reach_mm(const SumOfGaussians& profile, double share);
 /// The same for normalised diffusion at d = 1 mm: radii are in proportion to d.
 double burley_radius_of_share(double share);

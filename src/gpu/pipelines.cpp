@@ -254,7 +254,7 @@ struct PipelineLibrary::State {
     if (spirv.empty()) assertion_failed("there is a shader of this name", name, __FILE__, __LINE__);
     const std::span<const std::uint32_t> other = replaced ? replaced(name) : std::span<const std::uint32_t>();
     if (other.empty()) return spirv;
-    check_replacement(name, spirv, other);
+    check_replacement("vulkan::Host::find_shader", name, spirv, other);
     return other;
   }
   void create_layout(Entry& entry, VkShaderStageFlags stages);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shaders that a host puts in the place of ours.
+// Shaders in the place of ours: of a host, or of a developer who edits them.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace dermis::gpu {
 
-/// Checks that a host's SPIR-V fits the draws of ours: it must declare the same things, but may leave some
-/// out. Throws InputError that names the shader and what differs.
-void check_replacement(const std::string& name, std::span<const std::uint32_t> ours,
+/// Checks that other SPIR-V fits the draws of ours: it must declare the same things, but may leave some out.
+/// Throws InputError: `where` it comes from, the shader, and what differs.
+void check_replacement(const std::string& where, const std::string& name, std::span<const std::uint32_t> ours,
                        std::span<const std::uint32_t> other);
 
 }  // namespace dermis::gpu

@@ -17,11 +17,13 @@
 #include "optics/directional_albedo.h"
 #include "passes/alpha_max.h"
 #include "passes/charts_first.h"
+#include "passes/curvature_smoothing.h"
 #include "passes/first_corners.h"
 #include "passes/gutter_list.h"
 #include "passes/vertices.h"
 #include "scene/fine_normals.h"
 #include "scene/turned.h"
+#include "scene/weld.h"
 #include "shared/gutters_io.h"
 #include "shared/rig_io.h"
 #include "shared/sources_io.h"
@@ -346,6 +348,15 @@ void GpuScene::make_gutters(gpu::Device& device, std::size_t number, const scene
   if (!list.empty())
     made.list =
         gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
+}
+
+void GpuScene::make_welded(gpu::Device& device, std::size_t number, const scene::SkinMesh& skin_mesh) {
+  GpuMesh& mesh = skin[number];
+  if (mesh.welded.point_of) return;
+  const std::vector<std::uint32_t> point_of = scene::weld_positions(skin_mesh.vertices);
+  mesh.welded = {.point_of = gpu::make_buffer(device, mesh.name + " welded points",
+                                              std::span<const std::uint32_t>(point_of), storage),
+                 .smoothing = curvature_smoothing(skin_mesh, double{mm_per_unit})};
 }
 
 void GpuScene::make_rig(gpu::Device& device, const scene::Scene& scene,

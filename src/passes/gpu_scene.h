@@ -102,6 +102,12 @@ struct GpuMesh {
   };
   std::map<int, Sources> sources;
   const Sources* sources_of(int source_mesh) const;  ///< null: none of it is here
+  /// For passes/curvature; made by GpuScene::make_welded.
+  struct Welded {
+    gpu::Buffer point_of;  ///< uint[], per vertex: one of those at its place
+    int smoothing = 0;     ///< how often neighbours are averaged
+  };
+  Welded welded;
   /// see unwrap_map(), Occlusion::values of environment/occlusion.h; only under an environment
   gpu::Texture bent_normal;
   /// vec2[], regions::parts_of_skin() at the vertices; empty until labels are drawn
@@ -130,6 +136,9 @@ class GpuScene {
   /// wide, unless it has them as wide or wider.
   void make_gutters(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh, std::uint32_t side,
                     int width_texels);
+
+  /// Makes what finds the curvature of `mesh`, skin mesh `number`, unless it is there.
+  void make_welded(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh);
 
   /// Gives the vertices of `mesh`, skin mesh `number`, the shape of the body, one per vertex. Copies of
   /// GpuMesh::skin_vertices that were made before lack it.

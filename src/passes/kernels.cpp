@@ -17,9 +17,9 @@ HalfKernel normalised(HalfKernel k) {
   return k;
 }
 
-HalfKernel sampled(double s) {
+HalfKernel sampled(double s, int radius = kernel_radius) {
   HalfKernel k{};
-  for (int i = 0; i <= kernel_radius; ++i)
+  for (int i = 0; i <= radius; ++i)
     k[static_cast<std::size_t>(i)] = s > 0 ? std::exp(-0.5 * i * i / (s * s)) : (i == 0 ? 1.0 : 0.0);
   return normalised(k);
 }
@@ -40,16 +40,16 @@ double variance(const HalfKernel& kernel) {
   return v;
 }
 
-HalfKernel discrete_gaussian(double sigma) {
+HalfKernel discrete_gaussian(double sigma, int radius) {
   if (sigma <= 0) return sampled(0);
   // Sampling narrows a narrow Gaussian, truncation a wide one: bisection for the parameter that gives the
   // wanted variance.
   double low = 0, high = 4 * kernel_max_sigma;
   for (int i = 0; i < 80; ++i) {
     const double middle = 0.5 * (low + high);
-    (variance(sampled(middle)) < sigma * sigma ? low : high) = middle;
+    (variance(sampled(middle, radius)) < sigma * sigma ? low : high) = middle;
   }
-  return sampled(0.5 * (low + high));
+  return sampled(0.5 * (low + high), radius);
 }
 
 HalfKernel texel_averaged_gaussian(double sigma) {
@@ -89,14 +89,23 @@ double ratio_of_variance(double wanted, int radius) {
   return 0.5 * (low + high);
 }
 
-static std::vector<float> make_kernel_table() {
+static void add_row(std::vector<float>& table, const HalfKernel& kernel) {
+  for (const double w : kernel) table.push_back(static_cast<float>(w));
+  table.push_back(static_cast<float>(variance(kernel)));
+}
+
+std::vector<float> gaussian_table(int radius) {
   std::vector<float> table;
-  for (const auto& gaussian : {discrete_gaussian, texel_averaged_gaussian})
-    for (int row = 0; row < kernel_rows; ++row) {
-      const HalfKernel kernel = gaussian(kernel_max_sigma * row / (kernel_rows - 1));
-      for (const double w : kernel) table.push_back(static_cast<float>(w));
-      table.push_back(static_cast<float>(variance(kernel)));
-    }
+  for (int row = 0; row < kernel_rows; ++row)
+    add_row(table, discrete_gaussian(radius / 3.0 * row / (kernel_rows - 1), radius));
+  return table;
+}
+
+static std::vector<float> make_kernel_table() {
+  static_assert(3 * kernel_max_sigma == kernel_radius);
+  std::vector<float> table = gaussian_table(kernel_radius);
+  for (int row = 0; row < kernel_rows; ++row)
+    add_row(table, texel_averaged_gaussian(kernel_max_sigma * row / (kernel_rows - 1)));
   return table;
 }
 

@@ -19,9 +19,9 @@ inline constexpr double kernel_reach = kernel_radius / kernel_max_sigma;
 
 using HalfKernel = std::array<double, kernel_radius + 1>;  ///< weights of taps 0, +-1, .. +-6; w0 + 2 sum = 1
 
-/// Returns a sampled Gaussian whose weights sum to 1 and whose variance is sigma^2 exactly (sigma
-/// 0..kernel_max_sigma).
-HalfKernel discrete_gaussian(double sigma);
+/// Returns a sampled Gaussian of taps 0, +-1, .. +-radius whose weights sum to 1 and whose variance is
+/// sigma^2 exactly (sigma 0..radius / 3).
+HalfKernel discrete_gaussian(double sigma, int radius = kernel_radius);
 
 /// Returns a Gaussian between texels as squares: the mean over a texel of the light from a neighbouring texel
 /// of unit light. For the first step, whose input is constant over each texel: exact for edges on texel
@@ -33,6 +33,9 @@ double variance(const HalfKernel& kernel);
 /// Returns two tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
 /// discrete_gaussian, texel_averaged_gaussian. Made once.
 const std::vector<float>& kernel_table();
+
+/// Returns kernel_rows rows of KERNEL_FLOATS floats: discrete_gaussian() of this radius, sigma 0..radius / 3.
+std::vector<float> gaussian_table(int radius);
 
 /// Returns the variance of texel_averaged_gaussian() if it is not cut.
 double texel_averaged_variance(double sigma);

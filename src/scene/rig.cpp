@@ -71,7 +71,7 @@ double largest_stretch(const glm::dmat4& m) {
 // A box of what hangs on a matrix, while it is collected.
 struct Collected {
   glm::vec3 low{INFINITY}, high{-INFINITY};
-  std::map<std::uint32_t, float> reach;
+  std::map<std::uint32_t, MorphReach> reach;
 
   void add(const glm::vec3& p) {
     low = glm::min(low, p);
@@ -108,12 +108,20 @@ void for_each_influence(const Rig& rig, const Visit& visit) {
   }
 }
 
-// How far morph targets may move what hangs on a matrix.
-double reach_of(const RigBounds& part, const PosedRig& pose) {
-  double reach = 0;
-  for (const MorphReach& morph : part.reach)
-    reach += std::abs(pose.weights[morph.weight]) * double{morph.length};
-  return reach;
+// The box of what hangs on a matrix, with what morph targets may move it by.
+struct MovedBox {
+  glm::dvec3 low, high;
+};
+
+MovedBox box_of(const RigBounds& part, const PosedRig& pose) {
+  MovedBox box{glm::dvec3(part.low), glm::dvec3(part.high)};
+  for (const MorphReach& morph : part.reach) {
+    const double weight = pose.weights[morph.weight];
+    const glm::dvec3 a = weight * glm::dvec3(morph.low), b = weight * glm::dvec3(morph.high);
+    box.low += glm::min(a, b);
+    box.high += glm::max(a, b);
+  }
+  return box;
 }
 
 }  // namespace
@@ -175,12 +183,11 @@ void take_pose(const Rig& rig, const PosedRig& pose, Scene& scene) {
 std::vector<glm::vec3> posed_corners(const Rig& rig, const PosedRig& pose) {
   std::vector<glm::vec3> corners;
   for (const RigBounds& part : rig.bounds) {
-    const double reach = reach_of(part, pose);
+    const MovedBox box = box_of(part, pose);
     for (int corner = 0; corner < 8; ++corner) {
       glm::dvec4 p(0, 0, 0, 1);
       for (glm::length_t axis = 0; axis < 3; ++axis)
-        p[axis] =
-            (corner >> axis & 1) != 0 ? double{part.high[axis]} + reach : double{part.low[axis]} - reach;
+        p[axis] = (corner >> axis & 1) != 0 ? box.high[axis] : box.low[axis];
       corners.emplace_back(pose.matrices[part.matrix] * p);
     }
   }
@@ -197,8 +204,8 @@ Bounds posed_bounds(const Rig& rig, const PosedRig& pose, bool all) {
   for (const RigBounds& part : rig.bounds) {
     if (!all && !part.skin) continue;
     const glm::dmat4& m = pose.matrices[part.matrix];
-    const glm::dvec3 middle = 0.5 * (glm::dvec3(part.low) + glm::dvec3(part.high));
-    const glm::dvec3 half = 0.5 * (glm::dvec3(part.high) - glm::dvec3(part.low)) + reach_of(part, pose);
+    const MovedBox box = box_of(part, pose);
+    const glm::dvec3 middle = 0.5 * (box.low + box.high), half = 0.5 * (box.high - box.low);
     const glm::dvec3 centre(m * glm::dvec4(middle, 1));
     glm::dvec3 extent(0);
     for (glm::length_t axis = 0; axis < 3; ++axis) extent += glm::abs(glm::dvec3(m[axis])) * half[axis];
@@ -234,8 +241,9 @@ void fill_bounds(Rig& rig, const std::vector<bool>& skin) {
     Collected& cell = cells[{matrix, skin[m], cell_of(box, mesh.positions[v])}];
     cell.add(mesh.positions[v]);
     for (const MorphDelta& delta : deltas_of(mesh, v)) {
-      float& reach = cell.reach[delta.weight];
-      reach = std::max(reach, glm::length(delta.position));
+      MorphReach& reach = cell.reach.try_emplace(delta.weight, MorphReach{delta.weight}).first->second;
+      reach.low = glm::min(reach.low, delta.position);
+      reach.high = glm::max(reach.high, delta.position);
     }
   });
 
@@ -247,7 +255,7 @@ void fill_bounds(Rig& rig, const std::vector<bool>& skin) {
             .low = cell.low,
             .high = cell.high,
             .reach = {}};
-    for (const auto& [weight, length] : cell.reach) part.reach.push_back({weight, length});
+    for (const auto& [weight, reach] : cell.reach) part.reach.push_back(reach);
   }
 }
 

@@ -41,10 +41,10 @@ struct MorphDelta {
   glm::vec3 position{0}, normal{0}, tangent{0};
 };
 
-/// How far a morph target moves what hangs on a matrix.
+/// By how much a morph target moves what hangs on a matrix, at weight 1, in the mesh's coordinates.
 struct MorphReach {
   std::uint32_t weight = 0;
-  float length = 0;  ///< in the mesh's coordinates, at weight 1
+  glm::vec3 low{0}, high{0};  ///< of all vertices, also of those that it leaves where they are
 };
 
 /// What hangs on a matrix, in the mesh's coordinates.

@@ -264,22 +264,29 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
          .real_time = true}},
     Field{"kernel",
           &QualitySettings::kernel,
-          {.help = "of techniques in screen space: the profile of the skin, in mm; or what the technique was "
-                   "published with",
+          {.help = "of techniques in screen space: the profile of the skin, in mm; what the technique was "
+                   "published with; or, of burley-disc, the profile as Unreal Engine weighs it",
            .option = "kernel",
            .rebuilds = true,
            .real_time = true}},
-    Field{
-        "taps",
-        &QualitySettings::taps,
-        {.help = "of the kernels of techniques in screen space, no effect on others: separable 3 to 33, odd; "
-                 "burley-disc 1 to 4096",
-         .least = 1,
-         .most = 4096,
-         .none = "separable 25, burley-disc 64",
-         .option = "taps",
-         .rebuilds = true,
-         .real_time = true}},
+    Field{"blur_resolution",
+          &QualitySettings::blur_resolution,
+          {.help = "of techniques that blur in screen space: the picture's, or half its width and height",
+           .option = "blur-resolution",
+           .rebuilds = true,
+           .real_time = true}},
+    Field{"taps",
+          &QualitySettings::taps,
+          {.help =
+               "of the kernels of techniques in screen space, no effect on others: screen-gaussians 5 to 13, "
+               "odd; separable 3 to 33, odd; burley-disc 1 to 4096; pre-integrated, of its filter of "
+               "shadows, 1 to 1024",
+           .least = 1,
+           .most = 4096,
+           .none = "screen-gaussians 13, separable 25, burley-disc 64, pre-integrated 32",
+           .option = "taps",
+           .rebuilds = true,
+           .real_time = true}},
     Field{"d_ref",
           &QualitySettings::d_ref,
           {.help = "distance up to which light maps have their full size",

@@ -26,7 +26,10 @@ template <>
 inline constexpr std::array<std::string_view, 2> names_of<IrradianceBy>{"raster", "compute"};
 
 template <>
-inline constexpr std::array<std::string_view, 2> names_of<ScreenKernel>{"profile", "published"};
+inline constexpr std::array<std::string_view, 3> names_of<ScreenKernel>{"profile", "published", "ue"};
+
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<BlurResolution>{"full", "half"};
 
 template <>
 inline constexpr std::array<std::string_view, 6> names_of<ToneMap>{"natural", "neutral", "agx",

@@ -31,12 +31,20 @@ void check_taps(const RenderSettings& s) {
                       range.least, range.most, range.odd ? " and odd" : "", taps);
 }
 
+void check_kernel(const RenderSettings& s) {
+  const techniques::Technique& technique = techniques::find_technique(s.technique);
+  if (s.quality.kernel == ScreenKernel::ue && technique.screen_space && !technique.ue_kernel)
+    throw input_error("", "quality.kernel ue is not one of technique '{}'; it has: profile, published",
+                      s.technique);
+}
+
 }  // namespace
 
 void check_settings(const RenderSettings& s) {
   check_ranges(s);
   check_camera(s.camera);
   check_taps(s);
+  check_kernel(s);
   background_of(s.output.background);
   if (s.quality.samples != 1 && s.quality.samples != 4)
     throw input_error("", "quality.samples must be 1 or 4, got {}", s.quality.samples);

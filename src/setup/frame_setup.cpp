@@ -245,6 +245,9 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.texel_maps = s.quality.irradiance == IrradianceBy::compute && !plan.host_lights();
     plan.cascade = s.quality.blur == BlurOrder::cascade;
     check_cascade(plan);
+  }
+
+  if (setup.technique->uses_profile) {
     plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
     plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
                                   [&](const PlacedAsset& instance) { return all_enters(instance, s); });
@@ -252,6 +255,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
 
   if (setup.technique->screen_space) {
     plan.kernel = s.quality.kernel;
+    plan.half_resolution = s.quality.blur_resolution == BlurResolution::half;
     plan.taps = static_cast<std::uint32_t>(s.quality.taps.value_or(0));
   }
 

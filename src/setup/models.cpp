@@ -87,6 +87,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   techniques::SkinPart part;
   part.in_model = static_cast<std::uint32_t>(number);
   part.triangles = static_cast<std::uint32_t>(mesh.triangle_chart.size());
+  part.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
   part.draws = static_cast<std::uint32_t>(passes::draws_of(mesh).size());
   part.profile = model.profile ? *model.profile : choose_profile(subject.scene->materials[material], s);
   choose_shape(part.profile, s);

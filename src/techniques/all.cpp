@@ -4,6 +4,8 @@
 #include "core/error.h"
 #include "techniques/burley_disc/burley_disc.h"
 #include "techniques/lambert/lambert.h"
+#include "techniques/pre_integrated/pre_integrated.h"
+#include "techniques/screen_gaussians/screen_gaussians.h"
 #include "techniques/separable/separable.h"
 #include "techniques/technique.h"
 #include "techniques/texture_space/texture_space.h"
@@ -11,12 +13,16 @@
 namespace dermis::techniques {
 namespace {
 
+// clang-format off
 constexpr std::array all{
     &texture_space,
     &lambert,
+    &screen_gaussians,
     &separable,
     &burley_disc,
+    &pre_integrated,
 };
+// clang-format on
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include "passes/count/count.h"
 #include "passes/final_pass/final_pass.h"
 #include "passes/final_pass/shade.h"
+#include "passes/final_pass/shade_pre_integrated.h"
 #include "passes/final_pass/shade_split.h"
 #include "passes/ids/ids.h"
 #include "passes/labels/labels.h"
@@ -38,9 +39,13 @@ std::uint32_t entering_size(const FrameSettings& s) {
 
 }  // namespace
 
-FrameReport screen_report(const FrameSettings&, std::span<const std::uint32_t> counters,
+FrameReport screen_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
                           std::span<const DrawnHead>) {
-  return {.skin_pixels = counters[counter_skin_pixels], .optimise = {}, .mask = {}, .maps = {}};
+  return {.skin_pixels = counters[counter_skin_pixels],
+          .optimise = {},
+          .mask = {},
+          .maps = {},
+          .translucency = settings.translucency};
 }
 
 FrameOutputs screen_maps(passes::FramePlan& plan, const FrameSettings& settings) {
@@ -141,6 +146,13 @@ passes::SkinLook Screen::look_of(passes::SkinLook look) const {
   return look;
 }
 
+passes::SkinLook Screen::whole_look_of(const passes::MapSquare& square) const {
+  const SkinPart& part = settings_.skin[square.mesh];
+  passes::SkinLook look = look_of({.square = square});
+  if (settings_.translucency) look.through = passes::ThroughMesh{square.mesh, part.profile, part.mm_per_unit};
+  return look;
+}
+
 void Screen::add_skin(const std::vector<SkinOnScreen>& skin,
                       const std::function<std::string(std::string_view)>& name_of) {
   if (!settings_.draws_picture() || skin.empty()) return;
@@ -180,9 +192,10 @@ void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
   Together<passes::ShadeSplit>::In split;
   for (const passes::MapSquare& square : skin) {
     const auto& [r, g, b] = blurred[square.mesh];
+    const passes::SkinLights lights{{}, shadow_, entering_};
     split.members.push_back(
-        {{{{}, shadow_}, entries_.parts, entries_.entries, entries_.pixels, surface},
-         {.look = look_of({.square = square}),
+        {{lights, entries_.parts, entries_.entries, entries_.pixels, surface},
+         {.look = whole_look_of(square),
           .blurred = {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)},
           .mm_per_unit = settings_.skin[square.mesh].mm_per_unit,
           .first_part = first_part(square),
@@ -192,6 +205,28 @@ void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
           .samples = settings_.samples}});
   }
   plan_->add<Together<passes::ShadeSplit>>(name, split);
+}
+
+void Screen::add_pre_integrated_skin(const std::vector<passes::MapSquare>& skin,
+                                     const std::vector<frame::BufferId>& curvatures,
+                                     std::uint32_t shadow_taps, const std::string& name) {
+  DERMIS_ASSERT(shaded());
+  Together<passes::ShadePreIntegrated>::In shade;
+  for (const passes::MapSquare& square : skin) {
+    const SkinPart& part = settings_.skin[square.mesh];
+    passes::ShadePreIntegrated::Settings settings{.look = whole_look_of(square),
+                                                  .profile = part.profile,
+                                                  .ring = settings_.kernel == ScreenKernel::published,
+                                                  .shadow_taps = shadow_taps,
+                                                  .mm_per_unit = part.mm_per_unit,
+                                                  .first_part = first_part(square),
+                                                  .extent = {settings_.width, settings_.height},
+                                                  .samples = settings_.samples};
+    for (std::size_t c = 0; c < 3; ++c) settings.scattered[c] = static_cast<float>(1 - part.unscattered[c]);
+    const passes::SkinLights lights{{}, shadow_, entering_};
+    shade.members.push_back({{lights, entries_.parts, entries_.entries, curvatures[square.mesh]}, settings});
+  }
+  plan_->add<Together<passes::ShadePreIntegrated>>(name, shade);
 }
 
 void Screen::add_scattered(frame::TextureId blurred, const passes::ScreenSurface& surface) {

@@ -51,6 +51,11 @@ class Screen {
   /// mesh of the plan. Needs add_entries().
   void add_split_skin(const std::vector<passes::MapSquare>& skin, const std::vector<gaussians::Rgb>& blurred,
                       const passes::ScreenSurface& surface, const std::string& name);
+  /// Adds skin shaded with scattering from tables. curvatures: of each skin mesh of the plan. Needs
+  /// add_entries().
+  void add_pre_integrated_skin(const std::vector<passes::MapSquare>& skin,
+                               const std::vector<frame::BufferId>& curvatures, std::uint32_t shadow_taps,
+                               const std::string& name);
   /// Adds what was blurred to the skin, once all of it is shaded.
   void add_scattered(frame::TextureId blurred, const passes::ScreenSurface& surface);
   /// Adds the opaque parts of these heads that are not skin.
@@ -71,6 +76,8 @@ class Screen {
   std::uint32_t first_part(const passes::MapSquare& square) const;
   // Fills in what the scene and the skin mesh decide.
   passes::SkinLook look_of(passes::SkinLook asked) const;
+  // The same of skin that is wholly lit per pixel, with light through the body.
+  passes::SkinLook whole_look_of(const passes::MapSquare& square) const;
   frame::TextureId add_picture();
   frame::TextureId add_open_share();
   void add_display(FrameOutputs& out);

@@ -35,7 +35,7 @@ struct SkinPart {
   /// Number of the mesh whose unwrap this is: instances of an asset that differ in their profile share it.
   std::uint32_t unwrap = 0;
   std::uint32_t in_model = 0;  ///< number among the meshes of its model
-  std::uint32_t triangles = 0;
+  std::uint32_t triangles = 0, vertices = 0;
   std::uint32_t draws = 1;       ///< runs of triangles of one material: passes::GpuMesh::draws
   double max_uv_per_mm = 1;      ///< a twentieth of the skin has more
   double even_uv_per_mm = 1;     ///< if the skin filled the map evenly
@@ -114,6 +114,7 @@ struct FrameSettings {
   /// drawn. See can_shade_entries().
   bool shade_entries = false;
   ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
+  bool half_resolution = false;                 ///< they blur in a picture of half the size
   std::uint32_t taps = 0;                       ///< of their kernels; 0: as many as usual
   bool poses = false;                           ///< some instance takes poses: passes::MoveRig
   bool environment = false;                     ///< light from a picture of the surroundings, else uniform
@@ -214,6 +215,8 @@ struct GutterSize {
 struct TapRange {
   std::uint32_t least = 0, most = 0, usual = 0;
   bool odd = false;  ///< their number is odd
+  std::uint32_t published =
+      0;  ///< what ScreenKernel::published takes whatever is asked for; 0: what is asked for
 };
 
 struct Technique {
@@ -221,9 +224,11 @@ struct Technique {
   std::string_view summary;    ///< one line, for help texts
   bool uses_profile = true;    ///< light spreads as the material's profile says
   bool has_light_maps = true;  ///< Optimise, mask, progressive and translucency mean something
-  /// Light is blurred in the picture: skin is shaded as entries, whatever the settings say.
+  /// Skin is shaded as entries, whatever the settings say, as by techniques that blur light in the picture.
   bool screen_space = false;
-  TapRange taps{};  ///< of its kernels; it has none if `most` is 0
+  bool curvature = false;  ///< it needs GpuMesh::welded
+  bool ue_kernel = false;  ///< it has ScreenKernel::ue
+  TapRange taps{};         ///< of its kernels; it has none if `most` is 0
   /// Returns how many taps its blur in the picture takes per pixel of skin; null: it has none.
   std::uint32_t (*taps_per_pixel)(const FrameSettings& settings) = nullptr;
 

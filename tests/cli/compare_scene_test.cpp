@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `dermis compare --scene`: its table, its JSON, its page, and what it refuses.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -72,8 +74,9 @@ TEST_F(CompareScene, EveryTechniqueCostAndErrorPerRegion) {
     EXPECT_EQ(t.at("error").at("skin").at("share"), 1);
   }
 
-  EXPECT_EQ(techniques, (std::vector<std::string>{"texture-space", "texture-space, one Gaussian", "lambert",
-                                                  "separable", "burley-disc"}));
+  EXPECT_EQ(techniques,
+            (std::vector<std::string>{"texture-space", "texture-space, one Gaussian", "lambert",
+                                      "screen-gaussians", "separable", "burley-disc", "pre-integrated"}));
   EXPECT_EQ(j.at("techniques")[0].at("gaussians"), 6);
   EXPECT_EQ(j.at("techniques")[1].at("gaussians"), 1);
   EXPECT_EQ(j.at("techniques")[2].at("gaussians"), 0);
@@ -142,14 +145,14 @@ TEST_F(CompareScene, CurvesHaveThePointsThatATechniqueCanDraw) {
     EXPECT_GT(p.at("frame_ms"), 0);
     EXPECT_EQ(p.at("error"), p.at("at_size")) << "one picture per pixel";
   }
-  EXPECT_EQ(labels, (std::vector<std::string>{
-                        "separable, kernel profile: 5 taps", "separable, kernel profile: 9 taps",
-                        "separable, kernel profile: 17 taps", "separable, kernel profile: 25 taps",
-                        "separable, kernel profile: 33 taps", "separable, kernel published: 5 taps",
-                        "separable, kernel published: 9 taps", "separable, kernel published: 17 taps",
-                        "separable, kernel published: 25 taps", "separable, kernel published: 33 taps",
-                        "lambert: lambert"}));
-  EXPECT_EQ(j.at("curves")[3].at("taps_per_pixel"), 50) << "25 in each of two passes";
+  std::vector<std::string> wanted;
+  for (const char* kernel :
+       {"profile", "profile, half resolution", "published", "published, half resolution"})
+    for (const int taps : {5, 7, 9, 13, 17, 25, 33})
+      wanted.push_back(fmt::format("separable, kernel {}: {} taps", kernel, taps));
+  wanted.emplace_back("lambert: lambert");
+  EXPECT_EQ(labels, wanted);
+  EXPECT_EQ(j.at("curves")[5].at("taps_per_pixel"), 50) << "25 in each of two passes";
   EXPECT_EQ(j.at("techniques")[0].at("taps_per_pixel"), 50);
   EXPECT_EQ(j.at("techniques")[1].at("taps_per_pixel"), 0);
 }
@@ -248,7 +251,8 @@ TEST_F(CompareScene, WhatMakesNoSense) {
     expect_refused(compare(arguments), says);
   };
 
-  refuse({"--techniques", "oil"}, "all, texture-space, lambert, separable, burley-disc");
+  refuse({"--techniques", "oil"},
+         "all, texture-space, lambert, screen-gaussians, separable, burley-disc, pre-integrated");
   refuse({"--techniques", "all,lambert"}, "'all'");
   refuse({"--supersample", "0"}, "--supersample");
   refuse({"--supersample", "17"}, "--supersample");

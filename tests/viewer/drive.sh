@@ -23,6 +23,7 @@ open_display() {
 # start_viewer ARGUMENTS...: and waits for its first picture at rest.
 start_viewer() {
   : >"$log"
+  marked=0
   "$program" view --tell "$@" >>"$log" 2>&1 &
   viewer=$!
   wait_for 'at rest' 300

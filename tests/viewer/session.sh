@@ -8,11 +8,21 @@ source "$source_folder/tests/viewer/drive.sh"
 
 scan=$source_folder/assets/heads/lee-perry-smith.gltf
 [[ -f $source_folder/assets/heads/LeePerrySmith.glb ]] || scan=built-in
+# Without a display it says so, and what draws without one.
+said=$(env -u DISPLAY -u WAYLAND_DISPLAY "$program" view 2>&1) && fail "a window without a display"
+[[ $(wc -l <<<"$said") == 1 && $said == *"no display"* && $said == *render* ]] ||
+  fail "without a display: $said"
+
 open_display 1024x768x24
 cd "$work"
 start_viewer "$scan" --window 800x560 --map-size 256 --shadow-size 256 --samples 1 --bloom 0
 
 echo "opened"
+# At rest it wakes for nothing: it says when it has gone to sleep, and says so once.
+mark; point 100 100; wait_for '^idle after'
+sleep 1; before=$(grep -c '^idle' "$log"); sleep 3
+[[ $(grep -c '^idle' "$log") == "$before" ]] || fail "it wakes at rest: $(grep '^idle' "$log" | tail -n 3)"
+
 # orbit, nearer, frame, undo
 mark; drag picture 40 50 60 40; wait_for 'picture .* moving'; wait_for 'picture .* at rest'
 mark; xdotool mousemove --window "$window" 150 200 click 4; wait_for 'picture .* at rest'
@@ -45,6 +55,11 @@ for what in 'Settings (.settings.json)' 'Profile (.profile.json)' 'Copy the comm
   mark; click "$what"; wait_for 'message: (saved|copied)'
 done
 wait_for 'message: saved skin.png' 240
+
+# two pictures of the camera around the head
+click 'frames per second' 20; xdotool key ctrl+a type 0.5; xdotool key Return; sleep 0.2
+mark; click Record; wait_for 'message: recorded' 240
+sequence=$(since '^sequence:' | cut -d' ' -f2-)
 close_viewer
 grep -q '^closed in 0' "$log" || fail "closing took long: $(grep '^closed' "$log")"
 
@@ -55,3 +70,23 @@ cmp skin.png again.png || fail "the saved picture is not that of the command lin
 "${program%-view}" render skin.scene.json --settings skin.settings.json -o settings.png >/dev/null
 cmp skin.png settings.png || fail "the saved picture is not that of the saved settings"
 grep -q variances_mm2 skin.profile.json || fail "no profile"
+
+# The second of them is half a turn later, as `render` draws it.
+[[ -f skin-0000.png && ! -f skin-0002.png ]] || fail "not two pictures of a sequence: $(ls)"
+half=$(sed -E 's/^sequence /render /; s/--orbit .?0,([-0-9]+)\.\.[^ ]*/--orbit 180,\1/
+  s/--fps .* --device/--device/; s/skin-%04d.png/half.png/' <<<"$sequence")
+eval "\"${program%-view}\" $half" >/dev/null
+cmp skin-0001.png half.png || fail "the sequence is not what render draws: $half"
+
+# A pose goes into the scene file and comes back.
+start_viewer built-in --window 640x480 --map-size 64 --shadow-size 64 --samples 1 --bloom 0
+click Pose; click weights 3
+mark; drag "jaw open" 5 50 50 50; wait_for 'picture .* at rest'
+click Save
+mark; click 'Copy the command line'; wait_for 'message: copied'
+mark; click 'Picture, as shown (.png)'; wait_for 'message: saved skin.png' 240
+close_viewer
+line=$(sed -n 's/^command: dermis //p' "$log" | tail -n 1)
+grep -q '"weights"' skin.scene.json || fail "no pose in the scene file"
+eval "\"${program%-view}\" ${line/-o skin.png/-o again.png}" >/dev/null
+cmp skin.png again.png || fail "the picture of a pose is not that of the command line"

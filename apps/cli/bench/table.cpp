@@ -15,9 +15,13 @@ constexpr const char* time_format = " {:>9}";
 constexpr const char* ratio_format = " {:>8}";
 
 // Three digits that count, so that both milliseconds and minutes stay readable.
-std::string time_text(double ms) { return ms >= 100 ? fmt::format("{:.0f}", ms) : fmt::format("{:.3g}", ms); }
+std::string cell_time_text(double ms) {
+  return ms >= 100 ? fmt::format("{:.0f}", ms) : fmt::format("{:.3g}", ms);
+}
 
-std::string ratio_text(std::optional<double> ratio) { return ratio ? fmt::format("{:.2f}", *ratio) : "-"; }
+std::string cell_ratio_text(std::optional<double> ratio) {
+  return ratio ? fmt::format("{:.2f}", *ratio) : "-";
+}
 
 std::string sizes_text(std::vector<int> sizes) {
   std::erase(sizes, 0);  // heads that are skipped
@@ -46,11 +50,13 @@ std::string table_head(const Run& run) {
 
 std::string table_line(const Cell& cell) {
   std::string text = fmt::format(fmt::runtime(cell_format), cell.heads, fmt::format("{:g}", cell.distance));
-  for (const Measured& m : cell.measured) text += fmt::format(fmt::runtime(time_format), time_text(m.ms()));
-  text += fmt::format(
-      " | {:>8} {:>13} {:>5} | {:>7} {:>8} |", ratio_text(cell.speedup()),
-      ratio_text(cell.speedup_over_skipping()), ratio_text(paper_speedup(cell.heads, cell.distance)),
-      ratio_text(cell.compute_over(baseline_key)), ratio_text(cell.compute_over(optimised_key)));
+  for (const Measured& m : cell.measured)
+    text += fmt::format(fmt::runtime(time_format), cell_time_text(m.ms()));
+  text += fmt::format(" | {:>8} {:>13} {:>5} | {:>7} {:>8} |", cell_ratio_text(cell.speedup()),
+                      cell_ratio_text(cell.speedup_over_skipping()),
+                      cell_ratio_text(paper_speedup(cell.heads, cell.distance)),
+                      cell_ratio_text(cell.compute_over(baseline_key)),
+                      cell_ratio_text(cell.compute_over(optimised_key)));
   if (const PictureDifference* d = cell.difference(optimised_key))
     text += fmt::format(" {:>9.2f} {:>7.4f} |", d->psnr_db, d->flip_mean);
   else
@@ -66,9 +72,9 @@ std::string paper_table(const Run& run) {
     text += fmt::format("\n{:>8}", heads);
     for (const double distance : distances) {
       const Cell* cell = find_cell(run.cells, heads, distance);
-      const std::string ours = cell ? ratio_text(cell->speedup()) : "-";
-      text +=
-          fmt::format(" {:>13}", fmt::format("{} ({})", ours, ratio_text(paper_speedup(heads, distance))));
+      const std::string ours = cell ? cell_ratio_text(cell->speedup()) : "-";
+      text += fmt::format(" {:>13}",
+                          fmt::format("{} ({})", ours, cell_ratio_text(paper_speedup(heads, distance))));
     }
   }
   return text + "\n";

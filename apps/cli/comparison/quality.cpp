@@ -14,7 +14,7 @@
 namespace dermis::cli::comparison {
 namespace {
 
-constexpr std::array tap_counts{5, 9, 17, 25, 33, 64, 128, 256, 1024};
+constexpr std::array tap_counts{5, 7, 9, 13, 17, 25, 33, 64, 128, 256, 1024};
 /// Fractions of the map size that is asked for.
 constexpr std::array map_divisors{8, 4, 2, 1};
 
@@ -23,17 +23,31 @@ bool can_have(const techniques::TapRange& range, int taps) {
   return count >= range.least && count <= range.most && (!range.odd || count % 2 == 1);
 }
 
+bool has_kernel(const techniques::Technique& technique, ScreenKernel kernel) {
+  return kernel != ScreenKernel::ue || technique.ue_kernel;
+}
+
+// One curve per kernel and resolution of the blur. Techniques that only filter shadows have no blur to halve.
 void add_taps(const RenderSettings& common, const techniques::Technique& technique,
               std::vector<QualitySetting>& to) {
-  for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published})
-    for (const int taps : tap_counts) {
-      if (!can_have(technique.taps, taps)) continue;
-      RenderSettings s = common;
-      s.quality.kernel = kernel;
-      s.quality.taps = taps;
-      to.push_back({.curve = fmt::format("{}, kernel {}", technique.name, name_of(kernel)),
-                    .label = fmt::format("{} taps", taps),
-                    .settings = std::move(s)});
+  for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published, ScreenKernel::ue})
+    for (const BlurResolution resolution : {BlurResolution::full, BlurResolution::half}) {
+      const bool half = resolution == BlurResolution::half;
+      if (!has_kernel(technique, kernel) || (half && !technique.taps_per_pixel)) continue;
+
+      for (const int taps : tap_counts) {
+        const std::uint32_t fixed = kernel == ScreenKernel::published ? technique.taps.published : 0;
+        if (!can_have(technique.taps, taps) || (fixed > 0 && static_cast<std::uint32_t>(taps) != fixed))
+          continue;
+        RenderSettings s = common;
+        s.quality.kernel = kernel;
+        s.quality.blur_resolution = resolution;
+        s.quality.taps = taps;
+        to.push_back({.curve = fmt::format("{}, kernel {}{}", technique.name, name_of(kernel),
+                                           half ? ", half resolution" : ""),
+                      .label = fmt::format("{} taps", taps),
+                      .settings = std::move(s)});
+      }
     }
 }
 

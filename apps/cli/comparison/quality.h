@@ -17,8 +17,8 @@ struct QualitySetting {
 };
 
 /// Returns the settings of a technique from cheap to dear, as far as it can draw the scene with them: taps of
-/// both kernels, sizes of light maps, the cascade in compute. One point of a technique that has none of
-/// these.
+/// each kernel at full and half resolution, sizes of light maps, the cascade in compute. One point of a
+/// technique that has none of these.
 std::vector<QualitySetting> quality_settings(const Scene& scene, const RenderSettings& common,
                                              const std::string& technique);
 

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "api/shader_scope.h"
+
 namespace dermis::viewer {
 namespace {
 
@@ -11,18 +13,24 @@ double ms_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Sessions draw pictures of a known exposure; all else takes a prepared frame.
+// A session has all that any camera may need, so pictures follow at once; a prepared frame has what one view
+// needs: for a picture at rest, which costs less after a change of the profile. It also times passes, chooses
+// an exposure and shows maps; labels are the session's.
 bool needs_prepared(const Wish& wish) {
   if (wish.settings.output.show != "picture") return true;
   if (wish.moving) return false;
-  return wish.timed || !wish.settings.output.exposure_ev;
+  return wish.timed || !wish.labels || !wish.settings.output.exposure_ev;
 }
 
 }  // namespace
 
 Renderer& Easel::renderer() {
-  if (!renderer_) renderer_.emplace(options_);
-  return *renderer_;
+  if (renderer_) return *renderer_;
+  const api::ShaderScope scope([shaders = shaders_](std::string_view name) {
+    const auto found = shaders->find(name);
+    return found == shaders->end() ? std::span<const std::uint32_t>() : std::span(found->second);
+  });
+  return renderer_.emplace(options_);
 }
 
 Session& Easel::session(bool moving, bool labels) {
@@ -88,6 +96,12 @@ void Easel::save(const SaveWish& wish) {
   RenderSettings settings = wish.settings;
   settings.output.frames = 1;
   renderer().render(wish.scene, settings).save(wish.file);
+}
+
+// A pipeline is kept as long as its renderer, so there is another one.
+void Easel::use_shaders(std::shared_ptr<const ShaderSet> shaders) {
+  renew();
+  shaders_ = std::move(shaders);
 }
 
 void Easel::renew() {

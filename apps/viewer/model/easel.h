@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ class Easel {
   /// Draws and writes as `dermis render` does.
   void save(const SaveWish& wish);
 
+  /// Draws with these in the place of dermis's own.
+  void use_shaders(std::shared_ptr<const ShaderSet> shaders);
+
   /// Lets go of the device; the next picture opens it again.
   void renew();
 
@@ -37,6 +41,7 @@ class Easel {
 
   Renderer::Options options_;
   std::function<void()> before_drawing_;
+  std::shared_ptr<const ShaderSet> shaders_ = std::make_shared<const ShaderSet>();
   // Each may use the one before it.
   std::optional<Renderer> renderer_;
   std::optional<Session> moving_, resting_;

@@ -31,6 +31,6 @@ class Pace {
 /// A picture while something changes should take no longer.
 inline constexpr double pace_ms = 80;
 /// Side of the maps of such pictures, texels, at most.
-inline constexpr int moving_map_size = 256;
+inline constexpr int moving_map_size = 128;
 
 }  // namespace dermis::viewer

@@ -1,59 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/model/page.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
-#include <stdlib.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <thread>
 
 #include "core/error.h"
 #include "dermis/cancelled.h"
+#include "viewer/model/program.h"
 
 namespace dermis::viewer {
-namespace {
-
-std::vector<char*> pointers_to(std::vector<std::string>& words) {
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-// Starts a program whose output goes to a file. Returns its number, or 0.
-pid_t start(std::vector<std::string> words, const std::string& output) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, 1, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&actions, 1, 2);
-  pid_t child = 0;
-  const int failed =
-      posix_spawnp(&child, words.front().c_str(), &actions, nullptr, pointers_to(words).data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return failed ? 0 : child;
-}
-
-std::string last_line(const std::string& file) {
-  std::ifstream in(file);
-  std::string line, last;
-  while (std::getline(in, line))
-    if (!line.empty()) last = line;
-  return last.empty() ? "it said nothing" : last;
-}
-
-std::string make_folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "dermis-page-XXXXXX").string();
-  if (!mkdtemp(name.data())) throw InputError(name, "no folder for the page can be made there");
-  return name;
-}
-
-}  // namespace
 
 std::vector<Page> pages_of(const std::vector<std::string>& scene_words,
                            const std::vector<std::string>& options, const std::string& device) {
@@ -72,29 +27,22 @@ std::vector<Page> pages_of(const std::vector<std::string>& scene_words,
 }
 
 std::string write_page(const Page& page, const Hooks& hooks) {
-  const std::string folder = make_folder(), file = folder + "/page.html", said = folder + "/said.txt";
-  std::error_code error;
-  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  std::vector<std::string> words{(here / "dermis").string()};
+  const std::string folder = make_temporary_folder(), file = folder + "/page.html",
+                    said = folder + "/said.txt";
+  std::vector<std::string> words{dermis_program()};
   words.insert(words.end(), page.words.begin(), page.words.end());
   words.insert(words.end(), {"--html", file});
 
-  const pid_t child = start(words, said);
-  if (child == 0) throw input_error(words.front(), "cannot be started");
-  int status = 0;
-  while (waitpid(child, &status, WNOHANG) == 0) {
-    if (hooks.stop && *hooks.stop) {
-      kill(child, SIGKILL);
-      waitpid(child, &status, 0);
-      std::filesystem::remove_all(folder, error);
-      throw Cancelled("the page was stopped");
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  try {
+    if (run_program(words, said, hooks.stop, std::chrono::milliseconds(50))) return file;
+  } catch (const Cancelled&) {
+    std::error_code error;
+    std::filesystem::remove_all(folder, error);
+    throw;
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw InputError("", last_line(said));
-  return file;
+  throw InputError("", last_line(said));
 }
 
-void open_page(const std::string& file) { start({"xdg-open", file}, "/dev/null"); }
+void open_page(const std::string& file) { start_program({"xdg-open", file}); }
 
 }  // namespace dermis::viewer

@@ -23,6 +23,7 @@ Painter::~Painter() {
 bool Painter::stop(double seconds) {
   std::unique_lock lock(mutex_);
   stop_ = true;
+  cancel_ = true;
   wake_.notify_all();
   const auto has_ended = [this] { return has_ended_; };
   if (seconds < 0) {
@@ -34,6 +35,7 @@ bool Painter::stop(double seconds) {
 
 void Painter::wish(Wish wish) {
   const std::lock_guard lock(mutex_);
+  if (!wish.is_b && may_cancel_) cancel_ = true;
   (wish.is_b ? wish_b_ : wish_) = std::move(wish);
   wake_.notify_all();
 }
@@ -42,6 +44,11 @@ void Painter::save(SaveWish wish) {
   const std::lock_guard lock(mutex_);
   saves_.push_back(std::move(wish));
   wake_.notify_all();
+}
+
+void Painter::use_shaders(std::shared_ptr<const ShaderSet> shaders) {
+  const std::lock_guard lock(mutex_);
+  shaders_ = std::move(shaders);
 }
 
 PainterNews Painter::take_news() {
@@ -91,13 +98,14 @@ void Painter::run() {
                           if (options_.on_news) options_.on_news();
                           return true;
                         },
-                    .stop = &stop_};
+                    .stop = &cancel_};
   {
     Easel easel({.device = options_.device, .validate = options_.validate, .hooks = hooks},
                 options_.before_drawing);
     for (;;) {
       std::optional<Wish> wish;
       std::optional<SaveWish> to_save;
+      std::shared_ptr<const ShaderSet> shaders;
       {
         std::unique_lock lock(mutex_);
         working_ = false;
@@ -110,7 +118,11 @@ void Painter::run() {
         } else {
           wish = std::exchange(wish_ ? wish_ : wish_b_, {});
         }
+        may_cancel_ = wish && !wish->moving;
+        cancel_ = stop_.load();
+        shaders = std::exchange(shaders_, {});
       }
+      if (shaders) easel.use_shaders(std::move(shaders));
       serve(easel, wish, to_save);
     }
     // The renderer ends here, before anybody is told.
@@ -142,6 +154,9 @@ void Painter::serve(Easel& easel, const std::optional<Wish>& wish, const std::op
       tell([&](PainterNews& news) { news.renewed = true; });
     }
   } catch (const Cancelled&) {
+    // What A is compared with is drawn when A has been.
+    const std::lock_guard lock(mutex_);
+    if (wish && wish->is_b && !wish_b_) wish_b_ = wish;
   } catch (const InternalError& mistake) {
     easel.renew();
     error = mistake.what();

@@ -17,6 +17,7 @@
 
 #include "dermis/renderer.h"
 #include "dermis/session.h"
+#include "viewer/model/live_shaders.h"
 
 namespace dermis::viewer {
 
@@ -77,6 +78,8 @@ class Painter {
 
   void wish(Wish wish);
   void save(SaveWish wish);
+  /// What comes after is drawn with these in the place of dermis's own.
+  void use_shaders(std::shared_ptr<const ShaderSet> shaders);
   PainterNews take_news();
 
   bool is_busy() const;       ///< draws, or has something to draw
@@ -94,10 +97,13 @@ class Painter {
 
   Options options_;
   std::atomic<bool> stop_ = false;
+  std::atomic<bool> cancel_ = false;  ///< what is being prepared: a newer wish waits
+  bool may_cancel_ = false;           ///< a picture at rest is being drawn
   mutable std::mutex mutex_;
   std::condition_variable wake_, ended_;
   std::optional<Wish> wish_, wish_b_;
   std::vector<SaveWish> saves_;
+  std::shared_ptr<const ShaderSet> shaders_;  ///< that the easel has not taken yet
   PainterNews news_;
   bool working_ = false, has_ended_ = false;
   std::string doing_, device_name_;

@@ -10,6 +10,7 @@
 #include "core/cache.h"
 #include "core/error.h"
 #include "core/hooks.h"
+#include "core/parallel.h"
 #include "gaussians/json.h"
 #include "gaussians/scatter_profile.h"
 #include "settings/profile_fields.h"
@@ -41,16 +42,16 @@ cli::Source open(const SkinSource& source, bool quick) {
   return cli::open_source(options);
 }
 
+// Where skin has layers, R(r) at one radius takes milliseconds.
 void add_model(SkinCurves& curves, const cli::Source& source) {
-  for (const double r : curves.r_mm) {
-    std::array<double, 3> value{}, error{};
+  curves.model.resize(curves.r_mm.size());
+  curves.standard_error.resize(curves.r_mm.size());
+  parallel_for(curves.r_mm.size(), [&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c) {
-      value[c] = source.profiles[c]->at(r);
-      error[c] = source.profiles[c]->standard_error_at(r);
+      curves.model[i][c] = source.profiles[c]->at(curves.r_mm[i]);
+      curves.standard_error[i][c] = source.profiles[c]->standard_error_at(curves.r_mm[i]);
     }
-    curves.model.push_back(value);
-    curves.standard_error.push_back(error);
-  }
+  });
 }
 
 }  // namespace
@@ -88,7 +89,8 @@ SkinCurves curves_of(const ScatterProfile& profile) {
 }
 
 bool needs_better(const SkinSource& source) {
-  return source.kind != SkinKind::scene && source.kind != SkinKind::gaussians && wants_photons(source);
+  if (source.kind == SkinKind::scene || source.kind == SkinKind::gaussians) return false;
+  return wants_photons(source) || has_layers(source);
 }
 
 MadeSkin make_skin(const SkinSource& source, bool quick, const Hooks& hooks) {
@@ -109,7 +111,7 @@ MadeSkin make_skin(const SkinSource& source, bool quick, const Hooks& hooks) {
     made.note = made.source->note;
   }
   made.curves = curves_of(made.profile);
-  if (made.source) add_model(made.curves, *made.source);
+  if (made.source && !(quick && has_layers(source))) add_model(made.curves, *made.source);
   made.is_quick = quick && needs_better(source);
   made.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return made;

@@ -29,11 +29,12 @@ struct MadeSkin {
   std::optional<cli::Source> source{};  ///< of what can be exported; none: Gaussians alone
 };
 
-/// Computes a skin. `quick`: in a few hundredths of a second, by diffusion theory whatever the coefficients.
-/// Throws InputError: what the source says is wrong; Cancelled.
+/// Computes a skin. `quick`: in a few hundredths of a second, by diffusion theory whatever the coefficients,
+/// and without the curve of a model that has layers. Throws InputError: what the source says is wrong;
+/// Cancelled.
 MadeSkin make_skin(const SkinSource& source, bool quick, const Hooks& hooks);
 
-/// Returns whether the quick model is not the one that the source asks for.
+/// Returns whether the quick model is not the one that the source asks for, or has no curve of it.
 bool needs_better(const SkinSource& source);
 
 /// Returns R(r) of a profile alone.

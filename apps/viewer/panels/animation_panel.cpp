@@ -49,7 +49,10 @@ bool weight_rows(const Asset& asset, RigPose& pose) {
   for (const std::string& name : asset.morph_weights()) {
     double weight = weight_of(pose, name);
     const double least = 0, most = 1;
-    if (!ImGui::SliderScalar(name.c_str(), ImGuiDataType_Double, &weight, &least, &most, "%.2f")) continue;
+    const bool moved =
+        ImGui::SliderScalar(name.c_str(), ImGuiDataType_Double, &weight, &least, &most, "%.2f");
+    note_place(name);
+    if (!moved) continue;
     set_weight(pose, name, weight);
     changed = true;
   }
@@ -70,7 +73,9 @@ void animation_panel(Desk& desk) {
     ImGui::PushID(number);
     RigPose pose = instance.pose.value_or(RigPose{});
     bool changed = clip_rows(instance.asset, pose, desk.view);
-    if (ImGui::TreeNode("weights")) {
+    const bool open = ImGui::TreeNode("weights");
+    note_place("weights");
+    if (open) {
       changed |= weight_rows(instance.asset, pose);
       ImGui::TreePop();
     }

@@ -16,6 +16,7 @@
 #include "viewer/model/comparison.h"
 #include "viewer/model/document.h"
 #include "viewer/model/painter.h"
+#include "viewer/model/recording.h"
 #include "viewer/model/shown_maps.h"
 #include "viewer/model/skin_maker.h"
 
@@ -42,6 +43,8 @@ struct ViewState {
   bool playing = false;            ///< a clip
   bool loops = true;
   std::string save_name = "skin";
+  Recording recording{};
+  bool records = false;   ///< a sequence is being drawn
   std::string message{};  ///< what was done, or went wrong, last
   bool is_error = false;
   std::vector<std::string> notes{};  ///< of the library, newest last
@@ -51,6 +54,7 @@ struct ViewState {
   bool timed = false, loupe = false;
   std::optional<std::array<float, 2>> pointer{};  ///< in the picture, 0 to 1
   std::vector<float> frame_ms{};                  ///< of the last pictures
+  std::string shader_errors{};                    ///< of shaders that are edited
   bool scale = true;                              ///< a bar of millimetres in the picture
   std::string exported{};                         ///< skin in another system's parameters, shown last
 };
@@ -60,7 +64,7 @@ struct Requests {
   std::vector<std::string> open{};
   bool undo = false, redo = false, frame = false;
   bool save_png = false, save_exr = false, save_settings = false, save_scene = false, save_profile = false,
-       copy_command = false;
+       copy_command = false, record = false, stop_recording = false;
   std::optional<std::size_t> page{};  ///< number of the page to be written
 };
 

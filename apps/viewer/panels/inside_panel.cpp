@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "settings/fields.h"
+#include "viewer/model/label_views.h"
 #include "viewer/model/page.h"
 #include "viewer/model/shown_maps.h"
 #include "viewer/panels/desk.h"
@@ -21,8 +22,10 @@ void show_row(Desk& desk) {
   const bool open = ImGui::BeginCombo("show", desk.view.show.c_str());
   note_place("show");
   if (!open) return;
-  for (const std::string& name :
-       shown_map_names(statistics ? statistics->gaussians : 1, statistics ? statistics->lights : 1)) {
+  std::vector<std::string> names =
+      shown_map_names(statistics ? statistics->gaussians : 1, statistics ? statistics->lights : 1);
+  names.insert(names.end(), label_views.begin(), label_views.end());
+  for (const std::string& name : names) {
     if (ImGui::Selectable(name.c_str(), name == desk.view.show)) desk.view.show = name;
     note_place("show " + name);
   }
@@ -122,9 +125,11 @@ void inside_panel(Desk& desk) {
   ImGui::Checkbox("loupe", &desk.view.loupe);
   note_place("loupe");
   ImGui::Separator();
+  const bool labelled = is_label_view(desk.view.show);
+  if ((desk.view.loupe && desk.view.show != first_shown && !labelled) ||
+      ((desk.view.loupe || labelled) && desk.view.timed))
+    ImGui::TextDisabled("labels need the picture itself, untimed");
   if (desk.view.loupe) {
-    if (desk.view.timed || desk.view.show != first_shown)
-      ImGui::TextDisabled("labels need the picture itself, untimed");
     loupe(desk);
     ImGui::Separator();
   }

@@ -181,6 +181,19 @@ void draw_scale(const Desk& desk, const Frame& frame, ImVec2 high) {
   corner_text({left.x + 4, left.y - ImGui::GetFontSize() - 6}, fmt::format("{:g} mm", length_mm));
 }
 
+// What the compiler says, over the picture that was drawn before.
+void draw_shader_errors(const std::string& errors, const Frame& frame) {
+  const float margin = ImGui::GetFontSize(), width = frame.size.x - 2 * margin;
+  if (width < margin) return;
+  const ImVec2 size = ImGui::CalcTextSize(errors.c_str(), nullptr, false, width);
+  const ImVec2 low(frame.low.x + margin, frame.low.y + 2 * margin);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({low.x - 6, low.y - 4}, {low.x + size.x + 6, low.y + size.y + 4},
+                     IM_COL32(60, 0, 0, 215), 3);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), low, IM_COL32(255, 190, 180, 255), errors.c_str(),
+               nullptr, width);
+}
+
 void draw_picture(Desk& desk, const Painted* shown, const Frame& frame) {
   const ImVec2 high(frame.low.x + frame.size.x, frame.low.y + frame.size.y);
   if (!draw_compared(desk, frame, high))
@@ -189,6 +202,7 @@ void draw_picture(Desk& desk, const Painted* shown, const Frame& frame) {
   if (shown->divisor > 1)
     corner_text({frame.low.x + 10, frame.low.y + 8},
                 "1/" + std::to_string(shown->divisor) + " of the size until it rests");
+  if (!desk.view.shader_errors.empty()) draw_shader_errors(desk.view.shader_errors, frame);
 }
 
 }  // namespace

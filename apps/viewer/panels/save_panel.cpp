@@ -30,6 +30,25 @@ void size_rows(Desk& desk) {
   if (changed) desk.changed("size", std::move(next));
 }
 
+void record_rows(Desk& desk) {
+  Recording& recording = desk.view.recording;
+  ImGui::Separator();
+  ImGui::TextUnformatted("Sequence");
+  ImGui::BeginDisabled(desk.view.records);
+  int motion = static_cast<int>(recording.motion);
+  if (ImGui::Combo("moves", &motion, "the camera, once around\0a lamp, once around\0the clip\0"))
+    recording.motion = static_cast<RecordedMotion>(motion);
+  ImGui::InputDouble("frames per second", &recording.fps, 0, 0, "%g");
+  note_place("frames per second");
+  if (recording.motion != RecordedMotion::clip) ImGui::InputDouble("seconds", &recording.seconds, 0, 0, "%g");
+  ImGui::Checkbox("a video (.mp4, by ffmpeg), else pictures", &recording.video);
+  ImGui::EndDisabled();
+  if (desk.view.records)
+    desk.requests.stop_recording |= noted_button("Stop recording");
+  else
+    desk.requests.record |= noted_button("Record");
+}
+
 }  // namespace
 
 void save_panel(Desk& desk) {
@@ -38,7 +57,6 @@ void save_panel(Desk& desk) {
   ImGui::InputText("name", &desk.view.save_name);
   note_place("name");
   size_rows(desk);
-  ImGui::PopItemWidth();
 
   const ImVec2 wide(ImGui::GetContentRegionAvail().x, 0);
   requests.save_png |= noted_button("Picture, as shown (.png)", wide);
@@ -53,6 +71,8 @@ void save_panel(Desk& desk) {
     ImGui::InputTextMultiline("##command", &desk.view.command_line, {wide.x, ImGui::GetFontSize() * 6},
                               ImGuiInputTextFlags_ReadOnly);
   }
+  record_rows(desk);
+  ImGui::PopItemWidth();
 }
 
 }  // namespace dermis::viewer

@@ -8,6 +8,7 @@
 #include "shared/scene_io.h"
 layout(constant_id = 0) const int tap_count = 64;
 layout(constant_id = 1) const bool burley = false;
+layout(constant_id = 2) const bool ue = false;
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { ScreenIo io; };
 layout(binding = 0) uniform sampler2D light;
@@ -17,6 +18,7 @@ layout(binding = 2) uniform usampler2D surface_of_skin;
 layout(binding = 4) uniform sampler2DArray leaving_skin;
 layout(binding = 5, scalar) readonly buffer Profiles { DiscProfileIo profiles[]; };
 layout(binding = 6, scalar) readonly buffer Taps { DiscTapIo taps[]; };
+layout(binding = 8, scalar) readonly buffer Radii { float radii_mm[]; };
 layout(binding = 7, rgba16f) uniform writeonly image2D target;
 #include "passes/screen_surface.glsl"
 #include "passes/screen_tangents.glsl"
@@ -35,6 +37,29 @@ vec3 profile_at(uint mesh, float r2_mm2) {
   return sum;
 }
 
+// Returns the share of the light of each channel within a radius.
+vec3 share_within(uint mesh, float r_mm) {
+  vec3 sum = vec3(0.0), all = vec3(0.0);
+  for (uint i = 0u; i < profiles[mesh].terms; ++i) {
+    const float v = profiles[mesh].variance_mm2[i];
+    const vec3 weight = profiles[mesh].weight[i] * v;
+    sum += weight * (1.0 - exp(-r_mm * r_mm / (2.0 * v)));
+    all += weight;
+  }
+  return sum / max(all, vec3(1e-30));
+}
+
+// Returns a tap of the widest channel's light beyond a share of it.
+DiscTapIo tap_beyond(uint mesh, int i, float within) {
+  const float share = within + (1.0 - within) * (float(i) + 0.5) / float(tap_count);
+  const float at = min(sqrt(-log(1.0 - share)) / DISC_MOST_SHARE, 1.0) * float(DISC_RADII - 1);
+  const uint cell = min(uint(at), DISC_RADII - 2u), first = mesh * DISC_RADII + cell;
+  const float r = max(mix(radii_mm[first], radii_mm[first + 1u], at - float(cell)), 1e-6);
+  const vec2 d = taps[mesh * uint(tap_count) + uint(i)].offset_mm;
+  return DiscTapIo(d * (r / max(length(d), 1e-12)),
+                   1.0 / max(profile_at(mesh, r * r)[profiles[mesh].widest], 1e-30));
+}
+
 vec3 gathered(ivec2 at, vec3 middle, uint mesh) {
   const float depth_mm = texelFetch(depth_of_skin, at, 0).r;
   // Half widths and half heights of the picture per mm of the asset there, and pixels.
@@ -47,9 +72,11 @@ vec3 gathered(ivec2 at, vec3 middle, uint mesh) {
   const Tangents t = tangents_at(at, normal_of(surface), depth_mm, profiles[mesh].mm_per_unit);
   const vec2 deeper_per_pixel =
       vec2(dot(frame.camera.direction, t.right_mm), dot(frame.camera.direction, t.down_mm));
+  const vec3 n = normal_of(surface), within = ue ? share_within(mesh, 1.0 / abs(pixels_per_mm.y)) : vec3(0.0);
   vec3 sum = vec3(0.0), weights = vec3(0.0);
   for (int i = 0; i < tap_count; ++i) {
-    const DiscTapIo tap = taps[mesh * uint(tap_count) + uint(i)];
+    DiscTapIo tap = taps[mesh * uint(tap_count) + uint(i)];
+    if (ue) tap = tap_beyond(mesh, i, within[profiles[mesh].widest]);
     const vec2 pixels = tap.offset_mm * pixels_per_mm;
     const ivec2 p = at + ivec2(floor(pixels + 0.5));
     if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, ivec2(io.extent)))) continue;
@@ -59,12 +86,17 @@ vec3 gathered(ivec2 at, vec3 middle, uint mesh) {
     const float deeper_mm =
         texelFetch(depth_of_skin, p, 0).r - depth_mm + dot(deeper_per_pixel, pixels - vec2(p - at));
     const float r2_mm2 = dot(tap.offset_mm, tap.offset_mm) + deeper_mm * deeper_mm;
-    const vec3 weight = profile_at(mesh, r2_mm2) * tap.per_density_mm2;
+    vec3 weight = profile_at(mesh, r2_mm2) * tap.per_density_mm2;
+    if (ue) {
+      const float agree = dot(n, normal_of(texelFetch(surface_of_skin, p, 0).x));
+      weight *= sqrt(r2_mm2 / dot(tap.offset_mm, tap.offset_mm) * clamp(0.5 + 0.5 * agree, 0.0, 1.0));
+    }
     sum += weight * texelFetch(light, p, 0).rgb;
     weights += weight;
   }
   // A channel that no tap reached, or that does not spread, keeps its light.
-  return mix(middle, sum / max(weights, vec3(1e-30)), greaterThan(weights, vec3(1e-30)));
+  const vec3 around = mix(middle, sum / max(weights, vec3(1e-30)), greaterThan(weights, vec3(1e-30)));
+  return ue ? mix(around, middle, within) : around;
 }
 
 void main() {

@@ -2,6 +2,7 @@
 #include "passes/disc_gather/disc_gather.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "frame/resources.h"
@@ -17,6 +18,7 @@ io::DiscProfileIo profile_io(const Disc& disc) {
                        .reach_mm = static_cast<float>(disc.reach_mm),
                        .distance_mm = glm::vec3(r, g, b),
                        .terms = static_cast<std::uint32_t>(disc.profile.terms.size()),
+                       .widest = static_cast<std::uint32_t>(gaussians::widest_channel(disc.profile)),
                        .variance_mm2 = {},
                        .weight = {}};
   DERMIS_ASSERT_LE(disc.profile.terms.size(), std::size_t{MOST_TERMS});
@@ -29,6 +31,16 @@ io::DiscProfileIo profile_io(const Disc& disc) {
   return io;
 }
 
+std::vector<float> radii_of(const Disc& disc) {
+  std::vector<float> radii(DISC_RADII);
+  if (disc.reach_mm > 0)
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+      const double t = DISC_MOST_SHARE * static_cast<double>(i) / (DISC_RADII - 1);
+      radii[i] = static_cast<float>(gaussians::disc_reach_mm(disc.profile, -std::expm1(-t * t)));
+    }
+  return radii;
+}
+
 }  // namespace
 
 DiscGather::Out DiscGather::declare(frame::Declare& d) {
@@ -36,7 +48,9 @@ DiscGather::Out DiscGather::declare(frame::Declare& d) {
   const std::size_t taps = settings.discs.front().taps.size();
   for (const Disc& disc : settings.discs) DERMIS_ASSERT_EQ(disc.taps.size(), taps);
   compute(d, "disc_gather.comp",
-          {{"tap_count", static_cast<std::uint32_t>(taps)}, {"burley", settings.burley ? 1u : 0u}});
+          {{"tap_count", static_cast<std::uint32_t>(taps)},
+           {"burley", settings.burley ? 1u : 0u},
+           {"ue", settings.ue ? 1u : 0u}});
 
   const gpu::TextureDesc desc = d.desc(in.surface.light);
   out_.light = d.create("blurred light", screen_light(desc.width, desc.height));
@@ -52,15 +66,20 @@ void DiscGather::prepare(gpu::PipelineLibrary& library) {
   ComputePass::prepare(library);
   std::vector<io::DiscProfileIo> profiles;
   std::vector<io::DiscTapIo> taps;
+  std::vector<float> radii;
   for (const Disc& disc : settings.discs) {
     profiles.push_back(profile_io(disc));
     for (const gaussians::DiscTap& tap : disc.taps)
       taps.push_back({.offset_mm = glm::vec2(tap.x_mm, tap.y_mm),
                       .per_density_mm2 = static_cast<float>(tap.per_density_mm2)});
+    if (!settings.ue) continue;
+    const std::vector<float> more = radii_of(disc);
+    radii.insert(radii.end(), more.begin(), more.end());
   }
   constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   profiles_ = gpu::make_buffer(library.device(), "disc profiles",
                                std::span<const io::DiscProfileIo>(profiles), usage);
+  radii_ = gpu::make_buffer(library.device(), "disc radii", std::span<const float>(radii), usage);
   taps_ = gpu::make_buffer(library.device(), "disc taps", std::span<const io::DiscTapIo>(taps), usage);
 }
 
@@ -73,6 +92,7 @@ void DiscGather::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
       .add("leaving_skin", resources.nearest(in.surface.leaving))
       .add("Profiles", profiles_)
       .add("Taps", taps_)
+      .add("Radii", radii_)
       .add("target", resources.storage(out_.light))
       .bind(cmd, pipeline());
   const gpu::TextureDesc& desc = resources.texture(out_.light).desc();

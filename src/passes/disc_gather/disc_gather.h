@@ -5,7 +5,7 @@
 ///        15-04, 2015
 /// [XOK20] Xie, Olano, Karis, Narkowicz: Real-time subsurface scattering with single pass variance-guided
 ///         adaptive importance sampling. I3D 2020 (the class of techniques; neither their adaptive number of
-///         taps nor their history)
+///         taps nor their history; Unreal Engine, whose weights `ue` takes, has it)
 #pragma once
 
 #include <vector>
@@ -30,6 +30,9 @@ class DiscGather : public ComputePass {
   struct Settings {
     std::vector<Disc> discs;  ///< one per skin mesh of the plan
     bool burley = false;      ///< normalised diffusion in place of the profile
+    /// Taps begin a pixel from the middle, which has the share of the light within; they weigh by r R(r), and
+    /// by how their normals agree.
+    bool ue = false;
   } settings;
   struct In {
     ScreenSurface surface;
@@ -42,7 +45,7 @@ class DiscGather : public ComputePass {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  gpu::Buffer profiles_, taps_;
+  gpu::Buffer profiles_, taps_, radii_;  // radii_: with `ue`
   Out out_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the triangle of an entry is seen, and its skin there. Common part of shade.glsl and shade_split.comp.
+// Where the triangle of an entry is seen, and its skin there. Common part of the shaders that shade entries.
 // Needs `shade` (ShadeIo) and what skin_answer.glsl declares.
 layout(constant_id = 16) const bool multisampled = true;
 
@@ -53,6 +53,8 @@ vec4 at_seen(vec3 share, vec4 a, vec4 b, vec4 c) { return share.x * a + share.y 
 struct SeenSkin {
   ShadingPoint s;
   OnMap on;
+  uvec3 corners;  // vertices of the triangle
+  vec3 share;     // of each
 };
 
 SeenSkin seen_skin(EntryIo entry) {
@@ -84,5 +86,5 @@ SeenSkin seen_skin(EntryIo entry) {
     on.uv_per_mm =
         dot(seen.share, vec3(uv_per_mm(sa.metric_mm2), uv_per_mm(sb.metric_mm2), uv_per_mm(sc.metric_mm2)));
   if (shape_aware) on.shape = at_seen(seen.share, body_shape(sa), body_shape(sb), body_shape(sc));
-  return SeenSkin(s, on);
+  return SeenSkin(s, on, uvec3(i, j, k), seen.share);
 }

@@ -24,13 +24,17 @@ ShadeSplit::Out ShadeSplit::declare(frame::Declare& d) {
 }
 
 void ShadeSplit::prepare(gpu::PipelineLibrary& library) {
-  for (const SkinVariant& variant : shading_.variants())
+  for (const SkinVariant& variant : shading_.variants()) {
+    gpu::Constants constants{{"environment", settings.look.environment ? 1u : 0u},
+                             {"soft_shadows", settings.look.soft_shadows ? 1u : 0u},
+                             {"off_map", variant.off_map ? 1u : 0u},
+                             {"emits", variant.emits ? 1u : 0u},
+                             {"multisampled", settings.samples > 1 ? 1u : 0u}};
+    const bool through = shading_.through(variant);
+    if (through) shading_.add_through_constants(constants);
     pipelines_[variant.index()] =
-        &library.compute("shade_split.comp", {{"environment", settings.look.environment ? 1u : 0u},
-                                              {"soft_shadows", settings.look.soft_shadows ? 1u : 0u},
-                                              {"off_map", variant.off_map ? 1u : 0u},
-                                              {"emits", variant.emits ? 1u : 0u},
-                                              {"multisampled", settings.samples > 1 ? 1u : 0u}});
+        &library.compute(through ? "shade_split_through.comp" : "shade_split.comp", constants);
+  }
   shading_.prepare(library);
 
   const auto& [r, g, b] = settings.blurred;

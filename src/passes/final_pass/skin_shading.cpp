@@ -145,12 +145,15 @@ gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
                            {"shape_aware", look_.terms.shape ? 1u : 0u},
                            {"cut_out", variant.cut_out ? 1u : 0u},
                            {"emits", variant.emits ? 1u : 0u}};
-  if (through(variant)) {
-    constants.emplace_back("through_terms", terms);
-    constants.emplace_back("slab_gains", look_.through->profile.shape ? 1u : 0u);
-    constants.emplace_back("entering_stored", lights_.entering.valid() ? 1u : 0u);
-  }
+  if (through(variant)) add_through_constants(constants);
   return constants;
+}
+
+void SkinShading::add_through_constants(gpu::Constants& constants) const {
+  const std::size_t terms = look_.through->profile.terms.size();
+  constants.emplace_back("through_terms", static_cast<std::uint32_t>(terms));
+  constants.emplace_back("slab_gains", look_.through->profile.shape ? 1u : 0u);
+  constants.emplace_back("entering_stored", lights_.entering.valid() ? 1u : 0u);
 }
 
 io::FinalPassIo SkinShading::io(const FrameData& frame) const {

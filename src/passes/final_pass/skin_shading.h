@@ -74,7 +74,7 @@ struct SkinLook {
 struct SkinLights {
   std::vector<frame::TextureId> maps;  ///< RGBA16F pools, one per term, or with `summed` one
   frame::TextureId shadow;
-  frame::TextureId entering = {};  ///< with `through` and `mixes`: as in Irradiance
+  frame::TextureId entering = {};  ///< with `through`, where terms are lit per pixel: as in Irradiance
 };
 
 /// A variant of the shaders: how a draw is lit, and whether ordinary skin is all it needs to know.
@@ -102,6 +102,8 @@ class SkinShading {
   /// Returns whether the variant knows transmitted light: its shaders have names of their own.
   bool through(const SkinVariant& variant) const;
   gpu::Constants constants(const SkinVariant& variant) const;
+  /// Adds those that shaders with transmitted light have beside.
+  void add_through_constants(gpu::Constants& constants) const;
 
   /// Offers all but what draw_skin() does.
   void offer(Bindings& bindings, const frame::Resources& resources, const FrameData& frame) const;
@@ -110,7 +112,9 @@ class SkinShading {
  private:
   float share_of(std::size_t term, const Instance& instance) const;
   SkinVariant::Lit lit_of(const Instance& instance) const;
-  bool through() const { return look_.through && (look_.mixes || look_.off_map || look_.terms.coarse); }
+  bool through() const {
+    return look_.through && (look_.mixes || look_.off_map || look_.terms.coarse || look_.weights.empty());
+  }
   void offer_maps(Bindings& bindings, const frame::Resources& resources, const Instance& instance) const;
 
   SkinLook look_;

@@ -50,7 +50,9 @@ passes::Disc disc_of(const FrameSettings& settings, const SkinPart& part) {
 
 frame::TextureId add(passes::FramePlan& plan, const FrameSettings& settings,
                      const passes::ScreenSurface& surface) {
-  passes::DiscGather::Settings gather{.discs = {}, .burley = settings.kernel == ScreenKernel::published};
+  passes::DiscGather::Settings gather{.discs = {},
+                                      .burley = settings.kernel == ScreenKernel::published,
+                                      .ue = settings.kernel == ScreenKernel::ue};
   for (const SkinPart& part : settings.skin) gather.discs.push_back(disc_of(settings, part));
   return plan.add<passes::DiscGather>("disc", {surface}, gather).light;
 }
@@ -67,6 +69,7 @@ constinit const Technique burley_disc{
     .uses_profile = true,
     .has_light_maps = false,
     .screen_space = true,
+    .ue_kernel = true,
     .taps = range,
     .taps_per_pixel = disc_taps_per_pixel,
     .build = build,

@@ -212,6 +212,27 @@ TEST_F(PosedPictures, OfASessionAllocateNothing) {
   expect_equal_bits(renderer().render(scene, s), session.picture(last));
 }
 
+// A pose does not depend on the one before, not even where that left nothing of the head.
+TEST_F(PosedPictures, DoNotDependOnPosesBefore) {
+  Scene scene = lit(*asset_);
+  const InstanceId head = scene.instances().front();
+  const std::string root = asset_->joints().front();
+  RenderSettings s = close_up(64, 128);
+  s.output.exposure_ev = 0;
+  Session session(renderer());
+  const auto scaled = [&](const std::array<double, 3>& scale) {
+    return RigPose{.joints = {{.name = root, .scale = scale}}};
+  };
+  const RigPose plain{.clip = ClipTime{"performance", 1}};
+  for (const RigPose& pose : {plain, scaled({0, 0, 0}), plain, scaled({0, 1, 1}), scaled({0, 0, 1}),
+                              scaled({-1000, 1e-9, 1}), plain, scaled({1, 1, 1})}) {
+    scene.set_pose(head, pose);
+    const Picture found = session.picture(session.draw(scene, s));
+    expect_equal_bits(renderer().render(scene, s), found);
+    for (const float value : found.linear_rgba) ASSERT_TRUE(std::isfinite(value));
+  }
+}
+
 // A plane that a morph target stretches 2 : 1 and shears by 45 degrees, under a lamp with a hard edge.
 scene::Scene stretching_plane() {
   scene::Scene made = scene::plane(0.05, glm::dmat2(1), {}, 16);

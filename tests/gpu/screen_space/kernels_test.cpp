@@ -19,13 +19,6 @@ namespace {
 
 using gaussians::LineTap;
 
-const Scene& edge() {
-  static const Scene plane = half_white_plane();
-  return plane;
-}
-
-constexpr int middle_row = plane_height / 2;
-
 // A row of light that falls from 1 to 0 between its two middle pixels, read between pixels.
 double edge_between_pixels(double x) {
   x = std::clamp(x, 0.5, plane_width - 0.5) - 0.5;
@@ -50,25 +43,13 @@ double distance_from_kernel(const Picture& picture, const std::vector<LineTap>& 
   return largest;
 }
 
-// From the profile on the surface, averaged over `width_mm`: a bilinear tap takes the mean over a pixel, one
-// at the nearest pixel that of the middle.
-std::array<double, 3> distance_from_exact(const Picture& picture, const RenderSettings& s, double width_mm) {
-  std::array<double, 3> largest{};
-  for (int x = 0; x < plane_width; ++x) {
-    const std::array<double, 3> found = pixel(picture, x, middle_row),
-                                wanted = exact_edge(seen_mm(s, x, middle_row).x, width_mm);
-    for (std::size_t c = 0; c < 3; ++c) largest[c] = std::max(largest[c], std::abs(found[c] - wanted[c]));
-  }
-  return largest;
-}
-
 TEST(Separable, IsTheLineSpreadOfTheProfileOnAFacingPlane) {
   for (const int taps : {17, 25})
     for (const double pixels_per_mm : {1.0, 2.0, 4.0}) {
       RenderSettings s = facing_plane("separable", pixels_per_mm);
       s.quality.taps = taps;
       const double off =
-          distance_from_kernel(renderer().render(edge(), s),
+          distance_from_kernel(renderer().render(lit_edge(), s),
                                gaussians::line_spread_kernel(gaussians::skin_six(), taps), pixels_per_mm);
       std::printf("%d taps, %g pixels per mm: %.4f from its own kernel\n", taps, pixels_per_mm, off);
       EXPECT_LE(off, 0.005);
@@ -82,8 +63,9 @@ TEST(Separable, IsThePublishedKernelOnAFacingPlane) {
     RenderSettings s = facing_plane("separable", 2);
     s.quality.kernel = ScreenKernel::published;
     s.quality.taps = taps;
-    const double off = distance_from_kernel(
-        renderer().render(edge(), s), gaussians::published_line_kernel(taps), 2 * width_mm / 3 * 2 * aspect);
+    const double off =
+        distance_from_kernel(renderer().render(lit_edge(), s), gaussians::published_line_kernel(taps),
+                             2 * width_mm / 3 * 2 * aspect);
     std::printf("published, %d taps: %.4f from its own kernel\n", taps, off);
     EXPECT_LE(off, 0.005);
   }
@@ -105,26 +87,11 @@ TEST(Separable, IsNearTheExactEdge) {
                                                   {33, 6, 0.02}}) {
     RenderSettings s = facing_plane("separable", pixels_per_mm);
     s.quality.taps = taps;
-    const auto [r, g, b] = distance_from_exact(renderer().render(edge(), s), s, 1 / pixels_per_mm);
+    const auto [r, g, b] = distance_from_exact(renderer().render(lit_edge(), s), s, 1 / pixels_per_mm);
     std::printf("%d taps, %g pixels per mm: %.4f %.4f %.4f from the exact edge\n", taps, pixels_per_mm, r, g,
                 b);
     EXPECT_LE(std::max({r, g, b}), most);
   }
-}
-
-// By how much red spreads, over the published width: an edge E(x) has the variance 4 int_0^inf x E(x) dx.
-double spread_of_red(const Picture& picture, const RenderSettings& s) {
-  double integral = 0;
-  for (int x = 1; x < plane_width; ++x) {
-    const double from = seen_mm(s, x - 1, middle_row).x, to = seen_mm(s, x, middle_row).x;
-    if (from < 0 || to > 14) continue;
-    integral += (to - from) / 2 *
-                (from * pixel(picture, x - 1, middle_row)[0] + to * pixel(picture, x, middle_row)[0]);
-  }
-  double variance_mm2 = 0;
-  for (const gaussians::Gaussian& term : gaussians::skin_six().terms)
-    variance_mm2 += term.weight[0] * term.variance_mm2;
-  return std::sqrt(4 * integral / variance_mm2);
 }
 
 // Along the tilt, across it, and between both, where neither pass goes along it.
@@ -132,7 +99,7 @@ TEST(Separable, SpreadsAsFarOnATiltedPlane) {
   for (const double tilt_deg : {0.0, 30.0, 60.0, 75.0})
     for (const double azimuth_deg : {0.0, 45.0, 90.0}) {
       const RenderSettings s = facing_plane("separable", 5, tilt_deg, azimuth_deg);
-      const double spread = spread_of_red(renderer().render(edge(), s), s);
+      const double spread = spread_of_red(renderer().render(lit_edge(), s), s);
       std::printf("tilt %g, towards %g: %.4f of the width\n", tilt_deg, azimuth_deg, spread);
       EXPECT_NEAR(spread, 1, 0.03);
     }
@@ -162,7 +129,7 @@ TEST(BurleyDisc, IsTheProfileAtItsTapsOnAFacingPlane) {
   for (const int taps : {21, 40, 64, 1024}) {
     RenderSettings s = facing_plane("burley-disc", 3);
     s.quality.taps = taps;
-    const Picture picture = renderer().render(edge(), s);
+    const Picture picture = renderer().render(lit_edge(), s);
     const std::vector<gaussians::DiscTap> disc = gaussians::disc_taps(gaussians::skin_six(), taps);
     double largest = 0;
     for (int x = 0; x < plane_width; ++x) {
@@ -184,7 +151,7 @@ TEST(BurleyDisc, IsNearTheExactEdge) {
        {Case{21, 2, 0.2}, {40, 2, 0.2}, {64, 2, 0.1}, {256, 2, 0.05}, {1024, 2, 0.01}, {1024, 4, 0.01}}) {
     RenderSettings s = facing_plane("burley-disc", pixels_per_mm);
     s.quality.taps = taps;
-    const auto [r, g, b] = distance_from_exact(renderer().render(edge(), s), s, 0);
+    const auto [r, g, b] = distance_from_exact(renderer().render(lit_edge(), s), s, 0);
     std::printf("%d taps, %g pixels per mm: %.4f %.4f %.4f from the exact edge\n", taps, pixels_per_mm, r, g,
                 b);
     EXPECT_LE(std::max({r, g, b}), most);
@@ -199,7 +166,7 @@ TEST(BurleyDisc, SpreadsAsFarOnATiltedPlane) {
       RenderSettings s = facing_plane("burley-disc", 4, tilt_deg, azimuth_deg);
       s.quality.taps = 1024;
       s.quality.kernel = kernel;
-      const double spread = spread_of_red(renderer().render(edge(), s), s);
+      const double spread = spread_of_red(renderer().render(lit_edge(), s), s);
       std::printf("%s, tilt %g, towards %g: %.4f of the width\n",
                   kernel == ScreenKernel::profile ? "profile" : "normalised diffusion", tilt_deg, azimuth_deg,
                   spread);

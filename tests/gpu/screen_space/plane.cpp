@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plane.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -46,8 +47,6 @@ scene::Scene half(bool white) {
   return made;
 }
 
-}  // namespace
-
 Scene half_white_plane() {
   scene::Scene made = half(true);
   const scene::Scene other = half(false);
@@ -55,6 +54,13 @@ Scene half_white_plane() {
   made.primitives.push_back(other.primitives.front());
   made.primitives.back().material = 1;
   return wrap(std::move(made));
+}
+
+}  // namespace
+
+const Scene& lit_edge() {
+  static const Scene plane = half_white_plane();
+  return plane;
 }
 
 Asset half_plane(bool white) { return Asset::State::make(std::make_shared<const scene::Scene>(half(white))); }
@@ -105,6 +111,30 @@ std::array<double, 3> exact_edge(double x_mm, double width_mm) {
 std::array<double, 3> pixel(const Picture& picture, int x, int y) {
   const float* at = &picture.linear_rgba[4 * static_cast<std::size_t>(y * picture.width + x)];
   return {at[0], at[1], at[2]};
+}
+
+std::array<double, 3> distance_from_exact(const Picture& picture, const RenderSettings& s, double width_mm) {
+  std::array<double, 3> largest{};
+  for (int x = 0; x < plane_width; ++x) {
+    const std::array<double, 3> found = pixel(picture, x, middle_row),
+                                wanted = exact_edge(seen_mm(s, x, middle_row).x, width_mm);
+    for (std::size_t c = 0; c < 3; ++c) largest[c] = std::max(largest[c], std::abs(found[c] - wanted[c]));
+  }
+  return largest;
+}
+
+double spread_of_red(const Picture& picture, const RenderSettings& s) {
+  double integral = 0;
+  for (int x = 1; x < plane_width; ++x) {
+    const double from = seen_mm(s, x - 1, middle_row).x, to = seen_mm(s, x, middle_row).x;
+    if (to < 0 || to > 14) continue;
+    const double before = from < 0 ? 0 : from * pixel(picture, x - 1, middle_row)[0];
+    integral += (to - std::max(from, 0.0)) / 2 * (before + to * pixel(picture, x, middle_row)[0]);
+  }
+  double variance_mm2 = 0;
+  for (const gaussians::Gaussian& term : gaussians::skin_six().terms)
+    variance_mm2 += term.weight[0] * term.variance_mm2;
+  return std::sqrt(4 * integral / variance_mm2);
 }
 
 }  // namespace dermis::tests

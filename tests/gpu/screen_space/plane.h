@@ -13,8 +13,10 @@ namespace dermis::tests {
 
 inline constexpr int plane_width = 256, plane_height = 64;  ///< of the picture, pixels
 
-/// White skin where x < 0, black where x > 0, in the plane z = 0, 0.3 m wide.
-Scene half_white_plane();
+inline constexpr int middle_row = plane_height / 2;
+
+/// White skin where x < 0, black where x > 0, in the plane z = 0, 0.3 m wide. Made once.
+const Scene& lit_edge();
 
 /// One half alone.
 Asset half_plane(bool white);
@@ -33,5 +35,13 @@ std::array<double, 3> exact_edge(double x_mm, double width_mm);
 
 /// Returns red, green and blue of a pixel.
 std::array<double, 3> pixel(const Picture& picture, int x, int y);
+
+/// Returns the largest difference in the middle row from the profile on the surface, averaged over
+/// `width_mm`: a bilinear tap takes the mean over a pixel, one at the nearest pixel that of the middle.
+std::array<double, 3> distance_from_exact(const Picture& picture, const RenderSettings& s, double width_mm);
+
+/// Returns by how much red spreads, over the published width: an edge E(x) has the variance 4 int_0^inf x
+/// E(x) dx.
+double spread_of_red(const Picture& picture, const RenderSettings& s);
 
 }  // namespace dermis::tests

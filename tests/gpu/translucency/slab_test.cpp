@@ -14,6 +14,7 @@
 #include "gpu/support/settings.h"
 #include "gpu/translucency/slab.h"
 #include "scene/primitives.h"
+#include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
@@ -72,6 +73,26 @@ TEST(Slab, ShowsTheSumOfGaussians) {
                     seen[c] / back, wanted[c]);
       }
     }
+}
+
+// The others find the same light where it leaves; a uniform slab does not show where it is blurred.
+TEST(Slab, EveryTechniqueThatScattersShowsTheSum) {
+  for (const std::string& technique : technique_names()) {
+    if (!techniques::find_technique(technique).uses_profile) continue;
+    for (const double d : {0.5, 2.0, 8.0}) {
+      RenderSettings s = slab_settings();
+      s.technique = technique;
+      const Lit l = lit(4, d);
+      const Picture picture = renderer().render(lit_slab(d, l.lights), s);
+      EXPECT_TRUE(picture.statistics.translucency) << technique;
+      const auto seen = mean_colour(picture), wanted = slab_factor(d);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double back = l.irradiance[static_cast<int>(c)] / pi;
+        EXPECT_NEAR(seen[c], back * wanted[c], back * tolerance(d, c))
+            << technique << ", " << d << " mm, " << c;
+      }
+    }
+  }
 }
 
 // Without reflection both hold the same light, up to three standard errors of the reference.

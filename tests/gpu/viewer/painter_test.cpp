@@ -67,6 +67,23 @@ TEST(Painter, GivesBothPicturesOfAComparison) {
   EXPECT_NE(news.painted->picture.display_rgba, news.painted_b->picture.display_rgba);
 }
 
+TEST(Painter, DrawsAllThatStaysWanted) {
+  // However many wishes end each other: the last one of A and of B are drawn.
+  const Document document = tests::square_document();
+  Painter painter({});
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 1, .is_b = true});
+  for (std::uint64_t i = 1; i <= 12; ++i) {
+    RenderSettings other = small();
+    other.output.width += static_cast<int>(i);
+    painter.wish({.scene = document.scene, .settings = other, .revision = i, .moving = i % 3 == 0});
+    std::this_thread::sleep_for(std::chrono::milliseconds(15));
+  }
+  const PainterNews news = settle(painter);
+  EXPECT_TRUE(news.errors.empty());
+  ASSERT_TRUE(news.painted && news.painted_b);
+  EXPECT_EQ(news.painted->revision, 12u);
+}
+
 TEST(Painter, OpensALostDeviceOnceMore) {
   const Document document = tests::square_document();
   int drawn = 0;

@@ -55,6 +55,43 @@ class ProfileCommand : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
+TEST_F(ProfileCommand, ExportsKernels) {
+  const std::vector<std::string> skin{"--preset", "skin1", "--model", "dipole"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), skin.begin(), skin.end());
+    return more;
+  };
+
+  const auto printed =
+      nlohmann::json::parse(run(with({"--export", "separable-kernel", "--export-taps", "11"})));
+  EXPECT_EQ(printed.at("parameters").at("taps").size(), 11u);
+
+  const std::string said = run(with({"--export", "pre-integrated-tables", "--export-to", path("tables/")}));
+  for (const char* name :
+       {"pre-integrated-tables.json", "pre-integrated-tables.h", "pre-integrated-tables.glsl",
+        "pre-integrated-tables-lit.exr", "pre-integrated-tables-shadow.exr"}) {
+    EXPECT_GT(std::filesystem::file_size(path("tables") + "/" + name), 1000u) << name;
+    EXPECT_NE(said.find(name), std::string::npos);
+  }
+
+  // One variance per channel and term: each still sums to 1.
+  const auto apart = nlohmann::json::parse(
+      run(with({"--export", "burley-disc", "--variances", "per-channel", "--gaussians", "3"})));
+  double red = 0;
+  for (const auto& term : apart.at("parameters").at("gaussians")) red += term[1].get<double>();
+  EXPECT_NEAR(red, 1, 1e-6);
+
+  EXPECT_NE(message_of(with({"--export", "separable-kernel", "--export-taps", "12"})).find("an odd number"),
+            std::string::npos);
+  EXPECT_NE(message_of(with({"--export", "pre-integrated-tables", "--export-taps", "12"})).find("no taps"),
+            std::string::npos);
+  EXPECT_NE(message_of(with({"--export", "unity", "--export-to", path("x")})).find("a kernel alone"),
+            std::string::npos);
+  EXPECT_NE(message_of(with({"--export", "burley-disc", "--export-to", path("no/such")})).find("no"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(path("no")));
+}
+
 TEST_F(ProfileCommand, WritesWhatRenderTakes) {
   const std::string text =
       run({"--preset", "skin1", "--model", "dipole", "--gaussians", "6", "--plot", path("a.svg"),

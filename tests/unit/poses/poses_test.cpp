@@ -108,6 +108,41 @@ TEST_F(Character, StandsInAScenefileAsItDid) {
   EXPECT_EQ(a.positions + a.normals + a.tangents, 0);
 }
 
+TEST_F(Character, WeightsAreInASceneFile) {
+  const Warnings quiet;
+  dermis::Scene scene;
+  const Asset asset = Asset::load(file_);
+  const InstanceId id = scene.add({.asset = asset});
+  scene.add({.asset = asset});
+  const auto again = [&] {
+    scene.save(temp_.path() / "scene.json");
+    return dermis::Scene::load(temp_.path() / "scene.json");
+  };
+  for (const bool plays : {false, true}) {
+    RigPose pose{.weights = {{"mouth-open", 1.0 / 3}, {"eye-left-closure", -0.5}}};
+    if (plays) pose.clip = ClipTime{"performance", 0.7};
+    scene.set_pose(id, pose);
+    const dermis::Scene read = again();
+    const std::optional<RigPose>& of_file = read.instance(read.instances()[0]).pose;
+    ASSERT_TRUE(of_file && of_file->weights.size() == 2);
+    EXPECT_EQ(of_file->clip.has_value(), plays);
+    EXPECT_FALSE(read.instance(read.instances()[1]).pose);
+    const Apart a =
+        apart(*setup::flattened(api::placed_scene(scene)), *setup::flattened(api::placed_scene(read)));
+    EXPECT_EQ(a.positions + a.normals + a.tangents, 0);
+  }
+
+  const auto with = [&](const std::string& weights) {
+    tests::write_text(temp_.path() / "wrong.json",
+                      R"({"dermis_scene": 1, "assets": [{"name": "a", "file": ")" + file_.string() +
+                          R"("}], "instances": [{"asset": "a", "weights": )" + weights + "}]}");
+    return tests::thrown<InputError>([&] { dermis::Scene::load(temp_.path() / "wrong.json"); });
+  };
+  EXPECT_ERROR(with("{\"mouth-open\": 101}"), "mouth-open");
+  EXPECT_ERROR(with("{\"smile\": 1}"), "has no morph weight 'smile'");
+  EXPECT_ERROR(with("[1]"), "weights");
+}
+
 TEST_F(Character, FaultsAreOneLineAndChangeNothing) {
   const Warnings quiet;
   const Asset asset = Asset::load(file_);
@@ -138,9 +173,9 @@ TEST_F(Character, FaultsAreOneLineAndChangeNothing) {
                "more than");
   EXPECT_EQ(scene.instance(id).pose->clip->clip, "performance");
 
-  scene.set_pose(id, RigPose{.weights = {{"mouth-open", 1}}});
+  scene.set_pose(id, RigPose{.joints = {{.name = joint, .scale = std::array{1.0, 1.0, 2.0}}}});
   EXPECT_ERROR(tests::thrown<InputError>([&] { scene.save(temp_.path() / "scene.json"); }),
-               "it has a pose that is more than a clip at a time");
+               "it has a pose of two clips or of single joints");
   dermis::Scene still;
   const InstanceId ball =
       still.add({.asset = Asset::State::make(std::make_shared<const Scene>(sphere(0.1)))});

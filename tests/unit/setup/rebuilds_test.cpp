@@ -38,6 +38,7 @@ constexpr Exception exceptions[] = {
     {"quality.map_budget_mb", "heads in the studio", "a head by itself takes one square"},
     {"quality.kernel", "in screen space", "light maps have no kernels in the picture"},
     {"quality.taps", "in screen space", "nor taps"},
+    {"quality.blur_resolution", "in screen space", "nor are they blurred in it"},
     {"skin.shape_aware", "a profile of a medium", "published ones know none"},
     {"skin.mix", "skin alone", "light must enter all that it falls on, and eyes and teeth are no skin"},
 };
@@ -119,7 +120,8 @@ std::vector<Value> values_for(const std::string& path, const About& about) {
     return all;
   } else if constexpr (std::is_same_v<Value, std::string>) {
     static const std::map<std::string, std::vector<std::string>> texts{
-        {"technique", {"texture-space", "lambert", "separable", "burley-disc"}},
+        {"technique",
+         {"texture-space", "lambert", "screen-gaussians", "separable", "burley-disc", "pre-integrated"}},
         {"camera.name", {"", "side"}},
         {"lighting.environment", {"", "studio"}},
         {"skin.profile", {"skin", profile_file()}},

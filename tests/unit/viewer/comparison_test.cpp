@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "viewer/model/label_views.h"
 #include "viewer/model/shown_maps.h"
 #include "viewer/model/truth.h"
 
@@ -91,6 +94,37 @@ TEST(PixelValues, AreThoseUnderThePointer) {
   EXPECT_EQ(pixel->mapped_terms, 5);
   EXPECT_FALSE(pixel_at(painted, 1.0f, 0.5f));
   EXPECT_FALSE(pixel_at(painted, -0.1f, 0.5f));
+}
+
+TEST(LabelViews, HaveAColourForEachNumber) {
+  Painted painted{.labels = Labels{.width = 4, .height = 1}};
+  Labels& labels = *painted.labels;
+  labels.instance = {0, 1, 1, 2};
+  labels.material = {0, 1, 2, 1};
+  labels.region = {0, 0, 1, 3};
+  labels.depth_m = {std::numeric_limits<float>::infinity(), 1, 2, 3};
+  labels.normal = {0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0};
+
+  const auto pixel = [&](std::string_view view, std::size_t i) {
+    const std::vector<std::uint8_t> rgba = label_picture(painted, view);
+    EXPECT_EQ(rgba.size(), 16u) << view;
+    return rgba.size() == 16 ? std::array{rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2], rgba[4 * i + 3]}
+                             : std::array<std::uint8_t, 4>{};
+  };
+  for (const std::string_view view : label_views) {
+    EXPECT_TRUE(is_label_view(view));
+    EXPECT_EQ(pixel(view, 0), (std::array<std::uint8_t, 4>{0, 0, 0, 255})) << view;
+  }
+  EXPECT_EQ(pixel("instances", 1), pixel("instances", 2));
+  EXPECT_NE(pixel("instances", 1), pixel("instances", 3));
+  EXPECT_NE(pixel("materials", 1), pixel("materials", 2));
+  EXPECT_NE(pixel("regions", 1), pixel("regions", 2));
+  EXPECT_GT(pixel("depth", 1)[0], pixel("depth", 2)[0]);
+  EXPECT_EQ(pixel("normals", 1), (std::array<std::uint8_t, 4>{128, 128, 255, 255}));
+
+  EXPECT_FALSE(is_label_view("picture"));
+  EXPECT_TRUE(label_picture(painted, "picture").empty());
+  EXPECT_TRUE(label_picture({}, "regions").empty());
 }
 
 }  // namespace

@@ -45,6 +45,9 @@ TEST(Skin, OfMorePigmentSpreadsLess) {
   source.spectral.haemoglobin = 0.05;
   const double red = make_skin(source, true, {}).profile.total_reflectance[1];
   EXPECT_LT(red, pale);
+  // The curve of the model comes with the better one.
+  EXPECT_TRUE(make_skin(source, true, {}).curves.model.empty());
+  EXPECT_TRUE(needs_better(source));
 }
 
 TEST(Skin, QuickIsDiffusionAndABetterOneFollows) {

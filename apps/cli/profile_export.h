@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+/// What `dermis profile` writes for other renderers: the parameters of their systems, and kernels.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/profile_report.h"
+#include "cli/profile_source.h"
+
+namespace dermis::cli {
+
+struct ExportOptions {
+  std::string name;         ///< of a system or of a kernel; empty: nothing is exported
+  std::string folder;       ///< for a kernel's files; empty: JSON is printed
+  std::optional<int> taps;  ///< of a kernel
+  bool is_kernel() const;
+};
+
+/// What can be refused before the long work. Throws InputError: an unknown name (lists them), what does not
+/// go with it, a folder that cannot be written.
+void check_export(const ExportOptions& options);
+
+/// Writes the files of a kernel into the folder, each as a whole, if there is one. Returns what is printed.
+std::string exported(const Source& source, const Fitted& fitted, const ExportOptions& options);
+
+}  // namespace dermis::cli

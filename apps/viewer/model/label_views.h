@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// What each pixel shows, as colours: the labels of a session in place of its picture.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "viewer/model/painter.h"
+
+namespace dermis::viewer {
+
+inline constexpr std::array<std::string_view, 5> label_views{"instances", "materials", "regions", "depth",
+                                                             "normals"};
+bool is_label_view(std::string_view name);
+
+/// Returns four values per pixel. Nothing is black; numbers have colours far from each other, regions those
+/// of "no skin" grey, "skin" skin, nose and ear; what is near is bright; normals are 0.5 + n/2. Empty: no
+/// such view, or no labels.
+std::vector<std::uint8_t> label_picture(const Painted& painted, std::string_view view);
+
+}  // namespace dermis::viewer

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Shades the entries of a part by skin_pre_integrated.glsl. THROUGH: with transmitted light.
+#define COMPUTE_SHADING
+#include "passes/final_pass/pre_integrated_io.h"
+#include "passes/final_pass/shade_io.h"
+#include "shared/entries_io.h"
+#include "shared/scene_io.h"
+layout(local_size_x = ENTRY_GROUP) in;
+layout(push_constant, scalar) uniform Push { ShadeIo shade; };
+layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
+layout(binding = 25, scalar) buffer Entries { EntryIo entries[]; };
+layout(binding = 19, scalar) readonly buffer Curvature { float curvature[]; };
+#include "shaders/skin_vertex.glsl"
+#include "shaders/vertex_pull.glsl"
+#ifdef THROUGH
+layout(binding = 31, scalar) uniform Terms { ThroughTermsIo through_terms_io; };
+#define TRANSMISSION
+#define transmission through_terms_io.transmission
+#endif
+#include "passes/final_pass/skin_pre_integrated.glsl"
+const bool coarse = false, shape_aware = false;
+#include "passes/final_pass/shade_point.glsl"
+
+// Returns coordinates of the normal map per mm of the asset, of a triangle.
+float normal_uv_per_mm(uvec3 corners) {
+  const VertexIo a = vertices[corners.x], b = vertices[corners.y], c = vertices[corners.z];
+  const MapIo map = material.maps[MAP_NORMAL];
+  vec2 e = b.uv0 - a.uv0, f = c.uv0 - a.uv0;
+  if (map.uv_set != 0u) {
+    const vec2 first = vertex_extra(corners.x).uv1;
+    e = vertex_extra(corners.y).uv1 - first;
+    f = vertex_extra(corners.z).uv1 - first;
+  }
+  const float turned = map.u_axis.x * map.v_axis.y - map.u_axis.y * map.v_axis.x;
+  const vec3 p = world_position(b.position_m) - world_position(a.position_m),
+             q = world_position(c.position_m) - world_position(a.position_m);
+  const float area_mm2 = length(cross(p, q)) * scatter.mm_per_unit * scatter.mm_per_unit;
+  return sqrt(abs((e.x * f.y - e.y * f.x) * turned) / max(area_mm2, 1e-12));
+}
+
+void main() {
+  const uint number =
+      (gl_WorkGroupID.y * ENTRY_ROW + gl_WorkGroupID.x) * ENTRY_GROUP + gl_LocalInvocationIndex;
+  const EntryIo range = entries[shade.look.slot];  // a PartRangeIo
+  if (number >= range.y) return;
+  const uint place = range.x + number;
+  const EntryIo entry = entries[place];
+  zero = entry.y >> 31;  // never set: RANK_BITS and four samples
+  const SeenSkin seen = seen_skin(entry);
+  const float per_mm =
+      dot(seen.share, vec3(curvature[seen.corners.x], curvature[seen.corners.y], curvature[seen.corners.z]));
+  const vec3 radiance = skin_pre_integrated(seen.s, seen.on.unwrap, per_mm, normal_uv_per_mm(seen.corners));
+  entries[place] = EntryIo(packHalf2x16(radiance.xy), packHalf2x16(vec2(radiance.z, 0.0)));
+}
