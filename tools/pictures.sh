@@ -210,7 +210,8 @@ peers() {
 
 # A row per head: truth and techniques; below maps of FLIP.
 peers_row() {
-  compare $1 "${@:2}" --techniques all --model gaussians --shading compute --light 60,20 --size 200x230 --samples 128
+  compare $1 "${@:2}" --techniques all --model gaussians --shading compute --light 60,20 --size 200x230 \
+    --samples 128
   local id row=() errors=()
   for id in 0 3 4 5 6 2; do
     from_page $1 technique-$id
