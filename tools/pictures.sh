@@ -16,7 +16,7 @@ environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
 names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets
-  tone-maps turntable talking skins head-studio head-hard-light peers peers-heads)
+  tone-maps turntable talking skins head-studio head-hard-light head-beside-scan peers peers-heads)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -164,7 +164,35 @@ head-studio() { head_sheet $1 --environment studio --background studio --light 4
 
 head-hard-light() { head_sheet $1 --light 60,25,4 --ambient 0.03; }
 
-# Above the pictures, below their maps of errors.
+# The scan above, the built-in head below: three quarters, near the eye, the ear, the mouth; lit from behind.
+head-beside-scan() {
+  local studio="--environment studio --background studio --light 40,30,2"
+  local behind="--light 145,20,5 --ambient 0.03"
+  views_of $1-scan $scan.gltf "--eye 0.686,0.16,0.979 --target 0,0.055,0 --fov 17 $studio" \
+    "--eye 0.06,0.088,0.41 --target 0.029,0.093,0.09 --fov 9 $studio" \
+    "--eye 0.4,0.077,0.045 --target 0.075,0.067,0.005 --fov 13 $studio" \
+    "--eye 0.1,0.04,0.41 --target 0,0.025,0.1 --fov 11 $studio" \
+    "--eye 0.686,0.16,0.979 --target 0,0.055,0 --fov 17 $behind"
+  views_of $1-built-in built-in:light "--eye 0.686,0.105,0.979 --target 0,0,0 --fov 17 $studio" \
+    "--eye 0.06,0.03,0.4 --target 0.031,0.036,0.08 --fov 9 $studio" \
+    "--eye 0.4,0.03,0.03 --target 0.075,0.02,-0.01 --fov 13 $studio" \
+    "--eye 0.1,-0.02,0.4 --target 0,-0.035,0.09 --fov 11 $studio" \
+    "--eye 0.686,0.105,0.979 --target 0,0,0 --fov 17 $behind"
+  convert $out/$1-scan.png $out/$1-built-in.png -append -quality 88 -strip "docs/pictures/$1.jpg"
+}
+
+# views_of NAME HEAD VIEW...: a row of pictures, out/pictures/NAME.png
+views_of() {
+  local name=$1 head=$2 view row=()
+  shift 2
+  for view; do
+    # shellcheck disable=SC2086
+    render $name-${#row[@]} $head --size 288x320 --map-size 1024 $view
+    row+=("$out/$name-${#row[@]}.png")
+  done
+  convert "${row[@]}" +append "$out/$name.png"
+}
+
 # Truth and techniques; below maps of FLIP.
 peers() {
   compare peers --scene test:nose --techniques all --model gaussians --shading compute --size 240x240 \
@@ -182,7 +210,8 @@ peers() {
 
 # A row per head: truth and techniques; below maps of FLIP.
 peers_row() {
-  compare $1 "${@:2}" --techniques all --model gaussians --shading compute --light 60,20 --size 200x230 --samples 128
+  compare $1 "${@:2}" --techniques all --model gaussians --shading compute --light 60,20 --size 200x230 \
+    --samples 128
   local id row=() errors=()
   for id in 0 3 4 5 6 2; do
     from_page $1 technique-$id
