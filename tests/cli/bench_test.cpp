@@ -165,7 +165,8 @@ TEST_F(Bench, TechniquesAsColumns) {
   EXPECT_EQ(table.status, 0) << table.err;
   for (const char* part : {"burley-disc", "lambert", "against"})
     EXPECT_NE(table.out.find(part), std::string::npos) << part;
-  expect_refused(tiny({"--techniques", "oil"}), "texture-space, lambert, separable, burley-disc");
+  expect_refused(tiny({"--techniques", "oil"}),
+                 "texture-space, lambert, screen-gaussians, separable, burley-disc, pre-integrated");
 }
 
 TEST_F(Bench, ATableForPeopleAndAPage) {
