@@ -193,25 +193,9 @@ views_of() {
   convert "${row[@]}" +append "$out/$name.png"
 }
 
-# Truth and techniques; below maps of FLIP.
-peers() {
-  compare peers --scene test:nose --techniques all --model gaussians --shading compute --size 240x240 \
-    --samples 128 --supersample 1
-  local id row=() errors=()
-  for id in 0 3 4 5 6 2; do
-    from_page peers technique-$id
-    from_page peers technique-$id-error
-    row+=($out/peers-technique-$id.png) errors+=($out/peers-technique-$id-error.png)
-  done
-  from_page peers reference
-  convert \( $out/peers-reference.png "${row[@]}" +append \) \
-    \( -size 240x240 xc:black "${errors[@]}" +append \) -append -quality 88 -strip docs/pictures/$1.jpg
-}
-
-# A row per head: truth and techniques; below maps of FLIP.
+# peers_row NAME SIZE ARGUMENTS...: truth and techniques, below maps of FLIP; out/pictures/NAME.png
 peers_row() {
-  compare $1 "${@:2}" --techniques all --model gaussians --shading compute --light 60,20 --size 200x230 \
-    --samples 128
+  compare $1 "${@:3}" --techniques all --model gaussians --shading compute --size $2 --samples 128
   local id row=() errors=()
   for id in 0 3 4 5 6 2; do
     from_page $1 technique-$id
@@ -220,13 +204,18 @@ peers_row() {
   done
   from_page $1 reference
   convert \( $out/$1-reference.png "${row[@]}" +append \) \
-    \( -size 200x230 xc:black "${errors[@]}" +append \) -append $out/$1.png
+    \( -size $2 xc:black "${errors[@]}" +append \) -append $out/$1.png
+}
+
+peers() {
+  peers_row peers 240x240 --scene test:nose --supersample 1
+  convert $out/peers.png -quality 88 -strip docs/pictures/$1.jpg
 }
 
 peers-heads() {
-  peers_row peers-scan --scene $scan.gltf --fov 10 --shadow-size 4096
-  peers_row peers-african --scene "$makehuman/mh-african-man-young.glb" --fov 6
-  peers_row peers-asian --scene "$makehuman/mh-asian-woman-young.glb" --fov 6
+  peers_row peers-scan 200x230 --scene $scan.gltf --light 60,20 --fov 10 --shadow-size 4096
+  peers_row peers-african 200x230 --scene "$makehuman/mh-african-man-young.glb" --light 60,20 --fov 6
+  peers_row peers-asian 200x230 --scene "$makehuman/mh-asian-woman-young.glb" --light 60,20 --fov 6
   convert $out/peers-{scan,african,asian}.png -append -quality 85 -strip docs/pictures/$1.jpg
 }
 

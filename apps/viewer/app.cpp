@@ -179,8 +179,8 @@ void App::wish() {
                  .settings = settings,
                  .revision = wanted.revision,
                  .moving = moving,
-                 .timed = view_.timed,
-                 .labels = view_.loupe || is_label_view(view_.show)});
+                 .timed = wanted.timed,
+                 .labels = wanted.labels});
 }
 
 // When the panels may be drawn again.

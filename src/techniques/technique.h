@@ -215,8 +215,8 @@ struct GutterSize {
 struct TapRange {
   std::uint32_t least = 0, most = 0, usual = 0;
   bool odd = false;  ///< their number is odd
-  std::uint32_t published =
-      0;  ///< what ScreenKernel::published takes whatever is asked for; 0: what is asked for
+  /// How many ScreenKernel::published takes, whatever is asked for; 0: as many as are asked for.
+  std::uint32_t published = 0;
 };
 
 struct Technique {

@@ -27,27 +27,34 @@ bool has_kernel(const techniques::Technique& technique, ScreenKernel kernel) {
   return kernel != ScreenKernel::ue || technique.ue_kernel;
 }
 
-// One curve per kernel and resolution of the blur. Techniques that only filter shadows have no blur to halve.
+// The points of one kernel and resolution of the blur.
+void add_curve(const RenderSettings& common, const techniques::Technique& technique,
+               std::vector<QualitySetting>& to) {
+  const bool half = common.quality.blur_resolution == BlurResolution::half;
+  const std::string curve = fmt::format("{}, kernel {}{}", technique.name, name_of(common.quality.kernel),
+                                        half ? ", half resolution" : "");
+  const std::uint32_t fixed = common.quality.kernel == ScreenKernel::published ? technique.taps.published : 0;
+
+  for (const int taps : tap_counts) {
+    if (!can_have(technique.taps, taps)) continue;
+    if (fixed > 0 && static_cast<std::uint32_t>(taps) != fixed) continue;
+    RenderSettings s = common;
+    s.quality.taps = taps;
+    to.push_back({.curve = curve, .label = fmt::format("{} taps", taps), .settings = std::move(s)});
+  }
+}
+
+// Techniques that only filter shadows have no blur to halve.
 void add_taps(const RenderSettings& common, const techniques::Technique& technique,
               std::vector<QualitySetting>& to) {
   for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published, ScreenKernel::ue})
     for (const BlurResolution resolution : {BlurResolution::full, BlurResolution::half}) {
-      const bool half = resolution == BlurResolution::half;
-      if (!has_kernel(technique, kernel) || (half && !technique.taps_per_pixel)) continue;
-
-      for (const int taps : tap_counts) {
-        const std::uint32_t fixed = kernel == ScreenKernel::published ? technique.taps.published : 0;
-        if (!can_have(technique.taps, taps) || (fixed > 0 && static_cast<std::uint32_t>(taps) != fixed))
-          continue;
-        RenderSettings s = common;
-        s.quality.kernel = kernel;
-        s.quality.blur_resolution = resolution;
-        s.quality.taps = taps;
-        to.push_back({.curve = fmt::format("{}, kernel {}{}", technique.name, name_of(kernel),
-                                           half ? ", half resolution" : ""),
-                      .label = fmt::format("{} taps", taps),
-                      .settings = std::move(s)});
-      }
+      if (!has_kernel(technique, kernel)) continue;
+      if (resolution == BlurResolution::half && !technique.taps_per_pixel) continue;
+      RenderSettings s = common;
+      s.quality.kernel = kernel;
+      s.quality.blur_resolution = resolution;
+      add_curve(s, technique, to);
     }
 }
 

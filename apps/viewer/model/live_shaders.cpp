@@ -14,7 +14,6 @@
 #include "dermis/cancelled.h"
 #include "gpu/replaced_shader.h"
 #include "passes/shaders.h"
-#include "viewer/model/program.h"
 
 namespace dermis::viewer {
 namespace {
@@ -77,15 +76,7 @@ fs::file_time_type built_at() {
 }  // namespace
 
 ShaderFolder::ShaderFolder(fs::path folder, std::string compiler, Time built)
-    : folder_(std::move(folder)),
-      compiler_(std::move(compiler)),
-      output_(make_temporary_folder()),
-      built_(built) {}
-
-ShaderFolder::~ShaderFolder() {
-  std::error_code error;
-  fs::remove_all(output_, error);
-}
+    : folder_(std::move(folder)), compiler_(std::move(compiler)), built_(built) {}
 
 std::vector<fs::path> ShaderFolder::changed_files() {
   std::vector<fs::path> changed;
@@ -119,7 +110,7 @@ bool ShaderFolder::depends_on(const fs::path& file, const std::vector<fs::path>&
 
 void ShaderFolder::compile(const fs::path& shader, const std::atomic<bool>& stop) {
   const std::string name = shader.filename().string();
-  const std::string code = output_ + "/code.spv", said = output_ + "/said.txt";
+  const std::string code = output_.path() + "/code.spv", said = output_.path() + "/said.txt";
   const std::span<const std::uint32_t> ours = passes::find_shader(name);
 
   // As cmake/DermisShaders.cmake does.

@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+#include "viewer/model/program.h"
+
 namespace dermis::viewer {
 
 /// SPIR-V in the place of what the program was built with, by name ("blur.comp").
@@ -28,9 +30,6 @@ class ShaderFolder {
   /// `folder`: what #include is relative to, as src/ is. `compiler`: glslc. What is newer than `built` counts
   /// as changed.
   ShaderFolder(std::filesystem::path folder, std::string compiler, Time built);
-  ~ShaderFolder();
-  ShaderFolder(const ShaderFolder&) = delete;
-  ShaderFolder& operator=(const ShaderFolder&) = delete;
 
   /// Compiles what has changed since the last call, with all that includes it. Returns whether something has.
   /// Throws Cancelled: `stop` was set.
@@ -47,7 +46,8 @@ class ShaderFolder {
   void compile(const std::filesystem::path& shader, const std::atomic<bool>& stop);
 
   std::filesystem::path folder_;
-  std::string compiler_, output_;  ///< folder of what the compiler writes
+  std::string compiler_;
+  TemporaryFolder output_;  ///< of what the compiler writes
   Time built_;
   std::map<std::filesystem::path, Time> times_;
   std::map<std::string, std::string> errors_;  ///< by shader

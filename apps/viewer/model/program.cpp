@@ -64,6 +64,11 @@ std::string make_temporary_folder() {
   return name;
 }
 
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code error;
+  std::filesystem::remove_all(path_, error);
+}
+
 std::string last_line(const std::string& file) {
   std::ifstream in(file);
   std::string line, last;

@@ -25,6 +25,20 @@ std::string dermis_program();
 /// Makes an empty folder of this process. Throws InputError.
 std::string make_temporary_folder();
 
+/// Such a folder, removed with all that is in it when this ends.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_(make_temporary_folder()) {}
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
 /// Returns the last line of a file that is not empty.
 std::string last_line(const std::string& file);
 

@@ -77,14 +77,8 @@ std::vector<std::string> sequence_words(const Recording& recording,
 }
 
 std::string record(const std::vector<std::string>& words, const Hooks& hooks) {
-  const std::string folder = make_temporary_folder(), said = folder + "/said.txt";
-  struct Remove {
-    const std::string& folder;
-    ~Remove() {
-      std::error_code error;
-      std::filesystem::remove_all(folder, error);
-    }
-  } const remove{folder};
+  const TemporaryFolder folder;
+  const std::string said = folder.path() + "/said.txt";
 
   std::vector<std::string> all{dermis_program()};
   all.insert(all.end(), words.begin(), words.end());

@@ -52,16 +52,18 @@ float lit_distance_m(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   const MapLook m = look_into_map(light, q);
   if (!m.inside) return radius_m;
 
+  // Beside the edge the few texels of the ordinary filter know better where it is than taps far apart. Their
+  // weights sum to 1 but for rounding.
+  const float sharp = share_not_beyond(m);
+  const bool lit = sharp >= 1.0 - 1e-4, dark = sharp <= 1e-4;
+  if (!lit && !dark) return edge_in_tent(sharp) * texel_m;
+
   const MapRay ray = MapRay(m.clip, (m.from_world * vec4(a.to_light, 0.0)).zw);
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy),
              slope = depth_slope(m.from_world, m.clip, n_geometric, a.to_light) / size;
   // What is in shadow has an occluder, and may lie deep in a fold; beside what is lit up to 45 degrees are a
   // hollow.
-  const float sharp = share_not_beyond(m), rise = sharp < 0.5 ? 0.1 : 1.0;
+  const float rise = lit ? 1.0 : 0.1;
   const float wide_m = radius_m * edge_in_disc(disc_lit(m, ray, slope, radius_m, texel_m, rise));
-
-  // Beside the edge the few texels of the ordinary filter know better where it is than taps far apart. Their
-  // weights sum to 1 but for rounding.
-  if (sharp <= 1e-4) return min(wide_m, -2.0 * texel_m);
-  return sharp >= 1.0 - 1e-4 ? max(wide_m, 2.0 * texel_m) : edge_in_tent(sharp) * texel_m;
+  return lit ? max(wide_m, 2.0 * texel_m) : min(wide_m, -2.0 * texel_m);
 }
