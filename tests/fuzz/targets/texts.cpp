@@ -22,11 +22,11 @@ std::string written_again(std::string_view text) {
   const json::Document document(text, path.string(), api::scene_file_limits);
   const api::SceneFile file = api::read_scene_file(document.root(), path, {});
 
-  Scene::State state = file.scene.state();
+  dermis::Scene::State state = file.scene.state();
   for (std::size_t i = 0; i < state.instances.size(); ++i)
     state.instances[i].instance.asset = Asset::State::make(std::make_shared<const scene::Scene>(),
                                                            file.assets.at(file.asset_of_instance.at(i)));
-  return api::scene_file_text(Scene::State::make(std::move(state)), path);
+  return api::scene_file_text(dermis::Scene::State::make(std::move(state)), path);
 }
 
 }  // namespace
