@@ -7,7 +7,9 @@ usage: tools/motion_truth.py OUT HEAD.glb... [options]
 One hard light, the file at rest and evenly spread frames of its first clip. The reference of each is rendered
 once and kept in OUT, so that a second program is measured with the same. Prints the error of `texture-space`
 less noise, and how many times that of the rest pose it is; in brackets what the noise of the reference leaves
-open, one standard error.
+open, one standard error. With a --camera by --eye and --target, each frame is also drawn of the head *loaded*
+in its pose, all that is found of a shape found of that pose: what the posed picture's error is over that one's
+is what motion costs, and the rest is what there is to see in that view.
 """
 import argparse
 import json
@@ -24,17 +26,28 @@ def pose(frame, a):
     return [] if frame is None else ["--time", f"{frame * a.end / a.frames:.6g}"]
 
 
-def measure(head, frame, a):
+def loaded_in_pose(head, frame, a):
+    """Writes a scene file whose asset is loaded in the pose of a frame."""
+    file = pathlib.Path(a.out) / f"{pathlib.Path(head).stem}-{frame}.scene.json"
+    asset = {"name": "head", "file": str(pathlib.Path(head).resolve()), "clip": "",
+             "time_s": frame * a.end / a.frames}
+    file.write_text(json.dumps({"dermis_scene": 1, "assets": [asset], "instances": [{"asset": "head"}]}))
+    return file
+
+
+def measure(head, frame, a, loaded=False):
     """Errors by region of one picture: HDR-FLIP, relMSE less noise, relMSE of the noise, pixels."""
     out = pathlib.Path(a.out)
     name = f"{pathlib.Path(head).stem}-{'rest' if frame is None else frame}"
-    truth, variance, result = (out / f"{name}{end}" for end in (".exr", ".variance.exr", f"{a.tag}.json"))
-    scene = [*pose(frame, a), "--light", a.light, "--size", a.size, *a.camera.split()]
+    truth, variance = out / f"{name}.exr", out / f"{name}.variance.exr"
+    result = out / f"{name}{'-loaded' if loaded else ''}{a.tag}.json"
+    view = ["--light", a.light, "--size", a.size, *a.camera.split()]
     if not truth.exists():
-        run([a.dermis, "reference", head, *scene, "--samples", a.samples, "--variance", variance,
-             "-o", truth])
+        run([a.dermis, "reference", head, *pose(frame, a), *view, "--samples", a.samples,
+             "--variance", variance, "-o", truth])
     if not result.exists():
-        run([a.dermis, "compare", "--scene", head, *scene, "--reference", truth, "--variance", variance,
+        scene = [loaded_in_pose(head, frame, a)] if loaded else [head, *pose(frame, a)]
+        run([a.dermis, "compare", "--scene", *scene, *view, "--reference", truth, "--variance", variance,
              "--techniques", "texture-space", "--map-size", a.map_size, "--shadow-size", a.shadow_size,
              "--json", result])
     found = json.loads(result.read_text())
@@ -53,15 +66,17 @@ def uncertainty(error):
     return math.sqrt((4 * max(unbiased, 0) * noise + 2 * noise**2) / pixels)
 
 
-def row(region, rest, frames):
+def row(region, rest, frames, loaded):
     cells = [region, str(rest[3]), f"{rest[0]:.4f}", f"{rest[1]:.2e} ({uncertainty(rest):.0e})"]
-    for e in frames:
+    for e, same in zip(frames, loaded):
         if not e:
             cells.append("empty")
             continue
         ratio = e[1] / rest[1]
         open_ = ratio * math.hypot(uncertainty(e) / max(e[1], 1e-12), uncertainty(rest) / rest[1])
-        cells.append(f"{e[0] / rest[0]:.2f}, {ratio:.2f} ({open_:.2f}) of {e[3]}")
+        cells.append(f"{e[0] / rest[0]:.2f}, {ratio:.2f} ({open_:.2f}), {e[3]} px")
+        if same:
+            cells[-1] += f"; {e[0] / same[0]:.2f}, {e[1] / same[1]:.2f}"
     return "| " + " | ".join(cells) + " |"
 
 
@@ -87,12 +102,15 @@ def main():
     for head in a.heads:
         rest = measure(head, None, a)
         frames = [measure(head, frame, a) for frame in shown]
-        print(f"**{pathlib.Path(head).name}**: HDR-FLIP and relMSE less noise, over those of the rest pose\n")
+        controls = [measure(head, f, a, loaded=True) if "--eye" in a.camera else {} for f in shown]
+        print(f"**{pathlib.Path(head).name}**: HDR-FLIP and relMSE less noise, over those of the rest pose"
+              "; over those of the head loaded in the pose\n")
         print("| region | pixels | HDR-FLIP at rest | relMSE at rest | "
               + " | ".join(f"frame {frame}" for frame in shown) + " |")
         print("|---" * (4 + len(shown)) + "|")
         for region in rest:
-            print(row(region, rest[region], [f.get(region) for f in frames]))
+            print(row(region, rest[region], [f.get(region) for f in frames],
+                      [c.get(region) for c in controls]))
         print()
 
 

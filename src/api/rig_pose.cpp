@@ -159,7 +159,7 @@ std::shared_ptr<const setup::PosedAsset> posed_asset(const scene::Scene& asset,
   posed->rig = with_one_line_errors([&] { return scene::posed(*asset.rig, nodes, asset.name); });
   posed->all = scene::posed_bounds(*asset.rig, posed->rig, true);
   posed->skin = scene::posed_bounds(*asset.rig, posed->rig, false);
-  posed->reach = scene::reach_of(scene::posed_corners(*asset.rig, posed->rig));
+  posed->corners_m = scene::posed_corners(*asset.rig, posed->rig);
   if (!(posed->skin.sphere.radius_m > 0)) posed->skin = posed->all;
 
   const glm::vec3 far = glm::max(glm::abs(posed->all.low_m), glm::abs(posed->all.high_m));

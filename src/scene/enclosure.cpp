@@ -115,34 +115,4 @@ std::vector<glm::vec3> enclosing_corners(const Scene& scene) {
   });
 }
 
-Reach reach_of(std::span<const glm::vec3> points_m) {
-  const Slabs s =
-      slabs_around([&](const auto& visit) { std::for_each(points_m.begin(), points_m.end(), visit); });
-  Reach reach{};
-  for (std::size_t i = 0; i < axes; ++i) {
-    reach[2 * i] = s.high_m[i];
-    reach[2 * i + 1] = -s.low_m[i];
-  }
-  return reach;
-}
-
-Reach moved(const Reach& reach, const glm::dvec3& by_m) {
-  static const std::array<glm::dvec3, axes> axis = directions();
-  Reach out = reach;
-  for (std::size_t i = 0; i < axes; ++i) {
-    out[2 * i] += glm::dot(axis[i], by_m);
-    out[2 * i + 1] -= glm::dot(axis[i], by_m);
-  }
-  return out;
-}
-
-double growth_to_hold(const Reach& body, const Reach& points, const glm::dvec3& centre_m) {
-  const Reach from_centre = moved(body, -centre_m), needed = moved(points, -centre_m);
-  double growth = 1;
-  for (std::size_t i = 0; i < body.size(); ++i)
-    if (needed[i] > from_centre[i])
-      growth = std::max(growth, from_centre[i] > 0 ? needed[i] / from_centre[i] : INFINITY);
-  return growth;
-}
-
 }  // namespace dermis::scene

@@ -115,33 +115,6 @@ std::vector<int> map_sides(const RenderSettings& s) {
   return sides;
 }
 
-Casters shadow_casters(const Subject& subject, const PosedAsset* posed) {
-  const scene::BoundingSphere& rest = subject.casters;
-  Casters casters{rest, subject.caster_corners_m};
-  if (!posed || !(rest.radius_m > 0)) return casters;
-  const auto by_steps = [](double growth) {
-    return static_cast<float>(std::exp2(std::ceil(8 * std::log2(growth)) / 8));
-  };
-
-  // The body as it was loaded goes along by steps, then grows about its middle by steps.
-  const float step_m = rest.radius_m / 2;
-  const glm::vec3 shift_m = glm::round((posed->all.sphere.centre_m - rest.centre_m) / step_m) * step_m;
-  casters.sphere.centre_m += shift_m;
-  const double needed_m = double{glm::distance(casters.sphere.centre_m, posed->all.sphere.centre_m)} +
-                          double{posed->all.sphere.radius_m};
-  casters.sphere.radius_m *= by_steps(std::max(needed_m / double{rest.radius_m}, 1.0));
-
-  const double growth = scene::growth_to_hold(
-      scene::reach_of(casters.corners_m), scene::moved(posed->reach, -glm::dvec3(shift_m)), rest.centre_m);
-  if (!(growth <= 4)) {  // a flat one that left its plane: the sphere is tighter
-    casters.corners_m.clear();
-    return casters;
-  }
-  for (glm::vec3& p_m : casters.corners_m)
-    p_m = casters.sphere.centre_m + (p_m - rest.centre_m) * by_steps(growth);
-  return casters;
-}
-
 bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose, const PosedAsset* posed) {
   const scene::BoundingSphere sphere = pose.sphere(posed ? posed->all.sphere : subject.casters);
   const glm::vec4 centre(sphere.centre_m, 1);

@@ -34,14 +34,4 @@ std::vector<int> map_sides(const RenderSettings& settings);
 bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose,
              const PosedAsset* posed = nullptr);
 
-/// What shadow maps of a head are fitted to, in its own coordinates: see passes::ShadowBounds.
-struct Casters {
-  scene::BoundingSphere sphere;
-  std::vector<glm::vec3> corners_m;
-};
-
-/// Returns what casts the shadows of a head. In a pose it moves by half a radius and grows by 9 % at a time,
-/// so that the texels of a shadow map stay where they are while a head moves a little.
-Casters shadow_casters(const Subject& subject, const PosedAsset* posed);
-
 }  // namespace dermis::setup

@@ -12,6 +12,7 @@
 #include "scene/framing.h"
 #include "setup/background.h"
 #include "setup/camera_matrices.h"
+#include "setup/casters.h"
 #include "setup/choose.h"
 #include "setup/frame_camera.h"
 #include "setup/models.h"
@@ -54,15 +55,9 @@ const HostShadow* host_shadow(const HostSetup* host, std::size_t light) {
   return found == host->shadows.end() ? nullptr : &*found;
 }
 
-// Writes the corners of what casts a head's shadow in the world; none where the host moves its vertices,
-// which may leave the body between them.
-void place_corners(const Casters& casters, const PlacedHead& placed, const HostSetup* host,
-                   std::vector<glm::vec3>& corners_m) {
-  corners_m.clear();
-  if (host &&
-      std::find(host->deformed.begin(), host->deformed.end(), placed.instance) != host->deformed.end())
-    return;
-  for (const glm::vec3& p_m : casters.corners_m) corners_m.push_back(placed.pose.position(p_m));
+bool is_deformed(const HostSetup* host, const PlacedHead& placed) {
+  return host &&
+         std::find(host->deformed.begin(), host->deformed.end(), placed.instance) != host->deformed.end();
 }
 
 std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Subject* const> subjects,
@@ -70,7 +65,6 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
                                     const scene::Camera& camera, const io::CameraIo& frame_camera,
                                     const std::vector<scene::Light>& lights, const HostSetup* host) {
   std::vector<HeadSetup> heads;
-  std::vector<glm::vec3> corners_m;
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
   for (const PlacedHead& placed : placed_heads) {
@@ -82,16 +76,14 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
                    .middle_m = placed.pose.position((posed ? posed->skin : subject.bounds).sphere.centre_m),
                    .lights = {},
                    .shadow_from_world = {}};
-    const Casters of_asset = shadow_casters(subject, posed);
-    place_corners(of_asset, placed, host, corners_m);
-    const passes::ShadowBounds casters{placed.pose.sphere(of_asset.sphere), corners_m};
+    const Casters casters(subject, posed, placed.pose, is_deformed(host, placed));
 
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const HostShadow* of_host = host_shadow(host, i);
       const passes::ShadowFit fit =
           of_host
               ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world}, .texel = of_host->texel}
-              : passes::fit_shadow(lights[i], casters, s.quality.shadow_size);
+              : passes::fit_shadow(lights[i], casters.bounds(), s.quality.shadow_size);
       if (of_host) {
         head.host_shadows.resize(head.shadow_from_world.size());
         head.host_shadows.push_back({of_host->depth, of_host->reversed});

@@ -11,7 +11,6 @@
 
 #include "dermis/settings.h"
 #include "gaussians/sum.h"
-#include "scene/enclosure.h"
 #include "scene/rig.h"
 #include "scene/scene.h"
 
@@ -40,8 +39,8 @@ std::optional<Pose> pose_of(const std::array<double, 16>& world_from_asset);
 /// An asset in a pose of its joints and morph targets, in its own coordinates.
 struct PosedAsset {
   scene::PosedRig rig;
-  scene::Bounds skin, all;  ///< hold its vertices, not tightly
-  scene::Reach reach{};     ///< of the same
+  scene::Bounds skin, all;           ///< hold its vertices, not tightly
+  std::vector<glm::vec3> corners_m;  ///< their convex hull does so more tightly
 };
 
 struct PlacedAsset {

@@ -38,11 +38,24 @@ glm::mat4 orthographic(float half, float near_m, float far_m) {
   return m;
 }
 
+float radius_of(const ShadowBounds& bounds) { return std::max(bounds.sphere.radius_m, 1e-6f); }
+
+// Of a map, so that a few texels keep the filter inside.
+float margin_of(float size) { return 1 + 8 / size; }
+
+// Shifts what is projected, so that `middle` (-1 to 1 across the map) becomes its middle.
+glm::mat4 off_axis(const glm::vec2& middle) {
+  glm::mat4 m(1);
+  m[3] = glm::vec4(-middle, 0, 1);
+  return m;
+}
+
 // The part of a light's view that is drawn.
 struct Window {
-  glm::mat4 view_from_world;  // its middle is on the axis
-  float half = 0;             // half its side: m, or m per m of distance
+  glm::mat4 view_from_world;
+  float half = 0;  // half its side: m, or m per m of distance
   float near_m = 0, far_m = 0;
+  glm::vec2 middle{0};  // off the axis, as `half`
 };
 
 // A square around points of a plane.
@@ -101,7 +114,8 @@ void narrow_depth(Window& window, std::span<const glm::vec3> points_m, float mar
   window.far_m = std::min(window.far_m, farthest_m + margin_m);
 }
 
-Window directional_window(const glm::vec3& direction, const ShadowBounds& bounds, float radius_m) {
+Window directional_window(const glm::vec3& direction, const ShadowBounds& bounds) {
+  const float radius_m = radius_of(bounds);
   const glm::vec3 eye = bounds.sphere.centre_m - direction * (2 * radius_m);
   Window window{view(eye, direction), radius_m, 0.9f * radius_m, 3.1f * radius_m};
   if (bounds.corners_m.empty()) return window;
@@ -118,8 +132,15 @@ Window directional_window(const glm::vec3& direction, const ShadowBounds& bounds
   return window;
 }
 
+bool is_outside(const glm::vec3& position_m, const ShadowBounds& bounds) {
+  return glm::distance(bounds.sphere.centre_m, position_m) > 1.1f * radius_of(bounds);
+}
+
+glm::vec2 on_plane(const glm::vec3& p) { return glm::vec2(p) / -p.z; }
+
 // For a light outside the sphere.
-Window perspective_window(const glm::vec3& position_m, const ShadowBounds& bounds, float radius_m) {
+Window perspective_window(const glm::vec3& position_m, const ShadowBounds& bounds) {
+  const float radius_m = radius_of(bounds);
   const glm::vec3 to_centre = bounds.sphere.centre_m - position_m;
   const float distance = glm::length(to_centre);
   const float sine = radius_m / distance;
@@ -129,8 +150,7 @@ Window perspective_window(const glm::vec3& position_m, const ShadowBounds& bound
 
   const auto tangents = [](const glm::mat4& view_from_world) {
     return [view_from_world](const glm::vec3& p_m) {
-      const glm::vec3 p(view_from_world * glm::vec4(p_m, 1));
-      return glm::vec2(p) / -p.z;
+      return on_plane(glm::vec3(view_from_world * glm::vec4(p_m, 1)));
     };
   };
 
@@ -151,6 +171,70 @@ Window perspective_window(const glm::vec3& position_m, const ShadowBounds& bound
   return tight;
 }
 
+// Where points lie in a light's view.
+struct Extent {
+  glm::vec2 low{HUGE_VALF}, high{-HUGE_VALF};
+  float nearest_m = HUGE_VALF, farthest_m = -HUGE_VALF;
+};
+
+template <class Project>
+Extent extent_of(std::span<const glm::vec3> points_m, const glm::mat4& view_from_world,
+                 const Project& project) {
+  Extent extent;
+  for (const glm::vec3& p_m : points_m) {
+    const glm::vec3 p(view_from_world * glm::vec4(p_m, 1));
+    const glm::vec2 at = project(p);
+    extent.low = glm::min(extent.low, at);
+    extent.high = glm::max(extent.high, at);
+    extent.nearest_m = std::min(extent.nearest_m, -p.z);
+    extent.farthest_m = std::max(extent.farthest_m, -p.z);
+  }
+  return extent;
+}
+
+// Returns the window of the rest, with sides by steps and shifted by whole texels to hold what has moved.
+Window steady_window(const Window& rest, const Extent& extent, float size) {
+  const glm::vec2 sides = extent.high - extent.low, middle = 0.5f * (extent.low + extent.high);
+  // Half a texel more, by which the middle may be off.
+  const float needed = std::max(0.5f * std::max(sides.x, sides.y), 1e-3f * rest.half) * (1 + 1 / size);
+
+  Window window = rest;
+  window.half = rest.half * std::exp2(std::ceil(16 * std::log2(needed / rest.half)) / 16);
+  const float texel = 2 * window.half * margin_of(size) / size;
+  window.middle = glm::round(middle / texel) * texel;
+  return window;
+}
+
+Window directional_window(const glm::vec3& direction, const ShadowBounds& bounds, float size) {
+  if (!bounds.rest) return directional_window(direction, bounds);
+  const Window rest = directional_window(direction, *bounds.rest);
+  const Extent extent =
+      extent_of(bounds.corners_m, rest.view_from_world, [](const glm::vec3& p) { return glm::vec2(p); });
+
+  Window window = steady_window(rest, extent, size);
+  const float margin_m = 0.1f * radius_of(bounds);
+  window.near_m = extent.nearest_m - margin_m;
+  window.far_m = extent.farthest_m + margin_m;
+  return window;
+}
+
+Window perspective_window(const glm::vec3& position_m, const ShadowBounds& bounds, float size) {
+  if (!bounds.rest || !is_outside(position_m, *bounds.rest)) return perspective_window(position_m, bounds);
+  const Window rest = perspective_window(position_m, *bounds.rest);
+  const Extent extent = extent_of(bounds.corners_m, rest.view_from_world, on_plane);
+
+  // What has moved far off the axis would have stretched texels.
+  constexpr float most_off_axis = 0.5f;
+  const glm::vec2 off_axis = 0.5f * glm::abs(extent.low + extent.high);
+  if (!(extent.nearest_m > 0) || std::max(off_axis.x, off_axis.y) > most_off_axis)
+    return perspective_window(position_m, bounds);
+
+  Window window = steady_window(rest, extent, size);
+  window.near_m = std::max(0.9f * extent.nearest_m, extent.nearest_m - 0.1f * radius_of(bounds));
+  window.far_m = extent.farthest_m + 0.1f * radius_of(bounds);
+  return window;
+}
+
 // For a light inside the sphere, or nearly: one layer per direction of the axes.
 ShadowFit cube(const glm::vec3& position_m, const scene::BoundingSphere& sphere, float radius_m, float margin,
                float size) {
@@ -166,22 +250,21 @@ ShadowFit cube(const glm::vec3& position_m, const scene::BoundingSphere& sphere,
 }  // namespace
 
 ShadowFit fit_shadow(const scene::Light& light, const ShadowBounds& bounds, int map_size) {
-  // A margin of a few texels keeps the filter inside the map.
-  const float size = static_cast<float>(map_size), margin = 1 + 8 / size;
-  const float radius_m = std::max(bounds.sphere.radius_m, 1e-6f);
-
+  const float size = static_cast<float>(map_size), margin = margin_of(size);
   if (light.type == scene::LightType::directional) {
-    const Window w = directional_window(light.direction, bounds, radius_m);
+    const Window w = directional_window(light.direction, bounds, size);
     const float half_m = w.half * margin;
-    return {{orthographic(half_m, w.near_m, w.far_m) * w.view_from_world}, 2 * half_m / size};
+    return {{off_axis(w.middle / half_m) * orthographic(half_m, w.near_m, w.far_m) * w.view_from_world},
+            2 * half_m / size};
   }
 
-  if (glm::distance(bounds.sphere.centre_m, light.position_m) > 1.1f * radius_m) {
-    const Window w = perspective_window(light.position_m, bounds, radius_m);
+  if (is_outside(light.position_m, bounds)) {
+    const Window w = perspective_window(light.position_m, bounds, size);
     const float tan_half = w.half * margin;
-    return {{perspective(tan_half, w.near_m, w.far_m) * w.view_from_world}, 2 * tan_half / size};
+    return {{off_axis(w.middle / tan_half) * perspective(tan_half, w.near_m, w.far_m) * w.view_from_world},
+            2 * tan_half / size};
   }
-  return cube(light.position_m, bounds.sphere, radius_m, margin, size);
+  return cube(light.position_m, bounds.sphere, radius_of(bounds), margin, size);
 }
 
 }  // namespace dermis::passes

@@ -23,10 +23,14 @@ struct ShadowBounds {
   /// Of a convex body that holds all of it, such as scene::enclosing_corners(); none: only the sphere is
   /// known.
   std::span<const glm::vec3> corners_m;
+  /// The same as it was loaded, of what moves from frame to frame.
+  const ShadowBounds* rest = nullptr;
 };
 
 /// Returns one layer that holds what casts a shadow, as tight as corners or sphere say, for a light outside
-/// the sphere; six layers for a light inside. map_size in texels.
+/// the sphere; six layers for a light inside. map_size in texels. What moves has its texels where those of
+/// its rest lie, with sides by steps of 4.4 %: from frame to frame the map shifts by whole texels, so that
+/// edges of shadows do not crawl, and seldom changes its size.
 ShadowFit fit_shadow(const scene::Light& light, const ShadowBounds& bounds, int map_size);
 
 }  // namespace dermis::passes

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+/// What shadow maps of a head are fitted to.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "passes/shadow/fit.h"
+#include "setup/placed_scene.h"
+#include "setup/subject.h"
+
+namespace dermis::setup {
+
+/// What casts the shadows of a head, in the world.
+class Casters {
+ public:
+  /// `posed`: of a head in a pose, else null. `deformed`: a host moves its vertices, which may leave the body
+  /// between the corners; only its sphere is known.
+  Casters(const Subject& subject, const PosedAsset* posed, const Pose& pose, bool deformed = false);
+  Casters(const Casters&) = delete;
+  Casters& operator=(const Casters&) = delete;
+
+  /// Lives as long as this.
+  passes::ShadowBounds bounds() const { return {sphere_, corners_m_, moves_ ? &rest_ : nullptr}; }
+
+ private:
+  std::vector<glm::vec3> rest_corners_m_, corners_m_;
+  passes::ShadowBounds rest_;
+  scene::BoundingSphere sphere_;
+  bool moves_ = false;
+};
+
+}  // namespace dermis::setup
