@@ -8,7 +8,7 @@ One hard light, the file at rest and evenly spread frames of its first clip. The
 once and kept in OUT, so that a second program is measured with the same. Prints the error of `texture-space`
 less noise, and how many times that of the rest pose it is; in brackets what the noise of the reference leaves
 open, one standard error. With a --camera by --eye and --target, each frame is also drawn of the head *loaded*
-in its pose, all that is found of a shape found of that pose: what the posed picture's error is over that one's
+in its pose, where all that is found of a shape is of that pose, against a reference of its own: error over error
 is what motion costs, and the rest is what there is to see in that view.
 """
 import argparse
@@ -38,15 +38,14 @@ def loaded_in_pose(head, frame, a):
 def measure(head, frame, a, loaded=False):
     """Errors by region of one picture: HDR-FLIP, relMSE less noise, relMSE of the noise, pixels."""
     out = pathlib.Path(a.out)
-    name = f"{pathlib.Path(head).stem}-{'rest' if frame is None else frame}"
-    truth, variance = out / f"{name}.exr", out / f"{name}.variance.exr"
-    result = out / f"{name}{'-loaded' if loaded else ''}{a.tag}.json"
+    name = f"{pathlib.Path(head).stem}-{'rest' if frame is None else frame}{'-loaded' if loaded else ''}"
+    truth, variance, result = (out / f"{name}{end}" for end in (".exr", ".variance.exr", f"{a.tag}.json"))
+    scene = [loaded_in_pose(head, frame, a)] if loaded else [head, *pose(frame, a)]
     view = ["--light", a.light, "--size", a.size, *a.camera.split()]
     if not truth.exists():
-        run([a.dermis, "reference", head, *pose(frame, a), *view, "--samples", a.samples,
-             "--variance", variance, "-o", truth])
+        run([a.dermis, "reference", *scene, *view, "--samples", a.samples, "--variance", variance,
+             "-o", truth])
     if not result.exists():
-        scene = [loaded_in_pose(head, frame, a)] if loaded else [head, *pose(frame, a)]
         run([a.dermis, "compare", "--scene", *scene, *view, "--reference", truth, "--variance", variance,
              "--techniques", "texture-space", "--map-size", a.map_size, "--shadow-size", a.shadow_size,
              "--json", result])
@@ -66,17 +65,22 @@ def uncertainty(error):
     return math.sqrt((4 * max(unbiased, 0) * noise + 2 * noise**2) / pixels)
 
 
+def over(error, other):
+    """The ratio of two relMSE, and what noise leaves open of it."""
+    ratio = error[1] / other[1]
+    open_ = ratio * math.hypot(uncertainty(error) / max(error[1], 1e-12), uncertainty(other) / other[1])
+    return f"{ratio:.2f} ({open_:.2f})"
+
+
 def row(region, rest, frames, loaded):
     cells = [region, str(rest[3]), f"{rest[0]:.4f}", f"{rest[1]:.2e} ({uncertainty(rest):.0e})"]
     for e, same in zip(frames, loaded):
         if not e:
             cells.append("empty")
             continue
-        ratio = e[1] / rest[1]
-        open_ = ratio * math.hypot(uncertainty(e) / max(e[1], 1e-12), uncertainty(rest) / rest[1])
-        cells.append(f"{e[0] / rest[0]:.2f}, {ratio:.2f} ({open_:.2f}), {e[3]} px")
+        cells.append(f"{e[0] / rest[0]:.2f}, {over(e, rest)}, {e[3]} px")
         if same:
-            cells[-1] += f"; {e[0] / same[0]:.2f}, {e[1] / same[1]:.2f}"
+            cells[-1] += f"; {e[0] / same[0]:.2f}, {over(e, same)}"
     return "| " + " | ".join(cells) + " |"
 
 
