@@ -96,6 +96,9 @@ struct AssetSkin {
   AssetMap displacement{};              ///< heights in red, become fine normals
   float displacement_mm = 0;            ///< from black to white, 0 to 100
   float displacement_middle = 0.5f;     ///< the value of no height, 0 to 1
+  /// Normals finer than the normal map, in its tangent space: a tile, repeated by its transform.
+  AssetMap detail{};
+  float detail_scale = 1;  ///< multiplies its slopes, 0 to 10
   /// 1 or 2, weights summing to 1 within 1e-3. Empty: factors 0.75 and 1.3, weights 0.85 and 0.15.
   std::vector<AssetLobe> lobes{};
 };

@@ -25,13 +25,15 @@ gpu::Buffer positions(gpu::Device& device, const gpu::Buffer& vertices) {
 }
 
 // A map that a shader writes, where nothing is known yet: no light, nothing occluded.
-gpu::Texture written_map(gpu::Device& device, const std::string& name, std::uint32_t side) {
+gpu::Texture written_map(gpu::Device& device, const std::string& name, std::uint32_t side,
+                         std::uint32_t layers = 1) {
   gpu::Texture map(device, name,
                    {.width = side,
                     .height = side,
+                    .layers = layers,
                     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
                     .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT});
-  std::vector<std::uint16_t> halves(std::size_t{side} * side * 4, 0);
+  std::vector<std::uint16_t> halves(std::size_t{side} * side * layers * 4, 0);
   for (std::size_t i = 3; i < halves.size(); i += 4) halves[i] = image::float_to_half(1);
   gpu::upload(device, map, std::as_bytes(std::span(halves)));
   return map;
@@ -90,8 +92,7 @@ void PosedInstances::make_sky(gpu::Device& device, Posed& posed) {
   for (std::size_t i = 0; i < subject.skin.size(); ++i) {
     const auto side = static_cast<std::uint32_t>(posed.asset->bent_normal[i].side);
     const std::string& name = scene.skin[i].name;
-    made.push_back({.direct = written_map(device, name + " sky posed", side),
-                    .bounced = written_map(device, name + " sky posed, bounced", side),
+    made.push_back({.light = written_map(device, name + " sky posed", side, 2),
                     .bent_normal = written_map(device, name + " bent normal posed", side),
                     .turns = {device, name + " turns",
                               gpu::BufferDesc{.bytes = subject.skin[i].vertices.size() * sizeof(glm::vec4),

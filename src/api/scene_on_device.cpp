@@ -48,7 +48,7 @@ void add_bent_normals(gpu::Device& device, SharedAsset& asset) {
         environment::cached_occlusion(*asset.subject.scene, asset.subject.skin[i], cache::default_folder(),
                                       {.side = environment::occlusion_side(meshes)});
     asset.gpu->skin[i].bent_normal =
-        passes::unwrap_map(device, asset.gpu->skin[i].name + " bent normal", seen.side, seen.values);
+        passes::unwrap_map(device, asset.gpu->skin[i].name + " bent normal", seen.side, {&seen.values});
     // Free what the device has now; each new sky needs only the rest.
     seen.values = {};
     asset.bent_normal.push_back(std::move(seen));

@@ -5,6 +5,7 @@
 
 #include "builtin_head/head_rig.h"
 #include "builtin_head/kept.h"
+#include "builtin_head/microrelief.h"
 #include "builtin_head/parts.h"
 #include "builtin_head/unwrap.h"
 #include "core/error.h"
@@ -62,6 +63,8 @@ scene::Material make_material() {
   m.normal_map = map_ref(1, 0);
   m.skin_settings.specular = map_ref(2, 0);
   m.skin_settings.roughness = map_ref(2, 1);
+  m.skin_settings.detail.image = 3;
+  m.skin_settings.detail.transform = glm::mat3x2(tiles_per_chart, 0, 0, tiles_per_chart, 0, 0);
   return m;
 }
 
@@ -101,6 +104,7 @@ scene::Scene make(const Settings& settings) {
   add("built-in colour", std::move(baked.maps.colour));
   add("built-in normal", std::move(baked.maps.normal));
   add("built-in specular and roughness", std::move(baked.maps.reflection));
+  add("built-in detail", microrelief(std::max(size / 4, 16)));
   add_eyes(bust, scene, complexion(settings.tone).colours, std::clamp(size / 4, 64, 512));
   add_teeth(scene);
   add_hair_cards(bust, scene, complexion(settings.tone).colours, std::clamp(size / 2, 64, 1024));

@@ -70,7 +70,7 @@ Region Skin::region(const vec3& p) const {
   r.neck = 1.0f - smooth_step(-128, -108, q.y + 0.35f * (80 - q.z));
   const float nape = smooth_step(-10, -40, q.y) * smooth_step(-10, -40, q.z);  // cut shorter there
   r.scalp =
-      smooth_step(-7 - 6 * nape, 12 + 22 * nape, inside_hairline(q) + 4.0f * gradient_noise(p * 0.22f, 3)) *
+      smooth_step(-9 - 4 * nape, 22 + 12 * nape, inside_hairline(q) + 4.0f * gradient_noise(p * 0.22f, 3)) *
       (1 - r.ear);
   if (face <= 0) {
     r.line = tension_line(q, r) * vec3(p.x > 0 ? 1 : -1, 1, 1);
@@ -123,11 +123,11 @@ float Skin::crop(const vec3& p, const Region& r, SkinWalk& walk) const {
   for (int layer = 0; layer < 2; ++layer) {
     const Cell c = walk.crop[layer](bent * (layer == 0 ? 1.7f : 2.6f), 0.88f * flow);
     if (unit(c.id) > 1.15f * r.scalp) continue;
-    bare *= 1 - (0.45f + 0.40f * r.scalp) * (0.7f + 0.3f * unit(c.id * 2246822519u)) *
+    bare *= 1 - (0.45f + 0.25f * r.scalp) * (0.7f + 0.3f * unit(c.id * 2246822519u)) *
                     (1 - smooth_step(0.10f, 0.42f, c.nearest));
   }
   // Roots, and hairs that are finer than a texel.
-  return 1 - bare * (1 - 0.72f * r.scalp);
+  return 1 - bare * (1 - 0.56f * r.scalp);
 }
 
 vec3 Skin::tint(const vec3& p, const Region& r, float pore, SkinWalk& walk) const {

@@ -220,6 +220,9 @@ void FixedFunctions::fill(VkGraphicsPipelineCreateInfo& info) const {
   info.pDynamicState = &dynamic;
 }
 
+// What every device allows (maxPushDescriptors), however many the one at hand does.
+constexpr std::uint32_t most_push_descriptors = 32;
+
 VkSamplerAddressMode address_of(Address address) {
   switch (address) {
     case Address::repeat: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
@@ -270,8 +273,12 @@ void PipelineLibrary::State::create_layout(Entry& entry, VkShaderStageFlags stag
                        interface.push_bytes, device->summary().name, device->limits().max_push_bytes);
 
   std::vector<VkDescriptorSetLayoutBinding> bindings;
-  for (const BindingSlot& slot : interface.bindings)
+  std::uint32_t descriptors = 0;
+  for (const BindingSlot& slot : interface.bindings) {
     bindings.push_back({slot.binding, type_of(slot.kind), slot.count, stages, nullptr});
+    descriptors += slot.count;
+  }
+  DERMIS_ASSERT_LE(descriptors, most_push_descriptors);
   VkDescriptorSetLayoutCreateInfo set_info{};
   set_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
   set_info.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;

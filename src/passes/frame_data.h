@@ -30,9 +30,10 @@ struct MapPlace {
   std::uint32_t batch = 0;  ///< turn of the pool in which the light is there
 };
 
-/// RGBA16F over the unwrap of a skin mesh, environment::SkyLight.
+/// RGBA16F over the unwrap of a skin mesh, environment::SkyLight: a layer of what is direct, one of what has
+/// bounced. One texture in place of two: devices may have no more than 32 bindings.
 struct SkyMaps {
-  gpu::Texture direct, bounced;
+  gpu::Texture light;
 };
 
 /// A shadow map of a host, in the place of one layer.
@@ -50,9 +51,9 @@ struct PosedShape {
   std::vector<gpu::Buffer> skin_vertices;  ///< SkinVertexIo[], one per skin mesh: with the moved metric
   /// What its skin sees of the sky, one per skin mesh; empty until there is an environment. RGBA16F.
   struct Sky {
-    gpu::Texture direct, bounced;  ///< as SkyMaps
-    gpu::Texture bent_normal;      ///< as GpuMesh::bent_normal
-    gpu::Buffer turns;             ///< vec4[], per vertex: the quaternion from the asset to the pose
+    gpu::Texture light;        ///< as SkyMaps
+    gpu::Texture bent_normal;  ///< as GpuMesh::bent_normal
+    gpu::Buffer turns;         ///< vec4[], per vertex: the quaternion from the asset to the pose
   };
   std::vector<Sky> sky;
 };

@@ -63,6 +63,7 @@ std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
   if (m.skin) {
     maps[MAP_SPECULAR] = m.skin_settings.specular;
     maps[MAP_ROUGHNESS] = m.skin_settings.roughness;
+    maps[MAP_DETAIL] = m.skin_settings.detail;
 
     // If the skin names no roughness map of its own, glTF's metallic-roughness map is used: G times the
     // factor.
@@ -104,10 +105,14 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   return c;
 }
 
-gpu::Texture single_texel(gpu::Device& device, const char* name, std::array<std::uint8_t, 4> rgba) {
-  gpu::Texture texture(
-      device, name,
-      {.width = 1, .height = 1, .format = VK_FORMAT_R8G8B8A8_UNORM, .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
+gpu::Texture single_texel(gpu::Device& device, const char* name, std::array<std::uint8_t, 4> rgba,
+                          bool array = false) {
+  gpu::Texture texture(device, name,
+                       {.width = 1,
+                        .height = 1,
+                        .format = VK_FORMAT_R8G8B8A8_UNORM,
+                        .usage = VK_IMAGE_USAGE_SAMPLED_BIT,
+                        .array = array});
   gpu::upload(device, texture, std::as_bytes(std::span(rgba)));
   return texture;
 }
@@ -214,6 +219,7 @@ void GpuMaterial::offer(Bindings& bindings) const {
       .add("map_specular", maps[MAP_SPECULAR])
       .add("map_emissive", maps[MAP_EMISSIVE])
       .add("map_specular_colour", maps[MAP_SPECULAR_COLOUR])
+      .add("map_detail", maps[MAP_DETAIL])
       .add("map_alpha_max", alpha_max);
 }
 
@@ -226,15 +232,19 @@ void GpuMesh::offer(Bindings& bindings) const {
 }
 
 gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
-                        const std::vector<float>& values) {
+                        std::initializer_list<const std::vector<float>*> layers) {
   const auto texels = static_cast<std::uint32_t>(side);
-  DERMIS_ASSERT_EQ(values.size(), std::size_t{texels} * texels * 4);
-  std::vector<std::uint16_t> halves(values.size());
-  std::transform(values.begin(), values.end(), halves.begin(),
-                 [](float value) { return image::float_to_half(std::min(value, image::max_half)); });
+  std::vector<std::uint16_t> halves;
+  for (const std::vector<float>* values : layers) {
+    DERMIS_ASSERT_EQ(values->size(), std::size_t{texels} * texels * 4);
+    for (const float value : *values)
+      halves.push_back(image::float_to_half(std::min(value, image::max_half)));
+  }
+
   gpu::Texture map(device, name,
                    {.width = texels,
                     .height = texels,
+                    .layers = static_cast<std::uint32_t>(layers.size()),
                     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
                     .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   gpu::upload(device, map, std::as_bytes(std::span(halves)));
@@ -246,6 +256,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
   gpu::Device& device = library.device();
   mm_per_unit = static_cast<float>(scene.mm_per_unit);
   white_ = single_texel(device, "white", {255, 255, 255, 255});
+  white_layers_ = single_texel(device, "white layer", {255, 255, 255, 255}, true);
   flat_normal_ = single_texel(device, "flat normal", {128, 128, 255, 255});
 
   Steps steps("bringing the scene to the device", scene.materials.size() + skin_meshes.size());
@@ -257,6 +268,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
     material.alpha_mode = m.alpha_mode;
     material.cut_out = m.skin && m.alpha_mode == scene::AlphaMode::mask;
     material.emits = m.skin && m.emissive != glm::vec3(0);
+    material.detailed = m.skin && m.skin_settings.detail.present();
     material.alpha_max = {material.cut_out && m.base_colour_map.present()
                               ? &alpha_max(device, scene, m.base_colour_map.image)
                               : &white_,
@@ -276,7 +288,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
 
     for (int i = 0; i < MAP_COUNT; ++i) {
       const scene::MapRef& map = maps[static_cast<std::size_t>(i)];
-      const bool srgb = i == MAP_BASE_COLOUR || i == MAP_EMISSIVE || i == MAP_SPECULAR_COLOUR;
+      const bool srgb = i == MAP_BASE_COLOUR || i == MAP_EMISSIVE || (i == MAP_SPECULAR_COLOUR && !m.skin);
       const gpu::Texture& none = i == MAP_NORMAL ? flat_normal_ : white_;
       const VkSampler sampler =
           library.sampler({.filter = map.nearest ? gpu::Filter::nearest : gpu::Filter::linear,

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,6 +35,7 @@ struct MaterialMaps {
   bool double_sided = false;
   bool cut_out = false;           ///< skin with an alpha test
   bool emits = false;             ///< skin that emits light
+  bool detailed = false;          ///< skin with a tile of detail
   gpu::SampledBinding alpha_max;  ///< for skin with an alpha test, see passes/alpha_max.h; else a white texel
   scene::AlphaMode alpha_mode = scene::AlphaMode::opaque;
 };
@@ -118,10 +120,10 @@ struct GpuMesh {
   void offer(Bindings& bindings) const;
 };
 
-/// Returns an RGBA16F texture over an unwrap, from side x side x 4 values; values beyond the range of half
-/// floats become the largest.
+/// Returns an RGBA16F texture over an unwrap, from side x side x 4 values per layer; values beyond the range
+/// of half floats become the largest.
 gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
-                        const std::vector<float>& values);
+                        std::initializer_list<const std::vector<float>*> layers);
 
 class GpuScene {
  public:
@@ -164,7 +166,8 @@ class GpuScene {
   GpuSurfaces surfaces;                                 ///< everything else
   gpu::Buffer unmoved;                                  ///< PlacementIo: skin's vertices are in the world
   const gpu::Texture& white() const { return white_; }  ///< one white texel
-  gpu::Texture directional_albedo;                      ///< RG16F, see optics/directional_albedo.h
+  const gpu::Texture& white_layers() const { return white_layers_; }  ///< likewise, as an array
+  gpu::Texture directional_albedo;  ///< RG16F, see optics/directional_albedo.h
 
  private:
   const gpu::Texture& texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb);
@@ -179,7 +182,7 @@ class GpuScene {
   std::vector<Loaded> textures_;
   std::map<int, gpu::Texture> alpha_max_;  // by image
   std::vector<MaterialMaps> materials_;
-  gpu::Texture white_, flat_normal_;
+  gpu::Texture white_, white_layers_, flat_normal_;
 };
 
 }  // namespace dermis::passes

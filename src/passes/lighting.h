@@ -27,22 +27,18 @@ class LightingSamplers {
   /// Offers what skin mesh `number` of the instance's asset sees of the environment.
   void offer_sky(Bindings& bindings, const Instance& instance, std::size_t number) const {
     const GpuMesh& mesh = instance.scene->skin[number];
-    const gpu::Texture& white = instance.scene->white();
     const bool sky = number < instance.sky.size();
-    const gpu::Texture *bent_normal = mesh.bent_normal ? &mesh.bent_normal : &white,
-                       *direct = sky ? &instance.sky[number].direct : &white,
-                       *bounced = sky ? &instance.sky[number].bounced : &white;
+    const gpu::Texture *bent_normal = mesh.bent_normal ? &mesh.bent_normal : &instance.scene->white(),
+                       *light = sky ? &instance.sky[number].light : &instance.scene->white_layers();
 
     if (sky && instance.posed && number < instance.posed->sky.size()) {
       const PosedShape::Sky& turned = instance.posed->sky[number];
       bent_normal = &turned.bent_normal;
-      direct = &turned.direct;
-      bounced = &turned.bounced;
+      light = &turned.light;
     }
 
     bindings.add("bent_normal", gpu::SampledBinding{bent_normal, table_})
-        .add("sky_direct", gpu::SampledBinding{direct, table_})
-        .add("sky_bounced", gpu::SampledBinding{bounced, table_});
+        .add("sky_light", gpu::SampledBinding{light, table_});
   }
 
  private:

@@ -57,7 +57,7 @@ void add_material(SceneHash& h, const scene::Material& m) {
   for (const scene::MapRef* map :
        {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.emissive_map,
         &m.specular_map, &m.specular_colour_map, &m.skin_settings.specular, &m.skin_settings.roughness,
-        &m.skin_settings.displacement})
+        &m.skin_settings.displacement, &m.skin_settings.detail})
     h.add(*map);
   h.add(m.skin_settings.mix.value_or(-1.0f));
   h.add(m.skin_settings.displacement_mm);

@@ -30,6 +30,7 @@ std::vector<ShadingMaterial> shading_materials(const scene::Scene& scene, std::o
     made.mix_before = mix.value_or(m.skin_settings.mix_or_default());
     made.base_colour = slot(m.base_colour_map, true);
     made.normal = slot(m.normal_map, false);
+    if (m.skin) made.detail = slot(m.skin_settings.detail, false);
     made.occlusion = slot(m.occlusion_map, false);
     made.emissive = slot(m.emissive_map, true);
     made.specular_colour = slot(m.specular_colour_map, true);

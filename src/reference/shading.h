@@ -20,7 +20,7 @@ struct ShadingMaterial {
   const scene::Material* source = nullptr;
   bool skin = false;
   double mix_before = 0.5;  ///< exponent of the albedo that is applied before light scatters
-  MapSlot base_colour, normal, roughness, occlusion, specular, emissive, specular_colour;
+  MapSlot base_colour, normal, detail, roughness, occlusion, specular, emissive, specular_colour;
 };
 
 /// Unshadowed light at a point. glTF's KHR_lights_punctual: inverse square, range window, smooth cone.

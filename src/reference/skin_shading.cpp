@@ -26,10 +26,17 @@ Shading::Shading(const rays::RayScene& rays, const RenderSetup& setup)
 
 glm::dvec3 Shading::mapped_normal(const ShadingMaterial& m, const rays::SurfacePoint& s,
                                   const glm::dvec3& normal) const {
-  if (!m.normal.present()) return normal;
-  glm::dvec3 t = glm::dvec3(m.normal.read(s.uv)) * 2.0 - 1.0;
-  t.x *= m.normal.map.scale;
-  t.y *= m.normal.map.scale;
+  if (!m.normal.present() && !m.detail.present()) return normal;
+  const auto slope = [&](const MapSlot& map) {
+    return (glm::dvec3(map.read(s.uv)) * 2.0 - 1.0) * glm::dvec3(map.map.scale, map.map.scale, 1);
+  };
+  glm::dvec3 t = m.normal.present() ? slope(m.normal) : glm::dvec3(0, 0, 1);
+  if (m.detail.present()) {
+    // Slopes of heights add up.
+    const glm::dvec3 d = slope(m.detail);
+    const double up = std::max(d.z, 0.1);
+    t = {t.x * up + d.x * t.z, t.y * up + d.y * t.z, t.z * up};
+  }
   // MikkTSpace: the bitangent is computed per point, the tangent is used as interpolated.
   const glm::dvec3 tangent(s.tangent);
   const glm::dvec3 n = tangent * t.x + glm::cross(normal, tangent) * (s.tangent.w * t.y) + normal * t.z;

@@ -61,11 +61,15 @@ for (const slider of document.querySelectorAll('.slider')) {
   const input = slider.querySelector('input');
   const set = (percent) => slider.style.setProperty('--at', percent + '%');
   input.addEventListener('input', () => set(input.value));
-  slider.addEventListener('pointermove', (event) => {
+  const follow = (event) => {
     const box = slider.getBoundingClientRect();
     input.value = Math.min(100, Math.max(0, (event.clientX - box.left) / box.width * 100));
     set(input.value);
-  });
+  };
+  slider.addEventListener('pointermove', follow);
+  slider.addEventListener('pointerdown', follow);
+  // A browser would drag the picture itself, and end the moves.
+  slider.addEventListener('dragstart', (event) => event.preventDefault());
 }
 </script>
 )";

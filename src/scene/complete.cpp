@@ -14,10 +14,13 @@ namespace {
 
 constexpr float least_height_m = 0.10f, most_height_m = 0.60f;
 
-// Fine normals of a displacement map use the tangents too; if there are both, the normal map's coordinates
-// count.
+// Fine normals of a displacement map and tiles of detail use the tangents too; the normal map's coordinates
+// count before theirs.
 const MapRef& map_of_tangents(const Material& material) {
-  return material.normal_map.present() ? material.normal_map : material.skin_settings.displacement;
+  const SkinMaterial& skin = material.skin_settings;
+  return material.normal_map.present() ? material.normal_map
+         : skin.displacement.present() ? skin.displacement
+                                       : skin.detail;
 }
 
 void complete_surface(Primitive& primitive, const Material& material, bool has_tangents) {

@@ -16,6 +16,7 @@ inline constexpr float largest_ior = 100;        ///< 0 stands for it: Fresnel o
 inline constexpr float largest_cutoff = 1e6f;    ///< of the alpha test
 inline constexpr float largest_map_factor = 1000;
 inline constexpr float largest_displacement_mm = 100;
+inline constexpr float largest_detail_scale = 10;
 
 inline constexpr std::size_t most_lobes = 2;
 inline constexpr double largest_lobe_factor = 100;     ///< on m

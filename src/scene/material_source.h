@@ -34,7 +34,8 @@ void for_each_map(MaterialOrConst& m, const Visit& visit) {
   for (auto* map : {&m.base_colour_map, &m.emissive_map, &m.specular_colour_map}) visit(*map, true);
   for (auto* map : {&m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.specular_map})
     visit(*map, false);
-  for (auto* map : {&m.skin_settings.specular, &m.skin_settings.roughness, &m.skin_settings.displacement})
+  for (auto* map : {&m.skin_settings.specular, &m.skin_settings.roughness, &m.skin_settings.displacement,
+                    &m.skin_settings.detail})
     visit(*map, false);
 }
 

@@ -61,9 +61,10 @@ struct SkinMaterial {
   MapRef specular;  ///< multiplies rho_s; scale as factor
   /// glTF roughness (m = roughness^2); scale as factor. Absent: Material::roughness
   MapRef roughness;
-  MapRef displacement;                                             ///< height map, turned into fine normals
-  float displacement_mm = 0;                                       ///< black to white
-  float displacement_middle = 0.5f;                                ///< value of zero height
+  MapRef displacement;               ///< height map, turned into fine normals
+  float displacement_mm = 0;         ///< black to white
+  float displacement_middle = 0.5f;  ///< value of zero height
+  MapRef detail;  ///< tiled normals, finer than the normal map; in its tangent space; scale = normal scale
   std::vector<SpecularLobe> lobes{{0.75f, 0.85f}, {1.3f, 0.15f}};  ///< 1 or 2, weights sum to 1
 };
 

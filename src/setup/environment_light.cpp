@@ -129,8 +129,7 @@ SkyOnSkin sky_on_skin(gpu::Device& device, std::shared_ptr<const EnvironmentLigh
   for (const environment::Occlusion& mesh : occlusion) {
     const environment::SkyLight light = environment::sky_light(mesh, made.sky, made.bouncing_sky);
     made.maps.push_back(
-        {.direct = passes::unwrap_map(device, "light of the sky", mesh.side, light.direct),
-         .bounced = passes::unwrap_map(device, "light of the sky, bounced", mesh.side, light.bounced)});
+        {passes::unwrap_map(device, "light of the sky", mesh.side, {&light.direct, &light.bounced})});
   }
   return made;
 }

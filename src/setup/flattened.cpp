@@ -19,7 +19,7 @@ void offset_images(scene::Material& material, int first) {
        {&material.base_colour_map, &material.metallic_roughness_map, &material.normal_map,
         &material.occlusion_map, &material.emissive_map, &material.specular_map,
         &material.specular_colour_map, &material.skin_settings.specular, &material.skin_settings.roughness,
-        &material.skin_settings.displacement})
+        &material.skin_settings.displacement, &material.skin_settings.detail})
     offset(*map);
 }
 

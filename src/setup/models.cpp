@@ -111,6 +111,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
     const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];
     part.cut_out = part.cut_out || of_triangle.alpha_mode == scene::AlphaMode::mask;
     part.emits = part.emits || of_triangle.emissive != glm::vec3(0);
+    part.detailed = part.detailed || of_triangle.skin_settings.detail.present();
   }
   return part;
 }

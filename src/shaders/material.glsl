@@ -36,13 +36,21 @@ vec4 map_texel(sampler2D texels, MapIo map, ShadingPoint s) {
 #endif
 }
 
-vec3 mapped_normal(MapIo map, sampler2D normal_map, ShadingPoint s) {
-  if (!is_present(map)) return s.normal;
+// Returns what a normal map holds at the point, in tangent space; not normalised.
+vec3 mapped_slope(MapIo map, sampler2D normal_map, ShadingPoint s) {
   vec3 t = map_texel(normal_map, map, s).xyz * 2.0 - 1.0;
   t.xy *= map.scale;
+  return t;
+}
+
+vec3 from_tangent_space(vec3 t, ShadingPoint s) {
   // MikkTSpace: the bitangent is computed per pixel, and the tangent frame is used as interpolated.
   const vec3 bitangent = cross(s.normal, s.tangent.xyz) * s.tangent.w;
   const vec3 n = s.tangent.xyz * t.x + bitangent * t.y + s.normal * t.z;
   const float length2 = dot(n, n);
   return length2 > 1e-12 ? n * inversesqrt(length2) : s.normal;
+}
+
+vec3 mapped_normal(MapIo map, sampler2D normal_map, ShadingPoint s) {
+  return is_present(map) ? from_tangent_space(mapped_slope(map, normal_map, s), s) : s.normal;
 }

@@ -16,8 +16,8 @@ layout(binding = 11) uniform sampler2D map_occlusion;
 layout(binding = 12) uniform sampler2D map_specular;
 // Over the unwrap, in the asset's coordinates: environment/occlusion.h.
 layout(binding = 27) uniform sampler2D bent_normal;
-layout(binding = 29) uniform sampler2D sky_direct;  // likewise: environment::SkyLight
-layout(binding = 30) uniform sampler2D sky_bounced;
+// Likewise, environment::SkyLight: what is direct, what has bounced.
+layout(binding = 29) uniform sampler2DArray sky_light;
 layout(constant_id = 13) const
     bool off_map = false;  // the point is not on the unwrap: its occlusion is not known
 
@@ -80,13 +80,13 @@ float skin_open(ShadingPoint s, vec2 unwrap) {
 vec3 entering_surroundings(ShadingPoint s, vec3 n, vec2 unwrap) {
   if (!environment || off_map) return surroundings_irradiance(n) * skin_occlusion(s);
   // The maps hold the normal of the mesh; a mapped normal faces another part of the sky.
-  const vec4 in_asset = textureLod(bent_normal, unwrap, 0.0), bounced = textureLod(sky_bounced, unwrap, 0.0);
+  const vec4 in_asset = textureLod(bent_normal, unwrap, 0.0),
+             bounced = textureLod(sky_light, vec3(unwrap, 1.0), 0.0);
   const vec4 seen = vec4(world_direction(in_asset.xyz), in_asset.w);
   const vec3 mapped = surroundings_irradiance(normalize(n + seen.xyz)),
              unmapped = surroundings_irradiance(normalize(s.normal + seen.xyz));
-  vec3 e = max(
-      textureLod(sky_direct, unwrap, 0.0).rgb * frame.environment_intensity + (mapped - unmapped) * seen.w,
-      vec3(0.0));
+  const vec3 direct = textureLod(sky_light, vec3(unwrap, 0.0), 0.0).rgb;
+  vec3 e = max(direct * frame.environment_intensity + (mapped - unmapped) * seen.w, vec3(0.0));
   e += mapped * max(least_open - seen.w, 0.0);
   const vec3 albedo = min(skin_albedo(s), vec3(1.0));
   e += bounced.rgb * frame.environment_intensity * albedo * bounced.w / (1.0 - albedo * (1.0 - bounced.w));

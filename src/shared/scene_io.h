@@ -43,7 +43,8 @@ struct MapIo {
 #define MAP_OCCLUSION 3
 #define MAP_SPECULAR 4
 #define MAP_EMISSIVE 5
-#define MAP_SPECULAR_COLOUR 6
+#define MAP_SPECULAR_COLOUR 6  // skin has no such map: it has
+#define MAP_DETAIL 6           // a tile of normals finer than MAP_NORMAL
 #define MAP_COUNT 7
 
 #define MATERIAL_DOUBLE_SIDED 1u

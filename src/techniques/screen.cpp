@@ -143,6 +143,7 @@ passes::SkinLook Screen::look_of(passes::SkinLook look) const {
   look.off_map = part.off_map;
   look.cut_out = part.cut_out;
   look.emits = part.emits;
+  look.detailed = part.detailed;
   return look;
 }
 

@@ -45,10 +45,11 @@ struct SkinPart {
   double least_texels_per_mm = 1;   ///< a twentieth of the skin has fewer
   /// some of the skin has so few texels that narrow terms are lit per pixel there: passes::coarse_share()
   bool coarse = false;
-  bool off_map = false;  ///< some of its triangles have no chart of the unwrap
-  bool cut_out = false;  ///< some of its materials have an alpha test
-  bool emits = false;    ///< some of them emit light
-  bool posed = false;    ///< it takes poses: its metric changes from frame to frame
+  bool off_map = false;   ///< some of its triangles have no chart of the unwrap
+  bool cut_out = false;   ///< some of its materials have an alpha test
+  bool emits = false;     ///< some of them emit light
+  bool detailed = false;  ///< some of them have a tile of detail
+  bool posed = false;     ///< it takes poses: its metric changes from frame to frame
   bool operator==(const SkinPart&) const = default;
 };
 

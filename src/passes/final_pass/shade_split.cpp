@@ -29,6 +29,7 @@ void ShadeSplit::prepare(gpu::PipelineLibrary& library) {
                              {"soft_shadows", settings.look.soft_shadows ? 1u : 0u},
                              {"off_map", variant.off_map ? 1u : 0u},
                              {"emits", variant.emits ? 1u : 0u},
+                             {"detailed", variant.detailed ? 1u : 0u},
                              {"multisampled", settings.samples > 1 ? 1u : 0u}};
     const bool through = shading_.through(variant);
     if (through) shading_.add_through_constants(constants);

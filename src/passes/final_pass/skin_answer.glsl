@@ -7,6 +7,15 @@
 #include "shaders/cut_out.glsl"
 layout(constant_id = 12) const bool emits = false;
 layout(binding = 13) uniform sampler2D map_emissive;
+layout(constant_id = 22) const bool detailed = false;
+layout(binding = 30) uniform sampler2D map_detail;
+#include "shaders/detail.glsl"
+
+vec3 skin_normal(ShadingPoint s) {
+  const MapIo map = material.maps[MAP_NORMAL];
+  return detailed ? detailed_normal(map, map_normal, material.maps[MAP_DETAIL], map_detail, s)
+                  : mapped_normal(map, map_normal, s);
+}
 
 // Where the skin is on its light map.
 struct OnMap {

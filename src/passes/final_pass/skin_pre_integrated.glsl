@@ -94,7 +94,7 @@ vec3 bent_surroundings(ShadingPoint s, Bent bent, vec2 unwrap) {
 // The result can be stored in half floats.
 vec3 skin_pre_integrated(ShadingPoint s, vec2 unwrap, float curvature_per_mm, float uv_per_mm) {
   const vec3 v = view_vector(s.position_m);
-  const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
+  const vec3 n = skin_normal(s);
   const SkinSpecular spec = skin_specular(s);
   const SkinView view = skin_view(n, v, spec);
   const vec3 albedo = skin_albedo(s);

@@ -80,7 +80,7 @@ vec3 through_share(LitThrough r, OnMap on) {
 // s.normal: interpolated, turned to the side that is seen. The result can be stored in half floats.
 vec3 skin_radiance(ShadingPoint s, OnMap on) {
   const vec3 v = view_vector(s.position_m), n_geometric = s.normal;
-  const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
+  const vec3 n = skin_normal(s);
   const SkinSpecular spec = skin_specular(s);
   const SkinView view = skin_view(n, v, spec);
   const vec3 albedo = skin_albedo(s);

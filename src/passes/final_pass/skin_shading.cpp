@@ -98,12 +98,14 @@ std::vector<SkinVariant> SkinShading::variants() const {
   std::vector<SkinVariant> all;
   for (SkinVariant variant : lit)
     for (const bool cut_out : {false, true})
-      for (const bool emits : {false, true}) {
-        if ((cut_out && !look_.cut_out) || (emits && !look_.emits)) continue;
-        variant.cut_out = cut_out;
-        variant.emits = emits;
-        all.push_back(variant);
-      }
+      for (const bool emits : {false, true})
+        for (const bool detailed : {false, true}) {
+          if (cut_out > look_.cut_out || emits > look_.emits || detailed > look_.detailed) continue;
+          variant.cut_out = cut_out;
+          variant.emits = emits;
+          variant.detailed = detailed;
+          all.push_back(variant);
+        }
   return all;
 }
 
@@ -112,7 +114,8 @@ SkinVariant SkinShading::variant_of(const Instance& instance, const GpuDraw& dra
   return {.lit = draw.on_map ? lit_of(instance) : SkinVariant::Lit::at_pixel,
           .off_map = !draw.on_map,
           .cut_out = material.cut_out,
-          .emits = material.emits};
+          .emits = material.emits,
+          .detailed = material.detailed};
 }
 
 SkinVariant::Lit SkinShading::lit_of(const Instance& instance) const {
@@ -144,7 +147,8 @@ gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
                            {"coarse", look_.terms.coarse ? 1u : 0u},
                            {"shape_aware", look_.terms.shape ? 1u : 0u},
                            {"cut_out", variant.cut_out ? 1u : 0u},
-                           {"emits", variant.emits ? 1u : 0u}};
+                           {"emits", variant.emits ? 1u : 0u},
+                           {"detailed", variant.detailed ? 1u : 0u}};
   if (through(variant)) add_through_constants(constants);
   return constants;
 }

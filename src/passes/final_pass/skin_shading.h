@@ -58,8 +58,9 @@ struct SkinLook {
   bool soft_shadows = false;  ///< lights with a radius cast penumbrae
   /// some triangles have no chart of the unwrap: they are lit per pixel, without scattering
   bool off_map = false;
-  bool cut_out = false;  ///< some of the mesh's skin is cut out by its alpha
-  bool emits = false;    ///< some of the mesh's skin emits light
+  bool cut_out = false;   ///< some of the mesh's skin is cut out by its alpha
+  bool emits = false;     ///< some of the mesh's skin emits light
+  bool detailed = false;  ///< some of the mesh's skin has a tile of detail
   /// where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
   bool mixes = false;
   /// some light leaves where it entered, for which the weights leave room: it is lit per pixel
@@ -81,10 +82,11 @@ struct SkinLights {
 struct SkinVariant {
   enum class Lit : std::uint8_t { on_map, mixed, at_pixel };
   Lit lit = Lit::on_map;
-  bool off_map = false, cut_out = false, emits = false;
-  static constexpr std::size_t count = 3 * 8;
+  bool off_map = false, cut_out = false, emits = false, detailed = false;
+  static constexpr std::size_t count = 3 * 16;
   std::size_t index() const {
-    return 8 * static_cast<std::size_t>(lit) + 4 * std::size_t{off_map} + 2 * std::size_t{cut_out} + emits;
+    return 16 * static_cast<std::size_t>(lit) + 8 * std::size_t{off_map} + 4 * std::size_t{cut_out} +
+           2 * std::size_t{emits} + detailed;
   }
 };
 

@@ -17,7 +17,7 @@ struct SplitSkin {
 // not been blurred. The parts can be stored in half floats.
 SplitSkin skin_split(ShadingPoint s, vec2 unwrap, vec3 blurred) {
   const vec3 v = view_vector(s.position_m), n_geometric = s.normal;
-  const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
+  const vec3 n = skin_normal(s);
   const SkinSpecular spec = skin_specular(s);
   const SkinView view = skin_view(n, v, spec);
   const vec3 albedo = skin_albedo(s);

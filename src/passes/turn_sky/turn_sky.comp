@@ -11,9 +11,8 @@ layout(binding = 0, scalar) readonly buffer SkyTexels { uint texels[]; };
 layout(binding = 1, scalar) readonly buffer Turns { vec4 turns[]; };
 layout(binding = 2, scalar) uniform Sky { SkyHarmonicsIo sky; };
 layout(binding = 3) uniform sampler2D rest_bent_normal;
-layout(binding = 4, rgba16f) writeonly uniform image2D direct;
-layout(binding = 5, rgba16f) writeonly uniform image2D bounced;
-layout(binding = 6, rgba16f) writeonly uniform image2D bent_normal;
+layout(binding = 4, rgba16f) writeonly uniform image2DArray sky_light;
+layout(binding = 5, rgba16f) writeonly uniform image2D bent_normal;
 
 uint row(uint r) { return texels[r * io.count + gl_GlobalInvocationID.x]; }
 
@@ -68,8 +67,8 @@ void main() {
   const ivec2 at = ivec2(packed_at & 0xffffu, packed_at >> 16);
   const vec4 q = turn_of_texel();
 
-  imageStore(direct, at, vec4(direct_light(q), 1.0));
-  imageStore(bounced, at, bounced_light(q));
+  imageStore(sky_light, ivec3(at, 0), vec4(direct_light(q), 1.0));
+  imageStore(sky_light, ivec3(at, 1), bounced_light(q));
   const vec4 rest = texelFetch(rest_bent_normal, at, 0);
   imageStore(bent_normal, at, vec4(turned(rest.xyz, q), rest.w));
 }

@@ -19,7 +19,7 @@ void change_layout(gpu::Cmd& cmd, const std::vector<SkyTurn>& turns, VkImageLayo
   std::vector<VkImageMemoryBarrier2> barriers;
   for (const SkyTurn& turn : turns)
     for (const PosedShape::Sky& sky : turn.shape->sky)
-      for (const gpu::Texture* map : {&sky.direct, &sky.bounced, &sky.bent_normal}) {
+      for (const gpu::Texture* map : {&sky.light, &sky.bent_normal}) {
         VkImageMemoryBarrier2& barrier = barriers.emplace_back(VkImageMemoryBarrier2{});
         barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
         barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
@@ -29,7 +29,7 @@ void change_layout(gpu::Cmd& cmd, const std::vector<SkyTurn>& turns, VkImageLayo
         barrier.newLayout = to;
         barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
         barrier.image = map->handle();
-        barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+        barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, map->desc().layers};
       }
 
   VkDependencyInfo info{};
@@ -79,8 +79,7 @@ void TurnSky::record_light(gpu::Cmd& cmd, const SkyTurn& turn) const {
         .add("Turns", sky.turns)
         .add("Sky", turn.sky)
         .add("rest_bent_normal", gpu::SampledBinding{&turn.scene->skin[i].bent_normal, nearest_})
-        .add("direct", gpu::StorageImageBinding{&sky.direct})
-        .add("bounced", gpu::StorageImageBinding{&sky.bounced})
+        .add("sky_light", gpu::StorageImageBinding{&sky.light})
         .add("bent_normal", gpu::StorageImageBinding{&sky.bent_normal})
         .bind(cmd, *light_);
     // At most 512 x 512 texels: environment::occlusion_side().

@@ -112,6 +112,8 @@ void check_skin(const MaterialCheck& check, const AssetSkin& skin) {
   check.map("displacement", skin.displacement);
   check.number("displacement_mm", skin.displacement_mm, 0, largest_displacement_mm);
   check.number("displacement_middle", skin.displacement_middle, 0, 1);
+  check.map("detail", skin.detail);
+  check.number("detail_scale", skin.detail_scale, 0, largest_detail_scale);
   check_lobes(check, skin.lobes);
 }
 

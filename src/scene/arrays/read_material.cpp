@@ -54,6 +54,7 @@ SkinMaterial skin_of(const AssetSkin& given) {
   skin.displacement = map_of(given.displacement);
   skin.displacement_mm = given.displacement_mm;
   skin.displacement_middle = given.displacement_middle;
+  skin.detail = map_of(given.detail, given.detail_scale);
 
   if (given.lobes.empty()) return skin;
   skin.lobes.clear();

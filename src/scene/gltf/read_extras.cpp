@@ -88,11 +88,19 @@ void read_displacement(const Document& document, const Value& value, const MapRe
   into.displacement_middle = static_cast<float>(value.number_or("middle", 0.5, 0, 1));
 }
 
+MapRef read_detail(const Document& document, const Value& value, const MapRef& shared) {
+  value.only_keys({"texture", "scale"});
+  MapRef map = read_map(document, value.at("texture"), shared);
+  map.scale = static_cast<float>(value.number_or("scale", 1, 0, largest_detail_scale));
+  return map;
+}
+
 }  // namespace
 
 void read_dermis_extras(const Document& document, const Value& extras, const MapRef& shared,
                         MaterialSource& into) {
-  extras.object().only_keys({"skin", "profile", "mix", "specular", "roughness", "displacement", "lobes"});
+  extras.object().only_keys(
+      {"skin", "profile", "mix", "specular", "roughness", "displacement", "detail", "lobes"});
   SkinMaterial& skin = into.material.skin_settings;
   into.says_skin = extras.boolean_or("skin", true);
   if (const auto profile = extras.find("profile")) skin.profile = read_profile(document, *profile);
@@ -103,6 +111,7 @@ void read_dermis_extras(const Document& document, const Value& extras, const Map
     skin.roughness = read_channel_map(document, *roughness, shared, 1);
   if (const auto displacement = extras.find("displacement"))
     read_displacement(document, *displacement, shared, skin);
+  if (const auto detail = extras.find("detail")) skin.detail = read_detail(document, *detail, shared);
   if (const auto lobes = extras.find("lobes")) skin.lobes = read_lobes(*lobes);
 }
 

@@ -15,7 +15,7 @@ void move_maps(scene::Material& m, const glm::dmat2& factor, const glm::dvec2& o
   const glm::dmat2 inverse = glm::inverse(factor);
   scene::SkinMaterial& s = m.skin_settings;
   for (scene::MapRef* map : {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map,
-                             &s.specular, &s.roughness, &s.displacement}) {
+                             &s.specular, &s.roughness, &s.displacement, &s.detail}) {
     const glm::dmat3x2 before(map->transform);
     const glm::dmat2 linear = glm::dmat2(before[0], before[1]) * inverse;
     const glm::dvec2 moved_by = before[2] - linear * offset;

@@ -92,6 +92,8 @@ Json skin_of(Builder& b, const AssetSkin& skin) {
     json["displacement"] = {{"texture", texture_of(b, skin.displacement)},
                             {"mm", skin.displacement_mm},
                             {"middle", skin.displacement_middle}};
+  if (skin.detail.image >= 0)
+    json["detail"] = {{"texture", texture_of(b, skin.detail)}, {"scale", skin.detail_scale}};
   for (const AssetLobe& lobe : skin.lobes) json["lobes"].push_back({lobe.roughness_factor, lobe.weight});
   return json;
 }

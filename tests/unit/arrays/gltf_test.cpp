@@ -193,6 +193,8 @@ struct Whole {
     s.displacement = map(1);
     s.displacement_mm = 2.5f;
     s.displacement_middle = 0.4f;
+    s.detail = map(2);
+    s.detail_scale = 1.25f;
     s.lobes = {{0.5f, 0.25f}, {2, 0.75f}};
     return m;
   }

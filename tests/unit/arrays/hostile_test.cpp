@@ -224,6 +224,8 @@ TEST(ArraysHostile, MapsOfMaterials) {
        at + "roughness.scale must be 0 to 1000, got -1"},
       {[](Good& g) { g.skin().skin_settings.displacement.image = 3; },
        at + "displacement.image is 3, there are 1 images (-1 for none)"},
+      {[](Good& g) { g.skin().skin_settings.detail.image = 1; },
+       at + "detail.image is 1, there are 1 images (-1 for none)"},
   });
 }
 
@@ -236,6 +238,8 @@ TEST(ArraysHostile, Skin) {
       {with([](AssetSkin& s) { s.displacement_mm = -1; }), at + "displacement_mm must be 0 to 100, got -1"},
       {with([](AssetSkin& s) { s.displacement_middle = 2; }),
        at + "displacement_middle must be 0 to 1, got 2"},
+      {with([](AssetSkin& s) { s.detail_scale = 11; }), at + "detail_scale must be 0 to 10, got 11"},
+      {with([](AssetSkin& s) { s.detail_scale = nan; }), at + "detail_scale must be 0 to 10, got nan"},
       {with([](AssetSkin& s) { s.lobes.resize(3); }), at + "lobes must be 1 or 2, got 3"},
       {with([](AssetSkin& s) {
          s.lobes = {{0, 1}};

@@ -31,6 +31,8 @@ AssetSkin skin_of(const SkinMaterial& skin) {
   given.displacement = map_of(skin.displacement);
   given.displacement_mm = skin.displacement_mm;
   given.displacement_middle = skin.displacement_middle;
+  given.detail = map_of(skin.detail);
+  given.detail_scale = skin.detail.scale;
   for (const SpecularLobe& lobe : skin.lobes) given.lobes.push_back({lobe.roughness_factor, lobe.weight});
   return given;
 }
@@ -137,6 +139,7 @@ void expect_same_material(const Material& made, const Material& expected) {
   expect_same_map(a.specular, b.specular, name + " skin specular");
   expect_same_map(a.roughness, b.roughness, name + " skin roughness");
   expect_same_map(a.displacement, b.displacement, name + " displacement");
+  expect_same_map(a.detail, b.detail, name + " detail");
   expect_same_skin(a, b, name);
 }
 

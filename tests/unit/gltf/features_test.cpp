@@ -347,7 +347,8 @@ TEST(GltfMaterial, DermisExtrasAreReadInFull) {
     "profile": {"name": "mine", "variances_mm2": [0.5, 2], "weights": [[0.5, 0.25, 1], [0.5, 0.75, 0]]},
     "specular": {"texture": 0, "channel": 1, "scale": 2},
     "roughness": {"texture": {"index": 0, "texCoord": 1}},
-    "displacement": {"texture": 0, "mm": 3, "middle": 0.537}, "lobes": [[1, 0.6], [2, 0.4]]}}})"))
+    "displacement": {"texture": 0, "mm": 3, "middle": 0.537},
+    "detail": {"texture": {"index": 0, "texCoord": 1}, "scale": 0.5}, "lobes": [[1, 0.6], [2, 0.4]]}}})"))
                              .load()
                              .materials[0]
                              .skin_settings;
@@ -362,6 +363,9 @@ TEST(GltfMaterial, DermisExtrasAreReadInFull) {
 
   EXPECT_EQ(s.displacement_mm, 3);
   EXPECT_EQ(s.displacement_middle, 0.537f);
+  EXPECT_EQ(s.detail.image, 0);
+  EXPECT_EQ(s.detail.uv_set, 1);
+  EXPECT_EQ(s.detail.scale, 0.5f);
   ASSERT_EQ(s.lobes.size(), 2u);
   EXPECT_EQ(s.lobes[1].roughness_factor, 2);
 }
@@ -373,11 +377,14 @@ TEST(GltfMaterial, DermisExtrasAreStrict) {
 
   EXPECT_ERROR(
       error(R"({"skinn": true})"),
-      "unknown key 'skinn'; known are: skin, profile, mix, specular, roughness, displacement, lobes");
+      "unknown key 'skinn'; known are: skin, profile, mix, specular, roughness, displacement, detail, lobes");
   EXPECT_ERROR(error(R"({"specular": {"texture": 0, "chanel": 1}})"),
                "unknown key 'chanel'; known are: texture, channel, scale");
   EXPECT_ERROR(error(R"({"displacement": {"texture": 0}})"), "'mm' is missing");
   EXPECT_ERROR(error(R"({"specular": {"texture": 1}})"), "there is no texture 1");
+  EXPECT_ERROR(error(R"({"detail": {"scale": 1}})"), "'texture' is missing");
+  EXPECT_ERROR(error(R"({"detail": {"texture": 7}})"), "there is no texture 7");
+  EXPECT_ERROR(error(R"({"detail": {"texture": 0, "scale": -1}})"), "must be 0 to 10");
   EXPECT_ERROR(error(R"({"specular": {"texture": 0, "channel": "X"}})"), "one of R, G, B, A");
 
   EXPECT_ERROR(error(R"({"mix": 1.5})"), "must be 0 to 1");
