@@ -14,6 +14,7 @@
 #include "setup/frame_setup.h"
 #include "viewer/model/animation.h"
 #include "viewer/model/label_views.h"
+#include "viewer/model/memory.h"
 
 namespace dermis::viewer {
 namespace {
@@ -222,6 +223,15 @@ double App::timeout() const {
   return -1;
 }
 
+// Nothing is to be done until something happens.
+void App::rest() {
+  if (shown_ && shown_->serial != rested_at_) {
+    rested_at_ = shown_->serial;
+    return_free_memory();
+  }
+  tell(fmt::format("idle after {} frames", presenter_.frames()));
+}
+
 int App::run() {
   while (!window_.should_close()) {
     take_news();
@@ -237,7 +247,7 @@ int App::run() {
     const double wait_s = timeout();
     if (wait_s < 0 && !painters_.is_busy() && !opener_.is_running() && !skin_maker_.is_running() &&
         !recorder_.is_running())
-      tell(fmt::format("idle after {} frames", presenter_.frames()));
+      rest();
     window_.wait(wait_s < 0 ? -1 : std::max(wait_s, 0.0));
     if (window_.take_touched()) frames_left_ = std::max(frames_left_, 3);
   }

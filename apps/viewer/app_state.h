@@ -72,6 +72,7 @@ class App {
   double timeout() const;
   double seconds_to_frame() const;
   void tell_shown();
+  void rest();
   int close();
 
   const Document& now() const { return history_->now(); }
@@ -127,9 +128,9 @@ class App {
   const Painted* compared_a_ = nullptr;  // pictures of the last comparison, by identity
   const Painted* compared_b_ = nullptr;
   CompareMode compared_mode_ = CompareMode::off;
-  bool has_picture_news_ = false;   // no frame has shown it yet
-  std::uint64_t told_picture_ = 0;  // serial
-  double exposure_ev_ = 0;          // of the last picture at rest
+  bool has_picture_news_ = false;                   // no frame has shown it yet
+  std::uint64_t told_picture_ = 0, rested_at_ = 0;  // serials
+  double exposure_ev_ = 0;                          // of the last picture at rest
   Clock::time_point changed_at_{}, drawn_at_{}, played_at_{}, retry_at_{};
   PictureArea area_{};
   std::vector<Place> told_places_;

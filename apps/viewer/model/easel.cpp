@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "api/shader_scope.h"
+#include "viewer/model/memory.h"
 
 namespace dermis::viewer {
 namespace {
@@ -112,6 +113,7 @@ void Easel::renew() {
   moving_.reset();
   resting_.reset();
   renderer_.reset();
+  return_free_memory();
 }
 
 std::vector<std::string> Easel::validation_messages() const {
