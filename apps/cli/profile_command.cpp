@@ -174,9 +174,7 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
   add("--burley", source.burley,
       "\"reflectance=R,G,B mfp_mm=R,G,B\" (or dmfp_mm, or shape_mm): normalised diffusion");
   add("--csv", source.csv, "table with the header r_mm,R,G,B; mm and 1/mm^2");
-  add("--import", source.import,
-      "another system's values: \"unity reflectance=R,G,B scattering_distance=R,G,B\", unreal, cycles, "
-      "openpbr, gltf");
+  add("--import", source.import, import_help);
 
   add_skin_options(command, source);
   const auto add_of_head = [&](const char* name, std::string& value, const char* help) {

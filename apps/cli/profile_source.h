@@ -27,6 +27,12 @@ struct SourceOptions {
   std::filesystem::path cache;  ///< of Monte-Carlo
 };
 
+/// Of SourceOptions::import.
+inline constexpr const char* import_help =
+    "another system's values: \"unity reflectance=R,G,B scattering_distance=R,G,B\", unreal, cycles, "
+    "openpbr, "
+    "gltf";
+
 /// Three profiles and what is known about them.
 struct Source {
   std::string name;

@@ -14,6 +14,7 @@
 #include "setup/frame_setup.h"
 #include "viewer/model/animation.h"
 #include "viewer/model/label_views.h"
+#include "viewer/model/memory.h"
 
 namespace dermis::viewer {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 constexpr double rest_s = 0.25;            // after the last change, a picture at rest
 constexpr double held_rest_s = 0.6;        // the same while a button is held: more is likely to come
 constexpr double software_frame_s = 0.05;  // panels leave the processors to the picture
+constexpr double busy_frame_s = 0.1;       // and more so while one follows the hand
 constexpr double play_frame_s = 1.0 / 30;
 constexpr double closing_s = 0.8;
 
@@ -40,10 +42,11 @@ App::App(const AppOptions& options)
     : options_(options),
       window_("dermis", options.width, options.height),
       presenter_(window_, options.validate),
-      painter_({.device = options.device,
-                .validate = options.validate,
-                .on_news = Window::wake,
-                .before_drawing = lost_device_hook()}) {
+      painters_({.device = options.device,
+                 .validate = options.validate,
+                 .on_news = Window::wake,
+                 .before_drawing = lost_device_hook()},
+                presenter_.is_software()) {
   view_.fixed_size = options.fixed_size;
   if (!options.shader_folder.empty())
     live_shaders_.emplace(options.shader_folder, options.shader_compiler, Window::wake);
@@ -141,12 +144,18 @@ void App::draw_frame() {
               .truth_divisor = truth_divisor(area_.width, area_.height),
               .view = view_,
               .requests = requests};
-    const std::string doing = opener_.is_running() ? opener_.doing() : painter_.doing();
+    const std::string doing = opener_.is_running() ? opener_.doing() : painters_.doing();
     area_ = main_layout(desk, *history_, doing, window_.take_keys());
     if (!ImGui::IsAnyItemActive()) ++gesture_;
     apply(desk);
+    // What was edited is computed while the panels are drawn.
+    take_skin();
+    wish();
   }
-  if (!presenter_.end() && !window_.is_minimised()) {
+  has_picture_news_ = false;
+  if (presenter_.end()) {
+    tell_shown();
+  } else if (!window_.is_minimised()) {
     frames_left_ = std::max(frames_left_, 1);
     retry_at_ = Clock::now() + std::chrono::milliseconds(100);
   }
@@ -154,18 +163,29 @@ void App::draw_frame() {
   tell_places();
 }
 
+// When a picture has come to the window.
+void App::tell_shown() {
+  if (!options_.scripted || !shown_ || shown_->serial == told_picture_) return;
+  told_picture_ = shown_->serial;
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  tell(fmt::format("shown {} at {} ms", shown_->revision,
+                   std::chrono::duration_cast<std::chrono::milliseconds>(now).count()));
+}
+
 void App::wish() {
   if (!history_ || area_.width <= 0) return;
   const RenderSettings settings = window_settings();
-  const Wished wanted{.revision = history_->revision(),
-                      .width = settings.output.width,
-                      .height = settings.output.height,
-                      .shaders = shaders_taken_,
-                      .truth = view_.compare.is_on() && view_.compare.truth,
-                      .show = view_.show,
-                      .timed = view_.timed,
-                      .labels = view_.loupe || is_label_view(view_.show)};
+  Wished wanted{.serial = changed_.serial,
+                .revision = history_->revision(),
+                .width = settings.output.width,
+                .height = settings.output.height,
+                .shaders = shaders_taken_,
+                .truth = view_.compare.is_on() && view_.compare.truth,
+                .show = view_.show,
+                .timed = view_.timed,
+                .labels = view_.loupe || is_label_view(view_.show)};
   if (wanted != changed_) {
+    ++wanted.serial;
     changed_ = wanted;
     changed_at_ = Clock::now();
   }
@@ -175,18 +195,22 @@ void App::wish() {
   if (!moving) wish_b();
   if (last == wanted) return;
   last = wanted;
-  painter_.wish({.scene = now().scene,
-                 .settings = settings,
-                 .revision = wanted.revision,
-                 .moving = moving,
-                 .timed = wanted.timed,
-                 .labels = wanted.labels});
+  painters_.wish({.scene = now().scene,
+                  .settings = settings,
+                  .revision = wanted.revision,
+                  .serial = wanted.serial,
+                  .moving = moving,
+                  .exposure_ev = exposure_ev_,
+                  .timed = wanted.timed,
+                  .labels = wanted.labels});
 }
 
 // When the panels may be drawn again.
 double App::seconds_to_frame() const {
   const double retry = -seconds_since(retry_at_);
-  return presenter_.is_software() ? std::max(software_frame_s - seconds_since(drawn_at_), retry) : retry;
+  if (!presenter_.is_software() || has_picture_news_) return retry;
+  const double every_s = painters_.follows_hand() ? busy_frame_s : software_frame_s;
+  return std::max(every_s - seconds_since(drawn_at_), retry);
 }
 
 // How long nothing will happen by itself; negative: for ever.
@@ -199,6 +223,15 @@ double App::timeout() const {
   return -1;
 }
 
+// Nothing is to be done until something happens.
+void App::rest() {
+  if (shown_ && shown_->serial != rested_at_) {
+    rested_at_ = shown_->serial;
+    return_free_memory();
+  }
+  tell(fmt::format("idle after {} frames", presenter_.frames()));
+}
+
 int App::run() {
   while (!window_.should_close()) {
     take_news();
@@ -206,18 +239,15 @@ int App::run() {
     play();
     blink();
     wish();  // of what has come, before the panels are drawn: they take as long as a small picture
-    if (frames_left_ > 0 && seconds_to_frame() <= 0) {
-      draw_frame();
-      if (history_) take_skin();  // what was edited is computed while the loop waits
-    }
+    if (frames_left_ > 0 && seconds_to_frame() <= 0) draw_frame();
     if (window_.is_minimised()) frames_left_ = 0;
     wish();
     compare_now();
 
     const double wait_s = timeout();
-    if (wait_s < 0 && !painter_.is_busy() && !opener_.is_running() && !skin_maker_.is_running() &&
+    if (wait_s < 0 && !painters_.is_busy() && !opener_.is_running() && !skin_maker_.is_running() &&
         !recorder_.is_running())
-      tell(fmt::format("idle after {} frames", presenter_.frames()));
+      rest();
     window_.wait(wait_s < 0 ? -1 : std::max(wait_s, 0.0));
     if (window_.take_touched()) frames_left_ = std::max(frames_left_, 3);
   }
@@ -234,7 +264,7 @@ int App::close() {
   pager_.end();
   recorder_.end();
   if (truth_) truth_->end();
-  bool ended = painter_.stop(closing_s);
+  bool ended = painters_.stop(closing_s);
   const auto is_running = [&] {
     return first_.is_running() || opener_.is_running() || skin_maker_.is_running() ||
            comparer_.is_running() || pager_.is_running() || recorder_.is_running() ||
@@ -243,7 +273,7 @@ int App::close() {
   while (is_running() && seconds_since(start) < closing_s) window_.wait(0.01);
   ended = ended && !is_running();
 
-  std::vector<std::string> messages = painter_.validation_messages();
+  std::vector<std::string> messages = painters_.validation_messages();
   const std::vector<std::string> own = presenter_.validation_messages();
   messages.insert(messages.end(), own.begin(), own.end());
   for (const std::string& message : messages)

@@ -91,7 +91,7 @@ void App::wish_b() {
   of_b.camera = settings.camera;
   of_b.output.width = settings.output.width;
   of_b.output.height = settings.output.height;
-  painter_.wish({.scene = state.kept->scene, .settings = of_b, .revision = changed_.revision, .is_b = true});
+  painters_.wish({.scene = state.kept->scene, .settings = of_b, .revision = changed_.revision, .is_b = true});
 }
 
 void App::blink() {

@@ -73,16 +73,19 @@ void App::show(std::shared_ptr<const Painted> painted) {
                    painted->divisor, painted->ms, painted->moving ? "moving" : "at rest"));
   view_.frame_ms.push_back(static_cast<float>(painted->ms));
   if (view_.frame_ms.size() > 120) view_.frame_ms.erase(view_.frame_ms.begin());
+  if (!painted->moving) exposure_ev_ = picture.statistics.exposure_ev;
   // What was wrong is so no more.
   if (view_.is_error && painted->revision != (shown_ ? shown_->revision : 0)) view_.message.clear();
   shown_ = std::move(painted);
+  has_picture_news_ = true;
 }
 
 void App::take_painted() {
-  PainterNews news = painter_.take_news();
-  // A small picture that comes late does not replace the sharp one of the same document.
-  const bool is_late = news.painted && news.painted->moving && shown_ && !shown_->moving &&
-                       shown_->revision >= news.painted->revision;
+  PainterNews news = painters_.take_news();
+  // A picture of before a change, and a small one that comes after the sharp one, are late.
+  const bool is_late = news.painted && shown_ &&
+                       (news.painted->serial < shown_->serial ||
+                        (news.painted->serial == shown_->serial && news.painted->moving && !shown_->moving));
   if (news.painted && !is_late) show(std::move(news.painted));
   if (news.painted_b) show_b(std::move(news.painted_b));
   for (const std::string& file : news.saved) say("saved " + file);
@@ -121,7 +124,7 @@ void App::take_shaders() {
                             : "shader error: " + news->errors.substr(0, news->errors.find('\n')));
   view_.shader_errors = std::move(news->errors);
   if (view_.shader_errors.empty()) {
-    painter_.use_shaders(std::move(news->shaders));
+    painters_.use_shaders(news->shaders);
     ++shaders_taken_;
   }
   frames_left_ = std::max(frames_left_, 2);

@@ -87,8 +87,8 @@ void App::save_one(const Requests& requests, const SaveNames& names) {
 void App::save(const Requests& requests) {
   try {
     const SaveNames names = save_names(view_.save_name);
-    if (requests.save_png) painter_.save({now().scene, shown_settings(), names.picture});
-    if (requests.save_exr) painter_.save({now().scene, shown_settings(), names.light});
+    if (requests.save_png) painters_.save({now().scene, shown_settings(), names.picture});
+    if (requests.save_exr) painters_.save({now().scene, shown_settings(), names.light});
     save_one(requests, names);
     if (requests.record && !view_.records) start_recording();
     if (requests.stop_recording) recorder_.end();

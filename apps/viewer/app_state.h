@@ -15,6 +15,7 @@
 #include "viewer/model/background.h"
 #include "viewer/model/live_shaders.h"
 #include "viewer/model/opening.h"
+#include "viewer/model/painters.h"
 #include "viewer/model/saving.h"
 #include "viewer/model/truth.h"
 #include "viewer/panels/desk.h"
@@ -70,6 +71,8 @@ class App {
   void wish();
   double timeout() const;
   double seconds_to_frame() const;
+  void tell_shown();
+  void rest();
   int close();
 
   const Document& now() const { return history_->now(); }
@@ -99,7 +102,7 @@ class App {
   SkinMaker skin_maker_{Window::wake};
   std::optional<MadeSkin> skin_;
   std::uint64_t wanted_skin_ = 0;
-  Painter painter_;
+  Painters painters_;
   std::optional<LiveShaders> live_shaders_;
   int shaders_taken_ = 0;
   std::shared_ptr<const Painted> shown_, shown_b_;
@@ -111,6 +114,7 @@ class App {
 
   // What was wished last, and when something last changed.
   struct Wished {
+    std::uint64_t serial = 0;  // grows with each change of the rest
     std::uint64_t revision = 0;
     int width = 0, height = 0;
     int shaders = 0;     // how often they have changed
@@ -124,6 +128,9 @@ class App {
   const Painted* compared_a_ = nullptr;  // pictures of the last comparison, by identity
   const Painted* compared_b_ = nullptr;
   CompareMode compared_mode_ = CompareMode::off;
+  bool has_picture_news_ = false;                   // no frame has shown it yet
+  std::uint64_t told_picture_ = 0, rested_at_ = 0;  // serials
+  double exposure_ev_ = 0;                          // of the last picture at rest
   Clock::time_point changed_at_{}, drawn_at_{}, played_at_{}, retry_at_{};
   PictureArea area_{};
   std::vector<Place> told_places_;

@@ -9,6 +9,7 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "core/hooks.h"
+#include "core/parallel.h"
 #include "gaussians/projection.h"
 
 namespace dermis::gaussians {
@@ -122,12 +123,14 @@ Solution search(std::span<const Target> channels, const Range& range, int terms)
     for (VectorXd& start : with_one_more(smaller)) starts.push_back(std::move(start));
   }
 
-  for (VectorXd& start : starts) {
-    Projected end = descend(channels, start, range);
+  std::vector<Projected> ends(starts.size());
+  parallel_for(starts.size(), [&](std::size_t i) {
+    ends[i] = descend(channels, starts[i], range);
     descents.done();
-    if (best.log_variance.size() == 0 || end.residual2 < best.projected.residual2)
-      best = {start, std::move(end)};
-  }
+  });
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    if (best.log_variance.size() == 0 || ends[i].residual2 < best.projected.residual2)
+      best = {starts[i], std::move(ends[i])};
 
   for (Index c = 0; c < best.projected.weights.cols(); ++c) {
     const bool finite = best.log_variance.allFinite() && best.projected.weights.col(c).allFinite() &&

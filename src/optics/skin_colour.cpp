@@ -22,15 +22,22 @@ namespace {
 Rgb integrate(const Skin& skin, std::size_t stride) {
   const auto nm = wavelengths_nm();
   const auto weights = rec709_weights();
+  std::vector<double> totals(nm.size());
+  if (stride == 1) {
+    parallel_for(nm.size(),
+                 [&](std::size_t i) { totals[i] = adding_doubling(skin_layers(skin, nm[i])).reflectance; });
+  } else {
+    // Short, and called by threads of a search.
+    for (std::size_t i = 0; i < nm.size(); i += stride)
+      totals[i] = adding_doubling_coarse(skin_layers(skin, nm[i])).reflectance;
+  }
+
   Rgb sum{}, white{};
-  for (std::size_t i = 0; i < nm.size(); i += stride) {
-    const Layers layers = skin_layers(skin, nm[i]);
-    const double total = (stride == 1 ? adding_doubling(layers) : adding_doubling_coarse(layers)).reflectance;
+  for (std::size_t i = 0; i < nm.size(); i += stride)
     for (int c = 0; c < 3; ++c) {
-      sum[c] += weights[i][c] * total;
+      sum[c] += weights[i][c] * totals[i];
       white[c] += weights[i][c];
     }
-  }
   for (int c = 0; c < 3; ++c) sum[c] /= white[c];
   return sum;
 }

@@ -80,6 +80,11 @@ Violations check_document_paths(const std::vector<SourceFile>& tree);
 /// option, "--size". Exception: style sheets of pages (src/report), whose variables begin so too.
 Violations check_option_names(const std::vector<SourceFile>& tree);
 
+/// The viewer shows and edits: apps/viewer has no Vulkan outside window/, no shader, pipeline or draw but
+/// those of ImGui's lists, includes nothing that renders, and repeats no range, unit or help text of a
+/// setting.
+Violations check_viewer(const std::vector<SourceFile>& tree);
+
 /// True for what the compilers read: C++, headers, shaders.
 bool is_code(std::string_view path);
 bool is_shader(std::string_view path);

@@ -288,4 +288,27 @@ TEST(HouseCheck, FindsOptionsInTextsOfTheLibrary) {
                                "src/api/b.cpp:2: the option '--tone-map'" + says}));
 }
 
+TEST(HouseCheck, FindsWhatTheViewerLeavesToOthers) {
+  MadeUpTree tree;
+  tree.add("src/settings/fields.h", "{.help = \"how far the lamps stand from the head\",\n .unit = \"m\"}\n");
+  tree.add("apps/viewer/window/ui_renderer.cpp", "VkBuffer buffer;\nvkCmdDrawIndexed(commands);\n");
+  tree.add("apps/viewer/window/ui.frag", "void main() {}\n");
+  tree.add("apps/viewer/panels/a.cpp", "std::string vkontakte;  // a Vkontakte\n");
+  EXPECT_EQ(house::check_viewer(tree.read()), house::Violations{});
+
+  tree.add("apps/viewer/window/b.cpp", "vkCmdDraw(c);\nvkCmdDispatch(c);\n");
+  tree.add("apps/viewer/window/other.frag", "void main() {}\n");
+  tree.add("apps/viewer/panels/a.cpp",
+           "#include \"passes/compute_pass.h\"\nVkImage image;\nAbout{.least = 0};\n"
+           "text(\"how far the lamps stand from the head\");\n");
+  EXPECT_EQ(house::check_viewer(tree.read()),
+            (house::Violations{"apps/viewer/panels/a.cpp:1: an include of what renders",
+                               "apps/viewer/panels/a.cpp:2: Vulkan, outside of what shows ImGui's lists",
+                               "apps/viewer/panels/a.cpp:3: a range, unit or help text of a setting",
+                               "apps/viewer/panels/a.cpp:4: a text of the settings, typed again",
+                               "apps/viewer/window/b.cpp:1: a draw of its own",
+                               "apps/viewer/window/b.cpp:2: a step of rendering",
+                               "apps/viewer/window/other.frag: a shader of the viewer's own"}));
+}
+
 }  // namespace

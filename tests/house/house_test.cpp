@@ -62,6 +62,8 @@ TEST(House, DocumentsNameWhatIsThere) { expect_none(house::check_document_paths(
 
 TEST(House, TheLibraryNamesNoOption) { expect_none(house::check_option_names(tree())); }
 
+TEST(House, TheViewerRendersNothingAndRepeatsNoSetting) { expect_none(house::check_viewer(tree())); }
+
 TEST(House, LinesAreNarrow) { expect_none(house::check_columns(tree(), most_columns)); }
 
 TEST(House, FilesAndFunctionsAreShort) {

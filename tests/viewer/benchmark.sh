@@ -36,22 +36,30 @@ wait_for 'picture .* at rest'
 
 click Skin; click 'made of'; mark; click 'melanin and blood'; wait_for 'skin .*final' 240
 wait_for 'picture .* at rest'
-for to in 20 30 40; do
+# From the press of the button to the frame that shows the picture of the new profile.
+slide() {
   place melanin
-  point $((x + w * to / 100)) $((y + h / 2))
+  point $((x + w * $1 / 100)) $((y + h / 2))
   mark; start=$(milliseconds)
   xdotool mousedown 1
-  until since 'skin .*quick' >/dev/null; do sleep 0.005; done
-  skin=$(($(milliseconds) - start))
-  until since '^skin' -A 1000 | grep -q 'picture .*moving'; do sleep 0.005; done
-  echo "profile slider: its profile after $skin ms, its picture after $(($(milliseconds) - start)) ms"
+  wait_for '^shown' 60
+  echo "profile slider, $2: its picture is in the window after" \
+    "$(($(since '^shown' | head -n 1 | cut -d' ' -f4) - start)) ms"
   xdotool mouseup 1
-  wait_for 'picture .* at rest' 240
+}
+for to in 20 30 40 50 60; do
+  slide $to "from rest"
+  wait_for 'skin .*final' 240; wait_for 'picture .* at rest' 240; wait_for '^idle' 60
 done
-wait_for 'skin .*final' 240
+for to in 30 40 50 60 70; do
+  slide $to "while a sharp picture is drawn"
+  wait_for 'skin .*final' 240; sleep 0.8
+done
+wait_for 'picture .* at rest' 240
 mark; wait_for 'idle' 60 || true
 sleep 2
 before=$(ticks) frames=$(grep -c '^idle' "$log"); sleep 5
 echo "at rest: $(($(ticks) - before)) ticks of the processor in 5 s," \
   "$(($(grep -c '^idle' "$log") - frames)) frames"
+awk '/VmRSS/ { print "memory: " int($2 / 1000) " MB" }' "/proc/$viewer/status"
 close_viewer

@@ -17,6 +17,7 @@
 
 #include "dermis/cancelled.h"
 #include "dermis/hooks.h"
+#include "viewer/model/priority.h"
 
 namespace dermis::viewer {
 
@@ -41,11 +42,12 @@ class Background {
   }
 
   /// Begins work; what was under way is ended first, and waited for.
-  void start(std::function<Result(const Hooks&)> work) {
+  void start(std::function<Result(const Hooks&)> work, Priority priority = Priority::background) {
     end();
     if (thread_.joinable()) thread_.join();
     state_ = std::make_shared<State>();
-    thread_ = std::thread([state = state_, work = std::move(work), on_news = on_news_] {
+    thread_ = std::thread([state = state_, work = std::move(work), on_news = on_news_, priority] {
+      take_priority(priority);
       run(*state, work, on_news);
       if (on_news) on_news();
     });

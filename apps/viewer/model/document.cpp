@@ -18,7 +18,9 @@ bool same_contents(const Scene& a, const Scene& b) {
 History::History(Document first) { states_.push_back({.document = std::move(first)}); }
 
 void History::take(Document next, std::string what, std::uint64_t gesture) {
-  ++revision_;
+  const bool waits_for_profile = next.skin.serial != now().skin.serial && next.skin.kind != SkinKind::scene &&
+                                 same_contents(next.scene, now().scene);
+  if (!waits_for_profile) ++revision_;
   states_.resize(at_ + 1);
   if (gesture != 0 && states_.back().gesture == gesture && at_ > 0) {
     states_.back().document = std::move(next);

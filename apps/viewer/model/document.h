@@ -36,7 +36,8 @@ class History {
   explicit History(Document first);
 
   const Document& now() const { return states_[at_].document; }
-  /// Grows with every change, undo and redo too.
+  /// Grows with every change of what is seen, undo and redo too. What a skin is made of is seen when its
+  /// profile is there, by amend().
   std::uint64_t revision() const { return revision_; }
 
   /// Takes an edited document. `what` names the change. Changes of one `gesture` (a drag of a slider, say)

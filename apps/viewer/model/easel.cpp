@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "api/shader_scope.h"
+#include "viewer/model/memory.h"
 
 namespace dermis::viewer {
 namespace {
@@ -51,6 +52,7 @@ Painted Easel::draw(const Wish& wish) {
   if (before_drawing_) before_drawing_();
   Painted painted = needs_prepared(wish) ? draw_prepared(wish) : draw_in_session(wish);
   painted.revision = wish.revision;
+  painted.serial = wish.serial;
   painted.moving = wish.moving;
   painted.is_b = wish.is_b;
   painted.ms = ms_since(start);
@@ -60,7 +62,7 @@ Painted Easel::draw(const Wish& wish) {
 
 Painted Easel::draw_in_session(const Wish& wish) {
   RenderSettings settings = wish.moving ? pace_.settings(wish.settings) : wish.settings;
-  if (!settings.output.exposure_ev) settings.output.exposure_ev = last_exposure_ev_;
+  if (!settings.output.exposure_ev) settings.output.exposure_ev = wish.exposure_ev;
 
   Session& session = this->session(wish.moving, wish.labels && !wish.moving);
   const auto start = std::chrono::steady_clock::now();
@@ -77,7 +79,7 @@ Painted Easel::draw_in_session(const Wish& wish) {
 
 Painted Easel::draw_prepared(const Wish& wish) {
   RenderSettings settings = wish.moving ? pace_.settings(wish.settings) : wish.settings;
-  if (wish.moving && !settings.output.exposure_ev) settings.output.exposure_ev = last_exposure_ev_;
+  if (wish.moving && !settings.output.exposure_ev) settings.output.exposure_ev = wish.exposure_ev;
   settings.output.frames = 1;
   if (prepared_)
     prepared_->set(wish.scene, settings);
@@ -85,8 +87,6 @@ Painted Easel::draw_prepared(const Wish& wish) {
     prepared_.emplace(renderer().prepare(wish.scene, settings));
   if (wish.timed) prepared_->draw();
   Painted painted{.picture = prepared_->picture()};
-  if (!settings.output.exposure_ev) last_exposure_ev_ = painted.picture.statistics.exposure_ev;
-
   if (wish.moving) painted.divisor = pace_.divisor();
   return painted;
 }
@@ -113,6 +113,7 @@ void Easel::renew() {
   moving_.reset();
   resting_.reset();
   renderer_.reset();
+  return_free_memory();
 }
 
 std::vector<std::string> Easel::validation_messages() const {

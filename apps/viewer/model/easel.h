@@ -48,7 +48,6 @@ class Easel {
   bool resting_has_labels_ = false;
   std::optional<PreparedFrame> prepared_;
   Pace pace_;
-  double last_exposure_ev_ = 0;  ///< that an automatic one has chosen
   std::string device_name_;
   std::vector<std::string> said_;  ///< by the validation layer of renderers that are gone
 };

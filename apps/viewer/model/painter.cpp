@@ -40,6 +40,12 @@ void Painter::wish(Wish wish) {
   wake_.notify_all();
 }
 
+void Painter::drop() {
+  const std::lock_guard lock(mutex_);
+  wish_.reset();
+  if (may_cancel_) cancel_ = true;
+}
+
 void Painter::save(SaveWish wish) {
   const std::lock_guard lock(mutex_);
   saves_.push_back(std::move(wish));
@@ -84,60 +90,68 @@ void Painter::tell(const std::function<void(PainterNews&)>& change) {
   if (options_.on_news) options_.on_news();
 }
 
+Hooks Painter::hooks() {
+  const auto take_progress = [this](const WorkProgress& work) {
+    {
+      const std::lock_guard lock(mutex_);
+      doing_ = fmt::format("{}: {:.0f} %", work.what, 100 * work.share);
+    }
+    if (options_.on_news) options_.on_news();
+    return true;
+  };
+  const auto take_line = [this](LogLevel, const std::string& line) {
+    tell([&](PainterNews& news) { news.notes.push_back(line); });
+  };
+
+  return {.log = take_line, .progress = take_progress, .stop = &cancel_};
+}
+
+// Waits for it. None: the thread is to end.
+std::optional<Painter::Job> Painter::next_job() {
+  std::unique_lock lock(mutex_);
+  working_ = false;
+  wake_.wait(lock, [this] { return stop_ || wish_ || wish_b_ || !saves_.empty(); });
+  if (stop_) return {};
+  working_ = true;
+
+  Job job;
+  if (!saves_.empty()) {
+    job.to_save = std::move(saves_.front());
+    saves_.erase(saves_.begin());
+  } else {
+    job.wish = std::exchange(wish_ ? wish_ : wish_b_, {});
+  }
+  job.shaders = std::exchange(shaders_, {});
+
+  may_cancel_ = job.wish && !job.wish->moving;
+  cancel_ = stop_.load();
+  return job;
+}
+
 void Painter::run() {
-  const Hooks hooks{.log =
-                        [this](LogLevel, const std::string& line) {
-                          tell([&](PainterNews& news) { news.notes.push_back(line); });
-                        },
-                    .progress =
-                        [this](const WorkProgress& work) {
-                          {
-                            const std::lock_guard lock(mutex_);
-                            doing_ = fmt::format("{}: {:.0f} %", work.what, 100 * work.share);
-                          }
-                          if (options_.on_news) options_.on_news();
-                          return true;
-                        },
-                    .stop = &cancel_};
+  take_priority(options_.priority);
   {
-    Easel easel({.device = options_.device, .validate = options_.validate, .hooks = hooks},
+    Easel easel({.device = options_.device, .validate = options_.validate, .hooks = hooks()},
                 options_.before_drawing);
-    for (;;) {
-      std::optional<Wish> wish;
-      std::optional<SaveWish> to_save;
-      std::shared_ptr<const ShaderSet> shaders;
-      {
-        std::unique_lock lock(mutex_);
-        working_ = false;
-        wake_.wait(lock, [this] { return stop_ || wish_ || wish_b_ || !saves_.empty(); });
-        if (stop_) break;
-        working_ = true;
-        if (!saves_.empty()) {
-          to_save = std::move(saves_.front());
-          saves_.erase(saves_.begin());
-        } else {
-          wish = std::exchange(wish_ ? wish_ : wish_b_, {});
-        }
-        may_cancel_ = wish && !wish->moving;
-        cancel_ = stop_.load();
-        shaders = std::exchange(shaders_, {});
-      }
-      if (shaders) easel.use_shaders(std::move(shaders));
-      serve(easel, wish, to_save);
+    while (std::optional<Job> job = next_job()) {
+      if (job->shaders) easel.use_shaders(std::move(job->shaders));
+      serve(easel, *job);
     }
     // The renderer ends here, before anybody is told.
   }
+
   const std::lock_guard lock(mutex_);
   has_ended_ = true;
   ended_.notify_all();
 }
 
 // A lost device is opened once more; what fails then is told.
-void Painter::serve(Easel& easel, const std::optional<Wish>& wish, const std::optional<SaveWish>& to_save) {
+void Painter::serve(Easel& easel, const Job& job) {
+  const std::optional<Wish>& wish = job.wish;
   const auto one = [&] {
-    if (to_save) {
-      easel.save(*to_save);
-      tell([&](PainterNews& news) { news.saved.push_back(to_save->file.string()); });
+    if (job.to_save) {
+      easel.save(*job.to_save);
+      tell([&](PainterNews& news) { news.saved.push_back(job.to_save->file.string()); });
       return;
     }
     auto painted = std::make_shared<const Painted>(easel.draw(*wish));

@@ -18,6 +18,7 @@
 #include "dermis/renderer.h"
 #include "dermis/session.h"
 #include "viewer/model/live_shaders.h"
+#include "viewer/model/priority.h"
 
 namespace dermis::viewer {
 
@@ -26,7 +27,9 @@ struct Wish {
   Scene scene;
   RenderSettings settings{};
   std::uint64_t revision = 0;  ///< of the document
+  std::uint64_t serial = 0;    ///< grows with each change of what is to be seen
   bool moving = false;         ///< while something changes: as small as the device needs it
+  double exposure_ev = 0;      ///< while something changes, of settings that leave it open
   bool timed = false;          ///< with the times of the passes
   bool labels = false;         ///< with what each pixel shows
   bool is_b = false;           ///< of what A is compared with
@@ -35,8 +38,8 @@ struct Wish {
 struct Painted {
   Picture picture;
   std::optional<Labels> labels{};
-  std::uint64_t revision = 0;
-  int divisor = 1;  ///< of the sides of what was wished
+  std::uint64_t revision = 0, serial = 0;  ///< of the wish
+  int divisor = 1;                         ///< of the sides of what was wished
   bool is_b = false;
   bool moving = false;
   double ms = 0;  ///< wall clock, from wish to picture
@@ -65,6 +68,7 @@ class Painter {
   struct Options {
     std::string device = "best";
     bool validate = false;
+    Priority priority = Priority::hand;
     /// Called by any thread after something new; may be empty.
     std::function<void()> on_news{};
     /// For tests: called before each picture, and may throw what a device throws.
@@ -77,6 +81,8 @@ class Painter {
   ~Painter();  ///< ends what is under way as soon as it can be ended
 
   void wish(Wish wish);
+  /// Forgets a picture of A that is not drawn yet.
+  void drop();
   void save(SaveWish wish);
   /// What comes after is drawn with these in the place of dermis's own.
   void use_shaders(std::shared_ptr<const ShaderSet> shaders);
@@ -91,8 +97,17 @@ class Painter {
   bool stop(double seconds);
 
  private:
+  /// A picture for the window, or one for a file.
+  struct Job {
+    std::optional<Wish> wish;
+    std::optional<SaveWish> to_save;
+    std::shared_ptr<const ShaderSet> shaders;  ///< from now on; null: those there are
+  };
+
   void run();
-  void serve(Easel& easel, const std::optional<Wish>& wish, const std::optional<SaveWish>& to_save);
+  Hooks hooks();
+  std::optional<Job> next_job();
+  void serve(Easel& easel, const Job& job);
   void tell(const std::function<void(PainterNews&)>& change);
 
   Options options_;

@@ -133,7 +133,8 @@ void SkinMaker::want(const SkinSource& source) {
 void SkinMaker::start() {
   if (!next_ || work_.is_running()) return;
   under_way_ = *std::exchange(next_, {});
-  work_.start([wish = under_way_](const Hooks& hooks) { return make_skin(wish.source, wish.quick, hooks); });
+  work_.start([wish = under_way_](const Hooks& hooks) { return make_skin(wish.source, wish.quick, hooks); },
+              under_way_.quick ? Priority::hand : Priority::background);
 }
 
 std::optional<MadeSkin> SkinMaker::take() {

@@ -99,12 +99,7 @@ bool spectral_rows(SkinSource& skin) {
 }
 
 bool foreign_row(SkinSource& skin) {
-  std::string systems;
-  for (const std::string_view name : gaussians::exchange_names())
-    systems += (systems.empty() ? "" : ", ") + std::string(name);
-  const std::string help = "SYSTEM key=R,G,B key=... with the system's own names and units: " + systems;
-  const About about{.help = help, .none = "unity reflectance=.. scattering_distance=.."};
-  return text_row("parameters", about, skin.foreign);
+  return text_row("parameters", About{.help = cli::import_help}, skin.foreign);
 }
 
 bool source_rows(SkinSource& skin) {

@@ -4,12 +4,40 @@
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
+#include <functional>
+#include <string_view>
+
 #include "dermis/error.h"
 #include "viewer/window/style.h"
 
 namespace dermis::viewer {
 
-Presenter::Presenter(const Window& window, bool validate) : window_(window), validate_(validate) {
+namespace {
+
+std::size_t hash_of(const void* data, std::size_t bytes) {
+  return std::hash<std::string_view>()({static_cast<const char*>(data), bytes});
+}
+
+// Of all that a frame shows but for the contents of its pictures.
+std::size_t hash_of(const ImDrawData& lists) {
+  std::size_t hash = 0;
+  const auto add = [&hash](std::size_t more) { hash = hash * 1099511628211u ^ more; };
+  add(hash_of(&lists.DisplaySize, sizeof(ImVec2)));
+  for (int i = 0; i < lists.CmdListsCount; ++i) {
+    const ImDrawList& list = *lists.CmdLists[i];
+    add(hash_of(list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.Size) * sizeof(ImDrawVert)));
+    add(hash_of(list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.Size) * sizeof(ImDrawIdx)));
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      add(hash_of(&command.ClipRect, sizeof(ImVec4)));
+      add(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
+    }
+  }
+  return hash;
+}
+
+}  // namespace
+
+Presenter::Presenter(Window& window, bool validate) : window_(window), validate_(validate) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -47,6 +75,17 @@ void Presenter::make() {
 void Presenter::set_picture(PictureSlot slot, int width, int height, std::span<const std::uint8_t> rgba) {
   kept_.at(static_cast<std::size_t>(slot)) = {width, height, {rgba.begin(), rgba.end()}};
   parts_->ui.set_picture(slot, width, height, rgba);
+  has_news_ = true;
+}
+
+// ImGui needs several frames until all of an event is seen, and most of them look alike.
+bool Presenter::is_shown(const ImDrawData& lists) {
+  const std::size_t hash = hash_of(lists);
+  const bool is_exposed = window_.take_exposed();
+  if (hash == shown_ && !is_exposed && !has_news_) return true;
+  shown_ = hash;
+  has_news_ = false;
+  return false;
 }
 
 bool Presenter::begin() {
@@ -59,6 +98,7 @@ bool Presenter::begin() {
 
 bool Presenter::end() {
   ImGui::Render();
+  if (is_shown(*ImGui::GetDrawData())) return true;
   constexpr std::array<float, 4> ground{0.09f, 0.09f, 0.1f, 1};
   try {
     // A swapchain that has just become too old gives none; the next one does.
@@ -78,6 +118,7 @@ bool Presenter::end() {
     lost_at_ = now;
     make();
   }
+  has_news_ = true;  // what was not shown is to be
   return false;
 }
 

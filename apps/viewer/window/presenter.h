@@ -14,12 +14,14 @@
 #include "viewer/window/ui_renderer.h"
 #include "viewer/window/window.h"
 
+struct ImDrawData;
+
 namespace dermis::viewer {
 
 class Presenter {
  public:
   /// Throws DeviceError: see PresentDevice.
-  Presenter(const Window& window, bool validate);
+  Presenter(Window& window, bool validate);
   Presenter(const Presenter&) = delete;
   Presenter& operator=(const Presenter&) = delete;
   ~Presenter();
@@ -28,8 +30,8 @@ class Presenter {
 
   /// Begins a frame of ImGui. False: the window shows nothing now (minimised); no frame was begun.
   bool begin();
-  /// Draws and shows the frame. Returns whether it was shown: a window that is just changing or hidden takes
-  /// none. Throws DeviceError if the device is lost again and again.
+  /// Draws and shows the frame, unless the window shows just that. Returns whether the window shows it: one
+  /// that is just changing or hidden takes none. Throws DeviceError if the device is lost again and again.
   bool end();
 
   bool is_software() const { return parts_->device.is_software(); }
@@ -50,14 +52,18 @@ class Presenter {
     std::vector<std::uint8_t> rgba;
   };
   void make();
+  /// Returns whether a frame would be what the window shows; takes it for shown.
+  bool is_shown(const ImDrawData& lists);
 
-  const Window& window_;
+  Window& window_;
   bool validate_;
   std::vector<std::string> said_;  ///< by the validation layer of parts that are gone
   std::array<Kept, picture_slots> kept_;
   std::unique_ptr<Parts> parts_;
   std::chrono::steady_clock::time_point lost_at_{};
   std::uint64_t frames_ = 0;
+  std::size_t shown_ = 0;  ///< hash of the lists that the window shows
+  bool has_news_ = true;   ///< pictures, or parts
 };
 
 }  // namespace dermis::viewer

@@ -48,13 +48,18 @@ Window::Window(const std::string& title, int width, int height) {
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { touch(w); });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { touch(w); });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { touch(w); });
-  glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int) { touch(w); });
-  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { touch(w); });
-  glfwSetWindowRefreshCallback(window_, touch);
+  glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int) { expose(w); });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { expose(w); });
+  glfwSetWindowRefreshCallback(window_, expose);
 }
 
 void Window::touch(GLFWwindow* window) {
   static_cast<Window*>(glfwGetWindowUserPointer(window))->touched_ = true;
+}
+
+void Window::expose(GLFWwindow* window) {
+  touch(window);
+  static_cast<Window*>(glfwGetWindowUserPointer(window))->exposed_ = true;
 }
 
 void Window::take_key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
@@ -73,6 +78,7 @@ void Window::take_key(GLFWwindow* window, int key, int scancode, int action, int
 std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
 
 bool Window::take_touched() { return std::exchange(touched_, false); }
+bool Window::take_exposed() { return std::exchange(exposed_, false); }
 
 Window::~Window() {
   glfwDestroyWindow(window_);

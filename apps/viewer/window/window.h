@@ -45,15 +45,18 @@ class Window {
   std::vector<KeyPress> take_keys();
   /// Returns whether the window or its input has changed since the last call.
   bool take_touched();
+  /// Returns whether what was shown may be gone since the last call.
+  bool take_exposed();
 
  private:
   static void touch(GLFWwindow* window);
+  static void expose(GLFWwindow* window);
   static void take_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
 
   GLFWwindow* window_ = nullptr;
   std::vector<std::string> dropped_;
   std::vector<KeyPress> keys_;
-  bool touched_ = true;
+  bool touched_ = true, exposed_ = true;
 };
 
 }  // namespace dermis::viewer

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <thread>
 
 #include "dermis/error.h"
 #include "unit/viewer/documents.h"
+#include "viewer/model/painters.h"
 
 namespace dermis::viewer {
 namespace {
@@ -24,7 +27,8 @@ RenderSettings small() {
 }
 
 // Waits until nothing is to be done any more, and returns all that was told.
-PainterNews settle(Painter& painter) {
+template <class AnyPainter>
+PainterNews settle(AnyPainter& painter) {
   PainterNews all;
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
   while (painter.is_busy() && std::chrono::steady_clock::now() < end)
@@ -82,6 +86,45 @@ TEST(Painter, DrawsAllThatStaysWanted) {
   EXPECT_TRUE(news.errors.empty());
   ASSERT_TRUE(news.painted && news.painted_b);
   EXPECT_EQ(news.painted->revision, 12u);
+}
+
+TEST(Painters, WhatFollowsTheHandWaitsForNothing) {
+  // The picture at rest cannot be ended, and ends when one that came later is there.
+  std::promise<void> is_shown;
+  std::atomic<int> begun = 0;
+  const Document document = tests::square_document();
+  Painters painters({.before_drawing =
+                         [&, shown = is_shown.get_future().share()] {
+                           if (++begun == 1) shown.wait_for(std::chrono::seconds(60));
+                         }},
+                    true);
+  painters.wish({.scene = document.scene, .settings = small(), .revision = 1, .serial = 1});
+  while (begun == 0) std::this_thread::yield();
+  painters.wish({.scene = document.scene, .settings = small(), .revision = 2, .serial = 2, .moving = true});
+
+  PainterNews news;
+  for (int i = 0; i < 6000 && !news.painted; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    news = painters.take_news();
+  }
+  ASSERT_TRUE(news.painted);
+  EXPECT_EQ(news.painted->serial, 2u);
+  EXPECT_TRUE(news.painted->moving);
+  is_shown.set_value();
+  EXPECT_TRUE(settle(painters).errors.empty());
+}
+
+TEST(Painters, OfTwoPicturesTheNewerIsTaken) {
+  const Document document = tests::square_document();
+  for (const bool apart : {false, true}) {
+    Painters painters({}, apart);
+    painters.wish({.scene = document.scene, .settings = small(), .serial = 3, .moving = true});
+    painters.wish({.scene = document.scene, .settings = small(), .serial = 3});
+    const PainterNews news = settle(painters);
+    ASSERT_TRUE(news.painted);
+    EXPECT_FALSE(news.painted->moving);
+    EXPECT_TRUE(painters.stop(60));
+  }
 }
 
 TEST(Painter, OpensALostDeviceOnceMore) {

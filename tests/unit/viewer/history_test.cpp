@@ -67,6 +67,25 @@ TEST(History, RevisionsGrowWithEachStep) {
   EXPECT_EQ(history.revision(), last);
 }
 
+TEST(History, ASkinIsSeenWhenItsProfileIsThere) {
+  History history(tests::square_document());
+  const std::uint64_t first = history.revision();
+  Document next = history.now();
+  next.skin.kind = SkinKind::spectral;
+  ++next.skin.serial;
+  history.take(next, "skin");
+  EXPECT_EQ(history.revision(), first);
+  EXPECT_TRUE(history.can_undo());
+
+  history.amend(next);
+  EXPECT_GT(history.revision(), first);
+  next.skin.kind = SkinKind::scene;
+  ++next.skin.serial;
+  const std::uint64_t amended = history.revision();
+  history.take(next, "skin");
+  EXPECT_GT(history.revision(), amended);
+}
+
 TEST(History, ForgetsTheOldest) {
   History history(tests::square_document());
   for (std::size_t i = 0; i < 2 * most_undo; ++i) set_bloom(history, 1e-3 * static_cast<double>(i));

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/model/memory.h"
+
+#include <cstdlib>  // defines __GLIBC__
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace dermis::viewer {
+
+void return_free_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace dermis::viewer
