@@ -8,8 +8,8 @@ One hard light, the file at rest and evenly spread frames of its first clip. The
 once and kept in OUT, so that a second program is measured with the same. Prints the error of `texture-space`
 less noise, and how many times that of the rest pose it is; in brackets what the noise of the reference leaves
 open, one standard error. With a --camera by --eye and --target, each frame is also drawn of the head *loaded*
-in its pose, where all that is found of a shape is of that pose, against a reference of its own: error over error
-is what motion costs, and the rest is what there is to see in that view.
+in its pose, where all that is found of a shape is of that pose, against a reference of its own: error over
+error is what motion costs, and the rest is what there is to see in that view.
 """
 import argparse
 import json
