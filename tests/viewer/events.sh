@@ -70,16 +70,16 @@ start_kb=0
 for ((i = 1; i <= count; ++i)); do
   one_event || true
   kill -0 "$viewer" 2>/dev/null || fail "the viewer has ended after $i events"
-  # After the first of them all is made that is kept.
-  if ((i == 60 || (i > 60 && i % 200 == 0) || i == count)); then
+  # In the first half of them most is made that is kept.
+  if ((i == count / 2 || i % 200 == 0 || i == count)); then
     kb=$(resident_at_rest)
-    ((start_kb > 0)) || start_kb=$kb
+    ((i == count / 2)) && start_kb=$kb
     echo "$i events: $((kb / 1000)) MB at rest"
   fi
 done
 told() { grep -c "$1" "$log" || true; }
 echo "$count events: $(told '^picture') pictures, $(told 'device was lost') lost devices," \
-  "$(told '^error') errors told; $start_kb kB after 60 events, $kb kB at the end"
+  "$(told '^error') errors told; $start_kb kB after half of them, $kb kB at the end"
 # One renderer that is not given back is more than that.
 ((kb < start_kb + start_kb / 5)) || fail "memory grows: $start_kb kB, then $kb kB"
 
