@@ -31,7 +31,7 @@ start_viewer --window 480x360 --map-size 64 --shadow-size 64 --samples 1 --valid
 resident_kb() { awk '/VmRSS/ { print $2 }' "/proc/$viewer/status"; }
 # When nothing is being drawn, and what was freed has been given back.
 resident_at_rest() {
-  local end=$((SECONDS + 60))
+  local end=$((SECONDS + 10))
   mark
   xdotool windowmap "$window" windowactivate "$window" mousemove --window "$window" 20 20
   until since '^idle' >/dev/null || ((SECONDS >= end)); do sleep 0.1; done

@@ -25,7 +25,8 @@ std::vector<Page> pages_of(const std::vector<std::string>& scene_words,
 /// it. Returns the file. Throws InputError with what the command said last; Cancelled.
 std::string write_page(const Page& page, const Hooks& hooks);
 
-/// Writes R(r) of a skin and of its fit, as `dermis profile --plot` does. Returns the file. Throws InputError.
+/// Writes R(r) of a skin and of its fit, as `dermis profile --plot` does. Returns the file. Throws
+/// InputError.
 std::string write_profile_page(const MadeSkin& skin, const Hooks& hooks);
 
 /// Shows a file in the browser; nothing where there is none.
