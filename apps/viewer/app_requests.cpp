@@ -109,6 +109,8 @@ void App::serve(const Requests& requests) {
   to_open_.insert(to_open_.end(), requests.open.begin(), requests.open.end());
   save(requests);
   if (requests.page) write_page_number(*requests.page);
+  if (requests.profile_page && skin_ && !pager_.is_running())
+    pager_.start([skin = *skin_](const Hooks& hooks) { return write_profile_page(skin, hooks); });
   if (requests.undo || requests.redo || requests.frame) frames_left_ = std::max(frames_left_, 2);
 }
 

@@ -29,7 +29,7 @@ class Pace {
 };
 
 /// A picture while something changes should take no longer.
-inline constexpr double pace_ms = 80;
+inline constexpr double pace_ms = 60;
 /// Side of the maps of such pictures, texels, at most.
 inline constexpr int moving_map_size = 128;
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "core/file.h"
+#include "core/hooks.h"
 #include "dermis/cancelled.h"
 #include "viewer/model/program.h"
 
@@ -41,6 +43,13 @@ std::string write_page(const Page& page, const Hooks& hooks) {
     throw;
   }
   throw InputError("", last_line(said));
+}
+
+std::string write_profile_page(const MadeSkin& skin, const Hooks& hooks) {
+  const HookScope scope(hooks);
+  std::string file = make_temporary_folder() + "/profile.svg";
+  write_file(file, plotted_skin(skin));
+  return file;
 }
 
 void open_page(const std::string& file) { start_program({"xdg-open", file}); }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dermis/hooks.h"
+#include "viewer/model/skin_maker.h"
 
 namespace dermis::viewer {
 
@@ -15,7 +16,7 @@ struct Page {
   std::vector<std::string> words;
 };
 
-/// Returns the pages of a scene: techniques against the truth, the paper's test, and (a picture) the profile.
+/// Returns the pages of a scene: techniques against the truth, and the paper's test.
 /// `scene_words`: of one scene (viewer/model/saving.h).
 std::vector<Page> pages_of(const std::vector<std::string>& scene_words,
                            const std::vector<std::string>& options, const std::string& device);
@@ -23,6 +24,10 @@ std::vector<Page> pages_of(const std::vector<std::string>& scene_words,
 /// Runs the `dermis` beside this program with these words and `--html FILE`, and waits for it; a hook ends
 /// it. Returns the file. Throws InputError with what the command said last; Cancelled.
 std::string write_page(const Page& page, const Hooks& hooks);
+
+/// Writes R(r) of a skin and of its fit, as `dermis profile --plot` does. Returns the file. Throws
+/// InputError.
+std::string write_profile_page(const MadeSkin& skin, const Hooks& hooks);
 
 /// Shows a file in the browser; nothing where there is none.
 void open_page(const std::string& file);

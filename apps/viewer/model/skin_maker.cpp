@@ -54,6 +54,15 @@ void add_model(SkinCurves& curves, const cli::Source& source) {
   });
 }
 
+const cli::Source& medium_of(const MadeSkin& skin) {
+  if (!skin.source) throw InputError("skin", "Gaussians alone have no medium; make the skin of one");
+  return *skin.source;
+}
+
+cli::Fitted fit_of(const MadeSkin& skin) {
+  return cli::fit(medium_of(skin), static_cast<int>(skin.profile.variances_mm2.size()), true);
+}
+
 }  // namespace
 
 cli::SourceOptions source_options(const SkinSource& source) {
@@ -118,10 +127,15 @@ MadeSkin make_skin(const SkinSource& source, bool quick, const Hooks& hooks) {
 }
 
 std::string exported_skin(const MadeSkin& skin, const std::string& system) {
-  if (!skin.source) throw InputError("export", "Gaussians alone have no medium; make the skin of one");
-  return cli::exported(*skin.source,
-                       cli::fit(*skin.source, static_cast<int>(skin.profile.variances_mm2.size()), true),
-                       system);
+  return cli::exported(medium_of(skin), fit_of(skin), system);
+}
+
+std::string plotted_skin(const MadeSkin& skin) {
+  const cli::Source& source = medium_of(skin);
+  return cli::profile_svg({.title = source.name + ": " + source.model,
+                           .profiles = source.profiles,
+                           .fit = cli::plotted(fit_of(skin)),
+                           .others = {}});
 }
 
 void SkinMaker::want(const SkinSource& source) {

@@ -43,6 +43,9 @@ SkinCurves curves_of(const ScatterProfile& profile);
 /// Returns the skin in the parameters of another system, with what gets lost. Throws InputError.
 std::string exported_skin(const MadeSkin& skin, const std::string& system);
 
+/// Returns its profile and the fit as an SVG. Throws InputError: Gaussians alone.
+std::string plotted_skin(const MadeSkin& skin);
+
 /// Computes the newest wish in the background.
 class SkinMaker {
  public:

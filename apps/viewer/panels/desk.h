@@ -66,6 +66,7 @@ struct Requests {
   bool save_png = false, save_exr = false, save_settings = false, save_scene = false, save_profile = false,
        copy_command = false, record = false, stop_recording = false;
   std::optional<std::size_t> page{};  ///< number of the page to be written
+  bool profile_page = false;
 };
 
 struct Desk {

@@ -147,7 +147,8 @@ void figures(const Desk& desk) {
 
 void exports(Desk& desk) {
   if (!desk.skin || !desk.skin->source) return;
-  if (!ImGui::CollapsingHeader("For other engines")) return;
+  if (!ImGui::CollapsingHeader("For other engines, and as a page")) return;
+  if (noted_button("R(r) and its fit in the browser")) desk.requests.profile_page = true;
   int number = 0;
   for (const std::string_view system : gaussians::exchange_names()) {
     if (number++ % 3 != 0) ImGui::SameLine();
