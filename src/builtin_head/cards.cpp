@@ -60,7 +60,7 @@ void draw_lashes(image::Image8& map, const Band& band, int count, int kind) {
                          (1 - 0.35f * smooth_step(0.8f, 1.0f, u));
     const vec2 root(u * w, band.root_v * h + 2.0f),
         tip((u + tuft + 0.030f * (dice(2) - 0.5f)) * w, glm::mix(band.root_v, band.tip_v, length) * h);
-    draw_lash(map, root, tip, 0.010f * w * (dice(3) - 0.5f), w * (0.0060f + 0.0020f * dice(4)));
+    draw_lash(map, root, tip, 0.010f * w * (dice(3) - 0.5f), w * (0.0070f + 0.0030f * dice(4)));
   }
 }
 
@@ -85,8 +85,8 @@ image::Image8 paint_hairs(int size, const vec3& colour) {
     }
   });
 
-  draw_lashes(map, upper_band, 104, 1);
-  draw_lashes(map, lower_band, 62, 2);
+  draw_lashes(map, upper_band, 190, 1);
+  draw_lashes(map, lower_band, 84, 2);
   return map;
 }
 
