@@ -183,7 +183,8 @@ void App::wish() {
                 .truth = view_.compare.is_on() && view_.compare.truth,
                 .show = view_.show,
                 .timed = view_.timed,
-                .labels = view_.loupe || is_label_view(view_.show)};
+                .labels = view_.loupe || is_label_view(view_.show),
+                .light = view_.loupe};
   if (wanted != changed_) {
     ++wanted.serial;
     changed_ = wanted;
@@ -202,7 +203,8 @@ void App::wish() {
                   .moving = moving,
                   .exposure_ev = exposure_ev_,
                   .timed = wanted.timed,
-                  .labels = wanted.labels});
+                  .labels = wanted.labels,
+                  .light = wanted.light});
 }
 
 // When the panels may be drawn again.

@@ -120,7 +120,7 @@ class App {
     int shaders = 0;     // how often they have changed
     bool truth = false;  // B is, so A is drawn as the truth is
     std::string show{};
-    bool timed = false, labels = false;
+    bool timed = false, labels = false, light = false;
     bool operator==(const Wished&) const = default;
   };
   Wished changed_, moving_wish_, resting_wish_, b_wish_;

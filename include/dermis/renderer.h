@@ -32,6 +32,10 @@ struct PassStatistics {
   std::string name;  ///< as describe_plan() prints it
   double ms = 0;     ///< median over the frames
   int calls = 1;     ///< per frame
+  /// Of the images that it writes, each counted whole, with its layers and mip levels: texels (samples of one
+  /// count once), and bytes of device memory. A pass may write fewer; passes that write the same image count
+  /// it each. 0: it writes buffers alone.
+  std::uint64_t texels = 0, image_bytes = 0;
 };
 
 /// What was rendered, on what, and what it cost. docs/measuring.md says how each figure is taken.

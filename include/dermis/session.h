@@ -70,6 +70,16 @@ struct Labels {
   /// as picture_regions() finds them (docs/truth.md), at the vertices of the skin. `other_skin` is the rest
   /// of the skin, and all skin that is no such head; `no_region` is nothing, or no skin.
   std::vector<std::uint8_t> region;
+  /// 0: no skin is there. Else 1 + the number of the skin mesh in the asset: parts of it that share a light
+  /// map.
+  std::vector<std::uint32_t> skin_mesh;
+  /// Two values per pixel: the texture coordinates of the light map of that skin mesh, 0 to 1, v down, which
+  /// the map of `output.show` "irradiance" has, too. 0 0 where no skin is.
+  std::vector<float> unwrap;
+  /// Thickness of the body below the skin, millimetres, as light that follows its shape takes it: the mean of
+  /// rays into a cone around the inward normal, in the rest pose, times the scale of the instance. What is
+  /// thicker than 50 mm times that scale, or does not close, has that. 0 where no skin is.
+  std::vector<float> thickness_mm;
 };
 
 /// One thread at a time may use a session and its renderer. A session keeps the device alive.
@@ -80,9 +90,9 @@ class Session {
     /// memory for its picture and for what changes per frame, but not for maps.
     int frames_in_flight = 2;
     bool statistics = false;  ///< counts what each frame computes: Statistics of its picture; costs time
-    /// Draws labels() with each frame: one more pass, which is one more time all visible triangles. Takes 44
-    /// bytes of memory per pixel, and 40 for each frame in flight. Nose and ears of an asset are found at its
-    /// first use: a tenth of a second for 20,000 triangles.
+    /// Draws labels() with each frame: one more pass, which is one more time all visible triangles. Takes 60
+    /// bytes of memory per pixel, and 56 for each frame in flight. Nose, ears and thickness of an asset are
+    /// found at its first use: a second for 20,000 triangles; the thickness is kept in the cache.
     bool labels = false;
   };
 

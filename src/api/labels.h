@@ -9,8 +9,8 @@
 
 namespace dermis::api {
 
-/// `surface`: LabelSurfaceIo, `names`: LabelNamesIo of each pixel.
+/// `surface`: LabelSurfaceIo, `names`: LabelNamesIo, `body`: LabelBodyIo of each pixel.
 Labels labels_of(int width, int height, std::span<const std::byte> surface, std::span<const std::byte> names,
-                 std::span<const std::byte> motion);
+                 std::span<const std::byte> motion, std::span<const std::byte> body);
 
 }  // namespace dermis::api

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <set>
 
+#include "core/assert.h"
 #include "core/error.h"
 #include "image/colour.h"
 #include "settings/names.h"
@@ -197,17 +198,35 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   }
 }
 
-void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames) {
+std::vector<PassStatistics> passes_of(const frame::FrameTime& frame, const frame::FrameGraph& graph) {
+  std::vector<PassStatistics> passes;
+  auto node = graph.passes().begin();
+  for (const gpu::Timing& timed : frame.passes) {
+    // In the order of the plan; some of its passes did not run.
+    node =
+        std::find_if(node, graph.passes().end(), [&](const auto& pass) { return pass.name == timed.name; });
+    DERMIS_ASSERT(node != graph.passes().end());
+    const frame::WrittenImages written = frame::written_images(graph, *node);
+    passes.push_back(
+        {.name = timed.name, .ms = timed.ms, .texels = written.texels, .image_bytes = written.bytes});
+  }
+  return passes;
+}
+
+void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames,
+                const frame::FrameGraph& graph) {
   std::vector<double> totals;
   for (const frame::FrameTime& f : frames) totals.push_back(f.total_ms);
   statistics.frame_ms_median = median(totals);
   statistics.frame_ms_min = *std::min_element(totals.begin(), totals.end());
   statistics.frame_ms_max = *std::max_element(totals.begin(), totals.end());
   statistics.frames = static_cast<int>(frames.size());
-  for (std::size_t p = 0; p < frames.front().passes.size(); ++p) {
+
+  statistics.passes = passes_of(frames.front(), graph);
+  for (std::size_t p = 0; p < statistics.passes.size(); ++p) {
     std::vector<double> times;
     for (const frame::FrameTime& f : frames) times.push_back(f.passes[p].ms);
-    statistics.passes.push_back({.name = frames.front().passes[p].name, .ms = median(times), .calls = 1});
+    statistics.passes[p].ms = median(times);
   }
 }
 

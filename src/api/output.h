@@ -18,8 +18,12 @@ void check_device_limits(const RenderSettings& settings, const gpu::DeviceLimits
 void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& settings,
                 const setup::FrameSetup& setup);
 
-/// Fills in the times of at least one frame: medians, shortest, longest.
-void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames);
+/// Returns the passes of a frame that was timed, with what `graph` knows of them.
+std::vector<PassStatistics> passes_of(const frame::FrameTime& frame, const frame::FrameGraph& graph);
+
+/// Fills in the times of at least one frame of a graph: medians, shortest, longest.
+void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames,
+                const frame::FrameGraph& graph);
 
 /// `counters` as read back from FrameOutputs::counters.
 /// `subjects`: one per instance.

@@ -125,11 +125,8 @@ double PreparedFrame::draw() {
 }
 
 std::vector<PassStatistics> PreparedFrame::last_passes() const {
-  std::vector<PassStatistics> passes;
-  if (!state_->times.empty())
-    for (const gpu::Timing& pass : state_->times.back().passes)
-      passes.push_back({.name = pass.name, .ms = pass.ms, .calls = 1});
-  return passes;
+  if (state_->times.empty()) return {};
+  return api::passes_of(state_->times.back(), state_->frame.executor().graph());
 }
 
 Picture PreparedFrame::picture() {
@@ -142,7 +139,7 @@ Picture PreparedFrame::State::picture() {
   Statistics& statistics = picture.statistics;
 
   statistics.timing = frame.executor().separate_submissions() ? "submit" : "timestamp";
-  if (!times.empty()) api::fill_times(statistics, times);
+  if (!times.empty()) api::fill_times(statistics, times, frame.executor().graph());
   api::fill_counts(statistics, frame.scene().subjects(), settings, frame.setup(), counters);
   statistics.upload_ms = frame.scene().upload_ms();
   statistics.pipeline_ms = frame.pipeline_ms();

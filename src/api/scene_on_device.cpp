@@ -9,6 +9,7 @@
 #include "core/hooks.h"
 #include "core/warnings.h"
 #include "environment/body_shape.h"
+#include "passes/labels/labels_io.h"
 #include "regions/parts.h"
 
 namespace dermis::api {
@@ -70,16 +71,24 @@ void add_shape(gpu::Device& device, SharedAsset& asset) {
   asset.has_shape = true;
 }
 
-// Finds nose and ears, for labels.
-void add_parts(gpu::Device& device, SharedAsset& asset) {
-  if (asset.has_parts) return;
+// Finds nose, ears and the thickness of the body, for labels.
+void add_label_vertices(gpu::Device& device, SharedAsset& asset) {
+  if (asset.has_label_vertices) return;
   const UploadTime time(asset);
   const auto parts = regions::parts_of_skin(*asset.subject.scene, asset.subject.skin);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    asset.gpu->skin[i].parts =
-        gpu::make_buffer(device, asset.gpu->skin[i].name + " parts", std::span<const glm::vec2>(parts[i]),
-                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  asset.has_parts = true;
+  Steps steps("the shape of the body", parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto shape =
+        environment::cached_body_shape(*asset.subject.scene, asset.subject.skin[i], cache::default_folder());
+    std::vector<io::LabelVertexIo> vertices;
+    for (std::size_t v = 0; v < parts[i].size(); ++v)
+      vertices.push_back({.part = parts[i][v], .thickness_mm = shape[v].thickness_mm});
+    asset.gpu->skin[i].label_vertices =
+        gpu::make_buffer(device, asset.gpu->skin[i].name + " label vertices",
+                         std::span<const io::LabelVertexIo>(vertices), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    steps.done();
+  }
+  asset.has_label_vertices = true;
 }
 
 // Uploads what finds the curvature of its skin, unless it is there.
@@ -134,7 +143,7 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
   for (const AssetPointer& asset : different_assets()) {
     upload_asset(library, *asset);
     if (environment) add_bent_normals(device, *asset);
-    if (setup.plan.labels) add_parts(device, *asset);
+    if (setup.plan.labels) add_label_vertices(device, *asset);
     if (setup.technique->curvature) add_welded(device, *asset);
   }
 

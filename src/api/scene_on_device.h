@@ -20,8 +20,8 @@ struct SharedAsset {
   std::optional<passes::GpuScene> gpu;  ///< looks point into it: never moved
   /// one per skin mesh, once an environment was asked for; values are on the device only
   std::vector<environment::Occlusion> bent_normal;
-  bool has_shape = false;  ///< vertices know the shape of the body, once a profile asked for it
-  bool has_parts = false;  ///< GpuMesh::parts of each skin mesh, once labels were asked for
+  bool has_shape = false;           ///< vertices know the shape of the body, once a profile asked for it
+  bool has_label_vertices = false;  ///< GpuMesh's, of each skin mesh, once labels were asked for
   double upload_ms = 0;
   bool warned_coarse = false;  ///< once is enough, however many views follow
 };

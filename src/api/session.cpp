@@ -21,7 +21,7 @@ struct Slot {
 
   gpu::FrameMemory memory;
   // Read back; empty until a frame needs them.
-  gpu::Buffer picture, display, counters, label_surface, label_names, label_motion;
+  gpu::Buffer picture, display, counters, label_surface, label_names, label_motion, label_body;
   RenderSettings settings;
   setup::FrameSetup setup;
   api::SceneOnDevice scene;
@@ -124,6 +124,8 @@ void Session::State::record(VkCommandBuffer commands, Slot& slot, const passes::
     copy(outputs.label_names, slot.label_names);
     make_readback(device, slot.label_motion, "label motions to read", 8 * pixels);
     copy(outputs.label_motion, slot.label_motion);
+    make_readback(device, slot.label_body, "label bodies to read", 16 * pixels);
+    copy(outputs.label_body, slot.label_body);
   }
 
   const gpu::Buffer& counters = resources.buffer(outputs.counters);
@@ -162,7 +164,7 @@ Labels Session::State::labels(const Slot& slot) const {
   if (!options.labels) throw input_error("", "this session draws no labels: its Options do not ask for them");
   frame.device().wait(slot.serial);
   return api::labels_of(slot.settings.output.width, slot.settings.output.height, slot.label_surface.mapped(),
-                        slot.label_names.mapped(), slot.label_motion.mapped());
+                        slot.label_names.mapped(), slot.label_motion.mapped(), slot.label_body.mapped());
 }
 
 Session::Session(const Renderer& renderer, const Options& options) {

@@ -35,7 +35,11 @@ std::string Statistics::json() const {
       {"median", frame_ms_median}, {"min", frame_ms_min}, {"max", frame_ms_max}, {"frames", frames}};
   j["passes"] = nlohmann::ordered_json::array();
   for (const PassStatistics& pass : passes)
-    j["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
+    j["passes"].push_back({{"name", pass.name},
+                           {"ms", pass.ms},
+                           {"calls", pass.calls},
+                           {"texels", pass.texels},
+                           {"image_bytes", pass.image_bytes}});
   j["load_ms"] = load_ms;
   j["upload_ms"] = upload_ms;
   j["pipeline_ms"] = pipeline_ms;

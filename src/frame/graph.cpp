@@ -77,6 +77,17 @@ void Declare::use(const Use& use) {
   pass_->uses.push_back(use);
 }
 
+WrittenImages written_images(const FrameGraph& graph, const PassNode& pass) {
+  WrittenImages written;
+  for (const Use& use : pass.uses) {
+    if (!use.is_texture || !writes(use.access)) continue;
+    const gpu::TextureDesc& desc = graph.textures()[use.index].desc;
+    written.texels += gpu::texels_of(desc);
+    written.bytes += gpu::bytes_of(desc);
+  }
+  return written;
+}
+
 bool FrameKind::has(Runs runs) const {
   switch (runs) {
     case Runs::every_frame: return true;

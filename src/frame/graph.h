@@ -154,6 +154,12 @@ class FrameGraph {
   std::vector<PassNode> passes_;
 };
 
+/// The images that a pass writes, each counted whole and once.
+struct WrittenImages {
+  std::uint64_t texels = 0, bytes = 0;
+};
+WrittenImages written_images(const FrameGraph& graph, const PassNode& pass);
+
 /// Returns one line per pass with what it reads and writes, then the resources with sizes.
 std::string print_text(const FrameGraph& graph);
 /// Returns the graph for Graphviz.

@@ -75,11 +75,15 @@ VkImageAspectFlags aspect_of(VkFormat format) {
                                                                          : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
-std::uint64_t bytes_of(const TextureDesc& desc) {
+std::uint64_t texels_of(const TextureDesc& desc) {
   std::uint64_t texels = 0;
   for (std::uint32_t mip = 0; mip < desc.mips; ++mip)
     texels += std::uint64_t{std::max(1u, desc.width >> mip)} * std::max(1u, desc.height >> mip);
-  return texels * desc.layers * desc.samples * texel_bytes(desc.format);
+  return texels * desc.layers;
+}
+
+std::uint64_t bytes_of(const TextureDesc& desc) {
+  return texels_of(desc) * desc.samples * texel_bytes(desc.format);
 }
 
 }  // namespace dermis::gpu

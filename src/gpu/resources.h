@@ -71,6 +71,7 @@ struct TextureDesc {
 
 /// Returns the size of all mips, layers and samples, without the padding that a driver may add.
 std::uint64_t bytes_of(const TextureDesc& desc);
+std::uint64_t texels_of(const TextureDesc& desc);  ///< of all layers and mip levels
 /// Returns the depth aspect of depth formats, else the colour aspect.
 VkImageAspectFlags aspect_of(VkFormat format);
 

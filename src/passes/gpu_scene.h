@@ -112,8 +112,9 @@ struct GpuMesh {
   Welded welded;
   /// see unwrap_map(), Occlusion::values of environment/occlusion.h; only under an environment
   gpu::Texture bent_normal;
-  /// vec2[], regions::parts_of_skin() at the vertices; empty until labels are drawn
-  gpu::Buffer parts;
+  /// LabelVertexIo[], regions::parts_of_skin() and the thickness at the vertices; empty until labels are
+  /// drawn
+  gpu::Buffer label_vertices;
   std::vector<GpuDraw> draws;
 
   /// "Vertices", "VertexExtras", "SkinVertices", "Indices", "TurnedNeighbours"

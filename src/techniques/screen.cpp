@@ -311,9 +311,11 @@ void Screen::add_labels(FrameOutputs& out) {
   out.label_surface = labels.surface;
   out.label_names = labels.names;
   out.label_motion = labels.motion;
+  out.label_body = labels.body;
   plan_->read_back(out.label_motion);
   plan_->read_back(out.label_surface);
   plan_->read_back(out.label_names);
+  plan_->read_back(out.label_body);
 }
 
 frame::TextureId Screen::add_picture() {

@@ -175,7 +175,7 @@ struct FrameOutputs {
   frame::TextureId before_bloom;  ///< RGBA16F, as picture
   frame::TextureId display;       ///< RGBA8, after the tone map
   /// Of passes/labels; not valid without labels.
-  frame::TextureId label_surface, label_names, label_motion;
+  frame::TextureId label_surface, label_names, label_motion, label_body;
   frame::BufferId counters;  ///< uint[]; Technique::report says what they mean
   /// With FrameSettings::host, in place of the pictures. Targets of the host; the light that it reads,
   /// RGBA16F, a layer per batch, see passes::ScatterSum.

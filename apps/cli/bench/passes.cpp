@@ -79,10 +79,15 @@ std::vector<PassStatistics> merge_passes(const std::vector<PassStatistics>& pass
     const std::string name = common_name(pass.name);
     const auto same = std::find_if(merged.begin(), merged.end(),
                                    [&](const PassStatistics& other) { return other.name == name; });
-    if (same == merged.end())
-      merged.push_back({.name = name, .ms = pass.ms, .calls = pass.calls});
-    else
-      same->ms += pass.ms, same->calls += pass.calls;
+    if (same == merged.end()) {
+      merged.push_back(pass);
+      merged.back().name = name;
+      continue;
+    }
+    same->ms += pass.ms;
+    same->calls += pass.calls;
+    same->texels += pass.texels;
+    same->image_bytes += pass.image_bytes;
   }
   return merged;
 }

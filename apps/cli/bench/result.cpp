@@ -66,7 +66,11 @@ nlohmann::ordered_json variant_object(const Measured& m) {
   const Spread spread = m.spread();
   ordered_json passes = ordered_json::array();
   for (const PassStatistics& pass : m.passes)
-    passes.push_back({{"name", pass.name}, {"ms", pass.ms}, {"calls", pass.calls}});
+    passes.push_back({{"name", pass.name},
+                      {"ms", pass.ms},
+                      {"calls", pass.calls},
+                      {"texels", pass.texels},
+                      {"image_bytes", pass.image_bytes}});
   return {{"meaning", m.variant.meaning},
           {"technique", m.counts.technique},
           {"optimise", m.counts.optimise},

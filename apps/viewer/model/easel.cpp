@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "api/shader_scope.h"
+#include "dermis/error.h"
 #include "viewer/model/memory.h"
 
 namespace dermis::viewer {
@@ -68,13 +69,32 @@ Painted Easel::draw_in_session(const Wish& wish) {
   const auto start = std::chrono::steady_clock::now();
   const Ticket ticket = session.draw(wish.scene, settings);
   Painted painted{.picture = session.picture(ticket)};
-  if (wish.labels && !wish.moving) painted.labels = session.labels(ticket);
+  if (wish.labels && !wish.moving) {
+    painted.labels = session.labels(ticket);
+    if (wish.light) painted.light = light_map(wish, settings);
+  }
 
   if (wish.moving) {
     painted.divisor = pace_.divisor();
     pace_.drew(ms_since(start));
   }
   return painted;
+}
+
+// None: the technique has no such map, or its nearest head does not read it.
+std::optional<LightMap> Easel::light_map(const Wish& wish, const RenderSettings& drawn) {
+  RenderSettings settings = drawn;
+  settings.output.show = "irradiance";
+  settings.output.frames = 1;
+  try {
+    if (prepared_)
+      prepared_->set(wish.scene, settings);
+    else
+      prepared_.emplace(renderer().prepare(wish.scene, settings));
+    Picture map = prepared_->picture();
+    return LightMap{
+        .side = map.width, .rgba = std::move(map.linear_rgba), .exposure_ev = map.statistics.exposure_ev};
+  } catch (const InputError&) { return {}; }
 }
 
 Painted Easel::draw_prepared(const Wish& wish) {

@@ -38,6 +38,7 @@ class Easel {
   Session& session(bool moving, bool labels);
   Painted draw_prepared(const Wish& wish);
   Painted draw_in_session(const Wish& wish);
+  std::optional<LightMap> light_map(const Wish& wish, const RenderSettings& drawn);
 
   Renderer::Options options_;
   std::function<void()> before_drawing_;

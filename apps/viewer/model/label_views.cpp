@@ -37,6 +37,26 @@ std::array<float, 2> depth_range(const Labels& labels) {
   return range;
 }
 
+float most_thickness_mm(const Labels& labels) {
+  return labels.thickness_mm.empty()
+             ? 0
+             : *std::max_element(labels.thickness_mm.begin(), labels.thickness_mm.end());
+}
+
+// From bright, where light comes through, to dark. By the square root: ears and lids differ as much as
+// cheeks.
+Colour colour_of_thickness(float mm, float most_mm) {
+  static constexpr std::array<Colour, 4> colours{
+      {{1.0f, 0.95f, 0.6f}, {0.95f, 0.45f, 0.25f}, {0.55f, 0.15f, 0.45f}, {0.1f, 0.08f, 0.3f}}};
+  const float at = 3 * std::sqrt(std::clamp(mm / std::max(most_mm, 1e-6f), 0.0f, 1.0f));
+  const std::size_t from = std::min<std::size_t>(static_cast<std::size_t>(at), 2);
+  const float share = at - static_cast<float>(from);
+  Colour colour;
+  for (std::size_t c = 0; c < 3; ++c)
+    colour[c] = (1 - share) * colours[from][c] + share * colours[from + 1][c];
+  return colour;
+}
+
 std::function<Colour(std::size_t)> colours_of(const Labels& labels, std::string_view view) {
   if (view == "instances") return [&labels](std::size_t i) { return colour_of_number(labels.instance[i]); };
   if (view == "materials") return [&labels](std::size_t i) { return colour_of_number(labels.material[i]); };
@@ -50,6 +70,11 @@ std::function<Colour(std::size_t)> colours_of(const Labels& labels, std::string_
     return [&labels, range = depth_range(labels)](std::size_t i) {
       const float far = (labels.depth_m[i] - range[0]) / std::max(range[1] - range[0], 1e-6f);
       return Colour{1 - 0.85f * far, 1 - 0.85f * far, 1 - 0.85f * far};
+    };
+  if (view == "thickness")
+    return [&labels, most_mm = most_thickness_mm(labels)](std::size_t i) {
+      return labels.skin_mesh[i] == 0 ? colour_of_region(Labels::no_region)
+                                      : colour_of_thickness(labels.thickness_mm[i], most_mm);
     };
   return {};
 }
@@ -75,6 +100,19 @@ std::vector<std::uint8_t> label_picture(const Painted& painted, std::string_view
     rgba.push_back(255);
   }
   return rgba;
+}
+
+std::vector<LegendMark> thickness_legend(const Painted& painted) {
+  const float most_mm = painted.labels ? most_thickness_mm(*painted.labels) : 0;
+  if (most_mm <= 0) return {};
+
+  std::vector<LegendMark> marks;
+  for (float decade_mm = 1; decade_mm < most_mm; decade_mm *= 10)
+    for (const float step : {1.0f, 2.0f, 5.0f})
+      if (step * decade_mm < 0.95f * most_mm) marks.push_back({.mm = step * decade_mm});
+  marks.push_back({.mm = most_mm});
+  for (LegendMark& mark : marks) mark.colour = colour_of_thickness(mark.mm, most_mm);
+  return marks;
 }
 
 }  // namespace dermis::viewer

@@ -11,13 +11,22 @@
 
 namespace dermis::viewer {
 
-inline constexpr std::array<std::string_view, 5> label_views{"instances", "materials", "regions", "depth",
-                                                             "normals"};
+inline constexpr std::array<std::string_view, 6> label_views{"instances", "materials", "regions",
+                                                             "depth",     "normals",   "thickness"};
 bool is_label_view(std::string_view name);
 
 /// Returns four values per pixel. Nothing is black; numbers have colours far from each other, regions those
-/// of "no skin" grey, "skin" skin, nose and ear; what is near is bright; normals are 0.5 + n/2. Empty: no
-/// such view, or no labels.
+/// of "no skin" grey, "skin" skin, nose and ear; what is near is bright; normals are 0.5 + n/2; thickness has
+/// the colours of thickness_legend(), and what is no skin is grey. Empty: no such view, or no labels.
 std::vector<std::uint8_t> label_picture(const Painted& painted, std::string_view view);
+
+/// What a colour of the view "thickness" means.
+struct LegendMark {
+  float mm = 0;
+  std::array<float, 3> colour{};
+};
+/// Returns marks at round lengths up to the greatest thickness in the picture, and that. Empty: no labels, or
+/// no skin in them.
+std::vector<LegendMark> thickness_legend(const Painted& painted);
 
 }  // namespace dermis::viewer

@@ -32,12 +32,21 @@ struct Wish {
   double exposure_ev = 0;      ///< while something changes, of settings that leave it open
   bool timed = false;          ///< with the times of the passes
   bool labels = false;         ///< with what each pixel shows
+  bool light = false;          ///< and, at rest, with the light map
   bool is_b = false;           ///< of what A is compared with
+};
+
+/// The map of `output.show` "irradiance".
+struct LightMap {
+  int side = 0;             ///< T, texels
+  std::vector<float> rgba;  ///< radiance of the light that enters, with exposure; alpha 0: not lit
+  double exposure_ev = 0;
 };
 
 struct Painted {
   Picture picture;
   std::optional<Labels> labels{};
+  std::optional<LightMap> light{};         ///< with labels, where the technique stores it
   std::uint64_t revision = 0, serial = 0;  ///< of the wish
   int divisor = 1;                         ///< of the sides of what was wished
   bool is_b = false;

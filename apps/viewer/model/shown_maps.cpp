@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "settings/fields.h"
@@ -32,10 +33,24 @@ void add_labels(PixelValues& pixel, const Labels& labels, const Statistics& stat
   const std::size_t head = pixel.instance - 1;
   if (head < statistics.used_size.size()) pixel.map_side = statistics.used_size[head];
   if (head < statistics.mapped_terms.size()) pixel.mapped_terms = statistics.mapped_terms[head];
-  for (std::size_t c = 0; c < 2; ++c) {
-    pixel.uv[c] = labels.uv[2 * i + c];
-    pixel.texel[c] = pixel.uv[c] * static_cast<float>(pixel.map_side);
-  }
+  for (std::size_t c = 0; c < 2; ++c) pixel.uv[c] = labels.uv[2 * i + c];
+  pixel.skin_mesh = labels.skin_mesh[i];
+  pixel.thickness_mm = labels.thickness_mm[i];
+  for (std::size_t c = 0; c < 2; ++c)
+    pixel.texel[c] = labels.unwrap[2 * i + c] * static_cast<float>(pixel.map_side);
+}
+
+// The map is that of the first skin mesh of the nearest head: of several heads, nobody says which.
+void add_irradiance(PixelValues& pixel, const LightMap& map, const Statistics& statistics) {
+  if (pixel.skin_mesh != 1 || statistics.heads != 1 || map.side != pixel.map_side) return;
+  std::array<std::size_t, 2> at{};
+  for (std::size_t c = 0; c < 2; ++c)
+    at[c] = static_cast<std::size_t>(std::clamp(static_cast<int>(pixel.texel[c]), 0, map.side - 1));
+  const std::size_t i = 4 * (at[1] * static_cast<std::size_t>(map.side) + at[0]);
+  if (map.rgba[i + 3] <= 0) return;
+
+  const float scale = std::numbers::pi_v<float> / std::exp2(static_cast<float>(map.exposure_ev));
+  pixel.irradiance = {scale * map.rgba[i], scale * map.rgba[i + 1], scale * map.rgba[i + 2]};
 }
 
 }  // namespace
@@ -70,6 +85,7 @@ std::optional<PixelValues> pixel_at(const Painted& painted, float u, float v) {
   for (std::size_t c = 0; c < 3; ++c) pixel.display[c] = picture.display_rgba[4 * i + c];
   if (painted.labels && i < painted.labels->instance.size())
     add_labels(pixel, *painted.labels, picture.statistics, i);
+  if (painted.light) add_irradiance(pixel, *painted.light, picture.statistics);
   return pixel;
 }
 

@@ -26,9 +26,15 @@ struct PixelValues {
   std::string region;
   float depth_m = 0;
   std::array<float, 3> normal{};
-  std::array<float, 2> uv{}, texel{};
-  int map_side = 0;       ///< T of its head
-  int mapped_terms = -1;  ///< Gaussians that its head reads from maps; -1: not known
+  std::array<float, 2> uv{};
+  std::uint32_t skin_mesh = 0;  ///< 0: no skin, and the rest is not known
+  float thickness_mm = 0;
+  std::array<float, 2> texel{};  ///< of the light map
+  int map_side = 0;              ///< T of its head
+  int mapped_terms = -1;         ///< Gaussians that its head reads from maps; -1: not known
+  /// Light that enters the skin at that texel, pi times its value in the light map, without exposure; none:
+  /// no map has it.
+  std::optional<std::array<float, 3>> irradiance{};
 };
 
 /// `u`, `v`: place in the picture, 0 to 1. None: outside.

@@ -47,6 +47,15 @@ void optimisations(Desk& desk) {
   if (changed) desk.edit("optimise", [&](Document& next) { next.settings.quality = quality; });
 }
 
+std::string words_of(const PassStatistics& pass) {
+  std::string words = fmt::format("{:.2f} ms", pass.ms);
+  if (pass.texels > 0)
+    words += fmt::format(", {:.2f} Mtexel, {:.1f} MB", static_cast<double>(pass.texels) / 1e6,
+                         static_cast<double>(pass.image_bytes) / 1e6);
+  return words;
+}
+
+// Time, and the images that a pass writes.
 void passes(const Statistics& s) {
   double most = 1e-9;
   for (const PassStatistics& pass : s.passes) most = std::max(most, pass.ms);
@@ -57,12 +66,12 @@ void passes(const Statistics& s) {
     ImGui::TextUnformatted(pass.name.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float length =
-        std::max(1.0f, (width - ImGui::GetFontSize() * 4) * static_cast<float>(pass.ms / most));
+        std::max(1.0f, (width - ImGui::GetFontSize() * 12) * static_cast<float>(pass.ms / most));
     list.AddRectFilled({at.x + name_width, at.y + 2},
                        {at.x + name_width + length, at.y + ImGui::GetTextLineHeight() - 1},
                        IM_COL32(190, 115, 92, 255));
     list.AddText({at.x + name_width + length + 4, at.y}, IM_COL32(200, 200, 200, 255),
-                 fmt::format("{:.2f} ms", pass.ms).c_str());
+                 words_of(pass).c_str());
   }
 }
 
@@ -87,6 +96,22 @@ void cost(Desk& desk) {
   if (!s.passes.empty()) passes(s);
 }
 
+// The colours of the view of thickness.
+void legend(const Desk& desk) {
+  if (!desk.shown) return;
+  const float side = ImGui::GetFontSize();
+  for (const LegendMark& mark : thickness_legend(*desk.shown)) {
+    if (ImGui::GetContentRegionAvail().x < 4 * side) ImGui::NewLine();
+    const auto [r, g, b] = mark.colour;
+    ImGui::ColorButton("##mark", {r, g, b, 1}, ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoBorder,
+                       {side, side});
+    ImGui::SameLine();
+    ImGui::Text("%.3g", mark.mm);
+    ImGui::SameLine();
+  }
+  ImGui::TextUnformatted("mm");
+}
+
 void loupe(const Desk& desk) {
   if (!desk.view.pointer || !desk.shown) return;
   const std::optional<PixelValues> pixel =
@@ -104,8 +129,15 @@ void loupe(const Desk& desk) {
   ImGui::Text("instance %u, material %u, %s", pixel->instance, pixel->material, pixel->region.c_str());
   ImGui::Text("%.1f mm from the eye; normal %.2f %.2f %.2f", 1000 * pixel->depth_m, pixel->normal[0],
               pixel->normal[1], pixel->normal[2]);
-  ImGui::Text("uv %.4f %.4f, texel %.1f %.1f of T %d", pixel->uv[0], pixel->uv[1], pixel->texel[0],
+  ImGui::Text("uv %.4f %.4f", pixel->uv[0], pixel->uv[1]);
+  if (pixel->skin_mesh == 0) return;
+  ImGui::Text("thickness %.1f mm; texel %.1f %.1f of T %d", pixel->thickness_mm, pixel->texel[0],
               pixel->texel[1], pixel->map_side);
+  if (pixel->irradiance)
+    ImGui::Text("irradiance that enters %.4f %.4f %.4f", pixel->irradiance->at(0), pixel->irradiance->at(1),
+                pixel->irradiance->at(2));
+  else
+    ImGui::TextDisabled("its irradiance is in no map");
   if (pixel->mapped_terms >= 0)
     ImGui::Text("%d of %d Gaussians from maps", pixel->mapped_terms,
                 desk.shown->picture.statistics.gaussians);
@@ -129,6 +161,7 @@ void inside_panel(Desk& desk) {
   if ((desk.view.loupe && desk.view.show != first_shown && !labelled) ||
       ((desk.view.loupe || labelled) && desk.view.timed))
     ImGui::TextDisabled("labels need the picture itself, untimed");
+  if (desk.view.show == "thickness") legend(desk);
   if (desk.view.loupe) {
     loupe(desk);
     ImGui::Separator();

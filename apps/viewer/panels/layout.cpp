@@ -73,6 +73,19 @@ void panels(Desk& desk, const History& history, ImVec2 low, ImVec2 size) {
   ImGui::End();
 }
 
+// At the right of the line, as much of it as there is room for.
+void cost_of_picture(const Painted& shown, float left, float right) {
+  const std::string cost =
+      fmt::format("{}x{}  {:.0f} ms", shown.picture.width, shown.picture.height, shown.ms);
+  for (const std::string& words : {cost + "  " + shown.picture.statistics.device, cost}) {
+    const float x = right - ImGui::CalcTextSize(words.c_str()).x - 10;
+    if (x < left + ImGui::GetFontSize()) continue;
+    ImGui::SameLine(x - ImGui::GetWindowPos().x);
+    ImGui::TextDisabled("%s", words.c_str());
+    return;
+  }
+}
+
 // One line: what is wrong or was done, what takes long, what the picture cost.
 void status_line(const Desk& desk, const std::string& doing, ImVec2 low, ImVec2 size) {
   ImGui::SetNextWindowPos(low);
@@ -89,13 +102,7 @@ void status_line(const Desk& desk, const std::string& doing, ImVec2 low, ImVec2 
     ImGui::TextDisabled(
         "drag: orbit   right drag: pan   wheel: nearer   WASD QE: fly   F: frame   P: panels");
   }
-  if (desk.shown) {
-    const Statistics& s = desk.shown->picture.statistics;
-    const std::string cost = fmt::format("{}x{}  {:.0f} ms  {}", desk.shown->picture.width,
-                                         desk.shown->picture.height, desk.shown->ms, s.device);
-    ImGui::SameLine(std::max(size.x - ImGui::CalcTextSize(cost.c_str()).x - 10, 0.0f));
-    ImGui::TextDisabled("%s", cost.c_str());
-  }
+  if (desk.shown) cost_of_picture(*desk.shown, ImGui::GetItemRectMax().x, low.x + size.x);
   ImGui::End();
   ImGui::PopStyleVar();
 }

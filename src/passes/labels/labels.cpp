@@ -14,14 +14,16 @@ namespace {
 constexpr VkFormat surface_format = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat names_format = VK_FORMAT_R32G32B32A32_UINT;
 constexpr VkFormat motion_format = VK_FORMAT_R32G32_SFLOAT;
+constexpr VkFormat body_format = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr std::array no_surface{0.0f, 0.0f, 0.0f, std::numeric_limits<float>::infinity()};
 constexpr std::array nothing{0.0f, 0.0f, 0.0f, 0.0f};  // the bits of the number 0, too
 
 io::LabelsIo labels_io(const Labels::Settings& settings, const Instance& instance,
-                       const GpuMaterial& material) {
+                       const GpuMaterial& material, std::uint32_t skin_mesh) {
   const auto number = &material - instance.look->materials.data();
   return {.instance = instance.number + 1,
           .material = static_cast<std::uint32_t>(number) + 1,
+          .skin_mesh = skin_mesh,
           .size = {settings.width, settings.height}};
 }
 
@@ -42,12 +44,15 @@ Labels::Out Labels::declare(frame::Declare& d) {
   out_.names = d.create("label names", desc);
   desc.format = motion_format;
   out_.motion = d.create("label motions", desc);
+  desc.format = body_format;
+  out_.body = d.create("label bodies", desc);
   desc.format = depth_format;
   depth_ = d.create("label depths", desc);
 
   d.colour(out_.surface);
   d.colour(out_.names);
   d.colour(out_.motion);
+  d.colour(out_.body);
   d.depth(depth_);
   return out_;
 }
@@ -60,7 +65,7 @@ void Labels::prepare(gpu::PipelineLibrary& library) {
             &library.graphics({.vertex = "labels.vert",
                                .fragment = "labels.frag",
                                .constants = {{"skin", skin ? 1u : 0u}, {"cut_out", cut_out ? 1u : 0u}},
-                               .colour_formats = {surface_format, names_format, motion_format},
+                               .colour_formats = {surface_format, names_format, motion_format, body_format},
                                .depth_format = depth_format,
                                .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
                                .depth_test = true,
@@ -71,7 +76,8 @@ void Labels::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fram
   const std::array targets{
       gpu::ColourTarget{.texture = &resources.texture(out_.surface), .clear = no_surface},
       gpu::ColourTarget{.texture = &resources.texture(out_.names), .clear = nothing},
-      gpu::ColourTarget{.texture = &resources.texture(out_.motion), .clear = nothing}};
+      gpu::ColourTarget{.texture = &resources.texture(out_.motion), .clear = nothing},
+      gpu::ColourTarget{.texture = &resources.texture(out_.body), .clear = nothing}};
   const gpu::DepthTarget depth{.texture = &resources.texture(depth_), .clear = 0.0f, .store = false};
 
   cmd.begin_rendering(targets, depth, {settings.width, settings.height});
@@ -93,12 +99,14 @@ void Labels::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& in
     bindings.add("Frame", frame.frame_io)
         .add("Placements", instance.scene->unmoved)
         .add("BeforePlacements", instance.scene->unmoved)
-        .add("Parts", instance.scene->skin[mesh].parts);
+        .add("LabelVertices", instance.scene->skin[mesh].label_vertices);
     offer_before(instance, mesh, instance.scene->unmoved, bindings);
     passes::draw_skin(
         cmd, instance, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) { return pipeline_of(material, true); },
-        [&](const GpuMaterial& material) { return labels_io(settings, instance, material); });
+        [&](const GpuMaterial& material) {
+          return labels_io(settings, instance, material, static_cast<std::uint32_t>(mesh) + 1);
+        });
   }
 }
 
@@ -110,7 +118,8 @@ void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
     Bindings bindings;
     bindings.add("Frame", frame.frame_io)
         .add("Instance", instance.transform)
-        .add("Parts", instance.scene->unmoved);  // any buffer: only skin reads it
+        .add("LabelVertices", instance.scene->unmoved)  // any buffer: only skin reads these
+        .add("SkinVertices", instance.scene->unmoved);
     offer_page(instance, group.page, bindings);
     offer_before(instance, instance.scene->skin.size() + group.page, instance.scene->unmoved, bindings);
     bindings.add("BeforePlacements", instance.placements_before.empty()
@@ -118,7 +127,7 @@ void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
                                          : instance.placements_before[group.page]);
     material.offer(bindings);
     bindings.bind(cmd, pipeline);
-    cmd.push(pipeline, labels_io(settings, instance, material));
+    cmd.push(pipeline, labels_io(settings, instance, material, 0));
     for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
   }
 }

@@ -15,9 +15,11 @@ layout(location = 3) in vec4 in_colour;
 layout(location = 4) in vec2 in_part;  // how far inside nose and ear
 layout(location = 5) in vec4 in_clip;
 layout(location = 6) in vec4 in_clip_before;
+layout(location = 7) in vec3 in_body;       // unwrap, thickness in mm
 layout(location = 0) out vec4 out_surface;  // LabelSurfaceIo
 layout(location = 1) out uvec4 out_names;   // LabelNamesIo
 layout(location = 2) out vec2 out_motion;   // pixels
+layout(location = 3) out vec4 out_body;     // LabelBodyIo
 
 // As final_pass.frag tests skin, and surface.frag all else: from the levels of the map.
 bool is_cut_in_picture() {
@@ -47,4 +49,5 @@ void main() {
   out_surface = vec4(normal, dot(in_position_m - frame.camera.eye_m, frame.camera.direction));
   out_names = uvec4(io.instance, io.material | region() << LABEL_REGION_SHIFT, floatBitsToUint(in_uv.xy));
   out_motion = motion();
+  out_body = vec4(in_body, float(io.skin_mesh));
 }

@@ -22,10 +22,11 @@ class Labels {
     frame::TextureId surface;  ///< RGBA32F, LabelSurfaceIo
     frame::TextureId names;    ///< RGBA32UI, LabelNamesIo
     frame::TextureId motion;   ///< RG32F, pixels since the frame before, y down
+    frame::TextureId body;     ///< RGBA32F, LabelBodyIo
   };
   Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
-  /// Needs GpuMesh::parts of every skin mesh, and Instance::before.
+  /// Needs GpuMesh::label_vertices of every skin mesh, and Instance::before.
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:

@@ -7,10 +7,11 @@
 #include "shaders/frame.glsl"
 #include "passes/labels/labels_io.h"
 layout(constant_id = 0) const bool skin = false;
-layout(binding = 34, scalar) readonly buffer Parts { vec2 parts[]; };  // of the vertices of skin
+layout(binding = 34, scalar) readonly buffer LabelVertices { LabelVertexIo label_vertices[]; };  // of skin
 layout(binding = 35, scalar) uniform Before { LabelsBeforeIo before; };
 layout(binding = 36, scalar) readonly buffer BeforePositions { vec3 before_m[]; };
 layout(binding = 37, scalar) readonly buffer BeforePlacements { PlacementIo before_placements[]; };
+layout(binding = 38, scalar) readonly buffer SkinVertices { SkinVertexIo skin_vertices[]; };
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_uv;
@@ -18,6 +19,7 @@ layout(location = 3) out vec4 out_colour;
 layout(location = 4) out vec2 out_part;
 layout(location = 5) out vec4 out_clip;
 layout(location = 6) out vec4 out_clip_before;
+layout(location = 7) out vec3 out_body;  // unwrap, thickness in mm
 
 // The same products and sums for both frames: what stands still has a motion of 0 exactly.
 vec4 clip_at(mat4 clip_from_world, InstanceIo i, PlacementIo placement, vec3 position_m) {
@@ -34,7 +36,13 @@ void main() {
   const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;
-  out_part = skin ? parts[gl_VertexIndex] : vec2(-1.0);
+  out_part = vec2(-1.0);
+  out_body = vec3(0.0);
+  if (skin) {
+    const LabelVertexIo label = label_vertices[gl_VertexIndex];
+    out_part = label.part;
+    out_body = vec3(skin_vertices[gl_VertexIndex].unwrap, label.thickness_mm * INSTANCE.scale);
+  }
 
   const vec3 now_m = vertices[gl_VertexIndex].position_m;
   const vec3 then_m = before.moved != 0u ? before_m[gl_VertexIndex] : now_m;

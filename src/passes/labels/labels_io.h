@@ -5,9 +5,10 @@
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 struct LabelsIo {
-  uint instance;  // its label: 1 + its number
-  uint material;  // likewise
-  vec2 size;      // of the picture, pixels
+  uint instance;   // its label: 1 + its number
+  uint material;   // likewise
+  uint skin_mesh;  // likewise, of its asset; 0: no skin
+  vec2 size;       // of the picture, pixels
 };
 
 // How an instance stood in the frame before.
@@ -15,6 +16,12 @@ struct LabelsBeforeIo {
   mat4 clip_from_world;  // of that frame's camera
   InstanceIo instance;
   uint moved;  // 1: its vertices were elsewhere
+};
+
+// Of a vertex of skin.
+struct LabelVertexIo {
+  vec2 part;  // how far inside nose and ear
+  float thickness_mm;
 };
 
 // What the pass writes per pixel; zeros where nothing is, but an infinite depth.
@@ -27,6 +34,11 @@ struct LabelNamesIo {
   uint material_and_region;  // the region in the uppermost byte
   vec2 uv;                   // the bits of floats
 };
+struct LabelBodyIo {
+  vec2 unwrap;
+  float thickness_mm;
+  float skin_mesh;  // a whole number
+};
 DERMIS_IO_END
 
 #define LABEL_REGION_SHIFT 24
@@ -37,5 +49,6 @@ DERMIS_IO_END
 #ifdef __cplusplus
 static_assert(sizeof(dermis::io::LabelSurfaceIo) == 16);
 static_assert(sizeof(dermis::io::LabelNamesIo) == 16);
+static_assert(sizeof(dermis::io::LabelBodyIo) == 16);
 #endif
 #endif

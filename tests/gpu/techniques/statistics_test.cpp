@@ -50,6 +50,27 @@ TEST(FrameStatistics, EveryPassHasANameOfItsOwn) {
   }
 }
 
+TEST(FrameStatistics, PassesSayWhichImagesTheyWrite) {
+  RenderSettings s = unoptimised(small_settings("texture-space", 96, 256));
+  s.quality.shadow_size = 128;
+  s.quality.samples = 1;
+  const Statistics statistics = renderer().render(sphere(0.1), s).statistics;
+  const auto pass = [&](const std::string& beginning) {
+    const auto found = std::find_if(statistics.passes.begin(), statistics.passes.end(),
+                                    [&](const PassStatistics& p) { return p.name.starts_with(beginning); });
+    EXPECT_NE(found, statistics.passes.end()) << beginning;
+    return found == statistics.passes.end() ? PassStatistics{} : *found;
+  };
+  // Layers of depth, 32 bits, at least one for each light; half floats; eight bits.
+  EXPECT_EQ(pass("shadow").texels % (128u * 128u), 0u);
+  EXPECT_GE(pass("shadow").texels, 128u * 128u * static_cast<unsigned>(statistics.lights));
+  EXPECT_EQ(pass("shadow").image_bytes, 4 * pass("shadow").texels);
+  EXPECT_EQ(pass("irradiance").texels % (256u * 256u), 0u);
+  EXPECT_GE(pass("irradiance").image_bytes, 8u * 256u * 256u);
+  EXPECT_EQ(pass("tone map").texels, 96u * 96u);
+  EXPECT_EQ(pass("tone map").image_bytes, 4u * 96u * 96u);
+}
+
 TEST(FrameStatistics, TexelsAreCounted) {
   const Statistics first = statistics_of("texture-space"), again = statistics_of("texture-space");
   EXPECT_EQ(first.irradiance_texels, again.irradiance_texels);
@@ -117,7 +138,8 @@ TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
 
     ASSERT_FALSE(j.at("passes").empty());
     for (const nlohmann::json& pass : j.at("passes"))
-      EXPECT_TRUE(pass.at("name").is_string() && pass.at("ms").is_number() && pass.at("calls") == 1);
+      EXPECT_TRUE(pass.at("name").is_string() && pass.at("ms").is_number() && pass.at("calls") == 1 &&
+                  pass.at("texels").is_number_unsigned() && pass.at("image_bytes").is_number_unsigned());
     EXPECT_TRUE(j.at("timing") == "timestamp" || j.at("timing") == "submit");
   }
 }

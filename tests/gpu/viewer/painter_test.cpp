@@ -12,6 +12,7 @@
 #include "dermis/error.h"
 #include "unit/viewer/documents.h"
 #include "viewer/model/painters.h"
+#include "viewer/model/shown_maps.h"
 
 namespace dermis::viewer {
 namespace {
@@ -177,6 +178,33 @@ TEST(Painter, TimesLabelsAndMaps) {
   ASSERT_TRUE(labelled.painted && labelled.painted->labels);
   EXPECT_EQ(labelled.painted->labels->instance.size(), 48u * 40u);
   EXPECT_EQ(labelled.painted->picture.display_rgba, timed.painted->picture.display_rgba);
+
+  EXPECT_FALSE(labelled.painted->light);
+  painter.wish({.scene = document.scene, .settings = small(), .revision = 1, .labels = true, .light = true});
+  const PainterNews lit = settle(painter);
+  ASSERT_TRUE(lit.painted && lit.painted->light);
+  EXPECT_EQ(lit.painted->picture.display_rgba, timed.painted->picture.display_rgba);
+  const std::optional<PixelValues> middle = pixel_at(*lit.painted, 0.5f, 0.5f);
+  ASSERT_TRUE(middle && middle->irradiance);
+  EXPECT_GT(middle->irradiance->at(0), 0);
+  // It is light, so it does not depend on the exposure of the picture.
+  RenderSettings bright = small();
+  bright.output.exposure_ev = 2;
+  painter.wish({.scene = document.scene, .settings = bright, .revision = 2, .labels = true, .light = true});
+  const PainterNews exposed = settle(painter);
+  ASSERT_TRUE(exposed.painted);
+  const std::optional<PixelValues> brighter = pixel_at(*exposed.painted, 0.5f, 0.5f);
+  ASSERT_TRUE(brighter && brighter->irradiance);
+  EXPECT_NEAR(brighter->irradiance->at(0) / middle->irradiance->at(0), 1, 1e-3);
+
+  // Techniques without light maps have none.
+  RenderSettings plain = small();
+  plain.technique = "lambert";
+  painter.wish({.scene = document.scene, .settings = plain, .revision = 3, .labels = true, .light = true});
+  const PainterNews without = settle(painter);
+  ASSERT_TRUE(without.painted && without.painted->labels);
+  EXPECT_FALSE(without.painted->light);
+  EXPECT_TRUE(without.errors.empty());
 
   RenderSettings map = small();
   map.output.show = "irradiance";

@@ -9,8 +9,8 @@ namespace dermis::cli::bench {
 namespace {
 
 TEST(Passes, OfManyHeadsBecomeOne) {
-  const std::vector<PassStatistics> merged = merge_passes({{"shadow head 0", 1, 1},
-                                                           {"shadow head 12", 2, 1},
+  const std::vector<PassStatistics> merged = merge_passes({{"shadow head 0", 1, 1, 64, 256},
+                                                           {"shadow head 12", 2, 1, 16, 64},
                                                            {"blur 3 u batch 0", 4, 1},
                                                            {"blur 3 v batch 0", 8, 1},
                                                            {"blur 3 u batch 1 part 2", 16, 1},
@@ -19,6 +19,8 @@ TEST(Passes, OfManyHeadsBecomeOne) {
   EXPECT_EQ(merged[0].name, "shadow");
   EXPECT_EQ(merged[0].ms, 3);
   EXPECT_EQ(merged[0].calls, 2);
+  EXPECT_EQ(merged[0].texels, 80u);
+  EXPECT_EQ(merged[0].image_bytes, 320u);
   EXPECT_EQ(merged[1].name, "blur 3 u");
   EXPECT_EQ(merged[1].ms, 20);
   EXPECT_EQ(merged[2].name, "blur 3 v");

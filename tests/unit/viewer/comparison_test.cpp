@@ -83,6 +83,9 @@ TEST(PixelValues, AreThoseUnderThePointer) {
   labels.normal.assign(24, 0);
   labels.uv.assign(16, 0.25f);
   labels.region.assign(8, Labels::nose);
+  labels.skin_mesh.assign(8, 1);
+  labels.unwrap.assign(16, 0.25f);
+  labels.thickness_mm.assign(8, 4);
 
   const std::optional<PixelValues> pixel = pixel_at(painted, 0.6f, 0.9f);
   ASSERT_TRUE(pixel);
@@ -104,6 +107,8 @@ TEST(LabelViews, HaveAColourForEachNumber) {
   labels.region = {0, 0, 1, 3};
   labels.depth_m = {std::numeric_limits<float>::infinity(), 1, 2, 3};
   labels.normal = {0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0};
+  labels.skin_mesh = {0, 1, 0, 1};
+  labels.thickness_mm = {0, 2, 0, 9};
 
   const auto pixel = [&](std::string_view view, std::size_t i) {
     const std::vector<std::uint8_t> rgba = label_picture(painted, view);
