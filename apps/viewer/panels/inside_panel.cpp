@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "settings/fields.h"
@@ -19,7 +20,7 @@ namespace {
 
 void show_row(Desk& desk) {
   const Statistics* statistics = desk.shown ? &desk.shown->picture.statistics : nullptr;
-  const bool open = ImGui::BeginCombo("show", desk.view.show.c_str());
+  const bool open = ImGui::BeginCombo("show", desk.view.show.c_str(), ImGuiComboFlags_HeightLargest);
   note_place("show");
   if (!open) return;
   std::vector<std::string> names =
@@ -47,31 +48,33 @@ void optimisations(Desk& desk) {
   if (changed) desk.edit("optimise", [&](Document& next) { next.settings.quality = quality; });
 }
 
-std::string words_of(const PassStatistics& pass) {
-  std::string words = fmt::format("{:.2f} ms", pass.ms);
-  if (pass.texels > 0)
-    words += fmt::format(", {:.2f} Mtexel, {:.1f} MB", static_cast<double>(pass.texels) / 1e6,
-                         static_cast<double>(pass.image_bytes) / 1e6);
-  return words;
+// The columns of a pass, after its name.
+void pass_columns(const std::array<std::string, 3>& words) {
+  const float right = ImGui::GetWindowContentRegionMax().x, em = ImGui::GetFontSize();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const float end = right - em * 4 * static_cast<float>(words.size() - 1 - i);
+    ImGui::SameLine(end - ImGui::CalcTextSize(words[i].c_str()).x);
+    ImGui::TextUnformatted(words[i].c_str());
+  }
 }
 
-// Time, and the images that a pass writes.
+// Time as a bar behind the name; and the images that a pass writes.
 void passes(const Statistics& s) {
   double most = 1e-9;
   for (const PassStatistics& pass : s.passes) most = std::max(most, pass.ms);
-  const float name_width = ImGui::GetFontSize() * 12.5f,
-              width = ImGui::GetContentRegionAvail().x - name_width;
+  ImGui::TextDisabled("pass, images that it writes");
+  pass_columns({"ms", "Mtexel", "MB"});
+  const float width = ImGui::GetContentRegionAvail().x;
   for (const PassStatistics& pass : s.passes) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float length = std::max(1.0f, width * static_cast<float>(pass.ms / most));
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + length, at.y + ImGui::GetTextLineHeight()},
+                                              IM_COL32(190, 115, 92, 110));
     ImGui::TextUnformatted(pass.name.c_str());
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float length =
-        std::max(1.0f, (width - ImGui::GetFontSize() * 12) * static_cast<float>(pass.ms / most));
-    list.AddRectFilled({at.x + name_width, at.y + 2},
-                       {at.x + name_width + length, at.y + ImGui::GetTextLineHeight() - 1},
-                       IM_COL32(190, 115, 92, 255));
-    list.AddText({at.x + name_width + length + 4, at.y}, IM_COL32(200, 200, 200, 255),
-                 words_of(pass).c_str());
+    const bool draws = pass.texels > 0;
+    pass_columns({fmt::format("{:.2f}", pass.ms),
+                  draws ? fmt::format("{:.2f}", static_cast<double>(pass.texels) / 1e6) : "",
+                  draws ? fmt::format("{:.1f}", static_cast<double>(pass.image_bytes) / 1e6) : ""});
   }
 }
 
