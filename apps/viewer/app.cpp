@@ -129,6 +129,7 @@ void App::draw_frame() {
   drawn_at_ = Clock::now();
 
   Requests requests;
+  const std::uint64_t skin_before = wanted_skin_;
   if (!history_) {
     loading_layout(first_.doing());
   } else {
@@ -152,15 +153,28 @@ void App::draw_frame() {
     take_skin();
     wish();
   }
-  has_picture_news_ = false;
+  show_frame(wanted_skin_ != skin_before);
+  if (history_) serve(requests);
+  tell_places();
+}
+
+// Shows the panels that were laid out. On a software driver that takes both processors as long as a profile
+// does: after an edit of the skin it is put off once, and the new picture brings the panels with it.
+void App::show_frame(bool edits_skin) {
+  if (edits_skin && presenter_.is_software() && !has_picture_news_ && !is_put_off_) {
+    presenter_.drop();
+    is_put_off_ = true;
+    frames_left_ = std::max(frames_left_, 1);
+    return;
+  }
+
+  is_put_off_ = has_picture_news_ = false;
   if (presenter_.end()) {
     tell_shown();
   } else if (!window_.is_minimised()) {
     frames_left_ = std::max(frames_left_, 1);
     retry_at_ = Clock::now() + std::chrono::milliseconds(100);
   }
-  if (history_) serve(requests);
-  tell_places();
 }
 
 // When a picture has come to the window.

@@ -59,6 +59,7 @@ class App {
   void take_painted();
   void show(std::shared_ptr<const Painted> painted);
   void draw_frame();
+  void show_frame(bool edits_skin);
   void apply(Desk& desk);
   void serve(const Requests& requests);
   void save(const Requests& requests);
@@ -129,6 +130,7 @@ class App {
   const Painted* compared_b_ = nullptr;
   CompareMode compared_mode_ = CompareMode::off;
   bool has_picture_news_ = false;                   // no frame has shown it yet
+  bool is_put_off_ = false;                         // the last frame was laid out, and not shown
   std::uint64_t told_picture_ = 0, rested_at_ = 0;  // serials
   double exposure_ev_ = 0;                          // of the last picture at rest
   Clock::time_point changed_at_{}, drawn_at_{}, played_at_{}, retry_at_{};

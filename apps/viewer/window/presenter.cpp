@@ -122,6 +122,8 @@ bool Presenter::end() {
   return false;
 }
 
+void Presenter::drop() { ImGui::EndFrame(); }
+
 std::vector<std::string> Presenter::validation_messages() const {
   std::vector<std::string> all = said_;
   all.insert(all.end(), parts_->device.messages().begin(), parts_->device.messages().end());

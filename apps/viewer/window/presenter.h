@@ -33,6 +33,8 @@ class Presenter {
   /// Draws and shows the frame, unless the window shows just that. Returns whether the window shows it: one
   /// that is just changing or hidden takes none. Throws DeviceError if the device is lost again and again.
   bool end();
+  /// Ends the frame in place of end(), and shows nothing.
+  void drop();
 
   bool is_software() const { return parts_->device.is_software(); }
   std::vector<std::string> validation_messages() const;
