@@ -30,8 +30,7 @@ struct SourceOptions {
 /// Of SourceOptions::import.
 inline constexpr const char* import_help =
     "another system's values: \"unity reflectance=R,G,B scattering_distance=R,G,B\", unreal, cycles, "
-    "openpbr, "
-    "gltf";
+    "openpbr, gltf";
 
 /// Three profiles and what is known about them.
 struct Source {

@@ -149,7 +149,7 @@ void App::draw_frame() {
     area_ = main_layout(desk, *history_, doing, window_.take_keys());
     if (!ImGui::IsAnyItemActive()) ++gesture_;
     apply(desk);
-    // What was edited is computed while the panels are drawn.
+    // What was edited is begun before the panels are shown.
     take_skin();
     wish();
   }

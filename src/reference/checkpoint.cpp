@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/hash.h"
+#include "scene/material_source.h"
 
 namespace dermis::reference {
 namespace {
@@ -54,11 +55,7 @@ void add_material(SceneHash& h, const scene::Material& m) {
   h.add(m.alpha_cutoff);
   h.add(m.double_sided);
   h.add(m.unlit);
-  for (const scene::MapRef* map :
-       {&m.base_colour_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.emissive_map,
-        &m.specular_map, &m.specular_colour_map, &m.skin_settings.specular, &m.skin_settings.roughness,
-        &m.skin_settings.displacement, &m.skin_settings.detail})
-    h.add(*map);
+  scene::for_each_map(m, [&](const scene::MapRef& map, bool) { h.add(map); });
   h.add(m.skin_settings.mix.value_or(-1.0f));
   h.add(m.skin_settings.displacement_mm);
   for (const scene::SpecularLobe& lobe : m.skin_settings.lobes) {

@@ -26,9 +26,9 @@ Casters::Casters(const Subject& subject, const PosedAsset* posed, const Pose& po
   }
 
   corners_m_ = placed(posed->corners_m, pose);
+  if (corners_m_.empty()) return;
   rest_corners_m_ = placed(subject.caster_corners_m, pose);
   rest_ = {pose.sphere(subject.casters), rest_corners_m_};
-  moves_ = !corners_m_.empty();
 }
 
 }  // namespace dermis::setup

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "passes/shadow/fit.h"
@@ -21,13 +22,12 @@ class Casters {
   Casters& operator=(const Casters&) = delete;
 
   /// Lives as long as this.
-  passes::ShadowBounds bounds() const { return {sphere_, corners_m_, moves_ ? &rest_ : nullptr}; }
+  passes::ShadowBounds bounds() const { return {sphere_, corners_m_, rest_ ? &*rest_ : nullptr}; }
 
  private:
   std::vector<glm::vec3> rest_corners_m_, corners_m_;
-  passes::ShadowBounds rest_;
+  std::optional<passes::ShadowBounds> rest_;  ///< of what moves
   scene::BoundingSphere sphere_;
-  bool moves_ = false;
 };
 
 }  // namespace dermis::setup

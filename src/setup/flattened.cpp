@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "scene/material_source.h"
 #include "setup/placed_scene.h"
 
 namespace dermis::setup {
@@ -12,15 +13,9 @@ bool is_as_its_asset(const PlacedAsset& instance) {
 }
 
 void offset_images(scene::Material& material, int first) {
-  const auto offset = [&](scene::MapRef& map) {
+  scene::for_each_map(material, [&](scene::MapRef& map, bool) {
     if (map.present()) map.image += first;
-  };
-  for (scene::MapRef* map :
-       {&material.base_colour_map, &material.metallic_roughness_map, &material.normal_map,
-        &material.occlusion_map, &material.emissive_map, &material.specular_map,
-        &material.specular_colour_map, &material.skin_settings.specular, &material.skin_settings.roughness,
-        &material.skin_settings.displacement, &material.skin_settings.detail})
-    offset(*map);
+  });
 }
 
 scene::Material dressed(scene::Material material, const PlacedAsset& instance) {

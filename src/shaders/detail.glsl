@@ -9,14 +9,8 @@ const float detail_whole = 2.0, detail_gone = 8.0;
 // Returns the tile's normal at the point, flatter the more of its texels a pixel holds. Where none is left it
 // is not read.
 vec3 detail_normal(MapIo map, sampler2D tile, ShadingPoint s) {
-#ifdef COMPUTE_SHADING
-  const vec2 on_x = map.uv_set == 0u ? s.uv_dx.xy : s.uv_dx.zw,
-             on_y = map.uv_set == 0u ? s.uv_dy.xy : s.uv_dy.zw;
-#else
-  const vec2 uv = map.uv_set == 0u ? s.uv0 : s.uv1, on_x = dFdx(uv), on_y = dFdy(uv);
-#endif
-  const vec2 side = vec2(textureSize(tile, 0)), dx = (map.u_axis * on_x.x + map.v_axis * on_x.y) * side,
-             dy = (map.u_axis * on_y.x + map.v_axis * on_y.y) * side;
+  const mat2 change = map_uv_change(map, s);
+  const vec2 side = vec2(textureSize(tile, 0)), dx = change[0] * side, dy = change[1] * side;
   const float texels2 = max(dot(dx, dx), dot(dy, dy));  // of the axis along which they change faster
   if (texels2 >= detail_gone * detail_gone) return vec3(0.0, 0.0, 1.0);
 

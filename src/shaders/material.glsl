@@ -25,12 +25,21 @@ vec2 map_uv(MapIo map, ShadingPoint s) {
   return map.u_axis * uv.x + map.v_axis * uv.y + map.offset;
 }
 
+// Returns by how much map_uv() changes per pixel (or texel of a light map): along x, along y.
+mat2 map_uv_change(MapIo map, ShadingPoint s) {
+#ifdef COMPUTE_SHADING
+  const vec2 dx = map.uv_set == 0u ? s.uv_dx.xy : s.uv_dx.zw, dy = map.uv_set == 0u ? s.uv_dy.xy : s.uv_dy.zw;
+#else
+  const vec2 uv = map.uv_set == 0u ? s.uv0 : s.uv1, dx = dFdx(uv), dy = dFdy(uv);
+#endif
+  return mat2(map.u_axis * dx.x + map.v_axis * dx.y, map.u_axis * dy.x + map.v_axis * dy.y);
+}
+
 // Returns a map at the point, filtered over a pixel (or a texel of a light map).
 vec4 map_texel(sampler2D texels, MapIo map, ShadingPoint s) {
 #ifdef COMPUTE_SHADING
-  const vec2 dx = map.uv_set == 0u ? s.uv_dx.xy : s.uv_dx.zw, dy = map.uv_set == 0u ? s.uv_dy.xy : s.uv_dy.zw;
-  return textureGrad(texels, map_uv(map, s), map.u_axis * dx.x + map.v_axis * dx.y,
-                     map.u_axis * dy.x + map.v_axis * dy.y);
+  const mat2 change = map_uv_change(map, s);
+  return textureGrad(texels, map_uv(map, s), change[0], change[1]);
 #else
   return texture(texels, map_uv(map, s));
 #endif

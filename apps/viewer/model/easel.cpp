@@ -81,17 +81,19 @@ Painted Easel::draw_in_session(const Wish& wish) {
   return painted;
 }
 
+PreparedFrame& Easel::prepared(const Scene& scene, RenderSettings settings) {
+  settings.output.frames = 1;
+  if (!prepared_) return prepared_.emplace(renderer().prepare(scene, settings));
+  prepared_->set(scene, settings);
+  return *prepared_;
+}
+
 // None: the technique has no such map, or its nearest head does not read it.
 std::optional<LightMap> Easel::light_map(const Wish& wish, const RenderSettings& drawn) {
   RenderSettings settings = drawn;
   settings.output.show = "irradiance";
-  settings.output.frames = 1;
   try {
-    if (prepared_)
-      prepared_->set(wish.scene, settings);
-    else
-      prepared_.emplace(renderer().prepare(wish.scene, settings));
-    Picture map = prepared_->picture();
+    Picture map = prepared(wish.scene, settings).picture();
     return LightMap{
         .side = map.width, .rgba = std::move(map.linear_rgba), .exposure_ev = map.statistics.exposure_ev};
   } catch (const InputError&) { return {}; }
@@ -100,13 +102,9 @@ std::optional<LightMap> Easel::light_map(const Wish& wish, const RenderSettings&
 Painted Easel::draw_prepared(const Wish& wish) {
   RenderSettings settings = wish.moving ? pace_.settings(wish.settings) : wish.settings;
   if (wish.moving && !settings.output.exposure_ev) settings.output.exposure_ev = wish.exposure_ev;
-  settings.output.frames = 1;
-  if (prepared_)
-    prepared_->set(wish.scene, settings);
-  else
-    prepared_.emplace(renderer().prepare(wish.scene, settings));
-  if (wish.timed) prepared_->draw();
-  Painted painted{.picture = prepared_->picture()};
+  PreparedFrame& frame = prepared(wish.scene, settings);
+  if (wish.timed) frame.draw();
+  Painted painted{.picture = frame.picture()};
   if (wish.moving) painted.divisor = pace_.divisor();
   return painted;
 }

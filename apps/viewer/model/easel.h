@@ -36,6 +36,7 @@ class Easel {
  private:
   Renderer& renderer();
   Session& session(bool moving, bool labels);
+  PreparedFrame& prepared(const Scene& scene, RenderSettings settings);
   Painted draw_prepared(const Wish& wish);
   Painted draw_in_session(const Wish& wish);
   std::optional<LightMap> light_map(const Wish& wish, const RenderSettings& drawn);

@@ -102,16 +102,35 @@ glm::mat4 turned(float angle_rad, const glm::mat4& view_from_world) {
   return glm::rotate(glm::mat4(1), angle_rad, glm::vec3(0, 0, 1)) * view_from_world;
 }
 
+// Where points lie in a light's view.
+struct Extent {
+  glm::vec2 low{HUGE_VALF}, high{-HUGE_VALF};
+  float nearest_m = HUGE_VALF, farthest_m = -HUGE_VALF;
+};
+
+template <class Project>
+Extent extent_of(std::span<const glm::vec3> points_m, const glm::mat4& view_from_world,
+                 const Project& project) {
+  Extent extent;
+  for (const glm::vec3& p_m : points_m) {
+    const glm::vec3 p(view_from_world * glm::vec4(p_m, 1));
+    const glm::vec2 at = project(p);
+    extent.low = glm::min(extent.low, at);
+    extent.high = glm::max(extent.high, at);
+    extent.nearest_m = std::min(extent.nearest_m, -p.z);
+    extent.farthest_m = std::max(extent.farthest_m, -p.z);
+  }
+  return extent;
+}
+
+glm::vec2 along_axis(const glm::vec3& p) { return {p.x, p.y}; }
+glm::vec2 on_plane(const glm::vec3& p) { return glm::vec2(p) / -p.z; }
+
 // Narrows near and far to the points, less a margin, where that is nearer than what the sphere has.
 void narrow_depth(Window& window, std::span<const glm::vec3> points_m, float margin_m) {
-  float nearest_m = HUGE_VALF, farthest_m = -HUGE_VALF;
-  for (const glm::vec3& p_m : points_m) {
-    const float depth_m = -(window.view_from_world * glm::vec4(p_m, 1)).z;
-    nearest_m = std::min(nearest_m, depth_m);
-    farthest_m = std::max(farthest_m, depth_m);
-  }
-  window.near_m = std::max(window.near_m, nearest_m - margin_m);
-  window.far_m = std::min(window.far_m, farthest_m + margin_m);
+  const Extent extent = extent_of(points_m, window.view_from_world, along_axis);
+  window.near_m = std::max(window.near_m, extent.nearest_m - margin_m);
+  window.far_m = std::min(window.far_m, extent.farthest_m + margin_m);
 }
 
 Window directional_window(const glm::vec3& direction, const ShadowBounds& bounds) {
@@ -135,8 +154,6 @@ Window directional_window(const glm::vec3& direction, const ShadowBounds& bounds
 bool is_outside(const glm::vec3& position_m, const ShadowBounds& bounds) {
   return glm::distance(bounds.sphere.centre_m, position_m) > 1.1f * radius_of(bounds);
 }
-
-glm::vec2 on_plane(const glm::vec3& p) { return glm::vec2(p) / -p.z; }
 
 // For a light outside the sphere.
 Window perspective_window(const glm::vec3& position_m, const ShadowBounds& bounds) {
@@ -171,27 +188,6 @@ Window perspective_window(const glm::vec3& position_m, const ShadowBounds& bound
   return tight;
 }
 
-// Where points lie in a light's view.
-struct Extent {
-  glm::vec2 low{HUGE_VALF}, high{-HUGE_VALF};
-  float nearest_m = HUGE_VALF, farthest_m = -HUGE_VALF;
-};
-
-template <class Project>
-Extent extent_of(std::span<const glm::vec3> points_m, const glm::mat4& view_from_world,
-                 const Project& project) {
-  Extent extent;
-  for (const glm::vec3& p_m : points_m) {
-    const glm::vec3 p(view_from_world * glm::vec4(p_m, 1));
-    const glm::vec2 at = project(p);
-    extent.low = glm::min(extent.low, at);
-    extent.high = glm::max(extent.high, at);
-    extent.nearest_m = std::min(extent.nearest_m, -p.z);
-    extent.farthest_m = std::max(extent.farthest_m, -p.z);
-  }
-  return extent;
-}
-
 // Returns the window of the rest, with sides by steps and shifted by whole texels to hold what has moved.
 Window steady_window(const Window& rest, const Extent& extent, float size) {
   const glm::vec2 sides = extent.high - extent.low, middle = 0.5f * (extent.low + extent.high);
@@ -208,8 +204,7 @@ Window steady_window(const Window& rest, const Extent& extent, float size) {
 Window directional_window(const glm::vec3& direction, const ShadowBounds& bounds, float size) {
   if (!bounds.rest) return directional_window(direction, bounds);
   const Window rest = directional_window(direction, *bounds.rest);
-  const Extent extent =
-      extent_of(bounds.corners_m, rest.view_from_world, [](const glm::vec3& p) { return glm::vec2(p); });
+  const Extent extent = extent_of(bounds.corners_m, rest.view_from_world, along_axis);
 
   Window window = steady_window(rest, extent, size);
   const float margin_m = 0.1f * radius_of(bounds);

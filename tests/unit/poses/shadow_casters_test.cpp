@@ -26,6 +26,12 @@ std::vector<glm::vec3> vertices_of(const Scene& scene) {
   return points_m;
 }
 
+std::vector<glm::vec3> posed_vertices(const Scene& scene, const setup::PosedAsset& posed) {
+  Scene moved = scene;
+  take_pose(*scene.rig, posed.rig, moved);
+  return vertices_of(moved);
+}
+
 // Returns the place in the map, in texels, and in z the depth.
 glm::vec3 in_map(const passes::ShadowFit& fit, const glm::vec3& p_m) {
   const glm::vec4 clip = fit.shadow_from_world.at(0) * glm::vec4(p_m, 1);
@@ -96,9 +102,7 @@ void expect_steady_texels(const fs::path& file) {
 
   for (int frame = 0; frame < 48; ++frame) {
     const auto posed = api::posed_asset(*scene, RigPose{.clip = ClipTime{"", frame / 8.0}});
-    Scene moved = *scene;
-    take_pose(*scene->rig, posed->rig, moved);
-    const std::vector<glm::vec3> vertices_m = vertices_of(moved);
+    const std::vector<glm::vec3> vertices_m = posed_vertices(*scene, *posed);
     const setup::Casters casters(subject, posed.get(), {});
     for (std::size_t i = 0; i < lights.size(); ++i)
       found[i].add(passes::fit_shadow(lights[i], casters.bounds(), map_size), vertices_m);
@@ -135,9 +139,7 @@ TEST(ShadowCasters, HoldWhatWalksAway) {
   for (const auto& to_m : {glm::dvec3(0.2, 0, 0), glm::dvec3(-0.1, 0.3, 0.4), glm::dvec3(3, 0, 5)}) {
     const JointTransform away{.name = "root", .translation = {{to_m.x, to_m.y, to_m.z}}};
     const auto posed = api::posed_asset(*scene, RigPose{.joints = {away}});
-    Scene moved = *scene;
-    take_pose(*scene->rig, posed->rig, moved);
-    const std::vector<glm::vec3> vertices_m = vertices_of(moved);
+    const std::vector<glm::vec3> vertices_m = posed_vertices(*scene, *posed);
     ASSERT_GT(glm::distance(vertices_m[0], vertices_of(*scene)[0]), 0.1f);
     for (const Light& light : lights) {
       const setup::Casters casters(subject, posed.get(), {});
