@@ -8,6 +8,7 @@
 
 #include "api/scene_state.h"
 #include "setup/choose.h"
+#include "setup/frame_camera.h"
 
 namespace dermis::viewer {
 namespace {
@@ -68,6 +69,23 @@ CameraPlace camera_place(const Document& document) {
   const glm::dvec3 ahead = -glm::normalize(glm::dvec3(chosen.world_from_camera[2]));
   const double distance = std::max(glm::dot(glm::dvec3(spheres.lit.centre_m) - eye, ahead), nearest_m);
   return {array_of(eye), array_of(eye + ahead * distance), chosen.fov_y_rad / radians_per_degree};
+}
+
+std::array<double, 3> point_at_depth(const Document& document, double aspect, double u, double v,
+                                     double depth_m) {
+  const setup::PlacedScene placed = api::placed_scene(document.scene);
+  const scene::Camera chosen =
+      setup::choose_camera(placed, document.settings, setup::head_spheres(placed, document.settings));
+  const io::CameraIo camera = setup::frame_camera(chosen, aspect);
+  const glm::dmat4 world_from_clip = glm::inverse(glm::dmat4(camera.clip_from_world));
+  const auto on_ray = [&](double clip_z) {
+    const glm::dvec4 point = world_from_clip * glm::dvec4(2 * u - 1, 1 - 2 * v, clip_z, 1);
+    return glm::dvec3(point) / point.w;
+  };
+
+  const glm::dvec3 near = on_ray(1), along = on_ray(0.5) - near, ahead(camera.direction);
+  const double near_m = glm::dot(near - glm::dvec3(camera.eye_m), ahead);
+  return array_of(near + along * ((depth_m - near_m) / glm::dot(along, ahead)));
 }
 
 void set_camera(RenderSettings& settings, const CameraPlace& place) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "settings/fields.h"
+#include "viewer/model/camera_moves.h"
 #include "viewer/model/label_views.h"
 #include "viewer/model/page.h"
 #include "viewer/model/shown_maps.h"
@@ -81,7 +82,11 @@ void passes(const Statistics& s) {
 void cost(Desk& desk) {
   if (!desk.shown) return;
   const Statistics& s = desk.shown->picture.statistics;
-  ImGui::Text("%d lights, %d Gaussians, %d heads", s.lights, s.gaussians, s.heads);
+  const auto number = [](int n, const char* what) {
+    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+  };
+  ImGui::Text("%s, %s, %s", number(s.lights, "light").c_str(), number(s.gaussians, "Gaussian").c_str(),
+              number(s.heads, "head").c_str());
   std::string sides;
   for (const int side : s.used_size) sides += (sides.empty() ? "" : ", ") + std::to_string(side);
   ImGui::TextWrapped("T %s texels; lit %.3f million, blurred %.3f million", sides.c_str(),
@@ -115,6 +120,15 @@ void legend(const Desk& desk) {
   ImGui::TextUnformatted("mm");
 }
 
+// None while the camera moves: the picture is of the one before. Nor where the settings name no camera.
+std::optional<std::array<double, 3>> seen_point_m(const Desk& desk, const PixelValues& pixel) try {
+  if (desk.shown->moving) return {};
+  const Picture& picture = desk.shown->picture;
+  return point_at_depth(desk.now, static_cast<double>(picture.width) / picture.height,
+                        (pixel.x + 0.5) / picture.width, (pixel.y + 0.5) / picture.height,
+                        static_cast<double>(pixel.depth_m));
+} catch (const InputError&) { return {}; }
+
 void loupe(const Desk& desk) {
   if (!desk.view.pointer || !desk.shown) return;
   const std::optional<PixelValues> pixel =
@@ -132,6 +146,8 @@ void loupe(const Desk& desk) {
   ImGui::Text("instance %u, material %u, %s", pixel->instance, pixel->material, pixel->region.c_str());
   ImGui::Text("%.1f mm from the eye; normal %.2f %.2f %.2f", 1000 * pixel->depth_m, pixel->normal[0],
               pixel->normal[1], pixel->normal[2]);
+  if (const auto point_m = seen_point_m(desk, *pixel))
+    ImGui::Text("position %.4f %.4f %.4f m", (*point_m)[0], (*point_m)[1], (*point_m)[2]);
   ImGui::Text("uv %.4f %.4f", pixel->uv[0], pixel->uv[1]);
   if (pixel->skin_mesh == 0) return;
   ImGui::Text("thickness %.1f mm; texel %.1f %.1f of T %d", pixel->thickness_mm, pixel->texel[0],
@@ -142,7 +158,7 @@ void loupe(const Desk& desk) {
   else
     ImGui::TextDisabled("its irradiance is in no map");
   if (pixel->mapped_terms >= 0)
-    ImGui::Text("%d of %d Gaussians from maps", pixel->mapped_terms,
+    ImGui::Text("Gaussians from maps: the widest %d of %d", pixel->mapped_terms,
                 desk.shown->picture.statistics.gaussians);
 }
 
@@ -171,13 +187,13 @@ void inside_panel(Desk& desk) {
   }
   cost(desk);
 
-  if (ImGui::CollapsingHeader("Pages")) {
+  if (noted_header("Pages")) {
     ImGui::TextDisabled("computed beside the window, opened in the browser");
     const std::vector<Page> pages = pages_of({}, {}, "");
     for (std::size_t i = 0; i < pages.size(); ++i)
       if (noted_button(pages[i].title)) desk.requests.page = i;
   }
-  if (!desk.view.notes.empty() && ImGui::CollapsingHeader("What the library said"))
+  if (!desk.view.notes.empty() && noted_header("What the library said"))
     for (const std::string& note : desk.view.notes) ImGui::TextWrapped("%s", note.c_str());
 }
 

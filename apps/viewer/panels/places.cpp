@@ -21,4 +21,10 @@ bool noted_button(const std::string& label, ImVec2 size) {
   return pressed;
 }
 
+bool noted_header(const std::string& label, ImGuiTreeNodeFlags flags) {
+  const bool open = ImGui::CollapsingHeader(label.c_str(), flags);
+  note_place(label);
+  return open;
+}
+
 }  // namespace dermis::viewer

@@ -23,5 +23,7 @@ void note_place(const std::string& name);
 
 /// A button that is noted.
 bool noted_button(const std::string& label, ImVec2 size = {0, 0});
+/// A header that opens and closes, noted.
+bool noted_header(const std::string& label, ImGuiTreeNodeFlags flags = 0);
 
 }  // namespace dermis::viewer

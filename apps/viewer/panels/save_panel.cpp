@@ -40,8 +40,12 @@ void record_rows(Desk& desk) {
     recording.motion = static_cast<RecordedMotion>(motion);
   ImGui::InputDouble("frames per second", &recording.fps, 0, 0, "%g");
   note_place("frames per second");
-  if (recording.motion != RecordedMotion::clip) ImGui::InputDouble("seconds", &recording.seconds, 0, 0, "%g");
+  if (recording.motion != RecordedMotion::clip) {
+    ImGui::InputDouble("seconds", &recording.seconds, 0, 0, "%g");
+    note_place("seconds");
+  }
   ImGui::Checkbox("a video (.mp4, by ffmpeg), else pictures", &recording.video);
+  note_place("a video");
   ImGui::EndDisabled();
   if (desk.view.records)
     desk.requests.stop_recording |= noted_button("Stop recording");

@@ -133,21 +133,26 @@ void figures(const Desk& desk) {
   const ScatterProfile& profile = desk.skin->profile;
   ImGui::TextWrapped("%s%s", desk.skin->model.c_str(), desk.skin->is_quick ? " (a better one follows)" : "");
   if (!desk.skin_doing.empty()) ImGui::TextDisabled("%s", desk.skin_doing.c_str());
+  // What a profile does not know is zero.
   const auto line = [](const char* what, const std::array<double, 3>& v, const char* unit) {
+    if (v == std::array<double, 3>{}) return;
     ImGui::Text("%s", what);
     ImGui::SameLine(ImGui::GetFontSize() * 9);
     ImGui::Text("%.3g  %.3g  %.3g %s", v[0], v[1], v[2], unit);
   };
   line("error of the fit", profile.error_percent, "%");
-  if (profile.noise_percent != std::array<double, 3>{}) line("noise", profile.noise_percent, "%");
+  line("noise", profile.noise_percent, "%");
   line("reflects", profile.total_reflectance, "");
   line("mean free path", profile.mean_free_path_mm, "mm");
   if (!desk.skin->note.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", desk.skin->note.c_str());
 }
 
 void exports(Desk& desk) {
-  if (!desk.skin || !desk.skin->source) return;
-  if (!ImGui::CollapsingHeader("For other engines, and as a page")) return;
+  if (!desk.skin || !noted_header("For other engines, and as a page")) return;
+  if (!desk.skin->source) {
+    ImGui::TextWrapped("Gaussians alone have no medium that could be told; they are saved as a profile.");
+    return;
+  }
   if (noted_button("R(r) and its fit in the browser")) desk.requests.profile_page = true;
   int number = 0;
   for (const std::string_view system : gaussians::exchange_names()) {
@@ -199,7 +204,7 @@ void skin_panel(Desk& desk) {
     });
 
   exports(desk);
-  if (ImGui::CollapsingHeader("In this scene", ImGuiTreeNodeFlags_DefaultOpen)) settings_rows(desk, "skin");
+  if (noted_header("In this scene", ImGuiTreeNodeFlags_DefaultOpen)) settings_rows(desk, "skin");
   ImGui::Checkbox("a scale of millimetres in the picture", &desk.view.scale);
 }
 

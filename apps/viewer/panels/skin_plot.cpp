@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "viewer/panels/places.h"
 
@@ -31,13 +32,20 @@ struct Axes {
   }
 };
 
+// Light that leaves per step of ln r: on an axis of ln r the area below the curve is what skin reflects, so a
+// wide Gaussian is seen as large as it counts.
+double per_ln_r(double r_mm, double reflectance_per_mm2) {
+  return 2 * std::numbers::pi * r_mm * r_mm * reflectance_per_mm2;
+}
+
 double most_of(const SkinCurves& curves) {
   double most = 1e-9;
   for (std::size_t i = 0; i < curves.r_mm.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c) {
-      most = std::max(most, curves.r_mm[i] * curves.fit[i][c]);
+      const double r = curves.r_mm[i], fit = curves.fit[i][c];
+      most = std::max(most, per_ln_r(r, fit));
       if (!curves.model.empty() && std::isfinite(curves.model[i][c]))
-        most = std::max(most, curves.r_mm[i] * std::min(curves.model[i][c], 3 * curves.fit[i][c]));
+        most = std::max(most, per_ln_r(r, std::min(curves.model[i][c], 3 * fit)));
     }
   return most * 1.08;
 }
@@ -48,9 +56,11 @@ void draw_grid(const Axes& axes, ImDrawList& list) {
   for (const double mark : {0.01, 0.1, 1.0, 10.0}) {
     const float x = axes.x(mark);
     list.AddLine({x, axes.low.y}, {x, high.y}, grid);
-    list.AddText({x + 3, high.y - ImGui::GetFontSize() - 1}, text, fmt::format("{:g} mm", mark).c_str());
+    const std::string label = fmt::format("{:g} mm", mark);
+    const float width = ImGui::CalcTextSize(label.c_str()).x;
+    list.AddText({std::clamp(x - width / 2, axes.low.x, high.x - width), high.y + 1}, text, label.c_str());
   }
-  list.AddText({axes.low.x + 4, axes.low.y + 2}, text, "r R(r)");
+  list.AddText({axes.low.x + 4, axes.low.y + 2}, text, "2 pi r^2 R(r)");
 }
 
 void draw_channel(const Axes& axes, ImDrawList& list, const SkinCurves& curves, std::size_t c) {
@@ -60,13 +70,14 @@ void draw_channel(const Axes& axes, ImDrawList& list, const SkinCurves& curves, 
     const double r = curves.r_mm[i];
     const float x = axes.x(r);
     if (!curves.model.empty() && std::isfinite(curves.model[i][c])) {
-      const double value = r * curves.model[i][c], error = r * curves.standard_error[i][c];
+      const double value = per_ln_r(r, curves.model[i][c]);
+      const double error = per_ln_r(r, curves.standard_error[i][c]);
       if (error > 0) list.AddLine({x, axes.y(value - error)}, {x, axes.y(value + error)}, faint, 3);
       const ImVec2 at(x, axes.y(value));
       if (i > 0) list.AddLine(last, at, colour, 1.5f);
       last = at;
     }
-    if (i % 2 == 0) list.AddCircleFilled({x, axes.y(r * curves.fit[i][c])}, 1.5f, colour, 6);
+    if (i % 2 == 0) list.AddCircleFilled({x, axes.y(per_ln_r(r, curves.fit[i][c]))}, 1.5f, colour, 6);
   }
 }
 
@@ -95,7 +106,7 @@ bool handles(const Axes& axes, ImDrawList& list, ScatterProfile& profile) {
   bool changed = false;
   for (std::size_t i = 0; i < profile.variances_mm2.size(); ++i) {
     const double sigma = std::sqrt(profile.variances_mm2[i]);
-    const ImVec2 at(axes.x(sigma), axes.y(sigma * mean(reflectance(profile, sigma))));
+    const ImVec2 at(axes.x(sigma), axes.y(per_ln_r(sigma, mean(reflectance(profile, sigma)))));
     const float radius = ImGui::GetFontSize() * 0.4f;
     ImGui::SetCursorScreenPos({at.x - radius, at.y - radius});
     ImGui::PushID(static_cast<int>(i));
@@ -121,8 +132,9 @@ bool handles(const Axes& axes, ImDrawList& list, ScatterProfile& profile) {
 
 bool skin_plot(const SkinCurves& curves, ScatterProfile* terms) {
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFontSize() * 11;
+  const float marks = ImGui::GetTextLineHeightWithSpacing();  // below the axis
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const Axes axes{low, {width, height}, curves.r_mm.front(), curves.r_mm.back(), most_of(curves)};
+  const Axes axes{low, {width, height - marks}, curves.r_mm.front(), curves.r_mm.back(), most_of(curves)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushClipRect(low, {low.x + width, low.y + height}, true);
   draw_grid(axes, list);

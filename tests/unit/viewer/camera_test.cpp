@@ -53,6 +53,19 @@ TEST(CameraMoves, AnOrbitKeepsTheDistanceAndComesBack) {
   expect_near(orbited(top, 0, 1000), top, 1e-9);
 }
 
+TEST(CameraMoves, APixelOfADepthIsAPointOfTheWorld) {
+  Document document = tests::square_document();
+  set_camera(document.settings, {.eye_m = {1, 0, 2}, .target_m = {1, 0, 0}, .fov_deg = 90});
+  const auto expect_point = [&](double u, double v, const std::array<double, 3>& expected) {
+    const std::array<double, 3> point = point_at_depth(document, 1.5, u, v, 2);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(point[i], expected[i], 1e-5) << u << " " << v << " " << i;
+  };
+  // 90 degrees at 2 m: the picture is 4 m high and 6 m wide.
+  expect_point(0.5, 0.5, {1, 0, 0});
+  expect_point(0.5, 0.25, {1, 1, 0});
+  expect_point(1, 1, {4, -2, 0});
+}
+
 TEST(CameraMoves, APanMovesThePictureByPartsOfItsHeight) {
   const CameraPlace place{.eye_m = {0, 0, 2}, .target_m = {0, 0, 0}, .fov_deg = 90};
   const CameraPlace moved = panned(place, 0.25, -0.5);
