@@ -78,8 +78,28 @@ half=$(sed -E 's/^sequence /render /; s/--orbit .?0,([-0-9]+)\.\.[^ ]*/--orbit 1
 eval "\"${program%-view}\" $half" >/dev/null
 cmp skin-0001.png half.png || fail "the sequence is not what render draws: $half"
 
-# A pose goes into the scene file and comes back.
+# The curve of the skin opens in the browser.
+mkdir browser
+printf '#!/bin/sh\necho "$@" >"%s/opened"\n' "$work" >browser/xdg-open
+chmod +x browser/xdg-open
+export PATH=$work/browser:$PATH
 start_viewer built-in --window 640x480 --map-size 64 --shadow-size 64 --samples 1 --bloom 0
+click Skin
+click 'made of'; mark; click 'a measured material'; wait_for 'skin .*final' 240
+click 'For other engines, and as a page'
+mark; click 'R(r) and its fit in the browser'; wait_for 'message: wrote'
+end=$((SECONDS + 10))
+until [[ -s opened ]]; do
+  ((SECONDS < end)) || fail "no browser was asked"
+  sleep 0.05
+done
+grep -q '<svg' "$(cat opened)" || fail "no curve: $(cat opened)"
+
+# Gaussians dragged on it, settings that were dropped and a pose come back from the files.
+click 'made of'; mark; click Gaussians; wait_for 'skin Gaussians'
+mark; drag 'term 5' 50 50 -200 50; wait_for 'skin Gaussians'; wait_for 'picture .* at rest'
+printf '{"output": {"tone_map": "neutral"}, "camera": {"fov_deg": 12}}' >dropped.json
+mark; drop "$work/dropped.json"; wait_for 'message: settings'; wait_for 'picture .* at rest'
 click Pose; click weights 3
 mark; drag "jaw open" 5 50 50 50; wait_for 'picture .* at rest'
 click Save
@@ -88,5 +108,6 @@ mark; click 'Picture, as shown (.png)'; wait_for 'message: saved skin.png' 240
 close_viewer
 line=$(sed -n 's/^command: dermis //p' "$log" | tail -n 1)
 grep -q '"weights"' skin.scene.json || fail "no pose in the scene file"
+[[ $line == *neutral* ]] || fail "the dropped settings are not in the command line: $line"
 eval "\"${program%-view}\" ${line/-o skin.png/-o again.png}" >/dev/null
 cmp skin.png again.png || fail "the picture of a pose is not that of the command line"

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -58,6 +59,9 @@ void panels(Desk& desk, const History& history, ImVec2 low, ImVec2 size) {
   ImGui::SetNextWindowSize(size);
   ImGui::Begin("panels", nullptr, fixed);
   undo_buttons(desk, history);
+  // A tab takes no press in a frame before which the pointer was on another widget. On a slow device move and
+  // press often come within one frame.
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) ImGui::GetCurrentContext()->HoveredIdPreviousFrame = 0;
   if (ImGui::BeginTabBar("tabs")) {
     for (const Tab& tab : tabs) {
       const bool open = ImGui::BeginTabItem(tab.title);
