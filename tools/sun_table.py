@@ -16,6 +16,7 @@ import math
 import pathlib
 import statistics
 import subprocess
+import sys
 
 WIDTH, HEIGHT = 1024, 512
 SUN_COLOUR = (1.0, 0.93, 0.82)
@@ -81,6 +82,15 @@ def write_sky(path, source_pixels, radiance):
     return sum(solid_angle(y) * radiance * SUN_COLOUR[1] for _, y in pixels)
 
 
+def output_of(command):
+    """Of a program; if it fails, ends with what it said."""
+    done = subprocess.run(command, capture_output=True)
+    if done.returncode:
+        sys.exit(f"error: status {done.returncode} of {' '.join(map(str, command))}\n"
+                 + done.stderr.decode(errors="replace"))
+    return done.stdout
+
+
 def numbers(text):
     return [float(n) for n in text.split(",") if n]
 
@@ -108,15 +118,13 @@ class Table:
         truth, variance = (self.out / f"{cell}{end}.exr" for end in ("", ".variance"))
         where = self.scene(environment, rotation, exposure)
         if not truth.exists():
-            subprocess.run([a.dermis, "reference", a.scene, *where, "--noise", str(a.noise),
-                            "--samples", str(a.samples),
-                            "--variance", variance, "-o", truth], check=True, capture_output=True)
-        result = subprocess.run([a.dermis, "compare", "--scene", a.scene, *where, "--reference", truth,
-                                 "--variance", variance, "--techniques", "texture-space",
-                                 "--map-size", str(a.map_size), "--shadow-size",
-                                 str(a.shadow_size), "--supersample", str(a.supersample), "--json", "-",
-                                 *["--tone-map", a.tone_map] * bool(a.tone_map)],
-                                check=True, capture_output=True).stdout
+            output_of([a.dermis, "reference", a.scene, *where, "--noise", str(a.noise), "--samples",
+                       str(a.samples), "--variance", variance, "-o", truth])
+        result = output_of([a.dermis, "compare", "--scene", a.scene, *where, "--reference", truth,
+                            "--variance", variance, "--techniques", "texture-space",
+                            "--map-size", str(a.map_size), "--shadow-size", str(a.shadow_size),
+                            "--supersample", str(a.supersample), "--json", "-",
+                            *["--tone-map", a.tone_map] * bool(a.tone_map)])
         found = json.loads(result)
         (self.out / f"{cell}.{a.label}.json").write_bytes(result)
         error = found["techniques"][0]["error"]["skin"]

@@ -101,13 +101,12 @@ SkyHarmonics windowed(const SkyHarmonics& sky, double lambda) {
 
 /// Returns whether irradiance is below 0 in one of a set of directions 4 degrees apart, a ninth of what order
 /// 5 resolves.
-bool rings(const SkyHarmonics& sky, int highest) {
+bool rings(const SkyHarmonics& sky) {
   constexpr int directions = 2600;
   for (int i = 0; i < directions; ++i) {
     const double y = 1 - (2 * i + 1.0) / directions, across = std::sqrt(1 - y * y);
     const double azimuth = i * pi * (3 - std::sqrt(5.0));  // the golden angle
-    const glm::dvec3 e =
-        irradiance_of(sky, {across * std::cos(azimuth), y, across * std::sin(azimuth)}, highest);
+    const glm::dvec3 e = irradiance_of(sky, {across * std::cos(azimuth), y, across * std::sin(azimuth)});
     if (std::min({e.x, e.y, e.z}) < 0) return true;
   }
   return false;
@@ -115,15 +114,15 @@ bool rings(const SkyHarmonics& sky, int highest) {
 
 }  // namespace
 
-SkyHarmonics without_ringing(const SkyHarmonics& sky, int highest) {
-  if (!rings(sky, highest)) return sky;
+SkyHarmonics without_ringing(const SkyHarmonics& sky) {
+  if (!rings(sky)) return sky;
 
   // Bisection for the smallest lambda. At lambda = 1 only the mean and a fifth of order 1 remain, even of a
   // point of light.
   double low = 0, high = 1;
   for (int i = 0; i < 12; ++i) {
     const double middle = (low + high) / 2;
-    (rings(windowed(sky, middle), highest) ? low : high) = middle;
+    (rings(windowed(sky, middle)) ? low : high) = middle;
   }
   return windowed(sky, high);
 }

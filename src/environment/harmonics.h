@@ -44,7 +44,7 @@ glm::dvec3 irradiance_of(const SkyHarmonics& sky, const glm::dvec3& normal, int 
 
 /// Returns the environment blurred just enough for that irradiance to be nowhere below 0. The mean stays; an
 /// environment that does not ring is returned as it is. [S08] "Windowing".
-SkyHarmonics without_ringing(const SkyHarmonics& sky, int order = harmonic_order);
+SkyHarmonics without_ringing(const SkyHarmonics& sky);
 
 /// Returns the environment turned about +Y, from the head's front (+Z) towards its left (+X).
 SkyHarmonics turned(const SkyHarmonics& sky, double angle_rad);

@@ -239,4 +239,12 @@ Split split_sources(const Environment& picture) {
   return split;
 }
 
+SkyHarmonics with_sources(SkyHarmonics sky, std::span<const Source> sources) {
+  for (const Source& source : sources) {
+    const Harmonics basis = harmonics(source.direction);
+    for (std::size_t k = 0; k < basis.size(); ++k) sky[k] += source.irradiance * basis[k];
+  }
+  return sky;
+}
+
 }  // namespace dermis::environment

@@ -6,9 +6,11 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "environment/environment.h"
+#include "environment/harmonics.h"
 
 namespace dermis::environment {
 
@@ -32,6 +34,11 @@ struct Split {
 /// remainder is brighter than before, and none is below 0. A picture wider than 2048 is downsampled first by
 /// a whole factor that divides both sides, if there is one; its energy stays.
 Split split_sources(const Environment& picture);
+
+/// Returns the harmonics of a sky and of its sources together, which is how occluders see them. Not windowed:
+/// up to order 3 a facing surface has 1.06 of the light of a source, and one that faces away -0.04 at least;
+/// a window without such values leaves 0.58 of it.
+SkyHarmonics with_sources(SkyHarmonics sky, std::span<const Source> sources);
 
 /// Returns the solid angle [sr] of one pixel of a row as radiance_at() interpolates it. All pixels of a
 /// picture have 4 pi together.

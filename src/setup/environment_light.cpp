@@ -19,17 +19,6 @@ std::filesystem::file_time_type time_of(const std::string& name) {
   return error ? std::filesystem::file_time_type{} : time;
 }
 
-constexpr int bounced_order = 3;  // of environment::Occlusion::bounced
-
-environment::SkyHarmonics with_sources(environment::SkyHarmonics sky,
-                                       const std::vector<environment::Source>& sources) {
-  for (const environment::Source& source : sources) {
-    const environment::Harmonics basis = environment::harmonics(source.direction);
-    for (std::size_t k = 0; k < basis.size(); ++k) sky[k] += source.irradiance * basis[k];
-  }
-  return sky;
-}
-
 // The picture of an environment, and its mip levels, on the device.
 gpu::Texture texture_of(gpu::Device& device, const char* name, std::span<const image::ImageF> levels) {
   std::vector<std::uint16_t> halves;
@@ -100,7 +89,7 @@ EnvironmentLight environment_light(gpu::Device& device, const EnvironmentSource&
   const std::vector<image::ImageF> levels = environment::prefilter(split.remainder);
   const environment::SkyHarmonics sky = environment::sky_of(levels.front());
   made.sky = environment::without_ringing(sky);
-  made.bouncing_sky = environment::without_ringing(with_sources(sky, made.sources), bounced_order);
+  made.bouncing_sky = environment::with_sources(sky, made.sources);
   steps.done();
 
   made.map = texture_of(device, "environment", levels);
