@@ -5,7 +5,7 @@
 #   HEADS   scan, built-in, ict, or a file of MakeHuman heads ("mh-african-man-young"); default all
 #   SKINS   skin1 skin2 light medium dark
 #   LIGHTS  side front behind
-# SIZE (default 64x72), SAMPLES (512; of dark skin four times as many, whose walks are the noisiest) and FIT (of
+# SIZE (default 64x72), SAMPLES (256; of dark skin four times as many, whose walks are the noisiest) and FIT (of
 # the profile) are of the environment. OUT keeps the references and one JSON per case; what is there is not made
 # again. tools/shape_table.py OUT prints the tables.
 set -eu
@@ -46,7 +46,7 @@ for skin in $skins; do
       case $light in side) at=90,10 ;; front) at=0,20 ;; *) at=150,20 ;; esac
       [ -f "$out/$head-$skin-$light.result.json" ] && continue
       echo "$head-$skin-$light"
-      samples=${SAMPLES:-512}
+      samples=${SAMPLES:-256}
       [ "$skin" = dark ] && samples=$((4 * samples))
       truth=$out/$head-$skin-$light
       # shellcheck disable=SC2086
