@@ -104,21 +104,10 @@ class Comparer {
     RegionError e;
     e.psnr_db = image::psnr_db(all_.shown_reference, shown, region.mask);
     e.rel_mse = image::rel_mse(truth_.linear, linear, region.mask);
-    if (!truth_.variance.values.empty()) e.rel_mse_unbiased = e.rel_mse - noise_rel_mse(region.mask);
+    if (!truth_.variance.values.empty())
+      e.rel_mse_unbiased = image::rel_mse_less_noise(truth_.linear, truth_.variance, linear, region.mask,
+                                                     all_.regions.front().mask);
     return e;
-  }
-
-  // E (t - r - noise)^2 = (t - r)^2 + variance; the divisor is that of image::rel_mse.
-  double noise_rel_mse(const std::vector<std::uint8_t>& mask) const {
-    double sum = 0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < truth_.linear.values.size(); ++i) {
-      if (mask[i / 3] == 0) continue;
-      const double reference = truth_.linear.values[i];
-      sum += truth_.variance.values[i] / (reference * reference + 0.01);
-      ++count;
-    }
-    return sum / static_cast<double>(count);
   }
 
   const SceneComparison& all_;

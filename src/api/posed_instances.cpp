@@ -48,7 +48,7 @@ std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device,
   posed->asset = asset;
   posed->has_shape = asset->has_shape;
   for (std::size_t i = 0; asset->has_shape && i < scene.skin.size(); ++i)
-    scene.make_rig_curvature(device, i, asset->subject.skin[i], environment::curvature_scale_mm);
+    scene.make_rig_curvature(device, i, asset->subject.skin[i], environment::curvature_scales);
 
   std::vector<std::pair<const gpu::Buffer*, const gpu::Buffer*>> copies;
   passes::PosedShape& shape = posed->shape;

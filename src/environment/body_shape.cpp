@@ -23,7 +23,7 @@ constexpr double open_sine2 = 0.75;   // of the cone outwards: 60 degrees
 constexpr double open_mm = 6;
 constexpr double start_mm = 0.02;  // off the surface: past its own triangles
 constexpr std::size_t shape_jobs = 64;
-constexpr std::uint32_t shape_version = 1;  // of body_shape() and of the file
+constexpr std::uint32_t shape_version = 2;  // of body_shape() and of the file
 constexpr std::uint64_t most_shape_bytes = std::uint64_t{1} << 30;
 
 /// Directions around +z: evenly over the squared sine, turned by the golden angle.
@@ -89,7 +89,8 @@ scene::VertexShape shape_at(const rays::RayScene& rays, const scene::Vertex& v, 
 std::uint64_t shape_hash(const scene::Scene& scene, const scene::SkinMesh& mesh) {
   dermis::Hash hash;
   hash.add(shape_version);
-  hash.add(curvature_scale_mm);
+  hash.add(curvature_scales.narrow_mm);
+  hash.add(curvature_scales.wide_mm);
   hash.add(scene.mm_per_unit);
   for (const scene::Vertex& v : mesh.vertices) {
     hash.bytes(&v.position_m, sizeof v.position_m);
@@ -123,7 +124,7 @@ std::vector<scene::VertexShape> read_shape(const std::filesystem::path& file, st
 std::vector<scene::VertexShape> body_shape(const scene::Scene& scene, const scene::SkinMesh& mesh) {
   Steps steps("the shape of the body", shape_jobs + 2);
   const scene::CurvatureStencil stencil =
-      scene::curvature_stencil(mesh.vertices, mesh.indices, scene.mm_per_unit, curvature_scale_mm);
+      scene::curvature_stencil(mesh.vertices, mesh.indices, scene.mm_per_unit, curvature_scales);
   const std::vector<scene::Curvature> curvature =
       scene::curvatures(mesh.vertices, stencil, scene.mm_per_unit);
   steps.done();

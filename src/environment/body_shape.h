@@ -16,10 +16,9 @@ namespace dermis::environment {
 
 inline constexpr float most_thickness_mm = 50;  ///< what is thicker has this
 
-/// The scale at which curvature is taken, one standard deviation. Light in skin spreads over less in green
-/// and blue and over more in red; docs/truth.md ("Skin that knows its shape")
-/// compares scales.
-inline constexpr double curvature_scale_mm = 2.5;
+/// The scales at which curvature is taken. How light answers to a bump falls with the bump's size as its
+/// profile does, narrow and wide; docs/truth.md ("Skin that knows its shape") compares scales.
+inline constexpr scene::CurvatureScales curvature_scales{.narrow_mm = 2.5, .wide_mm = 8};
 
 /// Finds the shape at each vertex of a mesh. Convex curvature counts by the share of the directions around
 /// the normal that no other skin closes within 6 mm: the law is that of light that leaves into the open, and

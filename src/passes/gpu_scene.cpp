@@ -385,11 +385,11 @@ void GpuScene::give_shape(gpu::Device& device, std::size_t number, const scene::
 }
 
 void GpuScene::make_rig_curvature(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh,
-                                  double scale_mm) {
+                                  const scene::CurvatureScales& scales) {
   GpuRig::Skin& of_rig = rig->skin[number];
   if (of_rig.curvature_first) return;
   const scene::CurvatureStencil stencil =
-      scene::curvature_stencil(mesh.vertices, mesh.indices, double{mm_per_unit}, scale_mm);
+      scene::curvature_stencil(mesh.vertices, mesh.indices, double{mm_per_unit}, scales);
   std::vector<io::CurvatureNeighbourIo> neighbours;
   for (const scene::CurvatureNeighbour& one : stencil.neighbours)
     neighbours.push_back({.vertex = one.vertex, .weight = one.weight});

@@ -151,7 +151,7 @@ class GpuScene {
   /// Makes what finds the curvature of moved skin, unless it is there: scene::curvature_stencil(). Needs a
   /// rig.
   void make_rig_curvature(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh,
-                          double scale_mm);
+                          const scene::CurvatureScales& scales);
 
   /// Makes the lists of the vertices of `mesh`, skin mesh `number`, that a host may move, unless they are
   /// there.

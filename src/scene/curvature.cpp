@@ -67,34 +67,23 @@ WeldedMesh welded(std::span<const Vertex> vertices, std::span<const std::uint32_
 /// Collects neighbourhoods of one mesh; one per thread.
 class Collector {
  public:
-  Collector(const WeldedMesh& mesh, std::span<const Vertex> vertices, double mm_per_unit, double scale_mm)
-      : mesh_(mesh), vertices_(vertices), mm_(mm_per_unit), scale_mm_(scale_mm), seen_(mesh.one.size(), 0) {}
+  Collector(const WeldedMesh& mesh, std::span<const Vertex> vertices, double mm_per_unit,
+            const CurvatureScales& scales)
+      : mesh_(mesh), vertices_(vertices), mm_(mm_per_unit), scales_(scales), seen_(mesh.one.size(), 0) {}
 
   /// Returns what counts for a place; it is among its own neighbours.
   std::vector<CurvatureNeighbour> of(std::uint32_t place) {
     collect(place);
+    chosen_.clear();
+    choose(place, scales_.narrow_mm);
+    choose(place, scales_.wide_mm);
 
-    // Where edges are longer than the scale, the neighbourhood is as wide as they are.
-    double scale_mm = scale_mm_;
-    const std::size_t ring = mesh_.first[place + 1] - mesh_.first[place];
-    if (ring > 0) {
-      double mean_mm = 0;
-      for (std::size_t i = 1; i <= ring; ++i) mean_mm += distance_mm(place, found_[i]);
-      scale_mm = std::max(scale_mm, 0.7 * mean_mm / static_cast<double>(ring));
-    }
-
-    const std::size_t count = std::min(found_.size(), most_curvature_neighbours);
-    std::vector<CurvatureNeighbour> chosen;
     double sum = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::uint32_t other = found_[(2 * k + 1) * found_.size() / (2 * count)];
-      const double d = distance_mm(place, other) / scale_mm;
-      const double weight = mesh_.area_mm2[other] * std::exp(-0.5 * d * d);
-      chosen.push_back({mesh_.one[other], static_cast<float>(weight)});
-      sum += weight;
-    }
-    for (CurvatureNeighbour& one : chosen) one.weight = sum > 0 ? static_cast<float>(one.weight / sum) : 0.0f;
-    return chosen;
+    for (const auto& [other, weight] : chosen_) sum += weight;
+    std::vector<CurvatureNeighbour> neighbours;
+    for (const auto& [other, weight] : chosen_)
+      neighbours.push_back({mesh_.one[other], sum > 0 ? static_cast<float>(weight / sum) : 0.0f});
+    return neighbours;
   }
 
  private:
@@ -103,25 +92,81 @@ class Collector {
                              glm::dvec3(vertices_[mesh_.one[b]].position_m));
   }
 
-  /// Fills found_: the place, its ring, and all that edges reach within the scale, in order of rings.
+  /// Fills found_: the place, its ring, and all that edges reach within the wide scale, in order of rings.
   void collect(std::uint32_t place) {
     ++round_;
     found_.assign(1, place);
     seen_[place] = round_;
+    const double reach_mm = reach_in_scales * scales_.wide_mm;
     for (std::size_t at = 0; at < found_.size() && found_.size() < most_collected; ++at)
       for (std::uint32_t e = mesh_.first[found_[at]]; e < mesh_.first[found_[at] + 1]; ++e) {
         const std::uint32_t other = mesh_.next[e];
         if (seen_[other] == round_) continue;
-        if (at > 0 && distance_mm(place, other) > reach_in_scales * scale_mm_) continue;
+        if (at > 0 && distance_mm(place, other) > reach_mm) continue;
         seen_[other] = round_;
         found_.push_back(other);
       }
   }
 
+  /// Where edges are longer than the scale, the neighbourhood is as wide as they are.
+  double scale_at(std::uint32_t place, double scale_mm) const {
+    const std::size_t ring = mesh_.first[place + 1] - mesh_.first[place];
+    if (ring == 0) return scale_mm;
+    double mean_mm = 0;
+    for (std::size_t i = 1; i <= ring; ++i) mean_mm += distance_mm(place, found_[i]);
+    return std::max(scale_mm, 0.7 * mean_mm / static_cast<double>(ring));
+  }
+
+  /// Adds the neighbours of one Gaussian to chosen_. The change of normals that fits all neighbours best is
+  /// the mean of those of both Gaussians, weighted by the squares of the distances that each spans: dividing
+  /// by the squared scale makes it their plain mean.
+  void choose(std::uint32_t place, double scale_given_mm) {
+    constexpr std::size_t most = most_curvature_neighbours / 2;
+    const double scale_mm = scale_at(place, scale_given_mm);
+    weights_.clear();
+    double sum = 0;
+    for (const std::uint32_t other : found_) {
+      const double d = distance_mm(place, other) / scale_mm;
+      weights_.push_back(mesh_.area_mm2[other] * std::exp(-0.5 * d * d));
+      sum += weights_.back();
+    }
+    if (!(sum > 0)) return;
+
+    const double part = 1 / (scale_mm * scale_mm);
+    if (found_.size() <= most) {
+      for (std::size_t i = 0; i < found_.size(); ++i)
+        chosen_.emplace_back(found_[i], part * weights_[i] / sum);
+      return;
+    }
+
+    // Of many, `most` in proportion to what they add to the fit: its sums are over squared distances, so far
+    // neighbours decide. What is chosen more often weighs less.
+    const auto more_often = [&](std::size_t i) {
+      const double d = distance_mm(place, found_[i]) / scale_mm;
+      return 1 + d * d;
+    };
+    double all = 0, reached = 0, weight = 0;
+    for (std::size_t i = 0; i < found_.size(); ++i) all += weights_[i] * more_often(i);
+    const std::size_t before = chosen_.size();
+    std::size_t step = 0;
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      reached += weights_[i] * more_often(i);
+      std::size_t count = 0;
+      for (; step < most && (static_cast<double>(step) + 0.5) * all <= reached * most; ++step) ++count;
+      if (count == 0) continue;
+      chosen_.emplace_back(found_[i], static_cast<double>(count) / more_often(i));
+      weight += chosen_.back().second;
+    }
+    for (std::size_t i = before; i < chosen_.size(); ++i) chosen_[i].second *= part / weight;
+  }
+
   const WeldedMesh& mesh_;
   std::span<const Vertex> vertices_;
-  double mm_, scale_mm_;
+  double mm_;
+  CurvatureScales scales_;
   std::vector<std::uint32_t> seen_, found_;
+  std::vector<double> weights_;                           // of found_, for one Gaussian
+  std::vector<std::pair<std::uint32_t, double>> chosen_;  // places and their weights
   std::uint32_t round_ = 0;
 };
 
@@ -185,12 +230,12 @@ Curvature curvature_at(std::span<const Vertex> vertices, std::uint32_t v,
 }  // namespace
 
 CurvatureStencil curvature_stencil(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
-                                   double mm_per_unit, double scale_mm) {
+                                   double mm_per_unit, const CurvatureScales& scales) {
   const WeldedMesh mesh = welded(vertices, indices, mm_per_unit);
   const std::size_t places = mesh.one.size();
   std::vector<std::vector<CurvatureNeighbour>> of_place(places);
   parallel_for(curvature_jobs, [&](std::size_t job) {
-    Collector collector(mesh, vertices, mm_per_unit, scale_mm);
+    Collector collector(mesh, vertices, mm_per_unit, scales);
     for (std::size_t i = first_of_job(job, places); i < first_of_job(job + 1, places); ++i)
       of_place[i] = collector.of(static_cast<std::uint32_t>(i));
   });

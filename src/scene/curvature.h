@@ -41,13 +41,19 @@ struct CurvatureStencil {
 
 inline constexpr std::size_t most_curvature_neighbours = 32;
 
-/// Finds the neighbours of each vertex: those that edges reach within 2.5 scale_mm (so that lips that touch
-/// do not count for each other), at least those at the other end of its edges; of many, an even selection.
-/// Vertices at one place (at seams) have the same. indices.size() is a multiple of 3, all < vertices.size();
-/// scale_mm > 0. O(n); the result does not depend on the number of threads. Throws Cancelled if a hook ends
-/// it.
+/// The curvature is the mean of what two Gaussian neighbourhoods see, of these standard deviations, > 0.
+/// Light spreads likewise: most of it stays near, some goes far.
+struct CurvatureScales {
+  double narrow_mm = 0, wide_mm = 0;
+};
+
+/// Finds the neighbours of each vertex: those that edges reach within two wide scales (so that lips that
+/// touch do not count for each other), at least those at the other end of its edges; of many, a selection in
+/// proportion to their weights. Vertices at one place (at seams) have the same. indices.size() is a multiple
+/// of 3, all < vertices.size(). O(n); the result does not depend on the number of threads. Throws Cancelled
+/// if a hook ends it.
 CurvatureStencil curvature_stencil(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
-                                   double mm_per_unit, double scale_mm);
+                                   double mm_per_unit, const CurvatureScales& scales);
 
 /// Returns the curvature at each vertex, 0 where a vertex has fewer than three neighbours or they lie on a
 /// line. At most 2 per mm: a rim may be sharp. `vertices` may have moved since the stencil was made.

@@ -98,6 +98,45 @@ TEST(ShapeAware, ASphereShowsItsLaws) {
   }
 }
 
+// A flat sheet that ends nowhere near is a half-space: its light changes with the angle of exit alone.
+TEST(ShapeAware, FlatSkinKeepsItsTotal) {
+  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  for (const float up : {1.0f, 0.5f}) {
+    scene::Scene made = scene::plane(0.2, glm::dmat2(1), {}, 8);
+    made.materials.front().skin_settings.mix = 0;
+    const float aside = std::sqrt(1 - up * up);
+    scene::Camera camera = camera_from_above(0.004, {0.1f * aside, 0, 0.1f * up});
+    camera.world_from_camera[0] = {up, 0, -aside, 0};
+    camera.world_from_camera[2] = {aside, 0, up, 0};
+    made.cameras = {camera};
+    const Scene scene = wrap(std::move(made));
+    const auto off = mean_colour(renderer().render(scene, settings(false, 16))),
+               on = mean_colour(renderer().render(scene, settings(true, 16)));
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(on[c] / off[c], profile::exit_factor(*profile.shape, c, up), 0.005) << up << ", " << c;
+  }
+}
+
+// Over a head no place returns more than the light that enters, and on average it is that of a half-space.
+TEST(ShapeAware, AHeadReturnsNoMoreThanEnters) {
+  const Scene head = Scene::built_in();
+  RenderSettings s = settings(false, 96, 512);
+  const Picture off = renderer().render(head, s);
+  s.skin.shape_aware = true;
+  const Picture on = renderer().render(head, s);
+  for (std::size_t c = 0; c < 3; ++c) {
+    double before = 0, after = 0, most = 0;
+    for (std::size_t i = c; i < on.linear_rgba.size(); i += 4) {
+      if (off.linear_rgba[i] < 0.2f) continue;
+      before += off.linear_rgba[i];
+      after += on.linear_rgba[i];
+      most = std::max(most, double{on.linear_rgba[i]} / double{off.linear_rgba[i]});
+    }
+    EXPECT_NEAR(after / before, 1, 0.1) << c;
+    EXPECT_LE(most * skin2().total_reflectance[c], 1) << c;
+  }
+}
+
 // Each way through a frame multiplies by the same.
 TEST(ShapeAware, IsTheSameHoweverSkinIsShaded) {
   const Scene scene = wrap(ball(8));

@@ -43,6 +43,36 @@ TEST(RelMse, BadInput) {
   EXPECT_THROW(rel_mse(flat(2, 2, 0), flat(2, 2, 0), std::vector<std::uint8_t>(3, 1)), InputError);
 }
 
+// Noise of 15 %: the divisor of a noisy pixel itself would prefer the darker picture.
+TEST(RelMse, LessNoiseHasNoPreference) {
+  constexpr float truth = 0.5f, deviation = 0.075f;
+  ImageF noisy = flat(256, 256, truth);
+  std::mt19937 random(1);
+  std::normal_distribution<float> noise(0, deviation);
+  for (float& value : noisy.values) value += noise(random);
+  const ImageF variance = flat(256, 256, deviation * deviation);
+  const ImageF brighter = flat(256, 256, 1.03f * truth), darker = flat(256, 256, 0.97f * truth);
+  const std::vector<std::uint8_t> all(256 * 256, 1);
+
+  const double expected = 0.015 * 0.015 / (0.5 * 0.5 + 0.01);
+  EXPECT_NEAR(rel_mse_less_noise(noisy, variance, flat(256, 256, truth), all, all), 0, 3e-4);
+  EXPECT_NEAR(rel_mse_less_noise(noisy, variance, brighter, all, all), expected, 3e-4);
+  EXPECT_NEAR(rel_mse_less_noise(noisy, variance, darker, all, all), expected, 3e-4);
+  EXPECT_GT(rel_mse(noisy, brighter) - rel_mse(noisy, darker), 5 * expected) << "what it is there for";
+}
+
+TEST(RelMse, LessNoiseDividesByTheNeighbours) {
+  ImageF reference = flat(3, 3, 2);
+  reference.at(1, 1)[0] = reference.at(1, 1)[1] = reference.at(1, 1)[2] = 1;
+  std::vector<std::uint8_t> middle(9), alone(9), all(9, 1);
+  middle[4] = alone[4] = 1;
+  EXPECT_DOUBLE_EQ(rel_mse_less_noise(reference, flat(3, 3, 0), flat(3, 3, 3), middle, all), 4 / 4.01);
+  EXPECT_DOUBLE_EQ(rel_mse_less_noise(reference, flat(3, 3, 0), flat(3, 3, 3), middle, alone), 4 / 1.01);
+  EXPECT_DOUBLE_EQ(rel_mse_less_noise(reference, flat(3, 3, 1), flat(3, 3, 3), middle, all), 3 / 4.01);
+  EXPECT_THROW(rel_mse_less_noise(reference, flat(3, 3, 1), flat(3, 3, 3), std::vector<std::uint8_t>(9), all),
+               InputError);
+}
+
 class ZTests : public testing::Test {
  protected:
   ZTests() {

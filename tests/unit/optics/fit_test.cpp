@@ -136,6 +136,28 @@ TEST(Fit, SharedVariancesAreSortedNormalisedAndPositive) {
   }
 }
 
+// The measure of the plane gives the tail away, which holds little of R but much of the light in red.
+TEST(Fit, EnergyKeepsTheTail) {
+  const auto medium = optics::find_material("skin2")->medium();
+  std::array<profile::ProfilePtr, 3> dipoles;
+  for (std::size_t c = 0; c < 3; ++c) dipoles[c] = std::make_shared<Dipole>(medium[c]);
+  const auto plane = gaussians::fit_shared(dipoles, 6, "plane"),
+             energy = gaussians::fit_shared(dipoles, 6, "energy", gaussians::Measure::energy);
+
+  const auto beyond = [](const gaussians::SumOfGaussians& sum, double radius_mm) {
+    double light = 0;
+    for (const gaussians::Gaussian& term : sum.terms)
+      light += term.weight[0] * std::exp(-radius_mm * radius_mm / (2 * term.variance_mm2));
+    return light;
+  };
+  for (const double radius_mm : {5.0, 10.0, 15.0}) {
+    const double truth = 1 - dipoles[0]->within(radius_mm) / dipoles[0]->total();
+    EXPECT_LT(std::abs(beyond(energy, radius_mm) - truth), 0.5 * std::abs(beyond(plane, radius_mm) - truth))
+        << radius_mm;
+    EXPECT_NEAR(beyond(energy, radius_mm), truth, 0.003) << radius_mm;
+  }
+}
+
 TEST(Fit, FindsASumThatIsOneAlready) {
   std::string csv = "r_mm,R,G,B\n";
   const gaussians::Term truth[] = {{0.05, 0.3}, {1.5, 0.5}};

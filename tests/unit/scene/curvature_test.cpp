@@ -44,8 +44,8 @@ Sheet sheet_of(int side, bool seam, const std::function<void(double, double, glm
 }
 
 /// In the middle of the sheet.
-Curvature middle(const Sheet& sheet, int side, double scale_mm = 1.5) {
-  const CurvatureStencil stencil = curvature_stencil(sheet.vertices, sheet.indices, 1000, scale_mm);
+Curvature middle(const Sheet& sheet, int side, CurvatureScales scales = {1.5, 1.5}) {
+  const CurvatureStencil stencil = curvature_stencil(sheet.vertices, sheet.indices, 1000, scales);
   const std::vector<Curvature> all = curvatures(sheet.vertices, stencil, 1000);
   return all[static_cast<std::size_t>((side / 2) * (side + 1) + side / 2)];
 }
@@ -102,20 +102,31 @@ TEST(Curvature, OfACylinderAndASaddle) {
 }
 
 TEST(Curvature, SeesWavesThatAreLongerThanItsScaleAlone) {
-  // z = h cos(k x) has the curvature h k^2 on its crest, of which a Gaussian leaves exp(-(k s)^2 / 2).
-  constexpr double height = 0.05, scale = 1.5;
-  for (const double length : {30.0, 6.0, 3.0}) {
+  // z = h cos(k x) has the curvature h k^2 on its crest, of which a Gaussian leaves exp(-(k s)^2 / 2); two
+  // scales leave the mean of theirs.
+  constexpr double height = 0.05;
+  struct Case {
+    double length_mm;
+    CurvatureScales scales;
+    int side;
+    double size_mm;
+  };
+  for (const auto& [length, scales, side, size] :
+       {Case{30, {1.5, 1.5}, 120, 20}, Case{6, {1.5, 1.5}, 120, 20}, Case{3, {1.5, 1.5}, 120, 20},
+        Case{12, {1, 4}, 80, 30}, Case{8, {1, 4}, 80, 30}, Case{16, {2.5, 8}, 80, 60}}) {
     const double k = 2 * pi / length;
     const Curvature crest =
-        middle(sheet_of(120, false,
+        middle(sheet_of(side, false,
                         [&](double u, double v, auto& p, auto& n) {
-                          const double x = 20 * (u - 0.5);
-                          p = {x, 20 * (v - 0.5), height * std::cos(k * x)};
+                          const double x = size * (u - 0.5);
+                          p = {x, size * (v - 0.5), height * std::cos(k * x)};
                           n = glm::normalize(glm::dvec3(height * k * std::sin(k * x), 0, 1));
                         }),
-               120, scale);
+               side, scales);
     const double whole = height * k * k;
-    EXPECT_NEAR(2 * crest.mean_per_mm / whole, std::exp(-0.5 * k * k * scale * scale), 0.12) << length;
+    const auto left = [&](double scale_mm) { return std::exp(-0.5 * k * k * scale_mm * scale_mm); };
+    const double both = 0.5 * (left(scales.narrow_mm) + left(scales.wide_mm));
+    EXPECT_NEAR(2 * crest.mean_per_mm / whole, both, 0.12) << length;
   }
 }
 
@@ -129,7 +140,7 @@ TEST(Curvature, DoesNotSeeSeams) {
 TEST(Curvature, MovesWithTheSkin) {
   // A flat sheet that is bent to a cylinder keeps its neighbourhoods.
   Sheet sheet = sheet_of(40, false, [](double u, double v, auto& p, auto&) { p = {20 * u, 20 * v, 0}; });
-  const CurvatureStencil stencil = curvature_stencil(sheet.vertices, sheet.indices, 1000, 1.5);
+  const CurvatureStencil stencil = curvature_stencil(sheet.vertices, sheet.indices, 1000, {1.5, 1.5});
   EXPECT_NEAR(curvatures(sheet.vertices, stencil, 1000)[20 * 41 + 20].mean_per_mm, 0, 1e-4);
   for (Vertex& v : sheet.vertices) {
     const double angle = v.position_m.x * 1000 / 7 - 10.0 / 7;
@@ -147,7 +158,7 @@ TEST(Curvature, OfWhatHasNoneIsZero) {
     line.vertices.push_back(v);
   }
   line.indices = {0, 1, 2};
-  const CurvatureStencil stencil = curvature_stencil(line.vertices, line.indices, 1000, 1.5);
+  const CurvatureStencil stencil = curvature_stencil(line.vertices, line.indices, 1000, {1.5, 1.5});
   for (const Curvature& c : curvatures(line.vertices, stencil, 1000)) {
     EXPECT_EQ(c.mean_per_mm, 0);
     EXPECT_EQ(c.difference_per_mm, 0);
