@@ -7,6 +7,7 @@ usage: tools/shape_table.py OUT [--regions]
 import json
 import math
 import pathlib
+import re
 import sys
 
 NAMES = ("texture-space", "texture-space, --shape-aware off", "lambert")
@@ -17,6 +18,12 @@ def errors(result, region):
     if any(not by_name.get(name) for name in NAMES):
         return None
     return [by_name[name]["rel_mse_unbiased"] for name in NAMES]
+
+
+def noise_percent(folder, case):
+    """What `dermis reference` said of its picture."""
+    found = re.search(r"noise ([\d.]+) %", (folder / f"{case}.reference.txt").read_text())
+    return float(found.group(1))
 
 
 def root_ratio(a, b):
@@ -31,8 +38,9 @@ def mean(values):
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
+    folder = pathlib.Path(sys.argv[1])
     results = {p.name.removesuffix(".result.json"): json.loads(p.read_text())
-               for p in sorted(pathlib.Path(sys.argv[1]).glob("*.result.json"))}
+               for p in sorted(folder.glob("*.result.json"))}
     regions = ["skin"]
     if "--regions" in sys.argv:
         regions += ["nose", "terminator", "ears", "thin parts", "folds", "the rest"]
@@ -45,7 +53,7 @@ def main():
             if e is None:
                 continue
             shares.append(e[0] / e[1])
-            print(f"| {case} | {result['reference'].get('noise_percent', 0):.1f} | {e[0]:.2e} | "
+            print(f"| {case} | {noise_percent(folder, case):.1f} | {e[0]:.2e} | "
                   f"{e[1]:.2e} | {e[2]:.2e} | {e[0] / e[1]:.2f} | "
                   f"{root_ratio(e[2], e[1]):.1f} -> {root_ratio(e[2], e[0]):.1f} |")
         print(f"\n{len(shares)} cases, on over off: mean {mean(shares):.2f}, "

@@ -24,10 +24,10 @@ double rel_mse(const ImageF& reference, const ImageF& test, std::span<const std:
 
 /// Returns an estimate of the rel_mse() that a reference without noise would give, from one whose `variance`
 /// (squared standard error, per value) is known; below 0 by chance. A pixel's difference is divided by the
-/// mean of its neighbours within `around`, not by its own value: where noise made that value low, both the
-/// divisor is small and a dark picture is near, so that with noise of 10 % a picture that is 3 % too dark
-/// would win. mask as above; `around` has a byte per pixel, and a pixel without neighbours there counts by
-/// its own value.
+/// mean of its neighbours within `around`, not by its own value, whose noise is also in the difference: of
+/// relative noise s, the figure with the pixel itself below is least for a picture of 1 - 2 s^2 times the
+/// truth. mask as above; `around` has a byte per pixel, and a pixel without neighbours there counts by its
+/// own value.
 double rel_mse_less_noise(const ImageF& reference, const ImageF& variance, const ImageF& test,
                           std::span<const std::uint8_t> mask, std::span<const std::uint8_t> around);
 
