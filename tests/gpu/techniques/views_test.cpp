@@ -61,20 +61,20 @@ class Views : public WithScan, public testing::WithParamInterface<Path> {
 
   void expect_same_picture(PreparedFrame& optimised, const RenderSettings& s, const std::string& view) const;
 
-  static void TearDownTestSuite() { baseline_.reset(); }
+  static void TearDownTestSuite() { shared_baseline.reset(); }
 
  private:
   // Draws a view of small_view() once for all paths, whose published pictures are one.
   const image::ImageF& published_picture(const RenderSettings& s, double d_ref,
                                          const std::string& view) const {
-    if (!baseline_) baseline_ = renderer().prepare(scan(), published(small_view()));
-    const auto [picture, is_new] = drawn_.try_emplace(fmt::format("{}, d_ref {}", view, d_ref));
-    if (is_new) picture->second = averaged(*baseline_, published(s), d_ref);
+    if (!shared_baseline) shared_baseline = renderer().prepare(scan(), published(small_view()));
+    const auto [picture, is_new] = shared_pictures.try_emplace(fmt::format("{}, d_ref {}", view, d_ref));
+    if (is_new) picture->second = averaged(*shared_baseline, published(s), d_ref);
     return picture->second;
   }
 
-  inline static std::optional<PreparedFrame> baseline_;
-  inline static std::map<std::string, image::ImageF> drawn_;
+  inline static std::optional<PreparedFrame> shared_baseline;
+  inline static std::map<std::string, image::ImageF> shared_pictures;
 };
 INSTANTIATE_TEST_SUITE_P(Paths, Views, testing::Values(Path::paper, Path::cascade), [](const auto& path) {
   return std::string(path.param == Path::paper ? "paper" : "cascade");

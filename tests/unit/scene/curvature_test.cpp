@@ -111,22 +111,22 @@ TEST(Curvature, SeesWavesThatAreLongerThanItsScaleAlone) {
     int side;
     double size_mm;
   };
-  for (const auto& [length, scales, side, size] :
+  for (const Case& c :
        {Case{30, {1.5, 1.5}, 120, 20}, Case{6, {1.5, 1.5}, 120, 20}, Case{3, {1.5, 1.5}, 120, 20},
         Case{12, {1, 4}, 80, 30}, Case{8, {1, 4}, 80, 30}, Case{16, {2.5, 8}, 80, 60}}) {
-    const double k = 2 * pi / length;
+    const double k = 2 * pi / c.length_mm;
     const Curvature crest =
-        middle(sheet_of(side, false,
+        middle(sheet_of(c.side, false,
                         [&](double u, double v, auto& p, auto& n) {
-                          const double x = size * (u - 0.5);
-                          p = {x, size * (v - 0.5), height * std::cos(k * x)};
+                          const double x = c.size_mm * (u - 0.5);
+                          p = {x, c.size_mm * (v - 0.5), height * std::cos(k * x)};
                           n = glm::normalize(glm::dvec3(height * k * std::sin(k * x), 0, 1));
                         }),
-               side, scales);
+               c.side, c.scales);
     const double whole = height * k * k;
     const auto left = [&](double scale_mm) { return std::exp(-0.5 * k * k * scale_mm * scale_mm); };
-    const double both = 0.5 * (left(scales.narrow_mm) + left(scales.wide_mm));
-    EXPECT_NEAR(2 * crest.mean_per_mm / whole, both, 0.12) << length;
+    const double both = 0.5 * (left(c.scales.narrow_mm) + left(c.scales.wide_mm));
+    EXPECT_NEAR(2 * crest.mean_per_mm / whole, both, 0.12) << c.length_mm;
   }
 }
 
