@@ -15,8 +15,8 @@ makehuman=${MAKEHUMAN:-../shared/assets/makehuman}
 environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
-names=(portrait-and-lambert environments soft-shadows backlit truth-side shape-aware truth-studio regions
-  skin-sets tone-maps turntable talking skins head-studio head-hard-light head-beside-scan peers peers-heads)
+names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets
+  tone-maps turntable talking skins head-studio head-hard-light head-beside-scan peers peers-heads)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -93,29 +93,6 @@ truth-side() {
   local id
   for id in reference technique-0 technique-2 technique-0-error technique-2-error; do from_page side $id; done
   join $1 256x288 $out/side-{reference,technique-0,technique-2,technique-0-error,technique-2-error}.png
-}
-
-# A row for each light: the truth, without and with the laws of shape, and the maps of FLIP of both.
-shape-aware() {
-  local light id at
-  "$dermis" profile --preset skin2 -o $out/skin2.json >$out/skin2.txt
-  for light in side front; do
-    at=90,10
-    [[ $light == front ]] && at=0,20
-    local scene=($scan.gltf --camera portrait --light $at --size 160x180 --profile $out/skin2.json)
-    [[ -e $out/shape-$light.exr ]] ||
-      "$dermis" reference "${scene[@]}" --model volume --samples 256 -o $out/shape-$light.exr \
-        --variance $out/shape-$light.variance.exr >$out/shape-$light.reference.txt
-    compare shape-$light --scene "${scene[@]}" --shadow-size 4096 --map-size 512 --supersample 2 \
-      --techniques texture-space \
-      --reference $out/shape-$light.exr --variance $out/shape-$light.variance.exr
-    for id in reference technique-1 technique-0 technique-1-error technique-0-error; do
-      from_page shape-$light $id
-    done
-    convert $out/shape-$light-{reference,technique-1,technique-0,technique-1-error,technique-0-error}.png \
-      -filter Lanczos -resize 256x288! +append $out/shape-$light-row.png
-  done
-  convert $out/shape-{side,front}-row.png -append -quality 88 -strip docs/pictures/$1.jpg
 }
 
 regions() {
