@@ -86,7 +86,7 @@ export PATH=$work/browser:$PATH
 start_viewer built-in --window 640x480 --map-size 64 --shadow-size 64 --samples 1 --bloom 0
 click Skin
 click 'made of'; mark; click 'a measured material'; wait_for 'skin .*final' 240
-wait_for 'picture .* at rest'  # what is known of it has moved the widgets below
+mark; wait_for 'picture .* at rest'  # what is known of it has moved the widgets below
 click 'For other engines, and as a page'
 mark; click 'R(r) and its fit in the browser'; wait_for 'message: wrote'
 end=$((SECONDS + 10))
