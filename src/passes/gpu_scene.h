@@ -89,6 +89,7 @@ struct GpuMesh {
   gpu::Buffer indices;            ///< uint[]; triangles without a chart are last
   gpu::Buffer first_corners;      ///< uint[], first_corner_indices() of `indices`
   gpu::Buffer turned_neighbours;  ///< uint[], scene::turned_neighbours
+
   /// By the side of the light map, see GpuScene::make_gutters.
   struct Gutters {
     gpu::Buffer list;  ///< GutterIo[]
@@ -96,6 +97,7 @@ struct GpuMesh {
     int width_texels = 0;
   };
   std::map<std::uint32_t, Gutters> gutters;
+
   /// Vertices by the mesh of the asset's source that they come from, see GpuScene::make_sources.
   struct Sources {
     gpu::Buffer list;  ///< SourceVertexIo[]
@@ -104,12 +106,14 @@ struct GpuMesh {
   };
   std::map<int, Sources> sources;
   const Sources* sources_of(int source_mesh) const;  ///< null: none of it is here
+
   /// For passes/curvature; made by GpuScene::make_welded.
   struct Welded {
     gpu::Buffer point_of;  ///< uint[], per vertex: one of those at its place
     int smoothing = 0;     ///< how often neighbours are averaged
   };
   Welded welded;
+
   /// see unwrap_map(), Occlusion::values of environment/occlusion.h; only under an environment
   gpu::Texture bent_normal;
   /// LabelVertexIo[], regions::parts_of_skin() and the thickness at the vertices; empty until labels are

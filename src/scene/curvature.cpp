@@ -92,19 +92,23 @@ class Collector {
                              glm::dvec3(vertices_[mesh_.one[b]].position_m));
   }
 
-  /// Fills found_: the place, its ring, and all that edges reach within the wide scale, in order of rings.
+  /// Fills found_: the place, its ring, and all that edges reach within the wide scale, in order of rings;
+  /// and how far each is.
   void collect(std::uint32_t place) {
     ++round_;
     found_.assign(1, place);
+    distances_mm_.assign(1, 0.0);
     seen_[place] = round_;
     const double reach_mm = reach_in_scales * scales_.wide_mm;
     for (std::size_t at = 0; at < found_.size() && found_.size() < most_collected; ++at)
       for (std::uint32_t e = mesh_.first[found_[at]]; e < mesh_.first[found_[at] + 1]; ++e) {
         const std::uint32_t other = mesh_.next[e];
         if (seen_[other] == round_) continue;
-        if (at > 0 && distance_mm(place, other) > reach_mm) continue;
+        const double far_mm = distance_mm(place, other);
+        if (at > 0 && far_mm > reach_mm) continue;
         seen_[other] = round_;
         found_.push_back(other);
+        distances_mm_.push_back(far_mm);
       }
   }
 
@@ -113,7 +117,7 @@ class Collector {
     const std::size_t ring = mesh_.first[place + 1] - mesh_.first[place];
     if (ring == 0) return scale_mm;
     double mean_mm = 0;
-    for (std::size_t i = 1; i <= ring; ++i) mean_mm += distance_mm(place, found_[i]);
+    for (std::size_t i = 1; i <= ring; ++i) mean_mm += distances_mm_[i];
     return std::max(scale_mm, 0.7 * mean_mm / static_cast<double>(ring));
   }
 
@@ -123,11 +127,12 @@ class Collector {
   void choose(std::uint32_t place, double scale_given_mm) {
     constexpr std::size_t most = most_curvature_neighbours / 2;
     const double scale_mm = scale_at(place, scale_given_mm);
+    const auto distance = [&](std::size_t i) { return distances_mm_[i] / scale_mm; };
     weights_.clear();
     double sum = 0;
-    for (const std::uint32_t other : found_) {
-      const double d = distance_mm(place, other) / scale_mm;
-      weights_.push_back(mesh_.area_mm2[other] * std::exp(-0.5 * d * d));
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      const double d = distance(i);
+      weights_.push_back(mesh_.area_mm2[found_[i]] * std::exp(-0.5 * d * d));
       sum += weights_.back();
     }
     if (!(sum > 0)) return;
@@ -141,10 +146,7 @@ class Collector {
 
     // Of many, `most` in proportion to what they add to the fit: its sums are over squared distances, so far
     // neighbours decide. What is chosen more often weighs less.
-    const auto more_often = [&](std::size_t i) {
-      const double d = distance_mm(place, found_[i]) / scale_mm;
-      return 1 + d * d;
-    };
+    const auto more_often = [&](std::size_t i) { return 1 + distance(i) * distance(i); };
     double all = 0, reached = 0, weight = 0;
     for (std::size_t i = 0; i < found_.size(); ++i) all += weights_[i] * more_often(i);
     const std::size_t before = chosen_.size();
@@ -165,7 +167,7 @@ class Collector {
   double mm_;
   CurvatureScales scales_;
   std::vector<std::uint32_t> seen_, found_;
-  std::vector<double> weights_;                           // of found_, for one Gaussian
+  std::vector<double> distances_mm_, weights_;            // of found_; the weights for one Gaussian
   std::vector<std::pair<std::uint32_t, double>> chosen_;  // places and their weights
   std::uint32_t round_ = 0;
 };

@@ -47,7 +47,7 @@ struct CurvatureScales {
   double narrow_mm = 0, wide_mm = 0;
 };
 
-/// Finds the neighbours of each vertex: those that edges reach within two wide scales (so that lips that
+/// Finds the neighbours of each vertex: those that edges reach within 2.5 wide scales (so that lips that
 /// touch do not count for each other), at least those at the other end of its edges; of many, a selection in
 /// proportion to their weights. Vertices at one place (at seams) have the same. indices.size() is a multiple
 /// of 3, all < vertices.size(). O(n); the result does not depend on the number of threads. Throws Cancelled

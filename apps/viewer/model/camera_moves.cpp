@@ -36,6 +36,17 @@ double distance_of(const CameraPlace& place) {
   return glm::length(vector_of(place.target_m) - vector_of(place.eye_m));
 }
 
+struct ChosenCamera {
+  scene::Camera camera;
+  setup::HeadSpheres spheres;
+};
+
+ChosenCamera chosen_camera(const Scene& scene, const RenderSettings& settings) {
+  const setup::PlacedScene placed = api::placed_scene(scene);
+  const setup::HeadSpheres spheres = setup::head_spheres(placed, settings);
+  return {setup::choose_camera(placed, settings, spheres), spheres};
+}
+
 }  // namespace
 
 HeadSphere head_sphere(const Document& document) {
@@ -62,21 +73,20 @@ CameraPlace camera_place(const Document& document) {
   if (camera.eye_m && camera.target_m && !camera.matrices)
     return {*camera.eye_m, *camera.target_m, camera.fov_deg.value_or(20)};
 
-  const setup::PlacedScene placed = api::placed_scene(document.scene);
-  const setup::HeadSpheres spheres = setup::head_spheres(placed, document.settings);
-  const scene::Camera chosen = setup::choose_camera(placed, document.settings, spheres);
+  const auto [chosen, spheres] = chosen_camera(document.scene, document.settings);
   const glm::dvec3 eye(chosen.world_from_camera[3]);
   const glm::dvec3 ahead = -glm::normalize(glm::dvec3(chosen.world_from_camera[2]));
   const double distance = std::max(glm::dot(glm::dvec3(spheres.lit.centre_m) - eye, ahead), nearest_m);
   return {array_of(eye), array_of(eye + ahead * distance), chosen.fov_y_rad / radians_per_degree};
 }
 
-std::array<double, 3> point_at_depth(const Document& document, double aspect, double u, double v,
-                                     double depth_m) {
-  const setup::PlacedScene placed = api::placed_scene(document.scene);
-  const scene::Camera chosen =
-      setup::choose_camera(placed, document.settings, setup::head_spheres(placed, document.settings));
-  const io::CameraIo camera = setup::frame_camera(chosen, aspect);
+io::CameraIo drawn_camera(const Scene& scene, const RenderSettings& settings) {
+  const OutputSettings& output = settings.output;
+  return setup::frame_camera(chosen_camera(scene, settings).camera,
+                             static_cast<double>(output.width) / output.height);
+}
+
+std::array<double, 3> point_at_depth(const io::CameraIo& camera, double u, double v, double depth_m) {
   const glm::dmat4 world_from_clip = glm::inverse(glm::dmat4(camera.clip_from_world));
   const auto on_ray = [&](double clip_z) {
     const glm::dvec4 point = world_from_clip * glm::dvec4(2 * u - 1, 1 - 2 * v, clip_z, 1);

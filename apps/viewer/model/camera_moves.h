@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "shared/scene_io.h"
 #include "viewer/model/document.h"
 
 namespace dermis::viewer {
@@ -39,11 +40,12 @@ class HeadSphereCache {
 /// the heads. Throws InputError: settings that name no camera.
 CameraPlace camera_place(const Document& document);
 
-/// Returns the point of the world that the camera of the document sees at `u`, `v` of its picture (0 to 1, to
-/// the right and down) in this depth (metres along the direction in which it looks, as Labels have it).
-/// `aspect`: width over height. Throws as camera_place().
-std::array<double, 3> point_at_depth(const Document& document, double aspect, double u, double v,
-                                     double depth_m);
+/// Returns the camera by which a picture with these settings shows the scene. Throws as camera_place().
+io::CameraIo drawn_camera(const Scene& scene, const RenderSettings& settings);
+
+/// Returns the point of the world that a camera sees at `u`, `v` of its picture (0 to 1, to the right and
+/// down) in this depth (metres along the direction in which it looks, as Labels have it).
+std::array<double, 3> point_at_depth(const io::CameraIo& camera, double u, double v, double depth_m);
 
 /// Sets eye, target and field of view, rounded to micrometres, in place of all else that names a camera.
 void set_camera(RenderSettings& settings, const CameraPlace& place);

@@ -6,6 +6,7 @@
 
 #include "api/shader_scope.h"
 #include "dermis/error.h"
+#include "viewer/model/camera_moves.h"
 #include "viewer/model/memory.h"
 
 namespace dermis::viewer {
@@ -71,6 +72,7 @@ Painted Easel::draw_in_session(const Wish& wish) {
   Painted painted{.picture = session.picture(ticket)};
   if (wish.labels && !wish.moving) {
     painted.labels = session.labels(ticket);
+    painted.camera = drawn_camera(wish.scene, settings);
     if (wish.light) painted.light = light_map(wish, settings);
   }
 

@@ -17,6 +17,7 @@
 
 #include "dermis/renderer.h"
 #include "dermis/session.h"
+#include "shared/scene_io.h"
 #include "viewer/model/live_shaders.h"
 #include "viewer/model/priority.h"
 
@@ -46,6 +47,7 @@ struct LightMap {
 struct Painted {
   Picture picture;
   std::optional<Labels> labels{};
+  std::optional<io::CameraIo> camera{};    ///< with labels
   std::optional<LightMap> light{};         ///< with labels, where the technique stores it
   std::uint64_t revision = 0, serial = 0;  ///< of the wish
   int divisor = 1;                         ///< of the sides of what was wished

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "settings/fields.h"
+#include "viewer/model/camera_moves.h"
 
 namespace dermis::viewer {
 namespace {
@@ -85,6 +86,9 @@ std::optional<PixelValues> pixel_at(const Painted& painted, float u, float v) {
   for (std::size_t c = 0; c < 3; ++c) pixel.display[c] = picture.display_rgba[4 * i + c];
   if (painted.labels && i < painted.labels->instance.size())
     add_labels(pixel, *painted.labels, picture.statistics, i);
+  if (painted.camera && pixel.instance != 0)
+    pixel.position_m = point_at_depth(*painted.camera, (x + 0.5) / picture.width, (y + 0.5) / picture.height,
+                                      static_cast<double>(pixel.depth_m));
   if (painted.light) add_irradiance(pixel, *painted.light, picture.statistics);
   return pixel;
 }

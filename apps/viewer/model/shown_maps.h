@@ -25,6 +25,7 @@ struct PixelValues {
   std::uint32_t instance = 0, material = 0;
   std::string region;
   float depth_m = 0;
+  std::optional<std::array<double, 3>> position_m{};  ///< none: the camera is not known
   std::array<float, 3> normal{};
   std::array<float, 2> uv{};
   std::uint32_t skin_mesh = 0;  ///< 0: no skin, and the rest is not known

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "settings/fields.h"
-#include "viewer/model/camera_moves.h"
 #include "viewer/model/label_views.h"
 #include "viewer/model/page.h"
 #include "viewer/model/shown_maps.h"
@@ -120,15 +119,6 @@ void legend(const Desk& desk) {
   ImGui::TextUnformatted("mm");
 }
 
-// None while the camera moves: the picture is of the one before. Nor where the settings name no camera.
-std::optional<std::array<double, 3>> seen_point_m(const Desk& desk, const PixelValues& pixel) try {
-  if (desk.shown->moving) return {};
-  const Picture& picture = desk.shown->picture;
-  return point_at_depth(desk.now, static_cast<double>(picture.width) / picture.height,
-                        (pixel.x + 0.5) / picture.width, (pixel.y + 0.5) / picture.height,
-                        static_cast<double>(pixel.depth_m));
-} catch (const InputError&) { return {}; }
-
 void loupe(const Desk& desk) {
   if (!desk.view.pointer || !desk.shown) return;
   const std::optional<PixelValues> pixel =
@@ -146,8 +136,9 @@ void loupe(const Desk& desk) {
   ImGui::Text("instance %u, material %u, %s", pixel->instance, pixel->material, pixel->region.c_str());
   ImGui::Text("%.1f mm from the eye; normal %.2f %.2f %.2f", 1000 * pixel->depth_m, pixel->normal[0],
               pixel->normal[1], pixel->normal[2]);
-  if (const auto point_m = seen_point_m(desk, *pixel))
-    ImGui::Text("position %.4f %.4f %.4f m", (*point_m)[0], (*point_m)[1], (*point_m)[2]);
+  if (pixel->position_m)
+    ImGui::Text("position %.4f %.4f %.4f m", pixel->position_m->at(0), pixel->position_m->at(1),
+                pixel->position_m->at(2));
   ImGui::Text("uv %.4f %.4f", pixel->uv[0], pixel->uv[1]);
   if (pixel->skin_mesh == 0) return;
   ImGui::Text("thickness %.1f mm; texel %.1f %.1f of T %d", pixel->thickness_mm, pixel->texel[0],

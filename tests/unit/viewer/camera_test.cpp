@@ -56,8 +56,11 @@ TEST(CameraMoves, AnOrbitKeepsTheDistanceAndComesBack) {
 TEST(CameraMoves, APixelOfADepthIsAPointOfTheWorld) {
   Document document = tests::square_document();
   set_camera(document.settings, {.eye_m = {1, 0, 2}, .target_m = {1, 0, 0}, .fov_deg = 90});
+  document.settings.output.width = 300;
+  document.settings.output.height = 200;
+  const io::CameraIo camera = drawn_camera(document.scene, document.settings);
   const auto expect_point = [&](double u, double v, const std::array<double, 3>& expected) {
-    const std::array<double, 3> point = point_at_depth(document, 1.5, u, v, 2);
+    const std::array<double, 3> point = point_at_depth(camera, u, v, 2);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(point[i], expected[i], 1e-5) << u << " " << v << " " << i;
   };
   // 90 degrees at 2 m: the picture is 4 m high and 6 m wide.

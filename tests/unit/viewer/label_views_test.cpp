@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "unit/viewer/documents.h"
+#include "viewer/model/camera_moves.h"
 #include "viewer/model/shown_maps.h"
 
 namespace dermis::viewer {
@@ -69,6 +71,22 @@ TEST(LabelViews, HaveNoLegendWithoutSkin) {
   painted.labels.reset();
   EXPECT_TRUE(thickness_legend(painted).empty());
   EXPECT_TRUE(label_picture(painted, "thickness").empty());
+}
+
+TEST(Loupe, SaysWhereThePointLies) {
+  Painted painted = four_pixels();
+  const float u = 2.5f / 4;
+  EXPECT_FALSE(pixel_at(painted, u, 0.5f)->position_m) << "by which camera?";
+
+  const Document document = tests::square_document();
+  painted.camera = drawn_camera(document.scene, document.settings);
+  const PixelValues ear = *pixel_at(painted, u, 0.5f);
+  ASSERT_TRUE(ear.position_m);
+  const std::array<double, 3> eye_m = camera_place(document).eye_m;  // looks along -Z
+  EXPECT_GT(ear.position_m->at(0), eye_m[0]);
+  EXPECT_NEAR(ear.position_m->at(1), eye_m[1], 1e-5);
+  EXPECT_NEAR(ear.position_m->at(2), eye_m[2] - 1, 1e-5);
+  EXPECT_FALSE(pixel_at(painted, 0.5f / 4, 0.5f)->position_m) << "nothing is there";
 }
 
 TEST(Loupe, SaysTexelThicknessAndIrradiance) {
