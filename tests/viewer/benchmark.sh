@@ -56,7 +56,7 @@ for to in 30 40 50 60 70; do
   wait_for 'skin .*final' 240; sleep 0.8
 done
 wait_for 'picture .* at rest' 240
-mark; wait_for 'idle' 60 || true
+mark; point 100 100; wait_for '^idle' 60
 sleep 2
 before=$(ticks) frames=$(grep -c '^idle' "$log"); sleep 5
 echo "at rest: $(($(ticks) - before)) ticks of the processor in 5 s," \
