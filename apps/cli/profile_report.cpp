@@ -124,7 +124,8 @@ std::string shape_rows(const Source& source) {
          row("  sphere of 10 mm", sphere) + row("  hollow of 10 mm", hollow) +
          row("  cylinder of 5 mm", cylinder) + row("  front of a slab of 2 mm", front) +
          row("  back of a slab of 2 mm", back) + row("  towards the normal", laws.exit_normal) +
-         row("  at grazing angles", laws.exit_grazing);
+         row("  at grazing angles", laws.exit_grazing) +
+         row("  comes from further away, mm", laws.exit_offset_mm);
 }
 
 std::string per_channel_json(const Source& source, const Fitted& fitted) {

@@ -59,6 +59,9 @@ struct ShapeLaws {
   std::array<double, 3> front_mm{};     ///< > 0
   // Radiance over exitance / pi, over the cosine x of the angle of exit: grazing + (normal - grazing) x^2.
   std::array<double, 3> exit_grazing{1, 1, 1}, exit_normal{1, 1, 1};
+  /// >= 0: what leaves at an angle t from the normal is the light of a place this times sin t further away
+  /// from the eye
+  std::array<double, 3> exit_offset_mm{};
   bool operator==(const ShapeLaws&) const = default;
 };
 

@@ -13,6 +13,7 @@
 #include "core/hooks.h"
 #include "core/parallel.h"
 #include "rays/surface_point.h"
+#include "scene/open_border.h"
 
 namespace dermis::environment {
 namespace {
@@ -23,7 +24,7 @@ constexpr double open_sine2 = 0.75;   // of the cone outwards: 60 degrees
 constexpr double open_mm = 6;
 constexpr double start_mm = 0.02;  // off the surface: past its own triangles
 constexpr std::size_t shape_jobs = 64;
-constexpr std::uint32_t shape_version = 2;  // of body_shape() and of the file
+constexpr std::uint32_t shape_version = 3;  // of body_shape() and of the file
 constexpr std::uint64_t most_shape_bytes = std::uint64_t{1} << 30;
 
 /// Directions around +z: evenly over the squared sine, turned by the golden angle.
@@ -76,6 +77,7 @@ float openness_at(const rays::RayScene& rays, const scene::Vertex& v, double mm)
   return static_cast<float>(open) / shape_rays;
 }
 
+/// Without its distance from the border.
 scene::VertexShape shape_at(const rays::RayScene& rays, const scene::Vertex& v, scene::Curvature curvature,
                             double mm) {
   if (curvature.mean_per_mm > 0) {
@@ -83,7 +85,7 @@ scene::VertexShape shape_at(const rays::RayScene& rays, const scene::Vertex& v, 
     curvature.mean_per_mm *= open;
     curvature.difference_per_mm *= open;
   }
-  return {curvature, thickness_at(rays, v, mm)};
+  return {.curvature = curvature, .thickness_mm = thickness_at(rays, v, mm)};
 }
 
 std::uint64_t shape_hash(const scene::Scene& scene, const scene::SkinMesh& mesh) {
@@ -114,7 +116,8 @@ std::vector<scene::VertexShape> read_shape(const std::filesystem::path& file, st
   std::memcpy(shape.data(), bytes->data(), bytes->size());
   for (const scene::VertexShape& v : shape)
     if (!(std::abs(v.curvature.mean_per_mm) <= 2 && v.curvature.difference_per_mm >= 0 &&
-          v.curvature.difference_per_mm <= 2 && v.thickness_mm >= 0 && v.thickness_mm <= most_thickness_mm))
+          v.curvature.difference_per_mm <= 2 && v.thickness_mm >= 0 && v.thickness_mm <= most_thickness_mm &&
+          v.border_mm >= 0 && v.border_mm <= most_border_mm))
       return {};
   return shape;
 }
@@ -128,13 +131,16 @@ std::vector<scene::VertexShape> body_shape(const scene::Scene& scene, const scen
   const std::vector<scene::Curvature> curvature =
       scene::curvatures(mesh.vertices, stencil, scene.mm_per_unit);
   steps.done();
+  const std::vector<float> border_mm = scene::border_distances_mm(mesh, scene.mm_per_unit, most_border_mm);
   const rays::RayScene rays(scene);
   steps.done();
 
   std::vector<scene::VertexShape> shape(mesh.vertices.size());
   parallel_for(shape_jobs, [&](std::size_t job) {
-    for (std::size_t v = job * shape.size() / shape_jobs; v < (job + 1) * shape.size() / shape_jobs; ++v)
+    for (std::size_t v = job * shape.size() / shape_jobs; v < (job + 1) * shape.size() / shape_jobs; ++v) {
       shape[v] = shape_at(rays, mesh.vertices[v], curvature[v], scene.mm_per_unit);
+      shape[v].border_mm = border_mm[v];
+    }
     steps.done();
   });
   return shape;

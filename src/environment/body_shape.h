@@ -15,6 +15,7 @@
 namespace dermis::environment {
 
 inline constexpr float most_thickness_mm = 50;  ///< what is thicker has this
+inline constexpr float most_border_mm = 20;     ///< what is further from a border has this
 
 /// The scales at which curvature is taken. How light answers to a bump falls with the bump's size as its
 /// profile does, narrow and wide; docs/truth.md ("Skin that knows its shape") compares scales.

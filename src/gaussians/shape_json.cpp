@@ -29,7 +29,8 @@ constexpr std::array law_members{
     LawMember{"front_share", &ShapeLaws::front_share, 0, 1},
     LawMember{"front_mm", &ShapeLaws::front_mm, 1e-12, most_mm},
     LawMember{"exit_grazing", &ShapeLaws::exit_grazing, 0, 2},
-    LawMember{"exit_normal", &ShapeLaws::exit_normal, 0, 2}};
+    LawMember{"exit_normal", &ShapeLaws::exit_normal, 0, 2},
+    LawMember{"exit_offset_mm", &ShapeLaws::exit_offset_mm, 0, most_mm}};
 
 Rgb three(const json::Value& value, double least, double most) {
   if (!value.is_array() || value.array_size(0) != 3)
@@ -50,14 +51,15 @@ Coefficients read_medium(const json::Value& json) {
   return medium;
 }
 
-ShapeLaws read_laws(const json::Value& json) {
+/// `laws` are those of the medium: files of earlier versions have no exit_offset_mm.
+ShapeLaws read_laws(const json::Value& json, ShapeLaws laws) {
   std::vector<std::string_view> names;
   for (const LawMember& member : law_members) names.push_back(member.name);
   json.only_keys(names);
 
-  ShapeLaws laws;
   for (const LawMember& member : law_members)
-    laws.*member.values = three(json.at(member.name), member.least, member.most);
+    if (member.values != &ShapeLaws::exit_offset_mm || json.find(member.name))
+      laws.*member.values = three(json.at(member.name), member.least, member.most);
   return laws;
 }
 
@@ -68,7 +70,8 @@ void read_shape(const json::Value& profile, SumOfGaussians& sum) {
   if (shape && !medium) shape->fail("needs the medium that it is of: \"medium\"");
   if (!medium) return;
   sum.medium = read_medium(*medium);
-  sum.shape = shape ? read_laws(*shape) : profile::shape_laws(optics::rgb_medium(*sum.medium));
+  sum.shape = profile::shape_laws(optics::rgb_medium(*sum.medium));
+  if (shape) sum.shape = read_laws(*shape, *sum.shape);
 }
 
 void write_shape(nlohmann::ordered_json& profile, const SumOfGaussians& sum) {

@@ -153,7 +153,7 @@ std::vector<io::SkinVertexIo> skin_vertices_of(const scene::SkinMesh& skin,
                         .chart = 0,
                         .curvature_per_mm =
                             glm::packHalf2x16({body.curvature.mean_per_mm, body.curvature.difference_per_mm}),
-                        .thickness_mm = body.thickness_mm});
+                        .body_mm = glm::packHalf2x16({body.thickness_mm, body.border_mm})});
   }
   for (std::size_t i = 0; i < skin.indices.size(); ++i)
     vertices[skin.indices[i]].chart = skin.triangle_chart[i / 3];  // no vertex is between two

@@ -132,6 +132,7 @@ ShapeLaws shape_laws(const optics::RgbMedium& medium) {
     fill_front(laws, c, m);
     laws.exit_grazing[c] = exit_grazing(m);
     laws.exit_normal[c] = exit_normal(m);
+    laws.exit_offset_mm[c] = m.free_mm / medium[c].eta;  // a mean free path along the refracted ray
   }
   return laws;
 }

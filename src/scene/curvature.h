@@ -24,6 +24,7 @@ struct Curvature {
 struct VertexShape {
   Curvature curvature;
   float thickness_mm = 0;  ///< of a slab its thickness; environment/body_shape.h finds it
+  float border_mm = 0;     ///< to the nearest open border: scene/open_border.h
 };
 
 /// A neighbour that counts for the curvature of a vertex.

@@ -20,8 +20,6 @@ struct EdgeEntry {
   bool same_uv(const EdgeEntry& o) const { return uv_a == o.uv_a && uv_b == o.uv_b; }
 };
 
-std::uint32_t next_corner(std::uint32_t half) { return half % 3 == 2 ? half - 2 : half + 1; }
-
 std::vector<EdgeEntry> sorted_edges(const Topology& topology, std::span<const std::uint32_t> indices) {
   std::vector<EdgeEntry> edges;
   edges.reserve(indices.size());

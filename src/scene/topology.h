@@ -14,6 +14,8 @@ namespace dermis::scene {
 inline constexpr std::uint32_t no_edge = 0xffffffffu;
 
 /// Half edge 3 t + k runs from corner k to corner (k + 1) % 3 of triangle t.
+inline std::uint32_t next_corner(std::uint32_t half) { return half % 3 == 2 ? half - 2 : half + 1; }
+
 struct Topology {
   std::vector<std::uint32_t> position_id;  ///< per vertex; equal = same place (weld_positions)
   std::vector<std::uint32_t> uv_id;        ///< per vertex; equal = same texture coordinates (weld_uv)

@@ -8,7 +8,6 @@
 namespace dermis::scene {
 namespace {
 
-std::uint32_t next_corner(std::uint32_t half) { return half % 3 == 2 ? half - 2 : half + 1; }
 double cross2(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 glm::dvec2 right_of(const glm::dvec2& d) { return {d.y, -d.x}; }
 

@@ -2,6 +2,7 @@
 // Reads a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour
 // ... (scene_io.h). COMPUTE_SHADING: in compute shaders, whose points bring their derivatives.
 #include "shaders/switches.glsl"
+#include "shaders/view_vector.glsl"
 
 struct ShadingPoint {
   vec3 position_m;
@@ -13,12 +14,6 @@ struct ShadingPoint {
   vec4 uv_dx, uv_dy;  // of both sets of texture coordinates, per pixel (or texel of a light map)
 #endif
 };
-
-// Returns the unit vector from a point to the camera. Needs frame.glsl.
-vec3 view_vector(vec3 position_m) {
-  return is_on(frame.camera.orthographic) ? -frame.camera.direction
-                                          : normalize(frame.camera.eye_m - position_m);
-}
 
 vec2 map_uv(MapIo map, ShadingPoint s) {
   const vec2 uv = map.uv_set == 0u ? s.uv0 : s.uv1;

@@ -8,5 +8,8 @@ float uv_per_mm(vec3 metric_mm2) {
   return inversesqrt(sqrt(determinant));
 }
 
-// Returns mean and half difference of the principal curvatures per mm, and the thickness in mm.
-vec3 body_shape(SkinVertexIo skin) { return vec3(unpackHalf2x16(skin.curvature_per_mm), skin.thickness_mm); }
+// Returns mean and half difference of the principal curvatures per mm, the thickness of the body and the
+// distance to the nearest open border in mm.
+vec4 body_shape(SkinVertexIo skin) {
+  return vec4(unpackHalf2x16(skin.curvature_per_mm), unpackHalf2x16(skin.body_mm));
+}

@@ -25,7 +25,8 @@ struct SkinVertexIo {
   vec3 metric_mm2;        // g_uu, g_uv, g_vv: mm^2 per unit of unwrap squared
   uint chart;             // of all triangles at this vertex; 0: they have none
   uint curvature_per_mm;  // mean of both principal curvatures, half their difference: two half floats
-  float thickness_mm;     // of the body; both are 0 until a profile asks for them
+  uint body_mm;           // thickness, and distance to the nearest open border: two half floats
+                          // (all 0 until a profile asks for them)
 };
 
 struct MapIo {

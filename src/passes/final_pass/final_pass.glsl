@@ -12,17 +12,18 @@ layout(location = 4) in vec4 in_colour;
 // be empty.
 layout(location = 5) centroid in vec2 in_unwrap;
 layout(location = 8) in float in_uv_per_mm;  // texture coordinates per mm
-layout(location = 9) in vec3 in_shape;       // curvatures per mm, thickness in mm
+layout(location = 9) in vec4 in_shape;       // body_shape()
+#include "passes/final_pass/skin_radiance.glsl"
+layout(location = 10) flat in AlongSkin in_along;
 layout(location = 0) out vec4 out_radiance;
 
-#include "passes/final_pass/skin_radiance.glsl"
 #include "passes/final_pass/within_triangle.glsl"
 
 void main() {
   const vec3 n = normalize(in_normal);
   const ShadingPoint s =
       ShadingPoint(in_position_m, gl_FrontFacing ? n : -n, in_tangent, in_uv.xy, in_uv.zw, in_colour);
-  const vec3 radiance = skin_radiance(s, OnMap(within_triangle(in_unwrap), in_uv_per_mm, in_shape));
+  const vec3 radiance = skin_radiance(s, OnMap(within_triangle(in_unwrap), in_uv_per_mm, in_shape, in_along));
 
   if (cut_out && is_cut(in_uv, in_colour)) discard;
   out_radiance = vec4(radiance, 1.0);

@@ -8,6 +8,7 @@
 #include "shaders/instance.glsl"
 layout(push_constant, scalar) uniform Push { FinalPassIo io; };
 #include "shaders/frame.glsl"
+#include "passes/final_pass/along_skin.glsl"
 invariant gl_Position;  // unshaded_reads.frag tests against the depth written here
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
@@ -18,7 +19,8 @@ layout(location = 5) centroid out vec2 out_unwrap;
 layout(location = 6) flat out vec4 out_unwrap_ab;  // of the triangle's corners
 layout(location = 7) flat out vec2 out_unwrap_c;
 layout(location = 8) out float out_uv_per_mm;  // texture coordinates per mm
-layout(location = 9) out vec3 out_shape;       // curvatures per mm, thickness in mm
+layout(location = 9) out vec4 out_shape;       // body_shape()
+layout(location = 10) flat out AlongSkin out_along;
 void main() {
   const uint vertex = vertex_drawn();
   const VertexIo v = vertices[vertex];
@@ -32,8 +34,15 @@ void main() {
   out_unwrap = skin.unwrap;
   out_uv_per_mm = uv_per_mm(skin.metric_mm2);
   out_shape = body_shape(skin);
+
   const uint first = is_first_corner() ? 3u * gl_VertexIndex : 0u;
-  out_unwrap_ab = vec4(skin_vertices[indices[first]].unwrap, skin_vertices[indices[first + 1]].unwrap);
-  out_unwrap_c = skin_vertices[indices[first + 2]].unwrap;
+  const uint a = indices[first], b = indices[first + 1], c = indices[first + 2];
+  out_unwrap_ab = vec4(skin_vertices[a].unwrap, skin_vertices[b].unwrap);
+  out_unwrap_c = skin_vertices[c].unwrap;
+  out_along = AlongSkin(vec3(0.0), vec3(0.0));
+  if (shape_aware)
+    out_along = along_triangle(
+        world_position(vertices[a].position_m), world_position(vertices[b].position_m),
+        world_position(vertices[c].position_m), out_unwrap_ab.xy, out_unwrap_ab.zw, out_unwrap_c);
   gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }

@@ -19,6 +19,8 @@ struct SkinTermsIo {
   float even_uv_per_mm;        // texture coordinates per mm, if the skin filled the map evenly
   float largest_side;          // T_max, texels
   ShapeIo shape;
+  float exit_offset_m;  // mean of the channels
+  float m_per_mm;       // of the world, of the asset
 };
 DERMIS_IO_END
 #ifdef __cplusplus

@@ -81,10 +81,14 @@ SeenSkin seen_skin(EntryIo entry) {
                    at_seen(seen.dx, uva, uvb, uvc), at_seen(seen.dy, uva, uvb, uvc));
 
   const SkinVertexIo sa = skin_vertices[i], sb = skin_vertices[j], sc = skin_vertices[k];
-  OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0, vec3(0.0));
+  OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0, vec4(0.0),
+                   AlongSkin(vec3(0.0), vec3(0.0)));
   if (coarse)
     on.uv_per_mm =
         dot(seen.share, vec3(uv_per_mm(sa.metric_mm2), uv_per_mm(sb.metric_mm2), uv_per_mm(sc.metric_mm2)));
-  if (shape_aware) on.shape = at_seen(seen.share, body_shape(sa), body_shape(sb), body_shape(sc));
+  if (shape_aware) {
+    on.shape = at_seen(seen.share, body_shape(sa), body_shape(sb), body_shape(sc));
+    on.along = along_triangle(pa, pb, pc, sa.unwrap, sb.unwrap, sc.unwrap);
+  }
   return SeenSkin(s, on, uvec3(i, j, k), seen.share);
 }

@@ -18,7 +18,7 @@ layout(binding = 31, scalar) uniform Terms { ThroughTermsIo through_terms_io; };
 #define transmission through_terms_io.transmission
 #endif
 #include "passes/final_pass/skin_pre_integrated.glsl"
-const bool coarse = false, shape_aware = false;
+const bool coarse = false;
 #include "passes/final_pass/shade_point.glsl"
 
 // Returns coordinates of the normal map per mm of the asset, of a triangle.

@@ -18,7 +18,7 @@ layout(binding = 31, scalar) uniform Terms { ThroughTermsIo through_terms_io; };
 #define transmission through_terms_io.transmission
 #endif
 #include "passes/final_pass/skin_split.glsl"
-const bool coarse = false, shape_aware = false;
+const bool coarse = false;
 #include "passes/final_pass/shade_point.glsl"
 layout(binding = 14, rgba16f) uniform writeonly image2D light_of_skin;
 layout(binding = 15, r32f) uniform writeonly image2D depth_of_skin;

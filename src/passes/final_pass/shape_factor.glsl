@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How much more or less light leaves than from a flat half-space: curved_total(), slab_front() and
 // exit_factor() of profile/shape_laws.h. Needs `terms` (SkinTermsIo).
-layout(constant_id = 18) const bool shape_aware = false;  // the profile has laws
 
 // shape: mean and half difference of the principal curvatures per mm, thickness in mm. cosine: of the angle
 // of exit.

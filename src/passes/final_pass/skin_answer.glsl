@@ -17,11 +17,14 @@ vec3 skin_normal(ShadingPoint s) {
                   : mapped_normal(map, map_normal, s);
 }
 
+#include "passes/final_pass/along_skin.glsl"
+
 // Where the skin is on its light map.
 struct OnMap {
   vec2 unwrap;      // in its triangle
   float uv_per_mm;  // texture coordinates
-  vec3 shape;       // of the body there: shape_factor.glsl
+  vec4 shape;       // body_shape()
+  AlongSkin along;
 };
 
 vec3 emitted(ShadingPoint s) {

@@ -22,6 +22,7 @@ layout(binding = 21) uniform sampler2D light_7;
 
 #include "passes/final_pass/coarse_share.glsl"
 #include "passes/final_pass/light_point.glsl"
+#include "passes/final_pass/exit_offset.glsl"
 #include "passes/final_pass/shape_factor.glsl"
 
 // Returns whether a term is read from its map. One without weight may not have been written: 0 times NaN is
@@ -45,19 +46,20 @@ vec3 light_of(sampler2D light, int term, vec2 unwrap, vec2 at) {
   return cut_out ? light_left(light, at) : textureLod(light, at, 0.0).rgb;
 }
 
-// Returns sum_i w_i (light blurred by term i), already times 2^EV / pi.
-vec3 scattered(OnMap on) {
-  const vec2 at = light_point(on.unwrap) / vec2(textureSize(light_0, 0));
-  if (summed) return light_of(light_0, 0, on.unwrap, at);
+// Returns sum_i w_i (light blurred by term i), already times 2^EV / pi, with the weights of `on`, where it
+// lies at `unwrap`.
+vec3 scattered(OnMap on, vec2 unwrap) {
+  const vec2 at = light_point(unwrap) / vec2(textureSize(light_0, 0));
+  if (summed) return light_of(light_0, 0, unwrap, at);
   vec3 sum = vec3(0.0);
-  if (is_read(0)) sum += mapped_weight(0, on) * light_of(light_0, 0, on.unwrap, at);
-  if (is_read(1)) sum += mapped_weight(1, on) * light_of(light_1, 1, on.unwrap, at);
-  if (is_read(2)) sum += mapped_weight(2, on) * light_of(light_2, 2, on.unwrap, at);
-  if (is_read(3)) sum += mapped_weight(3, on) * light_of(light_3, 3, on.unwrap, at);
-  if (is_read(4)) sum += mapped_weight(4, on) * light_of(light_4, 4, on.unwrap, at);
-  if (is_read(5)) sum += mapped_weight(5, on) * light_of(light_5, 5, on.unwrap, at);
-  if (is_read(6)) sum += mapped_weight(6, on) * light_of(light_6, 6, on.unwrap, at);
-  if (is_read(7)) sum += mapped_weight(7, on) * light_of(light_7, 7, on.unwrap, at);
+  if (is_read(0)) sum += mapped_weight(0, on) * light_of(light_0, 0, unwrap, at);
+  if (is_read(1)) sum += mapped_weight(1, on) * light_of(light_1, 1, unwrap, at);
+  if (is_read(2)) sum += mapped_weight(2, on) * light_of(light_2, 2, unwrap, at);
+  if (is_read(3)) sum += mapped_weight(3, on) * light_of(light_3, 3, unwrap, at);
+  if (is_read(4)) sum += mapped_weight(4, on) * light_of(light_4, 4, unwrap, at);
+  if (is_read(5)) sum += mapped_weight(5, on) * light_of(light_5, 5, unwrap, at);
+  if (is_read(6)) sum += mapped_weight(6, on) * light_of(light_6, 6, unwrap, at);
+  if (is_read(7)) sum += mapped_weight(7, on) * light_of(light_7, 7, unwrap, at);
   return sum;
 }
 
@@ -92,7 +94,10 @@ vec3 skin_radiance(ShadingPoint s, OnMap on) {
 #endif
 
   vec3 diffuse = vec3(0.0);
-  if (term_count > 0) diffuse = scattered(on) * albedo_power(albedo, 1.0 - material.mix_before);
+  if (term_count > 0) {
+    const vec2 from = shape_aware ? exit_offset(on.along, on.shape.w, n_geometric, v) : vec2(0.0);
+    diffuse = scattered(on, on.unwrap + from) * albedo_power(albedo, 1.0 - material.mix_before);
+  }
   if (direct) {
     vec3 share = vec3(1.0);
     for (int i = 0; i < term_count; ++i) share -= mapped_weight(i, on);
@@ -104,7 +109,7 @@ vec3 skin_radiance(ShadingPoint s, OnMap on) {
     diffuse += leaving * (frame.radiance_scale / pi);
   }
 
-  if (shape_aware) diffuse *= shape_factor(on.shape, dot(n_geometric, v));
+  if (shape_aware) diffuse *= shape_factor(on.shape.xyz, dot(n_geometric, v));
   const vec3 surroundings =
       mirrored_surroundings(s, on.unwrap, n_geometric, view, spec, diffuse / frame.radiance_scale);
   diffuse *= 1.0 - specular_albedo(directional_albedo, spec, dot(view.n, v));

@@ -40,6 +40,8 @@ float share_at_pixel(float sigma_mm, float texels_per_mm, std::uint32_t largest_
 
 namespace {
 
+double mean(const std::array<double, 3>& rgb) { return (rgb[0] + rgb[1] + rgb[2]) / 3; }
+
 io::ShapeIo shape_io(const ShapeLaws& laws) {
   const auto rgb = [](const std::array<double, 3>& values) {
     return glm::vec3(values[0], values[1], values[2]);
@@ -64,7 +66,11 @@ gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms,
   io.terms.widest_mm = terms.sigmas_mm.empty() ? 0 : terms.sigmas_mm.back();
   io.terms.even_uv_per_mm = terms.even_uv_per_mm;
   io.terms.largest_side = static_cast<float>(terms.largest_side);
-  if (terms.shape) io.terms.shape = shape_io(*terms.shape);
+  if (terms.shape) {
+    io.terms.shape = shape_io(*terms.shape);
+    io.terms.exit_offset_m = static_cast<float>(mean(terms.shape->exit_offset_mm) / terms.mm_per_unit);
+    io.terms.m_per_mm = static_cast<float>(1 / terms.mm_per_unit);
+  }
   if (through) io.transmission = transmission_io(through->profile, through->mm_per_unit);
   return gpu::make_buffer(device, "skin terms", std::span<const io::ThroughTermsIo>(&io, 1),
                           VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);

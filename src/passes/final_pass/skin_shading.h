@@ -45,6 +45,7 @@ struct TermsOnMap {
   bool coarse = false;             ///< see coarse_share(); if set, decided per pixel
   /// in mm of the asset; none: light leaves as from a flat half-space
   std::optional<ShapeLaws> shape;
+  double mm_per_unit = 1000;  ///< mm of the asset per metre of the world
 };
 
 /// What the plan knows of the skin of one mesh.

@@ -24,7 +24,9 @@ void UnshadedReads::prepare(gpu::PipelineLibrary& library) {
         pipelines_[double_sided][cut_out] = &library.graphics(
             {.vertex = "final_pass.vert",
              .fragment = "unshaded_reads.frag",
-             .constants = {{"cut_out", cut_out ? 1u : 0u}, {"coarse", settings.terms.coarse ? 1u : 0u}},
+             .constants = {{"cut_out", cut_out ? 1u : 0u},
+                           {"coarse", settings.terms.coarse ? 1u : 0u},
+                           {"shape_aware", settings.terms.shape ? 1u : 0u}},
              .depth_format = depth_format,
              .samples = settings.samples,
              .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,

@@ -12,18 +12,32 @@ layout(binding = 8) uniform sampler2D map_base_colour;
 #include "shaders/cut_out.glsl"
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15, scalar) buffer Counters { uint counters[]; };
+layout(location = 0) in vec3 in_position_m;
+layout(location = 1) in vec3 in_normal;
 layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
 layout(location = 5) centroid in vec2 in_unwrap;
 layout(location = 8) in float in_uv_per_mm;
+layout(location = 9) in vec4 in_shape;
 #include "passes/final_pass/coarse_share.glsl"
 #include "passes/final_pass/within_triangle.glsl"
 #include "passes/final_pass/light_point.glsl"
+#include "passes/final_pass/along_skin.glsl"
+#include "shaders/frame.glsl"
+#include "shaders/switches.glsl"
+#include "shaders/view_vector.glsl"
+#include "passes/final_pass/exit_offset.glsl"
+layout(location = 10) flat in AlongSkin in_along;
 
 void main() {
   if (cut_out && is_cut(in_uv, in_colour)) return;
   if (coarse && coarse_share(terms.widest_mm, in_uv_per_mm) >= 1.0) return;  // nothing is read from the map
-  const vec2 at = light_point(within_triangle(in_unwrap)) - 0.5;
+  vec2 from = vec2(0.0);
+  if (shape_aware) {
+    const vec3 n = normalize(in_normal);
+    from = exit_offset(in_along, in_shape.w, gl_FrontFacing ? n : -n, view_vector(in_position_m));
+  }
+  const vec2 at = light_point(within_triangle(in_unwrap) + from) - 0.5;
   const ivec2 corner = ivec2(floor(at));
   const vec2 f = at - vec2(corner);
   bool unshaded = false, shaded = false;

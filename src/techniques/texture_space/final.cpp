@@ -48,7 +48,8 @@ passes::TermsOnMap terms_on_map(const FrameSettings& settings, const SkinPart& p
           .even_uv_per_mm = static_cast<float>(part.even_uv_per_mm),
           .largest_side = settings.map_size,
           .coarse = part.coarse && !settings.host_lights(),
-          .shape = part.profile.shape};
+          .shape = part.profile.shape,
+          .mm_per_unit = part.mm_per_unit};
 }
 
 SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const passes::MapSquare& square) {

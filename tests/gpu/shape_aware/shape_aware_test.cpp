@@ -3,6 +3,7 @@
 // known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "api/asset_state.h"
@@ -115,6 +116,75 @@ TEST(ShapeAware, FlatSkinKeepsItsTotal) {
     for (std::size_t c = 0; c < 3; ++c)
       EXPECT_NEAR(on[c] / off[c], profile::exit_factor(*profile.shape, c, up), 0.005) << up << ", " << c;
   }
+}
+
+// A place at the end of a small sheet reads no light from beyond it.
+TEST(ShapeAware, SkinThatEndsStaysLit) {
+  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  constexpr float up = 0.5f;
+  const float aside = std::sqrt(1 - up * up);
+  scene::Scene made = scene::plane(0.006, glm::dmat2(1), {}, 8);
+  made.materials.front().skin_settings.mix = 0;
+  scene::Camera camera = camera_from_above(0.0035, {0.1f * aside, 0, 0.1f * up});
+  camera.world_from_camera[0] = {up, 0, -aside, 0};
+  camera.world_from_camera[2] = {aside, 0, up, 0};
+  made.cameras = {camera};
+  const Scene scene = wrap(std::move(made));
+  for (const int map_side : {64, 1024}) {
+    const Picture off = renderer().render(scene, settings(false, 64, map_side)),
+                  on = renderer().render(scene, settings(true, 64, map_side));
+    EXPECT_EQ(on.statistics.unshaded_reads, 0u);
+    int seen = 0;
+    for (std::size_t i = 0; i < on.linear_rgba.size(); i += 4) {
+      if (off.linear_rgba[i] < 0.9f) continue;
+      ++seen;
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(on.linear_rgba[i + c] / off.linear_rgba[i + c],
+                    profile::exit_factor(*profile.shape, c, up), 0.01)
+            << map_side << " texels, pixel " << i / 4;
+    }
+    EXPECT_GT(seen, 500);
+  }
+}
+
+// Under light from the side the radiance of a sphere is that of a place further from the eye: the picture
+// without laws, read there.
+TEST(ShapeAware, LightComesFromFurtherFromTheEye) {
+  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  const std::array<double, 3>& rgb_mm = profile.shape->exit_offset_mm;
+  const double offset_mm = (rgb_mm[0] + rgb_mm[1] + rgb_mm[2]) / 3;
+  constexpr double radius_mm = 10;
+  scene::Scene made = ball(radius_mm);
+  made.lights = {directional_light({-1, 0, 0}, glm::vec3(static_cast<float>(pi)))};
+  const Scene scene = wrap(std::move(made));
+  RenderSettings s = settings(false, 96, 1024);
+  s.lighting.rig_lights.reset();
+  s.lighting.ambient = 0;
+  s.skin.translucency = false;
+  const Picture off = renderer().render(scene, s);
+  s.skin.shape_aware = true;
+  const Picture on = renderer().render(scene, s);
+
+  double moved = 0;
+  for_each_on_ball(on, [&](double cosine, std::size_t i) {
+    const auto x = static_cast<int>(i / 4 % static_cast<std::size_t>(on.width));
+    const auto y = static_cast<int>(i / 4 / static_cast<std::size_t>(on.width));
+    const double u = (x + 0.5) / on.width * 2 - 1;
+    if (u < 0.2 || y != on.height / 2) return;
+    // On the great circle through the light, the angle from the eye grows by the way over the surface.
+    const double angle = std::asin(u) + offset_mm / radius_mm * std::sin(std::asin(u));
+    const double at = (std::sin(angle) + 1) / 2 * on.width - 0.5;
+    const auto left = static_cast<std::size_t>(at);
+    const std::size_t row = i - 4 * static_cast<std::size_t>(x);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double there = std::lerp(double{off.linear_rgba[row + 4 * left + c]},
+                                     double{off.linear_rgba[row + 4 * left + 4 + c]}, at - std::floor(at));
+      EXPECT_NEAR(on.linear_rgba[i + c], wanted(profile, c, radius_mm, cosine) * there, 0.015)
+          << u << " " << c;
+      moved = std::max(moved, std::abs(there - double{off.linear_rgba[i + c]}));
+    }
+  });
+  EXPECT_GT(moved, 0.03) << "what the law is for is there";
 }
 
 // Over a head no place returns more than the light that enters, and on average it is that of a half-space.

@@ -24,17 +24,23 @@ using std::numbers::pi;
 
 optics::RgbMedium skin2() { return optics::find_material("skin2")->medium(); }
 
-/// Radiance along the normal times pi, in a picture of the volume model of the point that shapes.h looks at.
+/// Radiance times pi, in a picture of the volume model of the point that shapes.h looks at.
 struct Seen {
   glm::dvec3 radiance{0}, error{0};
 };
 
-Seen seen(const Body& body, const optics::RgbMedium& medium, double light_deg, std::uint32_t samples) {
+/// eye_deg: from the normal, in the plane of the light and to its side.
+Seen seen(const Body& body, const optics::RgbMedium& medium, double light_deg, std::uint32_t samples,
+          double eye_deg = 0) {
   const scene::Scene scene = mesh_of(body, 30);
   Job job;
   job.model = Model::volume;
   job.medium = medium;
-  job.setup.camera = tests::camera_from_above(0.1e-3, {0, 0, 0.1f});
+  const auto up = static_cast<float>(std::cos(eye_deg * pi / 180)),
+             aside = static_cast<float>(std::sin(eye_deg * pi / 180));
+  job.setup.camera = tests::camera_from_above(0.1e-3, {0.1f * aside, 0, 0.1f * up});
+  job.setup.camera.world_from_camera[0] = {up, 0, -aside, 0};
+  job.setup.camera.world_from_camera[2] = {aside, 0, up, 0};
   job.setup.width = job.setup.height = 8;
   job.setup.specular = false;
   job.setup.white_albedo = true;
@@ -132,6 +138,27 @@ gaussians::SumOfGaussians profile_of(const optics::RgbMedium& medium) {
   sum.medium = optics::coefficients_of(medium);
   sum.shape = profile::shape_laws(medium);
   return sum;
+}
+
+// Skin shows, to an eye on the side of the light, the light of a place that faces it less.
+TEST(Shapes, LightComesFromFurtherFromTheEye) {
+  const gaussians::SumOfGaussians profile = profile_of(skin2());
+  const Body sphere{.shape = Shape::sphere, .size_mm = 8};
+  constexpr double light_deg = 55, eye_deg = 60;
+  const Seen near = seen(sphere, skin2(), light_deg, 1024, eye_deg),
+             far = seen(sphere, skin2(), light_deg, 1024, -eye_deg);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double moved_deg =
+        profile.shape->exit_offset_mm[c] / sphere.size_mm * std::sin(eye_deg * pi / 180) * 180 / pi;
+    const double law = blurred(sphere, profile, light_deg + moved_deg)[c] /
+                       blurred(sphere, profile, light_deg - moved_deg)[c];
+    const auto k = static_cast<int>(c);
+    const double truth = near.radiance[k] / far.radiance[k],
+                 noise = std::hypot(near.error[k] / near.radiance[k], far.error[k] / far.radiance[k]);
+    std::printf("near over far, channel %zu: %.3f +- %.3f, law %.3f\n", c, truth, noise, law);
+    EXPECT_NEAR(truth, law, 0.03 + 3 * noise) << c;
+    EXPECT_LT(law, 0.92) << c;
+  }
 }
 
 // 40,000 walks have a noise of about 0.5 % of the light.
