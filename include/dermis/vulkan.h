@@ -263,8 +263,8 @@ class HostFrames {
   /// write to all after: barriers of the host's are for layouts alone.
   ///
   /// Colour is linear radiance times 2^exposure_ev, premultiplied; alpha 1 where there is skin, 0 on other
-  /// opaque parts. Afterwards pipelines, descriptor set 0, push constants, viewport and scissor of the
-  /// command buffer are undefined, graphics and compute; all other state is as before.
+  /// opaque parts. Afterwards pipelines, descriptor set 0, push constants, viewport, scissor and cull
+  /// mode of the command buffer are undefined, graphics and compute; all other state is as before.
   ///
   /// Throws InputError, and records nothing: null, a matrix that is not a camera, numbers that run back, more
   /// frames than may be in flight, a view for which update() has not made room (it says so).

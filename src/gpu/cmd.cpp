@@ -114,6 +114,8 @@ Cmd::Cmd(Device& device, VkCommandBuffer handle) : device_(&device), handle_(han
 void Cmd::bind(const Pipeline& pipeline, std::span<const Binding> bindings) {
   const auto& vk = device_->vk();
   vk.vkCmdBindPipeline(handle_, pipeline.bind_point, pipeline.handle);
+  if (pipeline.bind_point == VK_PIPELINE_BIND_POINT_GRAPHICS)
+    vk.vkCmdSetCullMode(handle_, pipeline.cull_mode);
   Writes out;
   out.images.reserve(bindings.size());  // never reallocated: the writes point into these
   out.buffers.reserve(bindings.size());

@@ -143,7 +143,8 @@ struct FixedFunctions {
   VkPipelineDepthStencilStateCreateInfo depth{};
   std::vector<VkPipelineColorBlendAttachmentState> attachments;
   VkPipelineColorBlendStateCreateInfo blend{};
-  std::array<VkDynamicState, 2> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  std::array<VkDynamicState, 3> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                               VK_DYNAMIC_STATE_CULL_MODE};
   VkPipelineDynamicStateCreateInfo dynamic{};
 };
 
@@ -182,7 +183,6 @@ FixedFunctions::FixedFunctions(const GraphicsDesc& desc) {
 
   raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
   raster.depthClampEnable = desc.depth_clamp;
-  raster.cullMode = cull_of(desc.cull);
   raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
   raster.depthBiasEnable = desc.depth_bias != 0 || desc.depth_bias_slope != 0;
   raster.depthBiasConstantFactor = desc.depth_bias;
@@ -239,6 +239,7 @@ struct PipelineLibrary::State {
   struct Entry {
     Pipeline pipeline;
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
+    bool owns = true;  ///< else another entry does
   };
   Device* device = nullptr;
   ShaderSource shaders;
@@ -299,6 +300,7 @@ void PipelineLibrary::State::create_layout(Entry& entry, VkShaderStageFlags stag
 }
 
 void PipelineLibrary::State::destroy(const Entry& entry) const {
+  if (!entry.owns) return;
   device->vk().vkDestroyPipeline(device->handle(), entry.pipeline.handle, nullptr);
   device->vk().vkDestroyPipelineLayout(device->handle(), entry.pipeline.layout, nullptr);
   device->vk().vkDestroyDescriptorSetLayout(device->handle(), entry.set_layout, nullptr);
@@ -391,6 +393,14 @@ const Pipeline& PipelineLibrary::graphics(const GraphicsDesc& desc) {
   State& s = *state_;
   const std::string key = key_of(desc);
   if (const auto found = s.entries.find(key); found != s.entries.end()) return found->second->pipeline;
+  if (desc.cull != Cull::none) {
+    // What is culled is dynamic state: a driver compiles the shaders once for all of it.
+    GraphicsDesc unculled = desc;
+    unculled.cull = Cull::none;
+    auto entry = std::make_unique<State::Entry>(State::Entry{.pipeline = graphics(unculled), .owns = false});
+    entry->pipeline.cull_mode = cull_of(desc.cull);
+    return (s.entries[key] = std::move(entry))->pipeline;
+  }
 
   const auto start = Clock::now();
   auto entry = std::make_unique<State::Entry>();

@@ -77,6 +77,7 @@ class Pipeline {
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkPipelineBindPoint bind_point = VK_PIPELINE_BIND_POINT_COMPUTE;
   VkShaderStageFlags push_stages = 0;
+  VkCullModeFlags cull_mode = VK_CULL_MODE_NONE;  ///< set when it is bound
   ShaderInterface interface;
   std::string name;
 };

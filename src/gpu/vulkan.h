@@ -36,6 +36,7 @@
   X(vkCmdPushConstants)             \
   X(vkCmdPushDescriptorSetKHR)      \
   X(vkCmdResetQueryPool)            \
+  X(vkCmdSetCullMode)               \
   X(vkCmdSetScissor)                \
   X(vkCmdSetViewport)               \
   X(vkCmdWriteTimestamp2)           \

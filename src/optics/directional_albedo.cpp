@@ -2,6 +2,7 @@
 #include "optics/directional_albedo.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,9 +13,18 @@ namespace {
 
 constexpr int samples_theta = 48, samples_phi = 32;
 
+// Of the azimuths over half a turn; the other half is symmetric.
+std::array<double, samples_phi> make_cosines() {
+  std::array<double, samples_phi> cosines;
+  for (int j = 0; j < samples_phi; ++j)
+    cosines[static_cast<std::size_t>(j)] = std::cos(std::numbers::pi * (j + 0.5) / samples_phi);
+  return cosines;
+}
+
 }  // namespace
 
 DirectionalAlbedo directional_albedo(double cosine, double m) {
+  static const std::array<double, samples_phi> cosines_phi = make_cosines();
   const double c = std::clamp(cosine, 1e-3, 1.0);
   const double s = std::sqrt(1 - c * c);
   DirectionalAlbedo sum;
@@ -27,15 +37,14 @@ DirectionalAlbedo directional_albedo(double cosine, double m) {
     const double tan2 = -m * m * std::log(1 - u);
     const double cos_h = 1 / std::sqrt(1 + tan2), sin_h = std::sqrt(std::max(0.0, 1 - cos_h * cos_h));
 
-    for (int j = 0; j < samples_phi; ++j) {
-      const double phi = std::numbers::pi * (j + 0.5) / samples_phi;  // the other half is symmetric
-      const double v_h = s * sin_h * std::cos(phi) + c * cos_h;
+    for (const double cos_phi : cosines_phi) {
+      const double v_h = s * sin_h * cos_phi + c * cos_h;
       if (v_h <= 0) continue;
       const double cos_l = 2 * v_h * cos_h - c;
       if (cos_l <= 0) continue;
 
       // Splits Schlick's F = f0 (1 - x) + x into the part that f0 scales and the rest.
-      const double x = std::pow(1 - v_h, 5);
+      const double y = 1 - v_h, x = y * y * y * y * y;
       const double weight = std::numbers::pi * cos_l / (v_h * cos_h);
       sum.of_f0 += weight * (1 - x);
       sum.rest += weight * x;
@@ -58,7 +67,9 @@ DirectionalAlbedo mean_directional_albedo(double m) {
   return mean;
 }
 
-std::vector<float> directional_albedo_table() {
+namespace {
+
+std::vector<float> make_table() {
   constexpr int width = directional_albedo_columns + 2;
   std::vector<float> table(static_cast<std::size_t>(width) * directional_albedo_rows * 2);
   parallel_for(directional_albedo_rows, [&](std::size_t row) {
@@ -73,6 +84,13 @@ std::vector<float> directional_albedo_table() {
       table[(row * width + static_cast<std::size_t>(column)) * 2 + 1] = static_cast<float>(a.rest);
     }
   });
+  return table;
+}
+
+}  // namespace
+
+const std::vector<float>& directional_albedo_table() {
+  static const std::vector<float> table = make_table();
   return table;
 }
 

@@ -31,6 +31,6 @@ DirectionalAlbedo directional_albedo(double cosine, double m);
 DirectionalAlbedo mean_directional_albedo(double m);
 
 /// Returns (of_f0, rest) pairs, directional_albedo_rows rows of directional_albedo_columns + 2.
-std::vector<float> directional_albedo_table();
+const std::vector<float>& directional_albedo_table();
 
 }  // namespace dermis::optics

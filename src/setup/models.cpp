@@ -107,11 +107,14 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   fill_coarse(part, density, s.quality.map_size);
 
   part.off_map = scene::has_chartless(mesh);
+  part.kinds.reset();
   for (const int index : mesh.triangle_material) {
     const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];
-    part.cut_out = part.cut_out || of_triangle.alpha_mode == scene::AlphaMode::mask;
-    part.emits = part.emits || of_triangle.emissive != glm::vec3(0);
-    part.detailed = part.detailed || of_triangle.skin_settings.detail.present();
+    const passes::SkinKind kind{.cut_out = of_triangle.alpha_mode == scene::AlphaMode::mask,
+                                .emits = of_triangle.emissive != glm::vec3(0),
+                                .detailed = of_triangle.skin_settings.detail.present()};
+    part.cut_out = part.cut_out || kind.cut_out;
+    part.kinds.set(kind.index());
   }
   return part;
 }

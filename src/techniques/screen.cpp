@@ -141,9 +141,7 @@ passes::SkinLook Screen::look_of(passes::SkinLook look) const {
   look.environment = settings_.environment;
   look.soft_shadows = settings_.soft_shadows;
   look.off_map = part.off_map;
-  look.cut_out = part.cut_out;
-  look.emits = part.emits;
-  look.detailed = part.detailed;
+  look.kinds = part.kinds;
   return look;
 }
 

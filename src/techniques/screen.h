@@ -19,7 +19,7 @@ enum ScreenCounter : std::uint32_t { counter_skin_pixels, screen_counters };
 
 /// One skin mesh of one head.
 struct SkinOnScreen {
-  passes::SkinLook look;  ///< of which Screen decides the members from `environment` to `detailed`
+  passes::SkinLook look;               ///< of which Screen decides the members from `environment` to `kinds`
   std::vector<frame::TextureId> maps;  ///< its light, one per weight of `look`
 };
 

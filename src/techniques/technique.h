@@ -4,6 +4,7 @@
 /// lambert/.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "frame/graph.h"
 #include "gaussians/sum.h"
 #include "passes/behind.h"
+#include "passes/final_pass/skin_shading.h"
 #include "passes/frame_data.h"
 #include "passes/light_mask.h"
 #include "passes/light_pool.h"
@@ -45,11 +47,10 @@ struct SkinPart {
   double least_texels_per_mm = 1;   ///< a twentieth of the skin has fewer
   /// some of the skin has so few texels that narrow terms are lit per pixel there: passes::coarse_share()
   bool coarse = false;
-  bool off_map = false;   ///< some of its triangles have no chart of the unwrap
-  bool cut_out = false;   ///< some of its materials have an alpha test
-  bool emits = false;     ///< some of them emit light
-  bool detailed = false;  ///< some of them have a tile of detail
-  bool posed = false;     ///< it takes poses: its metric changes from frame to frame
+  bool off_map = false;                            ///< some of its triangles have no chart of the unwrap
+  bool cut_out = false;                            ///< some of its materials have an alpha test
+  std::bitset<passes::SkinKind::count> kinds = 1;  ///< of its materials: passes::SkinLook
+  bool posed = false;                              ///< it takes poses: its metric changes from frame to frame
   bool operator==(const SkinPart&) const = default;
 };
 

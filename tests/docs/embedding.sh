@@ -22,7 +22,7 @@ quiet "$cmake" -S "$place/embedding" -B "$place/build" -G "$generator" \
 quiet "$cmake" --build "$place/build"
 
 # No message of the validation layer on any frame, nor when the device is destroyed, and no warning of dermis.
-frames=60
+frames=24
 cd "$place"
 build/embedding frame.ppm --frames $frames --linear frame.pfm --validate > said 2> messages ||
   fail "embedding failed: $(cat said messages)"

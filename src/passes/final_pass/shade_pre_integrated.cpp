@@ -49,8 +49,8 @@ void ShadePreIntegrated::prepare(gpu::PipelineLibrary& library) {
     gpu::Constants constants{{"environment", settings.look.environment ? 1u : 0u},
                              {"soft_shadows", settings.look.soft_shadows ? 1u : 0u},
                              {"off_map", variant.off_map ? 1u : 0u},
-                             {"emits", variant.emits ? 1u : 0u},
-                             {"detailed", variant.detailed ? 1u : 0u},
+                             {"emits", variant.kind.emits ? 1u : 0u},
+                             {"detailed", variant.kind.detailed ? 1u : 0u},
                              {"shadow_taps", settings.shadow_taps},
                              {"unscattered", all_scatters ? 0u : 1u},
                              {"multisampled", settings.samples > 1 ? 1u : 0u}};

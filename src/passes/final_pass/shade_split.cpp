@@ -28,8 +28,8 @@ void ShadeSplit::prepare(gpu::PipelineLibrary& library) {
     gpu::Constants constants{{"environment", settings.look.environment ? 1u : 0u},
                              {"soft_shadows", settings.look.soft_shadows ? 1u : 0u},
                              {"off_map", variant.off_map ? 1u : 0u},
-                             {"emits", variant.emits ? 1u : 0u},
-                             {"detailed", variant.detailed ? 1u : 0u},
+                             {"emits", variant.kind.emits ? 1u : 0u},
+                             {"detailed", variant.kind.detailed ? 1u : 0u},
                              {"multisampled", settings.samples > 1 ? 1u : 0u}};
     const bool through = shading_.through(variant);
     if (through) shading_.add_through_constants(constants);

@@ -106,11 +106,8 @@ std::vector<SkinVariant> SkinShading::variants() const {
     for (const bool cut_out : {false, true})
       for (const bool emits : {false, true})
         for (const bool detailed : {false, true}) {
-          if (cut_out > look_.cut_out || emits > look_.emits || detailed > look_.detailed) continue;
-          variant.cut_out = cut_out;
-          variant.emits = emits;
-          variant.detailed = detailed;
-          all.push_back(variant);
+          variant.kind = {.cut_out = cut_out, .emits = emits, .detailed = detailed};
+          if (look_.kinds[variant.kind.index()]) all.push_back(variant);
         }
   return all;
 }
@@ -119,9 +116,7 @@ SkinVariant SkinShading::variant_of(const Instance& instance, const GpuDraw& dra
                                     const GpuMaterial& material) const {
   return {.lit = draw.on_map ? lit_of(instance) : SkinVariant::Lit::at_pixel,
           .off_map = !draw.on_map,
-          .cut_out = material.cut_out,
-          .emits = material.emits,
-          .detailed = material.detailed};
+          .kind = {.cut_out = material.cut_out, .emits = material.emits, .detailed = material.detailed}};
 }
 
 SkinVariant::Lit SkinShading::lit_of(const Instance& instance) const {
@@ -152,9 +147,9 @@ gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
                            {"off_map", variant.off_map ? 1u : 0u},
                            {"coarse", look_.terms.coarse ? 1u : 0u},
                            {"shape_aware", look_.terms.shape ? 1u : 0u},
-                           {"cut_out", variant.cut_out ? 1u : 0u},
-                           {"emits", variant.emits ? 1u : 0u},
-                           {"detailed", variant.detailed ? 1u : 0u}};
+                           {"cut_out", variant.kind.cut_out ? 1u : 0u},
+                           {"emits", variant.kind.emits ? 1u : 0u},
+                           {"detailed", variant.kind.detailed ? 1u : 0u}};
   if (through(variant)) add_through_constants(constants);
   return constants;
 }

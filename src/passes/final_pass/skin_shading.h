@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <optional>
 #include <vector>
 
@@ -48,6 +49,13 @@ struct TermsOnMap {
   double mm_per_unit = 1000;  ///< mm of the asset per metre of the world
 };
 
+/// What of a material decides which code draws its skin: a number below `count`.
+struct SkinKind {
+  bool cut_out = false, emits = false, detailed = false;
+  static constexpr std::size_t count = 8;
+  constexpr std::size_t index() const { return 4 * std::size_t{cut_out} + 2 * std::size_t{emits} + detailed; }
+};
+
 /// What the plan knows of the skin of one mesh.
 struct SkinLook {
   MapSquare square;                           ///< not halved
@@ -59,9 +67,7 @@ struct SkinLook {
   bool soft_shadows = false;  ///< lights with a radius cast penumbrae
   /// some triangles have no chart of the unwrap: they are lit per pixel, without scattering
   bool off_map = false;
-  bool cut_out = false;   ///< some of the mesh's skin is cut out by its alpha
-  bool emits = false;     ///< some of the mesh's skin emits light
-  bool detailed = false;  ///< some of the mesh's skin has a tile of detail
+  std::bitset<SkinKind::count> kinds = 1;  ///< of the mesh's skin, by index()
   /// where the map is smaller than T_max, narrow terms are lit per pixel: see direct_share()
   bool mixes = false;
   /// some light leaves where it entered, for which the weights leave room: it is lit per pixel
@@ -83,11 +89,11 @@ struct SkinLights {
 struct SkinVariant {
   enum class Lit : std::uint8_t { on_map, mixed, at_pixel };
   Lit lit = Lit::on_map;
-  bool off_map = false, cut_out = false, emits = false, detailed = false;
-  static constexpr std::size_t count = 3 * 16;
+  bool off_map = false;
+  SkinKind kind;
+  static constexpr std::size_t count = 6 * SkinKind::count;
   std::size_t index() const {
-    return 16 * static_cast<std::size_t>(lit) + 8 * std::size_t{off_map} + 4 * std::size_t{cut_out} +
-           2 * std::size_t{emits} + detailed;
+    return SkinKind::count * (2 * static_cast<std::size_t>(lit) + std::size_t{off_map}) + kind.index();
   }
 };
 

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "gpu/support/heads.h"
 #include "gpu/support/pictures.h"
@@ -31,6 +34,21 @@ double largest_roundings(const Picture& a, const Picture& b) {
   return most;
 }
 
+RenderSettings without_width(const std::string& technique, int samples, ScreenKernel kernel) {
+  RenderSettings s = with_profile(shaded_in_compute(technique, samples), "no width",
+                                  {{.variance_mm2 = 0, .weight = {1, 1, 1}}});
+  s.quality.kernel = kernel;
+  return s;
+}
+
+// Drawn once for all techniques.
+const Picture& lambert_without_width(const Scene& scene, int samples, ScreenKernel kernel) {
+  static std::map<std::pair<int, ScreenKernel>, Picture> drawn;
+  const auto [at, added] = drawn.try_emplace({samples, kernel});
+  if (added) at->second = renderer().render(scene, without_width("lambert", samples, kernel));
+  return at->second;
+}
+
 class ZeroWidth : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Techniques, ZeroWidth, testing::ValuesIn(technique_names()),
                          [](const auto& technique) { return test_name_of(technique.param); });
@@ -42,15 +60,10 @@ TEST_P(ZeroWidth, EveryTechniqueMakesThePictureOfLambert) {
   for (const int samples : {1, 4})
     for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published}) {
       SCOPED_TRACE(std::to_string(samples) + " samples");
-      const auto drawn = [&](const std::string& technique) {
-        RenderSettings s = with_profile(shaded_in_compute(technique, samples), "no width",
-                                        {{.variance_mm2 = 0, .weight = {1, 1, 1}}});
-        s.quality.kernel = kernel;
-        return renderer().render(scene, s);
-      };
-      const Picture lambert = drawn("lambert");
+      const Picture& lambert = lambert_without_width(scene, samples, kernel);
       EXPECT_GT(skin_range(lambert).mean[0], 0.01);
-      EXPECT_LE(largest_roundings(lambert, drawn(GetParam())), 2);
+      const Picture drawn = renderer().render(scene, without_width(GetParam(), samples, kernel));
+      EXPECT_LE(largest_roundings(lambert, drawn), 2);
     }
 }
 

@@ -103,6 +103,24 @@ TEST_F(Pipelines, AreMadeOnceAndKeepTheirPlace) {
             library().sampler({.filter = Filter::linear, .u = Address::repeat, .max_anisotropy = 8}));
 }
 
+TEST_F(Pipelines, ThatDifferInWhatTheyCullAreCompiledOnce) {
+  GraphicsDesc desc{.vertex = "triangle.vert",
+                    .fragment = "triangle.frag",
+                    .colour_formats = {VK_FORMAT_R8G8B8A8_UNORM},
+                    .cull = Cull::back};
+  const std::uint64_t before = device().counters().pipelines;
+  const Pipeline& back = library().graphics(desc);
+  desc.cull = Cull::none;
+  const Pipeline& none = library().graphics(desc);
+  desc.cull = Cull::front;
+  const Pipeline& front = library().graphics(desc);
+  EXPECT_EQ(device().counters().pipelines - before, 1u);
+  EXPECT_EQ(back.handle, none.handle);
+  EXPECT_EQ(front.handle, none.handle);
+  EXPECT_NE(back.cull_mode, none.cull_mode);
+  EXPECT_NE(back.cull_mode, front.cull_mode);
+}
+
 TEST_F(Pipelines, TooLargeWorkgroupIsARefusal) {
   try {
     library().compute("grid.comp", {{"group_x", 1u << 20}});
