@@ -84,12 +84,15 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
   const float wide = sqrt(0.5) * transmission.two_sigma_m[last_term] / texel_m;
   look_beside(r, ray, m, vec2(near, 0.0), vec2(wide), cosine_here > 0.0);
 
-  r.entering = vec3(max(max(m.z[0].y, m.z[1].x), max(m.z[2].z, m.z[3].w)) > 0.0 ? 1.0 : 0.0);
+  // A surface that faces away and yet is the first that light meets is the inside of an open mesh, such as a
+  // bust: no body lies between.
+  const float crossed = smoothstep(0.25, 1.0, r.way_m / texel_m);
+  r.entering = vec3(max(max(m.z[0].y, m.z[1].x), max(m.z[2].z, m.z[3].w)) > 0.0 ? crossed : 0.0);
   r.shaded = true;
   if (!entering_stored) return r;
   // All light enters at parts too thin for the map of entering light, which is smaller than the depth map.
   const vec4 stored = textureLod(entering_maps, vec3(m.uv, m.layer), 0.0);
-  if (stored.a > 1e-3) r.entering = (stored.rgb / stored.a) * (stored.rgb / stored.a);
+  if (stored.a > 1e-3) r.entering = crossed * (stored.rgb / stored.a) * (stored.rgb / stored.a);
   r.shaded = stored.a > 0.0 || m.z[0].y == 0.0;
   return r;
 }
