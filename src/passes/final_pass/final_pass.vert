@@ -41,8 +41,8 @@ void main() {
   out_unwrap_c = skin_vertices[c].unwrap;
   out_along = AlongSkin(vec3(0.0), vec3(0.0));
   if (shape_aware)
-    out_along = along_triangle(
-        world_position(vertices[a].position_m), world_position(vertices[b].position_m),
-        world_position(vertices[c].position_m), out_unwrap_ab.xy, out_unwrap_ab.zw, out_unwrap_c);
+    out_along = along_triangle(world_position(vertices[a].position_m), world_position(vertices[b].position_m),
+                               world_position(vertices[c].position_m), out_unwrap_ab.xy, out_unwrap_ab.zw,
+                               out_unwrap_c);
   gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }

@@ -21,16 +21,16 @@ void UnshadedReads::prepare(gpu::PipelineLibrary& library) {
   for (const bool double_sided : {false, true})
     for (const bool cut_out : {false, true})
       if (!cut_out || settings.cut_out)
-        pipelines_[double_sided][cut_out] = &library.graphics(
-            {.vertex = "final_pass.vert",
-             .fragment = "unshaded_reads.frag",
-             .constants = {{"cut_out", cut_out ? 1u : 0u},
-                           {"coarse", settings.terms.coarse ? 1u : 0u},
-                           {"shape_aware", settings.terms.shape ? 1u : 0u}},
-             .depth_format = depth_format,
-             .samples = settings.samples,
-             .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
-             .depth_test = true});
+        pipelines_[double_sided][cut_out] =
+            &library.graphics({.vertex = "final_pass.vert",
+                               .fragment = "unshaded_reads.frag",
+                               .constants = {{"cut_out", cut_out ? 1u : 0u},
+                                             {"coarse", settings.terms.coarse ? 1u : 0u},
+                                             {"shape_aware", settings.terms.shape ? 1u : 0u}},
+                               .depth_format = depth_format,
+                               .samples = settings.samples,
+                               .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
+                               .depth_test = true});
   terms_ = make_terms(library.device(), settings.terms);
 }
 

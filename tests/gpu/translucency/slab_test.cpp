@@ -121,6 +121,18 @@ TEST(Slab, IsThatOfTheReference) {
     }
 }
 
+// The inside of skin that is open, as that of a bust, is no lit side of a body.
+TEST(Slab, WithoutItsLitSideItStaysDark) {
+  for (const double angle : {0.0, 50.0}) {
+    scene::Scene open = slab(1);
+    std::vector<std::uint32_t>& indices = open.primitives.front().indices;
+    indices.resize(indices.size() / 2);  // the front alone
+    open.lights = {from_behind({3, 3, 3}, angle)};
+    const auto seen = mean_colour(renderer().render(wrap(std::move(open)), slab_settings()));
+    for (const double value : seen) EXPECT_LT(value, 1e-6) << angle << " degrees";
+  }
+}
+
 // Light at an angle: the lit side gets less of it, the way is longer, the thickness is the same.
 TEST(Slab, AtAnAngleItIsTheThicknessThatCounts) {
   for (const double angle : {30.0, 60.0})

@@ -168,9 +168,10 @@ TEST(ProfileJson, MediaAndLawsThatNothingCanBeMadeOf) {
     return error_of(two_terms("[1, 2]", good_weights, more));
   };
   EXPECT_EQ(error_with(R"(, "shape": {})"), "p.json: shape: needs the medium that it is of: \"medium\"");
-  EXPECT_EQ(error_with(medium + R"(, "shape": {"curvature": 1})"),
-            "p.json: shape: unknown key 'curvature'; known are: curvature_mm, convex_mm, concave_mm, "
-            "difference_mm, difference_mm2, front_share, front_mm, exit_grazing, exit_normal, exit_offset_mm");
+  EXPECT_EQ(
+      error_with(medium + R"(, "shape": {"curvature": 1})"),
+      "p.json: shape: unknown key 'curvature'; known are: curvature_mm, convex_mm, concave_mm, "
+      "difference_mm, difference_mm2, front_share, front_mm, exit_grazing, exit_normal, exit_offset_mm");
   EXPECT_EQ(error_with(medium + R"(, "shape": {"curvature_mm": [1, 2, -3]})"),
             "p.json: shape.curvature_mm[2]: must be 0 to 1000000, is -3");
   EXPECT_EQ(error_with(R"(, "medium": {"sigma_a_per_mm": [1, 1, 1]})"),
