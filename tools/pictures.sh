@@ -15,7 +15,7 @@ makehuman=${MAKEHUMAN:-../shared/assets/makehuman}
 environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
-names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio regions skin-sets
+names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio shape-aware regions skin-sets
   tone-maps turntable talking skins head-studio head-hard-light head-beside-scan peers peers-heads)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
@@ -109,6 +109,15 @@ truth-studio() {
   local id
   for id in reference technique-0 technique-0-error; do from_page studio-truth $id; done
   join $1 320x360 $out/studio-truth-{reference,technique-0,technique-0-error}.png
+}
+
+shape-aware() {
+  "$dermis" profile --preset skin2 -o $out/skin2.json >/dev/null
+  compare shape --scene $scan.gltf --camera portrait --light 90,10 --size 200x225 --shadow-size 4096 \
+    --supersample 4 --profile $out/skin2.json --model volume --samples 256 --techniques texture-space
+  local id
+  for id in reference technique-1 technique-0 technique-1-error technique-0-error; do from_page shape $id; done
+  join $1 256x288 $out/shape-{reference,technique-1,technique-0,technique-1-error,technique-0-error}.png
 }
 
 # No tone map: the curves and strips of a plot.

@@ -35,6 +35,23 @@ def mean(values):
     return sum(values) / len(values) if values else float("nan")
 
 
+def print_groups(results, region):
+    """Errors summed over the cases that have a word in common: of one case alone they may be noise."""
+    print("| cases | number | shape-aware | off | lambert | on over off | nearer than lambert, off -> on |\n"
+          "|---|---|---|---|---|---|---|")
+    heads = sorted({case.rsplit("-", 2)[0] for case in results})
+    skins, lights = (sorted({case.rsplit("-", 2)[k] for case in results}) for k in (1, 2))
+    for group in ["all", *lights, *skins, *heads]:
+        rows = [errors(result, region) for case, result in results.items()
+                if group in ("all", case.rsplit("-", 2)[0], *case.rsplit("-", 2)[1:])]
+        rows = [row for row in rows if row]
+        if not rows:
+            continue
+        on, off, lambert = (sum(row[k] for row in rows) / len(rows) for k in range(3))
+        print(f"| {group} | {len(rows)} | {on:.2e} | {off:.2e} | {lambert:.2e} | {on / off:.2f} | "
+              f"{root_ratio(lambert, off):.1f} -> {root_ratio(lambert, on):.1f} |")
+
+
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
@@ -58,6 +75,7 @@ def main():
                   f"{root_ratio(e[2], e[1]):.1f} -> {root_ratio(e[2], e[0]):.1f} |")
         print(f"\n{len(shares)} cases, on over off: mean {mean(shares):.2f}, "
               f"largest {max(shares, default=0):.2f}\n")
+        print_groups(results, region)
 
 
 if __name__ == "__main__":
