@@ -15,8 +15,8 @@ makehuman=${MAKEHUMAN:-../shared/assets/makehuman}
 environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
-names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio shape-aware regions skin-sets
-  tone-maps turntable talking skins head-studio head-hard-light head-beside-scan peers peers-heads)
+names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio shape-aware regions
+  skin-sets tone-maps turntable talking skins head-studio head-hard-light head-beside-scan peers peers-heads)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -116,7 +116,7 @@ shape-aware() {
   compare shape --scene $scan.gltf --camera portrait --light 90,10 --size 200x225 --shadow-size 4096 \
     --supersample 4 --profile $out/skin2.json --model volume --samples 256 --techniques texture-space
   local id
-  for id in reference technique-1 technique-0 technique-1-error technique-0-error; do from_page shape $id; done
+  for id in reference technique-{1,0} technique-{1,0}-error; do from_page shape $id; done
   join $1 256x288 $out/shape-{reference,technique-1,technique-0,technique-1-error,technique-0-error}.png
 }
 

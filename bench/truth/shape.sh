@@ -5,10 +5,10 @@
 #   HEADS   scan, built-in, ict, or a file of MakeHuman heads ("mh-african-man-young"); default all
 #   SKINS   skin1 skin2 light medium dark
 #   LIGHTS  side front behind
-# SIZE (default 64x72), SUPERSAMPLE (16: a highlight on the rim of an ear is narrower than a quarter of such a
-# pixel), SAMPLES (256; of dark skin, whose walks are the noisiest, four times as many) and FIT (of the profile)
-# are of the environment. OUT keeps the references and one JSON per case; what is there is not made again.
-# tools/shape_table.py OUT prints the tables.
+# SIZE (default 64x72), SUPERSAMPLE (16: a highlight on the rim of an ear is narrower than a quarter of
+# such a pixel), SAMPLES (256; of dark skin, whose walks are the noisiest, four times as many) and FIT (of
+# the profile) are of the environment. OUT keeps the references and one JSON per case; what is there is not
+# made again. tools/shape_table.py OUT prints the tables.
 set -eu
 out=$1
 heads=${2:-scan built-in ict mh-african-man-young mh-european-man-young mh-asian-woman-young}
@@ -55,9 +55,10 @@ for skin in $skins; do
         --profile "$out/$skin.json" --model volume --samples "$samples" -o "$truth.exr" \
         --variance "$truth.variance.exr" >"$truth.reference.txt"
       # shellcheck disable=SC2086
-      "$dermis" compare --scene $scene --light $at --shadow-size 4096 --map-size 1024 --size "${SIZE:-64x72}" \
-        --profile "$out/$skin.json" --reference "$truth.exr" --variance "$truth.variance.exr" \
-        --supersample "${SUPERSAMPLE:-16}" --techniques texture-space,lambert --json "$truth.result.json" >"$truth.txt"
+      "$dermis" compare --scene $scene --light $at --shadow-size 4096 --map-size 1024 \
+        --size "${SIZE:-64x72}" --profile "$out/$skin.json" --reference "$truth.exr" --variance "$truth.variance.exr" \
+        --supersample "${SUPERSAMPLE:-16}" --techniques texture-space,lambert \
+        --json "$truth.result.json" >"$truth.txt"
     done
   done
 done

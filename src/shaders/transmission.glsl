@@ -86,8 +86,10 @@ LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
 
   // A surface that faces away and yet is the first that light meets is the inside of an open mesh, such as a
   // bust: no body lies between.
-  const float crossed = smoothstep(0.25, 1.0, r.way_m / texel_m);
-  r.entering = vec3(max(max(m.z[0].y, m.z[1].x), max(m.z[2].z, m.z[3].w)) > 0.0 ? crossed : 0.0);
+  const vec4 around = vec4(m.z[0].y, m.z[1].x, m.z[2].z, m.z[3].w);
+  const bool whole = all(greaterThan(around, vec4(0.0)));  // else the way is not known so well
+  const float crossed = whole ? smoothstep(0.02, 0.1, r.way_m / texel_m) : 1.0;
+  r.entering = vec3(any(greaterThan(around, vec4(0.0))) ? crossed : 0.0);
   r.shaded = true;
   if (!entering_stored) return r;
   // All light enters at parts too thin for the map of entering light, which is smaller than the depth map.
