@@ -56,8 +56,8 @@ for skin in $skins; do
         --variance "$truth.variance.exr" >"$truth.reference.txt"
       # shellcheck disable=SC2086
       "$dermis" compare --scene $scene --light $at --shadow-size 4096 --map-size 1024 \
-        --size "${SIZE:-64x72}" --profile "$out/$skin.json" --reference "$truth.exr" --variance "$truth.variance.exr" \
-        --supersample "${SUPERSAMPLE:-16}" --techniques texture-space,lambert \
+        --size "${SIZE:-64x72}" --supersample "${SUPERSAMPLE:-16}" --profile "$out/$skin.json" \
+        --reference "$truth.exr" --variance "$truth.variance.exr" --techniques texture-space,lambert \
         --json "$truth.result.json" >"$truth.txt"
     done
   done
