@@ -36,14 +36,13 @@ def mean(values):
 
 
 def print_groups(results, region):
-    """Errors summed over the cases that have a word in common: of one case alone they may be noise."""
+    """Means over the cases of a head, a skin or a light: the error of one case alone may be its noise."""
     print("| cases | number | shape-aware | off | lambert | on over off | nearer than lambert, off -> on |\n"
           "|---|---|---|---|---|---|---|")
-    heads = sorted({case.rsplit("-", 2)[0] for case in results})
-    skins, lights = (sorted({case.rsplit("-", 2)[k] for case in results}) for k in (1, 2))
-    for group in ["all", *lights, *skins, *heads]:
-        rows = [errors(result, region) for case, result in results.items()
-                if group in ("all", case.rsplit("-", 2)[0], *case.rsplit("-", 2)[1:])]
+    words = {case: case.rsplit("-", 2) for case in results}  # head, skin, light
+    groups = [group for k in (2, 1, 0) for group in sorted({of_case[k] for of_case in words.values()})]
+    for group in ["all", *groups]:
+        rows = [errors(results[case], region) for case in results if group in ("all", *words[case])]
         rows = [row for row in rows if row]
         if not rows:
             continue

@@ -13,9 +13,11 @@ namespace dermis::scene {
 
 inline constexpr std::uint32_t no_edge = 0xffffffffu;
 
-/// Half edge 3 t + k runs from corner k to corner (k + 1) % 3 of triangle t.
+/// Half edge 3 t + k runs from corner k to corner (k + 1) % 3 of triangle t: from index `half` of the mesh to
+/// index next_corner(half).
 inline std::uint32_t next_corner(std::uint32_t half) { return half % 3 == 2 ? half - 2 : half + 1; }
 
+/// How the half edges of a mesh are connected.
 struct Topology {
   std::vector<std::uint32_t> position_id;  ///< per vertex; equal = same place (weld_positions)
   std::vector<std::uint32_t> uv_id;        ///< per vertex; equal = same texture coordinates (weld_uv)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/scenes.h"
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace dermis::tests {
@@ -12,6 +14,15 @@ scene::Camera camera_from_above(double half_height_m, const glm::vec3& position_
   camera.orthographic = true;
   camera.ymag_m = static_cast<float>(half_height_m);
   camera.znear_m = 1e-4f;
+  return camera;
+}
+
+scene::Camera camera_from_aside(double half_height_m, double angle_deg) {
+  const auto angle = static_cast<float>(angle_deg * std::numbers::pi / 180);
+  const float up = std::cos(angle), aside = std::sin(angle);
+  scene::Camera camera = camera_from_above(half_height_m, {0.1f * aside, 0, 0.1f * up});
+  camera.world_from_camera[0] = {up, 0, -aside, 0};
+  camera.world_from_camera[2] = {aside, 0, up, 0};
   return camera;
 }
 

@@ -12,6 +12,9 @@ namespace dermis::tests {
 /// millimetre away.
 scene::Camera camera_from_above(double half_height_m, const glm::vec3& position_m);
 
+/// The same, 0.1 m from the origin, which it looks at from `angle_deg` off +z, towards +x.
+scene::Camera camera_from_aside(double half_height_m, double angle_deg);
+
 /// `irradiance` is that of a surface that faces the light.
 scene::Light directional_light(const glm::vec3& direction, const glm::vec3& irradiance = glm::vec3(1));
 

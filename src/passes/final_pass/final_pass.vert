@@ -9,6 +9,7 @@
 layout(push_constant, scalar) uniform Push { FinalPassIo io; };
 #include "shaders/frame.glsl"
 #include "passes/final_pass/along_skin.glsl"
+
 invariant gl_Position;  // unshaded_reads.frag tests against the depth written here
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
@@ -21,11 +22,13 @@ layout(location = 7) flat out vec2 out_unwrap_c;
 layout(location = 8) out float out_uv_per_mm;  // texture coordinates per mm
 layout(location = 9) out vec4 out_shape;       // body_shape()
 layout(location = 10) flat out AlongSkin out_along;
+
 void main() {
   const uint vertex = vertex_drawn();
   const VertexIo v = vertices[vertex];
   const VertexExtraIo extra = vertex_extra(vertex);
   const SkinVertexIo skin = skin_vertices[vertex];
+
   out_position_m = world_position(v.position_m);
   out_normal = world_direction(v.normal);
   out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);
@@ -44,5 +47,6 @@ void main() {
     out_along = along_triangle(world_position(vertices[a].position_m), world_position(vertices[b].position_m),
                                world_position(vertices[c].position_m), out_unwrap_ab.xy, out_unwrap_ab.zw,
                                out_unwrap_c);
+
   gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }

@@ -102,33 +102,27 @@ TEST(ShapeAware, ASphereShowsItsLaws) {
 // A flat sheet that ends nowhere near is a half-space: its light changes with the angle of exit alone.
 TEST(ShapeAware, FlatSkinKeepsItsTotal) {
   const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
-  for (const float up : {1.0f, 0.5f}) {
+  for (const double angle_deg : {0.0, 60.0}) {
     scene::Scene made = scene::plane(0.2, glm::dmat2(1), {}, 8);
     made.materials.front().skin_settings.mix = 0;
-    const float aside = std::sqrt(1 - up * up);
-    scene::Camera camera = camera_from_above(0.004, {0.1f * aside, 0, 0.1f * up});
-    camera.world_from_camera[0] = {up, 0, -aside, 0};
-    camera.world_from_camera[2] = {aside, 0, up, 0};
-    made.cameras = {camera};
+    made.cameras = {camera_from_aside(0.004, angle_deg)};
     const Scene scene = wrap(std::move(made));
     const auto off = mean_colour(renderer().render(scene, settings(false, 16))),
                on = mean_colour(renderer().render(scene, settings(true, 16)));
     for (std::size_t c = 0; c < 3; ++c)
-      EXPECT_NEAR(on[c] / off[c], profile::exit_factor(*profile.shape, c, up), 0.005) << up << ", " << c;
+      EXPECT_NEAR(on[c] / off[c], profile::exit_factor(*profile.shape, c, std::cos(angle_deg * pi / 180)),
+                  0.005)
+          << angle_deg << ", " << c;
   }
 }
 
 // A place at the end of a small sheet reads no light from beyond it.
 TEST(ShapeAware, SkinThatEndsStaysLit) {
   const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
-  constexpr float up = 0.5f;
-  const float aside = std::sqrt(1 - up * up);
+  constexpr double angle_deg = 60;
   scene::Scene made = scene::plane(0.006, glm::dmat2(1), {}, 8);
   made.materials.front().skin_settings.mix = 0;
-  scene::Camera camera = camera_from_above(0.0035, {0.1f * aside, 0, 0.1f * up});
-  camera.world_from_camera[0] = {up, 0, -aside, 0};
-  camera.world_from_camera[2] = {aside, 0, up, 0};
-  made.cameras = {camera};
+  made.cameras = {camera_from_aside(0.0035, angle_deg)};
   const Scene scene = wrap(std::move(made));
   for (const int map_side : {64, 1024}) {
     const Picture off = renderer().render(scene, settings(false, 64, map_side)),
@@ -140,7 +134,7 @@ TEST(ShapeAware, SkinThatEndsStaysLit) {
       ++seen;
       for (std::size_t c = 0; c < 3; ++c)
         EXPECT_NEAR(on.linear_rgba[i + c] / off.linear_rgba[i + c],
-                    profile::exit_factor(*profile.shape, c, up), 0.01)
+                    profile::exit_factor(*profile.shape, c, std::cos(angle_deg * pi / 180)), 0.01)
             << map_side << " texels, pixel " << i / 4;
     }
     EXPECT_GT(seen, 500);

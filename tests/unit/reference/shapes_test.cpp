@@ -36,11 +36,7 @@ Seen seen(const Body& body, const optics::RgbMedium& medium, double light_deg, s
   Job job;
   job.model = Model::volume;
   job.medium = medium;
-  const auto up = static_cast<float>(std::cos(eye_deg * pi / 180)),
-             aside = static_cast<float>(std::sin(eye_deg * pi / 180));
-  job.setup.camera = tests::camera_from_above(0.1e-3, {0.1f * aside, 0, 0.1f * up});
-  job.setup.camera.world_from_camera[0] = {up, 0, -aside, 0};
-  job.setup.camera.world_from_camera[2] = {aside, 0, up, 0};
+  job.setup.camera = tests::camera_from_aside(0.1e-3, eye_deg);
   job.setup.width = job.setup.height = 8;
   job.setup.specular = false;
   job.setup.white_albedo = true;
