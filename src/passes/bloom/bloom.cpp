@@ -22,7 +22,7 @@ constexpr float narrow_weight = 0.0174f, wide_weight = 0.192f, narrow_variance =
 }  // namespace
 
 BloomStep::Out BloomStep::declare(frame::Declare& d) {
-  compute(d, "bloom.comp");
+  compute(d, in.smaller.valid() ? "bloom_mixed.comp" : "bloom.comp");
   gpu::TextureDesc desc = d.desc(in.picture);
   desc.usage = 0;
   if (settings.mode == Mode::downsample) {
@@ -30,7 +30,7 @@ BloomStep::Out BloomStep::declare(frame::Declare& d) {
     desc.height = (desc.height + 1) / 2;
   }
   target_ = d.create("bloom", desc);
-  d.sample(in.picture);
+  d.read(in.picture);
   if (in.smaller.valid()) d.sample(in.smaller);
   d.write(target_);
   return {target_};
@@ -38,11 +38,10 @@ BloomStep::Out BloomStep::declare(frame::Declare& d) {
 
 void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
   const gpu::Texture& target = resources.texture(target_);
-  Bindings()
-      .add("picture", resources.linear(in.picture))
-      .add("smaller", resources.linear(in.smaller.valid() ? in.smaller : in.picture))
-      .add("target", resources.storage(target_))
-      .bind(cmd, pipeline());
+  Bindings bindings;
+  bindings.add("picture", resources.storage(in.picture)).add("target", resources.storage(target_));
+  if (in.smaller.valid()) bindings.add("smaller", resources.linear(in.smaller));
+  bindings.bind(cmd, pipeline());
   const io::BloomIo io{.mode = static_cast<std::uint32_t>(settings.mode),
                        .sigma = settings.sigma,
                        .share = settings.share,

@@ -13,8 +13,8 @@ namespace dermis::passes {
 
 Blur::Out Blur::declare(frame::Declare& d) {
   masked(d, "blur", in.mask, in.target);
-  d.sample(in.light);
-  if (in.start.valid()) d.sample(in.start);
+  d.read(in.light);
+  if (in.start.valid()) d.read(in.start);
   d.sample(in.stretch);
   return {in.target};
 }
@@ -46,7 +46,7 @@ std::vector<UsedSquare> Blur::squares_of(const FrameData& frame) const {
 
 void Blur::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const {
   Bindings bindings;
-  bindings.add("light_in", resources.nearest(light))
+  bindings.add("light_in", resources.storage(light))
       .add("stretch", resources.nearest(in.stretch))
       .add("Kernels", kernels_);
   offer(bindings, resources, kernels_);

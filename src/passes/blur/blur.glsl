@@ -7,7 +7,7 @@
 #include "shaders/half.glsl"
 #include "passes/blur/blur_io.h"
 layout(push_constant, scalar) uniform Push { BlurIo io; };
-layout(binding = 0) uniform sampler2D light_in;
+layout(binding = 0, rgba16f) uniform readonly image2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
 layout(binding = 2, scalar) readonly buffer Kernels { float kernels[]; };
 
@@ -26,7 +26,7 @@ void load_kernel(float sigma, bool averaged) {
     kernel_row[i] = mix(kernels[base + i], kernels[base + KERNEL_FLOATS + i], f);
 }
 
-vec4 own_light(ivec2 p) { return texelFetch(light_in, p + ivec2(io.origin), 0); }
+vec4 own_light(ivec2 p) { return imageLoad(light_in, p + ivec2(io.origin)); }
 
 // Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, so its map
 // always has the largest size.

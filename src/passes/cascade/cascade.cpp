@@ -23,9 +23,9 @@ gpu::Buffer kernels_on(gpu::Device& device) {
 
 CascadeBlur::Out CascadeBlur::declare(frame::Declare& d) {
   masked(d, "cascade_blur", in.mask, in.target);
-  d.sample(in.light);
+  d.read(in.light);
   d.sample(in.stretch);
-  if (settings.joins) d.sample(in.joining);
+  if (settings.joins) d.read(in.joining);
   return {};
 }
 
@@ -36,9 +36,9 @@ void CascadeBlur::prepare(gpu::PipelineLibrary& library) {
 
 void CascadeBlur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings bindings;
-  bindings.add("light_in", resources.nearest(in.light))
+  bindings.add("light_in", resources.storage(in.light))
       .add("stretch", resources.nearest(in.stretch))
-      .add("joining", resources.nearest(settings.joins ? in.joining : in.light));
+      .add("joining", resources.storage(settings.joins ? in.joining : in.light));
   bindings.add("Ratios", ratios_);
   offer(bindings, resources, ratios_);
   bindings.bind(cmd, pipeline());
@@ -76,11 +76,11 @@ void CascadeBlur::record(gpu::Cmd& cmd, const frame::Resources& resources, const
 
 CascadeSum::Out CascadeSum::declare(frame::Declare& d) {
   masked(d, "cascade_sum", in.mask, in.target);
-  d.sample(in.light);
+  d.read(in.light);
   d.sample(in.stretch);
-  if (in.wide.valid()) d.sample(in.wide);
-  if (in.across.valid()) d.sample(in.across);
-  if (in.second.valid()) d.sample(in.second);
+  if (in.wide.valid()) d.read(in.wide);
+  if (in.across.valid()) d.read(in.across);
+  if (in.second.valid()) d.read(in.second);
   return {};
 }
 
@@ -91,10 +91,10 @@ void CascadeSum::prepare(gpu::PipelineLibrary& library) {
 
 void CascadeSum::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const {
   Bindings bindings;
-  bindings.add("light_in", resources.nearest(light))
+  bindings.add("light_in", resources.storage(light))
       .add("stretch", resources.nearest(in.stretch))
-      .add("unspread", resources.nearest(in.light))
-      .add("second_group", resources.nearest(in.second.valid() ? in.second : in.light));
+      .add("unspread", resources.storage(in.light))
+      .add("second_group", resources.storage(in.second.valid() ? in.second : in.light));
   bindings.add("Ratios", ratios_);
   offer(bindings, resources, ratios_);
   bindings.bind(cmd, pipeline());

@@ -5,9 +5,9 @@
 #include "passes/cascade/cascade_io.h"
 #include "shaders/half.glsl"
 layout(push_constant, scalar) uniform Push { CascadeIo io; };
-layout(binding = 0) uniform sampler2D light_in;
+layout(binding = 0, rgba16f) uniform readonly image2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
-layout(binding = 6) uniform sampler2D joining;  // light of the same size that has not spread
+layout(binding = 6, rgba16f) uniform readonly image2D joining;  // light of the same size that has not spread
 
 #include "passes/convolution_taps.glsl"
 #include "passes/cascade/cascade_kernels.glsl"
@@ -25,7 +25,7 @@ vec3 covariance(ivec2 p) {
   return wanted - vec3(off, 0.0, off);
 }
 
-vec4 own_light(ivec2 p) { return texelFetch(light_in, p + ivec2(io.origin), 0); }
+vec4 own_light(ivec2 p) { return imageLoad(light_in, p + ivec2(io.origin)); }
 
 vec4 spread(ivec2 p, vec4 centre) {
   const float chart = abs(centre.a);  // negative beside lit texels, see passes/dilate
@@ -43,6 +43,6 @@ vec4 spread(ivec2 p, vec4 centre) {
 
   const float sigma_v = sqrt(max(c.z - slope_per_texel * c.y - added_between(across, slope), 0.0));
   const float total = 1.0 + gather_along(sum, p, chart, kernel_of(sigma_v, table));
-  const vec3 joins = io.joins * texelFetch(joining, p + ivec2(io.origin), 0).rgb;
+  const vec3 joins = io.joins * imageLoad(joining, p + ivec2(io.origin)).rgb;
   return vec4(storable(io.scale * (sum / total) + joins), centre.a);
 }

@@ -6,10 +6,10 @@
 #include "passes/cascade/cascade_io.h"
 #include "shaders/half.glsl"
 layout(push_constant, scalar) uniform Push { CascadeSumIo io; };
-layout(binding = 0) uniform sampler2D light_in;  // of wide terms, after the first axis or after both
+layout(binding = 0, rgba16f) uniform readonly image2D light_in;  // of wide terms, after one axis or both
 layout(binding = 1) uniform sampler2D stretch;
-layout(binding = 6) uniform sampler2D unspread;
-layout(binding = 7) uniform sampler2D second_group;
+layout(binding = 6, rgba16f) uniform readonly image2D unspread;
+layout(binding = 7, rgba16f) uniform readonly image2D second_group;
 
 #include "passes/convolution_taps.glsl"
 #include "passes/cascade/cascade_kernels.glsl"
@@ -58,8 +58,9 @@ void add_term(vec3 l, float variance_mm2, vec3 weight) {
 }
 
 vec4 unspread_at(ivec2 p) {
-  if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, ivec2(io.side)))) return vec4(0.0);
-  return texelFetch(unspread, p + ivec2(io.origin), 0);
+  const ivec2 inside = clamp(p, ivec2(0), ivec2(io.side) - 1);
+  const vec4 texel = imageLoad(unspread, inside + ivec2(io.origin));
+  return inside == p ? texel : vec4(0.0);
 }
 
 // Adds a texel of the same chart; returns its weight.
@@ -94,7 +95,7 @@ vec3 narrow_terms(ivec2 p, vec4 centre, vec3 l) {
 
 // Returns what the wide terms have spread, after the second axis of their last step.
 vec3 wide_terms(ivec2 p, float chart, vec3 l) {
-  vec3 sum = texelFetch(light_in, p + ivec2(io.origin), 0).rgb;
+  vec3 sum = imageLoad(light_in, p + ivec2(io.origin)).rgb;
   if (io.last_step_mm2 == 0.0) return sum;
 
   const float sigma_mm = sqrt(io.last_step_mm2), slope_per_texel = l.x > 0.0 ? l.y / l.x : 0.0;
@@ -105,7 +106,7 @@ vec3 wide_terms(ivec2 p, float chart, vec3 l) {
   return io.scale * (sum / total);
 }
 
-vec4 own_light(ivec2 p) { return texelFetch(unspread, p + ivec2(io.origin), 0); }
+vec4 own_light(ivec2 p) { return imageLoad(unspread, p + ivec2(io.origin)); }
 
 vec4 spread(ivec2 p, vec4 centre) {
   const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
@@ -115,6 +116,6 @@ vec4 spread(ivec2 p, vec4 centre) {
   if (io.spread != 0u) sum += wide_terms(p, abs(centre.a), l);
   if (io.count != 0u) sum += narrow_terms(p, centre, l);
   if (io.joined != vec3(0.0))
-    sum += io.joined * (texelFetch(second_group, p + ivec2(io.origin), 0).rgb - centre.rgb);
+    sum += io.joined * (imageLoad(second_group, p + ivec2(io.origin)).rgb - centre.rgb);
   return vec4(storable(sum), centre.a);
 }

@@ -9,7 +9,7 @@ namespace dermis::passes {
 
 DepthMask::Out DepthMask::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
-  d.sample(in.light);
+  d.read(in.light);
   d.depth(in.mask);
   return {};
 }
@@ -24,7 +24,7 @@ void DepthMask::prepare(gpu::PipelineLibrary& library) {
 }
 
 void DepthMask::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  Bindings().add("light", resources.nearest(in.light)).bind(cmd, *pipeline_);
+  Bindings().add("light", resources.storage(in.light)).bind(cmd, *pipeline_);
   const gpu::DepthTarget depth{.texture = &resources.texture(in.mask), .clear = 0.0f};
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     cmd.begin_rendering_area({}, depth, square.area(), true);

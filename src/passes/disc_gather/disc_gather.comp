@@ -11,9 +11,9 @@ layout(constant_id = 1) const bool burley = false;
 layout(constant_id = 2) const bool ue = false;
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { ScreenIo io; };
-layout(binding = 0) uniform sampler2D light;
-layout(binding = 1) uniform sampler2D depth_of_skin;
-layout(binding = 2) uniform usampler2D surface_of_skin;
+layout(binding = 0, rgba16f) uniform readonly image2D light;
+layout(binding = 1, r32f) uniform readonly image2D depth_of_skin;
+layout(binding = 2, r32ui) uniform readonly uimage2D surface_of_skin;
 #include "shaders/frame.glsl"
 layout(binding = 4) uniform sampler2DArray leaving_skin;
 layout(binding = 5, scalar) readonly buffer Profiles { DiscProfileIo profiles[]; };
@@ -61,14 +61,14 @@ DiscTapIo tap_beyond(uint mesh, int i, float within) {
 }
 
 vec3 gathered(ivec2 at, vec3 middle, uint mesh) {
-  const float depth_mm = texelFetch(depth_of_skin, at, 0).r;
+  const float depth_mm = imageLoad(depth_of_skin, at).r;
   // Half widths and half heights of the picture per mm of the asset there, and pixels.
   const float per_mm =
       1.0 / (frame.camera.orthographic != 0u ? profiles[mesh].mm_per_unit : max(depth_mm, 1e-6));
   const vec2 pixels_per_mm = vec2(io.across, -io.up) * per_mm * 0.5 * vec2(io.extent);
   if (profiles[mesh].reach_mm * abs(pixels_per_mm.y) < 1.0) return middle;
 
-  const uint surface = texelFetch(surface_of_skin, at, 0).x, head = head_of(surface);
+  const uint surface = imageLoad(surface_of_skin, at).x, head = head_of(surface);
   const Tangents t = tangents_at(at, normal_of(surface), depth_mm, profiles[mesh].mm_per_unit);
   const vec2 deeper_per_pixel =
       vec2(dot(frame.camera.direction, t.right_mm), dot(frame.camera.direction, t.down_mm));
@@ -80,18 +80,18 @@ vec3 gathered(ivec2 at, vec3 middle, uint mesh) {
     const vec2 pixels = tap.offset_mm * pixels_per_mm;
     const ivec2 p = at + ivec2(floor(pixels + 0.5));
     if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, ivec2(io.extent)))) continue;
-    if (head_of(texelFetch(surface_of_skin, p, 0).x) != head) continue;
+    if (head_of(imageLoad(surface_of_skin, p).x) != head) continue;
     // The point that was meant, not that of the pixel: near the middle many taps share a pixel, and narrow
     // Gaussians would weigh too much on tilted skin if these had no depth.
     const float deeper_mm =
-        texelFetch(depth_of_skin, p, 0).r - depth_mm + dot(deeper_per_pixel, pixels - vec2(p - at));
+        imageLoad(depth_of_skin, p).r - depth_mm + dot(deeper_per_pixel, pixels - vec2(p - at));
     const float r2_mm2 = dot(tap.offset_mm, tap.offset_mm) + deeper_mm * deeper_mm;
     vec3 weight = profile_at(mesh, r2_mm2) * tap.per_density_mm2;
     if (ue) {
-      const float agree = dot(n, normal_of(texelFetch(surface_of_skin, p, 0).x));
+      const float agree = dot(n, normal_of(imageLoad(surface_of_skin, p).x));
       weight *= sqrt(r2_mm2 / dot(tap.offset_mm, tap.offset_mm) * clamp(0.5 + 0.5 * agree, 0.0, 1.0));
     }
-    sum += weight * texelFetch(light, p, 0).rgb;
+    sum += weight * imageLoad(light, p).rgb;
     weights += weight;
   }
   // A channel that no tap reached, or that does not spread, keeps its light.
@@ -102,7 +102,7 @@ vec3 gathered(ivec2 at, vec3 middle, uint mesh) {
 void main() {
   const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.extent))) return;
-  const vec4 middle = texelFetch(light, at, 0);
+  const vec4 middle = imageLoad(light, at);
   if (middle.a == 0.0) {
     imageStore(target, at, vec4(0.0));
     return;

@@ -54,9 +54,9 @@ DiscGather::Out DiscGather::declare(frame::Declare& d) {
 
   const gpu::TextureDesc desc = d.desc(in.surface.light);
   out_.light = d.create("blurred light", screen_light(desc.width, desc.height));
-  d.sample(in.surface.light);
-  d.sample(in.surface.depth_mm);
-  d.sample(in.surface.surface);
+  d.read(in.surface.light);
+  d.read(in.surface.depth_mm);
+  d.read(in.surface.surface);
   d.sample(in.surface.leaving);
   d.write(out_.light);
   return out_;
@@ -86,9 +86,9 @@ void DiscGather::prepare(gpu::PipelineLibrary& library) {
 void DiscGather::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
       .add("Frame", frame.frame_io)
-      .add("light", resources.nearest(in.surface.light))
-      .add("depth_of_skin", resources.nearest(in.surface.depth_mm))
-      .add("surface_of_skin", resources.nearest(in.surface.surface))
+      .add("light", resources.storage(in.surface.light))
+      .add("depth_of_skin", resources.storage(in.surface.depth_mm))
+      .add("surface_of_skin", resources.storage(in.surface.surface))
       .add("leaving_skin", resources.nearest(in.surface.leaving))
       .add("Profiles", profiles_)
       .add("Taps", taps_)

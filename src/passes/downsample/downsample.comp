@@ -9,7 +9,7 @@
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(constant_id = 0) const bool smoothed = false;
 layout(push_constant, scalar) uniform Push { DownsampleIo io; };
-layout(binding = 0) uniform sampler2D light_in;
+layout(binding = 0, rgba16f) uniform readonly image2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
 layout(binding = 2, rgba16f) uniform writeonly image2D light_out;
 
@@ -31,7 +31,7 @@ void main() {
     const ivec2 k = ivec2(i % n, i / n), at = corner + k;
     if (wide && (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(io.side * io.ratio)))))
       continue;
-    const vec4 texel = texelFetch(light_in, at + ivec2(io.from), 0);
+    const vec4 texel = imageLoad(light_in, at + ivec2(io.from));
     if (texel.a == 0.0) continue;
     const bvec2 inner = equal(k >> 1, 1 - (k & 1));
     const float weight = wide ? (inner.x ? 3.0 : 1.0) * (inner.y ? 3.0 : 1.0) : 1.0;

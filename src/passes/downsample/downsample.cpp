@@ -12,8 +12,8 @@ namespace dermis::passes {
 Downsample::Out Downsample::declare(frame::Declare& d) {
   compute(d, "downsample.comp", {{"smoothed", settings.smoothed ? 1u : 0u}});
   DERMIS_ASSERT_EQ(settings.from.size(), settings.to.size());
-  d.sample(in.light);
-  d.sample(in.start);
+  d.read(in.light);
+  d.read(in.start);
   d.sample(in.stretch);
   d.write(in.target);
   return {in.target};
@@ -28,7 +28,7 @@ void Downsample::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
     const frame::TextureId light = terms.first_step < settings.next_step ? in.light : in.start;
     if (light != bound)
       Bindings()
-          .add("light_in", resources.nearest(light))
+          .add("light_in", resources.storage(light))
           .add("stretch", resources.nearest(in.stretch))
           .add("light_out", resources.storage(in.target))
           .bind(cmd, pipeline());

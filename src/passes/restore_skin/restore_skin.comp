@@ -13,10 +13,10 @@ layout(binding = 2) uniform usampler2D surface_of_skin;
 #include "shaders/frame.glsl"
 layout(binding = 4) uniform sampler2DArray leaving_skin;
 layout(binding = 5, scalar) readonly buffer Scales { float mm_per_unit[]; };
-layout(binding = 6) uniform sampler2D blurred;
+layout(binding = 6, rgba16f) uniform readonly image2D blurred;
 layout(binding = 7, rgba16f) uniform writeonly image2D target;
-layout(binding = 8) uniform sampler2D halved_depth;
-layout(binding = 9) uniform usampler2D halved_surface;
+layout(binding = 8, r32f) uniform readonly image2D halved_depth;
+layout(binding = 9, r32ui) uniform readonly uimage2D halved_surface;
 layout(binding = 10) uniform sampler2DArray halved_leaving;
 #include "passes/screen_surface.glsl"
 #include "passes/screen_tangents.glsl"
@@ -41,15 +41,15 @@ void main() {
   float weights = 0.0;
   for (int i = 0; i < 4; ++i) {
     const ivec2 d = ivec2(i & 1, i >> 1), p = ivec2(corner) + d;
-    if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, textureSize(blurred, 0)))) continue;
-    if (head_of(texelFetch(halved_surface, p, 0).x) != head_of(surface) ||
+    if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, imageSize(blurred)))) continue;
+    if (head_of(imageLoad(halved_surface, p).x) != head_of(surface) ||
         texelFetch(halved_leaving, ivec3(p, 0), 0).a != mesh)
       continue;
     const vec2 pixels = 2.0 * (vec2(p) + 0.5) - (vec2(at) + 0.5);
-    const float off = (texelFetch(halved_depth, p, 0).r - plane_depth_mm(t, depth_mm, pixels)) * t.cosine /
-                      RESTORE_DEPTH_MM;
+    const float off =
+        (imageLoad(halved_depth, p).r - plane_depth_mm(t, depth_mm, pixels)) * t.cosine / RESTORE_DEPTH_MM;
     const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y) * exp(-0.5 * off * off);
-    sum += weight * texelFetch(blurred, p, 0).rgb;
+    sum += weight * imageLoad(blurred, p).rgb;
     weights += weight;
   }
   imageStore(target, at, vec4(weights > 1e-3 ? storable(sum / weights) : middle.rgb, 1.0));

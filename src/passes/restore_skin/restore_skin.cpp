@@ -10,9 +10,9 @@ RestoreSkin::Out RestoreSkin::declare(frame::Declare& d) {
   compute(d, "restore_skin.comp");
   const gpu::TextureDesc desc = d.desc(in.surface.light);
   out_.light = d.create("restored light", screen_light(desc.width, desc.height));
+  for (const frame::TextureId id : {in.blurred, in.halved.depth_mm, in.halved.surface}) d.read(id);
   for (const frame::TextureId id :
-       {in.blurred, in.halved.depth_mm, in.halved.surface, in.halved.leaving, in.surface.light,
-        in.surface.depth_mm, in.surface.surface, in.surface.leaving})
+       {in.halved.leaving, in.surface.light, in.surface.depth_mm, in.surface.surface, in.surface.leaving})
     d.sample(id);
   d.write(out_.light);
   return out_;
@@ -32,9 +32,9 @@ void RestoreSkin::record(gpu::Cmd& cmd, const frame::Resources& resources, const
       .add("surface_of_skin", resources.nearest(in.surface.surface))
       .add("leaving_skin", resources.nearest(in.surface.leaving))
       .add("Scales", scales_)
-      .add("blurred", resources.nearest(in.blurred))
-      .add("halved_depth", resources.nearest(in.halved.depth_mm))
-      .add("halved_surface", resources.nearest(in.halved.surface))
+      .add("blurred", resources.storage(in.blurred))
+      .add("halved_depth", resources.storage(in.halved.depth_mm))
+      .add("halved_surface", resources.storage(in.halved.surface))
       .add("halved_leaving", resources.nearest(in.halved.leaving))
       .add("target", resources.storage(out_.light))
       .bind(cmd, pipeline());

@@ -14,8 +14,8 @@ layout(constant_id = 3) const bool begins = false;
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { ScreenIo io; };
 layout(binding = 0) uniform sampler2D light;
-layout(binding = 1) uniform sampler2D depth_of_skin;
-layout(binding = 2) uniform usampler2D surface_of_skin;
+layout(binding = 1, r32f) uniform readonly image2D depth_of_skin;
+layout(binding = 2, r32ui) uniform readonly uimage2D surface_of_skin;
 #include "shaders/frame.glsl"
 layout(binding = 4) uniform sampler2DArray leaving_skin;
 layout(binding = 5, scalar) readonly buffer Steps { GaussianStepIo steps[]; };
@@ -48,9 +48,8 @@ int spacing(float sigma_pixels) { return max(1, int(ceil(sigma_pixels * 3.0 / fl
 
 vec3 light_at(Middle m, ivec2 p) {
   p = clamp(p, ivec2(0), ivec2(io.extent) - 1);
-  if (head_of(texelFetch(surface_of_skin, p, 0).x) != m.head) return m.light;
-  const float off_mm =
-      texelFetch(depth_of_skin, p, 0).r - plane_depth_mm(m.tangents, m.depth_mm, vec2(p - m.at));
+  if (head_of(imageLoad(surface_of_skin, p).x) != m.head) return m.light;
+  const float off_mm = imageLoad(depth_of_skin, p).r - plane_depth_mm(m.tangents, m.depth_mm, vec2(p - m.at));
   const float off = clamp(abs(off_mm) * m.tangents.cosine / m.reach_mm, 0.0, 1.0);
   return mix(texelFetch(light, p, 0).rgb, m.light, off);
 }
@@ -111,7 +110,7 @@ vec3 blurred_as_published(Middle m, float sigma_mm, float mm_per_unit) {
   const float z_mm = orthographic ? 0.5 * float(io.extent.y) * GAUSSIANS_COT / pixels_per_mm : m.depth_mm;
 
   const ivec2 other = axis == 0 ? ivec2(m.at.x, m.at.y ^ 1) : ivec2(m.at.x ^ 1, m.at.y);
-  const float there_mm = all(lessThan(other, ivec2(io.extent))) ? texelFetch(depth_of_skin, other, 0).r : 0.0;
+  const float there_mm = all(lessThan(other, ivec2(io.extent))) ? imageLoad(depth_of_skin, other).r : 0.0;
   const float gradient_mm =
       there_mm > 0.0 ? min(abs(there_mm - m.depth_mm), GAUSSIANS_MOST_GRADIENT) : GAUSSIANS_MOST_GRADIENT;
   const float sigma = sigma_mm * pixels_per_mm * z_mm / (z_mm + GAUSSIANS_GRADIENT * gradient_mm);
@@ -137,8 +136,8 @@ void main() {
 
   const GaussianStepIo step =
       steps[uint(int(texelFetch(leaving_skin, ivec3(at, 0), 0).a) + SURFACE_MESH_MIDDLE)];
-  const uint surface = texelFetch(surface_of_skin, at, 0).x;
-  const float depth_mm = texelFetch(depth_of_skin, at, 0).r;
+  const uint surface = imageLoad(surface_of_skin, at).x;
+  const float depth_mm = imageLoad(depth_of_skin, at).r;
   vec3 result = middle.rgb;
   if (step.sigma_mm > 0.0) {
     const Middle m = Middle(at, middle.rgb, head_of(surface), depth_mm, step.reach_mm,

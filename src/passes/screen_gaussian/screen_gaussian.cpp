@@ -18,8 +18,8 @@ ScreenGaussian::Out ScreenGaussian::declare(frame::Declare& d) {
            {"published", settings.published ? 1u : 0u},
            {"begins", settings.begins ? 1u : 0u}});
   d.sample(in.light);
-  d.sample(in.surface.depth_mm);
-  d.sample(in.surface.surface);
+  d.read(in.surface.depth_mm);
+  d.read(in.surface.surface);
   d.sample(in.surface.leaving);
   d.write(in.target);
   d.write(in.sum);
@@ -45,8 +45,8 @@ void ScreenGaussian::record(gpu::Cmd& cmd, const frame::Resources& resources, co
   Bindings()
       .add("Frame", frame.frame_io)
       .add("light", resources.linear(in.light))
-      .add("depth_of_skin", resources.nearest(in.surface.depth_mm))
-      .add("surface_of_skin", resources.nearest(in.surface.surface))
+      .add("depth_of_skin", resources.storage(in.surface.depth_mm))
+      .add("surface_of_skin", resources.storage(in.surface.surface))
       .add("leaving_skin", resources.nearest(in.surface.leaving))
       .add("Steps", steps_)
       .add("Kernels", kernels_)

@@ -11,7 +11,7 @@ layout(constant_id = 2) const bool published = false;
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { ScreenIo io; };
 layout(binding = 0) uniform sampler2D light;
-layout(binding = 1) uniform sampler2D depth_of_skin;
+layout(binding = 1, r32f) uniform readonly image2D depth_of_skin;
 layout(binding = 2) uniform usampler2D surface_of_skin;
 #include "shaders/frame.glsl"
 layout(binding = 4) uniform sampler2DArray leaving_skin;
@@ -47,7 +47,7 @@ vec3 blurred_as_published(ivec2 at, vec3 middle, float depth_mm, uint first, flo
   for (int i = 1; i < tap_count; ++i) {
     const LineTapIo tap = taps[first + uint(i)];
     const vec2 p = clamp(vec2(at) + 0.5 + tap.offset * step, vec2(0.5), vec2(io.extent) - 0.5);
-    const float there_mm = texelFetch(depth_of_skin, ivec2(p), 0).r;
+    const float there_mm = imageLoad(depth_of_skin, ivec2(p)).r;
     // Where nothing is theirs is far away.
     const float off = there_mm > 0.0 ? clamp(follow * abs(depth_mm - there_mm), 0.0, 1.0) : 1.0;
     sum += tap.weight * mix(light_at(p, middle), middle, off);
@@ -74,7 +74,7 @@ vec3 blurred_on_surface(ivec2 at, vec3 middle, float depth_mm, uint first, LineK
     const bool same = head_of(texelFetch(surface_of_skin, nearest, 0).x) == head_of(surface);
     const vec3 there = only_of(head_of(surface), p) ? light_at(p, middle) : texelFetch(light, nearest, 0).rgb;
     const float off_mm =
-        texelFetch(depth_of_skin, nearest, 0).r - plane_depth_mm(t, depth_mm, vec2(nearest - at));
+        imageLoad(depth_of_skin, nearest).r - plane_depth_mm(t, depth_mm, vec2(nearest - at));
     // Light does not go where the plane is off by as much as the kernel reaches.
     const float off = same ? clamp(abs(off_mm) * t.cosine / kernel.reach_mm, 0.0, 1.0) : 1.0;
     sum += tap.weight * mix(there, middle, off);
@@ -93,7 +93,7 @@ void main() {
 
   const uint mesh = uint(int(texelFetch(leaving_skin, ivec3(at, 0), 0).a) + SURFACE_MESH_MIDDLE);
   const LineKernelIo kernel = kernels[mesh];
-  const float depth_mm = texelFetch(depth_of_skin, at, 0).r;
+  const float depth_mm = imageLoad(depth_of_skin, at).r;
   const uint first = mesh * uint(tap_count);
   const vec3 sum = published ? blurred_as_published(at, middle.rgb, depth_mm, first, kernel.mm_per_unit)
                              : blurred_on_surface(at, middle.rgb, depth_mm, first, kernel);

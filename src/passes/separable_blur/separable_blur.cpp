@@ -19,7 +19,7 @@ SeparableBlur::Out SeparableBlur::declare(frame::Declare& d) {
   const gpu::TextureDesc desc = d.desc(in.light);
   out_.light = d.create("blurred light", screen_light(desc.width, desc.height));
   d.sample(in.light);
-  d.sample(in.surface.depth_mm);
+  d.read(in.surface.depth_mm);
   d.sample(in.surface.surface);
   d.sample(in.surface.leaving);
   d.write(out_.light);
@@ -47,7 +47,7 @@ void SeparableBlur::record(gpu::Cmd& cmd, const frame::Resources& resources, con
   Bindings()
       .add("Frame", frame.frame_io)
       .add("light", resources.linear(in.light))
-      .add("depth_of_skin", resources.nearest(in.surface.depth_mm))
+      .add("depth_of_skin", resources.storage(in.surface.depth_mm))
       .add("surface_of_skin", resources.nearest(in.surface.surface))
       .add("leaving_skin", resources.nearest(in.surface.leaving))
       .add("Kernels", kernels_)

@@ -5,7 +5,7 @@
 #include "shaders/tile_list.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { TilesIo io; };
-layout(binding = 0) uniform sampler2D light;
+layout(binding = 0, rgba16f) uniform readonly image2D light;
 layout(binding = 1, scalar) writeonly buffer TileClasses { uint tile_classes[]; };
 
 void main() {
@@ -16,7 +16,7 @@ void main() {
   for (int y = 0; y < TILE_HEIGHT; ++y)
     for (int x = 0; x < TILE_WIDTH; ++x) {
       const ivec2 p = min(corner + ivec2(x, y), ivec2(io.side) - 1);
-      holds |= texelFetch(light, p + ivec2(io.origin), 0).a != 0.0 ? TILE_LIT : TILE_UNLIT;
+      holds |= imageLoad(light, p + ivec2(io.origin)).a != 0.0 ? TILE_LIT : TILE_UNLIT;
     }
   tile_classes[io.first_tile + tile.y * tiles.x + tile.x] = holds;
 }

@@ -31,14 +31,14 @@ void dispatch_tiles(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const io::Tile
 
 TileClasses::Out TileClasses::declare(frame::Declare& d) {
   compute(d, "tile_classes.comp");
-  d.sample(in.light);
+  d.read(in.light);
   d.write(in.lists.classes);
   return {};
 }
 
 void TileClasses::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
-      .add("light", resources.nearest(in.light))
+      .add("light", resources.storage(in.light))
       .add("TileClasses", resources.buffer(in.lists.classes))
       .bind(cmd, pipeline());
   for (const UsedSquare& square : used_squares(frame, settings.squares))

@@ -12,10 +12,10 @@ namespace dermis::passes {
 Upsample::Out Upsample::declare(frame::Declare& d) {
   compute(d, "upsample.comp");
   DERMIS_ASSERT_EQ(settings.from.size(), settings.to.size());
-  d.sample(in.light);
-  d.sample(in.joining);
+  d.read(in.light);
+  d.read(in.joining);
   d.sample(in.stretch);
-  d.sample(in.unspread);
+  d.read(in.unspread);
   d.write(in.target);
   return {};
 }
@@ -37,11 +37,11 @@ void Upsample::fill_level(io::UpsampleIo& io, const FrameData& frame, const MapS
 
 void Upsample::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
-      .add("light_in", resources.nearest(in.light))
-      .add("joining", resources.nearest(in.joining))
+      .add("light_in", resources.storage(in.light))
+      .add("joining", resources.storage(in.joining))
       .add("light_out", resources.storage(in.target))
       .add("stretch", resources.nearest(in.stretch))
-      .add("unspread", resources.nearest(in.unspread))
+      .add("unspread", resources.storage(in.unspread))
       .bind(cmd, pipeline());
 
   for (std::size_t i = 0; i < settings.to.size(); ++i) {
