@@ -33,7 +33,7 @@ HostMoves::Moved HostMoves::make(const AssetPointer& asset) const {
   for (const passes::GpuMesh& mesh : asset->gpu->skin)
     moved.vertices.emplace_back(
         device, mesh.name + " moved vertices",
-        gpu::BufferDesc{.bytes = mesh.vertices.desc().bytes, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+        gpu::BufferDesc{.bytes = mesh.vertices.desc().bytes, .usage = mesh.vertices.desc().usage});
   device.run([&](VkCommandBuffer commands) {
     gpu::Cmd cmd(device, commands);
     for (std::size_t i = 0; i < moved.vertices.size(); ++i)

@@ -15,7 +15,7 @@ namespace {
 
 gpu::Buffer like(gpu::Device& device, const gpu::Buffer& of_asset, const char* what) {
   return {device, of_asset.name() + what,
-          gpu::BufferDesc{.bytes = of_asset.desc().bytes, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}};
+          gpu::BufferDesc{.bytes = of_asset.desc().bytes, .usage = of_asset.desc().usage}};
 }
 
 gpu::Buffer positions(gpu::Device& device, const gpu::Buffer& vertices) {

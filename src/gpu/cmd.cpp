@@ -14,6 +14,7 @@ namespace {
 struct Writes {
   std::vector<VkDescriptorImageInfo> images;
   std::vector<VkDescriptorBufferInfo> buffers;
+  std::vector<VkBufferView> views;
   std::vector<VkWriteDescriptorSet> writes;
 };
 
@@ -22,7 +23,8 @@ bool fits(const Binding& binding, BindingKind kind) {
     case BindingKind::sampled_image: return std::holds_alternative<SampledBinding>(binding);
     case BindingKind::storage_image: return std::holds_alternative<StorageImageBinding>(binding);
     case BindingKind::storage_buffer:
-    case BindingKind::uniform_buffer: return std::holds_alternative<BufferBinding>(binding);
+    case BindingKind::uniform_buffer:
+    case BindingKind::texel_buffer: return std::holds_alternative<BufferBinding>(binding);
   }
   return false;
 }
@@ -33,6 +35,7 @@ VkDescriptorType type_of(BindingKind kind) {
     case BindingKind::storage_image: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
     case BindingKind::storage_buffer: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     case BindingKind::uniform_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingKind::texel_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
   }
   return VK_DESCRIPTOR_TYPE_MAX_ENUM;
 }
@@ -65,6 +68,12 @@ void add(Writes& out, const Pipeline& pipeline, const BindingSlot& slot, std::ui
   } else {
     const auto& buffer = std::get<BufferBinding>(binding);
     DERMIS_ASSERT(buffer.buffer && *buffer.buffer);
+    if (slot.kind == BindingKind::texel_buffer) {
+      DERMIS_ASSERT(buffer.buffer->texel_view() && buffer.offset == 0 && buffer.bytes == VK_WHOLE_SIZE);
+      write.pTexelBufferView = &out.views.emplace_back(buffer.buffer->texel_view());
+      out.writes.push_back(write);
+      return;
+    }
     write.pBufferInfo = &out.buffers.emplace_back(
         VkDescriptorBufferInfo{buffer.buffer->handle(), buffer.offset, buffer.bytes});
   }
@@ -119,6 +128,7 @@ void Cmd::bind(const Pipeline& pipeline, std::span<const Binding> bindings) {
   Writes out;
   out.images.reserve(bindings.size());  // never reallocated: the writes point into these
   out.buffers.reserve(bindings.size());
+  out.views.reserve(bindings.size());
   std::size_t next = 0;
   for (const BindingSlot& slot : pipeline.interface.bindings)
     for (std::uint32_t element = 0; element < slot.count; ++element, ++next)

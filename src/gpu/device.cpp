@@ -154,6 +154,7 @@ void Device::State::find_limits(const Candidate& candidate, bool anisotropy) {
   limits.max_array_layers = has.maxImageArrayLayers;
   limits.max_buffer_bytes = maintenance4.maxBufferSize;
   limits.max_storage_buffer_bytes = has.maxStorageBufferRange;
+  limits.max_texel_buffer_texels = has.maxTexelBufferElements;
   std::ranges::copy(has.maxComputeWorkGroupCount, limits.max_workgroups.begin());
   limits.max_workgroup_threads = has.maxComputeWorkGroupInvocations;
   limits.max_anisotropy = anisotropy ? has.maxSamplerAnisotropy : 1;

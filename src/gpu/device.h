@@ -38,6 +38,7 @@ struct DeviceLimits {
   std::uint32_t max_array_layers = 0;
   std::uint64_t max_buffer_bytes = 0;
   std::uint64_t max_storage_buffer_bytes = 0;
+  std::uint64_t max_texel_buffer_texels = 0;
   std::array<std::uint32_t, 3> max_workgroups{};  ///< per dispatch and axis
   std::uint32_t max_workgroup_threads = 0;
   float max_anisotropy = 1;  ///< 1: none

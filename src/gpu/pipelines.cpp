@@ -21,6 +21,7 @@ VkDescriptorType type_of(BindingKind kind) {
   switch (kind) {
     case BindingKind::storage_buffer: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     case BindingKind::uniform_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingKind::texel_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
     case BindingKind::sampled_image: return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     case BindingKind::storage_image: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
   }

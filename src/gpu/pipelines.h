@@ -24,9 +24,10 @@ class Device;
 enum class BindingKind : std::uint8_t {
   storage_buffer,
   uniform_buffer,
-  sampled_image,
+  texel_buffer,   ///< a buffer read as texels, see texel_format
+  sampled_image,  ///< combined with a sampler
   storage_image
-};  ///< sampled = combined with a sampler
+};
 
 struct BindingSlot {
   std::uint32_t binding = 0;

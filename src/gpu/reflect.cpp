@@ -34,9 +34,10 @@ class Reflection {
     add(result, SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, BindingKind::uniform_buffer);
     add(result, SPVC_RESOURCE_TYPE_SAMPLED_IMAGE, BindingKind::sampled_image);
     add(result, SPVC_RESOURCE_TYPE_STORAGE_IMAGE, BindingKind::storage_image);
+    add(result, SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, BindingKind::texel_buffer);
     for (const spvc_resource_type type :
-         {SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS,
-          SPVC_RESOURCE_TYPE_SUBPASS_INPUT, SPVC_RESOURCE_TYPE_ATOMIC_COUNTER})
+         {SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS, SPVC_RESOURCE_TYPE_SUBPASS_INPUT,
+          SPVC_RESOURCE_TYPE_ATOMIC_COUNTER})
       if (!list(type).empty())
         bad_shader(name_, fmt::format("'{}' is of a kind that is not supported", list(type)[0].name));
     std::ranges::sort(result.bindings, {}, &BindingSlot::binding);
@@ -77,6 +78,8 @@ class Reflection {
         bad_shader(name_, fmt::format("'{}' is not in descriptor set 0", name));
       spvc_type shape = spvc_compiler_get_type_handle(compiler_, resource.type_id);
       const unsigned dimensions = spvc_type_get_num_array_dimensions(shape);
+      if (kind == BindingKind::texel_buffer && spvc_type_get_image_dimension(shape) != SpvDimBuffer)
+        bad_shader(name_, fmt::format("'{}' is of a kind that is not supported", name));
       std::uint32_t count = 1;
       for (unsigned d = 0; d < dimensions; ++d) {
         if (!spvc_type_array_dimension_is_literal(shape, d))

@@ -102,6 +102,14 @@ RawBuffer create_raw_buffer(Device& device, const std::string& name, const Buffe
     throw device_error("'{}' would be {} bytes; {} allows shaders {} in one buffer", name, desc.bytes,
                        device.summary().name, device.limits().max_storage_buffer_bytes);
 
+  if (desc.usage & VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT) {
+    const std::uint64_t texels = desc.bytes / texel_bytes(texel_format);
+    DERMIS_ASSERT_EQ(desc.bytes, texels * texel_bytes(texel_format));
+    if (texels > device.limits().max_texel_buffer_texels)
+      throw device_error("'{}' would be {} texels; {} allows {} in one buffer", name, texels,
+                         device.summary().name, device.limits().max_texel_buffer_texels);
+  }
+
   // The buffer without memory.
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
@@ -137,6 +145,18 @@ Buffer::Buffer(Device& device, std::string name, const BufferDesc& desc)
   const RawBuffer raw = create_raw_buffer(device, name_, desc);
   handle_ = raw.handle;
   allocation_ = raw.allocation;
+  if (desc.usage & VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT) make_texel_view();
+}
+
+void Buffer::make_texel_view() {
+  VkBufferViewCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
+  info.buffer = handle_;
+  info.format = texel_format;
+  info.range = VK_WHOLE_SIZE;
+  const VkResult result = device_->vk().vkCreateBufferView(device_->handle(), &info, nullptr, &texel_view_);
+  if (result != VK_SUCCESS) release();
+  check(result, "vkCreateBufferView");
 }
 
 Buffer::Buffer(Buffer&& other) noexcept { *this = std::move(other); }
@@ -148,6 +168,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
   name_ = std::move(other.name_);
   desc_ = std::exchange(other.desc_, {});
   handle_ = std::exchange(other.handle_, VK_NULL_HANDLE);
+  texel_view_ = std::exchange(other.texel_view_, VK_NULL_HANDLE);
   allocation_ = std::exchange(other.allocation_, nullptr);
   return *this;
 }
@@ -158,7 +179,10 @@ void Buffer::release() {
   if (!handle_ || !device_) return;
   const RawBuffer raw{std::exchange(handle_, VK_NULL_HANDLE),
                       static_cast<MemoryPool::Allocation*>(std::exchange(allocation_, nullptr))};
-  device_->retire([device = device_, raw] { destroy_raw_buffer(*device, raw); });
+  device_->retire([device = device_, raw, view = std::exchange(texel_view_, VK_NULL_HANDLE)] {
+    device->vk().vkDestroyBufferView(device->handle(), view, nullptr);
+    destroy_raw_buffer(*device, raw);
+  });
 }
 
 std::span<std::byte> Buffer::mapped() const {

@@ -21,8 +21,16 @@ class Device;
 /// `upload` and `readback` stay mapped.
 enum class BufferPlace : std::uint8_t { device, upload, readback };
 
+/// Of buffers whose usage has UNIFORM_TEXEL_BUFFER: 16 bytes, as they are. Where invocations read at places
+/// of their own, the software driver takes as long for a texel as for one float of a storage buffer
+/// (docs/measuring.md).
+inline constexpr VkFormat texel_format = VK_FORMAT_R32G32B32A32_UINT;
+/// The usage of buffers that some shaders read as texels and others as structures.
+inline constexpr VkBufferUsageFlags texels_of_shaders =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+
 struct BufferDesc {
-  std::uint64_t bytes = 0;       ///< > 0
+  std::uint64_t bytes = 0;       ///< > 0; whole texels, if it is read as such
   VkBufferUsageFlags usage = 0;  ///< transfer bits are added
   BufferPlace place = BufferPlace::device;
   bool operator==(const BufferDesc&) const = default;
@@ -44,17 +52,21 @@ class Buffer {
   VkBuffer handle() const { return handle_; }
   const BufferDesc& desc() const { return desc_; }
   const std::string& name() const { return name_; }
+  /// Returns the buffer as texels of texel_format; null if its usage has no UNIFORM_TEXEL_BUFFER.
+  VkBufferView texel_view() const { return texel_view_; }
   /// Returns the bytes as the host sees them; coherent, so without flushes. Asserts that the buffer is of the
   /// place `upload` or `readback`.
   std::span<std::byte> mapped() const;
 
  private:
+  void make_texel_view();
   void release();
 
   Device* device_ = nullptr;
   std::string name_;
   BufferDesc desc_;
   VkBuffer handle_ = VK_NULL_HANDLE;
+  VkBufferView texel_view_ = VK_NULL_HANDLE;
   void* allocation_ = nullptr;  ///< owned by the device's MemoryPool
 };
 

@@ -47,6 +47,7 @@
   X(vkCreateFence)                  \
   X(vkCreateGraphicsPipelines)      \
   X(vkCreateImage)                  \
+  X(vkCreateBufferView)             \
   X(vkCreateImageView)              \
   X(vkCreatePipelineCache)          \
   X(vkCreatePipelineLayout)         \
@@ -60,6 +61,7 @@
   X(vkDestroyDevice)                \
   X(vkDestroyFence)                 \
   X(vkDestroyImage)                 \
+  X(vkDestroyBufferView)            \
   X(vkDestroyImageView)             \
   X(vkDestroyPipeline)              \
   X(vkDestroyPipelineCache)         \

@@ -175,9 +175,9 @@ GpuMesh upload_sorted_skin(gpu::Device& device, const scene::SkinMesh& skin, std
     return gpu::make_buffer(device, fmt::format("{} {}", mesh.name, what), std::span(std::as_const(values)),
                             usage);
   };
-  mesh.vertices = make("vertices", vertices, storage);
-  mesh.vertex_extras = make("vertex extras", extras, storage);
-  mesh.skin_vertices = make("skin vertices", skin_vertices_of(skin, {}), storage);
+  mesh.vertices = make("vertices", vertices, gpu::texels_of_shaders);
+  mesh.vertex_extras = make("vertex extras", extras, gpu::texels_of_shaders);
+  mesh.skin_vertices = make("skin vertices", skin_vertices_of(skin, {}), gpu::texels_of_shaders);
   mesh.indices = make("indices", skin.indices, storage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   mesh.first_corners =
       make("first corners", first_corner_indices(skin.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
@@ -380,8 +380,9 @@ void GpuScene::give_shape(gpu::Device& device, std::size_t number, const scene::
                           std::span<const scene::VertexShape> shape) {
   DERMIS_ASSERT_EQ(shape.size(), mesh.vertices.size());
   const std::vector<io::SkinVertexIo> vertices = skin_vertices_of(mesh, shape);
-  skin[number].skin_vertices = gpu::make_buffer(device, skin[number].name + " skin vertices",
-                                                std::span<const io::SkinVertexIo>(vertices), storage);
+  skin[number].skin_vertices =
+      gpu::make_buffer(device, skin[number].name + " skin vertices",
+                       std::span<const io::SkinVertexIo>(vertices), gpu::texels_of_shaders);
 }
 
 void GpuScene::make_rig_curvature(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh,

@@ -136,10 +136,11 @@ class SurfaceBuilder {
     const std::string name = "surfaces " + std::to_string(made_.pages.size());
     GpuSurfaces::Page page;
     page.vertices = gpu::make_buffer(*device_, name + " vertices",
-                                     std::span<const io::VertexIo>(page_.vertices), surface_storage);
+                                     std::span<const io::VertexIo>(page_.vertices), gpu::texels_of_shaders);
     join_equal(page_.extras);
-    page.vertex_extras = gpu::make_buffer(*device_, name + " vertex extras",
-                                          std::span<const io::VertexExtraIo>(page_.extras), surface_storage);
+    page.vertex_extras =
+        gpu::make_buffer(*device_, name + " vertex extras", std::span<const io::VertexExtraIo>(page_.extras),
+                         gpu::texels_of_shaders);
     page.indices =
         gpu::make_buffer(*device_, name + " indices", std::span<const std::uint32_t>(page_.indices),
                          VK_BUFFER_USAGE_INDEX_BUFFER_BIT);

@@ -15,7 +15,7 @@ inline io::VertexIo vertex_io(const scene::Vertex& v) {
 }
 
 inline io::VertexExtraIo vertex_extra_io(const scene::Vertex& v) {
-  return {.uv1 = v.uv1, .colour = v.colour};
+  return {.colour = v.colour, .uv1 = v.uv1, .unused = {}};
 }
 
 /// Leaves only the first if all are equal to the bit.

@@ -11,17 +11,16 @@ const float cos_105_degrees = -0.2588190451;
 const uint always_kept = 0xFFFFFFFFu;  // as in scene/turned.h
 
 bool faces_away(uint first) {
-  const vec3 p = vertices[indices[first]].position_m;
-  const vec3 ab = vertices[indices[first + 1]].position_m - p,
-             ac = vertices[indices[first + 2]].position_m - p;
+  const vec3 p = vertex_position(indices[first]);
+  const vec3 ab = vertex_position(indices[first + 1]) - p, ac = vertex_position(indices[first + 2]) - p;
   return dot(world_direction(cross(ab, ac)), to_eye(world_position(p))) < 0.0;
 }
 
 // Returns whether a triangle is so thin on a map of this side that it may contain no texel centre: an
 // inscribed circle whose radius is under 0.75 texels.
 bool falls_between_texels(uint first, float map_side) {
-  const vec2 a = skin_vertices[indices[first]].unwrap, b = skin_vertices[indices[first + 1]].unwrap,
-             c = skin_vertices[indices[first + 2]].unwrap;
+  const vec2 a = unwrap_of(indices[first]), b = unwrap_of(indices[first + 1]),
+             c = unwrap_of(indices[first + 2]);
   const vec2 ab = b - a, ac = c - a;
   return abs(ab.x * ac.y - ab.y * ac.x) * map_side < 0.75 * (length(ab) + length(ac) + length(c - b));
 }
@@ -29,7 +28,7 @@ bool falls_between_texels(uint first, float map_side) {
 bool triangle_culled(uint triangle, float map_side) {
   bool away = faces_away(3u * triangle);
   for (uint i = 0u; i < 3u; ++i) {
-    const VertexIo v = vertices[indices[3u * triangle + i]];
+    const VertexIo v = vertex_at(indices[3u * triangle + i]);
     const vec3 eye = to_eye(world_position(v.position_m));
     away = away && dot(world_direction(v.normal), eye) < cos_105_degrees * length(eye) * length(v.normal);
   }

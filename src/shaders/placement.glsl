@@ -15,7 +15,7 @@ vec3 placed_position(PlacementIo p, vec3 position_m) {
 }
 
 VertexIo placed_vertex() {
-  VertexIo v = vertices[gl_VertexIndex];
+  VertexIo v = vertex_at(gl_VertexIndex);
   const PlacementIo p = placements[gl_InstanceIndex];
   v.position_m = placed_position(p, v.position_m);
   if (p.handedness == 0.0) return v;

@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What vertices of skin have beside vertex_pull.glsl.
-layout(binding = 35, scalar) readonly buffer SkinVertices { SkinVertexIo skin_vertices[]; };
+#extension GL_EXT_samplerless_texture_functions : require
+layout(binding = 35) uniform utextureBuffer SkinVertices;  // SkinVertexIo[]
+
+vec2 unwrap_of(uint vertex) { return uintBitsToFloat(texelFetch(SkinVertices, int(2u * vertex)).xy); }
+
+SkinVertexIo skin_vertex_at(uint vertex) {
+  const uvec4 a = texelFetch(SkinVertices, int(2u * vertex)),
+              b = texelFetch(SkinVertices, int(2u * vertex + 1u));
+  return SkinVertexIo(uintBitsToFloat(a.xy), uintBitsToFloat(uvec3(a.zw, b.x)), b.y, b.z, b.w);
+}
 
 // Returns texture coordinates per mm: the geometric mean of two directions.
 float uv_per_mm(vec3 metric_mm2) {

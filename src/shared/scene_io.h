@@ -16,8 +16,9 @@ struct VertexIo {
 
 // One for all vertices of a buffer if they are equal, as they mostly are.
 struct VertexExtraIo {
-  vec2 uv1;
   vec4 colour;
+  vec2 uv1;
+  vec2 unused;  // whole texels
 };
 
 struct SkinVertexIo {
@@ -114,7 +115,7 @@ DERMIS_IO_END
 
 #ifdef __cplusplus
 static_assert(sizeof(dermis::io::VertexIo) == 12 * 4);
-static_assert(sizeof(dermis::io::VertexExtraIo) == 6 * 4);
+static_assert(sizeof(dermis::io::VertexExtraIo) == 8 * 4);
 static_assert(sizeof(dermis::io::SkinVertexIo) == 8 * 4);
 static_assert(sizeof(dermis::io::MapIo) == 40);
 static_assert(sizeof(dermis::io::LightIo) == 68);

@@ -21,8 +21,8 @@ Blur::Out Blur::declare(frame::Declare& d) {
 
 void Blur::prepare(gpu::PipelineLibrary& library) {
   MaskedPass::prepare(library);
-  kernels_ = gpu::make_buffer(library.device(), "blur kernels", std::span(kernel_table()),
-                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  kernels_ =
+      gpu::make_buffer(library.device(), "blur kernels", std::span(kernel_table()), gpu::texels_of_shaders);
 }
 
 // Returns the variance that averaging r x r texels into one has added, in texels^2 of the smaller map: that

@@ -9,21 +9,14 @@
 layout(push_constant, scalar) uniform Push { BlurIo io; };
 layout(binding = 0, rgba16f) uniform readonly image2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
-layout(binding = 2, scalar) readonly buffer Kernels { float kernels[]; };
+layout(binding = 2) uniform utextureBuffer Kernels;
 
 #include "passes/convolution_taps.glsl"
-#include "passes/kernels_io.h"
+#include "passes/kernel_row.glsl"
 
-// Weights of taps 0..KERNEL_RADIUS and the variance, between two rows of the table; rows are so dense that
-// the variance is exact to 1e-4.
-float kernel_row[KERNEL_FLOATS];
 void load_kernel(float sigma, bool averaged) {
-  const float at = clamp(sigma / KERNEL_MAX_SIGMA, 0.0, 1.0) * float(KERNEL_ROWS - 1);
-  const int row = min(int(at), KERNEL_ROWS - 2);
-  const float f = at - float(row);
-  const int base = ((averaged ? KERNEL_ROWS : 0) + row) * KERNEL_FLOATS;
-  for (int i = 0; i < KERNEL_FLOATS; ++i)
-    kernel_row[i] = mix(kernels[base + i], kernels[base + KERNEL_FLOATS + i], f);
+  load_kernel_row(clamp(sigma / KERNEL_MAX_SIGMA, 0.0, 1.0) * float(KERNEL_ROWS - 1),
+                  averaged ? KERNEL_ROWS : 0);
 }
 
 vec4 own_light(ivec2 p) { return imageLoad(light_in, p + ivec2(io.origin)); }

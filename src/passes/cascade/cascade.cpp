@@ -15,8 +15,7 @@ namespace {
 bool ends_in_sum(const CascadeStep& step) { return step.halvings == 0; }
 
 gpu::Buffer kernels_on(gpu::Device& device) {
-  return gpu::make_buffer(device, "cascade kernels", std::span(ratio_table()),
-                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  return gpu::make_buffer(device, "cascade kernels", std::span(ratio_table()), gpu::texels_of_shaders);
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 // variance is exact with the taps that there are (kernels.h). A narrow Gaussian has few taps, so what a texel
 // costs follows the density of the unwrap there.
 #include "passes/kernels_io.h"
-layout(binding = 2, scalar) readonly buffer Ratios { float ratios[]; };
+#extension GL_EXT_samplerless_texture_functions : require
+layout(binding = 2) uniform utextureBuffer Ratios;  // two cells per texel
 
 #define TABLE_SAMPLED 0
 #define TABLE_AVERAGED 1  // of light that is constant over each texel
@@ -19,9 +20,10 @@ Kernel kernel_of(float sigma, int table) {
   const int stride = table == TABLE_NARROW ? 1 : max(1, int(ceil(sigma / RATIO_MAX_SIGMA)));
   const float at = min(sigma / (float(stride) * RATIO_MAX_SIGMA), 1.0) * float(RATIO_CELLS);
   const int cell = min(int(at), RATIO_CELLS - 1);
-  const int base = 2 * ((stride > 1 ? TABLE_SAMPLED : table) * RATIO_CELLS + cell);
-  return Kernel(mix(ratios[base], ratios[base + 1], at - float(cell)), 1 + cell / RATIO_CELLS_PER_TAP,
-                stride);
+  const int entry = (stride > 1 ? TABLE_SAMPLED : table) * RATIO_CELLS + cell;
+  const vec4 cells = uintBitsToFloat(texelFetch(Ratios, entry / 2));
+  const vec2 ends = (entry & 1) == 0 ? cells.xy : cells.zw;
+  return Kernel(mix(ends.x, ends.y, at - float(cell)), 1 + cell / RATIO_CELLS_PER_TAP, stride);
 }
 
 // Weights of the taps after the middle, one after the other.

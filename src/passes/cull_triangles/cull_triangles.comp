@@ -21,7 +21,7 @@ bool is_outside(uint triangle) {
   bvec4 outside = bvec4(true);
   bool beyond = true;
   for (uint i = 0u; i < 3u; ++i) {
-    const vec3 p = world_position(vertices[indices[3u * triangle + i]].position_m);
+    const vec3 p = world_position(vertex_position(indices[3u * triangle + i]));
     for (int plane = 0; plane < 4; ++plane)
       outside[plane] = outside[plane] && distance_inside(plane, p) < 0.0;
     beyond = beyond && distance_inside(4, p) < 0.0;

@@ -25,9 +25,9 @@ layout(location = 10) flat out AlongSkin out_along;
 
 void main() {
   const uint vertex = vertex_drawn();
-  const VertexIo v = vertices[vertex];
+  const VertexIo v = vertex_at(vertex);
   const VertexExtraIo extra = vertex_extra(vertex);
-  const SkinVertexIo skin = skin_vertices[vertex];
+  const SkinVertexIo skin = skin_vertex_at(vertex);
 
   out_position_m = world_position(v.position_m);
   out_normal = world_direction(v.normal);
@@ -40,13 +40,13 @@ void main() {
 
   const uint first = is_first_corner() ? 3u * gl_VertexIndex : 0u;
   const uint a = indices[first], b = indices[first + 1], c = indices[first + 2];
-  out_unwrap_ab = vec4(skin_vertices[a].unwrap, skin_vertices[b].unwrap);
-  out_unwrap_c = skin_vertices[c].unwrap;
+  out_unwrap_ab = vec4(unwrap_of(a), unwrap_of(b));
+  out_unwrap_c = unwrap_of(c);
   out_along = AlongSkin(vec3(0.0), vec3(0.0));
   if (shape_aware)
-    out_along = along_triangle(world_position(vertices[a].position_m), world_position(vertices[b].position_m),
-                               world_position(vertices[c].position_m), out_unwrap_ab.xy, out_unwrap_ab.zw,
-                               out_unwrap_c);
+    out_along =
+        along_triangle(world_position(vertex_position(a)), world_position(vertex_position(b)),
+                       world_position(vertex_position(c)), out_unwrap_ab.xy, out_unwrap_ab.zw, out_unwrap_c);
 
   gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }

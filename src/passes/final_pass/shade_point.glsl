@@ -60,7 +60,7 @@ struct SeenSkin {
 SeenSkin seen_skin(EntryIo entry) {
   const uint first = 3u * (entry.x & (1u << ID_TRIANGLE_BITS) - 1u), pixel = entry.y & (1u << RANK_BITS) - 1u;
   const uint i = indices[first], j = indices[first + 1u], k = indices[first + 2u];
-  const VertexIo a = vertices[i], b = vertices[j], c = vertices[k];
+  const VertexIo a = vertex_at(i), b = vertex_at(j), c = vertex_at(k);
   const vec3 pa = world_position(a.position_m), pb = world_position(b.position_m),
              pc = world_position(c.position_m);
 
@@ -80,7 +80,7 @@ SeenSkin seen_skin(EntryIo entry) {
                    uv.zw, at_seen(seen.share, ea.colour, eb.colour, ec.colour),
                    at_seen(seen.dx, uva, uvb, uvc), at_seen(seen.dy, uva, uvb, uvc));
 
-  const SkinVertexIo sa = skin_vertices[i], sb = skin_vertices[j], sc = skin_vertices[k];
+  const SkinVertexIo sa = skin_vertex_at(i), sb = skin_vertex_at(j), sc = skin_vertex_at(k);
   OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0, vec4(0.0),
                    AlongSkin(vec3(0.0), vec3(0.0)));
   if (coarse)

@@ -23,7 +23,7 @@ const bool coarse = false;
 
 // Returns coordinates of the normal map per mm of the asset, of a triangle.
 float normal_uv_per_mm(uvec3 corners) {
-  const VertexIo a = vertices[corners.x], b = vertices[corners.y], c = vertices[corners.z];
+  const VertexIo a = vertex_at(corners.x), b = vertex_at(corners.y), c = vertex_at(corners.z);
   const MapIo map = material.maps[MAP_NORMAL];
   vec2 e = b.uv0 - a.uv0, f = c.uv0 - a.uv0;
   if (map.uv_set != 0u) {

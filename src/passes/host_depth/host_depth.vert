@@ -12,7 +12,7 @@ layout(location = 0) out vec2 out_uv0;
 layout(location = 1) out vec2 out_uv1;
 layout(location = 2) out vec4 out_colour;
 void main() {
-  const VertexIo v = vertices[gl_VertexIndex];
+  const VertexIo v = vertex_at(gl_VertexIndex);
   const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
   out_uv0 = v.uv0;
   out_uv1 = extra.uv1;

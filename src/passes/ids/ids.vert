@@ -14,7 +14,7 @@ layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;
 void main() {
   const uint vertex = vertex_drawn();
-  const VertexIo v = vertices[vertex];
+  const VertexIo v = vertex_at(vertex);
   const VertexExtraIo extra = vertex_extra(vertex);
   out_id = io.first_id + uint(gl_VertexIndex);
   out_uv = vec4(v.uv0, extra.uv1);

@@ -48,14 +48,14 @@ uvec3 corners_of(uint triangle) {
 // Solves for the weights in texture coordinates relative to the first corner, whose differences are exact.
 Corners corners_at(uvec3 vertex, ivec2 texel) {
   const vec2 centre = (vec2(texel) + 0.5) / float(io.side);
-  const vec2 a = skin_vertices[vertex.x].unwrap;
-  const vec2 ab = skin_vertices[vertex.y].unwrap - a, ac = skin_vertices[vertex.z].unwrap - a, p = centre - a;
+  const vec2 a = unwrap_of(vertex.x);
+  const vec2 ab = unwrap_of(vertex.y) - a, ac = unwrap_of(vertex.z) - a, p = centre - a;
   const float per_area = 1.0 / (ab.x * ac.y - ab.y * ac.x);
   const vec2 to_b = vec2(ac.y, -ac.x) * per_area, to_c = vec2(-ab.y, ab.x) * per_area;
   const float b = dot(p, to_b), c = dot(p, to_c);
   const float width = 1.0 / float(io.side);
-  const vec3 position_m = (1.0 - b - c) * vertices[vertex.x].position_m + b * vertices[vertex.y].position_m +
-                          c * vertices[vertex.z].position_m;
+  const vec3 position_m = (1.0 - b - c) * vertex_position(vertex.x) + b * vertex_position(vertex.y) +
+                          c * vertex_position(vertex.z);
   return Corners(vertex, vec3(1.0 - b - c, b, c), vec3(-to_b.x - to_c.x, to_b.x, to_c.x) * width,
                  vec3(-to_b.y - to_c.y, to_b.y, to_c.y) * width, centre, world_position(position_m));
 }
@@ -79,7 +79,7 @@ TexelPoint texel_point(Corners k) {
   vec2 alpha = vec2(0.0);
 
   for (int i = 0; i < 3; ++i) {
-    const VertexIo v = vertices[k.vertex[i]];
+    const VertexIo v = vertex_at(k.vertex[i]);
     const VertexExtraIo extra = vertex_extra(k.vertex[i]);
     const vec4 uv_there = vec4(v.uv0, extra.uv1);
     normal += k.weight[i] * v.normal;
@@ -94,7 +94,7 @@ TexelPoint texel_point(Corners k) {
   TexelPoint t;
   t.s = ShadingPoint(k.position_m, normalize(world_direction(normal)),
                      vec4(world_direction(tangent.xyz), tangent.w), uv.xy, uv.zw, colour, uv_dx, uv_dy);
-  t.chart = float(skin_vertices[k.vertex.x].chart);
+  t.chart = float(skin_vertex_at(k.vertex.x).chart);
   t.alpha_reach = abs(alpha.x) + abs(alpha.y);
   return t;
 }

@@ -19,9 +19,9 @@ out gl_PerVertex {
 };
 #endif
 void main() {
-  const VertexIo v = vertices[gl_VertexIndex];
+  const VertexIo v = vertex_at(gl_VertexIndex);
   const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
-  const SkinVertexIo skin = skin_vertices[gl_VertexIndex];
+  const SkinVertexIo skin = skin_vertex_at(gl_VertexIndex);
   out_position_m = world_position(v.position_m);
   out_normal = world_direction(v.normal);
   out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);

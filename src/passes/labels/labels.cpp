@@ -118,8 +118,8 @@ void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
     Bindings bindings;
     bindings.add("Frame", frame.frame_io)
         .add("Instance", instance.transform)
-        .add("LabelVertices", instance.scene->unmoved)  // any buffer: only skin reads these
-        .add("SkinVertices", instance.scene->unmoved);
+        .add("LabelVertices", instance.scene->unmoved)  // any buffers: only skin reads these
+        .add("SkinVertices", surfaces.pages[group.page].vertex_extras);
     offer_page(instance, group.page, bindings);
     offer_before(instance, instance.scene->skin.size() + group.page, instance.scene->unmoved, bindings);
     bindings.add("BeforePlacements", instance.placements_before.empty()

@@ -2,16 +2,16 @@
 #version 460
 #include "shared/scene_io.h"
 #include "shaders/vertex_pull.glsl"
+#include "shaders/skin_vertex.glsl"
 #include "shaders/placement.glsl"
 #include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
 #include "passes/labels/labels_io.h"
 layout(constant_id = 0) const bool skin = false;
 layout(binding = 34, scalar) readonly buffer LabelVertices { LabelVertexIo label_vertices[]; };  // of skin
-layout(binding = 35, scalar) uniform Before { LabelsBeforeIo before; };
+layout(binding = 38, scalar) uniform Before { LabelsBeforeIo before; };
 layout(binding = 36, scalar) readonly buffer BeforePositions { vec3 before_m[]; };
 layout(binding = 37, scalar) readonly buffer BeforePlacements { PlacementIo before_placements[]; };
-layout(binding = 38, scalar) readonly buffer SkinVertices { SkinVertexIo skin_vertices[]; };
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_uv;
@@ -41,10 +41,10 @@ void main() {
   if (skin) {
     const LabelVertexIo label = label_vertices[gl_VertexIndex];
     out_part = label.part;
-    out_body = vec3(skin_vertices[gl_VertexIndex].unwrap, label.thickness_mm * INSTANCE.scale);
+    out_body = vec3(unwrap_of(gl_VertexIndex), label.thickness_mm * INSTANCE.scale);
   }
 
-  const vec3 now_m = vertices[gl_VertexIndex].position_m;
+  const vec3 now_m = vertex_position(gl_VertexIndex);
   const vec3 then_m = before.moved != 0u ? before_m[gl_VertexIndex] : now_m;
   out_clip = clip_at(frame.camera.clip_from_world, INSTANCE, placements[gl_InstanceIndex], now_m);
   out_clip_before =

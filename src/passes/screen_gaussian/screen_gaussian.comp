@@ -19,7 +19,7 @@ layout(binding = 2, r32ui) uniform readonly uimage2D surface_of_skin;
 #include "shaders/frame.glsl"
 layout(binding = 4) uniform sampler2DArray leaving_skin;
 layout(binding = 5, scalar) readonly buffer Steps { GaussianStepIo steps[]; };
-layout(binding = 6, scalar) readonly buffer Kernels { float kernels[]; };
+layout(binding = 6) uniform utextureBuffer Kernels;
 layout(binding = 7, rgba16f) uniform writeonly image2D target;
 layout(binding = 8, rgba16f) uniform image2D sum_of_light;
 #include "passes/screen_surface.glsl"
@@ -34,13 +34,11 @@ struct Middle {
   Tangents tangents;
 };
 
-// Weights of taps 0 .. radius for a sigma in units of the tap spacing, between two rows of the table.
-float kernel_row[KERNEL_RADIUS + 1];
+#include "passes/kernel_row.glsl"
+
+// sigma: in units of the tap spacing.
 void load_kernel(float sigma) {
-  const float at = clamp(sigma * 3.0 / float(radius), 0.0, 1.0) * float(KERNEL_ROWS - 1);
-  const int row = min(int(at), KERNEL_ROWS - 2), base = row * KERNEL_FLOATS;
-  for (int i = 0; i <= radius; ++i)
-    kernel_row[i] = mix(kernels[base + i], kernels[base + KERNEL_FLOATS + i], at - float(row));
+  load_kernel_row(clamp(sigma * 3.0 / float(radius), 0.0, 1.0) * float(KERNEL_ROWS - 1), 0);
 }
 
 // Returns the rows or columns between taps of a kernel so wide.

@@ -38,7 +38,8 @@ void ScreenGaussian::prepare(gpu::PipelineLibrary& library) {
   steps_ =
       gpu::make_buffer(library.device(), "gaussian steps", std::span<const io::GaussianStepIo>(steps), usage);
   const std::vector<float> table = gaussian_table(settings.radius);
-  kernels_ = gpu::make_buffer(library.device(), "gaussian kernels", std::span<const float>(table), usage);
+  kernels_ = gpu::make_buffer(library.device(), "gaussian kernels", std::span<const float>(table),
+                              gpu::texels_of_shaders);
 }
 
 void ScreenGaussian::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {

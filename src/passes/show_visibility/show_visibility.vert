@@ -15,12 +15,12 @@ layout(location = 2) out vec4 out_uv;
 layout(location = 3) out vec4 out_colour;
 void main() {
   const uint vertex = vertex_drawn();
-  const VertexIo v = vertices[vertex];
+  const VertexIo v = vertex_at(vertex);
   const VertexExtraIo extra = vertex_extra(vertex);
   out_position_m = world_position(v.position_m);
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;
   out_culled =
       io.can_cull != 0u && is_first_corner() && triangle_culled(gl_VertexIndex, io.map_side) ? 1u : 0u;
-  gl_Position = vec4(skin_vertices[vertex].unwrap * 2.0 - 1.0, 0.5, 1.0);
+  gl_Position = vec4(unwrap_of(vertex) * 2.0 - 1.0, 0.5, 1.0);
 }

@@ -9,11 +9,11 @@ layout(location = 1) flat out uint out_chart;
 layout(location = 2) out vec4 out_uv;
 layout(location = 3) out vec4 out_colour;
 void main() {
-  const SkinVertexIo skin = skin_vertices[gl_VertexIndex];
+  const SkinVertexIo skin = skin_vertex_at(gl_VertexIndex);
   const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
   out_metric = skin.metric_mm2;
   out_chart = skin.chart;
-  out_uv = vec4(vertices[gl_VertexIndex].uv0, extra.uv1);
+  out_uv = vec4(vertex_at(gl_VertexIndex).uv0, extra.uv1);
   out_colour = extra.colour;
   gl_Position = vec4(skin.unwrap * 2.0 - 1.0, 0.5, 1.0);
 }

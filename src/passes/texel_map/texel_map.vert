@@ -10,6 +10,6 @@ void main() {
   const uint vertex = uint(gl_VertexIndex);
   out_number = vertex / 3u;
   vec2 at = vec2(vertex & 1u, vertex >> 1) * 4.0 - 1.0;
-  if (vertex >= 3u) at = skin_vertices[indices[vertex - 3u]].unwrap * 2.0 - 1.0;
+  if (vertex >= 3u) at = unwrap_of(indices[vertex - 3u]) * 2.0 - 1.0;
   gl_Position = vec4(at, 0.5, 1.0);
 }

@@ -103,8 +103,7 @@ struct Moved {
   Moved(gpu::Device& device, passes::GpuScene& scene, const scene::PosedRig& pose) {
     const auto copied = [&](std::vector<gpu::Buffer>& to, const gpu::Buffer& from) {
       to.push_back(
-          {device, "posed",
-           gpu::BufferDesc{.bytes = from.desc().bytes, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}});
+          {device, "posed", gpu::BufferDesc{.bytes = from.desc().bytes, .usage = from.desc().usage}});
       device.run([&](VkCommandBuffer commands) {
         gpu::Cmd(device, commands).copy(from, to.back(), from.desc().bytes);
       });

@@ -143,7 +143,7 @@ TEST_F(OnTheDevice, VerticesTakeWhatTheyNeed) {
   const passes::GpuMesh& mesh = scene.skin.front();
   EXPECT_EQ(mesh.vertices.desc().bytes, 12 * number * vertices);
   EXPECT_EQ(mesh.skin_vertices.desc().bytes, 8 * number * vertices);
-  EXPECT_EQ(mesh.vertex_extras.desc().bytes, 6 * number) << "all are white, without a second coordinate";
+  EXPECT_EQ(mesh.vertex_extras.desc().bytes, 8 * number) << "all are white, without a second coordinate";
   EXPECT_EQ(mesh.indices.desc().bytes, 3 * number * triangles);
   EXPECT_EQ(mesh.first_corners.desc().bytes, 3 * number * triangles);
 
@@ -159,7 +159,7 @@ TEST_F(OnTheDevice, ExtrasThatDifferAreThereForEachVertex) {
   scene::Scene made = scene::sphere(0.1, 8);
   made.primitives.front().vertices.back().uv1.x = 0.5f;
   const std::size_t vertices = scene::skin_meshes(made).front().vertices.size();
-  EXPECT_EQ(uploaded(made).skin.front().vertex_extras.desc().bytes, 6 * number * vertices);
+  EXPECT_EQ(uploaded(made).skin.front().vertex_extras.desc().bytes, 8 * number * vertices);
 }
 
 TEST_F(OnTheDevice, PartsThatAreNotSkinHaveNoUnwrap) {
@@ -168,7 +168,7 @@ TEST_F(OnTheDevice, PartsThatAreNotSkinHaveNoUnwrap) {
   const passes::GpuScene scene = uploaded(made);
   ASSERT_EQ(scene.surfaces.pages.size(), 1u);
   EXPECT_EQ(scene.surfaces.pages[0].vertices.desc().bytes, 12 * number * sheet.vertices.size());
-  EXPECT_EQ(scene.surfaces.pages[0].vertex_extras.desc().bytes, 6 * number);
+  EXPECT_EQ(scene.surfaces.pages[0].vertex_extras.desc().bytes, 8 * number);
   EXPECT_EQ(scene.surfaces.pages[0].indices.desc().bytes, number * sheet.indices.size());
 }
 

@@ -39,6 +39,28 @@ TEST_F(Pipelines, ComputeWritesWhatTheShaderSays) {
     ASSERT_FLOAT_EQ(values[i], from[3 * i] + 10 * from[3 * i + 1] + 100 * from[3 * i + 2]) << "element " << i;
 }
 
+TEST_F(Pipelines, TexelsAreTheBytesOfABuffer) {
+  // Patterns that a float would not keep everywhere: quiet and signalling NaN, denormal numbers.
+  std::vector<std::uint32_t> words(5 * 4);
+  for (std::uint32_t i = 0; i < words.size(); ++i) words[i] = i;
+  words[1] = 0x7fc00001, words[6] = 0x7fa00001, words[11] = 0xffffffff, words[16] = 0x80000001;
+  const Buffer from = make_buffer<std::uint32_t>(device(), "from", words, texels_of_shaders);
+  const Buffer to(device(), "to",
+                  {.bytes = 6 * 4 * sizeof(std::uint32_t), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+  const Pipeline& texels = library().compute("texels.comp");
+  ASSERT_EQ(texels.interface.bindings[0].kind, BindingKind::texel_buffer);
+  device().run([&](VkCommandBuffer commands) {
+    Cmd cmd(device(), commands);
+    cmd.bind(texels, std::array<Binding, 2>{BufferBinding{&from}, BufferBinding{&to}});
+    cmd.dispatch_over(texels, 8, 1);
+  });
+
+  const auto values = values_of<std::uint32_t>(to);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    EXPECT_EQ(values[(4 - i / 4) * 4 + i % 4], words[i]) << "word " << i;
+  EXPECT_EQ(values.back(), 5u);
+}
+
 TEST_F(Pipelines, ReflectionFindsBindingsPushAndWorkgroup) {
   const ShaderInterface found = reflect(test_vulkan::find_shader("fill.comp"), "fill.comp");
   ASSERT_EQ(found.bindings.size(), 2u);
@@ -170,6 +192,11 @@ TEST_F(Pipelines, OurMistakesAreThrownWithBothValues) {
   expect_recording("0 given, 1 declared", [&](Cmd& cmd) { cmd.bind(grid, {}); });
   expect_recording("binding 0 'to'",
                    [&](Cmd& cmd) { cmd.bind(grid, std::array<Binding, 1>{SampledBinding{}}); });
+  const Pipeline& texels = library().compute("texels.comp");
+  const Buffer plain(device(), "plain", {.bytes = 64, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+  expect_recording("texel_view", [&](Cmd& cmd) {
+    cmd.bind(texels, std::array<Binding, 2>{BufferBinding{&plain}, BufferBinding{&plain}});
+  });
   expect_recording("4 given, 0 declared", [&](Cmd& cmd) { cmd.push(grid, 1.0f); });
 }
 
