@@ -29,17 +29,6 @@ bool fits(const Binding& binding, BindingKind kind) {
   return false;
 }
 
-VkDescriptorType type_of(BindingKind kind) {
-  switch (kind) {
-    case BindingKind::sampled_image: return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    case BindingKind::storage_image: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-    case BindingKind::storage_buffer: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    case BindingKind::uniform_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    case BindingKind::texel_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
-  }
-  return VK_DESCRIPTOR_TYPE_MAX_ENUM;
-}
-
 [[noreturn]] void wrong_kind(const Pipeline& pipeline, const BindingSlot& slot) {
   assertion_failed("binding is of the kind that the shader declares",
                    fmt::format("{}: binding {} '{}'", pipeline.name, slot.binding, slot.name), __FILE__,
@@ -55,7 +44,7 @@ void add(Writes& out, const Pipeline& pipeline, const BindingSlot& slot, std::ui
   write.dstBinding = slot.binding;
   write.dstArrayElement = element;
   write.descriptorCount = 1;
-  write.descriptorType = type_of(slot.kind);
+  write.descriptorType = descriptor_type(slot.kind);
 
   if (const auto* sampled = std::get_if<SampledBinding>(&binding)) {
     DERMIS_ASSERT(sampled->texture && sampled->texture->view() && sampled->sampler);

@@ -17,17 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-VkDescriptorType type_of(BindingKind kind) {
-  switch (kind) {
-    case BindingKind::storage_buffer: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    case BindingKind::uniform_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    case BindingKind::texel_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
-    case BindingKind::sampled_image: return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    case BindingKind::storage_image: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-  }
-  return VK_DESCRIPTOR_TYPE_MAX_ENUM;
-}
-
 std::string text_of(const Constants& constants) {
   std::string text;
   for (const auto& [name, value] : constants) text += fmt::format(" {}={}", name, value);
@@ -277,7 +266,7 @@ void PipelineLibrary::State::create_layout(Entry& entry, VkShaderStageFlags stag
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   std::uint32_t descriptors = 0;
   for (const BindingSlot& slot : interface.bindings) {
-    bindings.push_back({slot.binding, type_of(slot.kind), slot.count, stages, nullptr});
+    bindings.push_back({slot.binding, descriptor_type(slot.kind), slot.count, stages, nullptr});
     descriptors += slot.count;
   }
   DERMIS_ASSERT_LE(descriptors, most_push_descriptors);

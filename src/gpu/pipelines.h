@@ -29,6 +29,8 @@ enum class BindingKind : std::uint8_t {
   storage_image
 };
 
+VkDescriptorType descriptor_type(BindingKind kind);
+
 struct BindingSlot {
   std::uint32_t binding = 0;
   BindingKind kind{};

@@ -150,6 +150,17 @@ class Reflection {
 
 }  // namespace
 
+VkDescriptorType descriptor_type(BindingKind kind) {
+  switch (kind) {
+    case BindingKind::storage_buffer: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case BindingKind::uniform_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingKind::texel_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    case BindingKind::sampled_image: return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case BindingKind::storage_image: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+  }
+  return VK_DESCRIPTOR_TYPE_MAX_ENUM;
+}
+
 ShaderInterface reflect(std::span<const std::uint32_t> spirv, const std::string& name) {
   if (spirv.size() < 5 || spirv[0] != SpvMagicNumber) bad_shader(name, "is not SPIR-V");
   return Reflection(spirv, name).read();

@@ -4,12 +4,11 @@
 // in place of a branch: reading it through a sampler, whose level may differ per invocation, takes twice as
 // long on the software driver (docs/measuring.md).
 
-// p: texel of the square. Outside its used part nothing is read: that is left over from another T.
-vec4 light_at(ivec2 p) {
-  const ivec2 inside = clamp(p, ivec2(0), ivec2(io.side) - 1);
-  const vec4 texel = imageLoad(light_in, inside + ivec2(io.origin));
-  return inside == p ? texel : vec4(0.0);
-}
+// p: texel of the square. Outside its used part there is nothing: that is left over from another T.
+ivec2 held_inside(ivec2 p) { return clamp(p, ivec2(0), ivec2(io.side) - 1) + ivec2(io.origin); }
+vec4 none_outside(ivec2 p, vec4 texel) { return held_inside(p) == p + ivec2(io.origin) ? texel : vec4(0.0); }
+
+vec4 light_at(ivec2 p) { return none_outside(p, imageLoad(light_in, held_inside(p))); }
 
 // Adds a texel unless it belongs to no chart or to another; returns its weight.
 float gather(inout vec3 sum, vec4 texel, float chart, float weight) {

@@ -57,11 +57,7 @@ void add_term(vec3 l, float variance_mm2, vec3 weight) {
   for (int i = 0; i < 13; ++i) weights[i] += (terms[i] / total) * weight;
 }
 
-vec4 unspread_at(ivec2 p) {
-  const ivec2 inside = clamp(p, ivec2(0), ivec2(io.side) - 1);
-  const vec4 texel = imageLoad(unspread, inside + ivec2(io.origin));
-  return inside == p ? texel : vec4(0.0);
-}
+vec4 unspread_at(ivec2 p) { return none_outside(p, imageLoad(unspread, held_inside(p))); }
 
 // Adds a texel of the same chart; returns its weight.
 vec3 add_tap(inout vec3 sum, vec4 texel, float chart, vec3 weight) {
