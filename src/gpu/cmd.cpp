@@ -60,11 +60,10 @@ void add(Writes& out, const Pipeline& pipeline, const BindingSlot& slot, std::ui
     if (slot.kind == BindingKind::texel_buffer) {
       DERMIS_ASSERT(buffer.buffer->texel_view() && buffer.offset == 0 && buffer.bytes == VK_WHOLE_SIZE);
       write.pTexelBufferView = &out.views.emplace_back(buffer.buffer->texel_view());
-      out.writes.push_back(write);
-      return;
+    } else {
+      write.pBufferInfo = &out.buffers.emplace_back(
+          VkDescriptorBufferInfo{buffer.buffer->handle(), buffer.offset, buffer.bytes});
     }
-    write.pBufferInfo = &out.buffers.emplace_back(
-        VkDescriptorBufferInfo{buffer.buffer->handle(), buffer.offset, buffer.bytes});
   }
 
   out.writes.push_back(write);

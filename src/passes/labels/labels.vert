@@ -9,9 +9,9 @@
 #include "passes/labels/labels_io.h"
 layout(constant_id = 0) const bool skin = false;
 layout(binding = 34, scalar) readonly buffer LabelVertices { LabelVertexIo label_vertices[]; };  // of skin
-layout(binding = 38, scalar) uniform Before { LabelsBeforeIo before; };
 layout(binding = 36, scalar) readonly buffer BeforePositions { vec3 before_m[]; };
 layout(binding = 37, scalar) readonly buffer BeforePlacements { PlacementIo before_placements[]; };
+layout(binding = 38, scalar) uniform Before { LabelsBeforeIo before; };
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_uv;
