@@ -6,7 +6,8 @@ layout(constant_id = 16) const bool multisampled = true;
 // Where a pixel sees a triangle: barycentric coordinates, which sum to 1, and their change per pixel.
 struct Seen {
   vec3 share, dx, dy;
-  bool front;  // its corners turn counter-clockwise
+  vec3 beside;  // as share, on its plane: below 0 where the point lies beside the triangle
+  bool front;   // its corners turn counter-clockwise
 };
 
 // Returns the mean of some samples of a pixel, in pixels; the middle if they are all. Positions are the
@@ -28,17 +29,17 @@ Seen seen_at(vec2 at, vec4 a, vec4 b, vec4 c) {
   const vec3 x = vec3(a.x, b.x, c.x) - at.x * w, y = vec3(a.y, b.y, c.y) - at.y * w;
   const vec3 area = cross(x, y), by_x = cross(y, w), by_y = cross(w, x);
   const float whole = area.x + area.y + area.z;
-  if (!(abs(whole) > 0.0)) return Seen(vec3(1.0 / 3.0), vec3(0.0), vec3(0.0), true);
+  if (!(abs(whole) > 0.0)) return Seen(vec3(1.0 / 3.0), vec3(0.0), vec3(0.0), vec3(1.0 / 3.0), true);
 
   Seen seen;
   seen.front = whole > 0.0;
-  seen.share = area / whole;
+  seen.beside = area / whole;
   const vec2 step = 2.0 / vec2(shade.extent);
-  seen.dx = (by_x - seen.share * (by_x.x + by_x.y + by_x.z)) * (step.x / whole);
-  seen.dy = (by_y - seen.share * (by_y.x + by_y.y + by_y.z)) * (step.y / whole);
+  seen.dx = (by_x - seen.beside * (by_x.x + by_x.y + by_x.z)) * (step.x / whole);
+  seen.dy = (by_y - seen.beside * (by_y.x + by_y.y + by_y.z)) * (step.y / whole);
 
   // The point may lie beside its triangle, whose edge is within the pixel.
-  seen.share = max(seen.share, vec3(0.0));
+  seen.share = max(seen.beside, vec3(0.0));
   seen.share /= seen.share.x + seen.share.y + seen.share.z;
   return seen;
 }
@@ -64,13 +65,17 @@ SeenSkin seen_skin(EntryIo entry) {
   const vec3 pa = world_position(a.position_m), pb = world_position(b.position_m),
              pc = world_position(c.position_m);
 
-  const vec2 at = vec2(pixel % shade.extent.x, pixel / shade.extent.x) + middle_of(entry.y >> RANK_BITS);
+  // Where skin is cut, the middle of the pixel was tested, also beside the triangle. Maps have a gap anywhere
+  // else, and the colour of what is not there.
+  const bool cut = is_on(material.flags & MATERIAL_ALPHA_MASK);
+  const vec2 inside = cut ? vec2(0.5) : middle_of(entry.y >> RANK_BITS),
+             at = vec2(pixel % shade.extent.x, pixel / shade.extent.x) + inside;
   const Seen seen = seen_at((2.0 * at / vec2(shade.extent) - 1.0) * vec2(1.0, -1.0), clip_position(pa),
                             clip_position(pb), clip_position(pc));
 
   const VertexExtraIo ea = vertex_extra(i), eb = vertex_extra(j), ec = vertex_extra(k);
   const vec4 uva = vec4(a.uv0, ea.uv1), uvb = vec4(b.uv0, eb.uv1), uvc = vec4(c.uv0, ec.uv1);
-  const vec4 uv = at_seen(seen.share, uva, uvb, uvc);
+  const vec4 uv = at_seen(cut ? seen.beside : seen.share, uva, uvb, uvc);
 
   const vec3 position_m = at_seen(seen.share, pa, pb, pc);
   const vec3 n = normalize(world_direction(at_seen(seen.share, a.normal, b.normal, c.normal)));
