@@ -34,11 +34,10 @@ void FrameMemory::replace_bytes(const BufferBinding& binding, std::span<const st
 
 void FrameMemory::reserve(std::uint64_t bytes) {
   if (staging_ && staging_.desc().bytes >= bytes) return;
-  const std::uint64_t room = std::max<std::uint64_t>(least_bytes, 2 * bytes);
+  const std::uint64_t room = std::max<std::uint64_t>(least_bytes, aligned(2 * bytes));
   staging_ = Buffer(*device_, name_ + " staging", {.bytes = room, .place = BufferPlace::upload});
-  on_device_ = Buffer(
-      *device_, name_,
-      {.bytes = room, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT});
+  on_device_ = Buffer(*device_, name_,
+                      {.bytes = room, .usage = texels_of_shaders | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT});
 }
 
 void FrameMemory::record(VkCommandBuffer commands) {
@@ -54,7 +53,8 @@ void FrameMemory::record(VkCommandBuffer commands) {
   barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
   barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
   barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-  barrier.dstAccessMask = VK_ACCESS_2_UNIFORM_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_UNIFORM_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
+                          VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
   Cmd(*device_, commands)
       .barrier(
           {.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &barrier});

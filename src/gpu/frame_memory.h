@@ -38,6 +38,10 @@ class FrameMemory {
     replace_bytes(binding, std::as_bytes(data));
   }
 
+  /// Returns all arrays as texels of texel_format: the one that add() places at an offset begins at this
+  /// offset over 16.
+  BufferBinding texels() const { return {&on_device_}; }
+
   std::uint64_t bytes() const { return bytes_.size(); }  ///< of all arrays
   /// Makes buffers for arrays of so many bytes, so that record() does not. Throws DeviceError if memory does
   /// not suffice.

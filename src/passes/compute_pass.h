@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,10 @@ class ComputePass {
   void dispatch(gpu::Cmd& cmd, const Io& io, std::uint32_t width, std::uint32_t height) const {
     cmd.push(pipeline(), io);
     cmd.dispatch_over(pipeline(), width, height);
+  }
+  template <class Io>
+  void dispatch(gpu::Cmd& cmd, const Io& io, const glm::uvec2& size) const {
+    dispatch(cmd, io, size.x, size.y);
   }
 
  private:

@@ -14,6 +14,7 @@
 #include "gpu/resources.h"
 #include "passes/gpu_scene.h"
 #include "passes/mapped_terms.h"
+#include "passes/pixel_area.h"
 #include "shared/scene_io.h"
 
 namespace dermis::passes {
@@ -80,11 +81,9 @@ struct Instance {
   std::span<const SkyMaps> sky;     ///< one per skin mesh of the asset; only with an environment
   gpu::BufferBinding transform;     ///< InstanceIo
   glm::mat4x3 world_from_asset{1};
-  glm::vec3 middle_m{0};         ///< of its skin, in the world
-  std::uint32_t first_mesh = 0;  ///< of its skin, among the skin meshes of the plan
-  gpu::BufferBinding lights;     ///< LightIo[]
-  /// mat4[], one per layer of the shadow maps; those of other heads are zero
-  gpu::BufferBinding shadow_matrices;
+  glm::vec3 middle_m{0};                     ///< of its skin, in the world
+  std::uint32_t first_mesh = 0;              ///< of its skin, among the skin meshes of the plan
+  gpu::BufferBinding lamps;                  ///< LampsIo
   std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
   /// Images of a host for these layers, null where dermis draws them; empty: it draws all.
@@ -115,6 +114,7 @@ using DrawIrradiance =
 struct FrameData {
   io::CameraIo camera{};                      ///< that of frame_io
   gpu::BufferBinding frame_io;                ///< FrameIo
+  gpu::BufferBinding lamps;                   ///< LightIo[] and mat4[] of all heads: LampsIo
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
   /// RGBA16F, what stands behind the heads, with its lamps; none: uniform light, or it is not shown
   const gpu::Texture* environment_picture = nullptr;
@@ -122,6 +122,7 @@ struct FrameData {
   std::vector<RigMove> moves;       ///< those that move in this frame, each once
   std::vector<SkyTurn> sky_turns;   ///< those, and any in a pose under another sky than before
   std::optional<VkRect2D> area;     ///< part of the targets that is the picture; none: all
+  PixelArea heads;                  ///< of a picture of ours: beside it is no head
   DrawIrradiance draw_irradiance;   ///< of a host
 };
 

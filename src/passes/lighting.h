@@ -17,8 +17,8 @@ class LightingSamplers {
 
   void offer(Bindings& bindings, const FrameData& frame, const Instance& instance,
              const gpu::Texture& shadow) const {
-    bindings.add("Lights", instance.lights)
-        .add("ShadowMatrices", instance.shadow_matrices)
+    bindings.add("LampsOfHead", instance.lamps)
+        .add("Lamps", frame.lamps)
         .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
         .add("directional_albedo", gpu::SampledBinding{&instance.scene->directional_albedo, table_})
         .add("environment_map",

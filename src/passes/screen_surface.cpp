@@ -25,9 +25,13 @@ ScreenSurface make_screen_surface(FramePlan& plan, std::uint32_t width, std::uin
   return made;
 }
 
+PixelArea area_of(const ScreenSurface& surface, const FrameData& frame) {
+  return surface.halved ? halved(frame.heads) : frame.heads;
+}
+
 // Rows of the matrix: clip x is dot(x, position), and clip w the distance along the view (of a matrix of any
 // scale). The part of x across the line of sight is what a metre there adds.
-io::ScreenIo screen_io(const gpu::TextureDesc& picture, const io::CameraIo& camera) {
+io::ScreenIo screen_io(const gpu::TextureDesc& picture, const PixelArea& area, const io::CameraIo& camera) {
   const glm::mat4 rows = glm::transpose(camera.clip_from_world);
   const glm::vec3 w(rows[3]);
   const auto across = [&](const glm::vec3& row) {
@@ -35,6 +39,8 @@ io::ScreenIo screen_io(const gpu::TextureDesc& picture, const io::CameraIo& came
     return glm::length(row - w * (glm::dot(row, w) / glm::dot(w, w))) / glm::length(w);
   };
   return {.extent = {picture.width, picture.height},
+          .low = area.low,
+          .size = area.size(),
           .across = across(glm::vec3(rows[0])),
           .up = across(glm::vec3(rows[1]))};
 }

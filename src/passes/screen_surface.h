@@ -19,6 +19,7 @@ struct ScreenSurface {
   /// RGBA16F, a layer for the first entry of a pixel and one for the second: what blurred light is multiplied
   /// by where it leaves; alpha of the first: the skin mesh of the plan, less SURFACE_MESH_MIDDLE
   frame::TextureId leaving;
+  bool halved = false;  ///< of half the width and height of the picture
 };
 
 /// Makes them for a picture of this size, and clears them.
@@ -27,7 +28,10 @@ ScreenSurface make_screen_surface(FramePlan& plan, std::uint32_t width, std::uin
 /// Returns the texture that blurred light is written to: as `light`.
 gpu::TextureDesc screen_light(std::uint32_t width, std::uint32_t height);
 
-/// Returns what shaders need to know of the picture and its camera beside its matrix.
-io::ScreenIo screen_io(const gpu::TextureDesc& picture, const io::CameraIo& camera);
+/// Returns the pixels of a surface beside which there is no skin. Passes compute these alone.
+PixelArea area_of(const ScreenSurface& surface, const FrameData& frame);
+
+/// Returns what shaders need to know of the picture, of these pixels, and of the camera beside its matrix.
+io::ScreenIo screen_io(const gpu::TextureDesc& picture, const PixelArea& area, const io::CameraIo& camera);
 
 }  // namespace dermis::passes

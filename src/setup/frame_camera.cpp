@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace dermis::setup {
 namespace {
@@ -22,6 +23,16 @@ double texels_per_mm(const Subject& subject, const RenderSettings& s) {
 double density_across(const RenderSettings& s, const scene::Camera& camera) {
   const double picture_aspect = static_cast<double>(s.output.width) / s.output.height;
   return camera.aspect ? std::max(1.0, picture_aspect / double{*camera.aspect}) : 1;
+}
+
+std::vector<glm::vec3> corners_of(const passes::ShadowBounds& bounds) {
+  if (!bounds.corners_m.empty()) return {bounds.corners_m.begin(), bounds.corners_m.end()};
+  std::vector<glm::vec3> corners_m;
+  for (int i = 0; i < 8; ++i) {
+    const glm::vec3 side(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    corners_m.push_back(bounds.sphere.centre_m + bounds.sphere.radius_m * side);
+  }
+  return corners_m;
 }
 
 }  // namespace
@@ -120,6 +131,30 @@ bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pos
   const glm::vec4 centre(sphere.centre_m, 1);
   return std::all_of(std::begin(camera.planes), std::end(camera.planes),
                      [&](const glm::vec4& plane) { return glm::dot(plane, centre) > -sphere.radius_m; });
+}
+
+passes::PixelArea area_of(const passes::ShadowBounds& bounds, const io::CameraIo& camera,
+                          const glm::uvec2& size) {
+  const passes::PixelArea all{glm::uvec2(0), size};
+  glm::vec2 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+  for (const glm::vec3& corner_m : corners_of(bounds)) {
+    const glm::vec4 clip = camera.clip_from_world * glm::vec4(corner_m, 1);
+    if (!(clip.w > 0)) return all;  // beside or behind the eye
+    const glm::vec2 pixel = (0.5f + 0.5f * glm::vec2(clip.x, -clip.y) / clip.w) * glm::vec2(size);
+    low = glm::min(low, pixel);
+    high = glm::max(high, pixel);
+  }
+
+  constexpr float margin = 2;  // more than corners and vertices may round apart
+  const glm::vec2 end(size), from = glm::clamp(glm::floor(low - margin), glm::vec2(0), end),
+                             to = glm::clamp(glm::ceil(high + margin), from, end);
+  return {glm::uvec2(from), glm::uvec2(to)};
+}
+
+passes::PixelArea joined(const passes::PixelArea& a, const passes::PixelArea& b) {
+  if (a.low == a.high) return b;
+  if (b.low == b.high) return a;
+  return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }
 
 }  // namespace dermis::setup

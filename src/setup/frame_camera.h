@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "dermis/settings.h"
+#include "passes/pixel_area.h"
+#include "passes/shadow/fit.h"
 #include "setup/placed_scene.h"
 #include "setup/subject.h"
 #include "shared/scene_io.h"
@@ -33,5 +35,13 @@ std::vector<int> map_sides(const RenderSettings& settings);
 /// Returns whether any part of the head may lie in the picture: its sphere against the planes.
 bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose,
              const PosedAsset* posed = nullptr);
+
+/// Returns pixels that hold all that a head may show, of a picture of `size` pixels: the corners of a body
+/// around it, or of a cube around its sphere, and two pixels more.
+passes::PixelArea area_of(const passes::ShadowBounds& bounds, const io::CameraIo& camera,
+                          const glm::uvec2& size);
+
+/// Returns the smallest area that holds both.
+passes::PixelArea joined(const passes::PixelArea& a, const passes::PixelArea& b);
 
 }  // namespace dermis::setup

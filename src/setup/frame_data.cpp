@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "gpu/formats.h"
 #include "techniques/mapped_terms.h"
 
 namespace dermis::setup {
@@ -18,6 +19,21 @@ io::InstanceIo instance_io(const Pose& pose) {
 
 namespace {
 
+int first_texel(const gpu::BufferBinding& array) {
+  return static_cast<int>(array.offset / gpu::texel_bytes(gpu::texel_format));
+}
+
+// Layers of the map that heads share number the matrices, too.
+gpu::BufferBinding add_lamps(gpu::FrameMemory& memory, const HeadSetup& head) {
+  constexpr int matrix_texels = sizeof(glm::mat4) / (4 * sizeof(float));
+  const int first_layer = static_cast<int>(head.first_shadow_layer);
+  const io::LampsIo io{
+      .lights = first_texel(memory.add(std::span<const io::LightIo>(head.lights))),
+      .shadow_matrices = first_texel(memory.add(std::span<const glm::mat4>(head.shadow_from_world))) -
+                         matrix_texels * first_layer};
+  return memory.add(std::span<const io::LampsIo>(&io, 1));
+}
+
 passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
   passes::Instance instance;
   instance.number = static_cast<std::uint32_t>(head.number);
@@ -28,12 +44,7 @@ passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
   instance.map_side = static_cast<std::uint32_t>(head.map_side);
   instance.visible = head.visible;
   instance.drawn = head.drawn;
-  instance.lights = memory.add(std::span<const io::LightIo>(head.lights));
-
-  // Leave room in front, so that layers of the map that heads share number the matrices, too.
-  std::vector<glm::mat4> matrices(head.first_shadow_layer, glm::mat4(0));
-  matrices.insert(matrices.end(), head.shadow_from_world.begin(), head.shadow_from_world.end());
-  instance.shadow_matrices = memory.add(std::span<const glm::mat4>(matrices));
+  instance.lamps = add_lamps(memory, head);
   instance.first_shadow_layer = head.first_shadow_layer;
   instance.shadow_from_world = head.shadow_from_world;
   instance.host_shadows = head.host_shadows;
@@ -49,10 +60,12 @@ passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
   passes::FrameData data;
   data.camera = setup.frame.camera;
   data.frame_io = memory.add(std::span<const io::FrameIo>(&setup.frame, 1));
+  data.lamps = memory.texels();
   if (environment) data.environment = &environment->map;
   if (environment && environment->picture) data.environment_picture = &environment->picture;
 
   for (const HeadSetup& head : setup.heads) {
+    if (head.visible && head.drawn) data.heads = joined(data.heads, head.area);
     passes::Instance instance = instance_of(memory, head);
     const InstanceOnDevice& on_device = instances[head.instance];
     instance.scene = on_device.scene;

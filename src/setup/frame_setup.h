@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dermis/settings.h"
+#include "setup/frame_camera.h"
 #include "setup/placed_scene.h"
 #include "setup/pool.h"
 #include "setup/subject.h"
@@ -31,7 +32,8 @@ struct HeadSetup {
   std::vector<passes::HostShadowMap> host_shadows;  ///< one per layer; empty: there are none
   int map_side = 0;                                 ///< T
   bool visible = true;
-  bool drawn = true;  ///< false: a host draws it
+  bool drawn = true;       ///< false: a host draws it
+  passes::PixelArea area;  ///< pixels outside do not show it
 };
 
 /// A skin mesh of the plan.

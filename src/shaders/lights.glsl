@@ -1,6 +1,35 @@
 // SPDX-License-Identifier: MIT
-// Light that arrives at a point, with its shadow. Needs: buffers `lights` (LightIo[]), `shadow_matrices`
-// (mat4[]), and sampler2DArray `shadow_depths` without comparison.
+// Light that arrives at a point, with its shadow. Needs sampler2DArray `shadow_depths` without comparison.
+#extension GL_EXT_samplerless_texture_functions : require
+layout(binding = 4, scalar) uniform LampsOfHead { LampsIo lamps_of_head; };
+layout(binding = 5) uniform utextureBuffer Lamps;  // of all heads, see LampsIo
+
+LightIo light_at(uint number) {
+  const int first = lamps_of_head.lights + 5 * int(number);
+  const uvec4 a = texelFetch(Lamps, first), b = texelFetch(Lamps, first + 1),
+              c = texelFetch(Lamps, first + 2), d = texelFetch(Lamps, first + 3),
+              e = texelFetch(Lamps, first + 4);
+
+  LightIo light;
+  light.colour = uintBitsToFloat(a.xyz);
+  light.type = a.w;
+  light.position_m = uintBitsToFloat(b.xyz);
+  light.range_m = uintBitsToFloat(b.w);
+  light.direction = uintBitsToFloat(c.xyz);
+  light.cos_inner = uintBitsToFloat(c.w);
+  light.cos_outer = uintBitsToFloat(d.x);
+  light.shadow_layer = d.y;
+  light.shadow_layers = d.z;
+  light.shadow_texel = uintBitsToFloat(d.w);
+  light.radius = uintBitsToFloat(e.x);
+  return light;
+}
+
+mat4 shadow_matrix(uint layer) {
+  const int first = lamps_of_head.shadow_matrices + 4 * int(layer);
+  return mat4(uintBitsToFloat(texelFetch(Lamps, first)), uintBitsToFloat(texelFetch(Lamps, first + 1)),
+              uintBitsToFloat(texelFetch(Lamps, first + 2)), uintBitsToFloat(texelFetch(Lamps, first + 3)));
+}
 
 struct Arriving {
   vec3 irradiance;  // on a surface that faces the light, unshadowed
@@ -81,7 +110,7 @@ MapLook look_into_map(LightIo light, vec3 p) {
   MapLook m;
   const uint layer = shadow_layer_of(light, p);
   m.layer = float(layer);
-  m.from_world = shadow_matrices[layer];
+  m.from_world = shadow_matrix(layer);
   m.clip = m.from_world * vec4(p, 1.0);
   m.uv = m.clip.xy / m.clip.w * 0.5 + 0.5;
   m.inside = m.clip.w > 0.0 && all(greaterThanEqual(m.uv, vec2(0.0))) && all(lessThanEqual(m.uv, vec2(1.0)));

@@ -40,7 +40,7 @@ float reflected_share(SkinView view, SkinSpecular spec, LightIo light, Arriving 
 LitSkin lit_skin(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular spec, bool enters, SkinView view) {
   LitSkin sum = LitSkin(vec3(0.0), vec3(0.0));
   for (uint i = nothing(); i < frame.light_count; ++i) {
-    const LightIo light = lights[i];
+    const LightIo light = light_at(i);
     const Arriving a = arriving_light(light, s.position_m);
     const float reflected = reflected_share(view, spec, light, a, n_geometric);
     const float tangent = light_tangent(light, a), cosine = light_cosine(dot(n, a.to_light), tangent);

@@ -5,8 +5,6 @@
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 #include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
-layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
-layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
 layout(binding = 22) uniform sampler2DArray shadow_depths;
 layout(binding = 7) uniform sampler2D directional_albedo;
 layout(binding = 8) uniform sampler2D map_base_colour;

@@ -24,7 +24,7 @@ LitThrough lit_through(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular sp
   for (int i = 0; i < through_terms; ++i) r.through[i] = vec3(0.0);
 
   for (uint k = nothing(); k < frame.light_count; ++k) {
-    const LightIo light = lights[k];
+    const LightIo light = light_at(k);
     const Arriving a = arriving_light(light, s.position_m);
     const float cosine_here = dot(n_geometric, a.to_light);
     const LightRead read = read_light(light, a, s.position_m, n_geometric, cosine_here);

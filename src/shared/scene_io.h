@@ -87,6 +87,13 @@ struct LightIo {
   uint shadow_layers;  // 0 = casts none, 1, or 6 for a point light inside the scene
   float shadow_texel;  // side of a shadow texel: m (directional) or m per m of distance
   float radius;        // of the light: m; directional: tangent of its angular radius
+  vec3 unused;         // whole texels
+};
+
+// Where the lights of a head lie among the texels of Lamps, 16 bytes each: LightIo[], and mat4[] for the
+// layers of the shadow maps, of which a head has those from its first on.
+struct LampsIo {
+  int lights, shadow_matrices;  // the texel of number 0
 };
 
 struct CameraIo {
@@ -118,6 +125,6 @@ static_assert(sizeof(dermis::io::VertexIo) == 12 * 4);
 static_assert(sizeof(dermis::io::VertexExtraIo) == 8 * 4);
 static_assert(sizeof(dermis::io::SkinVertexIo) == 8 * 4);
 static_assert(sizeof(dermis::io::MapIo) == 40);
-static_assert(sizeof(dermis::io::LightIo) == 68);
+static_assert(sizeof(dermis::io::LightIo) == 20 * 4);
 #endif
 #endif

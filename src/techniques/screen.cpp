@@ -231,7 +231,7 @@ void Screen::add_pre_integrated_skin(const std::vector<passes::MapSquare>& skin,
 void Screen::add_scattered(frame::TextureId blurred, const passes::ScreenSurface& surface) {
   plan_->add<passes::AddScattered>("add scattered",
                                    {blurred, surface.leaving, entries_.pixels, entries_.entries},
-                                   {.width = settings_.width, .height = settings_.height});
+                                   {.width = settings_.width});
 }
 
 bool Screen::take_clear() { return !std::exchange(cleared_, true); }

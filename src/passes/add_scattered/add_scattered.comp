@@ -18,9 +18,9 @@ void add(uint id, uint rank, vec3 light) {
 }
 
 void main() {
-  if (gl_GlobalInvocationID.x >= io.extent.x) return;
-  const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  const PixelIo pixel = pixels[gl_GlobalInvocationID.y * io.extent.x + gl_GlobalInvocationID.x];
+  if (gl_GlobalInvocationID.x >= io.size.x) return;
+  const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy);
+  const PixelIo pixel = pixels[uint(at.y) * io.width + uint(at.x)];
   const uint samples = pixel.rank_first >> RANK_BITS;
   if (samples == 0u) return;
 

@@ -16,15 +16,16 @@ AddScattered::Out AddScattered::declare(frame::Declare& d) {
   return {};
 }
 
-void AddScattered::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
+void AddScattered::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
       .add("Pixels", resources.buffer(in.pixels))
       .add("Entries", resources.buffer(in.entries))
       .add("blurred", resources.nearest(in.blurred))
       .add("leaving_skin", resources.nearest(in.leaving))
       .bind(cmd, pipeline());
-  dispatch(cmd, io::AddScatteredIo{.extent = {settings.width, settings.height}}, settings.width,
-           settings.height);
+  dispatch(cmd,
+           io::AddScatteredIo{.low = frame.heads.low, .size = frame.heads.size(), .width = settings.width},
+           frame.heads.size());
 }
 
 }  // namespace dermis::passes

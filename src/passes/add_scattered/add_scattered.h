@@ -11,7 +11,7 @@ namespace dermis::passes {
 class AddScattered : public ComputePass {
  public:
   struct Settings {
-    std::uint32_t width = 0, height = 0;  ///< of the picture, pixels
+    std::uint32_t width = 0;  ///< of the picture, pixels
   } settings;
   struct In {
     frame::TextureId blurred;         ///< as ScreenSurface::light

@@ -4,7 +4,8 @@
 #include "shared/entries_io.h"
 DERMIS_IO_BEGIN
 struct AddScatteredIo {
-  uvec2 extent;  // of the picture, pixels
+  uvec2 low, size;  // pixels that hold all heads
+  uint width;       // of the picture, pixels
 };
 DERMIS_IO_END
 #endif

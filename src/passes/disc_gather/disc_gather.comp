@@ -79,7 +79,7 @@ vec3 gathered(ivec2 at, vec3 middle, uint mesh) {
     if (ue) tap = tap_beyond(mesh, i, within[profiles[mesh].widest]);
     const vec2 pixels = tap.offset_mm * pixels_per_mm;
     const ivec2 p = at + ivec2(floor(pixels + 0.5));
-    if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, ivec2(io.extent)))) continue;
+    if (any(greaterThanEqual(uvec2(p) - io.low, io.size))) continue;
     if (head_of(imageLoad(surface_of_skin, p).x) != head) continue;
     // The point that was meant, not that of the pixel: near the middle many taps share a pixel, and narrow
     // Gaussians would weigh too much on tilted skin if these had no depth.
@@ -100,8 +100,8 @@ vec3 gathered(ivec2 at, vec3 middle, uint mesh) {
 }
 
 void main() {
-  const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.extent))) return;
+  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.size))) return;
+  const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy);
   const vec4 middle = imageLoad(light, at);
   if (middle.a == 0.0) {
     imageStore(target, at, vec4(0.0));

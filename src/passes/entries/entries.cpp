@@ -11,17 +11,23 @@
 namespace dermis::passes {
 namespace {
 
-io::EntryListIo list_io(const EntryBuffers& buffers) {
-  return {.extent = {buffers.width, buffers.height}, .parts = buffers.part_count};
+io::EntryListIo list_io(const EntryBuffers& buffers, const FrameData& frame) {
+  return {.low = frame.heads.low,
+          .size = frame.heads.size(),
+          .width = buffers.width,
+          .parts = buffers.part_count};
 }
 
 // How depth becomes a distance along the view, from the rows of the camera's matrix: clip.w is that distance
 // (or 1, if the camera is orthographic), and clip.z is linear in it.
-io::EntriesIo entries_io(const EntryBuffers& buffers, const io::CameraIo& camera) {
+io::EntriesIo entries_io(const EntryBuffers& buffers, const FrameData& frame) {
+  const io::CameraIo& camera = frame.camera;
   const glm::mat4 rows = glm::transpose(camera.clip_from_world);
   const glm::vec3 x(rows[0]), z(rows[2]), w(rows[3]);
   const float pixel = 2 / (static_cast<float>(buffers.width) * glm::length(x));  // metres per clip.w
-  io::EntriesIo io{.extent = {buffers.width, buffers.height},
+  io::EntriesIo io{.low = frame.heads.low,
+                   .size = frame.heads.size(),
+                   .width = buffers.width,
                    .offset = 0,
                    .factor = 0,
                    .orthographic = camera.orthographic,
@@ -68,7 +74,7 @@ void Entries::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
       .add("Parts", resources.buffer(in.buffers.parts));
   if (multisampled_) bindings.add("depths", resources.nearest(in.depth));
   bindings.bind(cmd, pipeline());
-  dispatch(cmd, entries_io(in.buffers, frame.camera), in.buffers.width, in.buffers.height);
+  dispatch(cmd, entries_io(in.buffers, frame), frame.heads.size());
 }
 
 PartRanges::Out PartRanges::declare(frame::Declare& d) {
@@ -78,12 +84,12 @@ PartRanges::Out PartRanges::declare(frame::Declare& d) {
   return {};
 }
 
-void PartRanges::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
+void PartRanges::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
       .add("Parts", resources.buffer(in.buffers.parts))
       .add("Entries", resources.buffer(in.buffers.entries))
       .bind(cmd, pipeline());
-  dispatch(cmd, list_io(in.buffers), 1, 1);
+  dispatch(cmd, list_io(in.buffers, frame), 1, 1);
 }
 
 EntryList::Out EntryList::declare(frame::Declare& d) {
@@ -93,12 +99,12 @@ EntryList::Out EntryList::declare(frame::Declare& d) {
   return {};
 }
 
-void EntryList::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
+void EntryList::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
       .add("Pixels", resources.buffer(in.buffers.pixels))
       .add("Entries", resources.buffer(in.buffers.entries))
       .bind(cmd, pipeline());
-  dispatch(cmd, list_io(in.buffers), in.buffers.width, in.buffers.height);
+  dispatch(cmd, list_io(in.buffers, frame), frame.heads.size());
 }
 
 ResolveEntries::Out ResolveEntries::declare(frame::Declare& d) {
@@ -117,14 +123,34 @@ ResolveEntries::Out ResolveEntries::declare(frame::Declare& d) {
   return out_;
 }
 
-void ResolveEntries::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
+void ResolveEntries::prepare(gpu::PipelineLibrary& library) {
+  ComputePass::prepare(library);
+  beside_ = &library.compute("beside_heads.comp", {});
+}
+
+void ResolveEntries::empty(gpu::Cmd& cmd, const gpu::StorageImageBinding& picture, glm::uvec2 low,
+                           glm::uvec2 high) const {
+  if (low.x == high.x || low.y == high.y) return;
+  Bindings().add("picture", picture).bind(cmd, *beside_);
+  cmd.push(*beside_, io::BesideHeadsIo{.low = low, .size = high - low});
+  cmd.dispatch_over(*beside_, high.x - low.x, high.y - low.y);
+}
+
+void ResolveEntries::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings bindings;
   bindings.add("Pixels", resources.buffer(in.buffers.pixels))
       .add("Entries", resources.buffer(in.buffers.entries))
       .add("picture", resources.storage(out_.picture));
   if (in.layer.valid()) bindings.add("layer", resources.nearest(in.layer));
   bindings.bind(cmd, pipeline());
-  dispatch(cmd, list_io(in.buffers), in.buffers.width, in.buffers.height);
+  dispatch(cmd, list_io(in.buffers, frame), frame.heads.size());
+
+  const glm::uvec2 low = frame.heads.low, high = frame.heads.high, end(in.buffers.width, in.buffers.height);
+  const gpu::StorageImageBinding picture = resources.storage(out_.picture);
+  empty(cmd, picture, {0, 0}, {end.x, low.y});
+  empty(cmd, picture, {0, low.y}, {low.x, high.y});
+  empty(cmd, picture, {high.x, low.y}, {end.x, high.y});
+  empty(cmd, picture, {0, high.y}, end);
 }
 
 }  // namespace dermis::passes

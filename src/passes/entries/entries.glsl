@@ -117,9 +117,9 @@ PixelEntries find_entries(ivec2 at) {
 uint rank_of(uint id) { return atomicAdd(parts[(id >> ID_TRIANGLE_BITS) - 1u].count, 1u); }
 
 void main() {
-  const uvec2 at = gl_GlobalInvocationID.xy;
-  if (any(greaterThanEqual(at, io.extent))) return;
-  const uint pixel = at.y * io.extent.x + at.x;
+  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.size))) return;
+  const uvec2 at = io.low + gl_GlobalInvocationID.xy;
+  const uint pixel = at.y * io.width + at.x;
 
   const PixelEntries e = find_entries(ivec2(at));
   const uint samples = e.samples_first | e.samples_second << 4;

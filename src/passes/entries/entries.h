@@ -64,7 +64,7 @@ class EntryList : public ComputePass {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
-/// Makes the picture from the shaded entries, and what lies over them.
+/// Makes the picture from the shaded entries, and what lies over them. Empty beside the heads.
 class ResolveEntries : public ComputePass {
  public:
   struct Settings {
@@ -79,10 +79,14 @@ class ResolveEntries : public ComputePass {
     frame::TextureId picture;  ///< RGBA16F, one sample; alpha: share of the pixel that is skin
   };
   Out declare(frame::Declare& d);
+  void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
+  void empty(gpu::Cmd& cmd, const gpu::StorageImageBinding& picture, glm::uvec2 low, glm::uvec2 high) const;
+
   Out out_;
+  const gpu::Pipeline* beside_ = nullptr;
 };
 
 }  // namespace dermis::passes

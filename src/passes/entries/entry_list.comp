@@ -14,8 +14,9 @@ void list(uint id, uint rank, uint pixel, uint samples) {
 }
 
 void main() {
-  const uint pixel = gl_GlobalInvocationID.y * io.extent.x + gl_GlobalInvocationID.x;
-  if (gl_GlobalInvocationID.x >= io.extent.x) return;
+  if (gl_GlobalInvocationID.x >= io.size.x) return;
+  const uvec2 at = io.low + gl_GlobalInvocationID.xy;
+  const uint pixel = at.y * io.width + at.x;
   const uint ranks = pixels[pixel].rank_first, samples = ranks >> RANK_BITS;
   if ((samples & 15u) != 0u) list(pixels[pixel].first, ranks & (1u << RANK_BITS) - 1u, pixel, samples & 15u);
   if (samples >> 4 != 0u) list(pixels[pixel].second, pixels[pixel].rank_second, pixel, samples >> 4);

@@ -22,9 +22,9 @@ vec4 light_of(uint id, uint rank) {
 }
 
 void main() {
-  const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  if (gl_GlobalInvocationID.x >= io.extent.x) return;
-  const PixelIo pixel = pixels[gl_GlobalInvocationID.y * io.extent.x + gl_GlobalInvocationID.x];
+  if (gl_GlobalInvocationID.x >= io.size.x) return;
+  const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy);
+  const PixelIo pixel = pixels[uint(at.y) * io.width + uint(at.x)];
   const uint samples = pixel.rank_first >> RANK_BITS;
   vec4 first = vec4(0.0), second = vec4(0.0);
   if ((samples & 15u) != 0u) first = light_of(pixel.first, pixel.rank_first & (1u << RANK_BITS) - 1u);

@@ -69,7 +69,7 @@ vec3 shadow_share(LightIo light, Arriving a, ShadingPoint s, Bent bent) {
 LitSkin lit_bent_skin(ShadingPoint s, Bent bent, SkinSpecular spec, SkinView view) {
   LitSkin sum = LitSkin(vec3(0.0), vec3(0.0));
   for (uint i = nothing(); i < frame.light_count; ++i) {
-    const LightIo light = lights[i];
+    const LightIo light = light_at(i);
     const Arriving a = arriving_light(light, s.position_m);
     const float reflected = reflected_share(view, spec, light, a, s.normal);
     const vec3 share = lit_share(bent, a.to_light, light_tangent(light, a));

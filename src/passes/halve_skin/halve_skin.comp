@@ -16,8 +16,8 @@ layout(binding = 7, rgba16f) uniform writeonly image2DArray halved_leaving;
 #include "passes/screen_surface.glsl"
 
 void main() {
-  const ivec2 at = ivec2(gl_GlobalInvocationID.xy), extent = ivec2(io.extent);
-  if (any(greaterThanEqual(2 * at, extent))) return;
+  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.size))) return;
+  const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy), extent = ivec2(io.extent);
 
   // What each pixel shows: head and mesh, 0 where there is no skin.
   ivec2 places[4];

@@ -17,7 +17,8 @@ HalveSkin::Out HalveSkin::declare(frame::Declare& d) {
       .depth_mm =
           d.create("halved depth", {.width = width, .height = height, .format = VK_FORMAT_R32_SFLOAT}),
       .surface = d.create("halved surface", {.width = width, .height = height, .format = VK_FORMAT_R32_UINT}),
-      .leaving = d.create("halved skin", leaving)};
+      .leaving = d.create("halved skin", leaving),
+      .halved = true};
   for (const frame::TextureId id :
        {in.surface.light, in.surface.depth_mm, in.surface.surface, in.surface.leaving})
     d.sample(id);
@@ -38,8 +39,8 @@ void HalveSkin::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
       .add("halved_surface", resources.storage(out_.surface.surface))
       .add("halved_leaving", resources.storage(out_.surface.leaving))
       .bind(cmd, pipeline());
-  const gpu::TextureDesc& desc = resources.texture(in.surface.light).desc();
-  dispatch(cmd, screen_io(desc, frame.camera), (desc.width + 1) / 2, (desc.height + 1) / 2);
+  const PixelArea area = area_of(out_.surface, frame);
+  dispatch(cmd, screen_io(resources.texture(in.surface.light).desc(), area, frame.camera), area.size());
 }
 
 }  // namespace dermis::passes

@@ -8,7 +8,7 @@ layout(binding = 25, scalar) buffer Counters { uint counters[]; };
 uint misses_at(vec3 position_m, vec3 n) {
   uint misses = 0u;
   for (uint k = nothing(); k < frame.light_count; ++k) {
-    const LightIo light = lights[k];
+    const LightIo light = light_at(k);
     const Arriving a = arriving_light(light, position_m);
     const float cosine_here = dot(n, a.to_light);
     const LightRead read = read_light(light, a, position_m, n, cosine_here);

@@ -22,8 +22,8 @@ layout(binding = 10) uniform sampler2DArray halved_leaving;
 #include "passes/screen_tangents.glsl"
 
 void main() {
-  const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.extent))) return;
+  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.size))) return;
+  const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy);
   const vec4 middle = texelFetch(light, at, 0);
   if (middle.a == 0.0) {
     imageStore(target, at, vec4(0.0));

@@ -22,6 +22,7 @@ layout(binding = 5, scalar) readonly buffer Steps { GaussianStepIo steps[]; };
 layout(binding = 6) uniform utextureBuffer Kernels;
 layout(binding = 7, rgba16f) uniform writeonly image2D target;
 layout(binding = 8, rgba16f) uniform image2D sum_of_light;
+#include "passes/screen_area.glsl"
 #include "passes/screen_surface.glsl"
 #include "passes/screen_tangents.glsl"
 
@@ -45,7 +46,7 @@ void load_kernel(float sigma) {
 int spacing(float sigma_pixels) { return max(1, int(ceil(sigma_pixels * 3.0 / float(radius) - 1e-4))); }
 
 vec3 light_at(Middle m, ivec2 p) {
-  p = clamp(p, ivec2(0), ivec2(io.extent) - 1);
+  p = in_area(p);
   if (head_of(imageLoad(surface_of_skin, p).x) != m.head) return m.light;
   const float off_mm = imageLoad(depth_of_skin, p).r - plane_depth_mm(m.tangents, m.depth_mm, vec2(p - m.at));
   const float off = clamp(abs(off_mm) * m.tangents.cosine / m.reach_mm, 0.0, 1.0);
@@ -94,8 +95,7 @@ vec3 blurred(Middle m, float sigma_mm) {
 
 // Returns the light between four pixels, of those that are skin; `none` where hardly one is.
 vec3 any_light(vec2 pixels, vec3 none) {
-  const vec4 found =
-      textureLod(light, clamp(pixels, vec2(0.5), vec2(io.extent) - 0.5) / vec2(io.extent), 0.0);
+  const vec4 found = textureLod(light, in_area(pixels) / vec2(io.extent), 0.0);
   return found.a < 1e-4 ? none : found.rgb / found.a;
 }
 
@@ -123,8 +123,8 @@ vec3 blurred_as_published(Middle m, float sigma_mm, float mm_per_unit) {
 }
 
 void main() {
-  const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.extent))) return;
+  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.size))) return;
+  const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy);
   const vec4 middle = texelFetch(light, at, 0);
   if (middle.a == 0.0) {
     imageStore(target, at, vec4(0.0));

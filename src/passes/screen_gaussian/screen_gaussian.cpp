@@ -54,8 +54,8 @@ void ScreenGaussian::record(gpu::Cmd& cmd, const frame::Resources& resources, co
       .add("target", resources.storage(in.target))
       .add("sum_of_light", resources.storage(in.sum))
       .bind(cmd, pipeline());
-  const gpu::TextureDesc& desc = resources.texture(in.target).desc();
-  dispatch(cmd, screen_io(desc, frame.camera), desc.width, desc.height);
+  const PixelArea area = area_of(in.surface, frame);
+  dispatch(cmd, screen_io(resources.texture(in.target).desc(), area, frame.camera), area.size());
 }
 
 }  // namespace dermis::passes

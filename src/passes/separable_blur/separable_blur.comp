@@ -18,6 +18,7 @@ layout(binding = 4) uniform sampler2DArray leaving_skin;
 layout(binding = 5, scalar) readonly buffer Kernels { LineKernelIo kernels[]; };
 layout(binding = 6, scalar) readonly buffer Taps { LineTapIo taps[]; };
 layout(binding = 7, rgba16f) uniform writeonly image2D target;
+#include "passes/screen_area.glsl"
 #include "passes/screen_surface.glsl"
 #include "passes/screen_tangents.glsl"
 
@@ -46,7 +47,7 @@ vec3 blurred_as_published(ivec2 at, vec3 middle, float depth_mm, uint first, flo
   vec3 sum = taps[first].weight * middle;
   for (int i = 1; i < tap_count; ++i) {
     const LineTapIo tap = taps[first + uint(i)];
-    const vec2 p = clamp(vec2(at) + 0.5 + tap.offset * step, vec2(0.5), vec2(io.extent) - 0.5);
+    const vec2 p = in_area(vec2(at) + 0.5 + tap.offset * step);
     const float there_mm = imageLoad(depth_of_skin, ivec2(p)).r;
     // Where nothing is theirs is far away.
     const float off = there_mm > 0.0 ? clamp(follow * abs(depth_mm - there_mm), 0.0, 1.0) : 1.0;
@@ -69,7 +70,7 @@ vec3 blurred_on_surface(ivec2 at, vec3 middle, float depth_mm, uint first, LineK
   vec3 sum = taps[first].weight * middle;
   for (int i = 1; i < tap_count; ++i) {
     const LineTapIo tap = taps[first + uint(i)];
-    const vec2 p = clamp(vec2(at) + 0.5 + tap.offset * step, vec2(0.5), vec2(io.extent) - 0.5);
+    const vec2 p = in_area(vec2(at) + 0.5 + tap.offset * step);
     const ivec2 nearest = ivec2(p);
     const bool same = head_of(texelFetch(surface_of_skin, nearest, 0).x) == head_of(surface);
     const vec3 there = only_of(head_of(surface), p) ? light_at(p, middle) : texelFetch(light, nearest, 0).rgb;
@@ -83,8 +84,8 @@ vec3 blurred_on_surface(ivec2 at, vec3 middle, float depth_mm, uint first, LineK
 }
 
 void main() {
-  const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.extent))) return;
+  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.size))) return;
+  const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy);
   const vec4 middle = texelFetch(light, at, 0);
   if (middle.a == 0.0) {
     imageStore(target, at, vec4(0.0));

@@ -7,8 +7,6 @@
 #include "shaders/half.glsl"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 #include "shaders/frame.glsl"
-layout(binding = 4, scalar) readonly buffer Lights { LightIo lights[]; };
-layout(binding = 5, scalar) readonly buffer ShadowMatrices { mat4 shadow_matrices[]; };
 layout(binding = 22) uniform sampler2DArray shadow_depths;
 layout(binding = 8) uniform sampler2D map_base_colour;
 layout(binding = 9) uniform sampler2D map_normal;
@@ -108,7 +106,7 @@ void main() {
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   vec3 radiance = vec3(0.0);
   for (uint i = nothing(); i < frame.light_count; ++i) {
-    const LightIo light = lights[i];
+    const LightIo light = light_at(i);
     const Arriving a = arriving_light(light, s.position_m);
     const float tangent = light_tangent(light, a), cosine = light_cosine(dot(n, a.to_light), tangent);
     if (cosine <= 0.0) continue;

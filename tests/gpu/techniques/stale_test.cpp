@@ -89,6 +89,21 @@ TEST_P(Stale, TexelsShowInNoPicture) {
   }
 }
 
+// Pixels beside the heads, which nothing writes but light that was cleared: of every blur of the picture.
+TEST(StaleTexels, ShowBesideNoHead) {
+  const Scene whole = wrap(plane_and_ball());
+  for (const std::string technique : {"screen-gaussians", "separable", "burley-disc"})
+    for (const BlurResolution resolution : {BlurResolution::full, BlurResolution::half})
+      for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published}) {
+        SCOPED_TRACE(technique + " " + std::string(name_of(resolution)) + " " + std::string(name_of(kernel)));
+        RenderSettings s = stale_settings(technique);
+        s.quality.blur_resolution = resolution;
+        s.quality.kernel = kernel;
+        s.camera.distance = 9;
+        expect_same(renderer().render(whole, s), poisoned_renderer().render(whole, s));
+      }
+}
+
 // Every set of optimisations, and every way to leave texels out.
 TEST(StaleTexels, ShowWhateverIsLeftOut) {
   const Scene whole = wrap(plane_and_ball()), holes = wrap(with_holes());

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+/// A rectangle of pixels, beside which there is nothing to compute.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace dermis::passes {
+
+/// Pixels from `low` to before `high`; none if these are equal.
+struct PixelArea {
+  glm::uvec2 low{0}, high{0};
+  glm::uvec2 size() const { return high - low; }
+};
+
+/// Returns the same in a picture of half the width and height.
+inline PixelArea halved(const PixelArea& area) { return {area.low / 2u, (area.high + 1u) / 2u}; }
+
+}  // namespace dermis::passes
