@@ -73,7 +73,8 @@ TEST(PixelArea, HoldsAllThatACameraSees) {
     const io::CameraIo io = frame_camera(camera, 1.5);
     for (const bool corners : {true, false}) {
       const std::vector<glm::vec3> none;
-      expect_holds_all(area_of({built_in().sphere, corners ? built_in().corners_m : none, nullptr}, io, size), io);
+      expect_holds_all(area_of({built_in().sphere, corners ? built_in().corners_m : none, nullptr}, io, size),
+                       io);
     }
   }
 }
