@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <span>
 
 namespace dermis::setup {
 namespace {
@@ -25,12 +26,12 @@ double density_across(const RenderSettings& s, const scene::Camera& camera) {
   return camera.aspect ? std::max(1.0, picture_aspect / double{*camera.aspect}) : 1;
 }
 
-std::vector<glm::vec3> corners_of(const passes::ShadowBounds& bounds) {
-  if (!bounds.corners_m.empty()) return {bounds.corners_m.begin(), bounds.corners_m.end()};
-  std::vector<glm::vec3> corners_m;
-  for (int i = 0; i < 8; ++i) {
+// The corners of the cube around a sphere.
+std::array<glm::vec3, 8> cube_around(const scene::BoundingSphere& sphere) {
+  std::array<glm::vec3, 8> corners_m;
+  for (unsigned i = 0; i < corners_m.size(); ++i) {
     const glm::vec3 side(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    corners_m.push_back(bounds.sphere.centre_m + bounds.sphere.radius_m * side);
+    corners_m[i] = sphere.centre_m + sphere.radius_m * side;
   }
   return corners_m;
 }
@@ -136,8 +137,11 @@ bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pos
 passes::PixelArea area_of(const passes::ShadowBounds& bounds, const io::CameraIo& camera,
                           const glm::uvec2& size) {
   const passes::PixelArea all{glm::uvec2(0), size};
+  const std::array<glm::vec3, 8> cube_m = cube_around(bounds.sphere);
+  const std::span<const glm::vec3> corners_m = bounds.corners_m.empty() ? cube_m : bounds.corners_m;
+
   glm::vec2 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
-  for (const glm::vec3& corner_m : corners_of(bounds)) {
+  for (const glm::vec3& corner_m : corners_m) {
     const glm::vec4 clip = camera.clip_from_world * glm::vec4(corner_m, 1);
     if (!(clip.w > 0)) return all;  // beside or behind the eye
     const glm::vec2 pixel = (0.5f + 0.5f * glm::vec2(clip.x, -clip.y) / clip.w) * glm::vec2(size);

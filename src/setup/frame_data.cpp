@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "setup/frame_data.h"
 
+#include <cstdint>
 #include <span>
 #include <utility>
 
@@ -19,18 +20,15 @@ io::InstanceIo instance_io(const Pose& pose) {
 
 namespace {
 
-int first_texel(const gpu::BufferBinding& array) {
-  return static_cast<int>(array.offset / gpu::texel_bytes(gpu::texel_format));
-}
+int texels(std::uint64_t bytes) { return static_cast<int>(bytes / gpu::texel_bytes(gpu::texel_format)); }
 
 // Layers of the map that heads share number the matrices, too.
 gpu::BufferBinding add_lamps(gpu::FrameMemory& memory, const HeadSetup& head) {
-  constexpr int matrix_texels = sizeof(glm::mat4) / (4 * sizeof(float));
   const int first_layer = static_cast<int>(head.first_shadow_layer);
-  const io::LampsIo io{
-      .lights = first_texel(memory.add(std::span<const io::LightIo>(head.lights))),
-      .shadow_matrices = first_texel(memory.add(std::span<const glm::mat4>(head.shadow_from_world))) -
-                         matrix_texels * first_layer};
+  const gpu::BufferBinding lights = memory.add(std::span<const io::LightIo>(head.lights)),
+                           matrices = memory.add(std::span<const glm::mat4>(head.shadow_from_world));
+  const io::LampsIo io{.lights = texels(lights.offset),
+                       .shadow_matrices = texels(matrices.offset) - first_layer * texels(sizeof(glm::mat4))};
   return memory.add(std::span<const io::LampsIo>(&io, 1));
 }
 
@@ -65,7 +63,7 @@ passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
   if (environment && environment->picture) data.environment_picture = &environment->picture;
 
   for (const HeadSetup& head : setup.heads) {
-    if (head.visible && head.drawn) data.heads = joined(data.heads, head.area);
+    data.heads = joined(data.heads, head.area);
     passes::Instance instance = instance_of(memory, head);
     const InstanceOnDevice& on_device = instances[head.instance];
     instance.scene = on_device.scene;

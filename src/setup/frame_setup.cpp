@@ -96,7 +96,8 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
     head.map_side = map_side(subject, s, camera, placed.pose, posed);
     head.visible = scene.instances[placed.instance].visible &&
                    (!skip || in_view(subject, frame_camera, placed.pose, posed));
-    head.area = area_of(casters.bounds(), frame_camera, glm::uvec2(s.output.width, s.output.height));
+    if (head.visible && !host)
+      head.area = area_of(casters.bounds(), frame_camera, glm::uvec2(s.output.width, s.output.height));
     heads.push_back(std::move(head));
   }
   return heads;
