@@ -266,8 +266,8 @@ class Run {
   }
 
   static bool same_switches(const QualitySettings& a, const QualitySettings& b) {
-    const auto switches = [](const QualitySettings& q) {
-      return std::tie(q.cull, q.depth, q.clip, q.maps, q.blur, q.shading);
+    const auto switches = [](const QualitySettings& q) {  // shading: none is compute
+      return std::tuple(q.cull, q.depth, q.clip, q.maps, q.blur, q.shading.value_or(Shading::compute));
     };
     return switches(a) == switches(b);
   }

@@ -97,7 +97,7 @@ enum class LightMaps : std::uint8_t {
 /// Where skin is shaded.
 enum class Shading : std::uint8_t {
   raster,  ///< where its triangles are drawn, per pixel and triangle
-  compute  ///< after all are drawn as ids: once per pixel and surface that it shows, at most two
+  compute  ///< after all are drawn as ids: once per pixel and surface that it shows
 };
 
 /// How the Gaussians of a profile spread light over the light maps.
@@ -143,8 +143,9 @@ struct QualitySettings {
 
   std::optional<BlurMask> mask{};  ///< none: fastest on the kind of device
   LightMaps maps = LightMaps::full;
-  /// The targets of a host are always drawn into, and so is what ids cannot tell apart (docs/techniques.md).
-  Shading shading = Shading::raster;
+  /// none: fastest on the kind of device. The targets of a host are always drawn into, and so is what ids
+  /// cannot tell apart (docs/techniques.md).
+  std::optional<Shading> shading{};
   BlurOrder blur = BlurOrder::chain;
   IrradianceBy irradiance = IrradianceBy::raster;
   ScreenKernel kernel = ScreenKernel::profile;            ///< of techniques in screen space

@@ -19,7 +19,7 @@ inline gpu::BufferBinding first_corners(const Instance& instance, std::size_t nu
 /// Offers an instance, its skin mesh `number` and a material.
 inline void offer_skin(Bindings& bindings, const Instance& instance, std::size_t number,
                        const GpuMaterial& material) {
-  bindings.add("Instance", instance.transform);
+  bindings.add("Head", instance.io);
   offer_mesh(instance, number, bindings);
   material.offer(bindings);
 }

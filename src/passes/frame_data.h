@@ -79,11 +79,10 @@ struct Instance {
   const GpuScene* scene = nullptr;  ///< shared by all instances of the asset
   const GpuLook* look = nullptr;    ///< its materials
   std::span<const SkyMaps> sky;     ///< one per skin mesh of the asset; only with an environment
-  gpu::BufferBinding transform;     ///< InstanceIo
+  gpu::BufferBinding io;            ///< HeadIo
   glm::mat4x3 world_from_asset{1};
   glm::vec3 middle_m{0};                     ///< of its skin, in the world
   std::uint32_t first_mesh = 0;              ///< of its skin, among the skin meshes of the plan
-  gpu::BufferBinding lamps;                  ///< LampsIo
   std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
   /// Images of a host for these layers, null where dermis draws them; empty: it draws all.

@@ -17,7 +17,7 @@ class LightingSamplers {
 
   void offer(Bindings& bindings, const FrameData& frame, const Instance& instance,
              const gpu::Texture& shadow) const {
-    bindings.add("LampsOfHead", instance.lamps)
+    bindings.add("Head", instance.io)
         .add("Lamps", frame.lamps)
         .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
         .add("directional_albedo", gpu::SampledBinding{&instance.scene->directional_albedo, table_})

@@ -4,12 +4,15 @@
 
 #include <glm/glm.hpp>
 
+#include "passes/pixel_area_io.h"
+
 namespace dermis::passes {
 
 /// Pixels from `low` to before `high`; none if these are equal.
 struct PixelArea {
   glm::uvec2 low{0}, high{0};
   glm::uvec2 size() const { return high - low; }
+  io::PixelAreaIo io() const { return {.low = low, .size = size()}; }
 };
 
 /// Returns the same in a picture of half the width and height.

@@ -10,9 +10,10 @@ gpu::TextureDesc screen_light(std::uint32_t width, std::uint32_t height) {
   return {.width = width, .height = height, .format = light_format};
 }
 
-ScreenSurface make_screen_surface(FramePlan& plan, std::uint32_t width, std::uint32_t height) {
+ScreenSurface make_screen_surface(FramePlan& plan, std::uint32_t width, std::uint32_t height,
+                                  std::uint32_t samples) {
   gpu::TextureDesc leaving = screen_light(width, height);
-  leaving.layers = 2;
+  leaving.layers = samples;
   leaving.array = true;
   const ScreenSurface made{
       .light = plan.texture("light of skin", screen_light(width, height)),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// What techniques in screen space blur, and what they know of the surface: one value per pixel, of the entry
-/// of a pixel that most of its samples show (passes/entries). Light of a second surface in a pixel, beside a
-/// silhouette, is not blurred; it takes the blurred light of its pixel, if that is of the same head.
+/// of a pixel that most of its samples show (passes/entries). Light of other surfaces in a pixel, beside a
+/// silhouette, is not blurred; they take the blurred light of their pixel, if that is of the same head.
 #pragma once
 
 #include "gpu/resources.h"
@@ -16,14 +16,15 @@ struct ScreenSurface {
   frame::TextureId light;
   frame::TextureId depth_mm;  ///< R32F: distance along the view, mm of the asset; 0 where there is no skin
   frame::TextureId surface;   ///< R32_UINT: head and normal, see screen_surface_io.h
-  /// RGBA16F, a layer for the first entry of a pixel and one for the second: what blurred light is multiplied
-  /// by where it leaves; alpha of the first: the skin mesh of the plan, less SURFACE_MESH_MIDDLE
+  /// RGBA16F, a layer for each entry of a pixel: what blurred light is multiplied by where it leaves; alpha
+  /// of the first: the skin mesh of the plan, less SURFACE_MESH_MIDDLE
   frame::TextureId leaving;
   bool halved = false;  ///< of half the width and height of the picture
 };
 
-/// Makes them for a picture of this size, and clears them.
-ScreenSurface make_screen_surface(FramePlan& plan, std::uint32_t width, std::uint32_t height);
+/// Makes them for a picture of this size with so many samples, and clears them.
+ScreenSurface make_screen_surface(FramePlan& plan, std::uint32_t width, std::uint32_t height,
+                                  std::uint32_t samples);
 
 /// Returns the texture that blurred light is written to: as `light`.
 gpu::TextureDesc screen_light(std::uint32_t width, std::uint32_t height);

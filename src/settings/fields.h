@@ -244,6 +244,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
         "shading",
         &QualitySettings::shading,
         {.help = "raster: skin is shaded where its triangles are drawn; compute: once per pixel and surface",
+         .none = "fastest on this kind of device",
          .option = "shading",
          .rebuilds = true,
          .real_time = true}},

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gpu/formats.h"
+#include "shared/head_io.h"
 #include "techniques/mapped_terms.h"
 
 namespace dermis::setup {
@@ -23,13 +24,12 @@ namespace {
 int texels(std::uint64_t bytes) { return static_cast<int>(bytes / gpu::texel_bytes(gpu::texel_format)); }
 
 // Layers of the map that heads share number the matrices, too.
-gpu::BufferBinding add_lamps(gpu::FrameMemory& memory, const HeadSetup& head) {
+io::LampsIo add_lamps(gpu::FrameMemory& memory, const HeadSetup& head) {
   const int first_layer = static_cast<int>(head.first_shadow_layer);
   const gpu::BufferBinding lights = memory.add(std::span<const io::LightIo>(head.lights)),
                            matrices = memory.add(std::span<const glm::mat4>(head.shadow_from_world));
-  const io::LampsIo io{.lights = texels(lights.offset),
-                       .shadow_matrices = texels(matrices.offset) - first_layer * texels(sizeof(glm::mat4))};
-  return memory.add(std::span<const io::LampsIo>(&io, 1));
+  return {.lights = texels(lights.offset),
+          .shadow_matrices = texels(matrices.offset) - first_layer * texels(sizeof(glm::mat4))};
 }
 
 passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
@@ -37,12 +37,11 @@ passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
   instance.number = static_cast<std::uint32_t>(head.number);
   instance.world_from_asset = head.pose.matrix();
   instance.middle_m = head.middle_m;
-  const io::InstanceIo io = instance_io(head.pose);
-  instance.transform = memory.add(std::span<const io::InstanceIo>(&io, 1));
+  const io::HeadIo io{.instance = instance_io(head.pose), .lamps = add_lamps(memory, head)};
+  instance.io = memory.add(std::span<const io::HeadIo>(&io, 1));
   instance.map_side = static_cast<std::uint32_t>(head.map_side);
   instance.visible = head.visible;
   instance.drawn = head.drawn;
-  instance.lamps = add_lamps(memory, head);
   instance.first_shadow_layer = head.first_shadow_layer;
   instance.shadow_from_world = head.shadow_from_world;
   instance.host_shadows = head.host_shadows;

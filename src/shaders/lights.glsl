@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Light that arrives at a point, with its shadow. Needs sampler2DArray `shadow_depths` without comparison.
 #extension GL_EXT_samplerless_texture_functions : require
-layout(binding = 4, scalar) uniform LampsOfHead { LampsIo lamps_of_head; };
+#include "shaders/head.glsl"
 layout(binding = 5) uniform utextureBuffer Lamps;  // of all heads, see LampsIo
 
 LightIo light_at(uint number) {
-  const int first = lamps_of_head.lights + 5 * int(number);
+  const int first = of_head.lamps.lights + 5 * int(number);
   const uvec4 a = texelFetch(Lamps, first), b = texelFetch(Lamps, first + 1),
               c = texelFetch(Lamps, first + 2), d = texelFetch(Lamps, first + 3),
               e = texelFetch(Lamps, first + 4);
@@ -26,7 +26,7 @@ LightIo light_at(uint number) {
 }
 
 mat4 shadow_matrix(uint layer) {
-  const int first = lamps_of_head.shadow_matrices + 4 * int(layer);
+  const int first = of_head.lamps.shadow_matrices + 4 * int(layer);
   return mat4(uintBitsToFloat(texelFetch(Lamps, first)), uintBitsToFloat(texelFetch(Lamps, first + 1)),
               uintBitsToFloat(texelFetch(Lamps, first + 2)), uintBitsToFloat(texelFetch(Lamps, first + 3)));
 }

@@ -163,7 +163,7 @@ void Screen::add_skin(const std::vector<SkinOnScreen>& skin,
     const passes::SkinLights lights{maps, shadow_, entering_};
 
     if (shaded())
-      computed.members.push_back({{lights, entries_.parts, entries_.entries},
+      computed.members.push_back({{lights, entries_},
                                   {.look = look,
                                    .first_part = first_part(look.square),
                                    .extent = {settings_.width, settings_.height},
@@ -193,7 +193,7 @@ void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
     const auto& [r, g, b] = blurred[square.mesh];
     const passes::SkinLights lights{{}, shadow_, entering_};
     split.members.push_back(
-        {{lights, entries_.parts, entries_.entries, entries_.pixels, surface},
+        {{lights, entries_, surface},
          {.look = whole_look_of(square),
           .blurred = {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)},
           .mm_per_unit = settings_.skin[square.mesh].mm_per_unit,
@@ -223,15 +223,13 @@ void Screen::add_pre_integrated_skin(const std::vector<passes::MapSquare>& skin,
                                                   .samples = settings_.samples};
     for (std::size_t c = 0; c < 3; ++c) settings.scattered[c] = static_cast<float>(1 - part.unscattered[c]);
     const passes::SkinLights lights{{}, shadow_, entering_};
-    shade.members.push_back({{lights, entries_.parts, entries_.entries, curvatures[square.mesh]}, settings});
+    shade.members.push_back({{lights, entries_, curvatures[square.mesh]}, settings});
   }
   plan_->add<Together<passes::ShadePreIntegrated>>(name, shade);
 }
 
 void Screen::add_scattered(frame::TextureId blurred, const passes::ScreenSurface& surface) {
-  plan_->add<passes::AddScattered>("add scattered",
-                                   {blurred, surface.leaving, entries_.pixels, entries_.entries},
-                                   {.width = settings_.width});
+  plan_->add<passes::AddScattered>("add scattered", {blurred, surface.leaving, entries_});
 }
 
 bool Screen::take_clear() { return !std::exchange(cleared_, true); }

@@ -72,7 +72,7 @@ class Screen {
   // Returns the target that skin, or a layer over it, is drawn into, and makes it at the first call.
   frame::TextureId colour();
   gpu::TextureDesc target(VkFormat format) const;
-  bool shaded() const { return entries_.pixels.valid(); }  // add_entries() has been called
+  bool shaded() const { return entries_.entries.valid(); }  // add_entries() has been called
   std::uint32_t first_part(const passes::MapSquare& square) const;
   // Fills in what the scene and the skin mesh decide.
   passes::SkinLook look_of(passes::SkinLook asked) const;

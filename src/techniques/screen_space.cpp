@@ -43,7 +43,7 @@ FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings&
   screen.add_entries();
 
   passes::ScreenSurface surface;
-  if (s.has_skin()) surface = passes::make_screen_surface(plan, s.width, s.height);
+  if (s.has_skin()) surface = passes::make_screen_surface(plan, s.width, s.height, s.samples);
   std::vector<gaussians::Rgb> blurred;
   for (const SkinPart& part : s.skin) blurred.push_back(blur.blurred(s, part));
 

@@ -1,33 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Adds to each entry of a pixel the light that was blurred there, times what of it leaves.
 #version 460
-#include "passes/add_scattered/add_scattered_io.h"
+#include "passes/shaded_entry.glsl"
+#include "passes/pixel_area_io.h"
 #include "shaders/half.glsl"
 layout(local_size_x = 64) in;
-layout(push_constant, scalar) uniform Push { AddScatteredIo io; };
-layout(binding = 0, scalar) readonly buffer Pixels { PixelIo pixels[]; };
-layout(binding = 1, scalar) buffer Entries { EntryIo entries[]; };
+layout(push_constant, scalar) uniform Push { PixelAreaIo io; };
+layout(binding = 0, r32ui) uniform readonly uimage2D samples_of_pixels;
+layout(binding = 1, rg32ui) uniform uimage2DArray entries_of_pixels;
 layout(binding = 2) uniform sampler2D blurred;
 layout(binding = 3) uniform sampler2DArray leaving_skin;
-
-void add(uint id, uint rank, vec3 light) {
-  const uint place = entries[(id >> ID_TRIANGLE_BITS) - 1u].x + rank;
-  const EntryIo entry = entries[place];
-  const vec3 sum = storable(vec3(unpackHalf2x16(entry.x), unpackHalf2x16(entry.y).x) + light);
-  entries[place] = EntryIo(packHalf2x16(sum.xy), packHalf2x16(vec2(sum.z, 0.0)));
-}
 
 void main() {
   if (gl_GlobalInvocationID.x >= io.size.x) return;
   const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy);
-  const PixelIo pixel = pixels[uint(at.y) * io.width + uint(at.x)];
-  const uint samples = pixel.rank_first >> RANK_BITS;
+  const uint samples = imageLoad(samples_of_pixels, at).x & (1u << SAMPLES_BITS) - 1u;
   if (samples == 0u) return;
 
   const vec3 light = texelFetch(blurred, at, 0).rgb;
-  if ((samples & 15u) != 0u)
-    add(pixel.first, pixel.rank_first & (1u << RANK_BITS) - 1u,
-        light * texelFetch(leaving_skin, ivec3(at, 0), 0).rgb);
-  if (samples >> 4 != 0u)
-    add(pixel.second, pixel.rank_second, light * texelFetch(leaving_skin, ivec3(at, 1), 0).rgb);
+  int e = 0;
+  for (uint left = samples; left != 0u; left >>= 4, ++e) {
+    const ivec3 place = ivec3(at, e);
+    const vec3 rest = radiance_of(imageLoad(entries_of_pixels, place).xy);
+    imageStore(entries_of_pixels, place,
+               entry_of(storable(rest + light * texelFetch(leaving_skin, place, 0).rgb)));
+  }
 }

@@ -4,19 +4,18 @@
 #pragma once
 
 #include "passes/compute_pass.h"
-#include "passes/frame_data.h"
+#include "passes/entry_buffers.h"
 
 namespace dermis::passes {
 
 class AddScattered : public ComputePass {
  public:
   struct Settings {
-    std::uint32_t width = 0;  ///< of the picture, pixels
   } settings;
   struct In {
-    frame::TextureId blurred;         ///< as ScreenSurface::light
-    frame::TextureId leaving;         ///< of ScreenSurface
-    frame::BufferId pixels, entries;  ///< of passes/entries
+    frame::TextureId blurred;  ///< as ScreenSurface::light
+    frame::TextureId leaving;  ///< of ScreenSurface
+    EntryBuffers entries;      ///< shaded
   } in;
   struct Out {};
   Out declare(frame::Declare& d);

@@ -29,7 +29,7 @@ void CullTriangles::record(gpu::Cmd& cmd, const frame::Resources& resources, con
     const GpuMesh& mesh = instance.scene->skin[number];
     Bindings bindings;
     bindings.add("Frame", frame.frame_io)
-        .add("Instance", instance.transform)
+        .add("Head", instance.io)
         .add("Kept", kept_in(in.kept, resources, square));
     offer_mesh(instance, number, bindings);
     bindings.bind(cmd, pipeline());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Empties pixels of the picture that no head covers.
 #version 460
-#include "passes/entries/entries_io.h"
+#include "passes/pixel_area_io.h"
 layout(local_size_x = 64) in;
-layout(push_constant, scalar) uniform Push { BesideHeadsIo io; };
+layout(push_constant, scalar) uniform Push { PixelAreaIo io; };
 layout(binding = 0, rgba16f) uniform writeonly image2D picture;
 
 void main() {

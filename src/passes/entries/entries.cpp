@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "passes/entries/entries.h"
 
-#include <algorithm>
-
 #include "frame/resources.h"
-#include "passes/bindings.h"
 #include "passes/entries/entries_io.h"
 #include "passes/targets.h"
 
 namespace dermis::passes {
 namespace {
-
-io::EntryListIo list_io(const EntryBuffers& buffers, const FrameData& frame) {
-  return {.low = frame.heads.low,
-          .size = frame.heads.size(),
-          .width = buffers.width,
-          .parts = buffers.part_count};
-}
 
 // How depth becomes a distance along the view, from the rows of the camera's matrix: clip.w is that distance
 // (or 1, if the camera is orthographic), and clip.z is linear in it.
@@ -25,9 +15,7 @@ io::EntriesIo entries_io(const EntryBuffers& buffers, const FrameData& frame) {
   const glm::mat4 rows = glm::transpose(camera.clip_from_world);
   const glm::vec3 x(rows[0]), z(rows[2]), w(rows[3]);
   const float pixel = 2 / (static_cast<float>(buffers.width) * glm::length(x));  // metres per clip.w
-  io::EntriesIo io{.low = frame.heads.low,
-                   .size = frame.heads.size(),
-                   .width = buffers.width,
+  io::EntriesIo io{.area = frame.heads.io(),
                    .offset = 0,
                    .factor = 0,
                    .orthographic = camera.orthographic,
@@ -44,25 +32,13 @@ io::EntriesIo entries_io(const EntryBuffers& buffers, const FrameData& frame) {
 
 }  // namespace
 
-EntryBuffers make_entry_buffers(FramePlan& plan, std::uint32_t parts, const gpu::TextureDesc& picture) {
-  const std::uint64_t pixels = std::uint64_t{picture.width} * picture.height;
-  DERMIS_ASSERT_LE(pixels, std::uint64_t{MOST_SHADED_PIXELS});
-  DERMIS_ASSERT_LE(parts, std::uint32_t{MOST_PARTS});
-  const std::uint64_t most_entries = std::min(picture.samples, 2u) * pixels;
-  return {.pixels = plan.buffer("entries of pixels", {.bytes = pixels * sizeof(io::PixelIo)}),
-          .parts = plan.buffer("parts", {.bytes = parts * sizeof(io::PartIo)}),
-          .entries = plan.buffer("entries", {.bytes = (parts + most_entries) * sizeof(io::EntryIo)}),
-          .part_count = parts,
-          .width = picture.width,
-          .height = picture.height};
-}
-
 Entries::Out Entries::declare(frame::Declare& d) {
   multisampled_ = d.desc(in.ids).samples > 1;
   compute(d, multisampled_ ? "entries.comp" : "entries_single.comp");
   d.sample(in.ids);
   if (multisampled_) d.sample(in.depth);
-  d.write(in.buffers.pixels);
+  d.write(in.buffers.samples);
+  d.write(in.buffers.entries);
   d.write(in.buffers.parts);
   return {};
 }
@@ -70,7 +46,8 @@ Entries::Out Entries::declare(frame::Declare& d) {
 void Entries::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings bindings;
   bindings.add("ids", resources.nearest(in.ids))
-      .add("Pixels", resources.buffer(in.buffers.pixels))
+      .add("samples_of_pixels", resources.storage(in.buffers.samples))
+      .add("entries_of_pixels", resources.storage(in.buffers.entries))
       .add("Parts", resources.buffer(in.buffers.parts));
   if (multisampled_) bindings.add("depths", resources.nearest(in.depth));
   bindings.bind(cmd, pipeline());
@@ -80,31 +57,33 @@ void Entries::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
 PartRanges::Out PartRanges::declare(frame::Declare& d) {
   compute(d, "part_ranges.comp");
   d.write(in.buffers.parts);
-  d.write(in.buffers.entries);
+  d.write(in.buffers.list);
   return {};
 }
 
-void PartRanges::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+void PartRanges::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
   Bindings()
       .add("Parts", resources.buffer(in.buffers.parts))
-      .add("Entries", resources.buffer(in.buffers.entries))
+      .add("List", resources.buffer(in.buffers.list))
       .bind(cmd, pipeline());
-  dispatch(cmd, list_io(in.buffers, frame), 1, 1);
+  dispatch(cmd, io::PartRangesIo{in.buffers.part_count}, 1, 1);
 }
 
 EntryList::Out EntryList::declare(frame::Declare& d) {
   compute(d, "entry_list.comp");
-  d.read(in.buffers.pixels);
-  d.write(in.buffers.entries);
+  d.read(in.buffers.samples);
+  d.read(in.buffers.entries);
+  d.write(in.buffers.list);
   return {};
 }
 
 void EntryList::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
-      .add("Pixels", resources.buffer(in.buffers.pixels))
-      .add("Entries", resources.buffer(in.buffers.entries))
+      .add("samples_of_pixels", resources.storage(in.buffers.samples))
+      .add("entries_of_pixels", resources.storage(in.buffers.entries))
+      .add("List", resources.buffer(in.buffers.list))
       .bind(cmd, pipeline());
-  dispatch(cmd, list_io(in.buffers, frame), frame.heads.size());
+  dispatch(cmd, io::EntryListIo{.area = frame.heads.io(), .width = in.buffers.width}, frame.heads.size());
 }
 
 ResolveEntries::Out ResolveEntries::declare(frame::Declare& d) {
@@ -116,7 +95,7 @@ ResolveEntries::Out ResolveEntries::declare(frame::Declare& d) {
                                       .height = in.buffers.height,
                                       .format = light_format,
                                       .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
-  d.read(in.buffers.pixels);
+  d.read(in.buffers.samples);
   d.read(in.buffers.entries);
   if (in.layer.valid()) d.sample(in.layer);
   d.write(out_.picture);
@@ -132,18 +111,18 @@ void ResolveEntries::empty(gpu::Cmd& cmd, const gpu::StorageImageBinding& pictur
                            glm::uvec2 high) const {
   if (low.x == high.x || low.y == high.y) return;
   Bindings().add("picture", picture).bind(cmd, *beside_);
-  cmd.push(*beside_, io::BesideHeadsIo{.low = low, .size = high - low});
+  cmd.push(*beside_, PixelArea{low, high}.io());
   cmd.dispatch_over(*beside_, high.x - low.x, high.y - low.y);
 }
 
 void ResolveEntries::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings bindings;
-  bindings.add("Pixels", resources.buffer(in.buffers.pixels))
-      .add("Entries", resources.buffer(in.buffers.entries))
+  bindings.add("samples_of_pixels", resources.storage(in.buffers.samples))
+      .add("entries_of_pixels", resources.storage(in.buffers.entries))
       .add("picture", resources.storage(out_.picture));
   if (in.layer.valid()) bindings.add("layer", resources.nearest(in.layer));
   bindings.bind(cmd, pipeline());
-  dispatch(cmd, list_io(in.buffers, frame), frame.heads.size());
+  dispatch(cmd, frame.heads.io(), frame.heads.size());
 
   const glm::uvec2 low = frame.heads.low, high = frame.heads.high, end(in.buffers.width, in.buffers.height);
   const gpu::StorageImageBinding picture = resources.storage(out_.picture);

@@ -9,13 +9,14 @@ layout(binding = 1) uniform sampler2DMS depths;
 #else
 layout(binding = 0) uniform sampler2D ids;
 #endif
-layout(binding = 2, scalar) writeonly buffer Pixels { PixelIo pixels[]; };
-layout(binding = 3, scalar) buffer Parts { PartIo parts[]; };
+layout(binding = 2, r32ui) uniform writeonly uimage2D samples_of_pixels;
+layout(binding = 3, rg32ui) uniform writeonly uimage2DArray entries_of_pixels;
+layout(binding = 4, scalar) buffer Parts { PartIo parts[]; };
 
-// Samples are bits. An entry without samples is none.
+// An entry of a pixel: its id, and its samples as bits.
 struct PixelEntries {
-  uint first, second;  // ids
-  uint samples_first, samples_second;
+  uvec4 ids;
+  uint samples;  // of all, four bits each
 };
 
 #ifdef MULTISAMPLED
@@ -67,20 +68,21 @@ PixelEntries split(uvec4 id, uint id_first, uint covered) {
   uint third = 0u;
   for (int s = 0; s < 4; ++s)
     if ((others >> s & 1u) != 0u && id[s] != id_second) third |= 1u << s;
-  if (third == 0u) return PixelEntries(id_first, 0u, covered, 0u);
+  if (third == 0u) return PixelEntries(uvec4(id_first), covered);
+
   // Of four triangles two samples each.
   if (bitCount(shown) == 1 && bitCount(third) == 2) {
     shown |= 1u << findMSB(third);
     others = covered & ~shown;
   }
-  return PixelEntries(id_first, id_second, shown, others);
+  return PixelEntries(uvec4(id_first, id_second, 0u, 0u), shown | others << 4);
 }
 
 PixelEntries find_entries(ivec2 at) {
   const vec4 a = texelFetch(ids, at, 0), b = texelFetch(ids, at, 1), c = texelFetch(ids, at, 2),
              d = texelFetch(ids, at, 3);
   const uint id_a = packUnorm4x8(a);
-  if (a == b && a == c && a == d) return PixelEntries(id_a, 0u, id_a != 0u ? 15u : 0u, 0u);
+  if (a == b && a == c && a == d) return PixelEntries(uvec4(id_a), id_a != 0u ? 15u : 0u);
 
   const uvec4 id = uvec4(id_a, packUnorm4x8(b), packUnorm4x8(c), packUnorm4x8(d));
   vec4 distance_m;
@@ -92,41 +94,37 @@ PixelEntries find_entries(ivec2 at) {
   uvec4 besides;
   for (int s = 0; s < 4; ++s) besides[s] = beside(s, id, distance_m);
 
-  const int first = seed_of(besides, covered);
-  uint samples_first = besides[first] & covered;
-  const uint id_first = most_shown(id, samples_first), left = covered & ~samples_first;
-  if (left == 0u) return split(id, id_first, covered);
-
-  // What belongs to neither joins the nearer one.
-  const int second = seed_of(besides, left);
-  const uint samples_second = besides[second] & left;
-  for (int s = 0; s < 4; ++s)
-    if ((left & ~samples_second & 1u << s) != 0u &&
-        abs(distance_m[s] - distance_m[first]) <= abs(distance_m[s] - distance_m[second]))
-      samples_first |= 1u << s;
-  return PixelEntries(id_first, most_shown(id, samples_second), samples_first, covered & ~samples_first);
+  // The surface that most samples show is the first.
+  PixelEntries found = PixelEntries(uvec4(0u), 0u);
+  uint left = covered;
+  for (int e = 0; e < 4; ++e) {
+    const uint samples = besides[seed_of(besides, left)] & left;
+    found.ids[e] = most_shown(id, samples);
+    found.samples |= samples << 4 * e;
+    left &= ~samples;
+  }
+  if (found.samples == covered) return split(id, found.ids[0], covered);
+  return found;
 }
 #else
 PixelEntries find_entries(ivec2 at) {
   const uint id = packUnorm4x8(texelFetch(ids, at, 0));
-  return PixelEntries(id, 0u, id != 0u ? 1u : 0u, 0u);
+  return PixelEntries(uvec4(id), id != 0u ? 1u : 0u);
 }
 #endif
 
-// Counts an entry and returns its rank.
+// Counts an entry and returns its rank among those of its part.
 uint rank_of(uint id) { return atomicAdd(parts[(id >> ID_TRIANGLE_BITS) - 1u].count, 1u); }
 
 void main() {
-  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.size))) return;
-  const uvec2 at = io.low + gl_GlobalInvocationID.xy;
-  const uint pixel = at.y * io.width + at.x;
+  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.area.size))) return;
+  const ivec2 at = ivec2(io.area.low + gl_GlobalInvocationID.xy);
 
-  const PixelEntries e = find_entries(ivec2(at));
-  const uint samples = e.samples_first | e.samples_second << 4;
-  if (samples == 0u) {
-    pixels[pixel].rank_first = 0u;
-    return;
-  }
-  const uint rank_first = rank_of(e.first), rank_second = e.samples_second != 0u ? rank_of(e.second) : 0u;
-  pixels[pixel] = PixelIo(e.first, e.second, rank_first | samples << RANK_BITS, rank_second);
+  const PixelEntries found = find_entries(at);
+  const uint part_of_first = found.samples != 0u ? (found.ids.x >> ID_TRIANGLE_BITS) - 1u : 0u;
+  imageStore(samples_of_pixels, at, uvec4(found.samples | part_of_first << SAMPLES_BITS));
+
+  int e = 0;
+  for (uint left = found.samples; left != 0u; left >>= 4, ++e)
+    imageStore(entries_of_pixels, ivec3(at, e), uvec4(found.ids[e], rank_of(found.ids[e]), 0u, 0u));
 }

@@ -4,24 +4,11 @@
 #pragma once
 
 #include "passes/compute_pass.h"
-#include "passes/frame_data.h"
-#include "shared/entries_io.h"
+#include "passes/entry_buffers.h"
 
 namespace dermis::passes {
 
-/// Buffers of the entries of a frame.
-struct EntryBuffers {
-  frame::BufferId pixels;   ///< PixelIo[], row by row
-  frame::BufferId parts;    ///< PartIo[]
-  frame::BufferId entries;  ///< PartRangeIo[], one per part, and then EntryIo[]
-  std::uint32_t part_count = 0;
-  std::uint32_t width = 0, height = 0;  ///< of the picture, pixels
-};
-
-/// Makes the buffers for a picture of at most MOST_SHADED_PIXELS.
-EntryBuffers make_entry_buffers(FramePlan& plan, std::uint32_t parts, const gpu::TextureDesc& picture);
-
-/// Finds the entries of each pixel, at most two, and their ranks.
+/// Finds the entries of each pixel, at most as many as it has samples, and their ranks.
 class Entries : public ComputePass {
  public:
   struct Settings {

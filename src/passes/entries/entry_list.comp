@@ -2,22 +2,21 @@
 // Writes the entries of each pixel to their places in the list.
 #version 460
 #include "passes/entries/entries_io.h"
-#include "shared/scene_io.h"
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { EntryListIo io; };
-layout(binding = 0, scalar) readonly buffer Pixels { PixelIo pixels[]; };
-layout(binding = 1, scalar) buffer Entries { EntryIo entries[]; };
-
-void list(uint id, uint rank, uint pixel, uint samples) {
-  const uint first = entries[(id >> ID_TRIANGLE_BITS) - 1u].x;
-  entries[first + rank] = EntryIo(id, pixel | samples << RANK_BITS);
-}
+layout(binding = 0, r32ui) uniform readonly uimage2D samples_of_pixels;
+layout(binding = 1, rg32ui) uniform readonly uimage2DArray entries_of_pixels;
+layout(binding = 2, scalar) buffer List { uint list[]; };
 
 void main() {
-  if (gl_GlobalInvocationID.x >= io.size.x) return;
-  const uvec2 at = io.low + gl_GlobalInvocationID.xy;
-  const uint pixel = at.y * io.width + at.x;
-  const uint ranks = pixels[pixel].rank_first, samples = ranks >> RANK_BITS;
-  if ((samples & 15u) != 0u) list(pixels[pixel].first, ranks & (1u << RANK_BITS) - 1u, pixel, samples & 15u);
-  if (samples >> 4 != 0u) list(pixels[pixel].second, pixels[pixel].rank_second, pixel, samples >> 4);
+  if (gl_GlobalInvocationID.x >= io.area.size.x) return;
+  const uvec2 at = io.area.low + gl_GlobalInvocationID.xy;
+  const uint samples = imageLoad(samples_of_pixels, ivec2(at)).x & (1u << SAMPLES_BITS) - 1u;
+
+  uint e = 0u;
+  for (uint left = samples; left != 0u; left >>= 4, ++e) {
+    const uvec2 entry = imageLoad(entries_of_pixels, ivec3(at, e)).xy;  // id and rank
+    const uint first = list[2u * ((entry.x >> ID_TRIANGLE_BITS) - 1u)];
+    list[first + entry.y] = at.y * io.width + at.x | e << PIXEL_BITS | (left & 15u) << LISTED_SAMPLES_SHIFT;
+  }
 }

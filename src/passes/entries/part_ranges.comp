@@ -3,9 +3,9 @@
 #version 460
 #include "passes/entries/entries_io.h"
 layout(local_size_x = 64) in;
-layout(push_constant, scalar) uniform Push { EntryListIo io; };
+layout(push_constant, scalar) uniform Push { PartRangesIo io; };
 layout(binding = 0, scalar) buffer Parts { PartIo parts[]; };
-layout(binding = 1, scalar) buffer Entries { PartRangeIo ranges[]; };
+layout(binding = 1, scalar) writeonly buffer List { PartRangeIo ranges[]; };
 shared uint sums[64];
 
 void main() {
@@ -16,7 +16,7 @@ void main() {
   sums[gl_LocalInvocationIndex] = sum;
   barrier();
 
-  uint first = io.parts;
+  uint first = 2u * io.parts;  // words of the ranges themselves
   for (uint k = 0u; k < gl_LocalInvocationIndex; ++k) first += sums[k];
   for (uint i = from; i < to; ++i) {
     const uint count = parts[i].count, groups = (count + ENTRY_GROUP - 1u) / ENTRY_GROUP;

@@ -4,7 +4,6 @@
 #include "frame/resources.h"
 #include "passes/draw_skin.h"
 #include "passes/final_pass/shade_io.h"
-#include "shared/entries_io.h"
 
 namespace dermis::passes {
 
@@ -12,8 +11,7 @@ Shade::Out Shade::declare(frame::Declare& d) {
   d.kind(frame::PassKind::compute);
   shading_ = SkinShading(settings.look, in.lights);
   shading_.declare(d);
-  d.indirect(in.parts);
-  d.write(in.entries);
+  in.entries.declare_shading(d);
   return {};
 }
 
@@ -35,7 +33,7 @@ void Shade::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
   const std::uint32_t mesh = mesh_in_asset(frame, square);
   Bindings bindings;
   shading_.offer(bindings, resources, frame);
-  bindings.add("Entries", resources.buffer(in.entries));
+  in.entries.offer_shaded(bindings, resources);
 
   io::ShadeIo io{.look = shading_.io(frame), .extent = settings.extent};
   io.look.slot = settings.first_part;
@@ -46,7 +44,7 @@ void Shade::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
     offer_skin(all, instance, mesh, material);
     all.bind(cmd, pipeline);
     cmd.push(pipeline, io);
-    cmd.dispatch_indirect(resources.buffer(in.parts), io.look.slot * sizeof(io::PartIo));
+    cmd.dispatch_indirect(resources.buffer(in.entries.parts), io.look.slot * sizeof(io::PartIo));
     ++io.look.slot;
   }
 }

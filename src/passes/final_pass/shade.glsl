@@ -3,13 +3,11 @@
 // transmitted light.
 #define COMPUTE_SHADING
 #include "passes/final_pass/shade_io.h"
-#include "shared/entries_io.h"
 #include "shared/scene_io.h"
-layout(local_size_x = ENTRY_GROUP) in;
+#include "passes/listed_entry.glsl"
 layout(push_constant, scalar) uniform Push { ShadeIo shade; };
 #define io shade.look
 layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
-layout(binding = 25, scalar) buffer Entries { EntryIo entries[]; };
 #include "shaders/skin_vertex.glsl"
 #include "shaders/vertex_pull.glsl"
 #ifdef THROUGH
@@ -24,14 +22,11 @@ layout(binding = 31, scalar) uniform Terms { ThroughTermsIo through_terms_io; };
 #include "passes/final_pass/shade_point.glsl"
 
 void main() {
-  const uint number =
-      (gl_WorkGroupID.y * ENTRY_ROW + gl_WorkGroupID.x) * ENTRY_GROUP + gl_LocalInvocationIndex;
-  const EntryIo range = entries[io.slot];  // a PartRangeIo
-  if (number >= range.y) return;
-  const uint place = range.x + number;
-  const EntryIo entry = entries[place];
-  zero = entry.y >> 31;  // never set: RANK_BITS and four samples
+  uint place;
+  if (!find_listed(shade.look.slot, place)) return;
+  zero = list[place] >> 31;  // never set: shared/entries_io.h
+  const Entry entry = listed(list[place], shade.extent.x);
   const SeenSkin seen = seen_skin(entry);
   const vec3 radiance = skin_radiance(seen.s, seen.on);
-  entries[place] = EntryIo(packHalf2x16(radiance.xy), packHalf2x16(vec2(radiance.z, 0.0)));
+  imageStore(entries_of_pixels, entry.at, entry_of(radiance));
 }

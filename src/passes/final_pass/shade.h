@@ -5,6 +5,7 @@
 /// Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6
 #pragma once
 
+#include "passes/entry_buffers.h"
 #include "passes/final_pass/skin_shading.h"
 
 namespace dermis::passes {
@@ -19,7 +20,7 @@ class Shade {
   } settings;
   struct In {
     SkinLights lights;
-    frame::BufferId parts, entries;  ///< of EntryList
+    EntryBuffers entries;  ///< of EntryList
   } in;
   struct Out {};
   Out declare(frame::Declare& d);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the triangle of an entry is seen, and its skin there. Common part of the shaders that shade entries.
-// Needs `shade` (ShadeIo) and what skin_answer.glsl declares.
+// Needs `shade` (ShadeIo), passes/listed_entry.glsl, and what skin_answer.glsl declares.
 layout(constant_id = 16) const bool multisampled = true;
 
 // Where a pixel sees a triangle: barycentric coordinates, which sum to 1, and their change per pixel.
@@ -58,8 +58,8 @@ struct SeenSkin {
   vec3 share;     // of each
 };
 
-SeenSkin seen_skin(EntryIo entry) {
-  const uint first = 3u * (entry.x & (1u << ID_TRIANGLE_BITS) - 1u), pixel = entry.y & (1u << RANK_BITS) - 1u;
+SeenSkin seen_skin(Entry entry) {
+  const uint first = 3u * entry.triangle;
   const uint i = indices[first], j = indices[first + 1u], k = indices[first + 2u];
   const VertexIo a = vertex_at(i), b = vertex_at(j), c = vertex_at(k);
   const vec3 pa = world_position(a.position_m), pb = world_position(b.position_m),
@@ -68,8 +68,7 @@ SeenSkin seen_skin(EntryIo entry) {
   // Where skin is cut, the middle of the pixel was tested, also beside the triangle. Maps have a gap anywhere
   // else, and the colour of what is not there.
   const bool cut = is_on(material.flags & MATERIAL_ALPHA_MASK);
-  const vec2 inside = cut ? vec2(0.5) : middle_of(entry.y >> RANK_BITS),
-             at = vec2(pixel % shade.extent.x, pixel / shade.extent.x) + inside;
+  const vec2 inside = cut ? vec2(0.5) : middle_of(entry.samples), at = vec2(entry.at.xy) + inside;
   const Seen seen = seen_at((2.0 * at / vec2(shade.extent) - 1.0) * vec2(1.0, -1.0), clip_position(pa),
                             clip_position(pb), clip_position(pc));
 

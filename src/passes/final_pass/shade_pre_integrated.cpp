@@ -9,7 +9,6 @@
 #include "passes/draw_skin.h"
 #include "passes/final_pass/pre_integrated_io.h"
 #include "passes/final_pass/shade_io.h"
-#include "shared/entries_io.h"
 
 namespace dermis::passes {
 namespace {
@@ -37,9 +36,8 @@ ShadePreIntegrated::Out ShadePreIntegrated::declare(frame::Declare& d) {
   DERMIS_ASSERT(settings.look.weights.empty());
   shading_ = SkinShading(settings.look, in.lights);
   shading_.declare(d);
-  d.indirect(in.parts);
   d.read(in.curvature);
-  d.write(in.entries);
+  in.entries.declare_shading(d);
   return {};
 }
 
@@ -87,8 +85,8 @@ void ShadePreIntegrated::record(gpu::Cmd& cmd, const frame::Resources& resources
   const std::uint32_t mesh = mesh_in_asset(frame, square);
   Bindings bindings;
   shading_.offer(bindings, resources, frame);
-  bindings.add("Entries", resources.buffer(in.entries))
-      .add("Curvature", resources.buffer(in.curvature))
+  in.entries.offer_shaded(bindings, resources);
+  bindings.add("Curvature", resources.buffer(in.curvature))
       .add("PreIntegrated", scatter_)
       .add("lit_table", gpu::SampledBinding{&lit_, sampler_})
       .add("edge_table", gpu::SampledBinding{&edge_, sampler_});
@@ -102,7 +100,7 @@ void ShadePreIntegrated::record(gpu::Cmd& cmd, const frame::Resources& resources
     offer_skin(all, instance, mesh, material);
     all.bind(cmd, pipeline);
     cmd.push(pipeline, io);
-    cmd.dispatch_indirect(resources.buffer(in.parts), io.look.slot * sizeof(io::PartIo));
+    cmd.dispatch_indirect(resources.buffer(in.entries.parts), io.look.slot * sizeof(io::PartIo));
     ++io.look.slot;
   }
 }

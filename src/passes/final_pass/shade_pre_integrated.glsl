@@ -3,12 +3,10 @@
 #define COMPUTE_SHADING
 #include "passes/final_pass/pre_integrated_io.h"
 #include "passes/final_pass/shade_io.h"
-#include "shared/entries_io.h"
 #include "shared/scene_io.h"
-layout(local_size_x = ENTRY_GROUP) in;
+#include "passes/listed_entry.glsl"
 layout(push_constant, scalar) uniform Push { ShadeIo shade; };
 layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
-layout(binding = 25, scalar) buffer Entries { EntryIo entries[]; };
 layout(binding = 19, scalar) readonly buffer Curvature { float curvature[]; };
 #include "shaders/skin_vertex.glsl"
 #include "shaders/vertex_pull.glsl"
@@ -39,16 +37,13 @@ float normal_uv_per_mm(uvec3 corners) {
 }
 
 void main() {
-  const uint number =
-      (gl_WorkGroupID.y * ENTRY_ROW + gl_WorkGroupID.x) * ENTRY_GROUP + gl_LocalInvocationIndex;
-  const EntryIo range = entries[shade.look.slot];  // a PartRangeIo
-  if (number >= range.y) return;
-  const uint place = range.x + number;
-  const EntryIo entry = entries[place];
-  zero = entry.y >> 31;  // never set: RANK_BITS and four samples
+  uint place;
+  if (!find_listed(shade.look.slot, place)) return;
+  zero = list[place] >> 31;  // never set: shared/entries_io.h
+  const Entry entry = listed(list[place], shade.extent.x);
   const SeenSkin seen = seen_skin(entry);
   const float per_mm =
       dot(seen.share, vec3(curvature[seen.corners.x], curvature[seen.corners.y], curvature[seen.corners.z]));
   const vec3 radiance = skin_pre_integrated(seen.s, seen.on.unwrap, per_mm, normal_uv_per_mm(seen.corners));
-  entries[place] = EntryIo(packHalf2x16(radiance.xy), packHalf2x16(vec2(radiance.z, 0.0)));
+  imageStore(entries_of_pixels, entry.at, entry_of(radiance));
 }

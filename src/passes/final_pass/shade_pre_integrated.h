@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "passes/entry_buffers.h"
 #include "passes/final_pass/skin_shading.h"
 
 namespace dermis::passes {
@@ -26,8 +27,8 @@ class ShadePreIntegrated {
   } settings;
   struct In {
     SkinLights lights;
-    frame::BufferId parts, entries;  ///< of EntryList
-    frame::BufferId curvature;       ///< of passes/curvature
+    EntryBuffers entries;       ///< of EntryList
+    frame::BufferId curvature;  ///< of passes/curvature
   } in;
   struct Out {};
   Out declare(frame::Declare& d);

@@ -4,7 +4,6 @@
 #include "frame/resources.h"
 #include "passes/draw_skin.h"
 #include "passes/final_pass/shade_io.h"
-#include "shared/entries_io.h"
 
 namespace dermis::passes {
 
@@ -13,9 +12,7 @@ ShadeSplit::Out ShadeSplit::declare(frame::Declare& d) {
   DERMIS_ASSERT(settings.look.weights.empty());
   shading_ = SkinShading(settings.look, in.lights);
   shading_.declare(d);
-  d.indirect(in.parts);
-  d.read(in.pixels);
-  d.write(in.entries);
+  in.entries.declare_shading(d);
   d.write(in.surface.light);
   d.write(in.surface.depth_mm);
   d.write(in.surface.surface);
@@ -58,9 +55,8 @@ void ShadeSplit::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   const std::uint32_t mesh = mesh_in_asset(frame, square);
   Bindings bindings;
   shading_.offer(bindings, resources, frame);
-  bindings.add("Entries", resources.buffer(in.entries))
-      .add("Pixels", resources.buffer(in.pixels))
-      .add("Split", split_)
+  in.entries.offer_shaded(bindings, resources);
+  bindings.add("Split", split_)
       .add("light_of_skin", resources.storage(in.surface.light))
       .add("depth_of_skin", resources.storage(in.surface.depth_mm))
       .add("surface_of_skin", resources.storage(in.surface.surface))
@@ -75,7 +71,7 @@ void ShadeSplit::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
     offer_skin(all, instance, mesh, material);
     all.bind(cmd, pipeline);
     cmd.push(pipeline, io);
-    cmd.dispatch_indirect(resources.buffer(in.parts), io.look.slot * sizeof(io::PartIo));
+    cmd.dispatch_indirect(resources.buffer(in.entries.parts), io.look.slot * sizeof(io::PartIo));
     ++io.look.slot;
   }
 }

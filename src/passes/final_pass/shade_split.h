@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "passes/entry_buffers.h"
 #include "passes/final_pass/skin_shading.h"
 #include "passes/screen_surface.h"
 
@@ -23,7 +24,7 @@ class ShadeSplit {
   } settings;
   struct In {
     SkinLights lights;
-    frame::BufferId parts, entries, pixels;  ///< of EntryList
+    EntryBuffers entries;  ///< of EntryList
     ScreenSurface surface;
   } in;
   struct Out {};

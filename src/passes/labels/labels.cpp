@@ -117,7 +117,7 @@ void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
     const gpu::Pipeline& pipeline = *pipeline_of(material, false);
     Bindings bindings;
     bindings.add("Frame", frame.frame_io)
-        .add("Instance", instance.transform)
+        .add("Head", instance.io)
         .add("LabelVertices", instance.scene->unmoved)  // any buffers: only skin reads these
         .add("SkinVertices", surfaces.pages[group.page].vertex_extras);
     offer_page(instance, group.page, bindings);

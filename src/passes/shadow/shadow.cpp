@@ -73,7 +73,7 @@ void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
     if (!casts(material, cut_out)) continue;
     const gpu::Pipeline& pipeline = *pipelines_[false][cut_out][false];
     Bindings bindings;
-    bindings.add("Frame", frame.frame_io).add("Instance", instance.transform);
+    bindings.add("Frame", frame.frame_io).add("Head", instance.io);
     offer_page(instance, group.page, bindings);
     material.offer(bindings);
     bindings.bind(cmd, pipeline);

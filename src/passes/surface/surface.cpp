@@ -74,7 +74,7 @@ void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
   const GpuMaterial& material = instance.look->material(number);
   const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
   Bindings bindings;
-  bindings.add("Frame", frame.frame_io).add("Instance", instance.transform);
+  bindings.add("Frame", frame.frame_io).add("Head", instance.io);
   offer_page(instance, page, bindings);
   material.offer(bindings);
   samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));

@@ -23,6 +23,7 @@ RenderSettings settings_at(double distance, const std::string& technique = "text
   s.camera.distance = distance;
   s.output.bloom = 0;
   s.output.tone_map = ToneMap::filmic;
+  s.quality.shading = Shading::raster;
   return s;
 }
 
@@ -37,6 +38,14 @@ double psnr_db(const Picture& a, const Picture& b) {
   const std::vector<std::uint8_t> other = skin_mask(b);
   for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = skin[i] || other[i];
   return image::psnr_db(shown(a), shown(b), skin);
+}
+
+// The sum of all pixels, of red, green and blue.
+double light_of(const image::ImageF& picture) {
+  double sum = 0;
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    if (i % 4 != 3) sum += picture.values[i];
+  return sum;
 }
 
 // With one sample both shade the same points. With four, triangles of a pixel that are one surface share a
@@ -83,9 +92,7 @@ TEST_P(InCompute, OfANearHeadIsThatOfTheRaster) {
   }
 }
 
-// Beyond what a pixel of the raster holds: all triangles of a pixel against two entries of it. Two are few
-// where the eyes of the built-in head and their lids share a pixel: it is 0.8 dB farther (28.5 and 29.4 dB).
-// A quarter of the squared error lies in the rows of the eyes, a ninth in one pixel below the nose.
+// Beyond what a pixel of the raster holds: all triangles of a pixel against one entry for each surface.
 TEST_P(InCompute, OfAHeadFarAwayIsAsNearToTheTruth) {
   for (const std::string name : {"built-in head", "scan"}) {
     if (!subject(name).missing.empty()) continue;
@@ -103,8 +110,7 @@ TEST_P(InCompute, OfAHeadFarAwayIsAsNearToTheTruth) {
     };
     const Picture drawn = renderer().render(scene, s), computed = renderer().render(scene, in_compute(s));
     std::printf("raster %.2f dB, compute %.2f dB\n", error_db(drawn), error_db(computed));
-    EXPECT_GE(error_db(computed), error_db(drawn) - (name == "scan" ? 0.5 : 0.9))
-        << write_failure(wanted, linear(computed));
+    EXPECT_GE(error_db(computed), error_db(drawn) - 0.5) << write_failure(wanted, linear(computed));
   }
 }
 
@@ -234,6 +240,81 @@ TEST(InComputeBatches, IsThatOfTheRaster) {
   s.quality.map_budget_mb = 12;
   s.quality.samples = 1;
   expect_same(subject("built-in head").open(), s, true);
+}
+
+// Small pictures hold as much light as the truth. The raster, which shades beside its triangles, does not:
+// 0.92 of it for heads of a few pixels, 3 to 12 times for rims that are lit from behind.
+TEST(InComputeSmallHeads, HoldTheirLight) {
+  const Scene& scene = subject("built-in head").open();
+  for (const std::string technique : {"texture-space", "lambert"})
+    for (const bool from_behind : {false, true}) {
+      RenderSettings s = settings_at(from_behind ? 3.3 : 8, technique);
+      s.output.width = 54, s.output.height = from_behind ? 48 : 24;
+      s.camera.heads = from_behind ? 1 : 4;
+      if (from_behind) {
+        s.lighting.placed_lights = {{.azimuth_deg = 178, .elevation_deg = 8, .irradiance = 40}};
+        s.lighting.ambient = 0;
+      }
+      RenderSettings truth = super_sampled(s, 8);
+      truth.quality.cull = truth.quality.depth = truth.quality.clip = false;
+
+      const double all = light_of(downsampled(renderer().render(scene, truth), 8)),
+                   drawn = light_of(linear(renderer().render(scene, s))),
+                   computed = light_of(linear(renderer().render(scene, in_compute(s))));
+      std::printf("%s, %s: raster %.3f, compute %.3f of the light\n", technique.c_str(),
+                  from_behind ? "lit from behind" : "four heads", drawn / all, computed / all);
+      EXPECT_NEAR(computed / all, 1, from_behind ? 0.4 : 0.02);
+    }
+}
+
+// Squares of half a pixel in four colours, each at a distance of its own: one under each sample of a pixel.
+// `parts`: of a material each; else of one part, and told apart by distance alone.
+scene::Scene four_surfaces_per_pixel(int pixels, bool parts) {
+  const glm::vec3 colours[] = {
+      {0.9f, 0.1f, 0.1f}, {0.1f, 0.9f, 0.1f}, {0.1f, 0.1f, 0.9f}, {0.9f, 0.9f, 0.1f}};
+  const scene::Scene square = scene::plane(0.05);  // of half a pixel, 1/10 m wide
+  scene::Scene made = square;
+  made.primitives.clear();
+  for (int part = 0; part < 4; ++part) {
+    if (part > 0) made.materials.push_back(square.materials.front());
+    if (parts) made.materials[static_cast<std::size_t>(part)].base_colour = glm::vec4(colours[part], 1);
+    for (int y = 0; y < pixels; ++y)
+      for (int x = 0; x < pixels; ++x) {
+        scene::Primitive p = square.primitives.front();
+        p.material = parts ? part : 0;
+        for (scene::Vertex& v : p.vertices) {
+          v.position_m +=
+              glm::vec3(0.1f * (static_cast<float>(x) - 0.5f * static_cast<float>(pixels)) + 0.025f,
+                        0.1f * (static_cast<float>(y) - 0.5f * static_cast<float>(pixels)) + 0.025f,
+                        -static_cast<float>(part));
+          v.position_m +=
+              glm::vec3(0.05f * static_cast<float>(part % 2), 0.05f * static_cast<float>(part / 2), 0);
+          v.uv0 = (v.uv0 + glm::vec2(x + pixels * part, y)) / static_cast<float>(4 * pixels);
+          if (!parts) v.colour = glm::vec4(colours[part], 1);
+        }
+        made.primitives.push_back(std::move(p));
+      }
+  }
+  made.cameras.push_back(camera_from_above(0.05 * pixels, {0, 0, 1}));
+  return made;
+}
+
+TEST(InComputeEntries, EachSurfaceOfAPixelIsShaded) {
+  for (const bool parts : {false, true}) {
+    SCOPED_TRACE(parts ? "of four parts" : "of one part");
+    RenderSettings s = in_compute(settings_at(1, "lambert"));
+    s.camera.distance.reset();
+    s.camera.name = "above";
+    s.output.width = s.output.height = 16;
+    s.lighting.ambient = 1, s.lighting.rig_lights = 0, s.lighting.specular = false;
+    const Picture picture = renderer().render(wrap(four_surfaces_per_pixel(16, parts)), s);
+    for (std::size_t i = 0; i < picture.linear_rgba.size(); i += 4) {
+      EXPECT_NEAR(picture.linear_rgba[i], 0.5, 0.01);
+      EXPECT_NEAR(picture.linear_rgba[i + 1], 0.5, 0.01);
+      EXPECT_NEAR(picture.linear_rgba[i + 2], 0.3, 0.01);
+      EXPECT_EQ(picture.linear_rgba[i + 3], 1);
+    }
+  }
 }
 
 TEST(InComputePasses, NoSkinIsDrawnWithLight) {

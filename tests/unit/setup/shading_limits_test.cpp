@@ -30,9 +30,9 @@ TEST(ShadingLimits, TrianglesOfAMesh) {
 
 TEST(ShadingLimits, PixelsOfAPicture) {
   techniques::FrameSettings s = heads_of(1, 1, 12);
-  s.width = 4096, s.height = 2048;
+  s.width = 4096, s.height = 2047;
   EXPECT_TRUE(s.can_shade_entries());
-  s.height = 2049;
+  s.height = 2048;
   EXPECT_FALSE(s.can_shade_entries());
 }
 
@@ -51,8 +51,10 @@ TEST(ShadingLimits, WithoutSkinThereIsNothingToShade) {
 TEST(ShadingLimits, IdsFit) {
   constexpr std::uint64_t last = (std::uint64_t{MOST_PARTS} << ID_TRIANGLE_BITS) + MOST_TRIANGLES - 1;
   static_assert(last == 0xFFFFFFFFu);
-  static_assert(std::uint64_t{MOST_SHADED_PIXELS} * sizeof(io::PixelIo) == 128u << 20);
-  static_assert(2 * std::uint64_t{MOST_SHADED_PIXELS} <= 1u << RANK_BITS);
+  static_assert(MOST_PARTS <= 1u << (32 - SAMPLES_BITS));
+  static_assert(MOST_SHADED_PIXELS <= 1u << PIXEL_BITS);
+  constexpr std::uint64_t most_entries = 4 * std::uint64_t{MOST_SHADED_PIXELS};
+  static_assert(MOST_PARTS * sizeof(io::PartRangeIo) + most_entries * sizeof(std::uint32_t) <= 128u << 20);
   SUCCEED();
 }
 

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// What an entry of a pixel holds: before it is shaded its id and its rank among those of its part; afterwards
+// its radiance as three half floats.
+#include "shared/entries_io.h"
+
+uvec4 entry_of(vec3 radiance) {
+  return uvec4(packHalf2x16(radiance.xy), packHalf2x16(vec2(radiance.z, 0.0)), 0u, 0u);
+}
+vec3 radiance_of(uvec2 entry) { return vec3(unpackHalf2x16(entry.x), unpackHalf2x16(entry.y).x); }
