@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Computes the light of the entries of one skin mesh of one head: see skin_shading.h and
 /// passes/entries/entries.h. Each entry is shaded once, where the triangle is seen that most of its samples
-/// show: at the middle of its samples, or at the nearest point of the triangle.
+/// show: at the middle of its samples, or near it.
 /// Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6
 #pragma once
 

@@ -6,6 +6,7 @@ layout(constant_id = 16) const bool multisampled = true;
 // Where a pixel sees a triangle: barycentric coordinates, which sum to 1, and their change per pixel.
 struct Seen {
   vec3 share, dx, dy;
+  vec3 near;    // as share, but up to a quarter of a height outside the triangle
   vec3 beside;  // as share, on its plane: below 0 where the point lies beside the triangle
   bool front;   // its corners turn counter-clockwise
 };
@@ -29,7 +30,8 @@ Seen seen_at(vec2 at, vec4 a, vec4 b, vec4 c) {
   const vec3 x = vec3(a.x, b.x, c.x) - at.x * w, y = vec3(a.y, b.y, c.y) - at.y * w;
   const vec3 area = cross(x, y), by_x = cross(y, w), by_y = cross(w, x);
   const float whole = area.x + area.y + area.z;
-  if (!(abs(whole) > 0.0)) return Seen(vec3(1.0 / 3.0), vec3(0.0), vec3(0.0), vec3(1.0 / 3.0), true);
+  if (!(abs(whole) > 0.0))
+    return Seen(vec3(1.0 / 3.0), vec3(0.0), vec3(0.0), vec3(1.0 / 3.0), vec3(1.0 / 3.0), true);
 
   Seen seen;
   seen.front = whole > 0.0;
@@ -38,9 +40,12 @@ Seen seen_at(vec2 at, vec4 a, vec4 b, vec4 c) {
   seen.dx = (by_x - seen.beside * (by_x.x + by_x.y + by_x.z)) * (step.x / whole);
   seen.dy = (by_y - seen.beside * (by_y.x + by_y.y + by_y.z)) * (step.y / whole);
 
-  // The point may lie beside its triangle, whose edge is within the pixel.
+  // The point may lie beside its triangle, whose edge is within the pixel. A little outside, a smooth surface
+  // goes on as the triangle does, and the middle of the pixel is what it shows; further, rims would sparkle.
   seen.share = max(seen.beside, vec3(0.0));
   seen.share /= seen.share.x + seen.share.y + seen.share.z;
+  seen.near = max(seen.beside, vec3(-0.25));
+  seen.near /= seen.near.x + seen.near.y + seen.near.z;
   return seen;
 }
 
@@ -74,11 +79,11 @@ SeenSkin seen_skin(Entry entry) {
 
   const VertexExtraIo ea = vertex_extra(i), eb = vertex_extra(j), ec = vertex_extra(k);
   const vec4 uva = vec4(a.uv0, ea.uv1), uvb = vec4(b.uv0, eb.uv1), uvc = vec4(c.uv0, ec.uv1);
-  const vec4 uv = at_seen(cut ? seen.beside : seen.share, uva, uvb, uvc);
+  const vec4 uv = at_seen(cut ? seen.beside : seen.near, uva, uvb, uvc);
 
-  const vec3 position_m = at_seen(seen.share, pa, pb, pc);
-  const vec3 n = normalize(world_direction(at_seen(seen.share, a.normal, b.normal, c.normal)));
-  const vec4 tangent = at_seen(seen.share, a.tangent, b.tangent, c.tangent);
+  const vec3 position_m = at_seen(seen.near, pa, pb, pc);
+  const vec3 n = normalize(world_direction(at_seen(seen.near, a.normal, b.normal, c.normal)));
+  const vec4 tangent = at_seen(seen.near, a.tangent, b.tangent, c.tangent);
   const ShadingPoint s =
       ShadingPoint(position_m, seen.front ? n : -n, vec4(world_direction(tangent.xyz), tangent.w), uv.xy,
                    uv.zw, at_seen(seen.share, ea.colour, eb.colour, ec.colour),

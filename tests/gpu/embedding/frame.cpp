@@ -30,6 +30,7 @@ RenderSettings frame_settings() {
   s.output.bloom = 0;
   s.output.exposure_ev = 0;
   s.quality.samples = 1;
+  s.quality.shading = Shading::raster;  // as into targets of a host
   return s;
 }
 
