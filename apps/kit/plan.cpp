@@ -59,6 +59,7 @@ constexpr Sample companions[] = {
     {"lighting.environment_intensity", R"({"lighting": {"environment": "studio"}})"},
     {"lighting.environment_rotation_deg", R"({"lighting": {"environment": "studio"}})"},
     {"quality.skip_unseen_heads", R"({"camera": {"heads": 4, "distance": 2.5}})"},
+    {"quality.blur", R"({"quality": {"maps": "progressive"}})"},
     {"quality.map_budget_mb", R"({"camera": {"heads": 4, "distance": 10}})"}};
 
 // skin.shape_aware needs a file, which knows its medium: the tests of the device write one.

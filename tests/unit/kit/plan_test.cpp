@@ -10,6 +10,7 @@
 
 #include "settings/fields.h"
 #include "settings/json.h"
+#include "setup/frame_setup.h"
 #include "support/files.h"
 
 namespace dermis::kit {
@@ -37,15 +38,17 @@ TEST(Plan, ChoicesHaveEveryOtherValue) {
   EXPECT_FALSE(values.contains(R"(quality.maps "full")")) << "the default is drawn once, under ''";
 }
 
-// What is written is what `dermis render --settings` takes: another key or a value out of range would throw.
+// What is written is what `dermis render --settings` takes: another key, a value out of range, or one that
+// does not go with the others would throw.
 TEST(Plan, SettingsAreReadBack) {
   const tests::TempFolder folder;
   for (const Switch& change : switches(Extent::full)) {
     SCOPED_TRACE(change.path + " " + change.text);
-    tests::write_text(folder.path() / "settings.json", settings_with("lambert", change).dump());
+    tests::write_text(folder.path() / "settings.json", settings_with("texture-space", change).dump());
     SettingsFile read;
     ASSERT_NO_THROW(load_settings(folder.path() / "settings.json", read));
-    EXPECT_EQ(read.render.technique, "lambert");
+    EXPECT_EQ(read.render.technique, "texture-space");
+    EXPECT_NO_THROW(setup::check_settings(read.render));
     if (change.path.empty()) continue;
     std::string place = "/" + change.path;
     std::ranges::replace(place, '.', '/');
