@@ -44,6 +44,7 @@ vec4 spread(ivec2 p, vec4 centre) {
       const float whole = floor(shift);
       const float f = shift - whole;
       const ivec2 d = ivec2(k * step_u, int(whole));
+
       // The tap on the other side is at -shift: its two texels mirror these.
       total += gather(sum, light_at(p + d), chart, kernel_row[k] * (1.0 - f));
       total += gather(sum, light_at(p + d + ivec2(0, 1)), chart, kernel_row[k] * f);
@@ -56,10 +57,12 @@ vec4 spread(ivec2 p, vec4 centre) {
       const float f = fract(slope * float(k));
       interpolation += 2.0 * kernel_row[k] * f * (1.0 - f);
     }
+
     const float wanted = sigma_mm * factor.z * texels;
     const float sigma_v = sqrt(max(wanted * wanted - interpolation - io.averaged_texels2, 0.0));
     const int step_v = max(1, int(ceil(sigma_v / KERNEL_MAX_SIGMA)));
     load_kernel(sigma_v / float(step_v), io.texel_averaged != 0u && step_v == 1);
+
     total += gather(sum, centre, chart, kernel_row[0]);
     for (int k = 1; k <= KERNEL_RADIUS; ++k) {
       total += gather(sum, light_at(p + ivec2(0, k * step_v)), chart, kernel_row[k]);

@@ -5,6 +5,7 @@
 #include "shaders/skin_vertex.glsl"
 #include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
+
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;
@@ -12,16 +13,19 @@ layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;
 layout(location = 5) flat out uint out_chart;
 layout(location = 6) out vec2 out_unwrap;
+
 #ifdef CLIP
 out gl_PerVertex {
   vec4 gl_Position;
   float gl_ClipDistance[5];
 };
 #endif
+
 void main() {
   const VertexIo v = vertex_at(gl_VertexIndex);
   const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
   const SkinVertexIo skin = skin_vertex_at(gl_VertexIndex);
+
   out_position_m = world_position(v.position_m);
   out_normal = world_direction(v.normal);
   out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);
@@ -29,6 +33,7 @@ void main() {
   out_colour = extra.colour;
   out_chart = skin.chart;
   out_unwrap = skin.unwrap;
+
   gl_Position = vec4(skin.unwrap * 2.0 - 1.0, 0.5, 1.0);
 #ifdef CLIP
   for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = distance_inside(i, out_position_m);

@@ -126,6 +126,22 @@ struct Moved {
   passes::RigMove move;
 };
 
+using passes::Gutters;
+
+gaussians::SumOfGaussians profile_of(const Experiment& e) {
+  gaussians::SumOfGaussians profile;
+  for (const double v : e.variances_mm2) profile.terms.push_back({.variance_mm2 = v, .weight = {}});
+  return profile;
+}
+
+passes::Instance instance_of(const passes::GpuScene& scene, const passes::GpuLook& look, std::uint32_t side) {
+  passes::Instance instance;
+  instance.scene = &scene;
+  instance.look = &look;
+  instance.map_side = side;
+  return instance;
+}
+
 }  // namespace
 
 bool available() { return bench() != nullptr; }
@@ -136,8 +152,8 @@ Result run(const Experiment& e) {
       scene::unwrap_density(skin[0], e.scene.mm_per_unit).largest_uv_per_mm.p95 * e.map_size;
   if (e.drop_shear)
     for (glm::vec3& g : skin[0].metric) g.y = 0;
-  gaussians::SumOfGaussians profile;
-  for (const double v : e.variances_mm2) profile.terms.push_back({.variance_mm2 = v, .weight = {}});
+
+  const gaussians::SumOfGaussians profile = profile_of(e);
   passes::GpuScene gpu_scene(bench()->library, e.scene, skin);
   const passes::GpuLook look = gpu_scene.make_look(bench()->device, {});
   if (e.gutters)
@@ -147,7 +163,6 @@ Result run(const Experiment& e) {
   passes::FramePlan plan;
   const auto side = static_cast<std::uint32_t>(e.map_size);
   const gpu::TextureDesc desc{.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
-  using passes::Gutters;
   const std::vector<passes::MapSquare> whole(1);
   if (e.pose) plan.add<passes::MoveRig>("pose", {}, {});
   const frame::TextureId stretch = plan.texture("stretch", desc, frame::Lifetime::persistent),
@@ -157,6 +172,7 @@ Result run(const Experiment& e) {
   plan.add<Paint>("paint", {painted}, {e.paint});
   plan.add<Gutters>("paint gutters", {painted}, {.squares = whole});
   plan.read_back(painted);
+
   std::vector<frame::TextureId> levels;
   frame::TextureId light = painted;
   bool first = true;
@@ -173,6 +189,7 @@ Result run(const Experiment& e) {
     terms = cascade.terms();
     coarsest = cascade.coarsest();
   }
+
   for (const passes::BlurStep& step :
        e.cascade ? std::vector<passes::BlurStep>{} : passes::blur_steps(e.variances_mm2, density)) {
     const double v = step.variance_mm2 * e.variance_factor;
@@ -187,15 +204,14 @@ Result run(const Experiment& e) {
     light = target;
     first = false;
   }
+
   passes::FrameData data;
-  data.instances.resize(1);
-  data.instances[0].scene = &gpu_scene;
-  data.instances[0].look = &look;
-  data.instances[0].map_side = side;
+  data.instances = {instance_of(gpu_scene, look, side)};
   if (e.cascade) {
     data.instances[0].map_places = {{.side = side, .largest_side = passes::careful_largest_side(side)}};
     data.instances[0].mapped_terms = {terms};
   }
+
   std::optional<Moved> moved;
   if (e.pose) {
     gpu_scene.make_rig(bench()->device, e.scene, skin);
@@ -203,6 +219,7 @@ Result run(const Experiment& e) {
     data.instances[0].posed = &moved->shape;
     if (!e.keep_metric) data.moves = {moved->move};
   }
+
   frame::Executor executor(bench()->library, plan);
   executor.draw(data, frame::whole_frame);
   Result result{.painted = read(executor, painted), .levels = {}, .coarsest = coarsest};
