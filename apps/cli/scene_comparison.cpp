@@ -266,8 +266,8 @@ class Run {
   }
 
   static bool same_switches(const QualitySettings& a, const QualitySettings& b) {
-    const auto switches = [](const QualitySettings& q) {  // shading: none is compute
-      return std::tuple(q.cull, q.depth, q.clip, q.maps, q.blur, q.shading.value_or(Shading::compute));
+    const auto switches = [](const QualitySettings& q) {
+      return std::tuple(q.cull, q.depth, q.clip, q.maps, q.blur, setup::choose_shading(q));
     };
     return switches(a) == switches(b);
   }

@@ -19,11 +19,13 @@ struct Sample {
   const char* path;
   const char* value;  // JSON
 };
+
 constexpr Sample samples[] = {{"camera.fov_deg", "40"},
                               {"camera.distance", "20"},
                               {"camera.orbit_deg", "[60, 20]"},
                               {"camera.eye_m", "[0.3, 0.2, 1]"},
                               {"camera.heads", "4"},
+
                               {"lighting.rig_lights", "0"},
                               {"lighting.rig_lights", "5"},
                               {"lighting.placed_lights", R"([{"azimuth_deg": 170, "elevation_deg": 10}])"},
@@ -32,14 +34,17 @@ constexpr Sample samples[] = {{"camera.fov_deg", "40"},
                               {"lighting.environment", R"("studio")"},
                               {"lighting.environment_intensity", "2"},
                               {"lighting.environment_rotation_deg", "90"},
+
                               {"skin.profile", R"("skin")"},
                               {"skin.mix", "0"},
                               {"skin.mix", "1"},
+
                               {"quality.samples", "1"},
                               {"quality.taps", "17"},
                               {"quality.d_ref", "1"},
                               {"quality.clip_margin_mm", "0"},
                               {"quality.map_budget_mb", "8"},
+
                               {"output.exposure_ev", "null"},
                               {"output.bloom", "0"},
                               {"output.background", R"("studio")"},

@@ -29,14 +29,11 @@ EntryBuffers make_entry_buffers(FramePlan& plan, std::uint32_t parts, const gpu:
 void EntryBuffers::declare_shading(frame::Declare& d) const {
   d.indirect(parts);
   d.read(list);
-  d.read(samples);
   d.write(entries);
 }
 
 void EntryBuffers::offer_shaded(Bindings& bindings, const frame::Resources& resources) const {
-  bindings.add("List", resources.buffer(list))
-      .add("samples_of_pixels", resources.storage(samples))
-      .add("entries_of_pixels", resources.storage(entries));
+  bindings.add("List", resources.buffer(list)).add("entries_of_pixels", resources.storage(entries));
 }
 
 }  // namespace dermis::passes

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bindings of every lit pass, beside the frame: lights, shadow maps, table of the directional albedo.
+// Bindings of every lit pass, beside the frame and the head: lights, shadow maps, table of the directional
+// albedo.
 #pragma once
 
 #include "passes/bindings.h"
@@ -17,8 +18,7 @@ class LightingSamplers {
 
   void offer(Bindings& bindings, const FrameData& frame, const Instance& instance,
              const gpu::Texture& shadow) const {
-    bindings.add("Head", instance.io)
-        .add("Lamps", frame.lamps)
+    bindings.add("Lamps", frame.lamps)
         .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
         .add("directional_albedo", gpu::SampledBinding{&instance.scene->directional_albedo, table_})
         .add("environment_map",

@@ -3,6 +3,9 @@
 // its radiance as three half floats.
 #include "shared/entries_io.h"
 
+// The samples of a pixel's entries, from the word that has the part of the first above them.
+uint samples_in(uint word) { return word & (1u << SAMPLES_BITS) - 1u; }
+
 uvec4 entry_of(vec3 radiance) {
   return uvec4(packHalf2x16(radiance.xy), packHalf2x16(vec2(radiance.z, 0.0)), 0u, 0u);
 }

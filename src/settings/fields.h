@@ -201,6 +201,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .option = "samples",
            .rebuilds = true,
            .real_time = true}},
+
     Field{"cull",
           &QualitySettings::cull,
           {.help = "leave out skin that faces away",
@@ -225,6 +226,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .none = "true if anything is optimised",
            .option = "skip-unseen-heads",
            .real_time = true}},
+
     Field{"mask",
           &QualitySettings::mask,
           {.help = "how convolutions skip unlit texels",
@@ -263,6 +265,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
          .option = "irradiance",
          .rebuilds = true,
          .real_time = true}},
+
     Field{"kernel",
           &QualitySettings::kernel,
           {.help = "of techniques in screen space: the profile of the skin, in mm; what the technique was "
@@ -288,6 +291,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .option = "taps",
            .rebuilds = true,
            .real_time = true}},
+
     Field{"d_ref",
           &QualitySettings::d_ref,
           {.help = "distance up to which light maps have their full size",

@@ -87,4 +87,6 @@ gaussians::SumOfGaussians choose_profile(const scene::Material& material, const 
   return material.skin_settings.profile.value_or(gaussians::skin_six());
 }
 
+Shading choose_shading(const QualitySettings& quality) { return quality.shading.value_or(Shading::compute); }
+
 }  // namespace dermis::setup

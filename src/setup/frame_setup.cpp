@@ -152,12 +152,6 @@ passes::SkipUnlit choose_skip_unlit(const RenderSettings& s, const DeviceTraits&
   return passes::SkipUnlit::by_tiles;
 }
 
-// Likewise, docs/techniques.md: the same on every kind.
-bool shades_in_compute(const techniques::FrameSettings& plan, const RenderSettings& s, bool screen_space) {
-  const bool asked = s.quality.shading.value_or(Shading::compute) == Shading::compute;
-  return (asked || screen_space) && plan.can_shade_entries();
-}
-
 // Whether light enters whole wherever it falls on something: skin whose whole albedo acts after scattering.
 // What is blended casts no shadow.
 bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
@@ -355,7 +349,8 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   sort_heads(setup, s);
   check_screen_space(setup);
   check_unscattered(setup.plan);
-  setup.plan.shade_entries = shades_in_compute(setup.plan, s, setup.technique->screen_space);
+  const bool in_compute = choose_shading(s.quality) == Shading::compute || setup.technique->screen_space;
+  setup.plan.shade_entries = in_compute && setup.plan.can_shade_entries();
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;

@@ -14,7 +14,7 @@ layout(binding = 3) uniform sampler2DArray leaving_skin;
 void main() {
   if (gl_GlobalInvocationID.x >= io.size.x) return;
   const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy);
-  const uint samples = imageLoad(samples_of_pixels, at).x & (1u << SAMPLES_BITS) - 1u;
+  const uint samples = samples_in(imageLoad(samples_of_pixels, at).x);
   if (samples == 0u) return;
 
   const vec3 light = texelFetch(blurred, at, 0).rgb;

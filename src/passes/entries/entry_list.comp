@@ -2,6 +2,7 @@
 // Writes the entries of each pixel to their places in the list.
 #version 460
 #include "passes/entries/entries_io.h"
+#include "passes/shaded_entry.glsl"
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { EntryListIo io; };
 layout(binding = 0, r32ui) uniform readonly uimage2D samples_of_pixels;
@@ -11,7 +12,7 @@ layout(binding = 2, scalar) buffer List { uint list[]; };
 void main() {
   if (gl_GlobalInvocationID.x >= io.area.size.x) return;
   const uvec2 at = io.area.low + gl_GlobalInvocationID.xy;
-  const uint samples = imageLoad(samples_of_pixels, ivec2(at)).x & (1u << SAMPLES_BITS) - 1u;
+  const uint samples = samples_in(imageLoad(samples_of_pixels, ivec2(at)).x);
 
   uint e = 0u;
   for (uint left = samples; left != 0u; left >>= 4, ++e) {

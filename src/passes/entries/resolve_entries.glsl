@@ -19,7 +19,7 @@ layout(binding = 3) uniform sampler2D layer;
 void main() {
   if (gl_GlobalInvocationID.x >= io.size.x) return;
   const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy);
-  const uint samples = imageLoad(samples_of_pixels, at).x & (1u << SAMPLES_BITS) - 1u;
+  const uint samples = samples_in(imageLoad(samples_of_pixels, at).x);
 
   // What of each sample is seen of the skin.
   vec4 sum = vec4(0.0), seen = vec4(1.0);

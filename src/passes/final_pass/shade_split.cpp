@@ -13,6 +13,7 @@ ShadeSplit::Out ShadeSplit::declare(frame::Declare& d) {
   shading_ = SkinShading(settings.look, in.lights);
   shading_.declare(d);
   in.entries.declare_shading(d);
+  d.read(in.entries.samples);
   d.write(in.surface.light);
   d.write(in.surface.depth_mm);
   d.write(in.surface.surface);
@@ -57,6 +58,7 @@ void ShadeSplit::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   shading_.offer(bindings, resources, frame);
   in.entries.offer_shaded(bindings, resources);
   bindings.add("Split", split_)
+      .add("samples_of_pixels", resources.storage(in.entries.samples))
       .add("light_of_skin", resources.storage(in.surface.light))
       .add("depth_of_skin", resources.storage(in.surface.depth_mm))
       .add("surface_of_skin", resources.storage(in.surface.surface))

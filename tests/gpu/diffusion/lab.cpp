@@ -38,20 +38,24 @@ class Paint {
     frame::TextureId light;
   } in;
   struct Out {};
+
   Out declare(frame::Declare& d) {
     d.kind(frame::PassKind::raster);
     d.colour(in.light);
     return {};
   }
+
   void prepare(gpu::PipelineLibrary& library) {
     pipeline_ = &library.graphics({.vertex = "paint.vert",
                                    .fragment = "paint.frag",
                                    .colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}});
   }
+
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const passes::FrameData& frame) const {
     const gpu::Texture& target = resources.texture(in.light);
     const gpu::ColourTarget colour{.texture = &target, .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
     cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
+
     passes::Bindings bindings;
     frame.instances[0].scene->skin[0].offer(bindings);
     bindings.bind(cmd, *pipeline_);

@@ -272,30 +272,32 @@ TEST(InComputeSmallHeads, HoldTheirLight) {
 scene::Scene four_surfaces_per_pixel(int pixels, bool parts) {
   const glm::vec3 colours[] = {
       {0.9f, 0.1f, 0.1f}, {0.1f, 0.9f, 0.1f}, {0.1f, 0.1f, 0.9f}, {0.9f, 0.9f, 0.1f}};
-  const scene::Scene square = scene::plane(0.05);  // of half a pixel, 1/10 m wide
+  const float pixel_m = 0.1f;
+  const scene::Scene square = scene::plane(pixel_m / 2);
   scene::Scene made = square;
   made.primitives.clear();
-  for (int part = 0; part < 4; ++part) {
-    if (part > 0) made.materials.push_back(square.materials.front());
-    if (parts) made.materials[static_cast<std::size_t>(part)].base_colour = glm::vec4(colours[part], 1);
+
+  const auto add = [&](int x, int y, int number) {
+    const glm::vec2 pixel = glm::vec2(x, y) - 0.5f * static_cast<float>(pixels),
+                    quarter = 0.25f + 0.5f * glm::vec2(number % 2, number / 2);
+    scene::Primitive p = square.primitives.front();
+    p.material = parts ? number : 0;
+
+    for (scene::Vertex& v : p.vertices) {
+      v.position_m += glm::vec3(pixel_m * (pixel + quarter), -static_cast<float>(number));
+      v.uv0 = (v.uv0 + glm::vec2(x + pixels * number, y)) / static_cast<float>(4 * pixels);
+      if (!parts) v.colour = glm::vec4(colours[number], 1);
+    }
+    made.primitives.push_back(std::move(p));
+  };
+
+  for (int number = 0; number < 4; ++number) {
+    if (number > 0) made.materials.push_back(square.materials.front());
+    if (parts) made.materials.back().base_colour = glm::vec4(colours[number], 1);
     for (int y = 0; y < pixels; ++y)
-      for (int x = 0; x < pixels; ++x) {
-        scene::Primitive p = square.primitives.front();
-        p.material = parts ? part : 0;
-        for (scene::Vertex& v : p.vertices) {
-          v.position_m +=
-              glm::vec3(0.1f * (static_cast<float>(x) - 0.5f * static_cast<float>(pixels)) + 0.025f,
-                        0.1f * (static_cast<float>(y) - 0.5f * static_cast<float>(pixels)) + 0.025f,
-                        -static_cast<float>(part));
-          v.position_m +=
-              glm::vec3(0.05f * static_cast<float>(part % 2), 0.05f * static_cast<float>(part / 2), 0);
-          v.uv0 = (v.uv0 + glm::vec2(x + pixels * part, y)) / static_cast<float>(4 * pixels);
-          if (!parts) v.colour = glm::vec4(colours[part], 1);
-        }
-        made.primitives.push_back(std::move(p));
-      }
+      for (int x = 0; x < pixels; ++x) add(x, y, number);
   }
-  made.cameras.push_back(camera_from_above(0.05 * pixels, {0, 0, 1}));
+  made.cameras.push_back(camera_from_above(pixel_m / 2 * static_cast<float>(pixels), {0, 0, 1}));
   return made;
 }
 
@@ -307,6 +309,7 @@ TEST(InComputeEntries, EachSurfaceOfAPixelIsShaded) {
     s.camera.name = "above";
     s.output.width = s.output.height = 16;
     s.lighting.ambient = 1, s.lighting.rig_lights = 0, s.lighting.specular = false;
+
     const Picture picture = renderer().render(wrap(four_surfaces_per_pixel(16, parts)), s);
     for (std::size_t i = 0; i < picture.linear_rgba.size(); i += 4) {
       EXPECT_NEAR(picture.linear_rgba[i], 0.5, 0.01);
