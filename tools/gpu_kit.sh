@@ -120,11 +120,11 @@ pack_vulkan() {
   [[ -n $path ]] || fail "libvulkan.so.1, the loader, is not here (Debian, Ubuntu: apt install libvulkan1)"
   pack_library libvulkan.so.1 "$path" lib
   pack_libraries lib "$path"
-  for name in libX11.so.6 libXext.so.6; do
+  for name in libX11.so.6 libXext.so.6 libEGL.so.1; do
     path=$(find_library "$name")
     [[ -n $path ]] || { note "$name is not here and not packed: NVIDIA's driver needs it"; continue; }
-    pack_library "$name" "$path" lib/x11
-    pack_libraries lib/x11 "$path"
+    pack_library "$name" "$path" lib/desktop
+    pack_libraries lib/desktop "$path"
   done
   cat >"$kit/share/vulkan/icd.d/nvidia.json" <<'JSON'
 {"file_format_version": "1.0.0", "ICD": {"library_path": "libGLX_nvidia.so.0", "api_version": "1.3.0"}}

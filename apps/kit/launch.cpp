@@ -23,8 +23,9 @@ namespace {
 constexpr const char* shared_with_drivers[] = {"libstdc++", "libgcc", "libz"};
 constexpr int shared_count = 3;
 
-// Of NVIDIA's driver, which a machine without a desktop may lack; in lib/x11.
-constexpr const char* of_a_desktop[] = {"libX11.so.6", "libXext.so.6"};
+// Of NVIDIA's driver, which a machine without a desktop may lack; in lib/desktop. Without libEGL it opens,
+// and then offers no Vulkan.
+constexpr const char* of_a_desktop[] = {"libX11.so.6", "libXext.so.6", "libEGL.so.1"};
 
 // Where containers put NVIDIA's driver.
 constexpr const char* nvidia_folder = "/usr/local/nvidia/lib64";
@@ -127,7 +128,7 @@ bool find_libraries(const char* kit, const char* program, char (&said)[512]) {
   Text more;
   for (const char* library : of_a_desktop)
     if (::dlopen(library, RTLD_LAZY | RTLD_LOCAL) == nullptr) {
-      more.add(":").add(kit).add("/lib/x11");
+      more.add(":").add(kit).add("/lib/desktop");
       break;
     }
   if (is_there(nvidia_folder)) more.add(":").add(nvidia_folder);
@@ -146,13 +147,14 @@ void find_layers_and_drivers(const char* kit) {
 
   for (const char* variable : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES"})
     if (is_set(variable)) return;
+  // A driver that is named twice is two devices.
+  for (const char* manifest : usual_manifests)
+    if (is_there(manifest)) return;
   for (const char* manifest : nvidia_manifests)
     if (is_there(manifest)) {
       ::setenv("VK_ADD_DRIVER_FILES", manifest, 1);
       return;
     }
-  for (const char* manifest : usual_manifests)
-    if (is_there(manifest)) return;
   // The driver's library may be there without a manifest. If it is not, the loader passes over this one.
   Text manifest;
   manifest.add(kit).add("/share/vulkan/icd.d/nvidia.json");

@@ -147,7 +147,7 @@ struct QualitySettings {
   /// cannot tell apart (docs/techniques.md).
   std::optional<Shading> shading{};
   BlurOrder blur = BlurOrder::chain;
-  IrradianceBy irradiance = IrradianceBy::raster;
+  std::optional<IrradianceBy> irradiance{};               ///< none: fastest on the kind of device
   ScreenKernel kernel = ScreenKernel::profile;            ///< of techniques in screen space
   BlurResolution blur_resolution = BlurResolution::full;  ///< likewise, of those that blur
   std::optional<int> taps{};  ///< of their kernels, see docs/techniques.md; none: as many as usual

@@ -262,6 +262,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
         "irradiance",
         &QualitySettings::irradiance,
         {.help = "how texels of light maps are lit: triangles are drawn, or a compute pass lights each texel",
+         .none = "fastest on this kind of device",
          .option = "irradiance",
          .rebuilds = true,
          .real_time = true}},

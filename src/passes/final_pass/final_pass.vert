@@ -48,5 +48,5 @@ void main() {
         along_triangle(world_position(vertex_position(a)), world_position(vertex_position(b)),
                        world_position(vertex_position(c)), out_unwrap_ab.xy, out_unwrap_ab.zw, out_unwrap_c);
 
-  gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
+  gl_Position = clip_position(out_position_m);
 }

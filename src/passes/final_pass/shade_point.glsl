@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the triangle of an entry is seen, and its skin there. Common part of the shaders that shade entries.
-// Needs `shade` (ShadeIo), passes/listed_entry.glsl, and what skin_answer.glsl declares.
+// Needs `shade` (ShadeIo), passes/listed_entry.glsl, shaders/cut_out.glsl, and what skin_answer.glsl
+// declares.
 layout(constant_id = 16) const bool multisampled = true;
 
 // Where a pixel sees a triangle: barycentric coordinates, which sum to 1, and their change per pixel.
@@ -49,11 +50,22 @@ Seen seen_at(vec2 at, vec4 a, vec4 b, vec4 c) {
   return seen;
 }
 
-vec4 clip_position(vec3 world_m) { return frame.camera.clip_from_world * vec4(world_m, 1.0); }
-
 vec2 at_seen(vec3 share, vec2 a, vec2 b, vec2 c) { return share.x * a + share.y * b + share.z * c; }
 vec3 at_seen(vec3 share, vec3 a, vec3 b, vec3 c) { return share.x * a + share.y * b + share.z * c; }
 vec4 at_seen(vec3 share, vec4 a, vec4 b, vec4 c) { return share.x * a + share.y * b + share.z * c; }
+
+// The raster has tested the middle of the pixel against gaps, with corners in 1/256 of a pixel: here it may
+// lie across the edge. Returns coordinates of the nearest point that is there, their change per pixel is dx,
+// dy.
+vec4 beside_gap(vec4 uv, vec4 colour, vec4 dx, vec4 dy) {
+  const float way = 1.0 / 32.0;
+  if (!is_cut(uv, colour)) return uv;
+  if (!is_cut(uv + way * dx, colour)) return uv + way * dx;
+  if (!is_cut(uv - way * dx, colour)) return uv - way * dx;
+  if (!is_cut(uv + way * dy, colour)) return uv + way * dy;
+  if (!is_cut(uv - way * dy, colour)) return uv - way * dy;
+  return uv;
+}
 
 // What an entry shows.
 struct SeenSkin {
@@ -79,15 +91,17 @@ SeenSkin seen_skin(Entry entry) {
 
   const VertexExtraIo ea = vertex_extra(i), eb = vertex_extra(j), ec = vertex_extra(k);
   const vec4 uva = vec4(a.uv0, ea.uv1), uvb = vec4(b.uv0, eb.uv1), uvc = vec4(c.uv0, ec.uv1);
-  const vec4 uv = at_seen(cut ? seen.beside : seen.near, uva, uvb, uvc);
+  const vec4 dx = at_seen(seen.dx, uva, uvb, uvc), dy = at_seen(seen.dy, uva, uvb, uvc);
+  const vec4 colour = at_seen(seen.share, ea.colour, eb.colour, ec.colour);
+  vec4 uv = at_seen(cut ? seen.beside : seen.near, uva, uvb, uvc);
+  if (cut) uv = beside_gap(uv, colour, dx, dy);
 
   const vec3 position_m = at_seen(seen.near, pa, pb, pc);
   const vec3 n = normalize(world_direction(at_seen(seen.near, a.normal, b.normal, c.normal)));
   const vec4 tangent = at_seen(seen.near, a.tangent, b.tangent, c.tangent);
   const ShadingPoint s =
       ShadingPoint(position_m, seen.front ? n : -n, vec4(world_direction(tangent.xyz), tangent.w), uv.xy,
-                   uv.zw, at_seen(seen.share, ea.colour, eb.colour, ec.colour),
-                   at_seen(seen.dx, uva, uvb, uvc), at_seen(seen.dy, uva, uvb, uvc));
+                   uv.zw, colour, dx, dy);
 
   const SkinVertexIo sa = skin_vertex_at(i), sb = skin_vertex_at(j), sc = skin_vertex_at(k);
   OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0, vec4(0.0),

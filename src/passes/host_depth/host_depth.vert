@@ -18,5 +18,6 @@ void main() {
   out_uv1 = extra.uv1;
   out_colour = extra.colour;
   const vec3 position_m = world_position(placed_position(placements[gl_InstanceIndex], v.position_m));
-  gl_Position = io.clip_from_world * vec4(position_m, 1.0);
+  precise const vec4 clip = io.clip_from_world * vec4(position_m, 1.0);  // as clip_position()
+  gl_Position = clip;
 }

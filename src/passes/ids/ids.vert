@@ -19,5 +19,5 @@ void main() {
   out_id = io.first_id + uint(gl_VertexIndex);
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;
-  gl_Position = frame.camera.clip_from_world * vec4(world_position(v.position_m), 1.0);
+  gl_Position = clip_position(world_position(v.position_m));
 }

@@ -34,11 +34,13 @@ uint region() {
 }
 
 // From where the point was in the frame before to where it is, pixels, y down; infinity if it lay behind the
-// camera.
+// camera. GPUs interpolate equal values to results that differ in the last bits: so little is no motion.
 vec2 motion() {
   if (in_clip_before.w <= 0.0) return vec2(uintBitsToFloat(0x7f800000u));
-  const vec2 now = in_clip.xy / in_clip.w, then = in_clip_before.xy / in_clip_before.w;
-  return (now - then) * vec2(0.5, -0.5) * io.size;  // y of a clip points up
+  precise const vec2 now = in_clip.xy / in_clip.w, then = in_clip_before.xy / in_clip_before.w;
+  const vec2 moved = now - then;
+  return mix(moved, vec2(0.0), lessThan(abs(moved), vec2(exp2(-21.0)))) * vec2(0.5, -0.5) *
+         io.size;  // y of a clip points up
 }
 
 void main() {

@@ -25,8 +25,7 @@ layout(location = 7) out vec3 out_body;  // unwrap, thickness in mm
 vec4 clip_at(mat4 clip_from_world, InstanceIo i, PlacementIo placement, vec3 position_m) {
   const vec3 p = placed_position(placement, position_m);
   precise vec3 world_m = (i.x_axis * p.x + i.y_axis * p.y + i.z_axis * p.z) * i.scale + i.origin_m;
-  precise vec4 clip = clip_from_world * vec4(world_m, 1.0);
-  return clip;
+  return clip_position(clip_from_world, world_m);
 }
 
 void main() {

@@ -19,5 +19,5 @@ void main() {
   const VertexExtraIo extra = vertex_extra(gl_VertexIndex);
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;
-  gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
+  gl_Position = clip_position(out_position_m);
 }

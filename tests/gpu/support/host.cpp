@@ -84,7 +84,14 @@ void Host::make_device() {
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
   queue.queueCount = 1;
   queue.pQueuePriorities = &priority;
-  const vulkan::RequiredFeatures required;
+  // As the renderer's own device has it, so that both read maps alike.
+  PFN_vkGetPhysicalDeviceFeatures features{};
+  load(features, "vkGetPhysicalDeviceFeatures");
+  VkPhysicalDeviceFeatures can{};
+  features(physical_, &can);
+  vulkan::RequiredFeatures required;
+  required.features.features.samplerAnisotropy = can.samplerAnisotropy;
+  sampler_anisotropy_ = can.samplerAnisotropy == VK_TRUE;
   VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
   info.pNext = &required.features;
   info.queueCreateInfoCount = 1;
@@ -130,7 +137,8 @@ vulkan::Host Host::vulkan() const {
           .instance = instance_,
           .physical_device = physical_,
           .device = device_,
-          .queue = queue_};
+          .queue = queue_,
+          .sampler_anisotropy = sampler_anisotropy_};
 }
 
 VkDeviceMemory Host::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags properties) {

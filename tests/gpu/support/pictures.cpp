@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "gpu/device.h"
 #include "gpu/support/failure.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
@@ -104,6 +105,22 @@ void expect_equal_bits(const Picture& wanted, const Picture& found) {
                                  wanted.linear_rgba.size() * sizeof(float)) == 0;
   EXPECT_TRUE(equal) << write_failure(linear(wanted), linear(found));
   EXPECT_EQ(wanted.display_rgba, found.display_rgba);
+}
+
+void expect_same_picture(const Picture& wanted, const Picture& found) {
+  if (gpu::list_devices().front().type == "software") return expect_equal_bits(wanted, found);
+  ASSERT_EQ(wanted.linear_rgba.size(), found.linear_rgba.size());
+
+  std::size_t apart = 0;
+  double most = 0;
+  for (std::size_t i = 0; i < wanted.linear_rgba.size(); ++i) {
+    const double a = double{wanted.linear_rgba[i]}, b = double{found.linear_rgba[i]};
+    apart += a != b;
+    most = std::max(most, std::abs(a - b) / std::max({std::abs(a), std::abs(b), 1e-4}));
+  }
+  if (apart > 0) std::printf("%zu of %zu values differ\n", apart, wanted.linear_rgba.size());
+  EXPECT_LE(most, target_rounding) << write_failure(linear(wanted), linear(found));
+  EXPECT_LE(apart, wanted.linear_rgba.size() / 1000);
 }
 
 }  // namespace dermis::tests

@@ -51,6 +51,10 @@ void expect_unseen(const Picture& wanted, const Picture& found);
 /// A half float rounds by this share of its value at most.
 inline constexpr double half_rounding = 1.0 / 2048;
 
+/// What is drawn into a target of half floats may be rounded to either side, so that two that show the same
+/// are a whole step apart.
+inline constexpr double target_rounding = 2 * half_rounding;
+
 /// Of display values.
 struct DisplayDifference {
   int largest = 0;
@@ -60,5 +64,9 @@ DisplayDifference display_difference(const Picture& a, const Picture& b);
 
 /// Linear light and display values. On failure the pictures are written (failure.h).
 void expect_equal_bits(const Picture& wanted, const Picture& found);
+
+/// Of a renderer and a session: linear light, equal to the bit on software devices, within a step of a half
+/// float elsewhere. GPU drivers compile a shader otherwise in another pipeline, and round otherwise.
+void expect_same_picture(const Picture& wanted, const Picture& found);
 
 }  // namespace dermis::tests

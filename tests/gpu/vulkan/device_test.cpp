@@ -72,7 +72,7 @@ TEST_F(Devices, LimitsAreThoseOfVulkan) {
   EXPECT_GE(limits.max_clip_distances, 8u);
   EXPECT_GE(limits.max_storage_buffer_bytes, 1u << 27);
   EXPECT_TRUE(device().format_supports(VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT));
-  EXPECT_FALSE(device().format_supports(VK_FORMAT_D32_SFLOAT, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT));
+  EXPECT_FALSE(device().format_supports(VK_FORMAT_D32_SFLOAT, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT));
 }
 
 TEST_F(Devices, ErrorsNameTheCall) {
@@ -98,10 +98,12 @@ TEST_F(Devices, RefuseWhatIsTooLarge) {
       texture({.width = 8, .height = 8, .layers = 1u << 20, .format = VK_FORMAT_R8_UNORM, .usage = sampled})
           .find("1048576 layers"),
       std::string::npos);
-  EXPECT_NE(
-      texture({.width = 8, .height = 8, .format = VK_FORMAT_D32_SFLOAT, .usage = VK_IMAGE_USAGE_STORAGE_BIT})
-          .find("needs D32_SFLOAT images"),
-      std::string::npos);
+  EXPECT_NE(texture({.width = 8,
+                     .height = 8,
+                     .format = VK_FORMAT_D32_SFLOAT,
+                     .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT})
+                .find("needs D32_SFLOAT images"),
+            std::string::npos);
 
   const std::string huge = texture({.width = side,
                                     .height = side,
