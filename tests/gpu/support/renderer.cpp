@@ -74,4 +74,6 @@ Renderer& renderer() { return one->get(); }
 
 bool is_validated() { return one->is_validated(); }
 
+bool on_software() { return gpu::list_devices().front().type == "software"; }
+
 }  // namespace dermis::tests

@@ -16,4 +16,7 @@ Renderer& renderer();
 /// Does the validation layer watch renderer()?
 bool is_validated();
 
+/// Is the device of renderer() a software driver? GPUs round otherwise, and keep corners in other places.
+bool on_software();
+
 }  // namespace dermis::tests
