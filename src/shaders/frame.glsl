@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The frame, and where a point lies as its camera sees it.
+#include "shaders/clip.glsl"
 layout(binding = 3, scalar) uniform Frame { FrameIo frame; };
 
 // Returns the vector from a point to the eye; of unit length if the camera is orthographic.
 vec3 to_eye(vec3 position_m) {
   return frame.camera.orthographic != 0u ? -frame.camera.direction : frame.camera.eye_m - position_m;
-}
-
-// Returns clip coordinates. Precise: passes that test against each other's depth must agree on its last bit,
-// and drivers merge products and sums differently from shader to shader.
-vec4 clip_position(mat4 clip_from_world, vec3 world_m) {
-  precise const vec4 clip = clip_from_world * vec4(world_m, 1.0);
-  return clip;
 }
 
 vec4 clip_position(vec3 world_m) { return clip_position(frame.camera.clip_from_world, world_m); }

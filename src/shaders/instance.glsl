@@ -8,9 +8,9 @@
 
 vec3 world_direction(vec3 d) { return INSTANCE.x_axis * d.x + INSTANCE.y_axis * d.y + INSTANCE.z_axis * d.z; }
 
-vec3 world_position(vec3 position_m) {
-  precise const vec3 turned =
-      INSTANCE.x_axis * position_m.x + INSTANCE.y_axis * position_m.y + INSTANCE.z_axis * position_m.z;
-  precise const vec3 world_m = turned * INSTANCE.scale + INSTANCE.origin_m;
+vec3 world_position(InstanceIo i, vec3 p) {
+  precise const vec3 world_m = (i.x_axis * p.x + i.y_axis * p.y + i.z_axis * p.z) * i.scale + i.origin_m;
   return world_m;
 }
+
+vec3 world_position(vec3 position_m) { return world_position(INSTANCE, position_m); }

@@ -31,13 +31,8 @@ RenderSettings progressive(RenderSettings s) {
   return s;
 }
 
-RenderSettings lit_in_compute(RenderSettings s) {
-  s.quality.irradiance = IrradianceBy::compute;
-  return s;
-}
-
-RenderSettings lit_where_fastest(RenderSettings s) {
-  s.quality.irradiance = {};
+RenderSettings lit(RenderSettings s, std::optional<IrradianceBy> by) {
+  s.quality.irradiance = by;
   return s;
 }
 
@@ -91,11 +86,11 @@ std::vector<Variant> variants_of(const RenderSettings& common, bool cascade) {
   all.push_back({shading_key, "ids", "all, with skin drawn as ids and shaded in compute",
                  shaded_in_compute(optimised), true});
   all.push_back({texels_key, "texels", "all, with the texels of the light maps lit in compute",
-                 lit_in_compute(optimised), true});
+                 lit(optimised, IrradianceBy::compute), true});
   if (cascade)
     all.push_back({compute_key, "compute",
                    "all, with the cascade, with ids, and lit where that is fastest here",
-                   lit_where_fastest(shaded_in_compute(with_cascade(optimised))), true});
+                   lit(shaded_in_compute(with_cascade(optimised)), {}), true});
 
   all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
                  unscattered(common)});

@@ -7,6 +7,7 @@
 layout(push_constant, scalar) uniform Push { HostDepthIo io; };
 #define INSTANCE io.instance
 #include "shaders/instance.glsl"
+#include "shaders/clip.glsl"
 invariant gl_Position;  // equal to that of the picture
 layout(location = 0) out vec2 out_uv0;
 layout(location = 1) out vec2 out_uv1;
@@ -18,6 +19,5 @@ void main() {
   out_uv1 = extra.uv1;
   out_colour = extra.colour;
   const vec3 position_m = world_position(placed_position(placements[gl_InstanceIndex], v.position_m));
-  precise const vec4 clip = io.clip_from_world * vec4(position_m, 1.0);  // as clip_position()
-  gl_Position = clip;
+  gl_Position = clip_position(io.clip_from_world, position_m);
 }

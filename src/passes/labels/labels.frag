@@ -38,9 +38,10 @@ uint region() {
 vec2 motion() {
   if (in_clip_before.w <= 0.0) return vec2(uintBitsToFloat(0x7f800000u));
   precise const vec2 now = in_clip.xy / in_clip.w, then = in_clip_before.xy / in_clip_before.w;
-  const vec2 moved = now - then;
-  return mix(moved, vec2(0.0), lessThan(abs(moved), vec2(exp2(-21.0)))) * vec2(0.5, -0.5) *
-         io.size;  // y of a clip points up
+  const float rounding = exp2(-21.0);
+  vec2 moved = now - then;
+  moved = mix(moved, vec2(0.0), lessThan(abs(moved), vec2(rounding)));
+  return moved * vec2(0.5, -0.5) * io.size;  // y of a clip points up
 }
 
 void main() {

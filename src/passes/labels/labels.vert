@@ -23,9 +23,7 @@ layout(location = 7) out vec3 out_body;  // unwrap, thickness in mm
 
 // The same products and sums for both frames: what stands still has a motion of 0 exactly.
 vec4 clip_at(mat4 clip_from_world, InstanceIo i, PlacementIo placement, vec3 position_m) {
-  const vec3 p = placed_position(placement, position_m);
-  precise vec3 world_m = (i.x_axis * p.x + i.y_axis * p.y + i.z_axis * p.z) * i.scale + i.origin_m;
-  return clip_position(clip_from_world, world_m);
+  return clip_position(clip_from_world, world_position(i, placed_position(placement, position_m)));
 }
 
 void main() {

@@ -61,7 +61,7 @@ TEST_F(EmbeddedShape, MovedVerticesAreWhereTheHostHasThem) {
   frame.frames->update(scene, frame_settings(), {.deformed = {head}});
   frame.draw();
   const Pixels at_rest = frame.colour();
-  EXPECT_LE(largest_difference(rendered(scene, frame_settings()), at_rest), target_rounding);
+  EXPECT_LE(largest_difference(rendered(scene, frame_settings()), at_rest), target_rounding());
 
   // Positions and normals of each vertex side by side, as an engine may have them.
   const std::uint64_t bytes = ball.positions_m.size() * 24;

@@ -138,7 +138,7 @@ TEST_F(EmbeddedHostility, UpdatesThatDoNotFit) {
     EXPECT_THROW(frame.frames->update(scene, wrong[i].second, wrong[i].first), InputError) << i;
 
   frame.draw();
-  EXPECT_LE(largest_difference(frame.colour(), rendered(scene, settings)), target_rounding);
+  EXPECT_LE(largest_difference(frame.colour(), rendered(scene, settings)), target_rounding());
 }
 
 TEST_F(EmbeddedHostility, FramesThatCannotBeRecorded) {
@@ -219,7 +219,7 @@ TEST_F(EmbeddedHostility, FramesThatCannotBeRecorded) {
   });
 
   frame.draw();
-  EXPECT_LE(largest_difference(frame.colour(), rendered(scene, frame_settings())), target_rounding);
+  EXPECT_LE(largest_difference(frame.colour(), rendered(scene, frame_settings())), target_rounding());
 }
 
 TEST_F(EmbeddedHostility, MoreFramesThanMayBeInFlight) {

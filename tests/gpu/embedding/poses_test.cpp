@@ -36,14 +36,14 @@ TEST_F(EmbeddedPoses, EqualTheRenderersPicture) {
     frame.frames->update(scene, settings);
     frame.draw();
     const Pixels wanted = rendered(scene, settings);
-    EXPECT_LE(largest_difference(frame.colour(), wanted), target_rounding) << seconds;
+    EXPECT_LE(largest_difference(frame.colour(), wanted), target_rounding()) << seconds;
     EXPECT_GE(largest_difference(rest, wanted), 0.05) << "this pose moves nothing";
   }
 
   scene.set_pose(id, {});
   frame.frames->update(scene, settings);
   frame.draw();
-  EXPECT_LE(largest_difference(frame.colour(), rest), target_rounding);
+  EXPECT_LE(largest_difference(frame.colour(), rest), target_rounding());
 }
 
 // The depth pre-pass comes first, and moves the head for both.

@@ -107,6 +107,8 @@ void expect_equal_bits(const Picture& wanted, const Picture& found) {
   EXPECT_EQ(wanted.display_rgba, found.display_rgba);
 }
 
+double target_rounding() { return on_software() ? half_rounding : 2 * half_rounding; }
+
 void expect_same_picture(const Picture& wanted, const Picture& found) {
   if (on_software()) return expect_equal_bits(wanted, found);
   ASSERT_EQ(wanted.linear_rgba.size(), found.linear_rgba.size());
@@ -119,7 +121,7 @@ void expect_same_picture(const Picture& wanted, const Picture& found) {
     most = std::max(most, std::abs(a - b) / std::max({std::abs(a), std::abs(b), 1e-4}));
   }
   if (apart > 0) std::printf("%zu of %zu values differ\n", apart, wanted.linear_rgba.size());
-  EXPECT_LE(most, 1.01 * target_rounding) << write_failure(linear(wanted), linear(found));
+  EXPECT_LE(most, 1.01 * target_rounding()) << write_failure(linear(wanted), linear(found));
   EXPECT_LE(apart, wanted.linear_rgba.size() / 200);
 }
 

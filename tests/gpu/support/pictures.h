@@ -51,9 +51,9 @@ void expect_unseen(const Picture& wanted, const Picture& found);
 /// A half float rounds by this share of its value at most.
 inline constexpr double half_rounding = 1.0 / 2048;
 
-/// What is drawn into a target of half floats may be rounded to either side, so that two that show the same
-/// are a whole step apart.
-inline constexpr double target_rounding = 2 * half_rounding;
+/// How far two targets of half floats that show the same may be apart: GPUs round to either side, a whole
+/// step.
+double target_rounding();
 
 /// Of display values.
 struct DisplayDifference {
