@@ -12,7 +12,8 @@
 #   HEADS        default "1 4 16"
 #   DISTANCES    radii, default "2.5 10 50 100"
 #   TURNS        of each program and cell, default 3; FRAMES of a turn, default 3
-#   OLD_OPTIONS, NEW_OPTIONS  of one program alone
+#   OLD_OPTIONS, NEW_OPTIONS  of one program alone; --keep-shadows off where the other draws shadow maps in
+#                every frame
 set -euo pipefail
 
 if (($# < 2)); then

@@ -77,6 +77,10 @@ struct Statistics {
   /// Of each head: Gaussians that are read from light maps, the widest ones; the others are lit per pixel.
   /// 0: the head has no light maps in this frame.
   std::vector<int> mapped_terms;
+  /// Layers of shadow maps that were drawn, those of light that enters included; the others still showed what
+  /// they had to: see QualitySettings::keep_shadows. Of a PreparedFrame: by the first frame.
+  std::uint64_t shadow_maps_drawn = 0;
+  std::uint64_t barriers = 0;  ///< pipeline barriers of a frame, likewise
   /// Device memory of the whole renderer: textures now, buffers now, the largest sum of both so far.
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;
 

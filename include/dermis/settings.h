@@ -140,6 +140,10 @@ struct QualitySettings {
   bool depth = true;                        ///< light maps only as large as the head's distance needs
   bool clip = true;                         ///< leave out skin outside the picture and a margin
   std::optional<bool> skip_unseen_heads{};  ///< heads wholly outside the picture; none: if any of these is on
+  /// The shadow maps of heads and lights that have not moved since the frame before are not drawn again.
+  /// Frames of a session or a host give each head maps of its own for that, up to 512 MB of them; others have
+  /// as many as heads are lit together.
+  bool keep_shadows = true;
 
   std::optional<BlurMask> mask{};  ///< none: fastest on the kind of device
   LightMaps maps = LightMaps::full;

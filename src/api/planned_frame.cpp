@@ -12,12 +12,12 @@ namespace dermis::api {
 namespace {
 
 void check_layers(const Scene& scene, const setup::FrameSetup& setup, const gpu::DeviceLimits& limits) {
-  const std::uint64_t layers = std::uint64_t{setup.plan.shadow_layers} * setup.plan.heads_per_batch;
+  const std::uint64_t layers = std::uint64_t{setup.plan.shadow_layers} * setup.plan.shadow_sets();
   if (layers > limits.max_array_layers)
     throw input_error(scene.name(),
                       "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
                       "a smaller lighting.rig_lights uses fewer ({} of them are in the environment)",
-                      setup.lights, layers, setup.plan.heads_per_batch, limits.max_array_layers,
+                      setup.lights, layers, setup.plan.shadow_sets(), limits.max_array_layers,
                       setup.environment_lights);
 }
 
@@ -88,7 +88,8 @@ setup::FrameSetup PlannedFrame::set_up(const Input& input, const RenderSettings&
   const gpu::DeviceLimits& limits = device().limits();
   const setup::DeviceTraits traits{.software = limits.software,
                                    .memory_bytes = device().summary().memory_bytes,
-                                   .max_image_side = limits.max_image_side};
+                                   .max_image_side = limits.max_image_side,
+                                   .max_array_layers = limits.max_array_layers};
   setup::FrameSetup setup =
       setup::set_up(input.placed, input.subjects, settings, traits, input.environment_lights,
                     input.host ? &*input.host : nullptr, options_.all_views);
@@ -123,6 +124,7 @@ void PlannedFrame::plan(const RenderSettings& settings, const setup::FrameSetup&
   executor_.reset();  // its memory first: two frames may not fit
   const double before = renderer_->library.creation_ms();
   executor_.emplace(renderer_->library, made);
+  kept_shadows_ = {};
   pipeline_ms_ = renderer_->library.creation_ms() - before;
   renderer_->library.save_cache();
   outputs_ = made_outputs;
@@ -132,8 +134,16 @@ passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory, bool measured) {
   passes::FrameData data =
       setup::frame_data(memory, setup_, outputs_, scene_.instances(), environment_.get());
   posed_.fill(memory, setup_, data, measured);
+  shadow_versions_.fill(setup_, scene_, input_.placed, input_.host ? &*input_.host : nullptr, data);
+  data.kept_shadows = &kept_shadows_;
   if (options_.labels) motion_.fill(memory, setup_, input_.placed, ids_, data);
   return data;
+}
+
+RecordCounts PlannedFrame::count(const std::function<void()>& record) const {
+  const std::uint64_t maps = kept_shadows_.drawn(), barriers = executor_->barriers();
+  record();
+  return {kept_shadows_.drawn() - maps, executor_->barriers() - barriers};
 }
 
 }  // namespace dermis::api

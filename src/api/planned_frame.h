@@ -3,6 +3,8 @@
 /// Session have in common.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,10 +13,17 @@
 #include "api/posed_instances.h"
 #include "api/renderer_state.h"
 #include "api/scene_on_device.h"
+#include "api/shadow_versions.h"
 #include "frame/executor.h"
 #include "setup/frame_setup.h"
 
 namespace dermis::api {
+
+/// What recording a frame has counted.
+struct RecordCounts {
+  std::uint64_t shadow_maps = 0;  ///< layers that were drawn
+  std::uint64_t barriers = 0;
+};
 
 class PlannedFrame {
  public:
@@ -48,6 +57,7 @@ class PlannedFrame {
     ready_ = false;
     posed_.move_all();
     motion_.undo();
+    shadow_versions_.forget();
   }
   void make_ready() { ready_ = true; }
   /// Until make_ready(); what has moved stays moved.
@@ -56,6 +66,9 @@ class PlannedFrame {
   /// Writes what changes per frame. Poses count as drawn from here on, unless make_unready() is called, or
   /// the frame is only `measured`.
   passes::FrameData data(gpu::FrameMemory& memory, bool measured = false);
+
+  /// Calls `record`, which records a frame, and returns what that has counted.
+  RecordCounts count(const std::function<void()>& record) const;
 
   /// Instances in poses, for the frames of a host: these record what has moved by themselves.
   PosedInstances& posed() { return posed_; }
@@ -84,6 +97,7 @@ class PlannedFrame {
   SceneOnDevice scene_;
   PosedInstances posed_;
   Motion motion_;
+  ShadowVersions shadow_versions_;
   std::vector<InstanceId> ids_;  // of the scene's instances
   std::shared_ptr<const setup::EnvironmentLight> environment_;
   setup::FrameSetup setup_;
@@ -91,6 +105,7 @@ class PlannedFrame {
   RenderSettings settings_;
   techniques::FrameOutputs outputs_;
   std::optional<frame::Executor<passes::FrameData>> executor_;
+  passes::KeptShadows kept_shadows_;  // of its memory
   /// Of the meshes whose metric the memory of the plan holds, in the order of their unwraps.
   std::vector<AssetPointer> unwrap_assets_;
   double pipeline_ms_ = 0;

@@ -23,6 +23,7 @@ struct PreparedFrame::State {
   passes::FrameData data;
   std::vector<frame::FrameTime> times;  ///< since the last change
   std::vector<std::byte> counters;      ///< of this view; empty: not counted yet
+  api::RecordCounts recorded;           ///< likewise
   bool changed = true;                  ///< `data`, since the last frame
   std::optional<double> exposure_ev;    ///< given or chosen; none: it was to be chosen, and no skin is lit
 
@@ -63,6 +64,10 @@ std::optional<double> PreparedFrame::State::measure_exposure() {
     changed = true;
   };
 
+  // Other light enters white skin: what its frames leave in shadow maps is not kept.
+  std::vector<std::uint64_t> versions;
+  for (passes::Instance& head : data.instances) versions.push_back(std::exchange(head.shadow_version, 0));
+
   io::FrameIo white = frame.setup().frame;
   white.white_albedo = 1;
   white.specular_on = 0;
@@ -73,6 +78,7 @@ std::optional<double> PreparedFrame::State::measure_exposure() {
   });
 
   expose(frame.setup().frame, ev.value_or(0));
+  for (std::size_t i = 0; i < versions.size(); ++i) data.instances[i].shadow_version = versions[i];
   return ev;
 }
 
@@ -88,7 +94,7 @@ void PreparedFrame::State::count() {
   if (!frame.is_ready())
     throw Cancelled(source.name() + ": the frame was stopped while it was prepared; set() prepares it again");
   if (!counters.empty()) return;
-  draw(true);
+  recorded = frame.count([&] { draw(true); });
   counters = gpu::read_back(frame.device(), frame.executor().resources().buffer(frame.outputs().counters));
 }
 
@@ -141,6 +147,8 @@ Picture PreparedFrame::State::picture() {
   statistics.timing = frame.executor().separate_submissions() ? "submit" : "timestamp";
   if (!times.empty()) api::fill_times(statistics, times, frame.executor().graph());
   api::fill_counts(statistics, frame.scene().subjects(), settings, frame.setup(), counters);
+  statistics.shadow_maps_drawn = recorded.shadow_maps;
+  statistics.barriers = recorded.barriers;
   statistics.upload_ms = frame.scene().upload_ms();
   statistics.pipeline_ms = frame.pipeline_ms();
 

@@ -51,6 +51,9 @@ class SceneOnDevice {
   std::vector<scene::BoundingSphere> skin_spheres() const;  ///< one per instance, in its asset
   std::vector<AssetPointer> different_assets() const;       ///< each once
   const AssetPointer& asset(std::size_t instance) const { return assets_[instance]; }
+  const std::shared_ptr<const SharedLook>& look(std::size_t instance) const {  ///< after upload()
+    return looks_[instance];
+  }
   /// After upload(); null: there is no environment, or the instance is not seen.
   std::shared_ptr<const SharedSky> sky(std::size_t instance) const {
     return instance < skies_.size() ? skies_[instance] : nullptr;

@@ -26,6 +26,7 @@ struct Slot {
   setup::FrameSetup setup;
   api::SceneOnDevice scene;
   std::uint64_t counter_bytes = 0;
+  api::RecordCounts recorded;
   std::uint64_t ticket = 0;  // 0: none
   std::uint64_t serial = 0;  // of its submission
 };
@@ -110,7 +111,8 @@ void Session::State::record(VkCommandBuffer commands, Slot& slot, const passes::
   make_readback(device, slot.display, "display values to read", 4 * pixels);
 
   slot.memory.record(commands);
-  frame.executor().record(commands, data, {.changed = true, .statistics = options.statistics});
+  slot.recorded = frame.count(
+      [&] { frame.executor().record(commands, data, {.changed = true, .statistics = options.statistics}); });
 
   const auto copy = [&](frame::TextureId id, const gpu::Buffer& to) {
     gpu::record_read_back(device, commands, resources.texture(id), frame.executor().layout_of(id), to);
@@ -155,6 +157,8 @@ Picture Session::State::picture(const Slot& slot) const {
     counters.assign(counted.begin(), counted.end());
   }
   api::fill_counts(picture.statistics, slot.scene.subjects(), slot.settings, slot.setup, counters);
+  picture.statistics.shadow_maps_drawn = slot.recorded.shadow_maps;
+  picture.statistics.barriers = slot.recorded.barriers;
   api::fill_device(picture.statistics, device);
   picture.statistics.exposure_ev = *slot.settings.output.exposure_ev;
   return picture;

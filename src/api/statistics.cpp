@@ -57,6 +57,8 @@ std::string Statistics::json() const {
                  {"used_size", used_size},
                  {"mapped_terms", mapped_terms}};
 
+  j["shadow_maps_drawn"] = shadow_maps_drawn;
+  j["barriers"] = barriers;
   j["memory_bytes"] = {{"images", image_bytes}, {"buffers", buffer_bytes}, {"peak", peak_bytes}};
   return j.dump(2) + "\n";
 }

@@ -88,6 +88,7 @@ void GraphExecutor::record(VkCommandBuffer commands, const RecordPass& record_pa
     if (timer) timer->end(commands);
     device().end_label(commands);
   }
+  recorded_barriers_ += cmd.barriers();
 }
 
 void GraphExecutor::poison() {
@@ -113,6 +114,7 @@ FrameTime GraphExecutor::run(const RecordPass& record_pass) {
         gpu::Cmd cmd(device(), commands);
         record_barriers(cmd, barriers[p]);
         record_pass(cmd, p);
+        recorded_barriers_ += cmd.barriers();
       });
       time.passes.push_back(
           {graph_.passes()[p].name, duration<double, std::milli>(steady_clock::now() - start).count()});

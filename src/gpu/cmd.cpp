@@ -261,6 +261,7 @@ void Cmd::clear(const Texture& to, std::array<float, 4> colour) {
 
 void Cmd::barrier(const VkDependencyInfo& dependencies) {
   device_->vk().vkCmdPipelineBarrier2(handle_, &dependencies);
+  ++barriers_;
 }
 
 void Cmd::barrier_all() {

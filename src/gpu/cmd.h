@@ -96,10 +96,12 @@ class Cmd {
   void barrier(const VkDependencyInfo& dependencies);
   /// Makes all that was written before visible to all that comes after.
   void barrier_all();
+  std::uint32_t barriers() const { return barriers_; }  ///< recorded so far
 
  private:
   Device* device_;
   VkCommandBuffer handle_;
+  std::uint32_t barriers_ = 0;
 };
 
 }  // namespace dermis::gpu

@@ -13,6 +13,7 @@
 #include "gpu/cmd.h"
 #include "gpu/resources.h"
 #include "passes/gpu_scene.h"
+#include "passes/kept_shadows.h"
 #include "passes/mapped_terms.h"
 #include "passes/pixel_area.h"
 #include "shared/scene_io.h"
@@ -85,6 +86,8 @@ struct Instance {
   std::uint32_t first_mesh = 0;              ///< of its skin, among the skin meshes of the plan
   std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
+  /// Of what these layers show: the same number, the same depths and entering light. 0: may change unseen.
+  std::uint64_t shadow_version = 0;
   /// Images of a host for these layers, null where dermis draws them; empty: it draws all.
   std::vector<HostShadowMap> host_shadows;
   std::span<const gpu::Buffer> vertices;  ///< moved, one per skin mesh; empty: those of `scene`
@@ -117,12 +120,13 @@ struct FrameData {
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
   /// RGBA16F, what stands behind the heads, with its lamps; none: uniform light, or it is not shown
   const gpu::Texture* environment_picture = nullptr;
-  std::vector<Instance> instances;  ///< at least one
-  std::vector<RigMove> moves;       ///< those that move in this frame, each once
-  std::vector<SkyTurn> sky_turns;   ///< those, and any in a pose under another sky than before
-  std::optional<VkRect2D> area;     ///< part of the targets that is the picture; none: all
-  PixelArea heads;                  ///< of a picture of ours: beside it is no head
-  DrawIrradiance draw_irradiance;   ///< of a host
+  std::vector<Instance> instances;      ///< at least one
+  std::vector<RigMove> moves;           ///< those that move in this frame, each once
+  std::vector<SkyTurn> sky_turns;       ///< those, and any in a pose under another sky than before
+  std::optional<VkRect2D> area;         ///< part of the targets that is the picture; none: all
+  PixelArea heads;                      ///< of a picture of ours: beside it is no head
+  DrawIrradiance draw_irradiance;       ///< of a host
+  KeptShadows* kept_shadows = nullptr;  ///< of the memory of the plan; none: all shadow maps are drawn
 };
 
 using FramePlan = frame::FramePlan<FrameData>;

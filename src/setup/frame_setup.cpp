@@ -132,10 +132,13 @@ void sort_heads(FrameSetup& setup, const RenderSettings& s) {
   for (const HeadSetup& head : setup.heads) setup.plan.heads.push_back(head.model);
 }
 
-// Heads of one batch have sets of shadow maps one after the other.
+// Heads of one batch have sets of shadow maps one after the other. Those that last have the place of their
+// head, whatever the order in which heads are drawn.
 void place_shadows(std::vector<HeadSetup>& heads, const techniques::FrameSettings& plan) {
   for (std::uint32_t i = 0; i < heads.size(); ++i) {
-    heads[i].first_shadow_layer = i % plan.heads_per_batch * plan.shadow_layers;
+    const std::uint32_t set =
+        plan.keep_shadows ? static_cast<std::uint32_t>(heads[i].number) : i % plan.heads_per_batch;
+    heads[i].first_shadow_layer = set * plan.shadow_layers;
     for (io::LightIo& light : heads[i].lights) light.shadow_layer += heads[i].first_shadow_layer;
   }
 }
@@ -352,6 +355,8 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   set_up_plan(setup, scene, s, lights, device, every_view);
   if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
+  setup.plan.keep_shadows = s.quality.keep_shadows && s.output.show == "picture" &&
+                            can_keep_shadows(setup.plan, *setup.technique, device, every_view);
   check_screen_space(setup);
   check_unscattered(setup.plan);
   const bool in_compute = choose_shading(s.quality) == Shading::compute || setup.technique->screen_space;

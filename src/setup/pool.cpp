@@ -84,4 +84,15 @@ void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& t
   plan.heads_per_batch = static_cast<std::uint32_t>(std::max(1.0, together));
 }
 
+bool can_keep_shadows(const techniques::FrameSettings& plan, const techniques::Technique& technique,
+                      const DeviceTraits& device, bool many_frames) {
+  if (plan.head_count() <= plan.heads_per_batch) return true;
+  if (!many_frames || plan.head_count() * plan.shadow_layers > device.max_array_layers) return false;
+
+  double budget = 1e6 * default_shadows_mb;
+  if (device.memory_bytes > 0) budget = std::min(budget, static_cast<double>(device.memory_bytes) / 4);
+  const auto of_a_head = static_cast<double>(techniques::map_memory(technique, plan).shadow_maps);
+  return of_a_head * plan.head_count() <= budget;
+}
+
 }  // namespace dermis::setup

@@ -15,6 +15,7 @@ struct DeviceTraits {
   bool software = false;
   std::uint64_t memory_bytes = 0;        ///< of the device; 0: unknown
   std::uint32_t max_image_side = 16384;  ///< texels
+  std::uint32_t max_array_layers = 2048;
 };
 
 /// The heads that share the pool.
@@ -27,5 +28,11 @@ struct PoolHeads {
 /// Throws InputError: a budget that does not hold one square.
 void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& technique,
                  const PoolHeads& heads, const RenderSettings& settings, const DeviceTraits& device);
+
+/// Returns whether each head of a plan, which knows its heads and its pool, can have shadow maps of its own:
+/// where they take no more memory than those of a batch, and, with `many_frames` to come, up to 512 MB and a
+/// quarter of the device's memory.
+bool can_keep_shadows(const techniques::FrameSettings& plan, const techniques::Technique& technique,
+                      const DeviceTraits& device, bool many_frames);
 
 }  // namespace dermis::setup

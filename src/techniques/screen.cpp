@@ -70,10 +70,11 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
 
   gpu::TextureDesc shadow{.width = settings.shadow_size,
                           .height = settings.shadow_size,
-                          .layers = std::max(settings.shadow_layers, 1u) * settings.heads_per_batch,
+                          .layers = std::max(settings.shadow_layers, 1u) * settings.shadow_sets(),
                           .format = VK_FORMAT_D32_SFLOAT,
                           .array = true};
-  shadow_ = plan.texture("shadow maps", shadow);
+  const auto lasts = settings.keep_shadows ? frame::Lifetime::persistent : frame::Lifetime::transient;
+  shadow_ = plan.texture("shadow maps", shadow, lasts);
 
   if (settings.translucency && !settings.all_enters) {
     gpu::TextureDesc entering = shadow;
@@ -82,7 +83,7 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
     const bool of_host = settings.host && settings.host->shadows;
     if (of_host || entering.width < shadow.width) entering_depth_ = plan.texture("entering depths", entering);
     entering.format = VK_FORMAT_R8G8B8A8_UNORM;
-    entering_ = plan.texture("entering maps", entering);
+    entering_ = plan.texture("entering maps", entering, lasts);
   }
 
   counters_ = plan.buffer("counters", {.bytes = counters * sizeof(std::uint32_t)});

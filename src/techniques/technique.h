@@ -90,11 +90,13 @@ struct FrameSettings {
   /// The model of each head, in the order in which they are drawn.
   std::vector<std::uint32_t> heads{0};
   std::uint32_t square_side = 0;  ///< of the pool of light maps: no head uses more texels; 0: T_max
-  /// Heads that are lit and blurred together. The pool has a square for each skin mesh of each of them, and
-  /// there are as many sets of shadow maps.
+  /// Heads that are lit and blurred together. The pool has a square for each skin mesh of each of them.
   std::uint32_t heads_per_batch = 1;
   /// Skin meshes of a head that are lit and blurred together, 0 = all. If not all, heads_per_batch is 1.
   std::uint32_t meshes_per_batch = 0;
+  /// Each head has a set of shadow maps of its own, which lasts from frame to frame; else there are as many
+  /// sets as heads are lit together.
+  bool keep_shadows = false;
   Optimise optimise;
   /// Light comes through the body: lit from behind, thin skin glows.
   bool translucency = false;
@@ -128,6 +130,7 @@ struct FrameSettings {
   bool operator==(const FrameSettings&) const = default;
 
   std::uint32_t head_count() const { return static_cast<std::uint32_t>(heads.size()); }
+  std::uint32_t shadow_sets() const { return keep_shadows ? head_count() : heads_per_batch; }
   const Model& model_of(std::uint32_t head) const { return models[heads[head]]; }
   std::uint32_t most_meshes() const;                 ///< of a model
   std::uint32_t draws_of(const Model& model) const;  ///< SkinPart::draws of its meshes

@@ -41,9 +41,11 @@ ordered_json cell_json(const Cell& cell) {
       cell.of(baseline_key).ms() / cell.of(cell.has(at_edge_key) ? at_edge_key : optimised_key).ms();
   if (cell.has(progressive_key))
     json["speedup_progressive"] = cell.of(progressive_key).ms() / cell.of(optimised_progressive_key).ms();
-  json["speedup_compute"] = or_null(cell.compute_over(baseline_key));
-  json["compute_over_all"] = or_null(cell.compute_over(optimised_key));
-  json["compute_over_lambert"] = or_null(cell.compute_over(compute_floor_key));
+  for (const char* key : {compute_key, still_key}) {
+    json[fmt::format("speedup_{}", key)] = or_null(cell.speedup_of(key, baseline_key));
+    json[fmt::format("{}_over_all", key)] = or_null(cell.speedup_of(key, optimised_key));
+    json[fmt::format("{}_over_lambert", key)] = or_null(cell.speedup_of(key, compute_floor_key));
+  }
   json["paper_speedup"] = or_null(paper_speedup(cell.heads, cell.distance));
 
   const PictureDifference* d = cell.difference(optimised_key);
@@ -94,9 +96,9 @@ const Measured& Cell::of(const std::string& key) const {
   return *found;
 }
 
-std::optional<double> Cell::compute_over(const std::string& key) const {
-  if (!has(compute_key)) return std::nullopt;
-  return of(key).ms() / of(compute_key).ms();
+std::optional<double> Cell::speedup_of(const std::string& key, const std::string& over) const {
+  if (!has(key)) return std::nullopt;
+  return of(over).ms() / of(key).ms();
 }
 
 const PictureDifference* Cell::difference(const std::string& key) const {

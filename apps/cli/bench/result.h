@@ -47,8 +47,8 @@ struct Cell {
   const PictureDifference* difference(const std::string& key) const;
   double speedup() const { return of(baseline_key).ms() / of(optimised_key).ms(); }
   double speedup_over_skipping() const { return of(skipping_key).ms() / of(optimised_key).ms(); }
-  /// None without the cascade.
-  std::optional<double> compute_over(const std::string& key) const;
+  /// Returns how many times faster than another variant one is; none: the cell has it not.
+  std::optional<double> speedup_of(const std::string& key, const std::string& over) const;
 };
 
 /// For the page: display pictures, cut to where skin is.

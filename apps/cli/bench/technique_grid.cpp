@@ -16,6 +16,7 @@ void add_columns(const Scene& scene, const RenderSettings& common, const std::st
                  std::vector<Variant>& to) {
   RenderSettings s = common;
   s.technique = name;
+  s.quality.keep_shadows = false;  // a frame in which everything moves
   describe_plan(scene, s);
   const techniques::Technique& technique = techniques::find_technique(name);
   to.push_back({name, name, std::string(technique.summary), s});

@@ -11,6 +11,7 @@ RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
   s.quality.irradiance = IrradianceBy::raster;
   s.quality.cull = cull, s.quality.depth = depth, s.quality.clip = clip;
   s.quality.skip_unseen_heads = true;
+  s.quality.keep_shadows = false;
   return s;
 }
 
@@ -39,6 +40,11 @@ RenderSettings lit(RenderSettings s, std::optional<IrradianceBy> by) {
 RenderSettings unscattered(RenderSettings s) {
   s = with(s, false, false, false);
   s.technique = "lambert";
+  return s;
+}
+
+RenderSettings still(RenderSettings s) {
+  s.quality.keep_shadows = true;
   return s;
 }
 
@@ -87,10 +93,14 @@ std::vector<Variant> variants_of(const RenderSettings& common, bool cascade) {
                  shaded_in_compute(optimised), true});
   all.push_back({texels_key, "texels", "all, with the texels of the light maps lit in compute",
                  lit(optimised, IrradianceBy::compute), true});
+  const RenderSettings computed = lit(shaded_in_compute(cascade ? with_cascade(optimised) : optimised), {});
   if (cascade)
     all.push_back({compute_key, "compute",
-                   "all, with the cascade, with ids, and lit where that is fastest here",
-                   lit(shaded_in_compute(with_cascade(optimised)), {}), true});
+                   "all, with the cascade, with ids, and lit where that is fastest here", computed, true});
+  all.push_back({still_key, "still",
+                 cascade ? "compute, where heads and lights stand still: their shadow maps are kept"
+                         : "all, in compute, where heads and lights stand still: their shadow maps are kept",
+                 still(computed), true});
 
   all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
                  unscattered(common)});

@@ -30,6 +30,7 @@ inline constexpr const char* cascade_key = "all_cascade";
 inline constexpr const char* shading_key = "all_shading";
 inline constexpr const char* texels_key = "all_texels";
 inline constexpr const char* compute_key = "compute";
+inline constexpr const char* still_key = "still";  ///< `compute`, with the shadow maps of the frame before
 inline constexpr const char* floor_key = "lambert";
 inline constexpr const char* compute_floor_key = "lambert_compute";
 

@@ -23,6 +23,7 @@ std::vector<std::vector<double>> draw_in_turns(Renderer& renderer, const std::ve
   for (const Turn& turn : turns) {
     RenderSettings one = turn.settings;
     one.output.frames = 1;
+    one.quality.keep_shadows = false;  // a frame in which everything moves
     frames.add(turn.scene, one);
   }
 

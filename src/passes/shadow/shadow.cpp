@@ -114,10 +114,16 @@ void Shadow::draw_layer(gpu::Cmd& cmd, const frame::Resources& resources, const 
 }
 
 void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  for (std::uint32_t i = 0; i < settings.instances; ++i)
-    if (const Instance& instance = frame.instances[settings.first_instance + i]; instance.visible)
-      for (std::uint32_t layer = 0; layer < settings.layers; ++layer)
-        draw_layer(cmd, resources, frame, instance, layer);
+  for (std::uint32_t i = 0; i < settings.instances; ++i) {
+    const Instance& instance = frame.instances[settings.first_instance + i];
+    const bool must_draw =
+        instance.visible &&
+        (!frame.kept_shadows || frame.kept_shadows->must_draw(in.shadow, instance.first_shadow_layer,
+                                                              settings.layers, instance.shadow_version));
+    if (!must_draw) continue;
+    for (std::uint32_t layer = 0; layer < settings.layers; ++layer)
+      draw_layer(cmd, resources, frame, instance, layer);
+  }
 }
 
 }  // namespace dermis::passes

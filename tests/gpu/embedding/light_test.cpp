@@ -126,6 +126,8 @@ TEST_F(EmbeddedLight, WhatTheHostPutsBeforeALightDarkensTheHeads) {
   Frame frame(with_depths());
   HostShadow shadow(frame, scene);
   frame.frames->update(scene, settings, shadow.inputs(scene));
+  frame.draw([&](VkCommandBuffer commands) { shadow.record(commands, 1); });
+  // What the host has drawn over its map since then holds.
   frame.draw([&](VkCommandBuffer commands) { shadow.record(commands, 0); });
 
   Scene dark = scene;

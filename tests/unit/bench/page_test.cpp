@@ -41,8 +41,8 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.technique, floor ? "lambert" : "texture-space");
     EXPECT_EQ(v.settings.quality.skip_unseen_heads, v.key != baseline_key && v.key != progressive_key);
 
-    const bool cascade = v.key == cascade_key || v.key == compute_key,
-               compute = v.key == shading_key || v.key == compute_key,
+    const bool cascade = v.key == cascade_key || v.key == compute_key || v.key == still_key,
+               compute = v.key == shading_key || v.key == compute_key || v.key == still_key,
                all = v.key == optimised_key || v.key == at_edge_key || v.key == optimised_progressive_key ||
                      cascade || compute || v.key == texels_key;
     EXPECT_EQ(v.settings.quality.maps,
@@ -53,25 +53,26 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.quality.shading,
               compute || v.key == compute_floor_key ? Shading::compute : Shading::raster);
     const std::optional<IrradianceBy> by = v.settings.quality.irradiance;
-    if (v.key == compute_key)
+    if (v.key == compute_key || v.key == still_key)
       EXPECT_FALSE(by) << "the fastest on each kind of device";
     else
       EXPECT_EQ(by, v.key == texels_key ? IrradianceBy::compute : IrradianceBy::raster);
+    EXPECT_EQ(v.settings.quality.keep_shadows, v.key == still_key);
     EXPECT_EQ(v.settings.quality.cull, all || v.key == "cull");
     EXPECT_EQ(v.settings.quality.depth, all || v.key == "depth");
     EXPECT_EQ(v.settings.quality.clip, all || v.key == "clip");
     EXPECT_EQ(v.settings.quality.clip_margin_mm, v.key == at_edge_key ? std::optional(0.0) : std::nullopt);
   }
 
-  EXPECT_EQ(variants_of(s).size(), 15u);
+  EXPECT_EQ(variants_of(s).size(), 16u);
   s.quality.clip_margin_mm = 0;
-  EXPECT_EQ(variants_of(s).size(), 14u) << "all is at the edge already";
+  EXPECT_EQ(variants_of(s).size(), 15u) << "all is at the edge already";
 
-  EXPECT_EQ(variants_of(s, false).size(), 12u) << "no cascade";
+  EXPECT_EQ(variants_of(s, false).size(), 13u) << "no cascade";
   for (const Variant& v : variants_of(s, false)) EXPECT_EQ(v.settings.quality.blur, BlurOrder::chain);
 
   s.quality.maps = LightMaps::progressive;
-  EXPECT_EQ(variants_of(s).size(), 12u) << "all are progressive already";
+  EXPECT_EQ(variants_of(s).size(), 13u) << "all are progressive already";
   for (const Variant& v : variants_of(s)) EXPECT_EQ(v.settings.quality.maps, LightMaps::progressive);
 }
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "api/shadow_versions.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dermis::api {
+namespace {
+
+// Returns whether both name the same object, also one that is gone: another one in its place is another.
+template <class T>
+bool is_same(const std::weak_ptr<T>& a, const std::weak_ptr<T>& b) {
+  return !a.owner_before(b) && !b.owner_before(a);
+}
+
+// A host writes what it deforms, its images and its shadow maps whenever it likes.
+bool may_change_unseen(const setup::HeadSetup& head, const SharedLook& look, const setup::HostSetup* host) {
+  return !head.host_shadows.empty() || !look.settings.maps.empty() ||
+         (host &&
+          std::find(host->deformed.begin(), host->deformed.end(), head.instance) != host->deformed.end());
+}
+
+}  // namespace
+
+bool ShadowVersions::are_equal(const Source& a, const Source& b) {
+  return is_same(a.look, b.look) && is_same(a.posed, b.posed) && a.world_from_asset == b.world_from_asset &&
+         a.shadow_from_world == b.shadow_from_world && a.white_albedo == b.white_albedo;
+}
+
+void ShadowVersions::fill(const setup::FrameSetup& setup, const SceneOnDevice& scene,
+                          const setup::PlacedScene& placed, const setup::HostSetup* host,
+                          passes::FrameData& data) {
+  if (!setup.plan.keep_shadows) return;
+  heads_.resize(setup.heads.size());
+  for (std::size_t i = 0; i < setup.heads.size(); ++i) {
+    const setup::HeadSetup& head = setup.heads[i];
+    const std::shared_ptr<const SharedLook>& look = scene.look(head.instance);
+    if (may_change_unseen(head, *look, host)) continue;
+
+    Source now{.look = look,
+               .posed = placed.instances[head.instance].posed,
+               .world_from_asset = data.instances[i].world_from_asset,
+               .shadow_from_world = head.shadow_from_world,
+               .white_albedo = setup.frame.white_albedo != 0};
+    Source& before = heads_[static_cast<std::size_t>(head.number)];
+    now.version = before.version != 0 && are_equal(before, now) ? before.version : ++last_;
+    before = std::move(now);
+    data.instances[i].shadow_version = before.version;
+  }
+}
+
+}  // namespace dermis::api
