@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/final_pass/shade.h"
 
-#include "frame/resources.h"
-#include "passes/draw_skin.h"
-#include "passes/final_pass/shade_io.h"
+#include "passes/final_pass/shade_parts.h"
 
 namespace dermis::passes {
 
@@ -26,27 +24,8 @@ void Shade::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Shade::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const MapSquare& square = settings.look.square;
-  const Instance& instance = instance_of(frame, square);
-  if (!instance.is_drawn()) return;
-
-  const std::uint32_t mesh = mesh_in_asset(frame, square);
-  Bindings bindings;
-  shading_.offer(bindings, resources, frame);
-  in.entries.offer_shaded(bindings, resources);
-
-  io::ShadeIo io{.look = shading_.io(frame), .extent = settings.extent};
-  io.look.slot = settings.first_part;
-  for (const GpuDraw& draw : instance.scene->skin[mesh].draws) {
-    const GpuMaterial& material = instance.look->material(draw.material);
-    const gpu::Pipeline& pipeline = *pipelines_[shading_.variant_of(instance, draw, material).index()];
-    Bindings all = bindings;
-    offer_skin(all, instance, mesh, material);
-    all.bind(cmd, pipeline);
-    cmd.push(pipeline, io);
-    cmd.dispatch_indirect(resources.buffer(in.entries.parts), io.look.slot * sizeof(io::PartIo));
-    ++io.look.slot;
-  }
+  shade_parts(cmd, resources, frame, {settings.look.square, settings.first_part, settings.extent}, in.entries,
+              shading_, pipelines_);
 }
 
 }  // namespace dermis::passes

@@ -6,9 +6,8 @@
 #include "frame/resources.h"
 #include "gaussians/pre_integrated.h"
 #include "image/colour.h"
-#include "passes/draw_skin.h"
 #include "passes/final_pass/pre_integrated_io.h"
-#include "passes/final_pass/shade_io.h"
+#include "passes/final_pass/shade_parts.h"
 
 namespace dermis::passes {
 namespace {
@@ -78,31 +77,13 @@ void ShadePreIntegrated::prepare(gpu::PipelineLibrary& library) {
 
 void ShadePreIntegrated::record(gpu::Cmd& cmd, const frame::Resources& resources,
                                 const FrameData& frame) const {
-  const MapSquare& square = settings.look.square;
-  const Instance& instance = instance_of(frame, square);
-  if (!instance.is_drawn()) return;
-
-  const std::uint32_t mesh = mesh_in_asset(frame, square);
   Bindings bindings;
-  shading_.offer(bindings, resources, frame);
-  in.entries.offer_shaded(bindings, resources);
   bindings.add("Curvature", resources.buffer(in.curvature))
       .add("PreIntegrated", scatter_)
       .add("lit_table", gpu::SampledBinding{&lit_, sampler_})
       .add("edge_table", gpu::SampledBinding{&edge_, sampler_});
-
-  io::ShadeIo io{.look = shading_.io(frame), .extent = settings.extent};
-  io.look.slot = settings.first_part;
-  for (const GpuDraw& draw : instance.scene->skin[mesh].draws) {
-    const GpuMaterial& material = instance.look->material(draw.material);
-    const gpu::Pipeline& pipeline = *pipelines_[shading_.variant_of(instance, draw, material).index()];
-    Bindings all = bindings;
-    offer_skin(all, instance, mesh, material);
-    all.bind(cmd, pipeline);
-    cmd.push(pipeline, io);
-    cmd.dispatch_indirect(resources.buffer(in.entries.parts), io.look.slot * sizeof(io::PartIo));
-    ++io.look.slot;
-  }
+  shade_parts(cmd, resources, frame, {settings.look.square, settings.first_part, settings.extent}, in.entries,
+              shading_, pipelines_, bindings);
 }
 
 }  // namespace dermis::passes

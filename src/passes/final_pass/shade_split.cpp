@@ -2,8 +2,7 @@
 #include "passes/final_pass/shade_split.h"
 
 #include "frame/resources.h"
-#include "passes/draw_skin.h"
-#include "passes/final_pass/shade_io.h"
+#include "passes/final_pass/shade_parts.h"
 
 namespace dermis::passes {
 
@@ -49,33 +48,15 @@ void ShadeSplit::prepare(gpu::PipelineLibrary& library) {
 }
 
 void ShadeSplit::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const MapSquare& square = settings.look.square;
-  const Instance& instance = instance_of(frame, square);
-  if (!instance.is_drawn()) return;
-
-  const std::uint32_t mesh = mesh_in_asset(frame, square);
   Bindings bindings;
-  shading_.offer(bindings, resources, frame);
-  in.entries.offer_shaded(bindings, resources);
   bindings.add("Split", split_)
       .add("samples_of_pixels", resources.storage(in.entries.samples))
       .add("light_of_skin", resources.storage(in.surface.light))
       .add("depth_of_skin", resources.storage(in.surface.depth_mm))
       .add("surface_of_skin", resources.storage(in.surface.surface))
       .add("leaving_skin", resources.storage(in.surface.leaving));
-
-  io::ShadeIo io{.look = shading_.io(frame), .extent = settings.extent};
-  io.look.slot = settings.first_part;
-  for (const GpuDraw& draw : instance.scene->skin[mesh].draws) {
-    const GpuMaterial& material = instance.look->material(draw.material);
-    const gpu::Pipeline& pipeline = *pipelines_[shading_.variant_of(instance, draw, material).index()];
-    Bindings all = bindings;
-    offer_skin(all, instance, mesh, material);
-    all.bind(cmd, pipeline);
-    cmd.push(pipeline, io);
-    cmd.dispatch_indirect(resources.buffer(in.entries.parts), io.look.slot * sizeof(io::PartIo));
-    ++io.look.slot;
-  }
+  shade_parts(cmd, resources, frame, {settings.look.square, settings.first_part, settings.extent}, in.entries,
+              shading_, pipelines_, bindings);
 }
 
 }  // namespace dermis::passes
