@@ -76,6 +76,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .option = "mask",
            .rebuilds = true,
            .real_time = true}},
+
     Field{
         "maps",
         &QualitySettings::maps,
@@ -92,6 +93,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
          .option = "shading",
          .rebuilds = true,
          .real_time = true}},
+
     Field{"blur",
           &QualitySettings::blur,
           {.help =

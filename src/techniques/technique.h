@@ -87,6 +87,7 @@ struct FrameSettings {
   std::uint32_t map_size = 2048;             ///< T_max, texels per side
   std::uint32_t shadow_size = 2048;          ///< texels per side
   std::uint32_t shadow_layers = 1;           ///< of one head, at least 1
+
   /// The model of each head, in the order in which they are drawn.
   std::vector<std::uint32_t> heads{0};
   std::uint32_t square_side = 0;  ///< of the pool of light maps: no head uses more texels; 0: T_max
@@ -97,6 +98,7 @@ struct FrameSettings {
   /// Each head has a set of shadow maps of its own, which lasts from frame to frame; else there are as many
   /// sets as heads are lit together.
   bool keep_shadows = false;
+
   Optimise optimise;
   /// Light comes through the body: lit from behind, thin skin glows.
   bool translucency = false;
@@ -108,10 +110,11 @@ struct FrameSettings {
   /// Texels are lit by a compute pass, from maps of the triangles that they show; not those of a host's
   /// light.
   bool texel_maps = false;
-  bool progressive = false;    ///< wide terms are kept in smaller maps, see passes::Downsample
-  bool cascade = false;        ///< wide to narrow, one map for the sum: passes/cascade/; with `progressive`
-  bool visibility = false;     ///< also makes the map that `output.show` "visibility" shows
-  bool labels = false;         ///< also draws FrameOutputs::label_surface and label_names
+  bool progressive = false;  ///< wide terms are kept in smaller maps, see passes::Downsample
+  bool cascade = false;      ///< wide to narrow, one map for the sum: passes/cascade/; with `progressive`
+  bool visibility = false;   ///< also makes the map that `output.show` "visibility" shows
+  bool labels = false;       ///< also draws FrameOutputs::label_surface and label_names
+
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};
   /// Skin is drawn as ids and shaded in compute, once per entry of a pixel (passes/entries); else where it is
@@ -120,10 +123,11 @@ struct FrameSettings {
   ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
   bool half_resolution = false;                 ///< they blur in a picture of half the size
   std::uint32_t taps = 0;                       ///< of their kernels; 0: as many as usual
-  bool poses = false;                           ///< some instance takes poses: passes::MoveRig
-  bool environment = false;                     ///< light from a picture of the surroundings, else uniform
-  bool soft_shadows = false;                    ///< some light has a radius
-  float bloom = 0;                              ///< 0..1
+
+  bool poses = false;         ///< some instance takes poses: passes::MoveRig
+  bool environment = false;   ///< light from a picture of the surroundings, else uniform
+  bool soft_shadows = false;  ///< some light has a radius
+  float bloom = 0;            ///< 0..1
   ToneMap tone_map = ToneMap::natural;
   passes::Behind behind;         ///< the heads; black for a host, which composes by itself
   std::optional<HostPart> host;  ///< none: the frame ends as a picture of ours
