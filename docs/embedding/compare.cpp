@@ -59,7 +59,6 @@ bool compare(const std::string& path, std::uint64_t frame) {
   stage.turn(frame);
   dermis::RenderSettings settings = stage::settings();
   settings.camera.matrices = stage::camera(frame, found.width, found.height);
-  settings.quality.shading = dermis::Shading::raster;  // as into targets of a host
   settings.output.width = static_cast<int>(found.width);
   settings.output.height = static_cast<int>(found.height);
 

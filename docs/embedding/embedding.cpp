@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::uint32_t frames_in_flight = 2;
 constexpr VkExtent2D first_size{320, 240}, second_size{400, 320};  // of the window, pixels
+constexpr VkExtent2D largest_size = second_size;
 constexpr VkFormat colour_format = VK_FORMAT_R16G16B16A16_SFLOAT, depth_format = VK_FORMAT_D32_SFLOAT;
 
 constexpr std::uint32_t floor_vert[] = {
@@ -129,7 +130,8 @@ Engine::Engine(const host::Device& device)
       renderer_(device.host()),
       heads_(renderer_, {.frames_in_flight = frames_in_flight,
                          .picture = dermis::vulkan::PictureTargets{.colour_format = colour_format,
-                                                                   .depth_format = depth_format},
+                                                                   .depth_format = depth_format,
+                                                                   .largest = largest_size},
                          .scattered = true}),
       frames_(device, frames_in_flight) {
   for (PerFrame& own : per_frame_)

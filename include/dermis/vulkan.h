@@ -104,6 +104,12 @@ struct PictureTargets {
   /// Near is 1: depth passes if it is greater or equal; else near is 0, and less or equal passes. The
   /// cameras of the views must have the same: InputError.
   bool reversed_depth = true;
+  /// Of the largest images that views will have, pixels. With it, quality.shading may be compute: the skin of
+  /// a pixel is shaded once for all its samples, in memory of dermis's own (24 bytes per pixel, with four
+  /// samples 84), and then written into these targets, at the depth of its triangles. Skin that the host has
+  /// hidden is shaded, too. 0 x 0: skin is shaded where it is drawn, so it is above 8,384,512 pixels; and
+  /// techniques that blur light in the picture (those of docs/techniques.md in screen space) are refused.
+  VkExtent2D largest{};
 };
 
 /// Images of depth alone, for record_depth().

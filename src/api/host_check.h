@@ -16,6 +16,8 @@ void check_host_settings(const RenderSettings& settings);
 /// Returns the part of an image that `area` names, all of it if that has no size.
 VkRect2D checked_area(const char* what, const VkExtent2D& extent, const VkRect2D& area,
                       const gpu::DeviceLimits& limits);
+/// Whether the images of a view are as large as PictureTargets::largest at most.
+void check_room(const VkExtent2D& extent, const vulkan::PictureTargets& targets);
 void check_finite(const char* what, std::span<const double> values);
 void check_handle(const char* what, bool given);
 

@@ -132,9 +132,10 @@ Recorded HostFrames::State::record(VkCommandBuffer commands, std::span<const Vie
   if (options.picture) {
     api::check_handle("view.colour", view.colour != VK_NULL_HANDLE);
     api::check_handle("view.depth", view.depth != VK_NULL_HANDLE);
+    api::check_room(view.extent, *options.picture);
   }
   Slot& slot = begin(numbers);
-  frame.set_view(view.camera, static_cast<int>(area.extent.width), static_cast<int>(area.extent.height));
+  frame.set_view(view.camera, area);
 
   last = numbers;
   gpu::Device& device = frame.device();

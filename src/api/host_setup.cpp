@@ -85,13 +85,18 @@ setup::HostShadow host_shadow(const Scene& scene, const LightShadow& shadow) {
 techniques::HostPart host_part(const HostFrames::Options& options, const RenderSettings& settings,
                                const HostInputs& inputs) {
   techniques::HostPart part{.picture = {},
+                            .width = 0,
+                            .height = 0,
                             .scattered = options.scattered,
                             .irradiance = static_cast<bool>(inputs.draw_irradiance),
                             .shadows = !inputs.shadows.empty()};
-  if (options.picture)
+  if (options.picture) {
     part.picture = {.colour = options.picture->colour_format,
                     .depth = options.picture->depth_format,
                     .reversed_depth = options.picture->reversed_depth};
+    part.width = options.picture->largest.width;
+    part.height = options.picture->largest.height;
+  }
 
   const techniques::Technique& technique = techniques::find_technique(settings.technique);
   if (!technique.has_light_maps && (part.scattered || part.irradiance))

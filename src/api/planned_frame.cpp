@@ -97,11 +97,11 @@ setup::FrameSetup PlannedFrame::set_up(const Input& input, const RenderSettings&
   return setup;
 }
 
-void PlannedFrame::set_view(const CameraMatrices& camera, int width, int height) {
+void PlannedFrame::set_view(const CameraMatrices& camera, const VkRect2D& area) {
   RenderSettings settings = settings_;
   settings.camera.matrices = camera;
-  settings.output.width = width;
-  settings.output.height = height;
+  settings.output.width = static_cast<int>(area.extent.width);
+  settings.output.height = static_cast<int>(area.extent.height);
   check_device_limits(settings, device().limits());
 
   setup::FrameSetup next = set_up(input_, settings);
@@ -112,6 +112,7 @@ void PlannedFrame::set_view(const CameraMatrices& camera, int width, int height)
   if (next.plan != setup_.plan || next.technique != setup_.technique)
     throw input_error("", "this view needs what update() has not made; call it again");
   if (environment_) setup::fill_environment(next.frame, *environment_, settings);
+  next.frame.picture_low = {area.offset.x, area.offset.y};
   setup_ = std::move(next);
 }
 

@@ -46,10 +46,10 @@ class PlannedFrame {
   bool set(const Scene& scene, const RenderSettings& settings,
            const std::optional<setup::HostSetup>& host = {});
 
-  /// Takes the scene and the settings of the last set() as another camera sees them, in a picture of this
-  /// size. Makes nothing and uploads nothing. Throws InputError, and is as before: the camera is none, its
+  /// Takes the scene and the settings of the last set() as another camera sees them, in this part of its
+  /// targets. Makes nothing and uploads nothing. Throws InputError, and is as before: the camera is none, its
   /// depth runs the other way than the host's, or it needs another plan.
-  void set_view(const CameraMatrices& camera, int width, int height);
+  void set_view(const CameraMatrices& camera, const VkRect2D& area);
 
   /// False if the last set() has thrown half way.
   bool is_ready() const { return ready_; }

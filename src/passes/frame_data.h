@@ -124,7 +124,7 @@ struct FrameData {
   std::vector<RigMove> moves;           ///< those that move in this frame, each once
   std::vector<SkyTurn> sky_turns;       ///< those, and any in a pose under another sky than before
   std::optional<VkRect2D> area;         ///< part of the targets that is the picture; none: all
-  PixelArea heads;                      ///< of a picture of ours: beside it is no head
+  PixelArea heads;                      ///< of the targets: beside it is no head
   DrawIrradiance draw_irradiance;       ///< of a host
   KeptShadows* kept_shadows = nullptr;  ///< of the memory of the plan; none: all shadow maps are drawn
 };

@@ -15,7 +15,18 @@ struct PixelArea {
   io::PixelAreaIo io() const { return {.low = low, .size = size()}; }
 };
 
+/// Returns the same in a picture that begins elsewhere in its targets; none stays none.
+inline PixelArea moved(const PixelArea& area, const glm::uvec2& by) {
+  return area.low == area.high ? PixelArea{} : PixelArea{area.low + by, area.high + by};
+}
+
 /// Returns the same in a picture of half the width and height.
 inline PixelArea halved(const PixelArea& area) { return {area.low / 2u, (area.high + 1u) / 2u}; }
+
+/// Returns the same with the pixels around it that are in a texture of this size; none stays none.
+inline PixelArea with_rim(const PixelArea& area, const glm::uvec2& size) {
+  if (area.low == area.high) return area;
+  return {area.low - glm::min(area.low, glm::uvec2(1)), glm::min(area.high + 1u, size)};
+}
 
 }  // namespace dermis::passes

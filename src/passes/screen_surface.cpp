@@ -32,14 +32,26 @@ PixelArea area_of(const ScreenSurface& surface, const FrameData& frame) {
 
 // Rows of the matrix: clip x is dot(x, position), and clip w the distance along the view (of a matrix of any
 // scale). The part of x across the line of sight is what a metre there adds.
-io::ScreenIo screen_io(const gpu::TextureDesc& picture, const PixelArea& area, const io::CameraIo& camera) {
-  const glm::mat4 rows = glm::transpose(camera.clip_from_world);
+io::ScreenIo screen_io(const gpu::TextureDesc& texture, const ScreenSurface& surface,
+                       const FrameData& frame) {
+  const glm::mat4 rows = glm::transpose(frame.camera.clip_from_world);
   const glm::vec3 w(rows[3]);
   const auto across = [&](const glm::vec3& row) {
-    if (camera.orthographic != 0) return glm::length(row);
+    if (frame.camera.orthographic != 0) return glm::length(row);
     return glm::length(row - w * (glm::dot(row, w) / glm::dot(w, w))) / glm::length(w);
   };
-  return {.extent = {picture.width, picture.height},
+
+  glm::vec2 picture_low(0), picture_size(texture.width, texture.height);
+  if (frame.area) {
+    const float halves = surface.halved ? 0.5f : 1.0f;
+    const auto& [offset, extent] = *frame.area;
+    picture_low = halves * glm::vec2(offset.x, offset.y);
+    picture_size = glm::ceil(halves * glm::vec2(extent.width, extent.height));
+  }
+  const PixelArea area = area_of(surface, frame);
+  return {.extent = {texture.width, texture.height},
+          .picture_low = picture_low,
+          .picture_size = picture_size,
           .low = area.low,
           .size = area.size(),
           .across = across(glm::vec3(rows[0])),

@@ -32,7 +32,8 @@ gpu::TextureDesc screen_light(std::uint32_t width, std::uint32_t height);
 /// Returns the pixels of a surface beside which there is no skin. Passes compute these alone.
 PixelArea area_of(const ScreenSurface& surface, const FrameData& frame);
 
-/// Returns what shaders need to know of the picture, of these pixels, and of the camera beside its matrix.
-io::ScreenIo screen_io(const gpu::TextureDesc& picture, const PixelArea& area, const io::CameraIo& camera);
+/// Returns what shaders need to know of the pixels of a surface, which lie in textures as large as this one,
+/// and of the camera beside its matrix.
+io::ScreenIo screen_io(const gpu::TextureDesc& texture, const ScreenSurface& surface, const FrameData& frame);
 
 }  // namespace dermis::passes

@@ -21,7 +21,8 @@ struct SplitIo {
 };
 // Of the picture and its camera.
 struct ScreenIo {
-  uvec2 extent;     // pixels
+  uvec2 extent;                    // of the textures, pixels
+  vec2 picture_low, picture_size;  // the part of them that the camera sees, pixels
   uvec2 low, size;  // pixels that hold all heads; an invocation for each. Only these are written
   // A metre across the line of sight, at a distance of 1 m (anywhere if the camera is orthographic), in half
   // widths and half heights of the picture

@@ -14,7 +14,7 @@ const float least_cosine = 0.05;  // an interpolated normal may face away at a s
 // pixel to the right, changes the first by clip w times two over the width, and the second by nothing.
 Tangents tangents_at(ivec2 at, vec3 n, float depth_mm, float mm_per_unit) {
   const mat4 rows = transpose(frame.camera.clip_from_world);
-  const vec2 clip = (2.0 * (vec2(at) + 0.5) / vec2(io.extent) - 1.0) * vec2(1.0, -1.0);
+  const vec2 clip = (2.0 * (vec2(at) + 0.5 - io.picture_low) / io.picture_size - 1.0) * vec2(1.0, -1.0);
   const vec3 a = rows[0].xyz - clip.x * rows[3].xyz, b = rows[1].xyz - clip.y * rows[3].xyz,
              sight = normalize(cross(a, b));
 
@@ -26,8 +26,8 @@ Tangents tangents_at(ivec2 at, vec3 n, float depth_mm, float mm_per_unit) {
   const float w = frame.camera.orthographic != 0u ? 1.0 : length(rows[3].xyz) * depth_mm / mm_per_unit;
   const float scale = w * mm_per_unit / dot(n, cross(a, b));
   Tangents t;
-  t.right_mm = cross(b, n) * (scale * 2.0 / float(io.extent.x));
-  t.down_mm = cross(n, a) * (-scale * 2.0 / float(io.extent.y));
+  t.right_mm = cross(b, n) * (scale * 2.0 / io.picture_size.x);
+  t.down_mm = cross(n, a) * (-scale * 2.0 / io.picture_size.y);
   t.cosine = max(n_v, least_cosine);
   return t;
 }

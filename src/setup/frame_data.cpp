@@ -62,7 +62,7 @@ passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
   if (environment && environment->picture) data.environment_picture = &environment->picture;
 
   for (const HeadSetup& head : setup.heads) {
-    data.heads = joined(data.heads, head.area);
+    if (head.drawn) data.heads = joined(data.heads, moved(head.area, setup.frame.picture_low));
     passes::Instance instance = instance_of(memory, head);
     const InstanceOnDevice& on_device = instances[head.instance];
     instance.scene = on_device.scene;

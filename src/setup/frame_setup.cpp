@@ -96,8 +96,11 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
     head.map_side = map_side(subject, s, camera, placed.pose, posed);
     head.visible = scene.instances[placed.instance].visible &&
                    (!skip || in_view(subject, frame_camera, placed.pose, posed));
-    if (head.visible && !host)
-      head.area = area_of(casters.bounds(), frame_camera, glm::uvec2(s.output.width, s.output.height));
+    // A host may move vertices anywhere.
+    const glm::uvec2 size(s.output.width, s.output.height);
+    if (head.visible)
+      head.area = is_deformed(host, placed) ? passes::PixelArea{glm::uvec2(0), size}
+                                            : area_of(casters.bounds(), frame_camera, size);
     heads.push_back(std::move(head));
   }
   return heads;
@@ -206,8 +209,9 @@ void check_screen_space(const FrameSetup& setup) {
   const techniques::FrameSettings& plan = setup.plan;
   if (!setup.technique->screen_space || !plan.has_skin() || plan.can_shade_entries()) return;
   if (plan.host)
-    throw input_error("", "technique '{}' blurs light in a picture of its own, not in targets of a host",
-                      setup.technique->name);
+    throw input_error(
+        "", "technique '{}' needs a picture of its own: PictureTargets::largest, of {} pixels at most",
+        setup.technique->name, MOST_SHADED_PIXELS);
   throw input_error("",
                     "technique '{}' tells skin apart by ids, which have room for {} parts, {} triangles per "
                     "skin mesh and {} pixels; this frame has more",
@@ -234,7 +238,8 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
       std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
 
   if (plan.host) {
-    plan.width = plan.height = 1;
+    plan.width = std::max(plan.host->width, 1u);
+    plan.height = std::max(plan.host->height, 1u);
     plan.bloom = 0;
     plan.tone_map = ToneMap::linear;
     plan.behind = {};
@@ -364,6 +369,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;
+  frame.picture_size = glm::uvec2(s.output.width, s.output.height);
   frame.clip_margin_m = static_cast<float>(clip_margin_m(setup, s));
   frame.radiance_scale = static_cast<float>(std::exp2(s.output.exposure_ev.value_or(0)));
   frame.ambient = glm::vec3(static_cast<float>(s.lighting.ambient));

@@ -33,7 +33,7 @@ struct HeadSetup {
   int map_side = 0;                                 ///< T
   bool visible = true;
   bool drawn = true;       ///< false: a host draws it
-  passes::PixelArea area;  ///< of a picture of ours: pixels outside do not show it
+  passes::PixelArea area;  ///< of the picture: pixels outside do not show it
 };
 
 /// A skin mesh of the plan.

@@ -107,9 +107,10 @@ struct CameraIo {
 
 struct FrameIo {
   CameraIo camera;
-  float clip_margin_m;   // light maps keep skin that is no further outside the planes than this
-  float radiance_scale;  // 2^EV, applied before anything is stored in half floats
-  vec3 ambient;          // uniform radiance from everywhere
+  uvec2 picture_low, picture_size;  // the part of its targets that the camera sees, pixels
+  float clip_margin_m;              // light maps keep skin that is no further outside the planes than this
+  float radiance_scale;             // 2^EV, applied before anything is stored in half floats
+  vec3 ambient;                     // uniform radiance from everywhere
   uint light_count;
   uint specular_on;
   uint white_albedo;  // tests: every albedo is 1

@@ -22,7 +22,8 @@ bool FrameSettings::can_shade_entries() const {
   for (const std::uint32_t model : heads) parts += draws_of(models[model]);
   const bool few_triangles = std::all_of(
       skin.begin(), skin.end(), [](const SkinPart& part) { return part.triangles <= MOST_TRIANGLES; });
-  return !host && parts > 0 && parts <= MOST_PARTS && few_triangles &&
+  const bool has_room = !host || (host->picture && host->width > 0 && host->height > 0);
+  return has_room && parts > 0 && parts <= MOST_PARTS && few_triangles &&
          std::uint64_t{width} * height <= MOST_SHADED_PIXELS;
 }
 

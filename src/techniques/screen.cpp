@@ -9,6 +9,7 @@
 #include "passes/background/background.h"
 #include "passes/bloom/bloom.h"
 #include "passes/clear_buffers.h"
+#include "passes/compose_entries/compose_entries.h"
 #include "passes/count/count.h"
 #include "passes/final_pass/final_pass.h"
 #include "passes/final_pass/shade.h"
@@ -62,7 +63,7 @@ std::string label_part(std::string_view what, const FrameSettings& settings, std
 
 Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters)
     : plan_(&plan), settings_(settings) {
-  if (!settings.shade_entries) colour();
+  if (!settings.shade_entries || settings.host) colour();
   const auto lifetime = settings.host ? frame::Lifetime::of_host : frame::Lifetime::transient;
   if (settings.draws_picture())
     depth_ = plan.texture("depth", target(settings.picture_format().depth), lifetime);
@@ -119,7 +120,10 @@ void Screen::add_entries() {
   for (std::uint32_t head = 0; head < settings_.head_count(); ++head)
     first_part_.push_back(first_part_.back() + settings_.draws_of(settings_.model_of(head)));
 
-  passes::Ids::Settings ids{.samples = settings_.samples, .cut_out = false, .meshes = {}};
+  passes::Ids::Settings ids{.samples = settings_.samples,
+                            .reversed_depth = settings_.picture_format().reversed_depth,
+                            .cut_out = false,
+                            .meshes = {}};
   for (std::uint32_t head = 0; head < settings_.head_count(); ++head) {
     const Model& model = settings_.model_of(head);
     for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh) {
@@ -131,8 +135,10 @@ void Screen::add_entries() {
 
   entries_ = passes::make_entry_buffers(*plan_, first_part_.back(), target(passes::light_format));
   plan_->add<passes::ClearBuffers>("clear parts", {{entries_.parts}});
-  const frame::TextureId shown = plan_->add<passes::Ids>("ids", {depth_}, ids).ids;
-  plan_->add<passes::Entries>("entries", {shown, depth_, entries_});
+  // What a host holds cannot be cleared, nor read.
+  ids_depth_ = settings_.host ? plan_->texture("depth of ids", target(passes::depth_format)) : depth_;
+  ids_ = plan_->add<passes::Ids>("ids", {ids_depth_}, ids).ids;
+  plan_->add<passes::Entries>("entries", {ids_, ids_depth_, entries_});
   plan_->add<passes::PartRanges>("part ranges", {entries_});
   plan_->add<passes::EntryList>("entry list", {entries_});
 }
@@ -164,11 +170,9 @@ void Screen::add_skin(const std::vector<SkinOnScreen>& skin,
     const passes::SkinLights lights{maps, shadow_, entering_};
 
     if (shaded())
-      computed.members.push_back({{lights, entries_},
-                                  {.look = look,
-                                   .first_part = first_part(look.square),
-                                   .extent = {settings_.width, settings_.height},
-                                   .samples = settings_.samples}});
+      computed.members.push_back(
+          {{lights, entries_},
+           {.look = look, .first_part = first_part(look.square), .samples = settings_.samples}});
     else
       drawn.members.push_back({{lights, colour(), depth_},
                                {.look = look,
@@ -201,7 +205,6 @@ void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
           .first_part = first_part(square),
           .head_part = first_part_[square.instance],
           .head_parts_end = first_part_[square.instance + 1],
-          .extent = {settings_.width, settings_.height},
           .samples = settings_.samples}});
   }
   plan_->add<Together<passes::ShadeSplit>>(name, split);
@@ -220,7 +223,6 @@ void Screen::add_pre_integrated_skin(const std::vector<passes::MapSquare>& skin,
                                                   .shadow_taps = shadow_taps,
                                                   .mm_per_unit = part.mm_per_unit,
                                                   .first_part = first_part(square),
-                                                  .extent = {settings_.width, settings_.height},
                                                   .samples = settings_.samples};
     for (std::size_t c = 0; c < 3; ++c) settings.scattered[c] = static_cast<float>(1 - part.unscattered[c]);
     const passes::SkinLights lights{{}, shadow_, entering_};
@@ -256,8 +258,24 @@ bool Screen::any_head(const Batch& batch, bool Model::*has) const {
   return false;
 }
 
+bool Screen::has_other_parts(const Batch& batch) const {
+  return any_head(batch, &Model::has_surfaces) || any_head(batch, &Model::has_blended);
+}
+
+void Screen::add_composed(const Batch& batch) {
+  const std::uint32_t first = first_part_[batch.first_head],
+                      end = first_part_[batch.first_head + batch.heads];
+  plan_->add<passes::ComposeEntries>(label("compose", settings_, batch),
+                                     {entries_, ids_, ids_depth_, colour_, depth_},
+                                     {.samples = settings_.samples,
+                                      .format = settings_.picture_format(),
+                                      .first_part = first,
+                                      .parts = end - first});
+}
+
 void Screen::add_surfaces(const Batch& batch) {
   if (!settings_.draws_picture()) return;
+  if (shaded() && settings_.host) add_composed(batch);
   const bool clear = !cleared_ && !shaded();
   // A scene without any skin still needs its targets cleared.
   if (any_head(batch, &Model::has_surfaces) || clear)
@@ -267,7 +285,7 @@ void Screen::add_surfaces(const Batch& batch) {
                                  .samples = settings_.samples,
                                  .format = settings_.picture_format(),
                                  .clear = take_clear(),
-                                 .layer = shaded(),
+                                 .layer = layered(),
                                  .environment = settings_.environment,
                                  .soft_shadows = settings_.soft_shadows});
 }
@@ -280,7 +298,7 @@ void Screen::add_blended(const Batch& batch) {
                                     .samples = settings_.samples,
                                     .format = settings_.picture_format(),
                                     .clear = shaded() && take_clear(),
-                                    .layer = shaded(),
+                                    .layer = layered(),
                                     .environment = settings_.environment,
                                     .soft_shadows = settings_.soft_shadows,
                                     .blended = true};

@@ -58,6 +58,8 @@ class Screen {
                                const std::string& name);
   /// Adds what was blurred to the skin, once all of it is shaded.
   void add_scattered(frame::TextureId blurred, const passes::ScreenSurface& surface);
+  /// Returns whether any of these heads has parts that are not skin.
+  bool has_other_parts(const Batch& batch) const;
   /// Adds the opaque parts of these heads that are not skin.
   void add_surfaces(const Batch& batch);
   /// Adds their blended parts, far to near, over all that is drawn.
@@ -74,6 +76,10 @@ class Screen {
   gpu::TextureDesc target(VkFormat format) const;
   bool shaded() const { return entries_.entries.valid(); }  // add_entries() has been called
   std::uint32_t first_part(const passes::MapSquare& square) const;
+  // What is not skin is drawn into a layer over it; into a host's targets it is drawn as it is.
+  bool layered() const { return shaded() && !settings_.host; }
+  // Writes the shaded skin of a batch into the targets of a host.
+  void add_composed(const Batch& batch);
   // Fills in what the scene and the skin mesh decide.
   passes::SkinLook look_of(passes::SkinLook asked) const;
   // The same of skin that is wholly lit per pixel, with light through the body.
@@ -86,9 +92,10 @@ class Screen {
 
   passes::FramePlan* plan_;
   FrameSettings settings_;
-  // If skin is shaded, colour_ is a layer over it, valid if there is anything in it.
+  // If skin is shaded, colour_ is a layer over it, valid if there is anything in it; but that of a host.
   frame::TextureId colour_, depth_, shadow_, entering_;
-  frame::TextureId entering_depth_;  // valid if what enters is drawn apart from the shadow maps
+  frame::TextureId ids_, ids_depth_;  // with shade_entries
+  frame::TextureId entering_depth_;   // valid if what enters is drawn apart from the shadow maps
   frame::BufferId counters_;
   frame::TextureId
       cover_;  // alpha: what blended surfaces hide of the background; valid if colour_ has no such

@@ -32,6 +32,15 @@ frame::TextureId add_blur(passes::FramePlan& plan, const FrameSettings& settings
       .light;
 }
 
+// Into the targets of a host skin goes first, whole. Heads that are lit in turn need their shadow maps again.
+void add_over_skin(Screen& screen, const std::vector<Batch>& batches) {
+  for (const Batch& batch : batches) {
+    if (batches.size() > 1 && screen.has_other_parts(batch)) screen.add_shadows(batch);
+    screen.add_surfaces(batch);
+    screen.add_blended(batch);
+  }
+}
+
 }  // namespace
 
 FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings& settings,
@@ -47,15 +56,18 @@ FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings&
   std::vector<gaussians::Rgb> blurred;
   for (const SkinPart& part : s.skin) blurred.push_back(blur.blurred(s, part));
 
-  for (const Batch& batch : batches_of(s)) {
+  const std::vector<Batch> batches = batches_of(s);
+  for (const Batch& batch : batches) {
     screen.add_shadows(batch);
     const std::vector<passes::MapSquare> skin = squares_of(s, batch);
     if (!skin.empty()) screen.add_split_skin(skin, blurred, surface, label("shade", s, batch));
+    if (s.host) continue;
     screen.add_surfaces(batch);
     screen.add_blended(batch);
   }
 
   if (s.has_skin()) screen.add_scattered(add_blur(plan, s, surface, blur), surface);
+  if (s.host) add_over_skin(screen, batches);
   return screen.finish();
 }
 

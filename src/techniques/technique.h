@@ -74,9 +74,11 @@ struct Optimise {
 /// What a host takes from a frame, and gives to it: see dermis/vulkan.h.
 struct HostPart {
   std::optional<passes::PictureFormat> picture;  ///< the heads are drawn into its targets; none: they are not
-  bool scattered = false;                        ///< it reads the blurred light
-  bool irradiance = false;                       ///< it draws the irradiance
-  bool shadows = false;                          ///< it has shadow maps for some lights
+  /// Of its largest targets, pixels: room for ids and entries. 0: skin is shaded where it is drawn.
+  std::uint32_t width = 0, height = 0;
+  bool scattered = false;   ///< it reads the blurred light
+  bool irradiance = false;  ///< it draws the irradiance
+  bool shadows = false;     ///< it has shadow maps for some lights
   bool operator==(const HostPart&) const = default;
 };
 
@@ -149,7 +151,7 @@ struct FrameSettings {
   /// reads all of it.
   bool terms_by_need() const { return mixes() && !(host && host->scattered); }
   /// Returns whether ids can tell apart all skin, and whether its pixels fit in a buffer: limits of
-  /// shared/entries_io.h. A host's targets are drawn into.
+  /// shared/entries_io.h. False for a host that draws no picture, or leaves no room for ids.
   bool can_shade_entries() const;
   bool has_skin() const;  ///< of any head
   passes::PictureFormat picture_format() const {

@@ -65,7 +65,7 @@ vec3 gathered(ivec2 at, vec3 middle, uint mesh) {
   // Half widths and half heights of the picture per mm of the asset there, and pixels.
   const float per_mm =
       1.0 / (frame.camera.orthographic != 0u ? profiles[mesh].mm_per_unit : max(depth_mm, 1e-6));
-  const vec2 pixels_per_mm = vec2(io.across, -io.up) * per_mm * 0.5 * vec2(io.extent);
+  const vec2 pixels_per_mm = vec2(io.across, -io.up) * per_mm * 0.5 * io.picture_size;
   if (profiles[mesh].reach_mm * abs(pixels_per_mm.y) < 1.0) return middle;
 
   const uint surface = imageLoad(surface_of_skin, at).x, head = head_of(surface);

@@ -95,8 +95,8 @@ void DiscGather::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
       .add("Radii", radii_)
       .add("target", resources.storage(out_.light))
       .bind(cmd, pipeline());
-  const PixelArea area = area_of(in.surface, frame);
-  dispatch(cmd, screen_io(resources.texture(out_.light).desc(), area, frame.camera), area.size());
+  const io::ScreenIo io = screen_io(resources.texture(out_.light).desc(), in.surface, frame);
+  dispatch(cmd, io, io.size);
 }
 
 }  // namespace dermis::passes

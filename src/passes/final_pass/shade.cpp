@@ -24,8 +24,8 @@ void Shade::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Shade::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  shade_parts(cmd, resources, frame, {settings.look.square, settings.first_part, settings.extent}, in.entries,
-              shading_, pipelines_);
+  shade_parts(cmd, resources, frame, {settings.look.square, settings.first_part}, in.entries, shading_,
+              pipelines_);
 }
 
 }  // namespace dermis::passes

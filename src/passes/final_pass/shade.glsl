@@ -25,7 +25,7 @@ void main() {
   uint place;
   if (!find_listed(shade.look.slot, place)) return;
   zero = list[place] >> 31;  // never set: shared/entries_io.h
-  const Entry entry = listed(list[place], shade.extent.x);
+  const Entry entry = listed(list[place], shade.width);
   const SeenSkin seen = seen_skin(entry);
   const vec3 radiance = skin_radiance(seen.s, seen.on);
   imageStore(entries_of_pixels, entry.at, entry_of(radiance));

@@ -6,7 +6,7 @@
 DERMIS_IO_BEGIN
 struct ShadeIo {
   FinalPassIo look;  // slot: the part
-  uvec2 extent;      // of the picture, pixels
+  uint width;        // of the targets, pixels
 };
 // One buffer in place of two: devices may have no more than 32 bindings.
 struct ThroughTermsIo {
@@ -15,6 +15,6 @@ struct ThroughTermsIo {
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::ShadeIo) == 124);
+static_assert(sizeof(dermis::io::ShadeIo) == 120);
 #endif
 #endif

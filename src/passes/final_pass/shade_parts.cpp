@@ -17,7 +17,7 @@ void shade_parts(gpu::Cmd& cmd, const frame::Resources& resources, const FrameDa
   shading.offer(bindings, resources, frame);
   entries.offer_shaded(bindings, resources);
 
-  io::ShadeIo io{.look = shading.io(frame), .extent = shaded.extent};
+  io::ShadeIo io{.look = shading.io(frame), .width = entries.width};
   io.look.slot = shaded.first_part;
   for (const GpuDraw& draw : instance.scene->skin[mesh].draws) {
     const GpuMaterial& material = instance.look->material(draw.material);

@@ -13,7 +13,6 @@ namespace dermis::passes {
 struct ShadedMesh {
   MapSquare square;
   std::uint32_t first_part = 0;  ///< of the mesh, as for Ids
-  glm::uvec2 extent{0};          ///< of the picture, pixels
 };
 
 /// Records a dispatch for each part of the mesh, unless its head is not drawn. `pipelines`: by

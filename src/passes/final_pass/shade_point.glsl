@@ -37,7 +37,7 @@ Seen seen_at(vec2 at, vec4 a, vec4 b, vec4 c) {
   Seen seen;
   seen.front = whole > 0.0;
   seen.beside = area / whole;
-  const vec2 step = 2.0 / vec2(shade.extent);
+  const vec2 step = 2.0 / vec2(frame.picture_size);
   seen.dx = (by_x - seen.beside * (by_x.x + by_x.y + by_x.z)) * (step.x / whole);
   seen.dy = (by_y - seen.beside * (by_y.x + by_y.y + by_y.z)) * (step.y / whole);
 
@@ -85,8 +85,9 @@ SeenSkin seen_skin(Entry entry) {
   // Where skin is cut, the middle of the pixel was tested, also beside the triangle. Maps have a gap anywhere
   // else, and the colour of what is not there.
   const bool cut = is_on(material.flags & MATERIAL_ALPHA_MASK);
-  const vec2 inside = cut ? vec2(0.5) : middle_of(entry.samples), at = vec2(entry.at.xy) + inside;
-  const Seen seen = seen_at((2.0 * at / vec2(shade.extent) - 1.0) * vec2(1.0, -1.0), clip_position(pa),
+  const vec2 inside = cut ? vec2(0.5) : middle_of(entry.samples),
+             at = vec2(entry.at.xy - ivec2(frame.picture_low)) + inside;
+  const Seen seen = seen_at((2.0 * at / vec2(frame.picture_size) - 1.0) * vec2(1.0, -1.0), clip_position(pa),
                             clip_position(pb), clip_position(pc));
 
   const VertexExtraIo ea = vertex_extra(i), eb = vertex_extra(j), ec = vertex_extra(k);

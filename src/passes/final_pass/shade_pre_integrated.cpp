@@ -82,8 +82,8 @@ void ShadePreIntegrated::record(gpu::Cmd& cmd, const frame::Resources& resources
       .add("PreIntegrated", scatter_)
       .add("lit_table", gpu::SampledBinding{&lit_, sampler_})
       .add("edge_table", gpu::SampledBinding{&edge_, sampler_});
-  shade_parts(cmd, resources, frame, {settings.look.square, settings.first_part, settings.extent}, in.entries,
-              shading_, pipelines_, bindings);
+  shade_parts(cmd, resources, frame, {settings.look.square, settings.first_part}, in.entries, shading_,
+              pipelines_, bindings);
 }
 
 }  // namespace dermis::passes

@@ -40,7 +40,7 @@ void main() {
   uint place;
   if (!find_listed(shade.look.slot, place)) return;
   zero = list[place] >> 31;  // never set: shared/entries_io.h
-  const Entry entry = listed(list[place], shade.extent.x);
+  const Entry entry = listed(list[place], shade.width);
   const SeenSkin seen = seen_skin(entry);
   const float per_mm =
       dot(seen.share, vec3(curvature[seen.corners.x], curvature[seen.corners.y], curvature[seen.corners.z]));

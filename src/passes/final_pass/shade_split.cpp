@@ -55,8 +55,8 @@ void ShadeSplit::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
       .add("depth_of_skin", resources.storage(in.surface.depth_mm))
       .add("surface_of_skin", resources.storage(in.surface.surface))
       .add("leaving_skin", resources.storage(in.surface.leaving));
-  shade_parts(cmd, resources, frame, {settings.look.square, settings.first_part, settings.extent}, in.entries,
-              shading_, pipelines_, bindings);
+  shade_parts(cmd, resources, frame, {settings.look.square, settings.first_part}, in.entries, shading_,
+              pipelines_, bindings);
 }
 
 }  // namespace dermis::passes

@@ -29,7 +29,7 @@ void main() {
   uint place;
   if (!find_listed(shade.look.slot, place)) return;
   zero = list[place] >> 31;  // never set: shared/entries_io.h
-  const Entry entry = listed(list[place], shade.extent.x);
+  const Entry entry = listed(list[place], shade.width);
   const SeenSkin seen = seen_skin(entry);
   SplitSkin skin = skin_split(seen.s, seen.on.unwrap, split.blurred);
 

@@ -19,7 +19,6 @@ class ShadeSplit {
     double mm_per_unit = 1000;                        ///< mm of the asset per metre of the world
     std::uint32_t first_part = 0;                     ///< of the mesh, as for Ids
     std::uint32_t head_part = 0, head_parts_end = 0;  ///< those of the head
-    glm::uvec2 extent{0};                             ///< of the picture, pixels
     std::uint32_t samples = 1;                        ///< of the ids
   } settings;
   struct In {

@@ -39,8 +39,13 @@ void HalveSkin::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
       .add("halved_surface", resources.storage(out_.surface.surface))
       .add("halved_leaving", resources.storage(out_.surface.leaving))
       .bind(cmd, pipeline());
-  const PixelArea area = area_of(out_.surface, frame);
-  dispatch(cmd, screen_io(resources.texture(in.surface.light).desc(), area, frame.camera), area.size());
+  // What reads between pixels must find no skin of another frame beside them.
+  const gpu::TextureDesc& halved = resources.texture(out_.surface.light).desc();
+  const PixelArea area = with_rim(area_of(out_.surface, frame), {halved.width, halved.height});
+  io::ScreenIo io = screen_io(resources.texture(in.surface.light).desc(), out_.surface, frame);
+  io.low = area.low;
+  io.size = area.size();
+  dispatch(cmd, io, io.size);
 }
 
 }  // namespace dermis::passes

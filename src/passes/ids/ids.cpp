@@ -27,14 +27,16 @@ void Ids::prepare(gpu::PipelineLibrary& library) {
   for (const bool double_sided : {false, true})
     for (const bool cut_out : {false, true}) {
       if (cut_out && !settings.cut_out) continue;
-      gpu::GraphicsDesc desc{.vertex = "ids.vert",
-                             .fragment = cut_out ? "ids_cut_out.frag" : "ids.frag",
-                             .colour_formats = {id_format},
-                             .depth_format = depth_format,
-                             .samples = settings.samples,
-                             .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
-                             .depth_test = true,
-                             .depth_write = true};
+      gpu::GraphicsDesc desc{
+          .vertex = "ids.vert",
+          .fragment = cut_out ? "ids_cut_out.frag" : "ids.frag",
+          .colour_formats = {id_format},
+          .depth_format = depth_format,
+          .samples = settings.samples,
+          .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
+          .depth_test = true,
+          .depth_write = true,
+          .depth_compare = PictureFormat{.reversed_depth = settings.reversed_depth}.nearer()};
       if (cut_out) desc.constants = {{"cut_out", 1u}};
       pipelines_[double_sided][cut_out] = &library.graphics(desc);
     }
@@ -42,8 +44,10 @@ void Ids::prepare(gpu::PipelineLibrary& library) {
 
 void Ids::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::ColourTarget ids{.texture = &resources.texture(out_.ids), .clear = no_light};
-  const gpu::DepthTarget depth{.texture = &resources.texture(in.depth), .clear = 0.0f};
-  cmd.begin_rendering(std::span(&ids, 1), depth, {ids.texture->desc().width, ids.texture->desc().height});
+  const gpu::DepthTarget depth{.texture = &resources.texture(in.depth),
+                               .clear = settings.reversed_depth ? 0.0f : 1.0f};
+  const VkRect2D whole{{0, 0}, {ids.texture->desc().width, ids.texture->desc().height}};
+  cmd.begin_rendering_area(std::span(&ids, 1), depth, frame.area.value_or(whole));
 
   for (const IdMesh& mesh : settings.meshes) {
     const Instance& instance = instance_of(frame, mesh.square);

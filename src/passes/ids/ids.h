@@ -25,6 +25,7 @@ class Ids {
  public:
   struct Settings {
     std::uint32_t samples = 1;   ///< of the depth
+    bool reversed_depth = true;  ///< near is 1
     bool cut_out = false;        ///< some skin is cut out by its alpha
     std::vector<IdMesh> meshes;  ///< of all heads
   } settings;

@@ -38,8 +38,8 @@ void RestoreSkin::record(gpu::Cmd& cmd, const frame::Resources& resources, const
       .add("halved_leaving", resources.nearest(in.halved.leaving))
       .add("target", resources.storage(out_.light))
       .bind(cmd, pipeline());
-  const PixelArea area = area_of(in.surface, frame);
-  dispatch(cmd, screen_io(resources.texture(out_.light).desc(), area, frame.camera), area.size());
+  const io::ScreenIo io = screen_io(resources.texture(out_.light).desc(), in.surface, frame);
+  dispatch(cmd, io, io.size);
 }
 
 }  // namespace dermis::passes

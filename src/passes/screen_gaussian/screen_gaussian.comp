@@ -104,8 +104,8 @@ vec3 any_light(vec2 pixels, vec3 none) {
 vec3 blurred_as_published(Middle m, float sigma_mm, float mm_per_unit) {
   const bool orthographic = frame.camera.orthographic != 0u;
   const float pixels_per_mm =
-      io.up * 0.5 * float(io.extent.y) / (orthographic ? mm_per_unit : max(m.depth_mm, 1e-6));
-  const float z_mm = orthographic ? 0.5 * float(io.extent.y) * GAUSSIANS_COT / pixels_per_mm : m.depth_mm;
+      io.up * 0.5 * io.picture_size.y / (orthographic ? mm_per_unit : max(m.depth_mm, 1e-6));
+  const float z_mm = orthographic ? 0.5 * io.picture_size.y * GAUSSIANS_COT / pixels_per_mm : m.depth_mm;
 
   const ivec2 other = axis == 0 ? ivec2(m.at.x, m.at.y ^ 1) : ivec2(m.at.x ^ 1, m.at.y);
   const float there_mm = all(lessThan(other, ivec2(io.extent))) ? imageLoad(depth_of_skin, other).r : 0.0;

@@ -54,8 +54,8 @@ void ScreenGaussian::record(gpu::Cmd& cmd, const frame::Resources& resources, co
       .add("target", resources.storage(in.target))
       .add("sum_of_light", resources.storage(in.sum))
       .bind(cmd, pipeline());
-  const PixelArea area = area_of(in.surface, frame);
-  dispatch(cmd, screen_io(resources.texture(in.target).desc(), area, frame.camera), area.size());
+  const io::ScreenIo io = screen_io(resources.texture(in.target).desc(), in.surface, frame);
+  dispatch(cmd, io, io.size);
 }
 
 }  // namespace dermis::passes

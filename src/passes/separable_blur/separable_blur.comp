@@ -40,7 +40,7 @@ vec3 blurred_as_published(ivec2 at, vec3 middle, float depth_mm, uint first, flo
   const float cot = orthographic ? PUBLISHED_COT : io.up;
   const float coordinates = PUBLISHED_WIDTH_MM / 3.0 * (orthographic ? io.up / mm_per_unit : cot / depth_mm);
   const vec2 step =
-      axis == 0 ? vec2(coordinates * float(io.extent.x), 0.0) : vec2(0.0, coordinates * float(io.extent.y));
+      axis == 0 ? vec2(coordinates * io.picture_size.x, 0.0) : vec2(0.0, coordinates * io.picture_size.y);
   const float follow =
       PUBLISHED_FOLLOW * cot * PUBLISHED_WIDTH_MM / (PUBLISHED_MM_PER_UNIT * PUBLISHED_MM_PER_UNIT);
 

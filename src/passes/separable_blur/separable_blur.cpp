@@ -54,8 +54,8 @@ void SeparableBlur::record(gpu::Cmd& cmd, const frame::Resources& resources, con
       .add("Taps", taps_)
       .add("target", resources.storage(out_.light))
       .bind(cmd, pipeline());
-  const PixelArea area = area_of(in.surface, frame);
-  dispatch(cmd, screen_io(resources.texture(out_.light).desc(), area, frame.camera), area.size());
+  const io::ScreenIo io = screen_io(resources.texture(out_.light).desc(), in.surface, frame);
+  dispatch(cmd, io, io.size);
 }
 
 }  // namespace dermis::passes

@@ -86,11 +86,43 @@ TEST_F(EmbeddedShape, MovedVerticesAreWhereTheHostHasThem) {
   EXPECT_GT(psnr, 60);
 }
 
+// Far from the sphere around its asset, which says where a head is seen otherwise.
+TEST_F(EmbeddedShape, MovedVerticesAreSeenWhereverTheyAre) {
+  const HostBall ball;
+  const Scene scene = ball.scene();
+  const InstanceId head = scene.instances().front();
+  Pixels drawn[2];
+  for (const Shading shading : {Shading::raster, Shading::compute}) {
+    Frame frame({.room = true});
+    RenderSettings settings = frame_settings(shading);
+    settings.quality.skip_unseen_heads = false;
+    frame.frames->update(scene, settings, {.deformed = {head}});
+
+    const HostBuffer buffer =
+        frame.host.buffer(ball.positions_m.size() * 12, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    for (std::size_t i = 0; i < ball.positions_m.size(); ++i) {
+      std::array<float, 3> moved_m = ball.positions_m[i];
+      for (float& x : moved_m) x *= 0.3f;
+      moved_m[0] += 0.075f;
+      std::memcpy(buffer.mapped + 12 * i, moved_m.data(), 12);
+    }
+    const vulkan::DeformedMesh mesh{.mesh = 0,
+                                    .vertices = static_cast<std::uint32_t>(ball.positions_m.size()),
+                                    .positions_m = {buffer.handle, 0, 12}};
+    frame.draw([&](VkCommandBuffer commands) {
+      frame.frames->record_deformation(commands, head, std::span(&mesh, 1));
+    });
+    drawn[shading == Shading::compute] = frame.colour();
+  }
+  EXPECT_GE(psnr_of_all_db(drawn[0], drawn[1]), 50);
+  EXPECT_GT(drawn[1].at(91, side / 2)[3], 0) << "nothing is seen beside the ball";
+}
+
 TEST_F(EmbeddedShape, AnImageOfTheHostIsTheColour) {
   const HostBall ball;
-  Scene scene = ball.scene();
+  const Scene scene = ball.scene();
   const InstanceId head = scene.instances().front();
-  Frame frame;
+  Frame frame({.room = true});
   HostImage image = frame.host.image(VK_FORMAT_R8G8B8A8_UNORM, {8, 8}, 1,
                                      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
   frame.host.run([&](VkCommandBuffer commands) {
@@ -98,13 +130,17 @@ TEST_F(EmbeddedShape, AnImageOfTheHostIsTheColour) {
     frame.host.clear(commands, &image, {0.8f, 0.4f, 0.2f, 1}, nullptr, 0, {{0, 0}, {8, 8}});
     frame.host.transition(commands, image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   });
-  frame.frames->update(scene, frame_settings(),
-                       {.images = {{.instance = head, .material = "skin", .view = image.view}}});
-  frame.draw();
 
   // 0.8, 0.4 and 0.2 are whole 255ths.
-  scene.set_tint(head, {0.8, 0.4, 0.2});
-  EXPECT_LE(largest_difference(rendered(scene, frame_settings()), frame.colour()), 4 * half_rounding);
+  Scene tinted = scene;
+  tinted.set_tint(head, {0.8, 0.4, 0.2});
+  for (const Shading shading : {Shading::raster, Shading::compute}) {
+    const RenderSettings settings = frame_settings(shading);
+    frame.frames->update(scene, settings,
+                         {.images = {{.instance = head, .material = "skin", .view = image.view}}});
+    frame.draw();
+    EXPECT_LE(largest_difference(rendered(tinted, settings), frame.colour()), 4 * half_rounding);
+  }
 }
 
 }  // namespace

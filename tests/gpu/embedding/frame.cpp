@@ -25,12 +25,12 @@ CameraMatrices front_camera(bool reversed_depth) {
   return m;
 }
 
-RenderSettings frame_settings() {
+RenderSettings frame_settings(Shading shading, std::uint32_t samples) {
   RenderSettings s = small_settings("texture-space", static_cast<int>(side), 256);
   s.output.bloom = 0;
   s.output.exposure_ev = 0;
-  s.quality.samples = 1;
-  s.quality.shading = Shading::raster;  // as into targets of a host
+  s.quality.samples = static_cast<int>(samples);
+  s.quality.shading = shading;
   return s;
 }
 
@@ -82,16 +82,23 @@ double psnr_db(const Pixels& a, const Pixels& b) {
   return -10 * std::log10(std::max(sum / values, 1e-12));
 }
 
+double psnr_of_all_db(const Pixels& a, const Pixels& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::pow(double{a.rgba[i]} - double{b.rgba[i]}, 2);
+  return -10 * std::log10(std::max(sum / static_cast<double>(a.rgba.size()), 1e-12));
+}
+
 Frame::Frame(const Setup& setup) : setup_(setup) {
+  if (setup_.room) setup_.options.picture->largest = setup_.extent;
   renderer.emplace(host.vulkan());
-  frames.emplace(*renderer, setup.options);
-  const vulkan::PictureTargets targets = setup.options.picture.value_or(vulkan::PictureTargets{});
+  frames.emplace(*renderer, setup_.options);
+  const vulkan::PictureTargets targets = setup_.options.picture.value_or(vulkan::PictureTargets{});
   colour_image =
-      host.image(targets.colour_format, setup.extent, targets.samples, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
-  depth_image = host.image(targets.depth_format, setup.extent, targets.samples,
+      host.image(targets.colour_format, setup_.extent, targets.samples, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+  depth_image = host.image(targets.depth_format, setup_.extent, targets.samples,
                            VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
   if (targets.samples > 1)
-    resolved_ = host.image(targets.colour_format, setup.extent, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+    resolved_ = host.image(targets.colour_format, setup_.extent, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
 }
 
 Frame::~Frame() {

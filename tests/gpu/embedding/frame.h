@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -22,7 +23,7 @@ inline constexpr std::uint32_t side = 96;  // pixels
 CameraMatrices front_camera(bool reversed_depth = true);
 
 /// Those of a frame that is side x side pixels and seen by front_camera().
-RenderSettings frame_settings();
+RenderSettings frame_settings(Shading shading = Shading::raster, std::uint32_t samples = 1);
 
 /// A head-sized ball of skin under one light from the upper left.
 Scene lit_ball();
@@ -45,6 +46,8 @@ Pixels rendered(const Scene& scene, RenderSettings settings, bool reversed_depth
 double largest_difference(const Pixels& a, const Pixels& b, std::size_t least = 500);
 /// Peak signal-to-noise ratio, dB, over pixels that are skin alone in both, for a peak of 1.
 double psnr_db(const Pixels& a, const Pixels& b);
+/// The same over all values, alpha too.
+double psnr_of_all_db(const Pixels& a, const Pixels& b);
 
 /// A host with targets, one HostFrames, and a renderer on its device.
 class Frame {
@@ -52,6 +55,7 @@ class Frame {
   struct Setup {
     vulkan::HostFrames::Options options{.picture = vulkan::PictureTargets{}};
     VkExtent2D extent{side, side};
+    bool room = false;  ///< to shade in compute
   };
   Frame() : Frame(Setup{}) {}
   explicit Frame(const Setup& setup);
@@ -62,6 +66,7 @@ class Frame {
   vulkan::View view(VkRect2D area = {}) const;
   Pixels colour();
   std::vector<float> depth_values();
+  std::vector<std::byte> depth_bytes() { return host.read(depth_image); }
 
   Host host;
   std::optional<Renderer> renderer;

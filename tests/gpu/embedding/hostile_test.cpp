@@ -75,6 +75,8 @@ TEST_F(EmbeddedHostility, OptionsOutOfRange) {
       {Options{.frames_in_flight = 1000000000, .picture = picture}, "frames_in_flight"},
       {Options{.picture = vulkan::PictureTargets{.samples = 3}}, "samples"},
       {Options{.picture = vulkan::PictureTargets{.colour_format = VK_FORMAT_UNDEFINED}}, "colour_format"},
+      {Options{.picture = vulkan::PictureTargets{.largest = {1000000000, 1}}}, "picture.largest"},
+      {Options{.picture = vulkan::PictureTargets{.largest = {0, 600}}}, "picture.largest"},
       {Options{.picture = vulkan::PictureTargets{.colour_format = VK_FORMAT_D32_SFLOAT}}, "colour_format"},
       {Options{.picture = vulkan::PictureTargets{.depth_format = VK_FORMAT_R8G8B8A8_UNORM}}, "depth_format"},
       {Options{.depths = {{.format = VK_FORMAT_R32_SFLOAT}}}, "depths.format"},

@@ -13,6 +13,8 @@ namespace dermis::tests {
 namespace {
 
 using EmbeddedLight = WithHost;
+class EmbeddedLightByShading : public WithHost, public testing::WithParamInterface<Shading> {};
+INSTANTIATE_TEST_SUITE_P(Shading, EmbeddedLightByShading, testing::Values(Shading::raster, Shading::compute));
 
 // Light from straight above, which shines along -y.
 Scene lit_from_above() {
@@ -95,7 +97,8 @@ class HostShadow {
 
 Frame::Setup with_depths() {
   return {.options = {.picture = vulkan::PictureTargets{},
-                      .depths = {vulkan::DepthTargets{.reversed_depth = false}, vulkan::DepthTargets{}}}};
+                      .depths = {vulkan::DepthTargets{.reversed_depth = false}, vulkan::DepthTargets{}}},
+          .room = true};
 }
 
 TEST_F(EmbeddedLight, AShadowMapOfTheHostTakesThePlaceOfOurs) {
@@ -119,9 +122,9 @@ TEST_F(EmbeddedLight, AShadowMapOfTheHostTakesThePlaceOfOurs) {
   }
 }
 
-TEST_F(EmbeddedLight, WhatTheHostPutsBeforeALightDarkensTheHeads) {
+TEST_P(EmbeddedLightByShading, WhatTheHostPutsBeforeALightDarkensTheHeads) {
   const Scene scene = lit_from_above();
-  RenderSettings settings = frame_settings();
+  RenderSettings settings = frame_settings(GetParam());
   settings.lighting.ambient = 0.2;
   Frame frame(with_depths());
   HostShadow shadow(frame, scene);
@@ -137,15 +140,15 @@ TEST_F(EmbeddedLight, WhatTheHostPutsBeforeALightDarkensTheHeads) {
 
 // The same irradiance from everywhere: pi times the radiance of uniform surroundings. Without reflections all
 // of it enters.
-TEST_F(EmbeddedLight, IrradianceOfTheHostTakesThePlaceOfLights) {
+TEST_P(EmbeddedLightByShading, IrradianceOfTheHostTakesThePlaceOfLights) {
   Scene scene = sphere(0.07);
-  RenderSettings settings = frame_settings();
+  RenderSettings settings = frame_settings(GetParam());
   settings.lighting.specular = false;
   settings.lighting.rig_lights = 0;
   settings.lighting.ambient = 0.5;
   const Pixels wanted = rendered(scene, settings);
 
-  Frame frame;
+  Frame frame({.room = true});
   std::size_t squares = 0;
   constexpr float e = 0.5f * static_cast<float>(std::numbers::pi);
   vulkan::HostInputs inputs;

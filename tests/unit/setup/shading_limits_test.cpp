@@ -36,9 +36,13 @@ TEST(ShadingLimits, PixelsOfAPicture) {
   EXPECT_FALSE(s.can_shade_entries());
 }
 
-TEST(ShadingLimits, AHostIsDrawnFor) {
+TEST(ShadingLimits, AHostLeavesRoom) {
   techniques::FrameSettings s = heads_of(1, 1, 12);
-  s.host = techniques::HostPart{};
+  s.host = techniques::HostPart{.picture = passes::PictureFormat{}};
+  EXPECT_FALSE(s.can_shade_entries());
+  s.host->width = s.host->height = 64;
+  EXPECT_TRUE(s.can_shade_entries());
+  s.host->picture.reset();
   EXPECT_FALSE(s.can_shade_entries());
 }
 
