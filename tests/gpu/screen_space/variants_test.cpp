@@ -132,7 +132,7 @@ TEST(UeKernel, IsStretchedOnATiltedPlane) {
     const auto spread = [&, tilt = tilt_deg](double azimuth_deg) {
       RenderSettings s = facing_plane("burley-disc", 4, tilt, azimuth_deg);
       s.quality.kernel = ScreenKernel::ue;
-      s.quality.taps = 1024;
+      s.quality.taps = 400;
       return spread_of_red(renderer().render(lit_edge(), s), s);
     };
     const double found_along = spread(0), found_across = spread(90);
