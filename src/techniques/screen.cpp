@@ -297,7 +297,7 @@ void Screen::add_blended(const Batch& batch) {
                                     .instances = batch.heads,
                                     .samples = settings_.samples,
                                     .format = settings_.picture_format(),
-                                    .clear = shaded() && take_clear(),
+                                    .clear = layered() && take_clear(),
                                     .layer = layered(),
                                     .environment = settings_.environment,
                                     .soft_shadows = settings_.soft_shadows,

@@ -50,6 +50,20 @@ Pixels rendered(const Scene& scene, RenderSettings settings, bool reversed_depth
   return pixels_of(tests::renderer().render(scene, settings));
 }
 
+bool contains(const VkRect2D& area, std::uint32_t x, std::uint32_t y) {
+  const auto left = static_cast<std::uint32_t>(area.offset.x),
+             top = static_cast<std::uint32_t>(area.offset.y);
+  return x - left < area.extent.width && y - top < area.extent.height;
+}
+
+Pixels part_of(const Pixels& whole, const VkRect2D& area) {
+  Pixels part{area.extent.width, area.extent.height, {}};
+  for (std::uint32_t y = 0; y < whole.height; ++y)
+    for (std::uint32_t x = 0; x < whole.width; ++x)
+      if (contains(area, x, y)) part.rgba.insert(part.rgba.end(), whole.at(x, y), whole.at(x, y) + 4);
+  return part;
+}
+
 namespace {
 
 void for_each_skin_value(const Pixels& a, const Pixels& b, std::size_t least,

@@ -37,6 +37,8 @@ struct Pixels {
   }
 };
 Pixels pixels_of(const Picture& picture);
+bool contains(const VkRect2D& area, std::uint32_t x, std::uint32_t y);
+Pixels part_of(const Pixels& whole, const VkRect2D& area);
 
 /// What the program's own renderer draws of the scene as front_camera() sees it.
 Pixels rendered(const Scene& scene, RenderSettings settings, bool reversed_depth = true);
