@@ -2,6 +2,7 @@
 // Light that arrives at a point, with its shadow. Needs sampler2DArray `shadow_depths` without comparison.
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shaders/head.glsl"
+#include "shaders/shading_point.glsl"
 layout(binding = 5) uniform utextureBuffer Lamps;  // of all heads, see LampsIo
 
 LightIo light_at(uint number) {
@@ -85,11 +86,11 @@ float shadow_texel_m(LightIo light, Arriving a) {
   return light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
 }
 
-// Shadow bias: returns p moved along the normal, by an offset that grows with the grazing angle up to
-// `texels`, plus one texel towards the light.
-vec3 off_the_surface(vec3 p, vec3 n_geometric, Arriving a, float texel_m, float texels) {
-  const float cosine = dot(n_geometric, a.to_light), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
-  return p + n_geometric * (texels * texel_m * sine) + a.to_light * texel_m;
+// Shadow bias: returns a point moved along its normal, by an offset that grows with the grazing angle up to
+// `texels`, or to the rounded surface if that is further; plus one texel towards the light.
+vec3 off_the_surface(ShadingPoint s, Arriving a, float texel_m, float texels) {
+  const float cosine = dot(s.normal, a.to_light), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
+  return s.position_m + s.normal * max(texels * texel_m * sine, s.bulge_m) + a.to_light * texel_m;
 }
 
 #include "shaders/soft_shadow.glsl"
@@ -137,22 +138,24 @@ float share_not_beyond(MapLook m) {
   return sum;
 }
 
-// Returns the share of the light that arrives at p, 0..1, from the texels around it: percentage-closer
-// filtering with tent weights, a stable soft edge about three texels wide. Gathers cost less than the nine
-// comparisons of a comparison sampler.
-float share_lit(LightIo light, Arriving a, vec3 p, vec3 n_geometric, MapLook m) {
+// Returns the share of the light that arrives at the point, 0..1, from the texels around it:
+// percentage-closer filtering with tent weights, a stable soft edge about three texels wide. Gathers cost
+// less than the nine comparisons of a comparison sampler.
+float share_lit(LightIo light, Arriving a, ShadingPoint s, MapLook m) {
   const float lit = share_not_beyond(m);
-  if (soft_shadows && light.radius > 0.0)
-    return soft_shadow(light, a, m.from_world, p, n_geometric, m.layer, lit);
+  if (soft_shadows && light.radius > 0.0) return soft_shadow(light, a, m.from_world, s, m.layer, lit);
   return lit;
 }
 
 // Moves the receiver along its geometric normal by the radius of the filter (so that a plane never shadows
-// itself, at any slope) and one texel towards the light.
-float shadow_at(LightIo light, Arriving a, vec3 p, vec3 n_geometric) {
+// itself, at any slope), or to the rounded surface, and one texel towards the light.
+float shadow_at(LightIo light, Arriving a, ShadingPoint s) {
   if (light.shadow_layers == 0u) return 1.0;
-  const vec3 q =
-      off_the_surface(p, n_geometric, a, shadow_texel_m(light, a), sign(dot(n_geometric, a.to_light)) * 2.5);
-  const MapLook m = look_into_map(light, q);
-  return m.inside ? share_lit(light, a, p, n_geometric, m) : 1.0;
+  ShadingPoint facing = s;
+  if (dot(s.normal, a.to_light) < 0.0) {
+    facing.normal = -s.normal;
+    facing.bulge_m = -s.bulge_m;
+  }
+  const MapLook m = look_into_map(light, off_the_surface(facing, a, shadow_texel_m(light, a), 2.5));
+  return m.inside ? share_lit(light, a, s, m) : 1.0;
 }

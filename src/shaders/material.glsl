@@ -3,17 +3,7 @@
 // ... (scene_io.h). COMPUTE_SHADING: in compute shaders, whose points bring their derivatives.
 #include "shaders/switches.glsl"
 #include "shaders/view_vector.glsl"
-
-struct ShadingPoint {
-  vec3 position_m;
-  vec3 normal;  // interpolated, unit
-  vec4 tangent;
-  vec2 uv0, uv1;
-  vec4 colour;
-#ifdef COMPUTE_SHADING
-  vec4 uv_dx, uv_dy;  // of both sets of texture coordinates, per pixel (or texel of a light map)
-#endif
-};
+#include "shaders/shading_point.glsl"
 
 vec2 map_uv(MapIo map, ShadingPoint s) {
   const vec2 uv = map.uv_set == 0u ? s.uv0 : s.uv1;

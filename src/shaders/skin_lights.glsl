@@ -37,17 +37,17 @@ float reflected_share(SkinView view, SkinSpecular spec, LightIo light, Arriving 
 // Sums over the lights. enters: whether the light that enters is wanted. It is without what the surface
 // reflects; the division by its mean over all directions here, where light enters, keeps a white furnace
 // white also with maps that vary: (1-rho(L)) (1-rho(V)) / (1-rho_mean).
-LitSkin lit_skin(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular spec, bool enters, SkinView view) {
+LitSkin lit_skin(ShadingPoint s, vec3 n, SkinSpecular spec, bool enters, SkinView view) {
   LitSkin sum = LitSkin(vec3(0.0), vec3(0.0));
   for (uint i = nothing(); i < frame.light_count; ++i) {
     const LightIo light = light_at(i);
     const Arriving a = arriving_light(light, s.position_m);
-    const float reflected = reflected_share(view, spec, light, a, n_geometric);
+    const float reflected = reflected_share(view, spec, light, a, s.normal);
     const float tangent = light_tangent(light, a), cosine = light_cosine(dot(n, a.to_light), tangent);
-    const bool entered = enters && cosine > 0.0 && dot(n_geometric, a.to_light) > -tangent;
+    const bool entered = enters && cosine > 0.0 && dot(s.normal, a.to_light) > -tangent;
     if (!entered && reflected == 0.0) continue;
 
-    const float lit = shadow_at(light, a, s.position_m, n_geometric);
+    const float lit = shadow_at(light, a, s);
     if (entered)
       sum.entering +=
           a.irradiance * (cosine * (1.0 - specular_albedo(directional_albedo, spec, cosine)) * lit);

@@ -17,7 +17,7 @@ struct LitThrough {
 
 // Where the surface faces a light it is lit by it, or lies in a shadow that the light may have passed through
 // air: nothing is transmitted. Where it faces away none of that light enters. So no light counts twice.
-LitThrough lit_through(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular spec, SkinView view) {
+LitThrough lit_through(ShadingPoint s, vec3 n, SkinSpecular spec, SkinView view) {
   const float kept_mean = 1.0 - specular_albedo_mean(directional_albedo, spec);
   LitThrough r;
   r.skin = LitSkin(vec3(0.0), vec3(0.0));
@@ -26,8 +26,8 @@ LitThrough lit_through(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular sp
   for (uint k = nothing(); k < frame.light_count; ++k) {
     const LightIo light = light_at(k);
     const Arriving a = arriving_light(light, s.position_m);
-    const float cosine_here = dot(n_geometric, a.to_light);
-    const LightRead read = read_light(light, a, s.position_m, n_geometric, cosine_here);
+    const float cosine_here = dot(s.normal, a.to_light);
+    const LightRead read = read_light(light, a, s, cosine_here);
     const float tangent = light_tangent(light, a);
 
     const bool faces = cosine_here > 0.0;
@@ -41,7 +41,7 @@ LitThrough lit_through(ShadingPoint s, vec3 n, vec3 n_geometric, SkinSpecular sp
           a.irradiance *
           (cosine_lit * read.lit * (1.0 - specular_albedo(directional_albedo, spec, cosine_lit)) / kept_mean);
     if (faces)
-      r.skin.reflected += a.irradiance * (reflected_share(view, spec, light, a, n_geometric) * read.lit);
+      r.skin.reflected += a.irradiance * (reflected_share(view, spec, light, a, s.normal) * read.lit);
 
     // While a light sets, its transmitted light fades in.
     const float set = tangent > 0.0 ? min(-cosine_here / tangent, 1.0) : 1.0;

@@ -64,22 +64,21 @@ uint rings(float from, float to) {
   return last <= first ? 0u : (0xFFFFFFFFu >> (32u - (last - first))) << first;
 }
 
-// Returns the share of light_cosine() that arrives at p in this layer; `hard` is that of a point light.
-// Directions are rotated by an angle fixed to the texel of the shadow map, so that errors do not move with
-// the camera.
-float soft_shadow(LightIo light, Arriving a, mat4 from_world, vec3 p, vec3 n_geometric, float layer,
-                  float hard) {
+// Returns the share of light_cosine() that arrives at the point in this layer; `hard` is that of a point
+// light. Directions are rotated by an angle fixed to the texel of the shadow map, so that errors do not move
+// with the camera.
+float soft_shadow(LightIo light, Arriving a, mat4 from_world, ShadingPoint s, float layer, float hard) {
   const float texel_m = shadow_texel_m(light, a);
-  const float cosine = dot(n_geometric, a.to_light), tangent = light_tangent(light, a),
+  const float cosine = dot(s.normal, a.to_light), tangent = light_tangent(light, a),
               sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
 
   // Starts clear of the surface, which is not exactly the plane of its normal.
-  const vec4 clip = from_world * vec4(off_the_surface(p, n_geometric, a, texel_m, 1.5), 1.0);
+  const vec4 clip = from_world * vec4(off_the_surface(s, a, texel_m, 1.5), 1.0);
   if (clip.w <= 0.0) return hard;
 
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), uv = clip.xy / clip.w * 0.5 + 0.5;
   const MapRay ray = MapRay(clip, (from_world * vec4(a.to_light, 0.0)).zw);
-  const vec2 slope = depth_slope(from_world, clip, n_geometric, a.to_light) / size;  // per texel
+  const vec2 slope = depth_slope(from_world, clip, s.normal, a.to_light) / size;  // per texel
   const float depth = clip.z / clip.w, steepness = length(slope);
   const float horizon = tangent * sine / max(steepness, 1e-15);
 

@@ -64,20 +64,20 @@ void look_beside(inout LightRead r, MapRay ray, MapLook m, vec2 near, vec2 wide,
   }
 }
 
-LightRead read_light(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float cosine_here) {
+LightRead read_light(LightIo light, Arriving a, ShadingPoint s, float cosine_here) {
   LightRead r = LightRead(1.0, vec3(0.0), 0.0, 0.0, 0.0, vec4(0.0), vec4(0.0), false, false);
   if (light.shadow_layers == 0u) return r;
   // Moved as in shadow_at() where the surface faces the light; distances behind are measured from the point
   // itself.
   const float texel_m = shadow_texel_m(light, a);
-  const vec3 q = cosine_here > 0.0 ? off_the_surface(p, n_geometric, a, texel_m, 2.5) : p;
+  const vec3 q = cosine_here > 0.0 ? off_the_surface(s, a, texel_m, 2.5) : s.position_m;
   const MapLook m = look_into_map(light, q);
   r.inside = m.inside;
   if (!m.inside) return r;
 
-  r.lit = share_lit(light, a, p, n_geometric, m);
+  r.lit = share_lit(light, a, s, m);
   const MapRay ray = MapRay(m.clip, (m.from_world * vec4(a.to_light, 0.0)).zw);
-  find_lit_point(r, m, ray, a.to_light, n_geometric);
+  find_lit_point(r, m, ray, a.to_light, s.normal);
 
   // The rays of the two terms form a cross and its diagonals.
   const float near = transmission.two_sigma_m[term_before] / texel_m;

@@ -15,14 +15,17 @@ layout(location = 8) in float in_uv_per_mm;  // texture coordinates per mm
 layout(location = 9) in vec4 in_shape;       // body_shape()
 #include "passes/final_pass/skin_radiance.glsl"
 layout(location = 10) flat in AlongSkin in_along;
+layout(location = 12) in float in_plane_m;  // plane_distance()
 layout(location = 0) out vec4 out_radiance;
 
 #include "passes/final_pass/within_triangle.glsl"
+#include "shaders/bulge.glsl"
 
 void main() {
-  const vec3 n = normalize(in_normal);
-  const ShadingPoint s =
-      ShadingPoint(in_position_m, gl_FrontFacing ? n : -n, in_tangent, in_uv.xy, in_uv.zw, in_colour);
+  const float side = gl_FrontFacing ? 1.0 : -1.0;
+  const ShadingPoint s = ShadingPoint(in_position_m, side * normalize(in_normal),
+                                      side * bulge_at(in_position_m, in_normal, in_plane_m), in_tangent,
+                                      in_uv.xy, in_uv.zw, in_colour);
   const vec3 radiance = skin_radiance(s, OnMap(within_triangle(in_unwrap), in_uv_per_mm, in_shape, in_along));
 
   if (cut_out && is_cut(in_uv, in_colour)) discard;

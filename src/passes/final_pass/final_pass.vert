@@ -8,6 +8,7 @@
 #include "shaders/instance.glsl"
 layout(push_constant, scalar) uniform Push { FinalPassIo io; };
 #include "shaders/frame.glsl"
+#include "shaders/bulge.glsl"
 #include "passes/final_pass/along_skin.glsl"
 
 invariant gl_Position;  // unshaded_reads.frag tests against the depth written here
@@ -22,6 +23,7 @@ layout(location = 7) flat out vec2 out_unwrap_c;
 layout(location = 8) out float out_uv_per_mm;  // texture coordinates per mm
 layout(location = 9) out vec4 out_shape;       // body_shape()
 layout(location = 10) flat out AlongSkin out_along;
+layout(location = 12) out float out_plane_m;
 
 void main() {
   const uint vertex = vertex_drawn();
@@ -31,6 +33,7 @@ void main() {
 
   out_position_m = world_position(v.position_m);
   out_normal = world_direction(v.normal);
+  out_plane_m = plane_distance(out_position_m, out_normal);
   out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;

@@ -2,6 +2,7 @@
 // Where the triangle of an entry is seen, and its skin there. Common part of the shaders that shade entries.
 // Needs `shade` (ShadeIo), passes/listed_entry.glsl, shaders/cut_out.glsl, and what skin_answer.glsl
 // declares.
+#include "shaders/bulge.glsl"
 layout(constant_id = 16) const bool multisampled = true;
 
 // Where a pixel sees a triangle: barycentric coordinates, which sum to 1, and their change per pixel.
@@ -98,11 +99,17 @@ SeenSkin seen_skin(Entry entry) {
   if (cut) uv = beside_gap(uv, colour, dx, dy);
 
   const vec3 position_m = at_seen(seen.near, pa, pb, pc);
-  const vec3 n = normalize(world_direction(at_seen(seen.near, a.normal, b.normal, c.normal)));
+  const vec3 asset_m = at_seen(seen.near, a.position_m, b.position_m, c.position_m),
+             asset_normal = at_seen(seen.near, a.normal, b.normal, c.normal);
+  const float plane =
+      dot(seen.near, vec3(plane_distance(a.position_m, a.normal), plane_distance(b.position_m, b.normal),
+                          plane_distance(c.position_m, c.normal)));
+  const float side = seen.front ? 1.0 : -1.0;
   const vec4 tangent = at_seen(seen.near, a.tangent, b.tangent, c.tangent);
   const ShadingPoint s =
-      ShadingPoint(position_m, seen.front ? n : -n, vec4(world_direction(tangent.xyz), tangent.w), uv.xy,
-                   uv.zw, colour, dx, dy);
+      ShadingPoint(position_m, side * normalize(world_direction(asset_normal)),
+                   side * INSTANCE.scale * bulge_at(asset_m, asset_normal, plane),
+                   vec4(world_direction(tangent.xyz), tangent.w), uv.xy, uv.zw, colour, dx, dy);
 
   const SkinVertexIo sa = skin_vertex_at(i), sb = skin_vertex_at(j), sc = skin_vertex_at(k);
   OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0, vec4(0.0),

@@ -52,12 +52,12 @@ vec3 lit_share(Bent bent, vec3 to_light, float tangent) {
 // scattered.
 vec3 shadow_share(LightIo light, Arriving a, ShadingPoint s, Bent bent) {
   const float cosine = dot(s.normal, a.to_light);
-  if (soft_shadows && light.radius > 0.0) return vec3(shadow_at(light, a, s.position_m, s.normal));
+  if (soft_shadows && light.radius > 0.0) return vec3(shadow_at(light, a, s));
   const float radius_m = 0.5 * scatter.filter_mm / scatter.mm_per_unit;
   // Behind the terminator the ball that the table stands for is in the way; that is in the table.
   const float ball_m = 2.0 / (max(bent.curvature_per_mm, 0.01) * scatter.mm_per_unit);
-  const float inside_m = lit_distance_m(light, a, s.position_m, s.normal, radius_m,
-                                        min(max(-cosine, 0.0) * ball_m, 2.0 * radius_m));
+  const float inside_m =
+      lit_distance_m(light, a, s, radius_m, min(max(-cosine, 0.0) * ball_m, 2.0 * radius_m));
   // On the surface shadows are longer than across the light.
   const float x = inside_m / (radius_m * clamp(cosine, 0.15, 1.0)),
               column = 0.5 + 0.5 * sign(x) * sqrt(min(abs(x), 1.0)),
@@ -77,8 +77,7 @@ LitSkin lit_bent_skin(ShadingPoint s, Bent bent, SkinSpecular spec, SkinView vie
     if (enters > 1e-5)
       sum.entering += a.irradiance * share * shadow_share(light, a, s, bent) *
                       (1.0 - specular_albedo(directional_albedo, spec, enters));
-    if (reflected > 0.0)
-      sum.reflected += a.irradiance * (reflected * shadow_at(light, a, s.position_m, s.normal));
+    if (reflected > 0.0) sum.reflected += a.irradiance * (reflected * shadow_at(light, a, s));
   }
   sum.entering /= 1.0 - specular_albedo_mean(directional_albedo, spec);
   return sum;
@@ -103,15 +102,14 @@ vec3 skin_pre_integrated(ShadingPoint s, vec2 unwrap, float curvature_per_mm, fl
   const LitSkin lit = lit_bent_skin(s, bent, spec, view);
   vec3 entering = lit.entering + bent_surroundings(s, bent, unwrap);
   if (unscattered) {
-    const LitSkin there = lit_skin(s, n, s.normal, spec, true, skin_view(n, v, spec));
+    const LitSkin there = lit_skin(s, n, spec, true, skin_view(n, v, spec));
     entering = scatter.scattered * entering +
                (1.0 - scatter.scattered) * (there.entering + entering_surroundings(s, n, unwrap));
   }
 
   vec3 leaving = entering * albedo;
 #ifdef THROUGH
-  leaving += all_through(lit_through(s, n, s.normal, spec, unseen)) *
-             albedo_power(albedo, 1.0 - material.mix_before);
+  leaving += all_through(lit_through(s, n, spec, unseen)) * albedo_power(albedo, 1.0 - material.mix_before);
 #endif
   vec3 diffuse = leaving * (frame.radiance_scale / pi);
   const vec3 surroundings =

@@ -87,10 +87,10 @@ vec3 skin_radiance(ShadingPoint s, OnMap on) {
   const SkinView view = skin_view(n, v, spec);
   const vec3 albedo = skin_albedo(s);
 #ifdef THROUGH
-  const LitThrough r = lit_through(s, n, n_geometric, spec, view);
+  const LitThrough r = lit_through(s, n, spec, view);
   const LitSkin lit = r.skin;
 #else
-  const LitSkin lit = lit_skin(s, n, n_geometric, spec, direct, view);
+  const LitSkin lit = lit_skin(s, n, spec, direct, view);
 #endif
 
   vec3 diffuse = vec3(0.0);

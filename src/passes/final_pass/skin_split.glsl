@@ -23,10 +23,10 @@ SplitSkin skin_split(ShadingPoint s, vec2 unwrap, vec3 blurred) {
   const vec3 albedo = skin_albedo(s);
 
 #ifdef THROUGH
-  const LitThrough r = lit_through(s, n, n_geometric, spec, view);
+  const LitThrough r = lit_through(s, n, spec, view);
   const LitSkin lit = r.skin;
 #else
-  const LitSkin lit = lit_skin(s, n, n_geometric, spec, true, view);
+  const LitSkin lit = lit_skin(s, n, spec, true, view);
 #endif
   const vec3 entering = (lit.entering + entering_surroundings(s, n, unwrap)) * (frame.radiance_scale / pi);
   const vec3 surroundings =

@@ -45,10 +45,10 @@ float disc_lit(MapLook m, MapRay ray, vec2 slope, float radius_m, float texel_m,
 // Returns the distance of a point inside the light from the edge of its shadow, across the light, m; negative
 // in the shadow, at most `radius_m`. through_m: how far the light goes through the skin around the point,
 // where it faces away; that skin is no occluder.
-float lit_distance_m(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float radius_m, float through_m) {
+float lit_distance_m(LightIo light, Arriving a, ShadingPoint s, float radius_m, float through_m) {
   if (light.shadow_layers == 0u) return radius_m;
   const float texel_m = shadow_texel_m(light, a);
-  const vec3 q = off_the_surface(p + a.to_light * through_m, n_geometric, a, texel_m, 2.5);
+  const vec3 q = off_the_surface(s, a, texel_m, 2.5) + a.to_light * through_m;
   const MapLook m = look_into_map(light, q);
   if (!m.inside) return radius_m;
 
@@ -60,7 +60,7 @@ float lit_distance_m(LightIo light, Arriving a, vec3 p, vec3 n_geometric, float 
 
   const MapRay ray = MapRay(m.clip, (m.from_world * vec4(a.to_light, 0.0)).zw);
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy),
-             slope = depth_slope(m.from_world, m.clip, n_geometric, a.to_light) / size;
+             slope = depth_slope(m.from_world, m.clip, s.normal, a.to_light) / size;
   // What is in shadow has an occluder, and may lie deep in a fold; beside what is lit up to 45 degrees are a
   // hollow.
   const float rise = lit ? 1.0 : 0.1;

@@ -22,7 +22,7 @@ struct LitTexel {
 LitTexel lit_texel(ShadingPoint s, vec2 unwrap, float chart_there, CutTexel cut) {
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
 #if GROUPS > 0
-  const LitThrough r = lit_through(s, n, s.normal, skin_specular(s), unseen);
+  const LitThrough r = lit_through(s, n, skin_specular(s), unseen);
 #endif
 
   const float chart = cut_out ? chart_left(chart_there, cut) : chart_there;
@@ -40,7 +40,7 @@ LitTexel lit_texel(ShadingPoint s, vec2 unwrap, float chart_there, CutTexel cut)
 #endif
 #else
   const vec3 entering =
-      lit_skin(s, n, s.normal, skin_specular(s), true, unseen).entering + entering_surroundings(s, n, unwrap);
+      lit_skin(s, n, skin_specular(s), true, unseen).entering + entering_surroundings(s, n, unwrap);
   lit.group[0] = vec4(storable(entering * before * scale), chart);
 #endif
   return lit;

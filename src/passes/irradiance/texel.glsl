@@ -6,6 +6,7 @@
 #include "shared/texel_lists_io.h"
 #include "shaders/vertex_pull.glsl"
 #include "shaders/skin_vertex.glsl"
+#include "shaders/bulge.glsl"
 layout(local_size_x = TEXEL_GROUP) in;
 layout(push_constant, scalar) uniform Push { TexelsIo io; };
 layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
@@ -38,7 +39,8 @@ struct Corners {
   uvec3 vertex;
   vec3 weight, dx, dy;
   vec2 centre;      // of the texel, texture coordinates
-  vec3 position_m;  // there, in the world
+  vec3 asset_m;     // position there, in the coordinates of the asset
+  vec3 position_m;  // in the world
 };
 
 uvec3 corners_of(uint triangle) {
@@ -54,10 +56,10 @@ Corners corners_at(uvec3 vertex, ivec2 texel) {
   const vec2 to_b = vec2(ac.y, -ac.x) * per_area, to_c = vec2(-ab.y, ab.x) * per_area;
   const float b = dot(p, to_b), c = dot(p, to_c);
   const float width = 1.0 / float(io.side);
-  const vec3 position_m = (1.0 - b - c) * vertex_position(vertex.x) + b * vertex_position(vertex.y) +
-                          c * vertex_position(vertex.z);
+  const vec3 asset_m = (1.0 - b - c) * vertex_position(vertex.x) + b * vertex_position(vertex.y) +
+                       c * vertex_position(vertex.z);
   return Corners(vertex, vec3(1.0 - b - c, b, c), vec3(-to_b.x - to_c.x, to_b.x, to_c.x) * width,
-                 vec3(-to_b.y - to_c.y, to_b.y, to_c.y) * width, centre, world_position(position_m));
+                 vec3(-to_b.y - to_c.y, to_b.y, to_c.y) * width, centre, asset_m, world_position(asset_m));
 }
 
 // Returns whether the texel lies in the picture and its margin.
@@ -75,6 +77,7 @@ struct TexelPoint {
 
 TexelPoint texel_point(Corners k) {
   vec3 normal = vec3(0.0);
+  float plane = 0.0;
   vec4 tangent = vec4(0.0), uv = vec4(0.0), uv_dx = vec4(0.0), uv_dy = vec4(0.0), colour = vec4(0.0);
   vec2 alpha = vec2(0.0);
 
@@ -83,6 +86,7 @@ TexelPoint texel_point(Corners k) {
     const VertexExtraIo extra = vertex_extra(k.vertex[i]);
     const vec4 uv_there = vec4(v.uv0, extra.uv1);
     normal += k.weight[i] * v.normal;
+    plane += k.weight[i] * plane_distance(v.position_m, v.normal);
     tangent += k.weight[i] * v.tangent;
     uv += k.weight[i] * uv_there;
     uv_dx += k.dx[i] * uv_there;
@@ -93,6 +97,7 @@ TexelPoint texel_point(Corners k) {
 
   TexelPoint t;
   t.s = ShadingPoint(k.position_m, normalize(world_direction(normal)),
+                     INSTANCE.scale * bulge_at(k.asset_m, normal, plane),
                      vec4(world_direction(tangent.xyz), tangent.w), uv.xy, uv.zw, colour, uv_dx, uv_dy);
   t.chart = float(skin_vertex_at(k.vertex.x).chart);
   t.alpha_reach = abs(alpha.x) + abs(alpha.y);

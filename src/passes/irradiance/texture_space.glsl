@@ -5,6 +5,7 @@
 #include "shaders/skin_vertex.glsl"
 #include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
+#include "shaders/bulge.glsl"
 
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) out vec3 out_normal;
@@ -13,6 +14,7 @@ layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;
 layout(location = 5) flat out uint out_chart;
 layout(location = 6) out vec2 out_unwrap;
+layout(location = 7) out float out_plane_m;
 
 #ifdef CLIP
 out gl_PerVertex {
@@ -28,6 +30,7 @@ void main() {
 
   out_position_m = world_position(v.position_m);
   out_normal = world_direction(v.normal);
+  out_plane_m = plane_distance(out_position_m, out_normal);
   out_tangent = vec4(world_direction(v.tangent.xyz), v.tangent.w);
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;

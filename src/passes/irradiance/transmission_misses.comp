@@ -17,6 +17,6 @@ void main() {
   const Corners k = corners_at(corners_of(listed.triangle), listed.texel);
   if (!is_seen(k)) return;
 
-  const uint misses = misses_at(k.position_m, texel_point(k).s.normal);
+  const uint misses = misses_at(texel_point(k).s);
   if (misses > 0u) atomicAdd(counters[slot], misses);
 }

@@ -11,6 +11,10 @@ layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;
 
 void main() {
-  const uint misses = misses_at(in_position_m, normalize(in_normal));
+  ShadingPoint s;  // misses are of sides that face away, which are not moved: no more is read
+  s.position_m = in_position_m;
+  s.normal = normalize(in_normal);
+  s.bulge_m = 0.0;
+  const uint misses = misses_at(s);
   if (misses > 0u) atomicAdd(counters[slot], misses);
 }

@@ -18,12 +18,14 @@ layout(binding = 14) uniform sampler2D map_specular_colour;
 const float pi = 3.14159265358979;
 #include "shaders/lights.glsl"
 #include "shaders/material.glsl"
+#include "shaders/bulge.glsl"
 #include "shaders/environment.glsl"
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
+layout(location = 5) in float in_plane_m;  // plane_distance()
 layout(location = 0) out vec4 out_radiance;
 layout(constant_id = 0) const bool layer = false;  // over skin that is not in the target
 
@@ -86,8 +88,10 @@ vec3 reflected_surroundings(Look look, float n_v) {
 
 void main() {
   const vec3 v = view_vector(in_position_m);
-  const vec3 n_geometric = gl_FrontFacing ? normalize(in_normal) : -normalize(in_normal);
-  const ShadingPoint s = ShadingPoint(in_position_m, n_geometric, in_tangent, in_uv.xy, in_uv.zw, in_colour);
+  const float side = gl_FrontFacing ? 1.0 : -1.0;
+  const ShadingPoint s = ShadingPoint(in_position_m, side * normalize(in_normal),
+                                      side * bulge_at(in_position_m, in_normal, in_plane_m), in_tangent,
+                                      in_uv.xy, in_uv.zw, in_colour);
 
   vec4 base = material.base_colour * in_colour;
   const MapIo bc = material.maps[MAP_BASE_COLOUR];
@@ -114,8 +118,7 @@ void main() {
     if (soft_shadows)
       seen.alpha =
           sqrt(min(look.alpha * look.alpha + tangent * tangent / 8.0, 1.0));  // as for the lobes of skin
-    radiance += a.irradiance * brdf_times_cosine(seen, n, v, a.to_light, cosine) *
-                shadow_at(light, a, s.position_m, n_geometric);
+    radiance += a.irradiance * brdf_times_cosine(seen, n, v, a.to_light, cosine) * shadow_at(light, a, s);
   }
 
   const MapIo oc = material.maps[MAP_OCCLUSION];

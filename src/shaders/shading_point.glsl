@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A point of a surface that is shaded. COMPUTE_SHADING: in compute shaders, whose points bring their
+// derivatives.
+#ifndef DERMIS_SHADING_POINT_GLSL
+#define DERMIS_SHADING_POINT_GLSL
+struct ShadingPoint {
+  vec3 position_m;
+  vec3 normal;    // interpolated, unit
+  float bulge_m;  // bulge_at() along this normal
+  vec4 tangent;
+  vec2 uv0, uv1;
+  vec4 colour;
+#ifdef COMPUTE_SHADING
+  vec4 uv_dx, uv_dy;  // of both sets of texture coordinates, per pixel (or texel of a light map)
+#endif
+};
+#endif
