@@ -2,6 +2,7 @@
 #include "scene/displacement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <vector>
@@ -88,13 +89,22 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
     for (int i = first; i < end; ++i)
       line.push_back(heights.at(wrapped(i, heights.width, s.wrap_u), static_cast<int>(y))[s.channel]);
 
-    for (int x = 0; x < target.width; ++x) {
-      const Taps& t = across[static_cast<std::size_t>(x)];
-      const float* from = &line[static_cast<std::size_t>(t.first - first)];
-      float sum = 0;
-      for (std::size_t k = 0; k < t.weights.size(); ++k) sum += t.weights[k] * from[k];
-      rows.at(x, static_cast<int>(y)) = static_cast<float>(sum * mm_per_step);
+    // Tap by tap, in which the compiler sees vectors. A map that keeps its width has the same taps
+    // everywhere.
+    float* to = &rows.at(0, static_cast<int>(y));
+    if (heights.width == target.width) {
+      const std::vector<float>& weights = across.front().weights;
+      for (std::size_t k = 0; k < weights.size(); ++k)
+        for (std::size_t x = 0; x < static_cast<std::size_t>(target.width); ++x)
+          to[x] += weights[k] * line[x + k];
+    } else {
+      for (int x = 0; x < target.width; ++x) {
+        const Taps& t = across[static_cast<std::size_t>(x)];
+        const float* from = &line[static_cast<std::size_t>(t.first - first)];
+        for (std::size_t k = 0; k < t.weights.size(); ++k) to[x] += t.weights[k] * from[k];
+      }
     }
+    for (int x = 0; x < target.width; ++x) to[x] = static_cast<float>(to[x] * mm_per_step);
     steps.done();
   });
 
@@ -110,28 +120,43 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
   return result;
 }
 
-/// Returns the slopes (x / z, y / z) of the base map at a place, bilinear.
-glm::dvec2 base_slopes(const image::Image8& base, const DisplacementSettings& s, double u, double v) {
-  const double x = u * base.width - 0.5, y = v * base.height - 0.5;
-  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+/// Two texels of an axis and their weights, for a place between them.
+struct Between {
+  int texel[2];
+  double weight[2];
+};
+
+std::vector<Between> bilinear_taps(int source, int target, Wrap wrap) {
+  std::vector<Between> taps;
+  taps.reserve(static_cast<std::size_t>(target));
+  for (int i = 0; i < target; ++i) {
+    const double at = (i + 0.5) / target * source - 0.5;
+    const int first = static_cast<int>(std::floor(at));
+    taps.push_back(
+        {{wrapped(first, source, wrap), wrapped(first + 1, source, wrap)}, {1 - at + first, at - first}});
+  }
+  return taps;
+}
+
+/// Returns the slopes (x / z, y / z) of the base map at a place, bilinear. components: of its bytes.
+glm::dvec2 base_slopes(const image::Image8& base, double scale, const Between& across, const Between& down,
+                       const std::array<double, 256>& components) {
   glm::dvec3 n(0);
   for (int dy = 0; dy < 2; ++dy) {
     for (int dx = 0; dx < 2; ++dx) {
-      const std::uint8_t* p =
-          base.at(wrapped(x0 + dx, base.width, s.wrap_u), wrapped(y0 + dy, base.height, s.wrap_v));
-      const double w = (dx == 1 ? x - x0 : 1 - x + x0) * (dy == 1 ? y - y0 : 1 - y + y0);
-      n += w * (glm::dvec3(p[0], p[1], p[2]) / 127.5 - 1.0);
+      const std::uint8_t* p = base.at(across.texel[dx], down.texel[dy]);
+      n += across.weight[dx] * down.weight[dy] *
+           glm::dvec3(components[p[0]], components[p[1]], components[p[2]]);
     }
   }
   // Maps store straight up as (128, 128, 255), half a step off zero: invisible, but it must not add up. z
   // stays away from the horizon.
   const auto centred = [](double c) { return std::abs(c) <= 0.5 / 127.5 ? 0.0 : c; };
-  return glm::dvec2(centred(n.x), centred(n.y)) * (s.base_scale / std::max(n.z, 0.05));
+  return glm::dvec2(centred(n.x), centred(n.y)) * (scale / std::max(n.z, 0.05));
 }
 
-std::uint8_t encoded(double component) {
-  return static_cast<std::uint8_t>(std::clamp(std::lround((component + 1) * 127.5), 0L, 255L));
-}
+/// Returns the byte of a component, -1 to 1.
+std::uint8_t encoded(double component) { return static_cast<std::uint8_t>((component + 1) * 127.5 + 0.5); }
 
 }  // namespace
 
@@ -171,6 +196,14 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
   }
   steps.done();
 
+  std::vector<Between> across, down_base;
+  if (base != nullptr) {
+    across = bilinear_taps(base->width, target.width, settings.wrap_u);
+    down_base = bilinear_taps(base->height, target.height, settings.wrap_v);
+  }
+  std::array<double, 256> components{};
+  for (std::size_t i = 0; i < components.size(); ++i) components[i] = static_cast<double>(i) / 127.5 - 1;
+
   image::Image8 normals{target.width, target.height, {}};
   normals.rgba.assign(h.values.size() * 4, 255);
   Steps rows("normals", static_cast<std::size_t>(target.height));
@@ -187,7 +220,8 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
       glm::dvec2 slope((h.at(left, y) - h.at(right, y)) / (span_x * spacing_mm.x),
                        (h.at(x, down) - h.at(x, up)) / (span_y * spacing_mm.y));
       if (base != nullptr)
-        slope += base_slopes(*base, settings, (x + 0.5) / target.width, (y + 0.5) / target.height);
+        slope += base_slopes(*base, settings.base_scale, across[static_cast<std::size_t>(x)], down_base[row],
+                             components);
       const glm::dvec3 n = glm::normalize(glm::dvec3(slope, 1));
       std::uint8_t* out = normals.at(x, y);
       for (int c = 0; c < 3; ++c) out[c] = encoded(n[c]);
