@@ -22,6 +22,7 @@
 #include "dermis/renderer.h"
 #include "dermis/vulkan.h"
 #include "device.h"
+#include "support/median.h"
 
 namespace {
 
@@ -111,12 +112,6 @@ class Shown {
   vulkan::HostFrames frames_;
   std::uint64_t number_ = 0;
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Json in_turns(const host::Device& device, const Asset& head, const Case& shown, RenderSettings settings,
               int rounds) {

@@ -19,6 +19,7 @@
 
 #include "dermis/renderer.h"
 #include "dermis/session.h"
+#include "support/median.h"
 
 namespace {
 
@@ -26,12 +27,6 @@ using namespace dermis;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 constexpr int instances = 16;
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
 
 // Their heads at the height of the camera, side by side in a square.
 Scene crowd(const std::vector<Asset>& heads) {

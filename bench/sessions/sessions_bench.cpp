@@ -20,6 +20,7 @@
 
 #include "dermis/renderer.h"
 #include "dermis/session.h"
+#include "support/median.h"
 
 namespace {
 
@@ -39,12 +40,6 @@ void place(Scene& scene, const std::vector<InstanceId>& heads, double angle_rad)
     const double x_m = 0.5 * (i % side - (side - 1) / 2.0), y_m = 0.5 * (i / side - (side - 1) / 2.0);
     scene.set_transform(heads[static_cast<std::size_t>(i)], turned(angle_rad + i, x_m, y_m));
   }
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
 }
 
 Json counters_json(const DeviceCounters& before, const DeviceCounters& after) {

@@ -45,27 +45,34 @@ struct Statistics {
   std::vector<std::string> optimise;  ///< of cull, depth, clip
   std::string mask;                   ///< alpha, depth, tiles; empty if nothing is masked
   std::string maps;                   ///< full, progressive; empty for techniques without light maps
+
   /// Pixels; T_max in texels; how many. `gaussians`: terms of the profile.
   int width = 0, height = 0, map_size = 0, heads = 1, lights = 0, gaussians = 0;
   int environment_lights = 0;  ///< of `lights`: suns and other compact sources of the environment, at most 8
+
   std::optional<double> distance;  ///< as in the settings, sphere radii
   bool translucency = false;       ///< light came through the body
   bool shape_aware = false;        ///< light that left followed curvature and thickness, of some head
   std::string tone_map;
+
   RenderSettings settings;  ///< as given
   double exposure_ev = 0;   ///< given or chosen
   /// mean luminance of the skin in the picture, before bloom; none: the exposure was given, or no skin is lit
   std::optional<double> skin_mean;
+
   /// Of the frames that were timed; 0 without any.
   double frame_ms_median = 0, frame_ms_min = 0, frame_ms_max = 0;
   int frames = 0;
   std::vector<PassStatistics> passes;  ///< in the order of the plan
+
   /// Wall clock, before the first frame. load_ms is for the caller to set: Scene::load() is not timed.
   double load_ms = 0, upload_ms = 0, pipeline_ms = 0;
   std::string timing;  ///< "timestamp", or "submit" where each pass is its own submission
+
   std::vector<std::string> skin_materials;
   std::uint64_t skin_pixels = 0;  ///< at least half covered by skin
   double d_ref = 0;               ///< given or chosen, see QualitySettings; sphere radii
+
   /// Counted on the device; 0 without light maps. Texels that were lit; those texels times the Gaussians that
   /// blur them; shader invocations of shading and convolution; reads of texels that were never lit.
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0, unshaded_reads = 0;
@@ -73,14 +80,17 @@ struct Statistics {
   /// Taps by which light is blurred: over light maps, what shader invocations read; in the picture, taps per
   /// pixel of skin times skin_pixels. 0: not counted (a cascade of blurs), or nothing is blurred.
   std::uint64_t light_reads = 0;
+
   std::vector<int> used_size;  ///< T of each head in the row, texels; 0: skipped
   /// Of each head: Gaussians that are read from light maps, the widest ones; the others are lit per pixel.
   /// 0: the head has no light maps in this frame.
   std::vector<int> mapped_terms;
+
   /// Layers of shadow maps that were drawn, those of light that enters included; the others still showed what
   /// they had to: see QualitySettings::keep_shadows. Of a PreparedFrame: by the first frame.
   std::uint64_t shadow_maps_drawn = 0;
   std::uint64_t barriers = 0;  ///< pipeline barriers of a frame, likewise
+
   /// Device memory of the whole renderer: textures now, buffers now, the largest sum of both so far.
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;
 

@@ -31,7 +31,6 @@
   X(vkCmdDrawIndirect)              \
   X(vkCmdEndRendering)              \
   X(vkCmdFillBuffer)                \
-  X(vkCmdUpdateBuffer)              \
   X(vkCmdPipelineBarrier2)          \
   X(vkCmdPushConstants)             \
   X(vkCmdPushDescriptorSetKHR)      \
@@ -39,15 +38,16 @@
   X(vkCmdSetCullMode)               \
   X(vkCmdSetScissor)                \
   X(vkCmdSetViewport)               \
+  X(vkCmdUpdateBuffer)              \
   X(vkCmdWriteTimestamp2)           \
   X(vkCreateBuffer)                 \
+  X(vkCreateBufferView)             \
   X(vkCreateCommandPool)            \
   X(vkCreateComputePipelines)       \
   X(vkCreateDescriptorSetLayout)    \
   X(vkCreateFence)                  \
   X(vkCreateGraphicsPipelines)      \
   X(vkCreateImage)                  \
-  X(vkCreateBufferView)             \
   X(vkCreateImageView)              \
   X(vkCreatePipelineCache)          \
   X(vkCreatePipelineLayout)         \
