@@ -117,8 +117,7 @@ TEST(Bulge, OfTexelsThatAreComputed) {
   expect_linear(check(coarse_sphere(), s), charts);
 }
 
-// Light that comes through the body is found by the same read of the shadow map. Behind the terminator it
-// shines, too.
+// Light that comes through the body is found by the same read of the shadow map.
 TEST(Bulge, OfTranslucentSkin) {
   RenderSettings s = plain("texture-space");
   s.output.show = "irradiance";
