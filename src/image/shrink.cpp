@@ -19,7 +19,7 @@ float colour_weight(float alpha) { return hidden_weight + (1 - hidden_weight) * 
 
 std::uint8_t round8(float value) {
   const float steps = std::clamp(value, 0.0f, 1.0f) * 255.0f;
-  return static_cast<std::uint8_t>(double{steps} + 0.5);  // as std::lround(), which costs more than all else
+  return static_cast<std::uint8_t>(double{steps} + 0.5);  // as std::lround(), without a call
 }
 
 std::uint8_t nearest8(std::uint16_t value) {

@@ -155,8 +155,10 @@ glm::dvec2 base_slopes(const image::Image8& base, double scale, const Between& a
   return glm::dvec2(centred(n.x), centred(n.y)) * (scale / std::max(n.z, 0.05));
 }
 
-/// Returns the byte of a component, -1 to 1.
-std::uint8_t encoded(double component) { return static_cast<std::uint8_t>((component + 1) * 127.5 + 0.5); }
+/// Returns the byte of a component, -1 to 1; 0 of what is no number.
+std::uint8_t encoded(double component) {
+  return static_cast<std::uint8_t>(std::max(0.0, std::min((component + 1) * 127.5, 255.0)) + 0.5);
+}
 
 }  // namespace
 

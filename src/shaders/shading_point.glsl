@@ -14,4 +14,16 @@ struct ShadingPoint {
   vec4 uv_dx, uv_dy;  // of both sets of texture coordinates, per pixel (or texel of a light map)
 #endif
 };
+
+#ifndef COMPUTE_SHADING
+#include "shaders/bulge.glsl"
+
+// Returns the point of a fragment, from what is interpolated. plane_m: plane_distance(); uv: both sets; side:
+// 1, or -1 where the back of the surface is seen.
+ShadingPoint drawn_point(vec3 position_m, vec3 normal, float plane_m, vec4 tangent, vec4 uv, vec4 colour,
+                         float side) {
+  return ShadingPoint(position_m, side * normalize(normal), side * bulge_at(position_m, normal, plane_m),
+                      tangent, uv.xy, uv.zw, colour);
+}
+#endif
 #endif

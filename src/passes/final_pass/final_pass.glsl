@@ -19,13 +19,10 @@ layout(location = 12) in float in_plane_m;  // plane_distance()
 layout(location = 0) out vec4 out_radiance;
 
 #include "passes/final_pass/within_triangle.glsl"
-#include "shaders/bulge.glsl"
 
 void main() {
-  const float side = gl_FrontFacing ? 1.0 : -1.0;
-  const ShadingPoint s = ShadingPoint(in_position_m, side * normalize(in_normal),
-                                      side * bulge_at(in_position_m, in_normal, in_plane_m), in_tangent,
-                                      in_uv.xy, in_uv.zw, in_colour);
+  const ShadingPoint s = drawn_point(in_position_m, in_normal, in_plane_m, in_tangent, in_uv, in_colour,
+                                     gl_FrontFacing ? 1.0 : -1.0);
   const vec3 radiance = skin_radiance(s, OnMap(within_triangle(in_unwrap), in_uv_per_mm, in_shape, in_along));
 
   if (cut_out && is_cut(in_uv, in_colour)) discard;

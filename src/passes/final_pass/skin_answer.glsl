@@ -36,8 +36,7 @@ vec3 emitted(ShadingPoint s) {
 // reflects `skin`, the radiance that leaves skin here. At grazing angles a lobe is narrower than its slope
 // and bent towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the mean of
 // [KSK01]'s lobe, m = 0.1 to 0.4.
-vec3 mirrored_surroundings(ShadingPoint s, vec2 unwrap, vec3 n_geometric, SkinView view, SkinSpecular spec,
-                           vec3 skin) {
+vec3 mirrored_surroundings(ShadingPoint s, vec2 unwrap, SkinView view, SkinSpecular spec, vec3 skin) {
   const vec3 n = view.n, v = view.to_eye;
   const float n_v = dot(n, v), all = specular_albedo(directional_albedo, spec, n_v),
               open = skin_open(s, unwrap);
@@ -45,8 +44,8 @@ vec3 mirrored_surroundings(ShadingPoint s, vec2 unwrap, vec3 n_geometric, SkinVi
 
   const vec3 mirrored = reflect(-v, n),
              turned = off_map ? vec3(0.0) : world_direction(textureLod(bent_normal, unwrap, 0.0).xyz),
-             sky = normalize(n_geometric + turned);
-  const float above = clamp(1.0 + 1.3 * dot(mirrored, n_geometric), 0.0,
+             sky = normalize(s.normal + turned);
+  const float above = clamp(1.0 + 1.3 * dot(mirrored, s.normal), 0.0,
                             1.0);  // a mapped normal may reflect directions below the surface
 
   vec2 albedo = vec2(0.0);

@@ -112,8 +112,7 @@ vec3 skin_pre_integrated(ShadingPoint s, vec2 unwrap, float curvature_per_mm, fl
   leaving += all_through(lit_through(s, n, spec, unseen)) * albedo_power(albedo, 1.0 - material.mix_before);
 #endif
   vec3 diffuse = leaving * (frame.radiance_scale / pi);
-  const vec3 surroundings =
-      mirrored_surroundings(s, unwrap, s.normal, view, spec, diffuse / frame.radiance_scale);
+  const vec3 surroundings = mirrored_surroundings(s, unwrap, view, spec, diffuse / frame.radiance_scale);
   diffuse *= 1.0 - specular_albedo(directional_albedo, spec, dot(view.n, v));
   vec3 radiance = diffuse + (lit.reflected + surroundings) * frame.radiance_scale;
   if (emits) radiance += emitted(s) * frame.radiance_scale;

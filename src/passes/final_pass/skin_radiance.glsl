@@ -81,7 +81,7 @@ vec3 through_share(LitThrough r, OnMap on) {
 
 // s.normal: interpolated, turned to the side that is seen. The result can be stored in half floats.
 vec3 skin_radiance(ShadingPoint s, OnMap on) {
-  const vec3 v = view_vector(s.position_m), n_geometric = s.normal;
+  const vec3 v = view_vector(s.position_m);
   const vec3 n = skin_normal(s);
   const SkinSpecular spec = skin_specular(s);
   const SkinView view = skin_view(n, v, spec);
@@ -95,7 +95,7 @@ vec3 skin_radiance(ShadingPoint s, OnMap on) {
 
   vec3 diffuse = vec3(0.0);
   if (term_count > 0) {
-    const vec2 from = shape_aware ? exit_offset(on.along, on.shape.w, n_geometric, v) : vec2(0.0);
+    const vec2 from = shape_aware ? exit_offset(on.along, on.shape.w, s.normal, v) : vec2(0.0);
     diffuse = scattered(on, on.unwrap + from) * albedo_power(albedo, 1.0 - material.mix_before);
   }
   if (direct) {
@@ -109,9 +109,8 @@ vec3 skin_radiance(ShadingPoint s, OnMap on) {
     diffuse += leaving * (frame.radiance_scale / pi);
   }
 
-  if (shape_aware) diffuse *= shape_factor(on.shape.xyz, dot(n_geometric, v));
-  const vec3 surroundings =
-      mirrored_surroundings(s, on.unwrap, n_geometric, view, spec, diffuse / frame.radiance_scale);
+  if (shape_aware) diffuse *= shape_factor(on.shape.xyz, dot(s.normal, v));
+  const vec3 surroundings = mirrored_surroundings(s, on.unwrap, view, spec, diffuse / frame.radiance_scale);
   diffuse *= 1.0 - specular_albedo(directional_albedo, spec, dot(view.n, v));
   vec3 radiance = diffuse + (lit.reflected + surroundings) * frame.radiance_scale;
   if (emits) radiance += emitted(s) * frame.radiance_scale;

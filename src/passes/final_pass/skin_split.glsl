@@ -16,7 +16,7 @@ struct SplitSkin {
 // blurred: the share of the light. Where skin occludes a lobe of its reflection, it reflects light that has
 // not been blurred. The parts can be stored in half floats.
 SplitSkin skin_split(ShadingPoint s, vec2 unwrap, vec3 blurred) {
-  const vec3 v = view_vector(s.position_m), n_geometric = s.normal;
+  const vec3 v = view_vector(s.position_m);
   const vec3 n = skin_normal(s);
   const SkinSpecular spec = skin_specular(s);
   const SkinView view = skin_view(n, v, spec);
@@ -30,7 +30,7 @@ SplitSkin skin_split(ShadingPoint s, vec2 unwrap, vec3 blurred) {
 #endif
   const vec3 entering = (lit.entering + entering_surroundings(s, n, unwrap)) * (frame.radiance_scale / pi);
   const vec3 surroundings =
-      mirrored_surroundings(s, unwrap, n_geometric, view, spec, entering * albedo / frame.radiance_scale);
+      mirrored_surroundings(s, unwrap, view, spec, entering * albedo / frame.radiance_scale);
   const float leaves = 1.0 - specular_albedo(directional_albedo, spec, dot(view.n, v));
 
   SplitSkin split;

@@ -18,7 +18,6 @@ layout(binding = 14) uniform sampler2D map_specular_colour;
 const float pi = 3.14159265358979;
 #include "shaders/lights.glsl"
 #include "shaders/material.glsl"
-#include "shaders/bulge.glsl"
 #include "shaders/environment.glsl"
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;
@@ -88,10 +87,8 @@ vec3 reflected_surroundings(Look look, float n_v) {
 
 void main() {
   const vec3 v = view_vector(in_position_m);
-  const float side = gl_FrontFacing ? 1.0 : -1.0;
-  const ShadingPoint s = ShadingPoint(in_position_m, side * normalize(in_normal),
-                                      side * bulge_at(in_position_m, in_normal, in_plane_m), in_tangent,
-                                      in_uv.xy, in_uv.zw, in_colour);
+  const ShadingPoint s = drawn_point(in_position_m, in_normal, in_plane_m, in_tangent, in_uv, in_colour,
+                                     gl_FrontFacing ? 1.0 : -1.0);
 
   vec4 base = material.base_colour * in_colour;
   const MapIo bc = material.maps[MAP_BASE_COLOUR];

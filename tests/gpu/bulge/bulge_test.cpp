@@ -37,11 +37,8 @@ RenderSettings plain(const std::string& technique) {
   RenderSettings s = unoptimised(small_settings(technique, 96, 192));
   s.quality.samples = 1;
   s.quality.shadow_size = 4096;
-  s.lighting.ambient = s.output.bloom = 0;
-  s.lighting.specular = false;
-  s.lighting.white_albedo = true;
   s.skin.translucency = false;
-  return s;
+  return under_lamps_alone(s);
 }
 
 struct Checked {

@@ -13,6 +13,7 @@
 #include "gpu/support/heads.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
+#include "gpu/support/settings.h"
 #include "scene/scene.h"
 #include "support/assets.h"
 
@@ -38,10 +39,7 @@ RenderSettings key_light(const View& view) {
   s.quality.map_size = s.quality.shadow_size = 512;
   s.camera.orbit_deg = {view.azimuth_deg, view.elevation_deg};
   s.lighting.placed_lights = {{.azimuth_deg = view.azimuth_deg + 45, .elevation_deg = 35}};
-  s.lighting.ambient = s.output.bloom = 0;
-  s.lighting.specular = false;
-  s.lighting.white_albedo = true;
-  return s;
+  return under_lamps_alone(s);
 }
 
 // Fine normals of a file may step at its seams, and so does the light then: here only light counts.

@@ -31,17 +31,13 @@ scene::Light directional(const glm::vec3& direction, double tangent) {
   return light;
 }
 
-// What is lit shows the irradiance over pi.
 RenderSettings plain(int width, int height) {
   RenderSettings s;
   s.technique = "lambert";
   s.output.width = width, s.output.height = height;
   s.quality.samples = 1;
   s.quality.shadow_size = 2048;
-  s.lighting.ambient = s.output.bloom = 0;
-  s.lighting.specular = false;
-  s.lighting.white_albedo = true;
-  return s;
+  return under_lamps_alone(s);
 }
 
 constexpr float height_m = 0.02f;

@@ -22,6 +22,13 @@ RenderSettings in_a_furnace(RenderSettings s) {
   return s;
 }
 
+RenderSettings under_lamps_alone(RenderSettings s) {
+  s.lighting.ambient = s.output.bloom = 0;
+  s.lighting.specular = false;
+  s.lighting.white_albedo = true;
+  return s;
+}
+
 RenderSettings furnace_settings(const std::string& technique, bool specular) {
   RenderSettings s = in_a_furnace(small_settings(technique));
   s.lighting.specular = specular;

@@ -17,6 +17,9 @@ RenderSettings small_settings(const std::string& technique = "texture-space", in
 /// White light from everywhere and white skin: what is skin must be 1.
 RenderSettings in_a_furnace(RenderSettings settings);
 
+/// White skin under lamps alone, and nothing reflects: what is lit shows the irradiance over pi.
+RenderSettings under_lamps_alone(RenderSettings settings);
+
 /// small_settings() in a furnace.
 RenderSettings furnace_settings(const std::string& technique, bool specular);
 
