@@ -4,16 +4,17 @@
 #   LINKS names outside libraries (private). A folder of headers alone has no SOURCES. The pairs are written
 #   to build/house.txt, against which the include check of tests/house holds every #include.
 # dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs]
-#             [COST seconds] [PARTS name filter seconds ...])
+#             [COST seconds] [ENVIRONMENT variable=value ...] [PARTS name filter seconds ...])
 #   One GoogleTest executable test_NAME, registered as ONE ctest entry (its cases share a process, so fixtures
 #   load once).
 #   COST: processor seconds, roughly; what takes longest starts first, so that nothing long is left alone at
 #   the end.
+#   ENVIRONMENT: variables of all entries of the test.
 #   PARTS: cases of a long test that are an entry of their own, NAME_part, so that no processor waits for
 #   another at the end; the filter is GoogleTest's. What is in no part stays in the entry NAME.
-#   Tests with the label gpu share one folder for kept files (build/.../cache), emptied when the tests begin
-#   (tests/CMakeLists.txt): what one has baked serves the others, and nothing of the user's own cache decides
-#   what is tested.
+#   Tests of the labels unit and gpu share one folder for kept files (build/.../cache), emptied when the tests
+#   begin (tests/CMakeLists.txt): what one has baked serves the others, and nothing of the user's own cache
+#   decides what is tested.
 # dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs] [ARGS ...])
 #   A bash script as one ctest entry, given the source folder and ARGS as its arguments; it ends with a status
 #   other than 0 on failure.
@@ -68,12 +69,19 @@ function(dermis_compile_options target)
   endif()
 endfunction()
 
-# Code around the library: tests, the command line. Nothing in it is worth the time that -O3 takes; what it
-# calls is compiled as ever. -fPIE for programs and for libraries of their parts alike, so that all share one
-# precompiled header.
+# Code around the library: tests, the command line. Nothing in it is worth the time that -O3 takes, nor, with
+# sanitizers, any optimisation; what it calls is compiled as ever. -fPIE for programs and for libraries of
+# their parts alike, so that all share one precompiled header.
 function(dermis_program_options target)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
   target_compile_options(${target} PRIVATE -fPIE $<$<CONFIG:Release>:-O1>)
+  if(DERMIS_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+  if(DERMIS_SANITIZE STREQUAL "address")
+    # These checks of each pointer take half the compiler's time; one that leads nowhere is met at its use.
+    target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,vptr,object-size,pointer-overflow)
+  endif()
 endfunction()
 
 function(dermis_module name)
@@ -102,14 +110,14 @@ endfunction()
 function(dermis_test_entry entry executable label cost filter)
   add_test(NAME ${entry} COMMAND test_${executable} ${filter} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(${entry} PROPERTIES LABELS ${label} TIMEOUT 1200 COST ${cost})
-  if(label STREQUAL "gpu")
+  if(label MATCHES "unit|gpu")
     set_tests_properties(${entry} PROPERTIES ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache"
       FIXTURES_REQUIRED empty_cache)
   endif()
 endfunction()
 
 function(dermis_test name)
-  cmake_parse_arguments(T "" "LABEL;COST" "SOURCES;DEPENDS;LINKS;PARTS" ${ARGN})
+  cmake_parse_arguments(T "" "LABEL;COST" "SOURCES;DEPENDS;LINKS;ENVIRONMENT;PARTS" ${ARGN})
   add_executable(test_${name} ${T_SOURCES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   dermis_compile_options(test_${name})
@@ -128,16 +136,20 @@ function(dermis_test name)
   endif()
 
   set(elsewhere "")
+  set(entries "")
   while(T_PARTS)
     list(POP_FRONT T_PARTS part filter cost)
     dermis_test_entry(${name}_${part} ${name} ${T_LABEL} ${cost} "--gtest_filter=${filter}")
     list(APPEND elsewhere ${filter})
+    list(APPEND entries ${name}_${part})
   endwhile()
   list(JOIN elsewhere ":" elsewhere)
   if(elsewhere)
     set(elsewhere "--gtest_filter=-${elsewhere}")
   endif()
   dermis_test_entry(${name} ${name} ${T_LABEL} ${T_COST} "${elsewhere}")
+  list(APPEND entries ${name})
+  set_property(TEST ${entries} APPEND PROPERTY ENVIRONMENT ${T_ENVIRONMENT})
   if(T_LABEL STREQUAL "unit")
     add_dependencies(unit_tests test_${name})
   endif()

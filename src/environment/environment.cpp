@@ -81,15 +81,18 @@ glm::dvec2 place_of(const glm::dvec3& d) {
 glm::dvec3 radiance_at(const image::ImageF& picture, const glm::dvec2& at) {
   const double x = at.x * picture.width - 0.5,
                y = std::clamp(at.y * picture.height - 0.5, 0.0, picture.height - 1.0);
-  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(y);
-  const double fx = x - x0, fy = y - y0;
+  const double left = std::floor(x);
+  const int y0 = static_cast<int>(y), y1 = std::min(y0 + 1, picture.height - 1);
+  const double fx = x - left, fy = y - y0;
+
+  int x0 = static_cast<int>(left) % picture.width;
+  if (x0 < 0) x0 += picture.width;
+  const int x1 = x0 + 1 < picture.width ? x0 + 1 : 0;
   const auto pixel = [&](int px, int py) {
-    const float* p =
-        picture.at((px % picture.width + picture.width) % picture.width, std::min(py, picture.height - 1));
+    const float* p = picture.at(px, py);
     return glm::dvec3(p[0], p[1], p[2]);
   };
-  return glm::mix(glm::mix(pixel(x0, y0), pixel(x0 + 1, y0), fx),
-                  glm::mix(pixel(x0, y0 + 1), pixel(x0 + 1, y0 + 1), fx), fy);
+  return glm::mix(glm::mix(pixel(x0, y0), pixel(x1, y0), fx), glm::mix(pixel(x0, y1), pixel(x1, y1), fx), fy);
 }
 
 }  // namespace dermis::environment

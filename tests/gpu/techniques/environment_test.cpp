@@ -19,10 +19,14 @@
 namespace dermis::tests {
 namespace {
 
-std::string white_surroundings() {
-  const std::string path = (program_folder() / "white-surroundings.exr").string();
-  image::save_exr(path, {.width = 2, .height = 1, .channels = 3, .values = std::vector<float>(6, 1.0f)});
-  return path;
+// Written once: a file that is written again is another environment, which the renderer prepares again.
+const std::string& white_surroundings() {
+  static const std::string file = [] {
+    const std::string path = (program_folder() / "white-surroundings.exr").string();
+    image::save_exr(path, {.width = 2, .height = 1, .channels = 3, .values = std::vector<float>(6, 1.0f)});
+    return path;
+  }();
+  return file;
 }
 
 RenderSettings lit_by_studio(const std::string& technique) {

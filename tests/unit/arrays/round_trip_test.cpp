@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Scenes of real files, taken apart into arrays and put together again, are the same scenes.
-#include "builtin_head/builtin_head.h"
 #include "scene/from_arrays.h"
 #include "scene/placement.h"
 #include "support.h"
+#include "support/built_in.h"
 
 namespace dermis::scene::test {
 namespace {
@@ -43,7 +43,7 @@ void expect_as_gltf(const Scene& scene) {
 
 TEST(ArraysRoundTrip, TheBuiltInHead) {
   const Warnings quiet;
-  const Scene head = builtin_head::make({.map_size = 64});
+  const Scene& head = tests::built_in_head();
   expect_round_trip(head, ArraysOf::Tangents::none);
   expect_round_trip(head, ArraysOf::Tangents::all);
   expect_as_gltf(head);

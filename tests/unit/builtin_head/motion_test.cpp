@@ -9,6 +9,7 @@
 #include "builtin_head/builtin_head.h"
 #include "builtin_head/openings.h"
 #include "scene/rig.h"
+#include "support/built_in.h"
 
 namespace dermis::builtin_head {
 namespace {
@@ -16,10 +17,7 @@ namespace {
 using scene::Pose;
 using scene::Scene;
 
-const Scene& head() {
-  static const Scene scene = make({64});
-  return scene;
-}
+const Scene& head() { return tests::built_in_head(); }
 const scene::Rig& rig() { return *head().rig; }
 
 Scene posed(const Pose& pose) {

@@ -11,6 +11,7 @@
 #include "builtin_head/builtin_head.h"
 #include "builtin_head/openings.h"
 #include "builtin_head/sculpture.h"
+#include "support/built_in.h"
 
 namespace dermis::builtin_head {
 namespace {
@@ -18,19 +19,14 @@ namespace {
 namespace a = anthropometry;
 using glm::dvec3;
 
-const scene::Scene& coarse_head() {
-  static const scene::Scene scene = make({64});
-  return scene;
-}
-
 // A vertex in mm, y from the line of the eyes.
 dvec3 point(const scene::Vertex& v) {
   return dvec3(v.position_m) * 1000.0 - dvec3(0, Sculpture::eyes_over_origin_mm, 0);
 }
 dvec3 node(int column, int row) {
   const auto stride = static_cast<std::size_t>(Openings::columns + 1);
-  return point(coarse_head().primitives.front().vertices[static_cast<std::size_t>(row) * stride +
-                                                         static_cast<std::size_t>(column)]);
+  return point(tests::built_in_head().primitives.front().vertices[static_cast<std::size_t>(row) * stride +
+                                                                  static_cast<std::size_t>(column)]);
 }
 
 struct Box {
@@ -39,7 +35,7 @@ struct Box {
 // The corners of a box about the skin within another.
 Box skin_within(const Box& box) {
   Box found{dvec3(1e9), dvec3(-1e9)};
-  for (const scene::Vertex& v : coarse_head().primitives.front().vertices) {
+  for (const scene::Vertex& v : tests::built_in_head().primitives.front().vertices) {
     const dvec3 p = point(v);
     if (glm::any(glm::lessThan(p, box.low)) || glm::any(glm::greaterThan(p, box.high))) continue;
     found.low = glm::min(found.low, p);
@@ -51,7 +47,7 @@ Box skin_within(const Box& box) {
 // The profile: the frontmost skin of the midline at a height.
 double profile_z(double y) {
   double z = -1000;
-  const scene::Primitive& skin = coarse_head().primitives.front();
+  const scene::Primitive& skin = tests::built_in_head().primitives.front();
   for (std::size_t t = 0; t < skin.indices.size(); t += 3) {
     for (std::size_t k = 0; k < 3; ++k) {
       const dvec3 p = point(skin.vertices[skin.indices[t + k]]),
@@ -91,7 +87,7 @@ dvec3 subnasale() {
 
 dvec3 pupil(double side) {
   dvec3 apex(0, 0, -1e9);
-  for (const scene::Primitive& part : coarse_head().primitives) {
+  for (const scene::Primitive& part : tests::built_in_head().primitives) {
     if (part.name != "eyes") continue;
     for (const scene::Vertex& v : part.vertices) {
       if (const dvec3 p = point(v); p.x * side > 0 && p.z > apex.z) apex = p;

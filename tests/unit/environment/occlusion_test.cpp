@@ -258,7 +258,7 @@ TEST(Occlusion, ABakeIsWatchedAndStopped) {
 
 // Embree asks while it builds, so that a scene of millions of triangles need not be sorted to the end.
 TEST(RayScene, IsEndedWhileItSortsTriangles) {
-  const scene::Scene scene = scene::sphere(1, 400);
+  const scene::Scene scene = scene::sphere(1, 60);
   int told = 0;
   {
     const HookScope scope(Hooks{.progress = [&](const WorkProgress& work) {

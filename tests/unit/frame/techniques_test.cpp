@@ -8,6 +8,7 @@
 
 #include "gaussians/known.h"
 #include "hazards.h"
+#include "support/sanitized.h"
 #include "techniques/memory.h"
 #include "techniques/technique.h"
 
@@ -131,7 +132,8 @@ TEST(TechniqueFrames, HaveNoHazard) {
 // Each barrier is there for a reason: without it the checker must complain. This also shows that the checker
 // sees every pass.
 TEST(TechniqueFrames, HaveNoBarrierTooMany) {
-  std::size_t removed = 0;
+  const std::size_t every = tests::turns<std::size_t>(1, 16);
+  std::size_t number = 0, removed = 0;
   for (const Case& c : cases()) {
     passes::FramePlan plan;
     c.technique->build(plan, c.settings);
@@ -139,7 +141,9 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
     for (const FrameKind& kind : {FrameKind{}, whole_frame}) {
       const auto barriers = derive_barriers(plan, kind);
       for (std::size_t p = 0; p < barriers.size(); ++p)
-        for (std::size_t k = 0; k < barriers[p].size(); ++k, ++removed) {
+        for (std::size_t k = 0; k < barriers[p].size(); ++k) {
+          if (number++ % every != 0) continue;
+          ++removed;
           auto fewer = barriers;
           fewer[p].erase(fewer[p].begin() + static_cast<std::ptrdiff_t>(k));
 
@@ -152,7 +156,7 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
     }
   }
 
-  EXPECT_GT(removed, 500u);
+  EXPECT_GT(removed, 500 / every);
 }
 
 // Who asks for labels gets one more pass at the end, and the frame before it is as it was.

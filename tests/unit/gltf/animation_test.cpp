@@ -8,6 +8,7 @@
 #include "scene/animation.h"
 #include "scene/placement.h"
 #include "support.h"
+#include "support/sanitized.h"
 
 namespace dermis::scene::test {
 namespace {
@@ -126,7 +127,7 @@ TEST(AnimatedFiles, StandAsAnEvaluationByHandHasThem) {
     }
     const double end_s = by_hand.end_s(0);
     double moved = 0;
-    const int times = file.string().find("-sub1") == std::string::npos ? 10 : 2;
+    const int times = file.string().find("-sub1") == std::string::npos ? tests::turns(10, 4) : 2;
     for (int i = 0; i < times; ++i) {
       // Before, between and after the keys.
       const double seconds = std::max(0.0, end_s * (1.2 * i / (times - 1) - 0.05));

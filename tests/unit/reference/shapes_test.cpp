@@ -14,6 +14,7 @@
 #include "profile/model.h"
 #include "profile/shape_laws.h"
 #include "reference/shape_prediction.h"
+#include "support/sanitized.h"
 #include "support/thrown.h"
 #include "unit/reference/scenes.h"
 
@@ -71,8 +72,8 @@ TEST(Shapes, PicturesOfTheVolumeModelShowWhatWalksSay) {
   for (const auto& [body, light_deg] : cases) {
     const std::string_view name = shape_names()[static_cast<std::size_t>(body.shape)];
     const std::vector<ShapeLight> walks =
-        follow(body, skin2(), {.walks = 40'000, .seed = 7, .lights_deg = {light_deg}});
-    const Seen picture = seen(body, skin2(), light_deg, 256);
+        follow(body, skin2(), {.walks = tests::turns(40'000, 4'000), .seed = 7, .lights_deg = {light_deg}});
+    const Seen picture = seen(body, skin2(), light_deg, tests::turns(256, 32));
     for (int c = 0; c < 3; ++c) {
       const auto k = static_cast<std::size_t>(c);
       const double wanted = walks[0].radiance[exit_bins - 1][k],
@@ -136,13 +137,19 @@ gaussians::SumOfGaussians profile_of(const optics::RgbMedium& medium) {
   return sum;
 }
 
+const gaussians::SumOfGaussians& profile_of_skin2() {
+  static const gaussians::SumOfGaussians profile = profile_of(skin2());
+  return profile;
+}
+
 // Skin shows, to an eye on the side of the light, the light of a place that faces it less.
 TEST(Shapes, LightComesFromFurtherFromTheEye) {
-  const gaussians::SumOfGaussians profile = profile_of(skin2());
+  const gaussians::SumOfGaussians& profile = profile_of_skin2();
   const Body sphere{.shape = Shape::sphere, .size_mm = 8};
   constexpr double light_deg = 55, eye_deg = 60;
-  const Seen near = seen(sphere, skin2(), light_deg, 1024, eye_deg),
-             far = seen(sphere, skin2(), light_deg, 1024, -eye_deg);
+  constexpr std::uint32_t samples = tests::turns(1024, 64);
+  const Seen near = seen(sphere, skin2(), light_deg, samples, eye_deg),
+             far = seen(sphere, skin2(), light_deg, samples, -eye_deg);
   for (std::size_t c = 0; c < 3; ++c) {
     const double moved_deg =
         profile.shape->exit_offset_mm[c] / sphere.size_mm * std::sin(eye_deg * pi / 180) * 180 / pi;
@@ -159,7 +166,7 @@ TEST(Shapes, LightComesFromFurtherFromTheEye) {
 
 // 40,000 walks have a noise of about 0.5 % of the light.
 TEST(Shapes, LawsHoldOnSpheresAndCylinders) {
-  const gaussians::SumOfGaussians profile = profile_of(skin2());
+  const gaussians::SumOfGaussians& profile = profile_of_skin2();
   for (const double radius : {10.0, 20.0}) {
     const Body sphere{.shape = Shape::sphere, .size_mm = radius};
     const optics::Rgb plain = rms_percent(sphere, profile, false, 40'000),
@@ -181,12 +188,14 @@ TEST(Shapes, LawsHoldOnSpheresAndCylinders) {
 TEST(Shapes, LawsHoldOnSlabs) {
   const optics::RgbMedium dark =
       optics::parse_coefficients("sigma_a=0.1,0.35,0.8 sigma_s=2.2,2.8,3.4", "dark");
-  for (const optics::RgbMedium& medium : {skin2(), dark}) {
-    const gaussians::SumOfGaussians profile = profile_of(medium);
+  std::vector profiles{profile_of_skin2()};
+  if (!tests::sanitized) profiles.push_back(profile_of(dark));  // to fit it takes them a quarter of a minute
+  for (const gaussians::SumOfGaussians& profile : profiles) {
+    const optics::RgbMedium medium = optics::rgb_medium(*profile.medium);
     for (const double thickness : {2.0, 4.0}) {
       const Body slab{.shape = Shape::slab, .size_mm = thickness};
       const std::vector<ShapeLight> lights =
-          follow(slab, medium, {.walks = 100'000, .seed = 5, .lights_deg = {0, 180}});
+          follow(slab, medium, {.walks = tests::turns(100'000, 10'000), .seed = 5, .lights_deg = {0, 180}});
       for (std::size_t i = 0; i < 2; ++i)
         for (std::size_t c = 0; c < 3; ++c) {
           const double truth = lights[i].exitance[c],

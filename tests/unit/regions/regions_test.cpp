@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "builtin_head/builtin_head.h"
 #include "reference/camera_ray.h"
 #include "regions/head_frame.h"
 #include "regions/parts.h"
 #include "scene/framing.h"
 #include "scene/primitives.h"
 #include "scene/unwrap.h"
+#include "support/built_in.h"
 #include "unit/reference/scenes.h"
 
 namespace dermis::regions {
@@ -134,7 +134,7 @@ TEST(Regions, ASlitIsAFold) {
 }
 
 TEST(Regions, OfTheBuiltInHead) {
-  const scene::Scene head = builtin_head::make({.map_size = 64});
+  const scene::Scene& head = tests::built_in_head();
   const rays::RayScene rays(head);
 
   const std::optional<HeadFrame> frame = HeadFrame::find(rays);
@@ -169,7 +169,7 @@ TEST(Regions, OfTheBuiltInHead) {
 }
 
 TEST(Parts, OfTheBuiltInHeadsVertices) {
-  const scene::Scene head = builtin_head::make({.map_size = 64});
+  const scene::Scene& head = tests::built_in_head();
   const rays::RayScene rays(head);
   const std::optional<HeadFrame> frame = HeadFrame::find(rays);
   ASSERT_TRUE(frame);
@@ -200,7 +200,7 @@ TEST(Parts, OfTheBuiltInHeadsVertices) {
 // A triangle of an ear, grown about its middle until its corners lie farther from it than an ear's skin is
 // closed.
 TEST(Parts, OfLargeTriangles) {
-  const scene::Scene head = builtin_head::make({.map_size = 64});
+  const scene::Scene& head = tests::built_in_head();
   const rays::RayScene rays(head);
   const std::optional<HeadFrame> frame = HeadFrame::find(rays);
   ASSERT_TRUE(frame);

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "alone.h"
-#include "builtin_head/builtin_head.h"
 #include "dermis/error.h"
 #include "setup/frame_setup.h"
+#include "support/built_in.h"
 
 namespace dermis::setup {
 namespace {
@@ -30,7 +30,7 @@ TEST(BackgroundNames, OthersAreRefused) {
 
 // A host's own picture lies behind the heads.
 TEST(BackgroundNames, AHostHasNone) {
-  const Subject head = examine(std::make_shared<scene::Scene>(builtin_head::make({.map_size = 64})));
+  const Subject head = examine(std::make_shared<scene::Scene>(tests::built_in_head()));
   RenderSettings settings;
   settings.output.background = "studio";
   EXPECT_EQ(set_up_alone(head, settings).plan.behind.kind, Kind::studio);

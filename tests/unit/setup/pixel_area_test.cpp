@@ -6,10 +6,10 @@
 #include <random>
 #include <vector>
 
-#include "builtin_head/builtin_head.h"
 #include "scene/enclosure.h"
 #include "scene/framing.h"
 #include "setup/frame_camera.h"
+#include "support/built_in.h"
 
 namespace dermis::setup {
 namespace {
@@ -23,7 +23,7 @@ struct Head {
 
 const Head& built_in() {
   static const Head made = [] {
-    const scene::Scene scene = builtin_head::make();
+    const scene::Scene& scene = tests::built_in_head();
     Head h{.points_m = {},
            .corners_m = scene::enclosing_corners(scene),
            .sphere = scene::bounding_sphere(scene, [](const scene::Primitive&) { return true; })};

@@ -8,7 +8,6 @@
 #include <map>
 
 #include "alone.h"
-#include "builtin_head/builtin_head.h"
 #include "dermis/error.h"
 #include "environment/environment.h"
 #include "environment/sources.h"
@@ -16,6 +15,7 @@
 #include "settings/names.h"
 #include "setup/environment_light.h"
 #include "setup/frame_setup.h"
+#include "support/built_in.h"
 #include "support/files.h"
 
 namespace dermis::setup {
@@ -44,13 +44,13 @@ constexpr Exception exceptions[] = {
 };
 
 Subject head() {
-  auto scene = std::make_shared<scene::Scene>(builtin_head::make({.map_size = 64}));
+  auto scene = std::make_shared<scene::Scene>(tests::built_in_head());
   scene->cameras.push_back({.name = "side"});
   return examine(std::move(scene));
 }
 
 Subject skin_alone() {
-  scene::Scene scene = builtin_head::make({.map_size = 64});
+  scene::Scene scene = tests::built_in_head();
   scene.primitives.resize(1);
   scene.rig = nullptr;
   return examine(std::make_shared<scene::Scene>(std::move(scene)));
