@@ -9,7 +9,8 @@
 #   load once).
 #   COST: processor seconds, roughly; what takes longest starts first, so that nothing long is left alone at
 #   the end.
-#   ENVIRONMENT: variables of all entries of the test.
+#   ENVIRONMENT: variables of all entries of the test. With GALLIVM_PERF=nopt Mesa's software driver does not
+#   optimise shaders: right for a test of many shaders and few pixels, which else waits for the compiler.
 #   PARTS: cases of a long test that are an entry of their own, NAME_part, so that no processor waits for
 #   another at the end; the filter is GoogleTest's. What is in no part stays in the entry NAME.
 #   Tests of the labels unit and gpu share one folder for kept files (build/.../cache), emptied when the tests
