@@ -43,9 +43,9 @@ function(dermis_compile_options target)
     target_compile_options(${target} PRIVATE -Wshadow)
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # g++ 12 invents overlaps and endless copies in "text" + std::string once it has inlined it:
+    # g++ 12 invents overlaps in "text" + std::string once it has inlined it:
     # https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105651
-    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow)
+    target_compile_options(${target} PRIVATE -Wno-restrict)
   endif()
   if(DERMIS_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)

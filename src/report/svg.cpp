@@ -12,7 +12,7 @@ namespace dermis::report {
 namespace {
 
 std::string with_space(std::string_view style) {
-  return style.empty() ? std::string() : " " + std::string(style);
+  return style.empty() ? std::string() : fmt::format(" {}", style);
 }
 
 }  // namespace

@@ -161,9 +161,9 @@ TEST(Shrink, LinearPicturesAreHalvedToTheLimit) {
     return text;
   };
   for (const bool bottom_up : {false, true}) {
-    const std::string head =
-        std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n") + (bottom_up ? "+Y 3 +X 4\n" : "-Y 3 +X 4\n");
-    const std::string text = head + row(8) + row(8) + row(24);
+    std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
+    text += bottom_up ? "+Y 3 +X 4\n" : "-Y 3 +X 4\n";
+    text += row(8) + row(8) + row(24);
     const ImageF whole = decode_image_f(bytes_of(text), "sky", {}, any),
                  one = decode_image_f(bytes_of(text), "sky", {}, 2);
     EXPECT_EQ(whole.at(0, bottom_up ? 0 : 2)[0], 24);
