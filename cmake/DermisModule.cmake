@@ -16,7 +16,7 @@
 #   Tests of the labels unit and gpu share one folder for kept files (build/.../cache), emptied when the tests
 #   begin (tests/CMakeLists.txt): what one has baked serves the others, and nothing of the user's own cache
 #   decides what is tested.
-# dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs] [ARGS ...])
+# dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs] [COST seconds] [ARGS ...])
 #   A bash script as one ctest entry, given the source folder and ARGS as its arguments; it ends with a status
 #   other than 0 on failure.
 # The target unit_tests builds what the label unit needs and nothing else: the sanitizer run needs no more.
@@ -157,11 +157,14 @@ function(dermis_test name)
 endfunction()
 
 function(dermis_script_test name)
-  cmake_parse_arguments(T "" "SCRIPT;LABEL" "ARGS" ${ARGN})
+  cmake_parse_arguments(T "" "SCRIPT;LABEL;COST" "ARGS" ${ARGN})
   add_test(NAME ${name} COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/${T_SCRIPT} ${PROJECT_SOURCE_DIR} ${T_ARGS}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   if(NOT T_LABEL)
     set(T_LABEL unit)
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS ${T_LABEL} TIMEOUT 300)
+  if(NOT T_COST)
+    set(T_COST 1)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS ${T_LABEL} TIMEOUT 300 COST ${T_COST})
 endfunction()
