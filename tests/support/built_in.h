@@ -5,10 +5,15 @@
 
 namespace dermis::tests {
 
-/// Returns the built-in head with its smallest maps; its mesh does not depend on their size. Made once by all
-/// tests of a build, which share a folder of kept files (cmake/DermisModule.cmake).
+/// Returns the built-in head from the folder of kept files that all tests of a build share
+/// (cmake/DermisModule.cmake), where the first that asks for a size puts it.
+inline scene::Scene kept_built_in_head(int map_size) {
+  return builtin_head::make({.map_size = map_size, .cache = cache::default_folder()});
+}
+
+/// The same with the smallest maps, once per program; its mesh does not depend on their size.
 inline const scene::Scene& built_in_head() {
-  static const scene::Scene head = builtin_head::make({.map_size = 64, .cache = cache::default_folder()});
+  static const scene::Scene head = kept_built_in_head(64);
   return head;
 }
 

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "builtin_head/builtin_head.h"
 #include "gpu/support/scenes.h"
 #include "support/assets.h"
+#include "support/built_in.h"
 
 namespace dermis::tests {
 namespace {
@@ -41,7 +41,7 @@ const std::vector<Subject>& subjects() {
   static const std::vector<Subject> all{
       {"sphere", once([] { return sphere(0.1); }), {}},
       {"sheared plane", once(sheared_plane), {}},
-      {"built-in head", once([] { return wrap(builtin_head::make({.map_size = 512})); }), {}},
+      {"built-in head", once([] { return wrap(kept_built_in_head(512)); }), {}},
       from_file("scan", scan_manifest(), missing_scan()),
       from_cache("MakeHuman", "makehuman/mh-african-man-young.glb"),
       from_cache("ICT", "ict-facekit/ict-mean-animated.glb"),

@@ -10,7 +10,6 @@
 #include <cstring>
 #include <memory>
 
-#include "builtin_head/builtin_head.h"
 #include "dermis/error.h"
 #include "frame/executor.h"
 #include "gpu/device.h"
@@ -24,6 +23,7 @@
 #include "setup/frame_data.h"
 #include "setup/frame_setup.h"
 #include "support/assets.h"
+#include "support/built_in.h"
 #include "techniques/technique.h"
 
 namespace dermis::tests {
@@ -178,10 +178,9 @@ scene::Scene folded_sphere() {
 }
 
 std::vector<Case> cases() {
-  std::vector<Case> all{
-      {"sphere", std::make_shared<scene::Scene>(scene::sphere(0.1, 12))},
-      {"folded sphere", std::make_shared<scene::Scene>(folded_sphere())},
-      {"built-in head", std::make_shared<scene::Scene>(builtin_head::make({.map_size = 64}))}};
+  std::vector<Case> all{{"sphere", std::make_shared<scene::Scene>(scene::sphere(0.1, 12))},
+                        {"folded sphere", std::make_shared<scene::Scene>(folded_sphere())},
+                        {"built-in head", std::make_shared<scene::Scene>(built_in_head())}};
   const auto mesh_head = asset_cache() / "makehuman/mh-african-man-young.glb";
   if (missing_asset({mesh_head}).empty())
     all.push_back({"MakeHuman", std::make_shared<scene::Scene>(scene::load_gltf(mesh_head))});
@@ -249,7 +248,7 @@ TEST_F(Texels, HaveSoftShadowsAndAreCutOut) {
 }
 
 TEST_F(Texels, HaveEqualBitsFromFrameToFrame) {
-  const auto scene = std::make_shared<scene::Scene>(builtin_head::make({.map_size = 64}));
+  const auto scene = std::make_shared<scene::Scene>(built_in_head());
   const RenderSettings s = small();
   Frames one(scene, s, true), other(scene, s, true);
   one.draw(s);
@@ -260,7 +259,7 @@ TEST_F(Texels, HaveEqualBitsFromFrameToFrame) {
 
 // Cull leaves out the same triangles; clip, texel by texel, may differ at the edges of the picture.
 TEST_F(Texels, LeaveOutWhatIsNotSeen) {
-  const auto scene = std::make_shared<scene::Scene>(builtin_head::make({.map_size = 64}));
+  const auto scene = std::make_shared<scene::Scene>(built_in_head());
   const auto texels = [&](bool cull, bool clip, bool texel_maps) {
     RenderSettings s = small();
     s.quality.cull = cull;
@@ -282,7 +281,7 @@ TEST_F(Texels, LeaveOutWhatIsNotSeen) {
 }
 
 TEST_F(Texels, MapIsDrawnAgainOnlyForAnotherSide) {
-  const auto scene = std::make_shared<scene::Scene>(builtin_head::make({.map_size = 64}));
+  const auto scene = std::make_shared<scene::Scene>(built_in_head());
   RenderSettings s = small();
   s.quality.depth = true;
   s.camera.distance = 2;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include "builtin_head/builtin_head.h"
 #include "gpu/support/failure.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
@@ -14,6 +13,7 @@
 #include "gpu/unwraps/made_up.h"
 #include "image/metrics.h"
 #include "scene/primitives.h"
+#include "support/built_in.h"
 
 namespace dermis::tests {
 namespace {
@@ -47,7 +47,7 @@ TEST(Unwraps, AWhiteFurnaceIsWhite) {
 
 // The fit takes back what the file has scaled, up to the rounding of its floats.
 TEST(Unwraps, AScaledHeadLooksLikeItself) {
-  const scene::Scene head = builtin_head::make({.map_size = 128});
+  const scene::Scene head = kept_built_in_head(128);
   const RenderSettings s = tiny_settings(96, 192);
   const Picture plain = renderer().render(wrap(head), s);
   const std::pair<double, double> cases[]{{0.1, 0.0}, {0.001, 0.5}};

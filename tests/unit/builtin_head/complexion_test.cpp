@@ -80,10 +80,12 @@ TEST(Complexion, CheekForeheadAndLipsAreWithin4OfTheMeasuredColours) {
   const scene::Primitive& mesh = tests::built_in_head().primitives.front();
   Net net = wrap(bust);
   net.chart = unwrap(net, bust.ear_frame());
+
   for (const Measured& group : groups) {
     SCOPED_TRACE(group.name);
     const image::Image8 colour = bake(bust, net, mesh, side, complexion(group.tone)).colour;
     const Skin skin(bust, complexion(group.tone));
+
     Mean cheek, forehead, lips;
     for (const scene::Vertex& v : mesh.vertices) {
       const vec3 mm = 1000.0f * v.position_m - vec3(0, Sculpture::eyes_over_origin_mm, 0);
@@ -95,6 +97,7 @@ TEST(Complexion, CheekForeheadAndLipsAreWithin4OfTheMeasuredColours) {
       if (r.lips > 0.95f && mm.z > 92) lips.add(texel);
     }
     ASSERT_GT(std::min({cheek.count, forehead.count, lips.count}), 20);
+
     const auto expect_near = [&](const char* name, const Mean& mean, const Lab& wanted) {
       const Lab found = mean.lab();
       std::printf("%-7s %-9s L*a*b* %.1f %.1f %.1f, measured %.1f %.1f %.1f: %.1f dE (%d vertices)\n",
@@ -105,6 +108,7 @@ TEST(Complexion, CheekForeheadAndLipsAreWithin4OfTheMeasuredColours) {
     expect_near("cheek", cheek, group.cheek);
     expect_near("forehead", forehead, group.forehead);
     expect_near("lips", lips, group.lips);
+
     EXPECT_GT(lips.lab().a, cheek.lab().a + 2);
     // Much blood below much melanin is hardly seen.
     if (group.tone == Tone::dark) continue;

@@ -54,6 +54,7 @@ TEST_F(Kept, TheHeadOfTheCacheHasTheSameBits) {
   const scene::Scene& made = keep_one();
   ASSERT_TRUE(fs::exists(file()));
   expect_equal(make({.map_size = 64, .cache = folder_}), made);
+  expect_equal(make({.map_size = 64}), made);
 }
 
 TEST_F(Kept, ItIsReadNotMadeAgain) {
