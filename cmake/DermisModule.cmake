@@ -42,6 +42,11 @@ function(dermis_compile_options target)
   else()
     target_compile_options(${target} PRIVATE -Wshadow)
   endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Collects its garbage from a gigabyte on, which files compiled together seldom reach: a twelfth of its
+    # time.
+    target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=1000000)
+  endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # g++ 12 invents overlaps in "text" + std::string once it has inlined it:
     # https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105651

@@ -57,7 +57,7 @@ frame::TextureId add(passes::FramePlan& plan, const FrameSettings& settings,
   return plan.add<passes::DiscGather>("disc", {surface}, gather).light;
 }
 
-FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
+FrameOutputs build_burley_disc(passes::FramePlan& plan, const FrameSettings& settings) {
   return build_in_screen_space(plan, settings, {.blurred = scattered_share, .add = add});
 }
 
@@ -72,7 +72,7 @@ constinit const Technique burley_disc{
     .ue_kernel = true,
     .taps = range,
     .taps_per_pixel = disc_taps_per_pixel,
-    .build = build,
+    .build = build_burley_disc,
     .maps = screen_maps,
     .report = screen_report,
     .gutters = no_gutters};

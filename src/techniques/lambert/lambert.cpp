@@ -7,7 +7,7 @@ namespace dermis::techniques {
 namespace {
 
 // Draws the heads of each batch: their shadow maps, their skin with the light at each pixel, and the rest.
-FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
+FrameOutputs build_lambert(passes::FramePlan& plan, const FrameSettings& settings) {
   Screen screen(plan, settings);
   screen.add_entries();
 
@@ -32,7 +32,7 @@ constinit const Technique lambert{.name = "lambert",
                                   .summary = "the same lights and specular without scattering",
                                   .uses_profile = false,
                                   .has_light_maps = false,
-                                  .build = build,
+                                  .build = build_lambert,
                                   .maps = screen_maps,
                                   .report = screen_report,
                                   .gutters = no_gutters};

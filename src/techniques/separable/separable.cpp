@@ -47,7 +47,7 @@ frame::TextureId add(passes::FramePlan& plan, const FrameSettings& settings,
   return plan.add<passes::SeparableBlur>("separable 2", {rows, surface}, blur).light;
 }
 
-FrameOutputs build(passes::FramePlan& plan, const FrameSettings& settings) {
+FrameOutputs build_separable(passes::FramePlan& plan, const FrameSettings& settings) {
   return build_in_screen_space(plan, settings, {.blurred = blurred, .add = add});
 }
 
@@ -61,7 +61,7 @@ constinit const Technique separable{
     .screen_space = true,
     .taps = range,
     .taps_per_pixel = line_taps_per_pixel,
-    .build = build,
+    .build = build_separable,
     .maps = screen_maps,
     .report = screen_report,
     .gutters = no_gutters};

@@ -88,7 +88,7 @@ std::vector<MapSquare> one_of_each_unwrap(const FrameSettings& s) {
 }
 
 // The steps of the table in docs/techniques.md, in its order.
-FrameOutputs build(passes::FramePlan& plan, const FrameSettings& s) {
+FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s) {
   Screen screen(plan, s, counter_count(s));
   screen.add_entries();
   std::optional<LightMaps> maps;
@@ -149,7 +149,7 @@ constinit const Technique texture_space{
     .summary = "light blurred in the head's texture by a sum of Gaussians (d'Eon et al. 2007)",
     .uses_profile = true,
     .has_light_maps = true,
-    .build = build,
+    .build = build_texture_space,
     .maps = maps,
     .report = texture_space_report,
     .gutters = texture_space_gutters};

@@ -49,7 +49,7 @@ class Views : public testing::Test {
     }
   }
 
-  const Warnings quiet_;
+  Warnings quiet_;
   TempFolder temp_;
   fs::path file_ = Carrier().write(temp_.path(), "carrier.glb");
 };

@@ -50,7 +50,7 @@ class Character : public testing::Test {
     if (!folder) GTEST_SKIP() << "the shared assets are not in DERMIS_ASSET_CACHE";
     file_ = *folder / "makehuman" / "mh-african-man-young.glb";
   }
-  const Warnings quiet_;
+  Warnings quiet_;
   fs::path file_;
   TempFolder temp_;
 };

@@ -58,8 +58,8 @@ template <class Settings>
 std::string table(const std::string& parent = "") {
   const Settings settings;
   const nlohmann::ordered_json defaults = json_of(settings);
-  constexpr bool has_plan = std::is_same_v<Settings, RenderSettings>;
-  constexpr bool has_options = !std::is_same_v<Settings, Light>;
+  static constexpr bool has_plan = std::is_same_v<Settings, RenderSettings>;
+  static constexpr bool has_options = !std::is_same_v<Settings, Light>;
   std::string text = has_options ? "| setting | what it is | values | default | option |"
                                  : "| member | what it is | values | default |\n|---|---|---|---|\n";
   if (has_options)
