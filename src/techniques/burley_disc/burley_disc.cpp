@@ -11,7 +11,7 @@
 namespace dermis::techniques {
 namespace {
 
-constexpr TapRange range{.least = 1, .most = 4096, .usual = 64};
+constexpr TapRange disc_taps_range{.least = 1, .most = 4096, .usual = 64};
 constexpr double reach_share = 0.997;
 
 // Of a profile without width the disc has none either; nothing of its light is blurred.
@@ -22,7 +22,7 @@ bool spreads(const SkinPart& part) {
 }
 
 std::uint32_t disc_taps_per_pixel(const FrameSettings& settings) {
-  return settings.taps > 0 ? settings.taps : range.usual;
+  return settings.taps > 0 ? settings.taps : disc_taps_range.usual;
 }
 
 passes::Disc disc_of(const FrameSettings& settings, const SkinPart& part) {
@@ -48,8 +48,8 @@ passes::Disc disc_of(const FrameSettings& settings, const SkinPart& part) {
   return disc;
 }
 
-frame::TextureId add(passes::FramePlan& plan, const FrameSettings& settings,
-                     const passes::ScreenSurface& surface) {
+frame::TextureId add_disc(passes::FramePlan& plan, const FrameSettings& settings,
+                          const passes::ScreenSurface& surface) {
   passes::DiscGather::Settings gather{.discs = {},
                                       .burley = settings.kernel == ScreenKernel::published,
                                       .ue = settings.kernel == ScreenKernel::ue};
@@ -58,7 +58,7 @@ frame::TextureId add(passes::FramePlan& plan, const FrameSettings& settings,
 }
 
 FrameOutputs build_burley_disc(passes::FramePlan& plan, const FrameSettings& settings) {
-  return build_in_screen_space(plan, settings, {.blurred = scattered_share, .add = add});
+  return build_in_screen_space(plan, settings, {.blurred = scattered_share, .add = add_disc});
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ constinit const Technique burley_disc{
     .has_light_maps = false,
     .screen_space = true,
     .ue_kernel = true,
-    .taps = range,
+    .taps = disc_taps_range,
     .taps_per_pixel = disc_taps_per_pixel,
     .build = build_burley_disc,
     .maps = screen_maps,

@@ -9,7 +9,7 @@
 namespace dermis::techniques {
 namespace {
 
-constexpr TapRange range{
+constexpr TapRange line_taps_range{
     .least = gaussians::least_line_taps, .most = gaussians::most_line_taps, .usual = 25, .odd = true};
 
 bool is_published(const FrameSettings& settings) { return settings.kernel == ScreenKernel::published; }
@@ -23,7 +23,7 @@ gaussians::Rgb blurred(const FrameSettings& settings, const SkinPart& part) {
 }
 
 std::uint32_t line_taps(const FrameSettings& settings) {
-  return settings.taps > 0 ? settings.taps : range.usual;
+  return settings.taps > 0 ? settings.taps : line_taps_range.usual;
 }
 
 // Both passes.
@@ -37,8 +37,8 @@ passes::LineKernel kernel_of(const FrameSettings& settings, const SkinPart& part
           .reach_mm = gaussians::line_kernel_reach_mm(part.profile)};
 }
 
-frame::TextureId add(passes::FramePlan& plan, const FrameSettings& settings,
-                     const passes::ScreenSurface& surface) {
+frame::TextureId add_lines(passes::FramePlan& plan, const FrameSettings& settings,
+                           const passes::ScreenSurface& surface) {
   passes::SeparableBlur::Settings blur{.kernels = {}, .axis = 0, .published = is_published(settings)};
   for (const SkinPart& part : settings.skin) blur.kernels.push_back(kernel_of(settings, part));
   const frame::TextureId rows =
@@ -48,7 +48,7 @@ frame::TextureId add(passes::FramePlan& plan, const FrameSettings& settings,
 }
 
 FrameOutputs build_separable(passes::FramePlan& plan, const FrameSettings& settings) {
-  return build_in_screen_space(plan, settings, {.blurred = blurred, .add = add});
+  return build_in_screen_space(plan, settings, {.blurred = blurred, .add = add_lines});
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ constinit const Technique separable{
     .uses_profile = true,
     .has_light_maps = false,
     .screen_space = true,
-    .taps = range,
+    .taps = line_taps_range,
     .taps_per_pixel = line_taps_per_pixel,
     .build = build_separable,
     .maps = screen_maps,
