@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/assert.h"
+#include "core/channels.h"
 #include "core/error.h"
 #include "core/hooks.h"
 #include "core/parallel.h"
@@ -202,9 +203,8 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
   Steps steps(work_name, 3 + search_steps);
   std::vector<Target> targets;
   Range range{.low = 1e300, .high = -1e300, .floor = 1e300};
-  constexpr const char* colour[] = {"red", "green", "blue"};
   for (int c = 0; c < 3; ++c) {
-    targets.emplace_back(*profiles[c], name + ": " + colour[c], measure);
+    targets.emplace_back(*profiles[c], name + ": " + channel_names[c], measure);
     const Range one = range_of(*profiles[c]);
     range = {.low = std::min(range.low, one.low),
              .high = std::max(range.high, one.high),

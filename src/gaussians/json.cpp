@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/channels.h"
 #include "core/error.h"
 #include "gaussians/known.h"
 #include "gaussians/shape_json.h"
@@ -18,7 +18,6 @@ namespace dermis::gaussians {
 
 namespace {
 
-constexpr std::array channel_names = {"red", "green", "blue"};
 constexpr double any = std::numeric_limits<double>::max();
 constexpr std::uint64_t max_file_bytes = std::uint64_t{1} << 20;
 constexpr json::Limits limits{.depth = 8, .values = 10'000};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "gaussians/scatter_profile.h"
 
-#include <array>
 #include <cmath>
 
+#include "core/channels.h"
 #include "core/error.h"
 #include "core/one_line.h"
 #include "gaussians/shape_json.h"
@@ -13,8 +13,6 @@
 namespace dermis::gaussians {
 
 namespace {
-
-constexpr std::array channel_names = {"red", "green", "blue"};
 
 void check_variances(const ScatterProfile& profile, const std::string& where) {
   const std::vector<double>& v = profile.variances_mm2;

@@ -8,6 +8,7 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "gpu/device.h"
+#include "gpu/mib.h"
 
 namespace dermis::gpu {
 
@@ -32,8 +33,6 @@ struct MemoryPool::Request {
 };
 
 namespace {
-
-double mib(std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
 std::uint64_t align_up(std::uint64_t offset, std::uint64_t alignment) {
   return (offset + alignment - 1) / alignment * alignment;

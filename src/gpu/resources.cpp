@@ -9,6 +9,7 @@
 #include "gpu/device.h"
 #include "gpu/formats.h"
 #include "gpu/memory.h"
+#include "gpu/mib.h"
 #include "gpu/raw.h"
 
 namespace dermis::gpu {
@@ -16,8 +17,6 @@ namespace {
 
 constexpr VkImageUsageFlags target_usage =
     VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-
-double mib(std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
 template <class Handle>
 std::uint64_t as_number(Handle handle) {

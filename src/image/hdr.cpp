@@ -21,9 +21,9 @@ using Rgbe = std::uint8_t[4];
 constexpr size_t max_header_bytes = size_t{1} << 16;
 
 /// Reads bytes; throws InputError past the end.
-class Input {
+class HdrInput {
  public:
-  Input(Bytes bytes, const std::string& where) : bytes_(bytes), where_(where) {}
+  HdrInput(Bytes bytes, const std::string& where) : bytes_(bytes), where_(where) {}
 
   size_t left() const { return bytes_.size() - at_; }
   std::uint8_t byte() {
@@ -92,7 +92,7 @@ Layout parse_resolution(std::string_view line, const std::string& where) {
   return layout;
 }
 
-Layout read_header(Input& input, const std::string& where) {
+Layout read_header(HdrInput& input, const std::string& where) {
   input.line();  // "#?RADIANCE" or "#?RGBE": recognised already
   std::string_view line;
   while (!(line = input.line()).empty() && line != "\r") {
@@ -111,7 +111,7 @@ Layout read_header(Input& input, const std::string& where) {
 
 // Reads the old coding: four bytes per pixel. (1, 1, 1, n) repeats the previous pixel n times; further such
 // pixels count in steps of 256.
-void read_old_row(Input& input, const Rgbe& first, std::vector<std::uint8_t>& row, size_t width,
+void read_old_row(HdrInput& input, const Rgbe& first, std::vector<std::uint8_t>& row, size_t width,
                   const std::string& where) {
   size_t x = 0;
   unsigned shift = 0;
@@ -138,7 +138,7 @@ void read_old_row(Input& input, const Rgbe& first, std::vector<std::uint8_t>& ro
 }
 
 // Reads the new coding: the four components one after the other, each as runs (length > 128) and copies.
-void read_new_row(Input& input, std::vector<std::uint8_t>& row, size_t width, const std::string& where) {
+void read_new_row(HdrInput& input, std::vector<std::uint8_t>& row, size_t width, const std::string& where) {
   for (size_t c = 0; c < 4; ++c) {
     for (size_t x = 0; x < width;) {
       const size_t code = input.byte();
@@ -155,7 +155,7 @@ void read_new_row(Input& input, std::vector<std::uint8_t>& row, size_t width, co
   }
 }
 
-void read_row(Input& input, std::vector<std::uint8_t>& row, size_t width, const std::string& where) {
+void read_row(HdrInput& input, std::vector<std::uint8_t>& row, size_t width, const std::string& where) {
   Rgbe first;
   for (std::uint8_t& b : first) b = input.byte();
   const bool new_coding = width >= 8 && width <= 0x7fff && first[0] == 2 && first[1] == 2 && first[2] < 128;
@@ -177,7 +177,7 @@ void to_float(const std::uint8_t* rgbe, float* rgb) {
 
 ImageF decode_hdr(Bytes bytes, const std::string& where, const DecodeLimits& limits,
                   std::uint64_t most_pixels) {
-  Input input(bytes, where);
+  HdrInput input(bytes, where);
   const Layout layout = read_header(input, where);
   check_size(layout.width, layout.height, limits, where);
   // The shortest row is one pixel and one long run of the old coding.

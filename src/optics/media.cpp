@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/channels.h"
 #include "core/error.h"
 #include "optics/key_values.h"
 #include "settings/check.h"
@@ -26,8 +27,7 @@ void check(const Medium& medium, const std::string& where) {
 }
 
 void check(const RgbMedium& medium, const std::string& where) {
-  constexpr const char* channel[] = {"red", "green", "blue"};
-  for (int c = 0; c < 3; ++c) check(medium[c], where + ": " + channel[c]);
+  for (std::size_t c = 0; c < 3; ++c) check(medium[c], where + ": " + channel_names[c]);
 }
 
 RgbMedium rgb_medium(const Coefficients& coefficients) {

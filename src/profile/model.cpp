@@ -3,6 +3,7 @@
 
 #include <fmt/ranges.h>
 
+#include "core/channels.h"
 #include "core/error.h"
 #include "core/hooks.h"
 #include "profile/beam.h"
@@ -12,8 +13,6 @@
 
 namespace dermis::profile {
 namespace {
-
-constexpr const char* channel_name[] = {"red", "green", "blue"};
 
 ProfilePtr homogeneous(const optics::Medium& medium, Model model, const MonteCarloOptions& options) {
   switch (model) {
@@ -28,7 +27,7 @@ ProfilePtr homogeneous(const optics::Medium& medium, Model model, const MonteCar
 void check_reflects(const ModelledProfiles& made, const std::string& where) {
   for (int c = 0; c < 3; ++c)
     if (!(made.profiles[c]->total() > 0))
-      throw input_error(fmt::format("{}: {}", where, channel_name[c]),
+      throw input_error(fmt::format("{}: {}", where, channel_names[c]),
                         "reflects nothing, so there is no profile: sigma_s must be above 0");
 }
 
@@ -47,7 +46,7 @@ ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, con
     out.model = albedo >= diffusion_albedo ? Model::dipole : Model::monte_carlo;
     out.reason = fmt::format(
         "model chosen: the lowest reduced albedo is {:.3f} ({}), {} {} where diffusion theory holds", albedo,
-        channel_name[lowest], albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
+        channel_names[lowest], albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
 
   Steps channels("how light spreads in skin", 3);
@@ -79,11 +78,11 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
       const double optical = one[i].thickness_mm * one[i].medium().sigma_t_reduced_per_mm();
       if (optical < thinnest) {
         thinnest = optical;
-        thin_place = fmt::format("layer {}, {}", i, channel_name[c]);
+        thin_place = fmt::format("layer {}, {}", i, channel_names[c]);
       }
       if (one[i].medium().reduced_albedo() >= lowest) continue;
       lowest = one[i].medium().reduced_albedo();
-      place = fmt::format("layer {}, {}", i, channel_name[c]);
+      place = fmt::format("layer {}, {}", i, channel_names[c]);
     }
   }
 

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/channels.h"
 #include "core/error.h"
 #include "core/hooks.h"
 #include "optics/observer.h"
@@ -155,10 +156,9 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
 
   const std::string name =
       out.model == Model::monte_carlo ? "Monte-Carlo, 31 wavelengths" : "multipole, 31 wavelengths";
-  constexpr const char* channel[] = {"red", "green", "blue"};
   for (int c = 0; c < 3; ++c)
-    out.profiles[c] =
-        std::make_shared<WeightedProfile>(std::move(parts[c]), exact[c], name, where + ": " + channel[c]);
+    out.profiles[c] = std::make_shared<WeightedProfile>(std::move(parts[c]), exact[c], name,
+                                                        where + ": " + channel_names[c]);
   return out;
 }
 

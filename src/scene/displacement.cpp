@@ -121,13 +121,13 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
 }
 
 /// Two texels of an axis and their weights, for a place between them.
-struct Between {
+struct BilinearTap {
   int texel[2];
   double weight[2];
 };
 
-std::vector<Between> bilinear_taps(int source, int target, Wrap wrap) {
-  std::vector<Between> taps;
+std::vector<BilinearTap> bilinear_taps(int source, int target, Wrap wrap) {
+  std::vector<BilinearTap> taps;
   taps.reserve(static_cast<std::size_t>(target));
   for (int i = 0; i < target; ++i) {
     const double at = (i + 0.5) / target * source - 0.5;
@@ -139,8 +139,8 @@ std::vector<Between> bilinear_taps(int source, int target, Wrap wrap) {
 }
 
 /// Returns the slopes (x / z, y / z) of the base map at a place, bilinear. components: of its bytes.
-glm::dvec2 base_slopes(const image::Image8& base, double scale, const Between& across, const Between& down,
-                       const std::array<double, 256>& components) {
+glm::dvec2 base_slopes(const image::Image8& base, double scale, const BilinearTap& across,
+                       const BilinearTap& down, const std::array<double, 256>& components) {
   glm::dvec3 n(0);
   for (int dy = 0; dy < 2; ++dy) {
     for (int dx = 0; dx < 2; ++dx) {
@@ -198,7 +198,7 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
   }
   steps.done();
 
-  std::vector<Between> across, down_base;
+  std::vector<BilinearTap> across, down_base;
   if (base != nullptr) {
     across = bilinear_taps(base->width, target.width, settings.wrap_u);
     down_base = bilinear_taps(base->height, target.height, settings.wrap_v);

@@ -13,7 +13,7 @@ namespace dermis::scene {
 namespace {
 
 /// Normalises; returns zero if there is no direction, which make_missing_normals fills in.
-glm::vec3 unit_or_zero(const glm::dvec3& v) {
+glm::vec3 float_unit_or_zero(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 1e-30 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0);
 }
@@ -83,12 +83,12 @@ std::vector<std::uint32_t> drop_unused(std::vector<std::uint32_t>& indices, std:
 Vertex place_vertex(const LocalMesh& mesh, std::size_t i, const Frame& frame) {
   Vertex v;
   v.position_m = glm::vec3(frame.matrix * glm::dvec4(vec3_at(mesh.positions, i, 3), 1));
-  v.normal =
-      mesh.normals.empty() ? glm::vec3(0) : unit_or_zero(frame.normal_matrix * vec3_at(mesh.normals, i, 3));
+  v.normal = mesh.normals.empty() ? glm::vec3(0)
+                                  : float_unit_or_zero(frame.normal_matrix * vec3_at(mesh.normals, i, 3));
   if (!mesh.tangents.empty()) {
     const glm::dvec3 n(v.normal), t = glm::dmat3(frame.matrix) * vec3_at(mesh.tangents, i, 4);
     const float w = mesh.tangents[i * 4 + 3] < 0 ? -1.0f : 1.0f;
-    v.tangent = glm::vec4(unit_or_zero(t - n * glm::dot(n, t)), frame.mirrored ? -w : w);
+    v.tangent = glm::vec4(float_unit_or_zero(t - n * glm::dot(n, t)), frame.mirrored ? -w : w);
   }
   if (!mesh.uvs[0].empty()) v.uv0 = {mesh.uvs[0][i * 2], mesh.uvs[0][i * 2 + 1]};
   if (!mesh.uvs[1].empty()) v.uv1 = {mesh.uvs[1][i * 2], mesh.uvs[1][i * 2 + 1]};
