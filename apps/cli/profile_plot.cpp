@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/channels.h"
 #include "gaussians/algebra.h"
 #include "image/colour.h"
 #include "report/svg.h"
@@ -20,7 +21,6 @@ using report::Point;
 constexpr double width = 900, left = 80, right = 20;
 // Legible on white, and apart for the colour-blind by their order in the legend.
 constexpr const char* colour[] = {"#c0392b", "#1e8449", "#2455a4"};
-constexpr const char* curve_name[] = {"red", "green", "blue"};
 constexpr int samples = 240;  // of a curve
 
 std::string text_at(Point at, const std::string& text, const char* anchor = "start",
@@ -181,7 +181,7 @@ std::string profile_svg(const ProfilePlot& plot) {
       svg += main.curve([&](double r) { return scaled(plot.others[i].channels[c], r); },
                         {colour[c], dots[i], 1.4});
     svg += below.curve([&](double r) { return exact(r) - fitted(r); }, {colour[c], "none", 1.4});
-    svg += text_at({width - right - 10, main.top + 18 + 17 * c}, curve_name[c], "end", colour[c]);
+    svg += text_at({width - right - 10, main.top + 18 + 17 * c}, channel_names[c], "end", colour[c]);
   }
   svg += legend(plot, main);
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "core/channels.h"
 #include "core/error.h"
 #include "gaussians/algebra.h"
 #include "gaussians/exchange.h"
@@ -20,7 +21,6 @@
 namespace dermis::cli {
 namespace {
 
-constexpr const char* channel_name[] = {"red", "green", "blue"};
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double worth_a_note = 1e-4;  // of the light
 
@@ -56,7 +56,7 @@ void check_weights(const Source& source, const Fitted& fitted, int terms) {
   throw input_error(
       source.name,
       "{}: no sum of Gaussians fits this profile; is its total 0, or its reach out of all proportion?",
-      channel_name[bad]);
+      channel_names[bad]);
 }
 
 std::string row(const std::string& label, const gaussians::Rgb& values) {
@@ -78,12 +78,12 @@ std::string notes(const Source& source, const Fitted& fitted) {
     if (fitted.model_total[c] > 1 + worth_a_note)
       text += fmt::format(
           "{}: this model gives back {:.4g} times the light that entered; the total is cut to 1\n",
-          channel_name[c], fitted.model_total[c]);
+          channel_names[c], fitted.model_total[c]);
     const auto sampled = profile::sampled(*source.profiles[c]);
     if (sampled && sampled->cut > worth_a_note)
       text += fmt::format(
           "{}: {:.2g} % of the light is missing; Monte-Carlo gives photons up after 200,000 scatterings\n",
-          channel_name[c], 100 * sampled->cut);
+          channel_names[c], 100 * sampled->cut);
   }
   return text;
 }
@@ -198,7 +198,7 @@ std::string table(const Source& source, const Fitted& fitted) {
   if (fitted.shared.terms.empty())
     for (int c = 0; c < 3; ++c)
       for (const gaussians::Term& term : normalised(fitted, c))
-        text += fmt::format("{:<6} variance {:>10.5g} mm^2   weight {:>12.6g}\n", channel_name[c],
+        text += fmt::format("{:<6} variance {:>10.5g} mm^2   weight {:>12.6g}\n", channel_names[c],
                             term.variance_mm2, term.weight);
   text += error_rows(source, fitted);
   text += row("total reflectance", fitted.total);
