@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // What a light costs with translucency and without, for light maps and shadow maps of several sizes, drawn
-// alternately in one run. translucency_bench [SCENE] [ROUNDS] [MAP_SIZE SHADOW_SIZE]: all pairs of sizes, or
-// one. Made for: ninja translucency_bench &&
-// build/release/bench/translucency/translucency_bench assets/heads/lee-perry-smith.gltf
+// alternately in one run. translucency_bench [SCENE] [ROUNDS] [MAP_SIZE SHADOW_SIZE [raster|compute]]: all
+// pairs of sizes, or one (0 0: all), with texels lit as usual or in one way. Made for: ninja
+// translucency_bench
+// && build/release/bench/translucency/translucency_bench assets/heads/lee-perry-smith.gltf
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <string_view>
 
 #include "dermis/renderer.h"
 
 namespace {
 
-constexpr std::array light_counts{1, 5};
+constexpr std::array light_counts{1, 9};  // lamps are most of the frame
 constexpr std::array map_sizes{512, 1024, 2048};
 constexpr std::array shadow_sizes{512, 1024, 2048, 4096};
 
@@ -61,8 +63,12 @@ int main(int argc, char** argv) {
     const dermis::Scene scene = argc > 1 ? dermis::Scene::load(argv[1]) : dermis::Scene::built_in();
     const int rounds = argc > 2 ? std::max(std::atoi(argv[2]), 1) : 9;
     dermis::RenderSettings settings;
-    settings.output.width = 640;
-    settings.output.height = 360;
+    settings.output.width = 480;
+    settings.output.height = 270;
+    if (argc > 5)
+      settings.quality.irradiance = argv[5] == std::string_view("raster") ? dermis::IrradianceBy::raster
+                                                                          : dermis::IrradianceBy::compute;
+    const int only_map = argc > 4 ? std::atoi(argv[3]) : 0, only_shadow = argc > 4 ? std::atoi(argv[4]) : 0;
 
     dermis::Renderer renderer;
     std::printf("%s, %d x %d, least of %d rounds; ms per light\n", scene.name().c_str(),
@@ -71,7 +77,7 @@ int main(int argc, char** argv) {
 
     for (const int map_size : map_sizes)
       for (const int shadow_size : shadow_sizes) {
-        if (argc > 4 && (std::atoi(argv[3]) != map_size || std::atoi(argv[4]) != shadow_size)) continue;
+        if (only_map > 0 && (only_map != map_size || only_shadow != shadow_size)) continue;
         settings.quality.map_size = map_size;
         settings.quality.shadow_size = shadow_size;
         settings.quality.keep_shadows = false;  // its maps are a part of what a light costs

@@ -158,11 +158,6 @@ passes::SkipUnlit choose_skip_unlit(const RenderSettings& s, const DeviceTraits&
   return passes::SkipUnlit::by_tiles;
 }
 
-// As above.
-IrradianceBy choose_irradiance(const RenderSettings& s, const DeviceTraits& device) {
-  return s.quality.irradiance.value_or(device.software ? IrradianceBy::raster : IrradianceBy::compute);
-}
-
 // Whether light enters whole wherever it falls on something: skin whose whole albedo acts after scattering.
 // What is blended casts no shadow.
 bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
@@ -249,7 +244,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
     plan.skip_unlit = choose_skip_unlit(s, device);
     plan.progressive = s.quality.maps == LightMaps::progressive;
-    plan.texel_maps = choose_irradiance(s, device) == IrradianceBy::compute && !plan.host_lights();
+    plan.texel_maps = choose_irradiance(s.quality) == IrradianceBy::compute && !plan.host_lights();
     plan.cascade = s.quality.blur == BlurOrder::cascade;
     check_cascade(plan);
   }

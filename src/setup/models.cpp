@@ -107,6 +107,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   fill_coarse(part, density, s.quality.map_size);
 
   part.off_map = scene::has_chartless(mesh);
+  part.overlaps = subject.overlaps[number] > 0;
   part.kinds.reset();
   for (const int index : mesh.triangle_material) {
     const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];

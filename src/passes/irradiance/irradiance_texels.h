@@ -16,6 +16,9 @@ namespace dermis::passes {
 struct LitTexels {
   TexelMaps maps;    ///< of these squares
   TexelLists lists;  ///< of these squares, with their ranges
+  /// By skin mesh of the plan: listed texels are lit although they lie outside the picture, since several
+  /// triangles share them. Empty: none.
+  std::vector<bool> unclipped;
 };
 
 /// A pipeline for each kind of material and each profile, and what they are given: shared by the passes over

@@ -62,10 +62,10 @@ Corners corners_at(uvec3 vertex, ivec2 texel) {
                  vec3(-to_b.y - to_c.y, to_b.y, to_c.y) * width, centre, asset_m, world_position(asset_m));
 }
 
-// Returns whether the texel lies in the picture and its margin.
+// Returns whether the texel is lit: it lies in the picture and its margin, or all of the mesh is lit.
 bool is_seen(Corners k) {
   bool seen = true;
-  for (int i = 0; clip && i < 5; ++i) seen = seen && distance_inside(i, k.position_m) >= 0.0;
+  for (int i = 0; clip && io.whole == 0u && i < 5; ++i) seen = seen && distance_inside(i, k.position_m) >= 0.0;
   return seen;
 }
 

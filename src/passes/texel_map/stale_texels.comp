@@ -8,6 +8,7 @@ layout(binding = 0, scalar) buffer Stamps { uint stamps[]; };
 layout(binding = 1, scalar) writeonly buffer Draws { TexelDrawIo draws[]; };
 
 void main() {
-  draws[io.square] = TexelDrawIo(io.vertices, stamps[io.square] == io.stamp ? 0u : 1u, 0u, 0u);
+  const bool holds = io.stamp != 0u && stamps[io.square] == io.stamp;
+  draws[io.square] = TexelDrawIo(io.vertices, holds ? 0u : 1u, 0u, 0u);
   stamps[io.square] = io.stamp;
 }

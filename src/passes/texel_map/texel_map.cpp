@@ -13,7 +13,11 @@ const GpuMesh& mesh_of(const FrameData& frame, const MapSquare& square) {
   return instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
 }
 
-// Not 0, which is no map.
+bool in_every_frame(const std::vector<bool>& meshes, const MapSquare& square) {
+  return !meshes.empty() && meshes[square.mesh];
+}
+
+// Not 0, which is no map that lasts.
 std::uint32_t stamp_of(std::uint32_t unwrap, std::uint32_t side) {
   DERMIS_ASSERT_LT(unwrap, 0xFFFFu);
   DERMIS_ASSERT_LT(side, 0x10000u);
@@ -38,7 +42,9 @@ void StaleTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const
     const auto indices = mesh_of(frame, square).indices.desc().bytes / sizeof(std::uint32_t);
     dispatch(cmd,
              io::StaleTexelsIo{.square = square.index,
-                               .stamp = stamp_of(settings.unwraps[square.mesh], square.side),
+                               .stamp = in_every_frame(settings.every_frame, square)
+                                            ? 0
+                                            : stamp_of(settings.unwraps[square.mesh], square.side),
                                .vertices = 3 + static_cast<std::uint32_t>(indices)},
              1, 1);
   }
@@ -47,6 +53,7 @@ void StaleTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const
 TexelMap::Out TexelMap::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
   d.indirect(in.maps.draws);
+  if (in.kept.valid()) d.read(in.kept.indices);
   d.colour(in.maps.numbers);
   return {};
 }
@@ -63,6 +70,8 @@ void TexelMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fr
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     Bindings bindings;
     mesh_of(frame, square).offer(bindings);
+    if (in_every_frame(settings.every_frame, square))
+      bindings.add("Indices", kept_in(in.kept, resources, square));
 
     cmd.begin_rendering_area(std::span(&target, 1), {}, square.area(), true);
     bindings.bind(cmd, *pipeline_);

@@ -8,7 +8,7 @@ struct TexelDrawIo {
 };
 struct StaleTexelsIo {
   uint square;    // number in the pool
-  uint stamp;     // of what it shall hold; not 0
+  uint stamp;     // of what it shall hold; 0: this frame's triangles, which nothing else can use
   uint vertices;  // of a draw of all of it
 };
 DERMIS_IO_END

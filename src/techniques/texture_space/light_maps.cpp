@@ -89,7 +89,9 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     kept_ = passes::make_kept_triangles(plan, pool_.squares(), most_triangles);
   if (settings.texel_maps) {
     texels_ = {.maps = passes::make_texel_maps(plan, pool_.texture(0), pool_.squares()),
-               .lists = passes::make_texel_lists(plan, pool_.texture(0), pool_.squares(), most_materials)};
+               .lists = passes::make_texel_lists(plan, pool_.texture(0), pool_.squares(), most_materials),
+               .unclipped = {}};
+    for (const SkinPart& part : settings.skin) texels_.unclipped.push_back(kept_.valid() && part.overlaps);
     // No map is drawn yet.
     plan.add<passes::ClearBuffers>("clear texel map stamps", {{texels_.maps.stamps}}, {frame::Runs::once});
   }
@@ -339,8 +341,9 @@ void LightMaps::add_texels(const passes::Irradiance::Settings& settings, const p
   const passes::TexelLists& lists = texels_.lists;
   std::vector<std::uint32_t> unwraps;
   for (const SkinPart& part : settings_->skin) unwraps.push_back(part.unwrap);
-  plan_->add<passes::StaleTexels>(name("stale texels"), {texels_.maps}, {squares, unwraps});
-  plan_->add<passes::TexelMap>(name("texel map"), {texels_.maps}, {squares});
+  plan_->add<passes::StaleTexels>(name("stale texels"), {texels_.maps},
+                                  {squares, unwraps, texels_.unclipped});
+  plan_->add<passes::TexelMap>(name("texel map"), {texels_.maps, kept_}, {squares, texels_.unclipped});
 
   plan_->add<passes::ClearBuffers>(name("clear texel lists"), {{lists.lists}});
   const auto list = [&](std::string_view what, bool counts_only) {

@@ -221,6 +221,26 @@ TEST_F(Texels, AreThoseThatAreDrawn) {
     }
 }
 
+// One that nobody sees does not take the texels of one that is seen, from either side.
+TEST_F(Texels, OfTrianglesThatOverlapShowTheKeptOne) {
+  const auto scene = std::make_shared<scene::Scene>(folded_sphere());
+  RenderSettings s = small();
+  s.quality.cull = s.quality.clip = true;
+  Frames drawn(scene, s, false), computed(scene, s, true);
+  for (const double azimuth_deg : {30.0, 150.0, 240.0}) {
+    s.camera.orbit_deg = {azimuth_deg, 0};
+    drawn.draw(s);
+    computed.draw(s);
+    EXPECT_TRUE(computed.drew_texel_map()) << azimuth_deg;
+
+    const Difference d = difference(drawn.light(), computed.light());
+    EXPECT_GT(d.texels, 1000u) << azimuth_deg;
+    EXPECT_EQ(d.charts, 0u) << azimuth_deg;
+    EXPECT_LE(static_cast<double>(d.beyond), 0.001 * static_cast<double>(d.texels)) << azimuth_deg;
+    EXPECT_EQ(drawn.report().irradiance_texels, computed.report().irradiance_texels) << azimuth_deg;
+  }
+}
+
 // Penumbrae, and skin of which an alpha test leaves stripes of eight pixels.
 TEST_F(Texels, HaveSoftShadowsAndAreCutOut) {
   image::Image8 pixels{.width = 64, .height = 64, .rgba = {}};

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <iostream>
+#include <string>
 
 #include "gpu/support/failure.h"
 #include "gpu/support/pictures.h"
@@ -18,31 +20,41 @@
 namespace dermis::tests {
 namespace {
 
+constexpr std::array ways{IrradianceBy::raster, IrradianceBy::compute};
+
 TEST(Unwraps, EachReadFindsLight) {
-  for (const MadeUp& made : made_up_unwraps()) {
-    SCOPED_TRACE(made.name);
-    RenderSettings s = tiny_settings(40, 64);
-    PreparedFrame frame = renderer().prepare(wrap(made.scene), s);
-    for (const auto& orbit_deg : {std::array{0.0, 0.0}, {75.0, 20.0}, {200.0, -40.0}}) {
-      s.camera.orbit_deg = orbit_deg;
+  for (const MadeUp& made : made_up_unwraps())
+    for (const IrradianceBy by : ways) {
+      SCOPED_TRACE(std::string(made.name) + (by == IrradianceBy::raster ? ", drawn" : ", computed"));
+      RenderSettings s = tiny_settings(40, 64);
+      s.quality.irradiance = by;
+      PreparedFrame frame = renderer().prepare(wrap(made.scene), s);
+      for (const auto& orbit_deg : {std::array{0.0, 0.0}, {75.0, 20.0}, {200.0, -40.0}}) {
+        s.camera.orbit_deg = orbit_deg;
+        frame.set(s);
+        const Picture picture = frame.picture();
+        EXPECT_EQ(picture.statistics.unshaded_reads, 0u) << orbit_deg[0] << ", " << orbit_deg[1];
+        EXPECT_GT(picture.statistics.skin_pixels, 300u);
+      }
+
+      s.camera.fov_deg = 6;  // most of it is outside the picture
       frame.set(s);
-      const Picture picture = frame.picture();
-      EXPECT_EQ(picture.statistics.unshaded_reads, 0u) << orbit_deg[0] << ", " << orbit_deg[1];
-      EXPECT_GT(picture.statistics.skin_pixels, 300u);
+      EXPECT_EQ(frame.picture().statistics.unshaded_reads, 0u) << "near";
     }
-  }
 }
 
 TEST(Unwraps, AWhiteFurnaceIsWhite) {
-  for (const MadeUp& made : made_up_unwraps()) {
-    SCOPED_TRACE(made.name);
-    const SkinRange range =
-        skin_range(renderer().render(wrap(made.scene), in_a_furnace(tiny_settings(40, 64))));
-    EXPECT_GT(range.pixels, 300u);
-    // What EveryHead allows with reflection: half floats, and a directional albedo from a fit.
-    EXPECT_GE(range.low, 0.99f);
-    EXPECT_LE(range.high, 1.01f);
-  }
+  for (const MadeUp& made : made_up_unwraps())
+    for (const IrradianceBy by : ways) {
+      SCOPED_TRACE(std::string(made.name) + (by == IrradianceBy::raster ? ", drawn" : ", computed"));
+      RenderSettings s = in_a_furnace(tiny_settings(40, 64));
+      s.quality.irradiance = by;
+      const SkinRange range = skin_range(renderer().render(wrap(made.scene), s));
+      EXPECT_GT(range.pixels, 300u);
+      // What EveryHead allows with reflection: half floats, and a directional albedo from a fit.
+      EXPECT_GE(range.low, 0.99f);
+      EXPECT_LE(range.high, 1.01f);
+    }
 }
 
 // The fit takes back what the file has scaled, up to the rounding of its floats.
