@@ -109,9 +109,9 @@ enum class BlurOrder : std::uint8_t {
 /// How the texels of light maps are lit.
 enum class IrradianceBy : std::uint8_t {
   raster,  ///< triangles are drawn in texture coordinates
-  /// a compute pass lights each texel; which triangle it shows is drawn once. Where triangles overlap in
-  /// texture coordinates, the last one owns a texel also where it is culled or cut away. Light that a host
-  /// draws is drawn.
+  /// a compute pass lights each texel; which triangle it shows is drawn once, or in each frame if triangles
+  /// overlap in texture coordinates. Of those, the last that is not culled owns a texel also where it is cut
+  /// away. Light that a host draws is drawn.
   compute
 };
 

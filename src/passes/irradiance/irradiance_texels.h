@@ -55,8 +55,8 @@ class ClearIrradiance {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
-/// As Irradiance, in a compute pass. Two triangles that share texels do so as if nothing was culled: the last
-/// one owns them, whether it is culled or cut away. Needs `from_host` to be false.
+/// As Irradiance, in a compute pass. Of two triangles that share texels the last one that is kept owns them,
+/// whether or not it is cut away or outside the picture. Needs `from_host` to be false.
 class IrradianceTexels {
  public:
   struct Settings {

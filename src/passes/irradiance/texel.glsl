@@ -62,10 +62,11 @@ Corners corners_at(uvec3 vertex, ivec2 texel) {
                  vec3(-to_b.y - to_c.y, to_b.y, to_c.y) * width, centre, asset_m, world_position(asset_m));
 }
 
-// Returns whether the texel is lit: it lies in the picture and its margin, or all of the mesh is lit.
+// Returns whether the texel is lit: all of the mesh is, or it lies in the picture and its margin.
 bool is_seen(Corners k) {
   bool seen = true;
-  for (int i = 0; clip && io.whole == 0u && i < 5; ++i) seen = seen && distance_inside(i, k.position_m) >= 0.0;
+  const int planes = clip && io.whole == 0u ? 5 : 0;
+  for (int i = 0; i < planes; ++i) seen = seen && distance_inside(i, k.position_m) >= 0.0;
   return seen;
 }
 
