@@ -53,9 +53,6 @@ void TexelPipelines::record(gpu::Cmd& cmd, const frame::Resources& resources, co
                             const Irradiance::Settings& settings, const Irradiance::In& in,
                             const LitTexels& texels, const Bindings& of_pass) const {
   const bool through = !settings.through.empty();
-  const auto whole = [&](const UsedSquare& square) {
-    return !texels.unclipped.empty() && texels.unclipped[square.mesh];
-  };
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     const Instance& instance = instance_of(frame, square);
     const std::uint32_t mesh = mesh_in_asset(frame, square);
@@ -78,10 +75,7 @@ void TexelPipelines::record(gpu::Cmd& cmd, const frame::Resources& resources, co
       offer_skin(all, instance, mesh, material);
       if (in.kept.valid()) all.add("Indices", kept_in(in.kept, resources, square));
       all.bind(cmd, pipeline);
-      cmd.push(
-          pipeline,
-          io::TexelsIo{
-              .origin = square.origin, .side = square.side, .list = list, .whole = whole(square) ? 1u : 0u});
+      cmd.push(pipeline, io::TexelsIo{.origin = square.origin, .side = square.side, .list = list});
       cmd.dispatch_indirect(resources.buffer(texels.lists.arguments), list * sizeof(io::TexelArgumentsIo));
     }
   }

@@ -16,9 +16,6 @@ namespace dermis::passes {
 struct LitTexels {
   TexelMaps maps;    ///< of these squares
   TexelLists lists;  ///< of these squares, with their ranges
-  /// By skin mesh of the plan: listed texels are lit although they lie outside the picture, since several
-  /// triangles share them. Empty: none.
-  std::vector<bool> unclipped;
 };
 
 /// A pipeline for each kind of material and each profile, and what they are given: shared by the passes over
@@ -56,7 +53,7 @@ class ClearIrradiance {
 };
 
 /// As Irradiance, in a compute pass. Of two triangles that share texels the last one that is kept owns them,
-/// whether or not it is cut away or outside the picture. Needs `from_host` to be false.
+/// whether or not it is cut away. Needs `from_host` to be false.
 class IrradianceTexels {
  public:
   struct Settings {

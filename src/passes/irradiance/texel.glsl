@@ -62,11 +62,10 @@ Corners corners_at(uvec3 vertex, ivec2 texel) {
                  vec3(-to_b.y - to_c.y, to_b.y, to_c.y) * width, centre, asset_m, world_position(asset_m));
 }
 
-// Returns whether the texel is lit: all of the mesh is, or it lies in the picture and its margin.
+// Returns whether the texel lies in the picture and its margin.
 bool is_seen(Corners k) {
   bool seen = true;
-  const int planes = clip && io.whole == 0u ? 5 : 0;
-  for (int i = 0; i < planes; ++i) seen = seen && distance_inside(i, k.position_m) >= 0.0;
+  for (int i = 0; clip && i < 5; ++i) seen = seen && distance_inside(i, k.position_m) >= 0.0;
   return seen;
 }
 

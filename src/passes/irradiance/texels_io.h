@@ -8,10 +8,9 @@ struct TexelsIo {
   uvec2 origin;  // of the square in the pool
   uint side;     // T, texels
   uint list;     // its number: passes/texel_lists.h
-  uint whole;    // 1: what lies outside the picture is lit, too
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::TexelsIo) == 20);
+static_assert(sizeof(dermis::io::TexelsIo) == 16);
 #endif
 #endif

@@ -4,6 +4,7 @@
 #include "core/assert.h"
 #include "frame/resources.h"
 #include "passes/bindings.h"
+#include "passes/posed.h"
 #include "passes/texel_map/texel_map_io.h"
 
 namespace dermis::passes {
@@ -13,7 +14,7 @@ const GpuMesh& mesh_of(const FrameData& frame, const MapSquare& square) {
   return instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
 }
 
-bool in_every_frame(const std::vector<bool>& meshes, const MapSquare& square) {
+bool overlaps(const std::vector<bool>& meshes, const MapSquare& square) {
   return !meshes.empty() && meshes[square.mesh];
 }
 
@@ -42,7 +43,7 @@ void StaleTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const
     const auto indices = mesh_of(frame, square).indices.desc().bytes / sizeof(std::uint32_t);
     dispatch(cmd,
              io::StaleTexelsIo{.square = square.index,
-                               .stamp = in_every_frame(settings.every_frame, square)
+                               .stamp = overlaps(settings.overlapping, square)
                                             ? 0
                                             : stamp_of(settings.unwraps[square.mesh], square.side),
                                .vertices = 3 + static_cast<std::uint32_t>(indices)},
@@ -59,22 +60,28 @@ TexelMap::Out TexelMap::declare(frame::Declare& d) {
 }
 
 void TexelMap::prepare(gpu::PipelineLibrary& library) {
-  pipeline_ = &library.graphics({.vertex = "texel_map.vert",
-                                 .fragment = "texel_map.frag",
-                                 .constants = {},
-                                 .colour_formats = {VK_FORMAT_R32_UINT}});
+  const auto make = [&](const char* vertex) {
+    return &library.graphics({.vertex = vertex,
+                              .fragment = "texel_map.frag",
+                              .constants = {},
+                              .colour_formats = {VK_FORMAT_R32_UINT}});
+  };
+  whole_ = make("texel_map.vert");
+  overlapping_ = settings.clip ? make("texel_map_clipped.vert") : whole_;
 }
 
 void TexelMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::ColourTarget target{.texture = &resources.texture(in.maps.numbers)};
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+    const Instance& instance = instance_of(frame, square);
+    const bool overlapping = overlaps(settings.overlapping, square);
     Bindings bindings;
-    mesh_of(frame, square).offer(bindings);
-    if (in_every_frame(settings.every_frame, square))
-      bindings.add("Indices", kept_in(in.kept, resources, square));
+    bindings.add("Frame", frame.frame_io).add("Head", instance.io);
+    offer_mesh(instance, mesh_in_asset(frame, square), bindings);
+    if (overlapping) bindings.add("Indices", kept_in(in.kept, resources, square));
 
     cmd.begin_rendering_area(std::span(&target, 1), {}, square.area(), true);
-    bindings.bind(cmd, *pipeline_);
+    bindings.bind(cmd, overlapping ? *overlapping_ : *whole_);
     cmd.draw_indirect(resources.buffer(in.maps.draws), square.index * sizeof(io::TexelDrawIo), 1);
     cmd.end_rendering();
   }

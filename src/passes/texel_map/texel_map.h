@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Draws which triangle each texel of a light map shows, for passes that compute what is there. Where
-/// triangles overlap in the unwrap, only those that the frame keeps are drawn, so that one which nobody sees
-/// does not take the texels of one that is seen.
+/// Draws which triangle each texel of a light map shows, for passes that compute what is there.
 #pragma once
 
 #include <vector>
@@ -19,7 +17,7 @@ class StaleTexels : public ComputePass {
   struct Settings {
     std::vector<MapSquare> squares;
     std::vector<std::uint32_t> unwraps;  ///< number of the unwrap, by skin mesh of the plan
-    std::vector<bool> every_frame;       ///< likewise: it is drawn in each frame; empty: none
+    std::vector<bool> overlapping;       ///< likewise: drawn in each frame; empty: none
   } settings;
   struct In {
     TexelMaps maps;
@@ -29,16 +27,18 @@ class StaleTexels : public ComputePass {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
-/// Draws those.
+/// Draws those. Where triangles overlap in the unwrap, only what the frame lights of each is drawn: one that
+/// nobody sees does not take the texels of one that is seen.
 class TexelMap {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-    std::vector<bool> every_frame;  ///< as StaleTexels: of these meshes, what is kept
+    std::vector<bool> overlapping;  ///< as StaleTexels: of these meshes, what is kept
+    bool clip = false;              ///< and of that what lies in the picture and its margin
   } settings;
   struct In {
     TexelMaps maps;
-    KeptTriangles kept = {};  ///< as Irradiance; needed if any mesh is drawn in each frame
+    KeptTriangles kept = {};  ///< as Irradiance; needed if any mesh overlaps
   } in;
   struct Out {};
   Out declare(frame::Declare& d);
@@ -46,7 +46,7 @@ class TexelMap {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  const gpu::Pipeline* pipeline_ = nullptr;
+  const gpu::Pipeline *whole_ = nullptr, *overlapping_ = nullptr;
 };
 
 }  // namespace dermis::passes

@@ -89,9 +89,7 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     kept_ = passes::make_kept_triangles(plan, pool_.squares(), most_triangles);
   if (settings.texel_maps) {
     texels_ = {.maps = passes::make_texel_maps(plan, pool_.texture(0), pool_.squares()),
-               .lists = passes::make_texel_lists(plan, pool_.texture(0), pool_.squares(), most_materials),
-               .unclipped = {}};
-    for (const SkinPart& part : settings.skin) texels_.unclipped.push_back(kept_.valid() && part.overlaps);
+               .lists = passes::make_texel_lists(plan, pool_.texture(0), pool_.squares(), most_materials)};
     // No map is drawn yet.
     plan.add<passes::ClearBuffers>("clear texel map stamps", {{texels_.maps.stamps}}, {frame::Runs::once});
   }
@@ -340,10 +338,14 @@ void LightMaps::add_texels(const passes::Irradiance::Settings& settings, const p
   const std::vector<MapSquare>& squares = settings.squares;
   const passes::TexelLists& lists = texels_.lists;
   std::vector<std::uint32_t> unwraps;
-  for (const SkinPart& part : settings_->skin) unwraps.push_back(part.unwrap);
-  plan_->add<passes::StaleTexels>(name("stale texels"), {texels_.maps},
-                                  {squares, unwraps, texels_.unclipped});
-  plan_->add<passes::TexelMap>(name("texel map"), {texels_.maps, kept_}, {squares, texels_.unclipped});
+  std::vector<bool> overlapping;
+  for (const SkinPart& part : settings_->skin) {
+    unwraps.push_back(part.unwrap);
+    overlapping.push_back(kept_.valid() && part.overlaps);
+  }
+  plan_->add<passes::StaleTexels>(name("stale texels"), {texels_.maps}, {squares, unwraps, overlapping});
+  plan_->add<passes::TexelMap>(name("texel map"), {texels_.maps, kept_},
+                               {squares, overlapping, settings.clip});
 
   plan_->add<passes::ClearBuffers>(name("clear texel lists"), {{lists.lists}});
   const auto list = [&](std::string_view what, bool counts_only) {
