@@ -17,10 +17,7 @@ layout(location = 6) out vec2 out_unwrap;
 layout(location = 7) out float out_plane_m;
 
 #ifdef CLIP
-out gl_PerVertex {
-  vec4 gl_Position;
-  float gl_ClipDistance[5];
-};
+#include "shaders/clip_distances.glsl"
 #endif
 
 void main() {
@@ -39,6 +36,6 @@ void main() {
 
   gl_Position = vec4(skin.unwrap * 2.0 - 1.0, 0.5, 1.0);
 #ifdef CLIP
-  for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = distance_inside(i, out_position_m);
+  clip_to_picture(out_position_m);
 #endif
 }

@@ -11,10 +11,7 @@ layout(location = 0) flat out uint out_number;
 #include "shaders/vertex_pull.glsl"
 #include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
-out gl_PerVertex {
-  vec4 gl_Position;
-  float gl_ClipDistance[5];
-};
+#include "shaders/clip_distances.glsl"
 #endif
 
 void main() {
@@ -27,7 +24,6 @@ void main() {
 #ifdef CLIP
   for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = 1.0;
   if (vertex < 3u) return;
-  const vec3 position_m = world_position(vertex_position(indices[vertex - 3u]));
-  for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = distance_inside(i, position_m);
+  clip_to_picture(world_position(vertex_position(indices[vertex - 3u])));
 #endif
 }
