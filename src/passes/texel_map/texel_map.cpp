@@ -14,10 +14,6 @@ const GpuMesh& mesh_of(const FrameData& frame, const MapSquare& square) {
   return instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
 }
 
-bool overlaps(const std::vector<bool>& meshes, const MapSquare& square) {
-  return !meshes.empty() && meshes[square.mesh];
-}
-
 // Not 0, which is no map that lasts.
 std::uint32_t stamp_of(std::uint32_t unwrap, std::uint32_t side) {
   DERMIS_ASSERT_LT(unwrap, 0xFFFFu);
@@ -43,7 +39,7 @@ void StaleTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const
     const auto indices = mesh_of(frame, square).indices.desc().bytes / sizeof(std::uint32_t);
     dispatch(cmd,
              io::StaleTexelsIo{.square = square.index,
-                               .stamp = overlaps(settings.overlapping, square)
+                               .stamp = settings.overlapping[square.mesh]
                                             ? 0
                                             : stamp_of(settings.unwraps[square.mesh], square.side),
                                .vertices = 3 + static_cast<std::uint32_t>(indices)},
@@ -67,14 +63,14 @@ void TexelMap::prepare(gpu::PipelineLibrary& library) {
                               .colour_formats = {VK_FORMAT_R32_UINT}});
   };
   whole_ = make("texel_map.vert");
-  overlapping_ = settings.clip ? make("texel_map_clipped.vert") : whole_;
+  if (in.kept.valid()) overlapping_ = settings.clip ? make("texel_map_clipped.vert") : whole_;
 }
 
 void TexelMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const gpu::ColourTarget target{.texture = &resources.texture(in.maps.numbers)};
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     const Instance& instance = instance_of(frame, square);
-    const bool overlapping = overlaps(settings.overlapping, square);
+    const bool overlapping = settings.overlapping[square.mesh];
     Bindings bindings;
     bindings.add("Frame", frame.frame_io).add("Head", instance.io);
     offer_mesh(instance, mesh_in_asset(frame, square), bindings);

@@ -17,7 +17,7 @@ class StaleTexels : public ComputePass {
   struct Settings {
     std::vector<MapSquare> squares;
     std::vector<std::uint32_t> unwraps;  ///< number of the unwrap, by skin mesh of the plan
-    std::vector<bool> overlapping;       ///< likewise: drawn in each frame; empty: none
+    std::vector<bool> overlapping;       ///< likewise: its map is drawn in each frame
   } settings;
   struct In {
     TexelMaps maps;

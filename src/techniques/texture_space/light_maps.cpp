@@ -344,7 +344,8 @@ void LightMaps::add_texels(const passes::Irradiance::Settings& settings, const p
     overlapping.push_back(kept_.valid() && part.overlaps);
   }
   plan_->add<passes::StaleTexels>(name("stale texels"), {texels_.maps}, {squares, unwraps, overlapping});
-  plan_->add<passes::TexelMap>(name("texel map"), {texels_.maps, kept_},
+  const bool any = std::ranges::find(overlapping, true) != overlapping.end();
+  plan_->add<passes::TexelMap>(name("texel map"), {texels_.maps, any ? kept_ : passes::KeptTriangles{}},
                                {squares, overlapping, settings.clip});
 
   plan_->add<passes::ClearBuffers>(name("clear texel lists"), {{lists.lists}});
