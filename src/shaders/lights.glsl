@@ -90,7 +90,7 @@ float shadow_texel_m(LightIo light, Arriving a) {
 // `texels`, or to the rounded surface if that is further; plus one texel towards the light.
 vec3 off_the_surface(ShadingPoint s, Arriving a, float texel_m, float texels) {
   const float cosine = dot(s.normal, a.to_light), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
-  return s.position_m + s.normal * max(texels * texel_m * sine, s.bulge_m) + a.to_light * texel_m;
+  return s.shadow_m + s.normal * max(texels * texel_m * sine, s.bulge_m) + a.to_light * texel_m;
 }
 
 #include "shaders/soft_shadow.glsl"

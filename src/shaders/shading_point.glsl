@@ -5,6 +5,7 @@
 #define DERMIS_SHADING_POINT_GLSL
 struct ShadingPoint {
   vec3 position_m;
+  vec3 shadow_m;  // where shadows are looked up: position_m, kept within its triangle
   vec3 normal;    // interpolated, unit
   float bulge_m;  // bulge_at() along this normal
   vec4 tangent;
@@ -22,8 +23,8 @@ struct ShadingPoint {
 // 1, or -1 where the back of the surface is seen.
 ShadingPoint drawn_point(vec3 position_m, vec3 normal, float plane_m, vec4 tangent, vec4 uv, vec4 colour,
                          float side) {
-  return ShadingPoint(position_m, side * normalize(normal), side * bulge_at(position_m, normal, plane_m),
-                      tangent, uv.xy, uv.zw, colour);
+  return ShadingPoint(position_m, position_m, side * normalize(normal),
+                      side * bulge_at(position_m, normal, plane_m), tangent, uv.xy, uv.zw, colour);
 }
 #endif
 #endif

@@ -99,17 +99,22 @@ SeenSkin seen_skin(Entry entry) {
   if (cut) uv = beside_gap(uv, colour, dx, dy);
 
   const vec3 position_m = at_seen(seen.near, pa, pb, pc);
-  const vec3 asset_m = at_seen(seen.near, a.position_m, b.position_m, c.position_m),
-             asset_normal = at_seen(seen.near, a.normal, b.normal, c.normal);
+  // Beside a triangle its plane lies above skin that bends away, but in a fold below it, in shadow.
+  const vec3 beyond_m = at_seen(seen.near - seen.share, a.position_m, b.position_m, c.position_m);
+  const float above_m = dot(beyond_m, at_seen(seen.share, a.normal, b.normal, c.normal));
+  const vec3 share = above_m > 1e-3 * length(beyond_m) ? seen.near : seen.share;
   const float plane =
-      dot(seen.near, vec3(plane_distance(a.position_m, a.normal), plane_distance(b.position_m, b.normal),
-                          plane_distance(c.position_m, c.normal)));
+      dot(share, vec3(plane_distance(a.position_m, a.normal), plane_distance(b.position_m, b.normal),
+                      plane_distance(c.position_m, c.normal)));
+  const float bulge = bulge_at(at_seen(share, a.position_m, b.position_m, c.position_m),
+                               at_seen(share, a.normal, b.normal, c.normal), plane);
   const float side = seen.front ? 1.0 : -1.0;
+  const vec3 normal = at_seen(seen.near, a.normal, b.normal, c.normal);
   const vec4 tangent = at_seen(seen.near, a.tangent, b.tangent, c.tangent);
   const ShadingPoint s =
-      ShadingPoint(position_m, side * normalize(world_direction(asset_normal)),
-                   side * INSTANCE.scale * bulge_at(asset_m, asset_normal, plane),
-                   vec4(world_direction(tangent.xyz), tangent.w), uv.xy, uv.zw, colour, dx, dy);
+      ShadingPoint(position_m, at_seen(share, pa, pb, pc), side * normalize(world_direction(normal)),
+                   side * INSTANCE.scale * bulge, vec4(world_direction(tangent.xyz), tangent.w), uv.xy, uv.zw,
+                   colour, dx, dy);
 
   const SkinVertexIo sa = skin_vertex_at(i), sb = skin_vertex_at(j), sc = skin_vertex_at(k);
   OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0, vec4(0.0),

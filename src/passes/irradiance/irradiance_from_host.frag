@@ -17,8 +17,8 @@ layout(location = 6) in vec2 in_unwrap;
 layout(location = 0) out vec4 out_light;
 void main() {
   // No shadow is looked up, so the bulge is not asked for.
-  const ShadingPoint s =
-      ShadingPoint(in_position_m, normalize(in_normal), 0.0, in_tangent, in_uv.xy, in_uv.zw, in_colour);
+  const ShadingPoint s = ShadingPoint(in_position_m, in_position_m, normalize(in_normal), 0.0, in_tangent,
+                                      in_uv.xy, in_uv.zw, in_colour);
   const vec4 e = texelFetch(host_irradiance, ivec2(gl_FragCoord.xy), 0);
   const CutTexel cut = cut_texel(in_uv, in_colour);
   const float chart = cut_out ? chart_left(float(in_chart), cut) : float(in_chart);

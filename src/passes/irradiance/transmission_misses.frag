@@ -12,7 +12,7 @@ layout(location = 1) in vec3 in_normal;
 
 void main() {
   ShadingPoint s;  // misses are of sides that face away, which are not moved: no more is read
-  s.position_m = in_position_m;
+  s.position_m = s.shadow_m = in_position_m;
   s.normal = normalize(in_normal);
   s.bulge_m = 0.0;
   const uint misses = misses_at(s);

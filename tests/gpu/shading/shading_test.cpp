@@ -2,6 +2,7 @@
 // Skin that is shaded in compute, once per entry of a pixel, looks as skin that is shaded where it is drawn.
 #include <algorithm>
 #include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
 #include <set>
 #include <string>
 
@@ -317,6 +318,42 @@ TEST(InComputeEntries, EachSurfaceOfAPixelIsShaded) {
       EXPECT_NEAR(picture.linear_rgba[i + 2], 0.3, 0.01);
       EXPECT_EQ(picture.linear_rgba[i + 3], 1);
     }
+  }
+}
+
+// Two squares that meet in a hollow fold at an angle to the rows of pixels, under light that shines into it.
+scene::Scene fold() {
+  const float side_m = 0.1f, bend = glm::radians(50.0f);
+  scene::Scene made = two_planes(side_m, 8, [&](scene::Vertex& v) {
+    const float from_fold_m = v.position_m.x + side_m / 2;
+    v.position_m = {side_m / 2 + std::cos(bend) * from_fold_m, v.position_m.y, std::sin(bend) * from_fold_m};
+    v.normal = {-std::sin(bend), 0, std::cos(bend)};
+    v.tangent = glm::vec4(std::cos(bend), 0, std::sin(bend), 1);
+  });
+  const glm::mat3 turn(glm::rotate(glm::mat4(1), glm::radians(10.0f), glm::vec3(0, 0, 1)));
+  for (scene::Vertex& v : made.primitives.front().vertices) {
+    v.position_m = turn * (v.position_m - glm::vec3(side_m / 2, 0, 0));
+    v.normal = turn * v.normal;
+    v.tangent = glm::vec4(turn * glm::vec3(v.tangent), v.tangent.w);
+  }
+  made.lights = {directional_light(turn * -glm::vec3(-std::sin(bend / 2), 0, std::cos(bend / 2)))};
+  made.cameras.push_back(camera_from_above(0.04, {0, 0, 1}));
+  return made;
+}
+
+// A pixel of both squares is shaded at one point, beside the square that it takes: not below the other one.
+TEST(InComputeEntries, AFoldIsNotInItsOwnShadow) {
+  for (const int shadow_side : {512, 4096}) {
+    SCOPED_TRACE(shadow_side);
+    RenderSettings s = under_lamps_alone(in_compute(settings_at(1, "lambert")));
+    s.camera.distance.reset();
+    s.camera.name = "above";
+    s.output.width = s.output.height = 48;
+    s.quality.shadow_size = shadow_side;
+
+    const SkinRange range = skin_range(renderer().render(wrap(fold()), s));
+    EXPECT_GT(range.pixels, 1500u);
+    EXPECT_GT(range.low, 0.97f * range.high);
   }
 }
 
