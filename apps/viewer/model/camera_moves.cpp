@@ -9,6 +9,7 @@
 #include "api/scene_state.h"
 #include "setup/choose.h"
 #include "setup/frame_camera.h"
+#include "viewer/model/vectors.h"
 
 namespace dermis::viewer {
 namespace {
@@ -17,9 +18,6 @@ constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr double nearest_m = 1e-3;   // of eye and target
 constexpr double steepest_deg = 89;  // the picture would turn over
 constexpr double farthest_m = 1e5;
-
-glm::dvec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-std::array<double, 3> array_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 struct Axes {
   glm::dvec3 right, up, ahead;

@@ -12,14 +12,13 @@
 #include "api/scene_state.h"
 #include "scene/framing.h"
 #include "setup/choose.h"
+#include "viewer/model/vectors.h"
 
 namespace dermis::viewer {
 namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
-glm::dvec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-std::array<double, 3> array_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 double greatest(const std::array<double, 3>& v) { return *std::max_element(v.begin(), v.end()); }
 
 bool stands_somewhere(const Light& light) { return light.type != LightType::directional; }
