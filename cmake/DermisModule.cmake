@@ -76,7 +76,7 @@ function(dermis_compile_options target)
   endif()
 endfunction()
 
-# Code around the library: the command line, tests. Nothing in it is worth the time that -O3 takes, nor, with
+# Code around the library: tests, the command line. Nothing in it is worth the time that -O3 takes, nor, with
 # sanitizers, any optimisation; what it calls is compiled as ever. -fPIE for programs and for libraries of
 # their parts alike, so that all share one precompiled header.
 function(dermis_program_options target)
@@ -89,12 +89,6 @@ function(dermis_program_options target)
     # These checks of each pointer take much of the compiler's time; one that leads nowhere is met at its use.
     target_compile_options(${target} PRIVATE -fno-sanitize=alignment,vptr,pointer-overflow)
   endif()
-endfunction()
-
-# Tests and what they share: of their time less than a hundredth is spent in code of their own.
-function(dermis_test_options target)
-  dermis_program_options(${target})
-  target_compile_options(${target} PRIVATE -O0)
 endfunction()
 
 function(dermis_module name)
@@ -136,7 +130,7 @@ function(dermis_test name)
   add_executable(test_${name} ${T_SOURCES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   dermis_compile_options(test_${name})
-  dermis_test_options(test_${name})
+  dermis_program_options(test_${name})
   dermis_precompiled(test_${name} test)
   foreach(dep IN LISTS T_DEPENDS)
     target_link_libraries(test_${name} PRIVATE dermis_${dep})
