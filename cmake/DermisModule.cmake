@@ -56,9 +56,8 @@ function(dermis_compile_options target)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(DERMIS_SANITIZE STREQUAL "address")
-    # What null and object-size check before an access, the address sanitizer meets at it.
-    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize=null,object-size
-      -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
+      -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   elseif(DERMIS_SANITIZE STREQUAL "thread")
     target_compile_options(${target} PRIVATE -fsanitize=thread -fno-omit-frame-pointer)
@@ -86,8 +85,8 @@ function(dermis_program_options target)
     target_compile_options(${target} PRIVATE -O0)
   endif()
   if(DERMIS_SANITIZE STREQUAL "address")
-    # These checks of each pointer take much of the compiler's time; one that leads nowhere is met at its use.
-    target_compile_options(${target} PRIVATE -fno-sanitize=alignment,vptr,pointer-overflow)
+    # These checks of each pointer take half the compiler's time; one that leads nowhere is met at its use.
+    target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,vptr,object-size,pointer-overflow)
   endif()
 endfunction()
 

@@ -11,6 +11,7 @@
 #include "api/rig_pose.h"
 #include "api/scene_file.h"
 #include "api/scene_state.h"
+#include "api/vectors.h"
 #include "core/assert.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -22,6 +23,8 @@
 
 namespace dermis {
 namespace {
+
+using api::array_of, api::vector_of;
 
 // Numbers of edits are of the whole program, so that copies of a scene never give one number to two contents.
 std::uint64_t next_change() {
@@ -102,9 +105,6 @@ scene::LightType type_of(LightType type) {
   }
   return scene::LightType::point;
 }
-
-glm::dvec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-std::array<double, 3> array_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 

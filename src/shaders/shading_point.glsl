@@ -5,7 +5,7 @@
 #define DERMIS_SHADING_POINT_GLSL
 struct ShadingPoint {
   vec3 position_m;
-  vec3 shadow_m;  // where shadows are looked up: position_m, kept within its triangle
+  vec3 shadow_m;  // where shadows are looked up: position_m, but not below the skin of a fold
   vec3 normal;    // interpolated, unit
   float bulge_m;  // bulge_at() along this normal
   vec4 tangent;

@@ -7,12 +7,14 @@
 #include <numbers>
 
 #include "api/scene_state.h"
+#include "api/vectors.h"
 #include "setup/choose.h"
 #include "setup/frame_camera.h"
-#include "viewer/model/vectors.h"
 
 namespace dermis::viewer {
 namespace {
+
+using api::array_of, api::vector_of;
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr double nearest_m = 1e-3;   // of eye and target

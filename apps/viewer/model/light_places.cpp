@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "api/scene_state.h"
+#include "api/vectors.h"
 #include "scene/framing.h"
 #include "setup/choose.h"
-#include "viewer/model/vectors.h"
 
 namespace dermis::viewer {
 namespace {
+
+using api::array_of, api::vector_of;
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 

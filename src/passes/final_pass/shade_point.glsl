@@ -103,16 +103,16 @@ SeenSkin seen_skin(Entry entry) {
   // Beside a triangle its plane lies above skin that bends away, but in a fold below it, in shadow.
   const vec3 beyond_m = at_seen(seen.near - seen.share, a.position_m, b.position_m, c.position_m);
   const float above_m = side * dot(beyond_m, at_seen(seen.share, a.normal, b.normal, c.normal));
-  const vec3 share = above_m > 1e-3 * length(beyond_m) ? seen.near : seen.share;
+  const vec3 shadow_share = above_m > 1e-3 * length(beyond_m) ? seen.near : seen.share;
   const float plane =
-      dot(share, vec3(plane_distance(a.position_m, a.normal), plane_distance(b.position_m, b.normal),
-                      plane_distance(c.position_m, c.normal)));
-  const float bulge = bulge_at(at_seen(share, a.position_m, b.position_m, c.position_m),
-                               at_seen(share, a.normal, b.normal, c.normal), plane);
+      dot(shadow_share, vec3(plane_distance(a.position_m, a.normal), plane_distance(b.position_m, b.normal),
+                             plane_distance(c.position_m, c.normal)));
+  const float bulge = bulge_at(at_seen(shadow_share, a.position_m, b.position_m, c.position_m),
+                               at_seen(shadow_share, a.normal, b.normal, c.normal), plane);
   const vec3 normal = at_seen(seen.near, a.normal, b.normal, c.normal);
   const vec4 tangent = at_seen(seen.near, a.tangent, b.tangent, c.tangent);
   const ShadingPoint s =
-      ShadingPoint(position_m, at_seen(share, pa, pb, pc), side * normalize(world_direction(normal)),
+      ShadingPoint(position_m, at_seen(shadow_share, pa, pb, pc), side * normalize(world_direction(normal)),
                    side * INSTANCE.scale * bulge, vec4(world_direction(tangent.xyz), tangent.w), uv.xy, uv.zw,
                    colour, dx, dy);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Skin that is shaded in compute, once per entry of a pixel, looks as skin that is shaded where it is drawn.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
@@ -191,6 +192,7 @@ scene::Scene two_skins(bool covered) {
     made.materials.push_back(material);
     made.primitives.push_back(std::move(p));
   };
+
   scene::Material pale = made.materials.front();
   gaussians::SumOfGaussians wide;
   wide.name = "wide";
@@ -200,12 +202,14 @@ scene::Scene two_skins(bool covered) {
   pale.base_colour = {0.9f, 0.8f, 0.7f, 1};
   pale.skin_settings.profile = wide;
   add(front, {0.05f, 0.03f, 0.12f}, pale);
+
   if (covered) {
     scene::Material glass;
     glass.name = "glass";
     glass.base_colour = {0.2f, 0.5f, 0.9f, 0.4f};
     glass.alpha_mode = scene::AlphaMode::blend;
     add(front, {-0.04f, 0.05f, 0.1f}, glass);
+
     scene::Material stone;
     stone.name = "stone";
     stone.base_colour = {0.1f, 0.6f, 0.2f, 1};
@@ -330,12 +334,14 @@ scene::Scene fold() {
     v.normal = {-std::sin(bend), 0, std::cos(bend)};
     v.tangent = glm::vec4(std::cos(bend), 0, std::sin(bend), 1);
   });
+
   const glm::mat3 turn(glm::rotate(glm::mat4(1), glm::radians(10.0f), glm::vec3(0, 0, 1)));
   for (scene::Vertex& v : made.primitives.front().vertices) {
     v.position_m = turn * (v.position_m - glm::vec3(side_m / 2, 0, 0));
     v.normal = turn * v.normal;
     v.tangent = glm::vec4(turn * glm::vec3(v.tangent), v.tangent.w);
   }
+
   made.lights = {directional_light(turn * -glm::vec3(-std::sin(bend / 2), 0, std::cos(bend / 2)))};
   made.cameras.push_back(camera_from_above(0.04, {0, 0, 1}));
   return made;
